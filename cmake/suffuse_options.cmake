@@ -1,0 +1,18 @@
+# Compiler settings, in one interface target that every module links privately.
+add_library(suffuse_options INTERFACE)
+target_compile_options(suffuse_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    # The same bits on every processor: no fused multiply-add unless written. No traps or errno are read, and saying so
+    # lets the compiler turn branches into selects; neither changes a value.
+    -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(SUFFUSE_WERROR)
+    target_compile_options(suffuse_options INTERFACE -Werror)
+endif()
+if(SUFFUSE_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+find_program(SUFFUSE_CCACHE ccache)
+if(SUFFUSE_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${SUFFUSE_CCACHE})
+endif()

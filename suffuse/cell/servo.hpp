@@ -1,0 +1,43 @@
+#pragma once
+// What drives the cell: per axis a wanted stress or a strain rate, turned into the cell's velocity gradient.
+
+#include "suffuse/cell/cell.hpp"
+
+#include <array>
+#include <optional>
+
+namespace suffuse::cell {
+
+enum class Control { StrainRate, Stress };
+
+struct AxisControl {
+    Control control = Control::StrainRate;
+    double value = 0; ///< strain rate, compression positive [1/s], or stress, compression positive [Pa]
+};
+
+enum class ServoKind {
+    Secant,   ///< ours: rate = stress error / (modulus x response time); first order, does not ring
+    Inertial, ///< the reference's: rate += stress error x dt / mass, with a growth damping [reference 1.5]
+};
+
+struct ServoSpec {
+    ServoKind kind = ServoKind::Secant;
+    double mass = 0;         ///< inertial: [kg/m]
+    double damping = 0.25;   ///< inertial: growth damping [-]
+    double max_rate = 50;    ///< largest strain rate of an axis under stress control [1/s]
+    double response = 400;   ///< secant: response time, in steps [-]
+};
+
+/// The loading of one stage: three axes, or a full velocity gradient instead.
+struct Loading {
+    std::array<AxisControl, 3> axis{};
+    std::optional<Mat3> velocity_gradient; ///< dv/dx, extension positive [1/s]; replaces `axis` where given
+    ServoSpec servo;
+};
+
+/// What the servo remembers between steps.
+struct ServoState {
+    Vec3 modulus{}; ///< longitudinal modulus of the contact network along each axis, kept up to date by the driver [Pa]
+};
+
+} // namespace suffuse::cell

@@ -1,0 +1,72 @@
+#pragma once
+// Settings of the erosion procedure, section 4 of the paper.
+
+#include "suffuse/base/vec3.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// Step 3: coarse grains held, fluid forces ramped on the fines of a copy and kept, beside a twin without fluid.
+struct ProbeSpec {
+    std::int64_t ramp = 1000;           ///< steps from no force to the full force
+    std::int64_t watch = 1000;          ///< steps at the full force; the paper's value
+    bool hold_coarse = true;            ///< the paper holds them
+    double unbalanced_force = 1e-8;     ///< the probe starts from the equilibrium relaxed to this at constant volume [-]
+    std::int64_t relax_limit = 400'000; ///< steps after which the floor reached is taken and reported
+};
+
+enum class DetachBy { Velocity, Displacement };
+
+enum class VelocityRule {
+    StillAccelerating, ///< rises over every tenth of the watch, and ends above a share of free flight and above the twin's noise
+    Rising,            ///< rises over every tenth of the watch
+    Above,             ///< ends above a given speed
+};
+
+/// Which fines count as detachable.
+struct DetachSpec {
+    DetachBy by = DetachBy::Velocity;
+    VelocityRule rule = VelocityRule::StillAccelerating;
+    double over = 0.5;                    ///< share of the free flight: speed, or displacement along the drag [-]
+    std::optional<double> over_speed;     ///< VelocityRule::Above: [m/s]
+    std::optional<double> over_diameters; ///< displacement rule: an absolute share of the grain's diameter instead [-]
+    double noise_quantile = 0.999;        ///< the twin's speeds up to this quantile are noise [-]
+};
+
+enum class ConstrictionSize {
+    Mean,       ///< the paper's choice
+    Median,
+    D35,        ///< by number of facets
+    WidestPath, ///< ours: the widest way from the grain's pore to its image one period along the flow
+    None,       ///< every detachable grain leaves
+};
+
+/// `do = "detach"`: the probe at several gradients, nothing removed. Figure 9.
+struct DetachStageSpec {
+    std::vector<double> gradients = {0, 0.01, 0.05, 0.1};
+    Vec3 direction = {0, 0, 1};
+    ProbeSpec probe;
+    DetachSpec detached;
+};
+
+/// Forced removal instead of the probe: fines with at most this many contacts leave (Scholtes 2010 style).
+struct ForcedRemoval {
+    int max_contacts = 3;
+};
+
+/// `do = "erode"`: passes of flow, probe, extraction and new equilibrium. Figures 10 to 14.
+struct ErodeSpec {
+    int passes = 2; ///< at most; stops earlier when nothing more leaves
+    double gradient = 0.05;
+    Vec3 direction = {0, 0, 1};
+    ProbeSpec probe;
+    DetachSpec detached;
+    ConstrictionSize passes_constriction = ConstrictionSize::Mean;
+    std::optional<ForcedRemoval> forced;
+    bool until_nothing_leaves = false; ///< go on beyond `passes`
+};
+
+} // namespace suffuse::erosion

@@ -1,0 +1,20 @@
+#pragma once
+// The pore fluid, and what is asked of it.
+
+#include "suffuse/base/vec3.hpp"
+
+namespace suffuse::flow {
+
+struct Fluid {
+    double density = 1000;   ///< [kg/m3]
+    double viscosity = 1e-3; ///< [Pa s]
+};
+
+/// `do = "flow"`: steady seepage through the frozen packing.
+struct FlowSpec {
+    double gradient = 0;         ///< hydraulic gradient i [-]
+    Vec3 direction = {0, 0, 1};  ///< where the water goes: grad p = -i rho_w g direction
+    bool tensor = false;         ///< solve three directions and report the permeability tensor
+};
+
+} // namespace suffuse::flow

@@ -1,0 +1,27 @@
+#pragma once
+// What a case says of a soil: its grading, and which grains count as fine.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::grains {
+
+/// A grading curve: percent passing by mass against diameter, both increasing; linear in log d between its points.
+struct Grading {
+    std::vector<double> diameter; ///< [m]
+    std::vector<double> passing;  ///< mass fraction finer, 0 to 1 [-]
+    std::string origin;           ///< file it was read from, for messages
+};
+
+/// Either one grading with a size below which grains are fine, or two gradings mixed at a fines content.
+struct Soil {
+    std::optional<Grading> whole;
+    std::optional<double> finer_than; ///< fines are smaller than this diameter [m]
+    bool kenney_lau = false;          ///< fines by Kenney and Lau's split where it exists
+    std::optional<Grading> coarse, fines;
+    double fines_content = 0; ///< by mass, of the mixture of `coarse` and `fines` [-]
+    double grading_tolerance = 0.02; ///< largest difference of percent passing between sample and grading [-]
+};
+
+} // namespace suffuse::grains
