@@ -4,9 +4,12 @@
 #include <exception>
 #include <memory>
 #include <thread>
+#include <utility>
 
 namespace suffuse {
 namespace {
+
+thread_local bool inside_a_loop = false; // a loop within a loop runs on the thread that meets it
 
 constexpr int spins_before_sleep = 4000; // about 20 microseconds: longer than a barrier inside a step, shorter than a time slice
 
@@ -48,6 +51,7 @@ public:
 private:
     void work(std::size_t thread) {
         const std::size_t threads = workers_.size() + 1;
+        inside_a_loop = true;
         try {
             const std::size_t first = blocks_ * thread / threads;
             const std::size_t last = blocks_ * (thread + 1) / threads;
@@ -55,6 +59,7 @@ private:
         } catch (...) {
             errors_[thread] = std::current_exception();
         }
+        inside_a_loop = false;
     }
 
     void serve(std::size_t thread) {
@@ -94,7 +99,7 @@ void set_thread_count(int threads) {
 
 void detail::run_blocks(std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body) {
     if (blocks == 0) { return; }
-    if (!pool || blocks == 1) { return body(0, blocks); }
+    if (!pool || blocks == 1 || inside_a_loop) { return body(0, blocks); }
     pool->run(blocks, body);
 }
 

@@ -1,0 +1,67 @@
+#include "suffuse/base/parallel.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace suffuse {
+namespace {
+
+double sum_of_roots(std::size_t rows) {
+    return parallel_sum(rows, 100, 0.0, [](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t k = begin; k < end; ++k) {
+            sum += std::sqrt(static_cast<double>(k));
+        }
+        return sum;
+    });
+}
+
+class Parallel : public testing::Test {
+protected:
+    void TearDown() override { set_thread_count(1); }
+};
+
+TEST_F(Parallel, SumsHaveTheSameBitsForAnyNumberOfThreads) {
+    set_thread_count(1);
+    const double alone = sum_of_roots(12345);
+    for (const int threads : {2, 3, 4, 7}) {
+        set_thread_count(threads);
+        for (int repeat = 0; repeat < 50; ++repeat) {
+            ASSERT_EQ(sum_of_roots(12345), alone);
+        }
+    }
+}
+
+TEST_F(Parallel, EveryRowIsVisitedOnce) {
+    set_thread_count(4);
+    std::vector<int> visits(1000, 0);
+    parallel_for(visits.size(), 7, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            ++visits[k];
+        }
+    });
+    EXPECT_EQ(std::accumulate(visits.begin(), visits.end(), 0), 1000);
+    EXPECT_EQ(*std::max_element(visits.begin(), visits.end()), 1);
+}
+
+TEST_F(Parallel, AnErrorInAWorkerReachesTheCaller) {
+    set_thread_count(2);
+    const auto body = [](std::size_t begin, std::size_t) {
+        if (begin == 3) { throw std::runtime_error("row 3"); }
+    };
+    EXPECT_THROW(parallel_for(4, 1, body), std::runtime_error);
+    EXPECT_EQ(sum_of_roots(10), [] { set_thread_count(1); return sum_of_roots(10); }()); // the pool still works
+}
+
+TEST_F(Parallel, ALoopWithinALoopRuns) {
+    set_thread_count(2);
+    std::vector<double> sums(8);
+    parallel_for(8, 1, [&](std::size_t begin, std::size_t) { sums[begin] = sum_of_roots(500); });
+    EXPECT_EQ(sums[0], sums[7]);
+}
+
+} // namespace
+} // namespace suffuse

@@ -1,0 +1,93 @@
+#include "suffuse/neighbors/grid.hpp"
+
+#include "suffuse/base/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::neighbors {
+namespace {
+
+constexpr int most_classes = 32;
+
+double fractional_part(double s) {
+    const double f = s - std::floor(s);
+    return f < 1.0 ? f : 0.0;
+}
+
+Grid build_grid(
+    const Vec3& width, const HomePositions& home, std::span<const double> radius,
+    const std::vector<std::uint32_t>& members, double margin
+) {
+    Grid grid;
+    for (const std::uint32_t g : members) {
+        grid.largest_radius = std::max(grid.largest_radius, radius[g]);
+    }
+    // As fine as the grains allow, but never many more cells than grains: a few fines in a large cell stay cheap.
+    const double size = 2 * grid.largest_radius + margin;
+    const double most = std::cbrt(2.0 * static_cast<double>(members.size())) + 1;
+    for (int a = 0; a < 3; ++a) {
+        grid.cells[static_cast<std::size_t>(a)] = std::max(1, static_cast<int>(std::min(width[a] / size, most)));
+    }
+    const auto [nx, ny, nz] = grid.cells;
+    std::vector<std::uint32_t> slot(members.size());
+    grid.start.assign(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz) + 1, 0);
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const Vec3& s = home.fraction[members[k]];
+        slot[k] = static_cast<std::uint32_t>((grid.slot(s.z, 2) * ny + grid.slot(s.y, 1)) * nx + grid.slot(s.x, 0));
+        ++grid.start[slot[k] + 1];
+    }
+    for (std::size_t k = 1; k < grid.start.size(); ++k) {
+        grid.start[k] += grid.start[k - 1];
+    }
+    std::vector<std::uint32_t> next(grid.start.begin(), grid.start.end() - 1);
+    grid.grain.resize(members.size());
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        grid.grain[next[slot[k]]++] = members[k];
+    }
+    return grid;
+}
+
+} // namespace
+
+int size_class(double radius, double largest_radius) {
+    return std::clamp(static_cast<int>(std::floor(std::log2(largest_radius / radius))), 0, most_classes - 1);
+}
+
+HomePositions bring_home(const Mat3& h, std::span<const Vec3> position) {
+    const Mat3 inverse_h = inverse(h);
+    HomePositions home;
+    home.fraction.resize(position.size());
+    home.position.resize(position.size());
+    home.period.resize(position.size());
+    parallel_for(position.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            home.period[g] = cell::period_of(inverse_h, position[g]);
+            home.position[g] = position[g] - cell::shift(h, home.period[g]);
+            const Vec3 s = inverse_h * home.position[g];
+            home.fraction[g] = {fractional_part(s.x), fractional_part(s.y), fractional_part(s.z)};
+        }
+    });
+    return home;
+}
+
+std::vector<Grid> build_grids(
+    const Mat3& h, const HomePositions& home, std::span<const double> radius, double margin
+) {
+    double largest = 0;
+    for (const double r : radius) {
+        largest = std::max(largest, r);
+    }
+    std::array<std::vector<std::uint32_t>, most_classes> members;
+    for (std::size_t g = 0; g < radius.size(); ++g) {
+        members[static_cast<std::size_t>(size_class(radius[g], largest))].push_back(static_cast<std::uint32_t>(g));
+    }
+    std::vector<Grid> grids(most_classes);
+    const Vec3 width = cell::widths(h);
+    for (std::size_t c = 0; c < members.size(); ++c) {
+        if (!members[c].empty()) { grids[c] = build_grid(width, home, radius, members[c], margin); }
+    }
+    return grids;
+}
+
+} // namespace suffuse::neighbors

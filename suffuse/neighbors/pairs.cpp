@@ -1,0 +1,181 @@
+#include "suffuse/neighbors/pairs.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/neighbors/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace suffuse::neighbors {
+namespace {
+
+constexpr double rounding_slack = 1e-9; // of a cell: fractions are rounded, the searched range must not be
+
+/// Floor of a/b and the remainder, for the period and the slot of a running grid index.
+std::pair<int, int> divide_floor(int a, int b) {
+    const int q = a >= 0 ? a / b : -((b - 1 - a) / b);
+    return {q, a - q * b};
+}
+
+Pair ordered(std::uint32_t i, std::uint32_t j, const cell::Image& image) {
+    return i <= j ? Pair{i, j, image} : Pair{j, i, cell::Image{} - image};
+}
+
+class Search {
+public:
+    Search(const Mat3& h, std::span<const double> radius, const HomePositions& home, std::vector<Grid> grids, double margin)
+        : h_(h), width_(cell::widths(h)), radius_(radius), home_(home), grids_(std::move(grids)), margin_(margin) {
+        for (const double r : radius) {
+            largest_ = std::max(largest_, r);
+        }
+    }
+
+    /// Appends the pairs of grain `i` with grains of its own class (once a pair) and with larger grains.
+    void collect(std::uint32_t i, std::vector<Pair>& pairs) const {
+        const int own = size_class(radius_[i], largest_);
+        for (int c = 0; c <= own; ++c) {
+            const Grid& grid = grids_[static_cast<std::size_t>(c)];
+            if (!grid.grain.empty()) { collect_from(grid, i, c == own, pairs); }
+        }
+    }
+
+private:
+    void collect_from(const Grid& grid, std::uint32_t i, bool own_class, std::vector<Pair>& pairs) const {
+        const double reach = radius_[i] + grid.largest_radius + margin_;
+        const Vec3& s = home_.fraction[i];
+        std::array<int, 3> low{}, high{};
+        for (int a = 0; a < 3; ++a) {
+            const auto k = static_cast<std::size_t>(a);
+            const double span = reach / width_[a] + rounding_slack;
+            low[k] = static_cast<int>(std::floor((s[a] - span) * grid.cells[k]));
+            high[k] = static_cast<int>(std::floor((s[a] + span) * grid.cells[k]));
+        }
+        for (int z = low[2]; z <= high[2]; ++z) {
+            const auto [pz, cz] = divide_floor(z, grid.cells[2]);
+            for (int y = low[1]; y <= high[1]; ++y) {
+                const auto [py, cy] = divide_floor(y, grid.cells[1]);
+                for (int x = low[0]; x <= high[0]; ++x) {
+                    const auto [px, cx] = divide_floor(x, grid.cells[0]);
+                    const auto slot = static_cast<std::size_t>((cz * grid.cells[1] + cy) * grid.cells[0] + cx);
+                    test_slot(grid, slot, {px, py, pz}, i, own_class, pairs);
+                }
+            }
+        }
+    }
+
+    void test_slot(
+        const Grid& grid, std::size_t slot, const cell::Image& period, std::uint32_t i, bool own_class,
+        std::vector<Pair>& pairs
+    ) const {
+        const Vec3 origin = home_.position[i] - cell::shift(h_, period);
+        for (std::uint32_t k = grid.start[slot]; k < grid.start[slot + 1]; ++k) {
+            const std::uint32_t j = grid.grain[k];
+            if (own_class && (j < i || (j == i && period <= cell::Image{}))) { continue; }
+            const double limit = radius_[i] + radius_[j] + margin_;
+            if (norm2(home_.position[j] - origin) > limit * limit) { continue; }
+            pairs.push_back(ordered(i, j, period - home_.period[j] + home_.period[i]));
+        }
+    }
+
+    Mat3 h_;
+    Vec3 width_;
+    std::span<const double> radius_;
+    const HomePositions& home_;
+    std::vector<Grid> grids_;
+    double margin_;
+    double largest_ = 0;
+};
+
+/// Sorts by counting on `first`, then within each short row: linear in the number of pairs.
+std::vector<Pair> sorted(const std::vector<std::vector<Pair>>& blocks, std::size_t grains) {
+    std::vector<std::size_t> start(grains + 1, 0);
+    for (const auto& block : blocks) {
+        for (const Pair& pair : block) {
+            ++start[pair.first + 1];
+        }
+    }
+    for (std::size_t g = 0; g < grains; ++g) {
+        start[g + 1] += start[g];
+    }
+    std::vector<Pair> pairs(start.back());
+    std::vector<std::size_t> next(start.begin(), start.end() - 1);
+    for (const auto& block : blocks) {
+        for (const Pair& pair : block) {
+            pairs[next[pair.first]++] = pair;
+        }
+    }
+    parallel_for(grains, 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            std::sort(
+                pairs.begin() + static_cast<std::ptrdiff_t>(start[g]),
+                pairs.begin() + static_cast<std::ptrdiff_t>(start[g + 1])
+            );
+        }
+    });
+    return pairs;
+}
+
+void check_input(const Mat3& h, std::span<const Vec3> position) {
+    if (!(determinant(h) > 0)) {
+        throw GeometryError(fmt::format("the periodic cell has the volume {} m3; it must be positive", determinant(h)));
+    }
+    for (std::size_t g = 0; g < position.size(); ++g) {
+        if (!std::isfinite(norm2(position[g]))) {
+            throw GeometryError(fmt::format("the position of grain row {} is not finite: the motion has blown up", g));
+        }
+    }
+}
+
+} // namespace
+
+std::vector<Pair> find_pairs(
+    const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin
+) {
+    check_input(h, position);
+    const HomePositions home = bring_home(h, position);
+    const Search search(h, radius, home, build_grids(h, home, radius, margin), margin);
+    constexpr std::size_t block = 512;
+    std::vector<std::vector<Pair>> blocks((position.size() + block - 1) / block);
+    parallel_for(position.size(), block, [&](std::size_t begin, std::size_t end) {
+        std::vector<Pair>& pairs = blocks[begin / block];
+        pairs.reserve(8 * (end - begin));
+        for (std::size_t i = begin; i < end; ++i) {
+            search.collect(static_cast<std::uint32_t>(i), pairs);
+        }
+    });
+    return sorted(blocks, position.size());
+}
+
+std::vector<Pair> find_pairs_exhaustively(
+    const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin
+) {
+    const HomePositions home = bring_home(h, position);
+    const Vec3 width = cell::widths(h);
+    std::vector<Pair> pairs;
+    for (std::uint32_t i = 0; i < position.size(); ++i) {
+        for (std::uint32_t j = i; j < position.size(); ++j) {
+            const double reach = radius[i] + radius[j] + margin;
+            const int na = static_cast<int>(reach / width.x) + 1, nb = static_cast<int>(reach / width.y) + 1;
+            const int nc = static_cast<int>(reach / width.z) + 1;
+            for (int a = -na; a <= na; ++a) {
+                for (int b = -nb; b <= nb; ++b) {
+                    for (int c = -nc; c <= nc; ++c) {
+                        const cell::Image image{a, b, c};
+                        if (i == j && image <= cell::Image{}) { continue; }
+                        const Vec3 d = home.position[j] + cell::shift(h, image) - home.position[i];
+                        if (norm2(d) <= reach * reach) {
+                            pairs.push_back({i, j, image - home.period[j] + home.period[i]});
+                        }
+                    }
+                }
+            }
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+} // namespace suffuse::neighbors
