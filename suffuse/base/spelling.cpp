@@ -1,0 +1,57 @@
+#include "suffuse/base/spelling.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace suffuse {
+
+namespace {
+
+bool same_letter(char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
+
+} // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+        row[j] = j;
+    }
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        before_last.swap(last);
+        last.swap(row);
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const bool same = same_letter(a[i - 1], b[j - 1]);
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+            const bool swapped = i > 1 && j > 1 && same_letter(a[i - 1], b[j - 2]) && same_letter(a[i - 2], b[j - 1]);
+            if (swapped) {
+                row[j] = std::min(row[j], before_last[j - 2] + 1);
+            }
+        }
+    }
+    return row[b.size()];
+}
+
+std::optional<std::string>
+nearest_word(std::string_view word, const std::vector<std::string>& known, std::size_t limit) {
+    std::optional<std::string> nearest;
+    std::size_t least = limit + 1;
+    for (const std::string& candidate : known) {
+        const std::size_t length_gap =
+            std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size());
+        if (length_gap > limit) {
+            continue;
+        }
+        const std::size_t distance = edit_distance(word, candidate);
+        // A word of two letters is two edits from every other word of two letters.
+        if (distance < least && 2 * distance <= word.size()) {
+            least = distance;
+            nearest = candidate;
+        }
+    }
+    return nearest;
+}
+
+} // namespace suffuse

@@ -1,0 +1,20 @@
+#pragma once
+// Which known word a misspelt one was meant to be.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suffuse {
+
+/// Least number of letters inserted, dropped, replaced, or swapped with their neighbor, that turns `a` into `b`
+/// (optimal string alignment); capitals count as their small letters.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The first of the known words nearest to `word`, if it is within `limit` edits and keeps at least half of the word.
+std::optional<std::string>
+nearest_word(std::string_view word, const std::vector<std::string>& known, std::size_t limit = 2);
+
+} // namespace suffuse

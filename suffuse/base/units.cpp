@@ -1,0 +1,441 @@
+#include "suffuse/base/units.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/base/spelling.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+namespace suffuse {
+
+namespace {
+
+struct Unit {
+    std::string_view symbol;
+    Dimension dimension;
+    int exponent = 0;  ///< power of ten
+    double factor = 1; ///< what is not a power of ten
+};
+
+constexpr std::array units = {
+    Unit{"m", dimension::length},
+    Unit{"km", dimension::length, 3},
+    Unit{"dm", dimension::length, -1},
+    Unit{"cm", dimension::length, -2},
+    Unit{"mm", dimension::length, -3},
+    Unit{"um", dimension::length, -6},
+    Unit{"\u00b5m", dimension::length, -6},
+    Unit{"\u03bcm", dimension::length, -6},
+    Unit{"nm", dimension::length, -9},
+    Unit{"s", dimension::time},
+    Unit{"ms", dimension::time, -3},
+    Unit{"us", dimension::time, -6},
+    Unit{"\u00b5s", dimension::time, -6},
+    Unit{"\u03bcs", dimension::time, -6},
+    Unit{"ns", dimension::time, -9},
+    Unit{"min", dimension::time, 0, 60},
+    Unit{"h", dimension::time, 0, 3600},
+    Unit{"day", dimension::time, 0, 86400},
+    Unit{"kg", dimension::mass},
+    Unit{"g", dimension::mass, -3},
+    Unit{"mg", dimension::mass, -6},
+    Unit{"t", dimension::mass, 3},
+    Unit{"Pa", dimension::pressure},
+    Unit{"mPa", dimension::pressure, -3},
+    Unit{"hPa", dimension::pressure, 2},
+    Unit{"kPa", dimension::pressure, 3},
+    Unit{"MPa", dimension::pressure, 6},
+    Unit{"GPa", dimension::pressure, 9},
+    Unit{"bar", dimension::pressure, 5},
+    Unit{"mbar", dimension::pressure, 2},
+    Unit{"N", dimension::force},
+    Unit{"mN", dimension::force, -3},
+    Unit{"kN", dimension::force, 3},
+    Unit{"MN", dimension::force, 6},
+    Unit{"Hz", dimension::rate},
+    Unit{"rad", dimension::angle},
+    Unit{"deg", dimension::angle, 0, pi / 180.0},
+    Unit{"\u00b0", dimension::angle, 0, pi / 180.0},
+    Unit{"%", dimension::none, -2},
+    Unit{"1", dimension::none},
+};
+
+struct NamedDimension {
+    Dimension dimension;
+    std::string_view name;
+    std::array<std::string_view, 4> usual; ///< decimal ones, the first is used in advice
+};
+
+constexpr std::array named_dimensions = {
+    NamedDimension{dimension::none, "ratio", {}},
+    NamedDimension{dimension::length, "length", {"mm", "m", "um", "km"}},
+    NamedDimension{dimension::time, "time", {"s", "ms", "us", {}}},
+    NamedDimension{dimension::mass, "mass", {"kg", "g", "mg", {}}},
+    NamedDimension{dimension::angle, "angle", {"deg", "rad", {}, {}}},
+    NamedDimension{dimension::rate, "rate", {"1/s", {}, {}, {}}},
+    NamedDimension{dimension::velocity, "velocity", {"m/s", "mm/s", "um/s", {}}},
+    NamedDimension{dimension::force, "force", {"N", "kN", "mN", {}}},
+    NamedDimension{dimension::pressure, "pressure", {"kPa", "Pa", "MPa", "GPa"}},
+    NamedDimension{dimension::viscosity, "viscosity", {"mPa*s", "Pa*s", {}, {}}},
+    NamedDimension{dimension::density, "density", {"kg/m^3", "g/cm^3", {}, {}}},
+    NamedDimension{dimension::mass_per_length, "mass per length", {"kg/m", "g/m", {}, {}}},
+};
+
+const NamedDimension* find_named(Dimension wanted) {
+    for (const NamedDimension& named : named_dimensions) {
+        if (named.dimension == wanted) {
+            return &named;
+        }
+    }
+    return nullptr;
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+bool take(std::string_view& text, std::string_view token) {
+    if (text.substr(0, token.size()) != token) {
+        return false;
+    }
+    text.remove_prefix(token.size());
+    return true;
+}
+
+/// The text of a number, cut from the front: sign and digits, and its decimal exponent apart.
+struct Decimal {
+    std::string digits; ///< "-0.26"
+    long exponent = 0;
+};
+
+/// Reads digits, with single underscores between them as in TOML.
+void take_digits(std::string_view& text, std::string& digits) {
+    while (!text.empty() && (is_digit(text[0]) || (text[0] == '_' && !digits.empty() && is_digit(digits.back()) &&
+                                                   text.size() > 1 && is_digit(text[1])))) {
+        if (text[0] != '_') {
+            digits += text[0];
+        }
+        text.remove_prefix(1);
+    }
+}
+
+std::optional<Decimal> take_number(std::string_view& text) {
+    std::string_view rest = text;
+    Decimal number;
+    if (take(rest, "-")) {
+        number.digits = "-";
+    } else {
+        take(rest, "+");
+    }
+    const std::size_t sign = number.digits.size();
+    take_digits(rest, number.digits);
+    bool has_digits = number.digits.size() > sign;
+    if (!rest.empty() && rest[0] == '.') {
+        rest.remove_prefix(1);
+        number.digits += has_digits ? "." : "0.";
+        const std::size_t before = number.digits.size();
+        take_digits(rest, number.digits);
+        has_digits = has_digits || number.digits.size() > before;
+    }
+    if (!has_digits) {
+        return std::nullopt;
+    }
+    if (rest.size() > 1 && (rest[0] == 'e' || rest[0] == 'E')) {
+        const bool is_signed = rest[1] == '-' || rest[1] == '+';
+        std::string_view power = rest.substr(is_signed ? 2 : 1);
+        std::string digits;
+        take_digits(power, digits);
+        if (!digits.empty()) {
+            // Six digits are far beyond what a double holds, and cannot overflow when unit exponents are added.
+            const long size = digits.size() > 6 ? 999'999 : std::atol(digits.c_str());
+            number.exponent = rest[1] == '-' ? -size : size;
+            rest = power;
+        }
+    }
+    text = rest;
+    return number;
+}
+
+/// A product of units: what "kg/m^3" adds to a number.
+struct UnitProduct {
+    Dimension dimension;
+    long exponent = 0;
+    double factor = 1;
+};
+
+std::string_view take_symbol(std::string_view& text) {
+    if (!text.empty() && text[0] == '1') {
+        const std::string_view one = text.substr(0, 1);
+        text.remove_prefix(1);
+        return one;
+    }
+    constexpr std::string_view ends = "*/^ \t.()-+0123456789";
+    std::size_t size = 0;
+    while (size < text.size() && ends.find(text[size]) == std::string_view::npos && text.substr(size, 2) != "\u00b7" &&
+           text.substr(size, 2) != "\u00b2" && text.substr(size, 2) != "\u00b3") {
+        ++size;
+    }
+    const std::string_view symbol = text.substr(0, size);
+    text.remove_prefix(size);
+    return symbol;
+}
+
+int take_power(std::string_view& text, std::string_view whole) {
+    if (take(text, "\u00b2")) {
+        return 2;
+    }
+    if (take(text, "\u00b3")) {
+        return 3;
+    }
+    const bool is_marked = take(text, "^");
+    const bool is_negative = is_marked && take(text, "-");
+    std::string digits;
+    take_digits(text, digits);
+    if (digits.empty() && !is_marked) {
+        return 1;
+    }
+    if (digits.empty() || digits.size() > 1) {
+        throw UnitError(
+            fmt::format("the unit \"{}\" has a power that is no whole number below 10", whole),
+            "write powers as in \"kg/m^3\" or \"1/s\""
+        );
+    }
+    const int power = digits[0] - '0';
+    return is_negative ? -power : power;
+}
+
+const Unit& find_unit(std::string_view symbol, std::string_view whole) {
+    for (const Unit& unit : units) {
+        if (unit.symbol == symbol) {
+            return unit;
+        }
+    }
+    std::vector<std::string> known;
+    for (const Unit& unit : units) {
+        if (unit.symbol != "1") {
+            known.emplace_back(unit.symbol);
+        }
+    }
+    const auto nearest = nearest_word(symbol, known);
+    const std::string what = symbol.empty()    ? fmt::format("\"{}\" is not a unit", whole)
+                             : symbol == whole ? fmt::format("unknown unit \"{}\"", symbol)
+                                               : fmt::format("unknown unit \"{}\" in \"{}\"", symbol, whole);
+    throw UnitError(
+        what, nearest ? fmt::format("a unit with a similar name exists: \"{}\"", *nearest)
+                      : "known are m mm um cm km, s ms us min h, kg g mg t, Pa kPa MPa GPa bar, N kN, rad deg, %, "
+                        "their products and powers such as \"kg/m^3\" or \"mPa*s\""
+    );
+}
+
+UnitProduct parse_unit(std::string_view text) {
+    const std::string_view whole = text;
+    UnitProduct product;
+    int sign = take(text, "/") ? -1 : 1; // "10/s" is as clear as "10 1/s"
+    while (true) {
+        text = trimmed(text);
+        const Unit& unit = find_unit(take_symbol(text), whole);
+        const int power = sign * take_power(text, whole);
+        product.dimension.length += power * unit.dimension.length;
+        product.dimension.mass += power * unit.dimension.mass;
+        product.dimension.time += power * unit.dimension.time;
+        product.dimension.angle += power * unit.dimension.angle;
+        product.exponent += power * unit.exponent;
+        product.factor *= std::pow(unit.factor, power);
+        text = trimmed(text);
+        if (text.empty()) {
+            return product;
+        }
+        sign = take(text, "/") ? -1 : 1;
+        if (sign == 1) {
+            if (!take(text, "*") && !take(text, "\u00b7")) {
+                take(text, ".");
+            }
+        }
+    }
+}
+
+/// Digits without leading or trailing zeros, and the power of ten of the first of them.
+struct Digits {
+    bool is_negative = false;
+    std::string digits;
+    int power = 0;
+};
+
+Digits shortest_digits(double value) {
+    const std::string text = fmt::format("{}", value);
+    Digits result;
+    const std::size_t mark = text.find('e');
+    const int exponent = mark == std::string::npos ? 0 : std::atoi(text.c_str() + mark + 1);
+    bool after_point = false;
+    for (const char c : text.substr(0, mark)) {
+        if (c == '-') {
+            result.is_negative = true;
+        } else if (c == '.') {
+            after_point = true;
+        } else if (!(result.digits.empty() && c == '0')) {
+            result.digits += c;
+            result.power += after_point ? 0 : 1;
+        } else if (after_point) {
+            --result.power;
+        }
+    }
+    while (!result.digits.empty() && result.digits.back() == '0') {
+        result.digits.pop_back();
+    }
+    result.power += exponent - 1;
+    return result;
+}
+
+std::string print_shifted(const Digits& number, int shift) {
+    const std::string sign = number.is_negative ? "-" : "";
+    if (number.digits.empty()) {
+        return sign + "0";
+    }
+    const int power = number.power + shift;
+    const int count = static_cast<int>(number.digits.size());
+    if (power < -4 || power > 8) {
+        const std::string tail = count > 1 ? "." + number.digits.substr(1) : "";
+        return fmt::format("{}{}{}e{}", sign, number.digits[0], tail, power);
+    }
+    const auto zeros = [](int number_of_zeros) { return std::string(static_cast<std::size_t>(number_of_zeros), '0'); };
+    if (power < 0) {
+        return fmt::format("{}0.{}{}", sign, zeros(-power - 1), number.digits);
+    }
+    if (count <= power + 1) {
+        return fmt::format("{}{}{}", sign, number.digits, zeros(power + 1 - count));
+    }
+    const auto point = static_cast<std::size_t>(power + 1);
+    return fmt::format("{}{}.{}", sign, number.digits.substr(0, point), number.digits.substr(point));
+}
+
+/// `value` in a unit that is no power of ten, if some count of digits gives the same bits back.
+std::optional<std::string> print_in(double value, const UnitProduct& unit, std::string_view symbol) {
+    for (int digits = 1; digits <= 17; ++digits) {
+        const std::string text = fmt::format("{:.{}g} {}", value / unit.factor, digits, symbol);
+        if (parse_quantity(text).value == value) {
+            return text;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string base_units(Dimension dimension) {
+    std::string text;
+    const auto add = [&](std::string_view symbol, int power) {
+        if (power != 0) {
+            text += fmt::format("{}{}^{}", text.empty() ? "" : "*", symbol, power);
+        }
+    };
+    add("kg", dimension.mass);
+    add("m", dimension.length);
+    add("s", dimension.time);
+    add("rad", dimension.angle);
+    return text;
+}
+
+} // namespace
+
+Quantity parse_quantity(std::string_view text) {
+    std::string_view rest = trimmed(text);
+    const auto number = take_number(rest);
+    if (!number) {
+        throw UnitError(
+            fmt::format("\"{}\" does not start with a number", text), "write a number and its unit, as in \"100 kPa\""
+        );
+    }
+    if (rest.size() > 1 && rest[0] == ',' && is_digit(rest[1])) {
+        throw UnitError(fmt::format("\"{}\" has a decimal comma", text), "write a decimal point");
+    }
+    rest = trimmed(rest);
+    Quantity quantity;
+    quantity.has_unit = !rest.empty();
+    const UnitProduct unit = quantity.has_unit ? parse_unit(rest) : UnitProduct{};
+    const std::string digits = fmt::format("{}e{}", number->digits, number->exponent + unit.exponent);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), quantity.value);
+    quantity.value *= unit.factor;
+    if (error == std::errc::result_out_of_range || !std::isfinite(quantity.value)) {
+        throw UnitError(
+            fmt::format("\"{}\" is beyond what a number can hold", text), "write a value between 1e-300 and 1e300"
+        );
+    }
+    if (error != std::errc{} || end != digits.data() + digits.size()) {
+        throw Bug(fmt::format("the number {} was cut wrongly", digits));
+    }
+    quantity.dimension = unit.dimension;
+    return quantity;
+}
+
+double parse_quantity(std::string_view text, Dimension wanted) {
+    const Quantity quantity = parse_quantity(text);
+    if (quantity.dimension == wanted && (quantity.has_unit || wanted == dimension::none)) {
+        return quantity.value;
+    }
+    const std::vector<std::string> usual = usual_units(wanted);
+    const std::string advice =
+        usual.empty()
+            ? fmt::format("write {}", wanted == dimension::none ? "a bare number, or one with %" : base_units(wanted))
+            : fmt::format("write it in {}", usual.front());
+    if (!quantity.has_unit) {
+        throw UnitError(fmt::format("\"{}\" has no unit, {} is expected", text, with_article(wanted)), advice);
+    }
+    throw UnitError(
+        fmt::format("\"{}\" is {}, {} is expected", text, with_article(quantity.dimension), with_article(wanted)),
+        advice
+    );
+}
+
+std::string print_quantity(double value, Dimension dimension) {
+    const Digits digits = shortest_digits(value);
+    if (dimension == dimension::none) {
+        return print_shifted(digits, 0);
+    }
+    std::string best;
+    for (const std::string& symbol : usual_units(dimension)) {
+        const UnitProduct unit = parse_unit(symbol);
+        const auto text = unit.factor == 1
+                              ? fmt::format("{} {}", print_shifted(digits, -static_cast<int>(unit.exponent)), symbol)
+                              : print_in(value, unit, symbol).value_or("");
+        if (!text.empty() && (best.empty() || text.size() < best.size())) {
+            best = text;
+        }
+    }
+    return best.empty() ? fmt::format("{} {}", print_shifted(digits, 0), base_units(dimension)) : best;
+}
+
+std::string name_of(Dimension dimension) {
+    const NamedDimension* named = find_named(dimension);
+    return named ? std::string(named->name) : fmt::format("quantity in {}", base_units(dimension));
+}
+
+std::string with_article(Dimension dimension) {
+    return (dimension == dimension::angle ? "an " : "a ") + name_of(dimension);
+}
+
+std::vector<std::string> usual_units(Dimension dimension) {
+    std::vector<std::string> usual;
+    if (const NamedDimension* named = find_named(dimension)) {
+        for (const std::string_view symbol : named->usual) {
+            if (!symbol.empty()) {
+                usual.emplace_back(symbol);
+            }
+        }
+    }
+    return usual;
+}
+
+} // namespace suffuse
