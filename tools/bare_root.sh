@@ -1,0 +1,46 @@
+#!/bin/sh
+# tools/bare_root.sh [COMMAND...]: what a newcomer meets. Makes a minimal Debian 12 root (debootstrap, as root), clones the
+# committed state of this checkout into it and runs COMMAND there (default: ./run --help, then ./test), without HOME, locale
+# and terminal. The machine's own package sources and certificates are carried in when it runs. KEEP=yes leaves the root.
+set -eu
+[ "$(id -u)" -eq 0 ] || { echo 'tools/bare_root.sh: needs root, for chroot' >&2 && exit 77; }
+# In a mount namespace of its own, so that whatever is mounted below goes away with it.
+[ "${SUFFUSE_OWN_MOUNTS:-}" = yes ] || SUFFUSE_OWN_MOUNTS=yes exec unshare --mount -- "$0" "$@"
+
+source=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd)
+command=${*:-./run --help && ./test}
+bare=$(mktemp -d "${TMPDIR:-/tmp}/suffuse-bare.XXXXXX")
+trap 'umount -l "$bare/proc" "$bare/dev/shm" "$bare/dev" 2>/dev/null; [ "${KEEP:-no}" = yes ] && echo "kept: $bare" || rm -rf --one-file-system "$bare"' EXIT
+
+apt_get_targets() { apt-get indextargets --format "$1" 'Created-By: Packages'; }
+# shellcheck disable=SC2016
+mirror=$(apt_get_targets '$(CODENAME) $(REPO_URI)' | sed -n 's/^bookworm //p' | head -n 1)
+[ -n "$mirror" ] || { echo 'tools/bare_root.sh: apt has no source for bookworm' >&2 && exit 77; }
+
+begin=$(date +%s)
+debootstrap --variant=minbase bookworm "$bare" "$mirror" >"$bare.log" 2>&1 || { tail "$bare.log" >&2 && exit 1; }
+rm -f "$bare.log"
+echo "bare root: $(($(date +%s) - begin)) s, $(chroot "$bare" dpkg-query -W | wc -l) packages, $(du -shx "$bare" | cut -f 1)"
+
+# What the machine's own network needs; none of it is part of the project.
+# shellcheck disable=SC2016
+apt_get_targets 'deb $(REPO_URI) $(CODENAME) $(COMPONENT)' | grep -E ' bookworm[a-z-]* main$' | sort -u >"$bare/etc/apt/sources.list"
+apt-config dump | grep -E '^Acquire::(http|https|Check)' >"$bare/etc/apt/apt.conf.d/99machine" || true
+cp -L /etc/resolv.conf /etc/hosts "$bare/etc/"
+if [ -d /usr/local/share/ca-certificates ]; then cp -R /usr/local/share/ca-certificates "$bare/usr/local/share/"; fi
+mkdir -p "$bare/etc/ssl/certs"
+cp -L /etc/ssl/certs/ca-certificates.crt "$bare/etc/ssl/machine.crt"
+
+mount -t proc proc "$bare/proc"
+mount --rbind /dev "$bare/dev"
+mkdir -p "$bare/dev/shm"
+
+git clone -q "$source" "$bare/srv/suffuse"
+# shellcheck disable=SC2016
+set -- PATH=/usr/sbin:/usr/bin:/sbin:/bin NODE_EXTRA_CA_CERTS=/etc/ssl/machine.crt npm_config_cafile=/etc/ssl/machine.crt
+if command -v npm >/dev/null; then set -- "$@" "npm_config_registry=$(npm config get registry)"; fi
+begin=$(date +%s)
+status=0
+env -i "$@" chroot "$bare" /bin/sh -c "cd /srv/suffuse && $command" </dev/null || status=$?
+echo "bare root: '$command' ended with $status after $(($(date +%s) - begin)) s"
+exit "$status"
