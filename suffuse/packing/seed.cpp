@@ -1,0 +1,149 @@
+#include "suffuse/packing/seed.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/random.hpp"
+#include "suffuse/neighbors/pairs.hpp"
+#include "suffuse/packing/insertion_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace suffuse::packing {
+namespace {
+
+/// Random positions in a cube, largest grain first: the first free place of a limited number of tries, or the best of
+/// them.
+std::vector<Vec3> scatter(std::span<const double> radius, double edge, std::uint64_t seed) {
+    constexpr int most_tries = 64; // beyond, pushing apart is cheaper than trying on
+    InsertionGrid grid(edge, radius);
+    std::vector<Vec3> position(radius.size());
+    for (std::uint32_t g = 0; g < radius.size(); ++g) {
+        RandomStream random(seed, "cloud", g);
+        double least = edge;
+        for (int k = 0; k < most_tries && least > 0; ++k) {
+            const double x = random.uniform(0, edge), y = random.uniform(0, edge), z = random.uniform(0, edge);
+            const double overlap = grid.deepest_overlap({x, y, z}, radius[g], std::max(0.0, least));
+            if (overlap < least) {
+                least = overlap;
+                position[g] = {x, y, z};
+            }
+        }
+        grid.insert(g, position[g]);
+    }
+    return position;
+}
+
+bool is_overlapping(const neighbors::Pair& pair, const Mat3& h, std::span<const Vec3> x, std::span<const double> r) {
+    const double sum = r[pair.first] + r[pair.second];
+    return norm2(x[pair.second] + cell::shift(h, pair.image) - x[pair.first]) < sum * sum;
+}
+
+/// Pushes overlapping pairs apart, one after another, the lighter grain moving further. @return whether any overlapped.
+bool push_apart(
+    std::span<const neighbors::Pair> pairs, const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position
+) {
+    constexpr double slack = 1e-3; // of the smaller radius: aiming at a gap ends in finitely many sweeps
+    bool moved = false;
+    for (const neighbors::Pair& pair : pairs) {
+        const auto i = pair.first, j = pair.second;
+        const double ri = radius[i], rj = radius[j];
+        const Vec3 branch = position[j] + cell::shift(h, pair.image) - position[i];
+        const double distance = norm(branch);
+        if (distance >= ri + rj) {
+            continue;
+        }
+        moved = true;
+        const Vec3 normal = distance > 0 ? branch / distance : Vec3{1, 0, 0};
+        const double push = ri + rj + slack * std::min(ri, rj) - distance;
+        const double vi = ri * ri * ri, vj = rj * rj * rj;
+        position[i] -= push * vj / (vi + vj) * normal;
+        position[j] += push * vi / (vi + vj) * normal;
+    }
+    return moved;
+}
+
+/// Relaxes until no pair overlaps. @return whether it got there.
+bool clear_overlaps(const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position) {
+    constexpr int most_rounds = 150, sweeps = 12; // the search for pairs is redone every round
+    const double margin = 0.2 * radius.back();
+    for (int round = 0; round < most_rounds; ++round) {
+        const std::vector<neighbors::Pair> pairs = neighbors::find_pairs(h, position, radius, margin);
+        if (std::ranges::none_of(pairs, [&](const auto& p) { return is_overlapping(p, h, position, radius); })) {
+            return true;
+        }
+        for (int sweep = 0; sweep < sweeps && push_apart(pairs, h, radius, position); ++sweep) {
+        }
+    }
+    return false;
+}
+
+double edge_at(std::span<const double> radius, double porosity) {
+    double solid = 0;
+    for (std::size_t g = radius.size(); g-- > 0;) {
+        solid += sphere_volume(radius[g]);
+    }
+    return std::cbrt(solid / (1 - porosity));
+}
+
+/// The least porosity, in steps, at which overlaps can be cleared starting from these positions.
+double reachable_porosity(std::span<const double> radius, std::vector<Vec3> position, double edge, double porosity) {
+    constexpr double step = 0.02;
+    for (double looser = porosity + step; looser < 1; looser += step) {
+        const double wider = edge_at(radius, looser);
+        for (Vec3& x : position) {
+            x *= wider / edge;
+        }
+        edge = wider;
+        if (clear_overlaps(diagonal({edge, edge, edge}), radius, position)) {
+            return looser;
+        }
+    }
+    return 1;
+}
+
+void check_request(const grains::SampledGrains& sample, const PackSpec& spec, double edge) {
+    const double porosity = spec.porosity;
+    if (!(porosity > 0 && porosity < 1)) {
+        throw CaseError(fmt::format("cloud: porosity {:.6g} found, expected between 0 and 1", porosity));
+    }
+    const double widest = 2 * sample.radius.front();
+    if (edge < 2 * widest) {
+        const double needed = std::ceil(static_cast<double>(sample.radius.size()) * std::pow(2 * widest / edge, 3));
+        throw CaseError(fmt::format(
+            "cloud: {} particles at porosity {:.3g} fill a cell of {:.6g} mm, narrower than two of the largest grain "
+            "({:.6g} mm); take at least {:.0f} particles, or cut the coarse end of the grading",
+            sample.radius.size(), porosity, edge * 1e3, widest * 1e3, needed
+        ));
+    }
+}
+
+} // namespace
+
+Cloud make_cloud(const grains::SampledGrains& sample, const PackSpec& spec, double density, std::uint64_t seed) {
+    expects(!sample.radius.empty() && sample.fine.size() == sample.radius.size(), "a sample has a flag for each grain");
+    expects(std::ranges::is_sorted(sample.radius, std::greater<>()), "a sample comes largest first");
+    const double edge = edge_at(sample.radius, spec.porosity);
+    check_request(sample, spec, edge);
+    std::vector<Vec3> position = scatter(sample.radius, edge, seed);
+    const Mat3 h = diagonal({edge, edge, edge});
+    if (!clear_overlaps(h, sample.radius, position)) {
+        throw CaseError(fmt::format(
+            "cloud: {} particles cannot be placed at porosity {:.3g} without overlaps; {:.3g} can be reached, and "
+            "compaction does the rest",
+            sample.radius.size(), spec.porosity, reachable_porosity(sample.radius, position, edge, spec.porosity)
+        ));
+    }
+    Cloud cloud;
+    cloud.cell.h = h;
+    const Mat3 inverse_h = inverse(h);
+    for (std::size_t g = 0; g < position.size(); ++g) {
+        grains::add_grain(cloud.grains, cell::wrapped(h, inverse_h, position[g]), sample.radius[g], density);
+        cloud.grains.fine[g] = sample.fine[g];
+    }
+    return cloud;
+}
+
+} // namespace suffuse::packing
