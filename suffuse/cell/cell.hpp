@@ -17,16 +17,22 @@ struct Image {
     constexpr auto operator<=>(const Image&) const = default;
 };
 
-constexpr Image operator+(const Image& p, const Image& q) { return {p.a + q.a, p.b + q.b, p.c + q.c}; }
+constexpr Image operator+(const Image& p, const Image& q) {
+    return {p.a + q.a, p.b + q.b, p.c + q.c};
+}
 
-constexpr Image operator-(const Image& p, const Image& q) { return {p.a - q.a, p.b - q.b, p.c - q.c}; }
+constexpr Image operator-(const Image& p, const Image& q) {
+    return {p.a - q.a, p.b - q.b, p.c - q.c};
+}
 
 struct Cell {
-    Mat3 h = identity();        ///< columns are the cell vectors [m]
+    Mat3 h = identity();         ///< columns are the cell vectors [m]
     Mat3 velocity_gradient = {}; ///< dv/dx, extension positive [1/s]
 };
 
-constexpr double volume(const Cell& cell) { return determinant(cell.h); }
+constexpr double volume(const Cell& cell) {
+    return determinant(cell.h);
+}
 
 /// Displacement between a point and its image [m].
 constexpr Vec3 shift(const Mat3& h, const Image& image) {

@@ -1,6 +1,6 @@
 #pragma once
-// The contact table: the pairs that touch or nearly touch, and what they remember from the last step. Normal, overlap and
-// force are made on demand by `inspect_contacts`; the step keeps only what the next step needs.
+// The contact table: the pairs that touch or nearly touch, and what they remember from the last step. Normal, overlap
+// and force are made on demand by `inspect_contacts`; the step keeps only what the next step needs.
 
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/cell/cell.hpp"
@@ -31,18 +31,17 @@ struct VectorColumn {
 /// that the step watches, and its other memory is zero too.
 struct Contacts {
     std::vector<std::uint32_t> first, second; ///< rows of the grain table
-    std::vector<cell::Image> image;           ///< period of `second` as seen from `first`: x2 = position[second] + h image
-    VectorColumn shear_force;                 ///< acting on `second` (minus it on `first`) [N]
-    VectorColumn bending;                     ///< bending moment acting on `second` with opposite sign, as in the reference [N m]
-    VectorColumn normal;                      ///< of the last step, from first to second [-]
-    VectorColumn twisting;                    ///< twisting moment; empty unless the material has a twisting stiffness [N m]
-    std::vector<std::uint8_t> bonded;         ///< 1: adhesion not yet broken; empty unless some contact is bonded
+    std::vector<cell::Image> image;   ///< period of `second` as seen from `first`: x2 = position[second] + h image
+    VectorColumn shear_force;         ///< acting on `second` (minus it on `first`) [N]
+    VectorColumn bending;             ///< bending moment acting on `second` (minus it on `first`) [N m]
+    VectorColumn normal;              ///< of the last step, from first to second [-]
+    std::vector<double> overlap;      ///< of the last step, zero where the pair does not touch [m]
+    VectorColumn twisting;            ///< twisting moment; empty unless the material has a twisting stiffness [N m]
+    std::vector<std::uint8_t> bonded; ///< 1: adhesion not yet broken; empty unless some contact is bonded
 
     [[nodiscard]] std::size_t size() const { return first.size(); }
 
-    [[nodiscard]] bool touches(std::size_t c) const {
-        return normal.x[c] != 0 || normal.y[c] != 0 || normal.z[c] != 0;
-    }
+    [[nodiscard]] bool touches(std::size_t c) const { return normal.x[c] != 0 || normal.y[c] != 0 || normal.z[c] != 0; }
 };
 
 } // namespace suffuse::contact

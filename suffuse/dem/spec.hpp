@@ -24,8 +24,8 @@ struct AdvanceSpec {
 
 /// `do = "settle"`: steps until balanced; under the stresses given, or at constant volume where none is.
 struct SettleSpec {
-    cell::Loading loading;             ///< stress per axis; strain rate 0 = fixed
-    double time_step = 0;              ///< [s]; 0 = computed
+    cell::Loading loading; ///< stress per axis; strain rate 0 = fixed
+    double time_step = 0;  ///< [s]; 0 = computed
     std::int64_t max_steps = 2'000'000;
 };
 

@@ -31,7 +31,9 @@ Grid build_grid(
     }
     const auto [nx, ny, nz] = grid.cells;
     std::vector<std::uint32_t> slot(members.size());
-    grid.start.assign(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz) + 1, 0);
+    grid.start.assign(
+        static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz) + 1, 0
+    );
     for (std::size_t k = 0; k < members.size(); ++k) {
         const Vec3& s = home.fraction[members[k]];
         slot[k] = static_cast<std::uint32_t>((grid.slot(s.z, 2) * ny + grid.slot(s.y, 1)) * nx + grid.slot(s.x, 0));
@@ -71,9 +73,7 @@ HomePositions bring_home(const Mat3& h, std::span<const Vec3> position) {
     return home;
 }
 
-std::vector<Grid> build_grids(
-    const Mat3& h, const HomePositions& home, std::span<const double> radius, double margin
-) {
+std::vector<Grid> build_grids(const Mat3& h, const HomePositions& home, std::span<const double> radius, double margin) {
     double largest = 0;
     for (const double r : radius) {
         largest = std::max(largest, r);
@@ -85,7 +85,9 @@ std::vector<Grid> build_grids(
     std::vector<Grid> grids(most_classes);
     const Vec3 width = cell::widths(h);
     for (std::size_t c = 0; c < members.size(); ++c) {
-        if (!members[c].empty()) { grids[c] = build_grid(width, home, radius, members[c], margin); }
+        if (!members[c].empty()) {
+            grids[c] = build_grid(width, home, radius, members[c], margin);
+        }
     }
     return grids;
 }

@@ -13,18 +13,18 @@ namespace suffuse::neighbors {
 
 /// Wrapped coordinates of all grains, shared by the grids of all classes.
 struct HomePositions {
-    std::vector<Vec3> fraction;       ///< of the cell vectors, in [0, 1) [-]
-    std::vector<Vec3> position;       ///< inside the cell [m]
-    std::vector<cell::Image> period;  ///< that was taken off
+    std::vector<Vec3> fraction;      ///< of the cell vectors, in [0, 1) [-]
+    std::vector<Vec3> position;      ///< inside the cell [m]
+    std::vector<cell::Image> period; ///< that was taken off
 };
 
 HomePositions bring_home(const Mat3& h, std::span<const Vec3> position);
 
 struct Grid {
-    std::array<int, 3> cells{1, 1, 1};   ///< per axis
-    double largest_radius = 0;           ///< of the class [m]
-    std::vector<std::uint32_t> start;    ///< first row of `grain` for each grid cell, and one past the end
-    std::vector<std::uint32_t> grain;    ///< grain rows, sorted by grid cell
+    std::array<int, 3> cells{1, 1, 1}; ///< per axis
+    double largest_radius = 0;         ///< of the class [m]
+    std::vector<std::uint32_t> start;  ///< first row of `grain` for each grid cell, and one past the end
+    std::vector<std::uint32_t> grain;  ///< grain rows, sorted by grid cell
 
     /// Grid cell of a fraction in [0, 1) along `axis`.
     [[nodiscard]] int slot(double fraction, int axis) const {
@@ -36,9 +36,7 @@ struct Grid {
 
 /// One grid a size class, coarsest first; `members[c]` are the grains of class c.
 /// `margin` [m] widens the grid cells, so that a search of equal grains looks at three cells an axis.
-std::vector<Grid> build_grids(
-    const Mat3& h, const HomePositions& home, std::span<const double> radius, double margin
-);
+std::vector<Grid> build_grids(const Mat3& h, const HomePositions& home, std::span<const double> radius, double margin);
 
 /// Size class of a radius: 0 for the largest, one more for each halving.
 int size_class(double radius, double largest_radius);

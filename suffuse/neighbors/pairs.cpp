@@ -4,10 +4,10 @@
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/neighbors/grid.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace suffuse::neighbors {
 namespace {
@@ -26,7 +26,9 @@ Pair ordered(std::uint32_t i, std::uint32_t j, const cell::Image& image) {
 
 class Search {
 public:
-    Search(const Mat3& h, std::span<const double> radius, const HomePositions& home, std::vector<Grid> grids, double margin)
+    Search(
+        const Mat3& h, std::span<const double> radius, const HomePositions& home, std::vector<Grid> grids, double margin
+    )
         : h_(h), width_(cell::widths(h)), radius_(radius), home_(home), grids_(std::move(grids)), margin_(margin) {
         for (const double r : radius) {
             largest_ = std::max(largest_, r);
@@ -38,7 +40,9 @@ public:
         const int own = size_class(radius_[i], largest_);
         for (int c = 0; c <= own; ++c) {
             const Grid& grid = grids_[static_cast<std::size_t>(c)];
-            if (!grid.grain.empty()) { collect_from(grid, i, c == own, pairs); }
+            if (!grid.grain.empty()) {
+                collect_from(grid, i, c == own, pairs);
+            }
         }
     }
 
@@ -73,9 +77,13 @@ private:
         const Vec3 origin = home_.position[i] - cell::shift(h_, period);
         for (std::uint32_t k = grid.start[slot]; k < grid.start[slot + 1]; ++k) {
             const std::uint32_t j = grid.grain[k];
-            if (own_class && (j < i || (j == i && period <= cell::Image{}))) { continue; }
+            if (own_class && (j < i || (j == i && period <= cell::Image{}))) {
+                continue;
+            }
             const double limit = radius_[i] + radius_[j] + margin_;
-            if (norm2(home_.position[j] - origin) > limit * limit) { continue; }
+            if (norm2(home_.position[j] - origin) > limit * limit) {
+                continue;
+            }
             pairs.push_back(ordered(i, j, period - home_.period[j] + home_.period[i]));
         }
     }
@@ -131,9 +139,8 @@ void check_input(const Mat3& h, std::span<const Vec3> position) {
 
 } // namespace
 
-std::vector<Pair> find_pairs(
-    const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin
-) {
+std::vector<Pair>
+find_pairs(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin) {
     check_input(h, position);
     const HomePositions home = bring_home(h, position);
     const Search search(h, radius, home, build_grids(h, home, radius, margin), margin);
@@ -149,9 +156,8 @@ std::vector<Pair> find_pairs(
     return sorted(blocks, position.size());
 }
 
-std::vector<Pair> find_pairs_exhaustively(
-    const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin
-) {
+std::vector<Pair>
+find_pairs_exhaustively(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin) {
     const HomePositions home = bring_home(h, position);
     const Vec3 width = cell::widths(h);
     std::vector<Pair> pairs;
@@ -164,7 +170,9 @@ std::vector<Pair> find_pairs_exhaustively(
                 for (int b = -nb; b <= nb; ++b) {
                     for (int c = -nc; c <= nc; ++c) {
                         const cell::Image image{a, b, c};
-                        if (i == j && image <= cell::Image{}) { continue; }
+                        if (i == j && image <= cell::Image{}) {
+                            continue;
+                        }
                         const Vec3 d = home.position[j] + cell::shift(h, image) - home.position[i];
                         if (norm2(d) <= reach * reach) {
                             pairs.push_back({i, j, image - home.period[j] + home.period[i]});

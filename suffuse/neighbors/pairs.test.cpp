@@ -2,10 +2,10 @@
 
 #include "suffuse/base/error.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
-
-#include <gtest/gtest.h>
 
 namespace suffuse::neighbors {
 namespace {

@@ -1,0 +1,36 @@
+#pragma once
+// Contact memory carried from one table to the next, by merging sorted lists or by renumbering grains.
+
+#include "suffuse/contact/contacts.hpp"
+#include "suffuse/neighbors/pairs.hpp"
+
+#include <span>
+
+namespace suffuse::contact {
+
+/// Which memory the contacts of a sample need beside the force, the bending moment and the normal.
+struct OptionalMemory {
+    bool twisting = false;
+    bool bonds = false;
+
+    bool operator==(const OptionalMemory&) const = default;
+};
+
+OptionalMemory optional_memory(const Contacts& contacts);
+
+/// A table of the `pairs` (sorted), with the memory that `old` (sorted) has of them. Pairs that touch in `old` stay in
+/// the table whether or not they are among `pairs`. `table` is overwritten; its storage is reused.
+void carry_over(
+    const Contacts& old, std::span<const neighbors::Pair> pairs, const OptionalMemory& memory, Contacts& table
+);
+
+/// Only the pairs that touch: all that a saved state needs.
+Contacts touching_rows(const Contacts& contacts);
+
+inline constexpr std::uint32_t removed_row = 0xffffffffU;
+
+/// Grain rows renumbered: old row g becomes `new_row[g]`, or is gone with its contacts (`removed_row`). The result is
+/// sorted again; where the order of two grains turns around, forces, moments and normal change sign.
+Contacts renumbered(const Contacts& contacts, std::span<const std::uint32_t> new_row);
+
+} // namespace suffuse::contact

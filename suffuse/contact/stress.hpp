@@ -1,0 +1,22 @@
+#pragma once
+// Stiffness of the contact network, seen as a continuum.
+
+#include "suffuse/cell/cell.hpp"
+#include "suffuse/contact/contacts.hpp"
+#include "suffuse/grains/grains.hpp"
+#include "suffuse/grains/material.hpp"
+
+namespace suffuse::contact {
+
+/// Longitudinal modulus along each axis if the grains moved with the mean strain (an upper bound of the true one) [Pa]:
+/// the sum over contacts of |branch|^2 (kn n_a^4 + ks n_a^2 (1 - n_a^2)) / V.
+Vec3 affine_moduli(
+    const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, const Mat3& h
+);
+
+/// Normal stiffness kn of a pair of radii [N/m] (reference 1.2).
+constexpr double normal_stiffness(const grains::Material& material, double r1, double r2) {
+    return 2 * material.modulus * r1 * r2 / (r1 + r2);
+}
+
+} // namespace suffuse::contact

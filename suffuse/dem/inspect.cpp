@@ -1,0 +1,124 @@
+#include "suffuse/dem/inspect.hpp"
+
+#include "suffuse/contact/stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::dem {
+
+std::vector<ContactView> inspect_contacts(const World& world) {
+    const contact::Contacts& contacts = world.contacts;
+    std::vector<ContactView> views;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        if (!contacts.touches(c)) {
+            continue;
+        }
+        const std::uint32_t i = contacts.first[c], j = contacts.second[c];
+        const double kn = contact::normal_stiffness(world.material, world.grains.radius[i], world.grains.radius[j]);
+        const Vec3 n = contacts.normal[c];
+        // A bond that broke under tension carries no pull any more, though the contact lives until the next step.
+        const bool bonded = !contacts.bonded.empty() && contacts.bonded[c] != 0;
+        const double pull = contacts.overlap[c] < 0 && !bonded ? 0.0 : kn * contacts.overlap[c];
+        Vec3 moment = contacts.bending[c];
+        if (contacts.twisting.size() > 0) {
+            moment += contacts.twisting[c];
+        }
+        views.push_back({i, j, contacts.image[c], contacts.overlap[c], n, -pull * n, -contacts.shear_force[c], -moment}
+        );
+    }
+    return views;
+}
+
+Mat3 mean_stress_tensor(const World& world) {
+    Mat3 sum{};
+    for (const ContactView& c : inspect_contacts(world)) {
+        const Vec3 branch =
+            world.grains.position[c.j] + cell::shift(world.cell.h, c.image) - world.grains.position[c.i];
+        sum += outer(-(c.normal_force + c.shear_force), branch);
+    }
+    return (1 / cell::volume(world.cell)) * sum;
+}
+
+std::vector<int> coordination(const World& world) {
+    std::vector<int> count(world.grains.size(), 0);
+    for (std::size_t c = 0; c < world.contacts.size(); ++c) {
+        if (!world.contacts.touches(c)) {
+            continue;
+        }
+        ++count[world.contacts.first[c]];
+        ++count[world.contacts.second[c]];
+    }
+    return count;
+}
+
+Equilibrium measure_equilibrium(const World& world) {
+    Equilibrium result;
+    const grains::Grains& grains = world.grains;
+    std::vector<Vec3> resultant(grains.size());
+    double force_sum = 0;
+    const std::vector<ContactView> views = inspect_contacts(world);
+    for (const ContactView& c : views) {
+        const Vec3 force = c.normal_force + c.shear_force;
+        force_sum += norm(force);
+        resultant[c.i] += force;
+        resultant[c.j] -= force;
+        const double smaller = std::min(grains.radius[c.i], grains.radius[c.j]);
+        result.max_overlap_ratio = std::max(result.max_overlap_ratio, c.overlap / smaller);
+    }
+    result.contacts = static_cast<std::int64_t>(views.size());
+    const std::vector<int> count = coordination(world);
+    double active_sum = 0, all_sum = 0;
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        const double size = norm(resultant[g]);
+        all_sum += size;
+        if (count[g] >= 2) {
+            active_sum += size;
+        } else {
+            ++result.rattlers;
+        }
+        const Vec3 fluctuation = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
+        result.kinetic_energy +=
+            0.5 * (grains.mass[g] * norm2(fluctuation) + grains.inertia[g] * norm2(grains.spin[g]));
+    }
+    const auto active = static_cast<double>(static_cast<std::int64_t>(grains.size()) - result.rattlers);
+    if (!views.empty()) {
+        result.mean_contact_force = force_sum / static_cast<double>(views.size());
+        if (active > 0) {
+            result.unbalanced_force = active_sum / active / result.mean_contact_force;
+        }
+        result.unbalanced_force_all = all_sum / static_cast<double>(grains.size()) / result.mean_contact_force;
+    }
+    return result;
+}
+
+double void_ratio(const World& world) {
+    return cell::volume(world.cell) / grains::solid_volume(world.grains) - 1;
+}
+
+double porosity(const World& world) {
+    return 1 - grains::solid_volume(world.grains) / cell::volume(world.cell);
+}
+
+double mean_stress(const Mat3& stress) {
+    return trace(stress) / 3;
+}
+
+double deviator_stress(const Mat3& stress) {
+    const double p = mean_stress(stress);
+    double square = 0;
+    for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) {
+            const double s = 0.5 * (stress(a, b) + stress(b, a)) - (a == b ? p : 0);
+            square += s * s;
+        }
+    }
+    return std::sqrt(1.5 * square);
+}
+
+Vec3 strain(const World& world) {
+    const Mat3 stretch = world.cell.h * inverse(world.reference_h);
+    return {-std::log(stretch(0, 0)), -std::log(stretch(1, 1)), -std::log(stretch(2, 2))};
+}
+
+} // namespace suffuse::dem

@@ -1,0 +1,54 @@
+#pragma once
+// Read-only views of a world: contacts with normals and forces, stress, balance. Made on demand from what the last step
+// left.
+
+#include "suffuse/dem/world.hpp"
+
+#include <vector>
+
+namespace suffuse::dem {
+
+/// One touching contact at the last step. Rows i and j of the grain table; forces act on grain i.
+struct ContactView {
+    std::uint32_t i = 0, j = 0;
+    cell::Image image;
+    double overlap = 0; ///< [m]
+    Vec3 normal;        ///< from i to j [-]
+    Vec3 normal_force;  ///< on i [N]
+    Vec3 shear_force;   ///< on i [N]
+    Vec3 moment;        ///< bending and twisting, on i [N m]
+};
+
+std::vector<ContactView> inspect_contacts(const World& world);
+
+/// Stress of the last step's contact forces with branches at the positions now, compression positive [Pa]; the same
+/// choice as the reference's, within 1e-6 of the tensor inside the step.
+Mat3 mean_stress_tensor(const World& world);
+
+/// Number of touching contacts of each grain.
+std::vector<int> coordination(const World& world);
+
+struct Equilibrium {
+    double unbalanced_force = 0;     ///< mean resultant over grains with >= 2 contacts / mean contact force [-]
+    double unbalanced_force_all = 0; ///< the same over all grains, rattlers included [-]
+    double mean_contact_force = 0;   ///< normal and shear [N]
+    double kinetic_energy = 0;       ///< of the motion against the mean motion, spin included [J]
+    double max_overlap_ratio = 0;    ///< overlap / smaller radius [-]
+    std::int64_t contacts = 0;       ///< touching
+    std::int64_t rattlers = 0;       ///< grains with fewer than 2 contacts
+};
+
+Equilibrium measure_equilibrium(const World& world);
+
+double void_ratio(const World& world);
+
+double porosity(const World& world);
+
+/// p = tr/3 and the deviator stress q = sqrt(3 J2) [Pa].
+double mean_stress(const Mat3& stress);
+double deviator_stress(const Mat3& stress);
+
+/// Logarithmic strain of each axis since `reference_h`, compression positive [-]; volumetric is their sum for boxes.
+Vec3 strain(const World& world);
+
+} // namespace suffuse::dem

@@ -1,0 +1,40 @@
+#pragma once
+// The time step: data goes one way, from the cell to the contacts to the grains.
+
+#include "suffuse/cell/servo.hpp"
+#include "suffuse/contact/forces.hpp"
+#include "suffuse/dem/neighborhood.hpp"
+#include "suffuse/dem/world.hpp"
+#include "suffuse/grains/load.hpp"
+
+#include <vector>
+
+namespace suffuse::dem {
+
+/// What was decided before the step; constant during it.
+struct StepPlan {
+    double dt = 0;        ///< [s]
+    double damping = 0.2; ///< local, non-viscous [-]
+    double drag = 0;      ///< viscous, for relaxation only [1/s]
+    cell::Loading loading;
+    const grains::GrainLoad* load = nullptr; ///< force on each grain from outside the skeleton
+    double load_share = 1;                   ///< of `load` that acts in this step [-]
+};
+
+struct StepReport {
+    Mat3 stress;      ///< of this step's contact forces and branches, compression positive [Pa]
+    double moved = 0; ///< largest motion of a grain against the mean motion since the contact table was made [m]
+};
+
+/// Caches of the step; made from the world, never saved.
+struct StepCaches {
+    Neighborhood neighborhood;
+    std::vector<contact::ContactForce> forces; ///< of the last step, a row a contact
+    double moved = 0;                          ///< StepReport::moved of the last step [m]
+};
+
+/// Advances the world by one step.
+/// @throws StateError when the stress is not finite any more, with the step and what to do.
+StepReport step(World& world, StepCaches& caches, const StepPlan& plan);
+
+} // namespace suffuse::dem

@@ -1,0 +1,46 @@
+#include "suffuse/dem/world.hpp"
+
+#include "suffuse/base/state_hash.hpp"
+#include "suffuse/contact/carry_over.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace suffuse::dem {
+
+std::uint64_t state_hash(const World& world) {
+    const grains::Grains& grains = world.grains;
+    std::vector<std::uint32_t> order(grains.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return grains.id[a] < grains.id[b]; });
+
+    StateHash hash;
+    hash.add(world.cell.h);
+    hash.add(world.cell.velocity_gradient);
+    hash.add(world.clock.step);
+    for (const std::uint32_t g : order) {
+        hash.add(grains.id[g]);
+        hash.add(grains.position[g]);
+        hash.add(grains.velocity[g]);
+        hash.add(grains.spin[g]);
+        hash.add(grains.radius[g]);
+    }
+    // Contacts as pairs of ids, whatever rows their grains are stored in.
+    std::vector<std::uint32_t> rank(grains.size());
+    for (std::uint32_t k = 0; k < order.size(); ++k) {
+        rank[order[k]] = k;
+    }
+    const contact::Contacts contacts = contact::renumbered(contact::touching_rows(world.contacts), rank);
+    hash.add(std::span<const std::uint32_t>(contacts.first));
+    hash.add(std::span<const std::uint32_t>(contacts.second));
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        hash.add(contacts.image[c]);
+        hash.add(contacts.shear_force[c]);
+        hash.add(contacts.bending[c]);
+        hash.add(contacts.normal[c]);
+    }
+    return hash.value();
+}
+
+} // namespace suffuse::dem
