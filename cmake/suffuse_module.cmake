@@ -38,7 +38,7 @@ function(suffuse_test_program target label)
     add_executable(${target} ${ARGN})
     target_compile_definitions(${target} PRIVATE SUFFUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
-    target_link_libraries(${target} PRIVATE suffuse_options GTest::gtest GTest::gtest_main
+    target_link_libraries(${target} PRIVATE suffuse_options GTest::gtest GTest::gtest_main rapidcheck
         nlohmann_json::nlohmann_json ZLIB::ZLIB) # the reference's files are compressed JSON
     gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
 endfunction()
