@@ -62,10 +62,10 @@ struct Bug : std::logic_error {
 };
 
 /// Guards a module's door in all builds: throws Bug when a caller of our own broke the contract.
-inline void expects(
-    bool condition, const char* message, std::source_location place = std::source_location::current()
-) {
-    if (!condition) { throw Bug(message, place); }
+inline void expects(bool condition, const char* message, std::source_location place = std::source_location::current()) {
+    if (!condition) {
+        throw Bug(message, place);
+    }
 }
 
 } // namespace suffuse

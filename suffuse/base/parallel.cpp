@@ -11,7 +11,8 @@ namespace {
 
 thread_local bool inside_a_loop = false; // a loop within a loop runs on the thread that meets it
 
-constexpr int spins_before_sleep = 4000; // about 20 microseconds: longer than a barrier inside a step, shorter than a time slice
+constexpr int spins_before_sleep =
+    4000; // about 20 microseconds: longer than a barrier inside a step, shorter than a time slice
 
 class Pool {
 public:
@@ -41,10 +42,14 @@ public:
         generation_.notify_all();
         work(0);
         for (int spin = 0, left = pending_.load(); left != 0; left = pending_.load()) {
-            if (++spin > spins_before_sleep) { pending_.wait(left); }
+            if (++spin > spins_before_sleep) {
+                pending_.wait(left);
+            }
         }
         for (std::exception_ptr& error : errors_) {
-            if (error) { std::rethrow_exception(std::exchange(error, nullptr)); }
+            if (error) {
+                std::rethrow_exception(std::exchange(error, nullptr));
+            }
         }
     }
 
@@ -55,7 +60,9 @@ private:
         try {
             const std::size_t first = blocks_ * thread / threads;
             const std::size_t last = blocks_ * (thread + 1) / threads;
-            if (first < last) { (*body_)(first, last); }
+            if (first < last) {
+                (*body_)(first, last);
+            }
         } catch (...) {
             errors_[thread] = std::current_exception();
         }
@@ -67,12 +74,18 @@ private:
         for (;;) {
             unsigned now = generation_.load();
             for (int spin = 0; now == seen; now = generation_.load()) {
-                if (++spin > spins_before_sleep) { generation_.wait(seen); }
+                if (++spin > spins_before_sleep) {
+                    generation_.wait(seen);
+                }
             }
             seen = now;
-            if (stop_) { return; }
+            if (stop_) {
+                return;
+            }
             work(thread);
-            if (pending_.fetch_sub(1) == 1) { pending_.notify_one(); }
+            if (pending_.fetch_sub(1) == 1) {
+                pending_.notify_one();
+            }
         }
     }
 
@@ -90,7 +103,9 @@ std::unique_ptr<Pool> pool;
 
 } // namespace
 
-int thread_count() { return requested_threads; }
+int thread_count() {
+    return requested_threads;
+}
 
 void set_thread_count(int threads) {
     requested_threads = std::max(1, threads);
@@ -98,8 +113,12 @@ void set_thread_count(int threads) {
 }
 
 void detail::run_blocks(std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body) {
-    if (blocks == 0) { return; }
-    if (!pool || blocks == 1 || inside_a_loop) { return body(0, blocks); }
+    if (blocks == 0) {
+        return;
+    }
+    if (!pool || blocks == 1 || inside_a_loop) {
+        return body(0, blocks);
+    }
     pool->run(blocks, body);
 }
 

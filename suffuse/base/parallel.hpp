@@ -1,7 +1,7 @@
 #pragma once
-// Parallel loops whose result does not depend on the number of threads: work is cut into blocks of a fixed size, partial
-// sums are combined in block order. The pool spins briefly before it sleeps, so that a step of 100 microseconds pays no
-// wake-up, and a machine shared with other programs is not blocked by idle spinning.
+// Parallel loops whose result does not depend on the number of threads: work is cut into blocks of a fixed size,
+// partial sums are combined in block order. The pool spins briefly before it sleeps, so that a step of 100 microseconds
+// pays no wake-up, and a machine shared with other programs is not blocked by idle spinning.
 
 #include <algorithm>
 #include <cstddef>

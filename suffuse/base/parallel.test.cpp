@@ -1,10 +1,10 @@
 #include "suffuse/base/parallel.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
-
-#include <gtest/gtest.h>
 
 namespace suffuse {
 namespace {
@@ -50,10 +50,15 @@ TEST_F(Parallel, EveryRowIsVisitedOnce) {
 TEST_F(Parallel, AnErrorInAWorkerReachesTheCaller) {
     set_thread_count(2);
     const auto body = [](std::size_t begin, std::size_t) {
-        if (begin == 3) { throw std::runtime_error("row 3"); }
+        if (begin == 3) {
+            throw std::runtime_error("row 3");
+        }
     };
     EXPECT_THROW(parallel_for(4, 1, body), std::runtime_error);
-    EXPECT_EQ(sum_of_roots(10), [] { set_thread_count(1); return sum_of_roots(10); }()); // the pool still works
+    EXPECT_EQ(sum_of_roots(10), [] {
+        set_thread_count(1);
+        return sum_of_roots(10);
+    }()); // the pool still works
 }
 
 TEST_F(Parallel, ALoopWithinALoopRuns) {

@@ -22,27 +22,45 @@ struct Vec3 {
     constexpr bool operator==(const Vec3&) const = default;
 };
 
-constexpr Vec3 operator+(Vec3 a, const Vec3& b) { return a += b; }
+constexpr Vec3 operator+(Vec3 a, const Vec3& b) {
+    return a += b;
+}
 
-constexpr Vec3 operator-(Vec3 a, const Vec3& b) { return a -= b; }
+constexpr Vec3 operator-(Vec3 a, const Vec3& b) {
+    return a -= b;
+}
 
-constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
+constexpr Vec3 operator-(const Vec3& a) {
+    return {-a.x, -a.y, -a.z};
+}
 
-constexpr Vec3 operator*(double s, Vec3 a) { return a *= s; }
+constexpr Vec3 operator*(double s, Vec3 a) {
+    return a *= s;
+}
 
-constexpr Vec3 operator*(Vec3 a, double s) { return a *= s; }
+constexpr Vec3 operator*(Vec3 a, double s) {
+    return a *= s;
+}
 
-constexpr Vec3 operator/(const Vec3& a, double s) { return {a.x / s, a.y / s, a.z / s}; }
+constexpr Vec3 operator/(const Vec3& a, double s) {
+    return {a.x / s, a.y / s, a.z / s};
+}
 
-constexpr double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr double dot(const Vec3& a, const Vec3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-constexpr double norm2(const Vec3& a) { return dot(a, a); }
+constexpr double norm2(const Vec3& a) {
+    return dot(a, a);
+}
 
-inline double norm(const Vec3& a) { return std::sqrt(norm2(a)); }
+inline double norm(const Vec3& a) {
+    return std::sqrt(norm2(a));
+}
 
 /// A 3 x 3 matrix, `m[row][column]`.
 struct Mat3 {
@@ -74,9 +92,13 @@ struct Mat3 {
     }
 };
 
-constexpr Mat3 diagonal(const Vec3& d) { return {{{{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}}}}; }
+constexpr Mat3 diagonal(const Vec3& d) {
+    return {{{{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}}}};
+}
 
-constexpr Mat3 identity() { return diagonal({1, 1, 1}); }
+constexpr Mat3 identity() {
+    return diagonal({1, 1, 1});
+}
 
 constexpr Mat3 from_columns(const Vec3& a, const Vec3& b, const Vec3& c) {
     return {{{{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}}}};
@@ -91,24 +113,37 @@ constexpr Mat3 operator*(double s, Mat3 a) {
     return a;
 }
 
-constexpr Mat3 operator+(Mat3 a, const Mat3& b) { return a += b; }
+constexpr Mat3 operator+(Mat3 a, const Mat3& b) {
+    return a += b;
+}
 
-constexpr Mat3 operator-(const Mat3& a, const Mat3& b) { return a + (-1.0 * b); }
+constexpr Mat3 operator-(const Mat3& a, const Mat3& b) {
+    return a + (-1.0 * b);
+}
 
-constexpr Vec3 operator*(const Mat3& a, const Vec3& v) { return {dot(a.row(0), v), dot(a.row(1), v), dot(a.row(2), v)}; }
+constexpr Vec3 operator*(const Mat3& a, const Vec3& v) {
+    return {dot(a.row(0), v), dot(a.row(1), v), dot(a.row(2), v)};
+}
 
 constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
     return from_columns(a * b.column(0), a * b.column(1), a * b.column(2));
 }
 
-constexpr Mat3 transpose(const Mat3& a) { return from_columns(a.row(0), a.row(1), a.row(2)); }
+constexpr Mat3 transpose(const Mat3& a) {
+    return from_columns(a.row(0), a.row(1), a.row(2));
+}
 
-constexpr double trace(const Mat3& a) { return a(0, 0) + a(1, 1) + a(2, 2); }
+constexpr double trace(const Mat3& a) {
+    return a(0, 0) + a(1, 1) + a(2, 2);
+}
 
-constexpr double determinant(const Mat3& a) { return dot(a.column(0), cross(a.column(1), a.column(2))); }
+constexpr double determinant(const Mat3& a) {
+    return dot(a.column(0), cross(a.column(1), a.column(2)));
+}
 
 constexpr Mat3 outer(const Vec3& a, const Vec3& b) {
-    return {{{{a.x * b.x, a.x * b.y, a.x * b.z}, {a.y * b.x, a.y * b.y, a.y * b.z}, {a.z * b.x, a.z * b.y, a.z * b.z}}}};
+    return {
+        {{{a.x * b.x, a.x * b.y, a.x * b.z}, {a.y * b.x, a.y * b.y, a.y * b.z}, {a.z * b.x, a.z * b.y, a.z * b.z}}}};
 }
 
 /// Inverse of a matrix that is not singular.

@@ -1,17 +1,10 @@
 #include "suffuse/contact/forces.hpp"
 
+#include "suffuse/base/clones.hpp"
 #include "suffuse/base/parallel.hpp"
 
 #include <algorithm>
 #include <array>
-
-// One source, compiled for three generations of processors and chosen when the program starts. Contraction is off, so
-// all give the same bits.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define SUFFUSE_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define SUFFUSE_CLONES
-#endif
 
 namespace suffuse::contact {
 namespace {

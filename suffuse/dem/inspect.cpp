@@ -52,46 +52,6 @@ std::vector<int> coordination(const World& world) {
     return count;
 }
 
-Equilibrium measure_equilibrium(const World& world) {
-    Equilibrium result;
-    const grains::Grains& grains = world.grains;
-    std::vector<Vec3> resultant(grains.size());
-    double force_sum = 0;
-    const std::vector<ContactView> views = inspect_contacts(world);
-    for (const ContactView& c : views) {
-        const Vec3 force = c.normal_force + c.shear_force;
-        force_sum += norm(force);
-        resultant[c.i] += force;
-        resultant[c.j] -= force;
-        const double smaller = std::min(grains.radius[c.i], grains.radius[c.j]);
-        result.max_overlap_ratio = std::max(result.max_overlap_ratio, c.overlap / smaller);
-    }
-    result.contacts = static_cast<std::int64_t>(views.size());
-    const std::vector<int> count = coordination(world);
-    double active_sum = 0, all_sum = 0;
-    for (std::size_t g = 0; g < grains.size(); ++g) {
-        const double size = norm(resultant[g]);
-        all_sum += size;
-        if (count[g] >= 2) {
-            active_sum += size;
-        } else {
-            ++result.rattlers;
-        }
-        const Vec3 fluctuation = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
-        result.kinetic_energy +=
-            0.5 * (grains.mass[g] * norm2(fluctuation) + grains.inertia[g] * norm2(grains.spin[g]));
-    }
-    const auto active = static_cast<double>(static_cast<std::int64_t>(grains.size()) - result.rattlers);
-    if (!views.empty()) {
-        result.mean_contact_force = force_sum / static_cast<double>(views.size());
-        if (active > 0) {
-            result.unbalanced_force = active_sum / active / result.mean_contact_force;
-        }
-        result.unbalanced_force_all = all_sum / static_cast<double>(grains.size()) / result.mean_contact_force;
-    }
-    return result;
-}
-
 double void_ratio(const World& world) {
     return cell::volume(world.cell) / grains::solid_volume(world.grains) - 1;
 }

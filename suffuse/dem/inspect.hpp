@@ -1,5 +1,5 @@
 #pragma once
-// Read-only views of a world: contacts with normals and forces, stress, balance. Made on demand from what the last step
+// Read-only views of a world: contacts with normals and forces, stress, density. Made on demand from what the last step
 // left.
 
 #include "suffuse/dem/world.hpp"
@@ -27,18 +27,6 @@ Mat3 mean_stress_tensor(const World& world);
 
 /// Number of touching contacts of each grain.
 std::vector<int> coordination(const World& world);
-
-struct Equilibrium {
-    double unbalanced_force = 0;     ///< mean resultant over grains with >= 2 contacts / mean contact force [-]
-    double unbalanced_force_all = 0; ///< the same over all grains, rattlers included [-]
-    double mean_contact_force = 0;   ///< normal and shear [N]
-    double kinetic_energy = 0;       ///< of the motion against the mean motion, spin included [J]
-    double max_overlap_ratio = 0;    ///< overlap / smaller radius [-]
-    std::int64_t contacts = 0;       ///< touching
-    std::int64_t rattlers = 0;       ///< grains with fewer than 2 contacts
-};
-
-Equilibrium measure_equilibrium(const World& world);
 
 double void_ratio(const World& world);
 

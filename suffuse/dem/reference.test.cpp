@@ -2,6 +2,7 @@
 
 #include "tests/support/reference.hpp"
 
+#include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/step.hpp"
 

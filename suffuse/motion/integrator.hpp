@@ -28,34 +28,30 @@ plan_motion(double dt, double damping, double drag, const Mat3& old_gradient, co
 
 /// Local damping [Cundall]: the acceleration grows where it brakes and shrinks where it drives. The mid-step velocity
 /// decides, per component.
-inline double damped(double acceleration, double velocity, double dt, double damping) {
+[[gnu::always_inline]] inline double damped(double acceleration, double velocity, double dt, double damping) {
     const double power = acceleration * (velocity + 0.5 * dt * acceleration);
-    return acceleration * (1 - damping * (power > 0 ? 1.0 : power < 0 ? -1.0 : 0.0));
+    const double sense =
+        static_cast<double>(power > 0) - static_cast<double>(power < 0); // no branch: it goes either way
+    return acceleration * (1 - damping * sense);
 }
 
-inline Vec3 damped(const Vec3& a, const Vec3& v, double dt, double damping) {
+[[gnu::always_inline]] inline Vec3 damped(const Vec3& a, const Vec3& v, double dt, double damping) {
     return {damped(a.x, v.x, dt, damping), damped(a.y, v.y, dt, damping), damped(a.z, v.z, dt, damping)};
 }
 
-/// Moves a free grain under `force` [N] and `torque` [N m].
-inline void move_free(
-    const StepMotion& step, const Vec3& force, const Vec3& torque, double mass, double inertia, Vec3& position,
-    Vec3& velocity, Vec3& spin
+/// Moves a grain under `force` [N] and `torque` [N m]. `free` is 1, or 0 for a held grain, which keeps its own velocity
+/// and spin and is carried along by the cell as any other.
+[[gnu::always_inline]] inline void move(
+    const StepMotion& step, const Vec3& force, const Vec3& torque, double mass, double inertia, double free,
+    Vec3& position, Vec3& velocity, Vec3& spin
 ) {
     const Vec3 fluctuation = velocity - step.old_gradient * position;
-    Vec3 acceleration = damped((1 / mass) * force, fluctuation, step.dt, step.damping) - step.drag * fluctuation;
+    const double drag = free * step.drag;
+    Vec3 acceleration = damped((free / mass) * force, fluctuation, step.dt, step.damping) - drag * fluctuation;
     acceleration += step.old_gradient * velocity;
     velocity += step.dt * acceleration;
-    const Vec3 spin_up = damped((1 / inertia) * torque, spin, step.dt, step.damping) - step.drag * spin;
+    const Vec3 spin_up = damped((free / inertia) * torque, spin, step.dt, step.damping) - drag * spin;
     spin += step.dt * spin_up;
-    velocity += step.change * position;
-    spin += step.spin_change;
-    position += step.dt * velocity;
-}
-
-/// Moves a held grain: its own velocity and spin, carried along by the cell as any other.
-inline void move_held(const StepMotion& step, Vec3& position, Vec3& velocity, Vec3& spin) {
-    velocity += step.dt * (step.old_gradient * velocity);
     velocity += step.change * position;
     spin += step.spin_change;
     position += step.dt * velocity;

@@ -1,0 +1,39 @@
+#pragma once
+// Steps until a state is balanced. A burst at a time, so that whoever drives a stage can record, save and stop between
+// two.
+
+#include "suffuse/dem/equilibrium.hpp"
+#include "suffuse/dem/spec.hpp"
+#include "suffuse/dem/step.hpp"
+
+namespace suffuse::dem {
+
+inline constexpr std::int64_t burst_steps = 50; ///< steps between two looks at the balance
+
+/// How long the state has been balanced; part of what a checkpoint saves.
+struct BalanceState {
+    std::int64_t steps = 0;          ///< done in all
+    std::int64_t balanced_steps = 0; ///< in a row
+    Equilibrium equilibrium;         ///< at the last look
+    Mat3 stress{};                   ///< at the last look [Pa]
+};
+
+/// One burst. @return whether the state has been balanced for the patience asked: stress errors of all
+/// stress-controlled axes and unbalanced force below the limits of `spec`.
+bool settle_burst(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec& spec, BalanceState& state);
+
+/// Bursts until balanced.
+/// @throws StateError when that takes more than `max_steps`, with what is still missing.
+BalanceState
+settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec& spec, std::int64_t max_steps);
+
+/// Largest error of a controlled stress, as a share of it (of the largest, where a target is zero) [-].
+double stress_error(const cell::Loading& loading, const Mat3& stress);
+
+/// Holds every axis at the given stress, compression positive [Pa], or fixed where not given.
+cell::Loading isotropic_stress(double pressure);
+
+/// Keeps the cell as it is.
+cell::Loading constant_volume();
+
+} // namespace suffuse::dem
