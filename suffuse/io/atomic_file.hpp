@@ -1,0 +1,37 @@
+#pragma once
+// A file that is either complete or not there: it is written under another name, brought to the disk and then renamed.
+// A full disk, a killed program or a power cut leaves what was there before.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace suffuse::io {
+
+class AtomicFile {
+public:
+    /// Starts writing beside `path`. Every member throws IoError where the system refuses.
+    explicit AtomicFile(std::filesystem::path path);
+    ~AtomicFile(); ///< without `commit`, nothing remains
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    void write(std::string_view bytes);
+
+    /// Brings everything to the disk and gives the file its name.
+    void commit();
+
+private:
+    void flush();
+    void write_out(std::string_view bytes);
+    [[noreturn]] void fail(int error) const;
+
+    std::filesystem::path path_, partial_;
+    std::string buffer_;
+    int descriptor_ = -1;
+};
+
+/// Writes a whole file at once.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+} // namespace suffuse::io

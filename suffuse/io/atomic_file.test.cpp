@@ -1,0 +1,102 @@
+#include "suffuse/io/atomic_file.hpp"
+
+#include "suffuse/base/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temp_folder.hpp"
+#include <csignal>
+#include <string>
+#include <sys/resource.h>
+
+namespace suffuse::io {
+namespace {
+
+using test::read_all;
+using test::TempFolder;
+
+/// Stands in for a full disk: the system refuses to let any file grow beyond `bytes`.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+
+    ~FullDisk() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    void (*handler_)(int);
+    rlimit before_{};
+};
+
+TEST(AtomicFile, HasItsNameOnlyWhenItIsComplete) {
+    const TempFolder folder;
+    AtomicFile file(folder / "a.txt");
+    file.write("one ");
+    file.write("two");
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
+    file.commit();
+    EXPECT_EQ(read_all(folder / "a.txt"), "one two");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(AtomicFile, LeavesNothingWithoutCommit) {
+    const TempFolder folder;
+    { AtomicFile(folder / "a.txt").write("one"); }
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(AtomicFile, WritesMoreThanItsBufferHoldsInOrder) {
+    const TempFolder folder;
+    std::string all;
+    AtomicFile file(folder / "a.txt");
+    for (int k = 0; k < 40; ++k) {
+        const std::string piece(static_cast<std::size_t>(1 + k * k * 500), static_cast<char>('a' + k % 26));
+        file.write(piece);
+        all += piece;
+    }
+    file.commit();
+    EXPECT_EQ(read_all(folder / "a.txt"), all);
+}
+
+TEST(AtomicFile, FullDiskIsAnErrorAndTheOldFileRemains) {
+    const TempFolder folder;
+    write_file(folder / "a.txt", "old");
+    std::string message;
+    {
+        const FullDisk disk(100'000);
+        try {
+            write_file(folder / "a.txt", std::string(1'000'000, 'x'));
+        } catch (const IoError& error) {
+            message = error.what();
+        }
+    }
+    EXPECT_NE(message.find("a.txt"), std::string::npos) << message;
+    EXPECT_NE(message.find("free some space"), std::string::npos) << message;
+    EXPECT_EQ(read_all(folder / "a.txt"), "old");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(AtomicFile, FolderThatIsNotThereIsAnErrorThatSaysSo) {
+    const TempFolder folder;
+    try {
+        write_file(folder / "missing/a.txt", "x");
+        FAIL() << "expected an IoError";
+    } catch (const IoError& error) {
+        EXPECT_NE(std::string(error.what()).find("create the folder first"), std::string::npos) << error.what();
+    }
+    write_file(folder / "file", "x");
+    EXPECT_THROW(write_file(folder / "file/a.txt", "x"), IoError);
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+} // namespace
+} // namespace suffuse::io

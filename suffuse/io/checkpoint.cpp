@@ -1,0 +1,277 @@
+#include "suffuse/io/checkpoint.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/contact/carry_over.hpp"
+#include "suffuse/io/hdf5_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
+
+namespace suffuse::io {
+namespace {
+
+constexpr std::int64_t schema = 1; // raised when a name or a meaning changes
+const std::string kind = "suffuse state";
+
+// Each list below binds every member of its struct by name: a new member stops the compiler until it is saved too.
+
+template <class Table, class Visit>
+void list_grains(Table& table, Visit&& visit) {
+    auto& [position, velocity, spin, force, torque, radius, mass, inertia, id, motion, fine] = table;
+    visit("grains/position", "m", position);
+    visit("grains/velocity", "m/s", velocity);
+    visit("grains/spin", "rad/s", spin);
+    visit("grains/force", "N", force);
+    visit("grains/torque", "N m", torque);
+    visit("grains/radius", "m", radius);
+    visit("grains/mass", "kg", mass);
+    visit("grains/inertia", "kg m2", inertia);
+    visit("grains/id", "", id);
+    visit("grains/motion", "0 free, 1 held", motion);
+    visit("grains/fine", "", fine);
+}
+
+template <class Table, class Visit>
+void list_contacts(Table& table, Visit&& visit) {
+    auto& [first, second, image, shear_force, bending, normal, overlap, twisting, bonded] = table;
+    visit("contacts/first", "row of grains", first);
+    visit("contacts/second", "row of grains", second);
+    visit("contacts/image", "periods", image);
+    visit("contacts/shear_force", "N", shear_force);
+    visit("contacts/bending", "N m", bending);
+    visit("contacts/normal", "", normal);
+    visit("contacts/overlap", "m", overlap);
+    visit("contacts/twisting", "N m", twisting);
+    visit("contacts/bonded", "", bonded);
+}
+
+template <class Values, class Visit>
+void list_material(Values& material, Visit&& visit) {
+    auto& [density, modulus, shear_ratio, friction, rolling_stiffness, rolling_friction, twisting_stiffness, twisting_friction, adhesion_normal, adhesion_shear] =
+        material;
+    visit("material/density", "kg/m3", density);
+    visit("material/modulus", "Pa", modulus);
+    visit("material/shear_ratio", "", shear_ratio);
+    visit("material/friction", "rad", friction);
+    visit("material/rolling_stiffness", "", rolling_stiffness);
+    visit("material/rolling_friction", "", rolling_friction);
+    visit("material/twisting_stiffness", "", twisting_stiffness);
+    visit("material/twisting_friction", "", twisting_friction);
+    visit("material/adhesion_normal", "Pa", adhesion_normal);
+    visit("material/adhesion_shear", "Pa", adhesion_shear);
+}
+
+/// All but the contacts, which a file holds without the rows that carry no memory.
+template <class State, class Visit>
+void list_world(State& world, Visit&& visit) {
+    auto& [cell, reference_h, grains, material, contacts, servo, clock, seed] = world;
+    auto& [h, velocity_gradient] = cell;
+    auto& [modulus] = servo;
+    auto& [step, time] = clock;
+    visit("cell/h", "m", h);
+    visit("cell/velocity_gradient", "1/s", velocity_gradient);
+    visit("cell/reference_h", "m", reference_h);
+    visit("servo/modulus", "Pa", modulus);
+    visit("clock/step", "", step);
+    visit("clock/time", "s", time);
+    visit("seed", "", seed);
+    list_material(material, visit);
+    list_grains(grains, visit);
+}
+
+/// Writes each member as the array it is.
+class Saver {
+public:
+    explicit Saver(Hdf5Writer& file) : file_(file) {}
+
+    template <class T>
+    void operator()(const std::string& name, const std::string& unit, const T& number) {
+        file_.write(name, {}, &number, unit);
+    }
+
+    void operator()(const std::string& name, const std::string& unit, const Vec3& v) {
+        file_.write(name, {3}, &v.x, unit);
+    }
+
+    void operator()(const std::string& name, const std::string& unit, const Mat3& m) {
+        file_.write(name, {3, 3}, m.m[0].data(), unit);
+    }
+
+    template <class T>
+    void operator()(const std::string& name, const std::string& unit, const std::vector<T>& column) {
+        file_.write(name, {column.size()}, column.data(), unit);
+    }
+
+    void operator()(const std::string& name, const std::string& unit, const std::vector<grains::Motion>& column) {
+        std::vector<std::uint8_t> plain;
+        std::ranges::transform(column, std::back_inserter(plain), [](auto m) { return static_cast<std::uint8_t>(m); });
+        (*this)(name, unit, plain);
+    }
+
+    void operator()(const std::string& name, const std::string& unit, const std::vector<Vec3>& column) {
+        static_assert(sizeof(Vec3) == 3 * sizeof(double) && std::is_standard_layout_v<Vec3>);
+        file_.write(name, {column.size(), 3}, reinterpret_cast<const double*>(column.data()), unit);
+    }
+
+    void operator()(const std::string& name, const std::string& unit, const std::vector<cell::Image>& column) {
+        static_assert(sizeof(cell::Image) == 3 * sizeof(std::int32_t) && std::is_standard_layout_v<cell::Image>);
+        file_.write(name, {column.size(), 3}, reinterpret_cast<const std::int32_t*>(column.data()), unit);
+    }
+
+    void operator()(const std::string& name, const std::string& unit, const contact::VectorColumn& column) {
+        std::vector<Vec3> rows(column.size());
+        for (std::size_t c = 0; c < rows.size(); ++c) {
+            rows[c] = column[c];
+        }
+        (*this)(name, unit, rows);
+    }
+
+private:
+    Hdf5Writer& file_;
+};
+
+/// Reads each member back, and refuses arrays of another shape.
+class Loader {
+public:
+    explicit Loader(const Hdf5Reader& file) : file_(file) {}
+
+    template <class T>
+    void operator()(const std::string& name, const std::string&, T& number) {
+        number = values<T>(name, {}).front();
+    }
+
+    void operator()(const std::string& name, const std::string&, Vec3& v) { v = vector(values<double>(name, {3}), 0); }
+
+    void operator()(const std::string& name, const std::string&, Mat3& m) {
+        const auto found = values<double>(name, {3, 3});
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            m.m[k / 3][k % 3] = found[k];
+        }
+    }
+
+    template <class T>
+    void operator()(const std::string& name, const std::string&, std::vector<T>& column) {
+        column = values<T>(name, {rows(name)});
+    }
+
+    void operator()(const std::string& name, const std::string&, std::vector<grains::Motion>& column) {
+        for (const std::uint8_t m : values<std::uint8_t>(name, {rows(name)})) {
+            if (m > static_cast<std::uint8_t>(grains::Motion::Held)) {
+                file_.complain(fmt::format("{} holds {}, expected 0 or 1", name, m));
+            }
+            column.push_back(static_cast<grains::Motion>(m));
+        }
+    }
+
+    void operator()(const std::string& name, const std::string&, std::vector<Vec3>& column) {
+        const auto found = values<double>(name, {rows(name), 3});
+        column.resize(found.size() / 3);
+        for (std::size_t k = 0; k < column.size(); ++k) {
+            column[k] = vector(found, k);
+        }
+    }
+
+    void operator()(const std::string& name, const std::string&, std::vector<cell::Image>& column) {
+        const auto found = values<std::int32_t>(name, {rows(name), 3});
+        for (std::size_t k = 0; k < found.size(); k += 3) {
+            column.push_back({found[k], found[k + 1], found[k + 2]});
+        }
+    }
+
+    void operator()(const std::string& name, const std::string& unit, contact::VectorColumn& column) {
+        std::vector<Vec3> found;
+        (*this)(name, unit, found);
+        for (const Vec3& v : found) {
+            column.push_back(v);
+        }
+    }
+
+private:
+    [[nodiscard]] std::size_t rows(const std::string& name) const {
+        const Shape shape = file_.shape(name);
+        return shape.empty() ? 0 : shape.front();
+    }
+
+    template <class T>
+    [[nodiscard]] std::vector<T> values(const std::string& name, const Shape& expected) const {
+        const Shape found = file_.shape(name);
+        if (found != expected) {
+            file_.complain(fmt::format("{} has another shape than expected", name));
+        }
+        return file_.read<T>(name);
+    }
+
+    static Vec3 vector(const std::vector<double>& values, std::size_t k) {
+        return {values[3 * k], values[3 * k + 1], values[3 * k + 2]};
+    }
+
+    const Hdf5Reader& file_;
+};
+
+/// What the rest of the program takes for granted of a world's tables.
+void check_tables(const Hdf5Reader& file, const dem::World& world) {
+    const std::size_t grains = world.grains.size(), contacts = world.contacts.size();
+    list_grains(world.grains, [&](const char* name, const char*, const auto& column) {
+        if (column.size() != grains) {
+            file.complain(fmt::format("{} has {} rows, expected {}", name, column.size(), grains));
+        }
+    });
+    list_contacts(world.contacts, [&](const std::string& name, const char*, const auto& column) {
+        const bool optional = name == "contacts/twisting" || name == "contacts/bonded";
+        if (column.size() != contacts && !(optional && column.size() == 0)) {
+            file.complain(fmt::format("{} has {} rows, expected {}", name, column.size(), contacts));
+        }
+    });
+    for (std::size_t c = 0; c < contacts; ++c) {
+        if (world.contacts.first[c] >= grains || world.contacts.second[c] >= grains) {
+            file.complain(fmt::format(
+                "contact {} is between grains {} and {}, but there are {} grains", c, world.contacts.first[c],
+                world.contacts.second[c], grains
+            ));
+        }
+    }
+}
+
+} // namespace
+
+void save_world(const std::filesystem::path& path, const dem::World& world, const Attributes& attributes) {
+    Hdf5Writer file;
+    file.write_text("kind", kind);
+    file.write("schema", {}, &schema, "");
+    for (const auto& [name, text] : attributes) {
+        expects(!name.empty() && name.find('/') == std::string::npos, "an attribute's name holds no slash");
+        expects(text.find('\0') == std::string::npos, "an attribute's text holds no zero byte");
+        file.write_text("attributes/" + name, text);
+    }
+    Saver save(file);
+    list_world(world, save);
+    const contact::Contacts touching = contact::touching_rows(world.contacts);
+    list_contacts(touching, save);
+    file.save(path);
+}
+
+Checkpoint load_world(const std::filesystem::path& path) {
+    const Hdf5Reader file(path);
+    if (!file.has("kind") || !file.has("schema") || file.read_text("kind") != kind) {
+        file.complain("it is not a state saved by suffuse");
+    }
+    const std::int64_t found = file.read<std::int64_t>("schema").at(0);
+    if (found != schema) {
+        file.complain(
+            fmt::format("it is of schema {}, this program reads {}; use the version that wrote it", found, schema)
+        );
+    }
+    Checkpoint checkpoint;
+    list_world(checkpoint.world, Loader(file));
+    list_contacts(checkpoint.world.contacts, Loader(file));
+    check_tables(file, checkpoint.world);
+    for (const std::string& name : file.names("attributes")) {
+        checkpoint.attributes[name] = file.read_text("attributes/" + name);
+    }
+    return checkpoint;
+}
+
+} // namespace suffuse::io

@@ -1,0 +1,236 @@
+#include "suffuse/io/checkpoint.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/contact/carry_over.hpp"
+#include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/hdf5_file.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/support/temp_folder.hpp"
+#include <bit>
+#include <cstring>
+#include <functional>
+
+namespace suffuse::io {
+namespace {
+
+using test::TempFolder;
+
+// Doubles of any bits whatever, so that equality below is of bytes: a NaN must come back as the same NaN.
+double any_double() {
+    return std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
+}
+
+Vec3 any_vector() {
+    return {any_double(), any_double(), any_double()};
+}
+
+Mat3 any_matrix() {
+    return from_columns(any_vector(), any_vector(), any_vector());
+}
+
+grains::Grains any_grains(int rows) {
+    grains::Grains grains;
+    for (int g = 0; g < rows; ++g) {
+        grains.position.push_back(any_vector());
+        grains.velocity.push_back(any_vector());
+        grains.spin.push_back(any_vector());
+        grains.force.push_back(any_vector());
+        grains.torque.push_back(any_vector());
+        grains.radius.push_back(any_double());
+        grains.mass.push_back(any_double());
+        grains.inertia.push_back(any_double());
+        grains.id.push_back(*rc::gen::arbitrary<std::uint32_t>());
+        grains.motion.push_back(*rc::gen::element(grains::Motion::Free, grains::Motion::Held));
+        grains.fine.push_back(*rc::gen::arbitrary<std::uint8_t>());
+    }
+    return grains;
+}
+
+contact::Contacts any_contacts(int rows, int grains, bool twisting, bool bonds) {
+    contact::Contacts contacts;
+    const auto row = [&] { return static_cast<std::uint32_t>(*rc::gen::inRange(0, grains)); };
+    for (int c = 0; c < rows; ++c) {
+        contacts.first.push_back(row());
+        contacts.second.push_back(row());
+        contacts.image.push_back({*rc::gen::inRange(-2, 3), *rc::gen::arbitrary<int>(), *rc::gen::arbitrary<int>()});
+        contacts.shear_force.push_back(any_vector());
+        contacts.bending.push_back(any_vector());
+        contacts.normal.push_back({1, any_double(), any_double()}); // touches
+        contacts.overlap.push_back(any_double());
+        if (twisting) {
+            contacts.twisting.push_back(any_vector());
+        }
+        if (bonds) {
+            contacts.bonded.push_back(*rc::gen::arbitrary<std::uint8_t>());
+        }
+    }
+    return contacts;
+}
+
+dem::World any_world() {
+    dem::World world;
+    const int grains = *rc::gen::inRange(1, 12);
+    world.cell = {any_matrix(), any_matrix()};
+    world.reference_h = any_matrix();
+    world.grains = any_grains(grains);
+    world.contacts =
+        any_contacts(*rc::gen::inRange(0, 12), grains, *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>());
+    world.servo.modulus = any_vector();
+    world.clock = {*rc::gen::arbitrary<std::int64_t>(), any_double()};
+    world.seed = *rc::gen::arbitrary<std::uint64_t>();
+    auto& m = world.material;
+    for (double* value :
+         {&m.density, &m.modulus, &m.shear_ratio, &m.friction, &m.rolling_stiffness, &m.rolling_friction,
+          &m.twisting_stiffness, &m.twisting_friction, &m.adhesion_normal, &m.adhesion_shear}) {
+        *value = any_double();
+    }
+    return world;
+}
+
+template <class T>
+bool same_bytes(const T& a, const T& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+bool same_bytes(const contact::VectorColumn& a, const contact::VectorColumn& b) {
+    return same_bytes(a.x, b.x) && same_bytes(a.y, b.y) && same_bytes(a.z, b.z);
+}
+
+bool same(const grains::Grains& a, const grains::Grains& b) {
+    return same_bytes(a.position, b.position) && same_bytes(a.velocity, b.velocity) && same_bytes(a.spin, b.spin) &&
+           same_bytes(a.force, b.force) && same_bytes(a.torque, b.torque) && same_bytes(a.radius, b.radius) &&
+           same_bytes(a.mass, b.mass) && same_bytes(a.inertia, b.inertia) && same_bytes(a.id, b.id) &&
+           same_bytes(a.motion, b.motion) && same_bytes(a.fine, b.fine);
+}
+
+bool same(const contact::Contacts& a, const contact::Contacts& b) {
+    return same_bytes(a.first, b.first) && same_bytes(a.second, b.second) && same_bytes(a.image, b.image) &&
+           same_bytes(a.shear_force, b.shear_force) && same_bytes(a.bending, b.bending) &&
+           same_bytes(a.normal, b.normal) && same_bytes(a.overlap, b.overlap) && same_bytes(a.twisting, b.twisting) &&
+           same_bytes(a.bonded, b.bonded);
+}
+
+RC_GTEST_PROP(Checkpoint, LoadingWhatWasSavedGivesTheSameBits, ()) {
+    const dem::World world = any_world();
+    const Attributes attributes{{"case", *rc::gen::nonEmpty(rc::gen::string<std::string>())}, {"stage", ""}};
+    RC_PRE(attributes.at("case").find('\0') == std::string::npos);
+    const TempFolder folder;
+    save_world(folder / "state.h5", world, attributes);
+    const Checkpoint back = load_world(folder / "state.h5");
+    RC_ASSERT(back.attributes == attributes);
+    RC_ASSERT(same(back.world.grains, world.grains));
+    RC_ASSERT(same(back.world.contacts, world.contacts));
+    RC_ASSERT(same_bytes(back.world.cell, world.cell));
+    RC_ASSERT(same_bytes(back.world.reference_h, world.reference_h));
+    RC_ASSERT(same_bytes(back.world.material, world.material));
+    RC_ASSERT(same_bytes(back.world.servo, world.servo));
+    RC_ASSERT(same_bytes(back.world.clock, world.clock));
+    RC_ASSERT(back.world.seed == world.seed);
+}
+
+dem::World two_grains() {
+    dem::World world;
+    grains::add_grain(world.grains, {0.25, 0.25, 0.25}, 0.1, 2600);
+    grains::add_grain(world.grains, {0.5, 0.5, 0.5}, 0.1, 2600);
+    world.contacts.first = {0, 0}, world.contacts.second = {1, 1};
+    world.contacts.image = {{0, 0, 0}, {1, 0, 0}};
+    for (contact::VectorColumn* column :
+         {&world.contacts.shear_force, &world.contacts.bending, &world.contacts.normal}) {
+        column->resize(2);
+    }
+    world.contacts.overlap = {0, 1e-3};
+    world.contacts.normal.set(1, {0, 0, 1});
+    return world;
+}
+
+TEST(Checkpoint, RowsThatDoNotTouchAreLeftOutAndTheHashIsTheSame) {
+    const TempFolder folder;
+    const dem::World world = two_grains();
+    save_world(folder / "state.h5", world);
+    const dem::World back = load_world(folder / "state.h5").world;
+    EXPECT_TRUE(same(back.contacts, contact::touching_rows(world.contacts)));
+    EXPECT_EQ(back.contacts.size(), 1U);
+    EXPECT_EQ(dem::state_hash(back), dem::state_hash(world));
+}
+
+TEST(Checkpoint, ArraysHavePlainNamesAndUnits) {
+    const TempFolder folder;
+    save_world(folder / "state.h5", two_grains(), {{"case", "schema = 1"}});
+    const Hdf5Reader file(folder / "state.h5");
+    EXPECT_EQ(file.shape("grains/position"), (Shape{2, 3}));
+    EXPECT_EQ(file.unit("grains/position"), "m");
+    EXPECT_EQ(file.unit("contacts/shear_force"), "N");
+    EXPECT_EQ(file.shape("cell/h"), (Shape{3, 3}));
+    EXPECT_EQ(file.read_text("attributes/case"), "schema = 1");
+}
+
+/// What loading says of a state with one array replaced.
+std::string complaint_about(const std::function<void(Hdf5Writer&)>& write) {
+    const TempFolder folder;
+    Hdf5Writer file;
+    write(file);
+    file.save(folder / "state.h5");
+    try {
+        load_world(folder / "state.h5");
+    } catch (const IoError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Checkpoint, FilesThatAreNoStateAreRefused) {
+    EXPECT_NE(complaint_about([](Hdf5Writer&) {}).find("not a state saved by suffuse"), std::string::npos);
+    const auto start = [](Hdf5Writer& file, std::int64_t schema) {
+        file.write_text("kind", "suffuse state");
+        file.write("schema", {}, &schema, "");
+    };
+    EXPECT_NE(
+        complaint_about([&](Hdf5Writer& f) { start(f, 99); }).find("schema 99, this program reads 1"), std::string::npos
+    );
+    EXPECT_NE(complaint_about([&](Hdf5Writer& f) { start(f, 1); }).find("cell/h is missing"), std::string::npos);
+    const std::vector<double> h(9, 1.0);
+    const auto misshapen = [&](Hdf5Writer& f) {
+        start(f, 1);
+        f.write("cell/h", {9}, h.data(), "m");
+    };
+    EXPECT_NE(complaint_about(misshapen).find("cell/h has another shape"), std::string::npos);
+}
+
+TEST(Checkpoint, TablesThatDoNotFitTogetherAreRefused) {
+    const TempFolder folder;
+    dem::World world = two_grains();
+    world.contacts.second[1] = 7;
+    save_world(folder / "a.h5", world);
+    EXPECT_THROW(load_world(folder / "a.h5"), IoError);
+    world = two_grains();
+    world.grains.mass.pop_back();
+    save_world(folder / "b.h5", world);
+    EXPECT_THROW(load_world(folder / "b.h5"), IoError);
+}
+
+TEST(Checkpoint, DamagedFilesAreRefusedWhereverTheyWereCut) {
+    const TempFolder folder;
+    save_world(folder / "state.h5", two_grains());
+    const std::string whole = test::read_all(folder / "state.h5");
+    for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 23) {
+        write_file(folder / "cut.h5", whole.substr(0, size));
+        EXPECT_THROW(load_world(folder / "cut.h5"), IoError) << size;
+    }
+}
+
+TEST(Checkpoint, FolderThatIsNotThereIsAnError) {
+    const TempFolder folder;
+    EXPECT_THROW(save_world(folder / "none/state.h5", two_grains()), IoError);
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+} // namespace
+} // namespace suffuse::io

@@ -1,0 +1,272 @@
+#include "suffuse/io/hdf5_file.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/io/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace suffuse::io {
+namespace {
+
+static_assert(std::is_same_v<hid_t, std::int64_t>, "the header hides HDF5's handles as 64-bit integers");
+
+/// A handle of HDF5, closed when it goes.
+class Handle {
+public:
+    using Close = herr_t (*)(hid_t);
+
+    Handle(hid_t id, Close close, std::string_view what) : id_(id), close_(close) {
+        if (id < 0) {
+            throw IoError(fmt::format("HDF5 refused: {}", what));
+        }
+    }
+
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+
+    ~Handle() {
+        if (id_ >= 0) {
+            close_(id_);
+        }
+    }
+
+    Handle& operator=(Handle&&) = delete;
+
+    operator hid_t() const { return id_; } // NOLINT(google-explicit-constructor): stands for the handle in every call
+
+private:
+    hid_t id_;
+    Close close_;
+};
+
+void require(bool done, std::string_view what) {
+    if (!done) {
+        throw IoError(fmt::format("HDF5 refused: {}", what));
+    }
+}
+
+/// HDF5 would print its errors; ours are thrown instead.
+void keep_quiet() {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+template <class T>
+hid_t memory_type() {
+    if constexpr (std::is_same_v<T, double>) {
+        return H5T_NATIVE_DOUBLE;
+    }
+    if constexpr (std::is_same_v<T, std::int32_t>) {
+        return H5T_NATIVE_INT32;
+    }
+    if constexpr (std::is_same_v<T, std::uint32_t>) {
+        return H5T_NATIVE_UINT32;
+    }
+    if constexpr (std::is_same_v<T, std::int64_t>) {
+        return H5T_NATIVE_INT64;
+    }
+    if constexpr (std::is_same_v<T, std::uint64_t>) {
+        return H5T_NATIVE_UINT64;
+    }
+    if constexpr (std::is_same_v<T, std::uint8_t>) {
+        return H5T_NATIVE_UINT8;
+    }
+}
+
+Handle text_type(std::size_t length) {
+    Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
+    H5Tset_size(type, std::max<std::size_t>(length, 1)); // HDF5 knows no text of length zero
+    H5Tset_strpad(type, H5T_STR_NULLPAD);
+    H5Tset_cset(type, H5T_CSET_UTF8);
+    return type;
+}
+
+Handle space_of(const Shape& shape) {
+    const std::vector<hsize_t> sizes(shape.begin(), shape.end());
+    return {
+        shape.empty() ? H5Screate(H5S_SCALAR) : H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
+        H5Sclose, "an array of this shape"};
+}
+
+Handle create_dataset(hid_t file, const std::string& name, hid_t type, hid_t space) {
+    const Handle groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "a property list");
+    H5Pset_create_intermediate_group(groups, 1);
+    return {H5Dcreate2(file, name.c_str(), type, space, groups, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, "to add " + name};
+}
+
+std::string stripped(std::string text) { // the one blank that stands for an empty text, and padding
+    while (!text.empty() && text.back() == '\0') {
+        text.pop_back();
+    }
+    return text;
+}
+
+} // namespace
+
+Hdf5Writer::Hdf5Writer() {
+    keep_quiet();
+    constexpr std::size_t growth = std::size_t{1} << 20;
+    constexpr hbool_t on_disk = 0;
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
+    require(H5Pset_fapl_core(access, growth, on_disk) >= 0, "a file in memory");
+    file_ = H5Fcreate("suffuse", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    require(file_ >= 0, "a file in memory");
+}
+
+Hdf5Writer::~Hdf5Writer() {
+    H5Fclose(file_);
+}
+
+template <class T>
+void Hdf5Writer::write(const std::string& name, const Shape& shape, const T* values, const std::string& unit) {
+    const Handle space = space_of(shape);
+    const Handle data = create_dataset(file_, name, memory_type<T>(), space);
+    const bool any = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) > 0;
+    if (any) {
+        require(H5Dwrite(data, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0, "values of " + name);
+    }
+    const Handle type = text_type(unit.size()), one = space_of({});
+    const Handle attribute(
+        H5Acreate2(data, "unit", type, one, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "the unit of " + name
+    );
+    require(H5Awrite(attribute, type, unit.c_str()) >= 0, "the unit of " + name);
+}
+
+void Hdf5Writer::write_text(const std::string& name, const std::string& text) {
+    const Handle type = text_type(text.size()), one = space_of({});
+    const Handle data = create_dataset(file_, name, type, one);
+    require(H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0, "text of " + name);
+}
+
+void Hdf5Writer::save(const std::filesystem::path& path) {
+    require(H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, "to complete the file in memory");
+    const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
+    // The image where the memory driver holds it: a copy would double what a large state takes.
+    void* handle = nullptr;
+    require(size > 0 && H5Fget_vfd_handle(file_, H5P_DEFAULT, &handle) >= 0, "the image of the file");
+    const char* image = *static_cast<char**>(handle);
+    write_file(path, {image, static_cast<std::size_t>(size)});
+}
+
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path.string()) {
+    keep_quiet();
+    if (!std::filesystem::exists(path)) {
+        complain("there is no such file");
+    }
+    file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (file_ < 0) {
+        complain("it is not an HDF5 file, or it is damaged");
+    }
+}
+
+Hdf5Reader::~Hdf5Reader() {
+    if (file_ >= 0) {
+        H5Fclose(file_);
+    }
+}
+
+void Hdf5Reader::complain(const std::string& message) const {
+    throw IoError(fmt::format("cannot read {}: {}", path_, message));
+}
+
+bool Hdf5Reader::has(const std::string& name) const {
+    for (std::size_t end = name.find('/');; end = name.find('/', end + 1)) { // HDF5 asks for every group on the way
+        if (H5Lexists(file_, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) {
+            return false;
+        }
+        if (end == std::string::npos) {
+            return true;
+        }
+    }
+}
+
+Shape Hdf5Reader::shape(const std::string& name) const {
+    if (!has(name)) {
+        complain(fmt::format("{} is missing", name));
+    }
+    const Handle data(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+    const Handle space(H5Dget_space(data), H5Sclose, name);
+    const int rank = H5Sget_simple_extent_ndims(space);
+    require(rank >= 0, "the shape of " + name);
+    std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
+    require(H5Sget_simple_extent_dims(space, sizes.data(), nullptr) >= 0, "the shape of " + name);
+    return {sizes.begin(), sizes.end()};
+}
+
+template <class T>
+std::vector<T> Hdf5Reader::read(const std::string& name) const {
+    const Shape sizes = shape(name);
+    const Handle data(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+    const Handle type(H5Dget_type(data), H5Tclose, name);
+    if (H5Tequal(type, memory_type<T>()) <= 0) {
+        complain(fmt::format("{} is of another type than expected", name));
+    }
+    std::vector<T> values(std::accumulate(sizes.begin(), sizes.end(), std::size_t{1}, std::multiplies<>()));
+    if (!values.empty() && H5Dread(data, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+        complain(fmt::format("the values of {} are damaged", name));
+    }
+    return values;
+}
+
+std::string Hdf5Reader::read_text(const std::string& name) const {
+    if (!has(name)) {
+        complain(fmt::format("{} is missing", name));
+    }
+    const Handle data(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+    const Handle type(H5Dget_type(data), H5Tclose, name);
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) {
+        complain(fmt::format("{} is no text", name));
+    }
+    std::string text(H5Tget_size(type), '\0');
+    if (H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0) {
+        complain(fmt::format("the text {} is damaged", name));
+    }
+    return stripped(std::move(text));
+}
+
+std::string Hdf5Reader::unit(const std::string& name) const {
+    if (!has(name)) {
+        complain(fmt::format("{} is missing", name));
+    }
+    const Handle attribute(
+        H5Aopen_by_name(file_, name.c_str(), "unit", H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "the unit of " + name
+    );
+    const Handle type(H5Aget_type(attribute), H5Tclose, name);
+    std::string text(H5Tget_size(type), '\0');
+    require(H5Aread(attribute, type, text.data()) >= 0, "the unit of " + name);
+    return stripped(std::move(text));
+}
+
+std::vector<std::string> Hdf5Reader::names(const std::string& group) const {
+    std::vector<std::string> found;
+    if (!has(group)) {
+        return found;
+    }
+    const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+        static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+        return 0;
+    };
+    const Handle opened(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, group);
+    require(H5Literate(opened, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &found) >= 0, "the names in " + group);
+    return found;
+}
+
+// The types that files hold; a further one is added here and in memory_type.
+#define SUFFUSE_HDF5_TYPE(T)                                                                                           \
+    template void Hdf5Writer::write<T>(const std::string&, const Shape&, const T*, const std::string&);                \
+    template std::vector<T> Hdf5Reader::read<T>(const std::string&) const;
+SUFFUSE_HDF5_TYPE(double)
+SUFFUSE_HDF5_TYPE(std::int32_t)
+SUFFUSE_HDF5_TYPE(std::uint32_t)
+SUFFUSE_HDF5_TYPE(std::int64_t)
+SUFFUSE_HDF5_TYPE(std::uint64_t)
+SUFFUSE_HDF5_TYPE(std::uint8_t)
+#undef SUFFUSE_HDF5_TYPE
+
+} // namespace suffuse::io

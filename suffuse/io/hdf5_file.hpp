@@ -1,0 +1,69 @@
+#pragma once
+// HDF5 files as named arrays with a unit, and named texts. A file is made in memory and then written at once, so that a
+// full disk cannot leave a damaged one and HDF5 never holds a file that it cannot close. The only room that sees the
+// HDF5 library; that library serves one thread at a time.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace suffuse::io {
+
+/// Array sizes; none for a single number.
+using Shape = std::vector<std::size_t>;
+
+/// T is double, int32, uint32, int64, uint64 or uint8. Both classes throw IoError where something fails.
+class Hdf5Writer {
+public:
+    Hdf5Writer();
+    ~Hdf5Writer();
+    Hdf5Writer(const Hdf5Writer&) = delete;
+    Hdf5Writer& operator=(const Hdf5Writer&) = delete;
+
+    /// Adds an array, last index fastest; `name` may hold groups, "grains/radius". `unit` is kept as an attribute.
+    template <class T>
+    void write(const std::string& name, const Shape& shape, const T* values, const std::string& unit);
+
+    /// Adds a text of any length.
+    void write_text(const std::string& name, const std::string& text);
+
+    /// Completes the file on disk: it is there in full, or an IoError says why not and the old one remains.
+    void save(const std::filesystem::path& path);
+
+private:
+    std::int64_t file_ = -1;
+};
+
+class Hdf5Reader {
+public:
+    explicit Hdf5Reader(const std::filesystem::path& path);
+    ~Hdf5Reader();
+    Hdf5Reader(const Hdf5Reader&) = delete;
+    Hdf5Reader& operator=(const Hdf5Reader&) = delete;
+
+    [[nodiscard]] bool has(const std::string& name) const;
+
+    /// Sizes of an array.
+    [[nodiscard]] Shape shape(const std::string& name) const;
+
+    /// All values of an array; its type in the file must be that of T.
+    template <class T>
+    [[nodiscard]] std::vector<T> read(const std::string& name) const;
+
+    [[nodiscard]] std::string read_text(const std::string& name) const;
+    [[nodiscard]] std::string unit(const std::string& name) const;
+
+    /// Names of what a group holds, in alphabetical order; none where there is no such group.
+    [[nodiscard]] std::vector<std::string> names(const std::string& group) const;
+
+    /// Throws IoError about this file.
+    [[noreturn]] void complain(const std::string& message) const;
+
+private:
+    std::string path_;
+    std::int64_t file_ = -1;
+};
+
+} // namespace suffuse::io

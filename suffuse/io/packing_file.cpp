@@ -1,0 +1,161 @@
+#include "suffuse/io/packing_file.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/io/lammps_file.hpp"
+#include "suffuse/io/text_file.hpp"
+#include "suffuse/neighbors/pairs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace suffuse::io {
+namespace {
+
+constexpr std::size_t unused = 10; // of the columns below
+constexpr std::array<std::string_view, unused> known{"x", "y", "z", "r", "vx", "vy", "vz", "wx", "wy", "wz"};
+constexpr std::size_t needed = 4;
+
+/// Which known column each column of a table is.
+using Columns = std::vector<std::size_t>;
+
+bool has(const Columns& columns, std::size_t k) {
+    return std::ranges::find(columns, k) != columns.end();
+}
+
+Columns read_header(const LineReader& reader, std::vector<std::string>& warnings, const std::string& file) {
+    Columns columns;
+    for (const std::string_view name : split_at_commas(reader.line())) {
+        const auto k = static_cast<std::size_t>(std::ranges::find(known, name) - known.begin());
+        if (k == unused) {
+            warnings.push_back(fmt::format("{}:{}: column \"{}\" ignored", file, reader.number(), name));
+        }
+        if (k != unused && has(columns, k)) {
+            reader.complain(fmt::format("column {} occurs twice", name));
+        }
+        columns.push_back(k);
+    }
+    for (std::size_t k = 0; k < known.size(); ++k) {
+        const std::size_t group = k < needed ? 0 : (k - needed) / 3 * 3 + needed; // first column of its vector
+        const bool wanted = k < needed || has(columns, group) || has(columns, group + 1) || has(columns, group + 2);
+        if (wanted && !has(columns, k)) {
+            reader.complain(fmt::format(
+                "column {} is missing; found \"{}\", expected a header with {}", known[k], reader.line(),
+                fmt::join(known.begin(), known.begin() + (k < needed ? 4 : 10), ",")
+            ));
+        }
+    }
+    return columns;
+}
+
+void add_row(
+    const LineReader& reader, const std::vector<std::string_view>& fields, const Columns& columns, double density,
+    grains::Grains& grains
+) {
+    if (fields.size() != columns.size()) {
+        reader.complain(fmt::format("found {} fields, expected {}", fields.size(), columns.size()));
+    }
+    std::array<double, unused> value{};
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        if (columns[k] != unused) {
+            value[columns[k]] = to_number(reader, fields[k], known[columns[k]]);
+        }
+    }
+    if (!(value[3] > 0)) {
+        reader.complain(fmt::format("found radius {}, expected a positive one", value[3]));
+    }
+    const auto g = grains::add_grain(grains, {value[0], value[1], value[2]}, value[3], density);
+    grains.velocity[g] = {value[4], value[5], value[6]};
+    grains.spin[g] = {value[7], value[8], value[9]};
+}
+
+ImportedPacking parse_csv(const std::string& file, std::string_view text, double density) {
+    ImportedPacking packing;
+    LineReader reader(file, text);
+    reader.next();
+    const Columns columns = read_header(reader, packing.warnings, file);
+    while (reader.next()) {
+        add_row(reader, split_at_commas(reader.line()), columns, density, packing.grains);
+    }
+    return packing;
+}
+
+/// Four columns without a header; Yade may write more behind them.
+ImportedPacking parse_yade(const std::string& file, std::string_view text, double density) {
+    ImportedPacking packing;
+    LineReader reader(file, text);
+    Columns columns;
+    while (reader.next()) {
+        const auto fields = split_at_blanks(reader.line());
+        if (columns.empty()) {
+            if (fields.size() < needed) {
+                reader.complain(fmt::format(
+                    "found {} fields, expected x y z r (or a CSV header x,y,z,r, or a LAMMPS data file)", fields.size()
+                ));
+            }
+            columns = {0, 1, 2, 3};
+            columns.resize(fields.size(), unused);
+            if (columns.size() > needed) {
+                packing.warnings.push_back(
+                    fmt::format("{}:{}: the columns behind x y z r are ignored", file, reader.number())
+                );
+            }
+        }
+        add_row(reader, fields, columns, density, packing.grains);
+    }
+    return packing;
+}
+
+bool looks_like_csv(std::string_view text) {
+    LineReader reader("", text);
+    return reader.next() && reader.line().find(',') != std::string_view::npos;
+}
+
+} // namespace
+
+ImportedPacking read_packing(const std::filesystem::path& path, double density) {
+    const std::string file = path.string(), text = read_text(path);
+    ImportedPacking packing = looks_like_csv(text)      ? parse_csv(file, text, density)
+                              : looks_like_lammps(text) ? parse_lammps(file, text, density)
+                                                        : parse_yade(file, text, density);
+    if (packing.grains.size() == 0) {
+        throw CaseError(fmt::format("{}: no grains found, expected at least one row below the header", file), file);
+    }
+    return packing;
+}
+
+double check_overlaps(const grains::Grains& grains, const cell::Cell& cell, double share, const std::string& origin) {
+    const std::vector<neighbors::Pair> pairs = neighbors::find_pairs(cell.h, grains.position, grains.radius, 0.0);
+    double worst = 0;
+    const neighbors::Pair* pair = nullptr;
+    for (const neighbors::Pair& p : pairs) {
+        const double ri = grains.radius[p.first], rj = grains.radius[p.second];
+        const Vec3 branch = grains.position[p.second] + cell::shift(cell.h, p.image) - grains.position[p.first];
+        const double ratio = (ri + rj - norm(branch)) / std::min(ri, rj);
+        if (ratio > worst) {
+            worst = ratio;
+            pair = &p;
+        }
+    }
+    if (worst > share) {
+        const auto i = pair->first, j = pair->second;
+        throw CaseError(
+            fmt::format(
+                "{}: {} overlap by {:.3g} of the smaller radius ({:.6g} mm), allowed {:.3g}; check that the cell is "
+                "the "
+                "packing's own and that lengths are in m, or allow a larger overlap",
+                origin,
+                i == j ? fmt::format("grain {} and its own image", grains.id[i])
+                       : fmt::format("grains {} and {}", grains.id[i], grains.id[j]),
+                worst, std::min(grains.radius[i], grains.radius[j]) * 1e3, share
+            ),
+            origin
+        );
+    }
+    return worst;
+}
+
+} // namespace suffuse::io

@@ -1,0 +1,31 @@
+#pragma once
+// Packings brought from other programs: CSV with the columns x, y, z, r and optionally vx, vy, vz, wx, wy, wz; Yade's
+// `x y z r` text; LAMMPS data files of atom_style sphere. Plain or gzipped; lengths in m, velocities in m/s and rad/s.
+
+#include "suffuse/cell/cell.hpp"
+#include "suffuse/grains/grains.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::io {
+
+struct ImportedPacking {
+    grains::Grains grains;             ///< in the order of the file; `id` counts from 0
+    std::optional<cell::Cell> cell;    ///< where the file gives one; positions are then relative to its corner
+    std::vector<std::string> warnings; ///< what was read but not used
+};
+
+/// Reads a packing, whichever of the formats it is, for grains of `density` [kg/m3]. Throws IoError where the file
+/// cannot be read, CaseError with file and line where its content makes no sense.
+ImportedPacking read_packing(const std::filesystem::path& path, double density);
+
+/// Largest overlap of two grains over the smaller radius [-]. Throws CaseError, naming the worst pair, where it exceeds
+/// `share`; `origin` is the file that the grains come from.
+double check_overlaps(
+    const grains::Grains& grains, const cell::Cell& cell, double share, const std::string& origin = "packing"
+);
+
+} // namespace suffuse::io

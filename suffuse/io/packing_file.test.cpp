@@ -1,0 +1,197 @@
+#include "suffuse/io/packing_file.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/packing_export.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/support/temp_folder.hpp"
+#include <bit>
+#include <cmath>
+#include <string>
+
+namespace suffuse::io {
+namespace {
+
+using test::TempFolder;
+
+ImportedPacking parse(const std::string& text) {
+    const TempFolder folder;
+    write_file(folder / "p.csv", text);
+    return read_packing(folder / "p.csv", 2600);
+}
+
+std::string complaint(const std::string& text) {
+    try {
+        parse(text);
+    } catch (const CaseError& error) {
+        const std::string message = error.what();
+        return message.substr(message.find("p.csv")); // without the folder
+    }
+    return "";
+}
+
+TEST(PackingFile, CsvColumnsMayComeInAnyOrderAndOthersAreIgnoredWithAWarning) {
+    const ImportedPacking packing = parse("# from somewhere\r\nr, z,y,x,color\r\n\r\n0.5,3,2,1,red\r\n0.25,6,5,4,blue");
+    ASSERT_EQ(packing.grains.size(), 2U);
+    EXPECT_EQ(packing.grains.position[0], (Vec3{1, 2, 3}));
+    EXPECT_EQ(packing.grains.position[1], (Vec3{4, 5, 6}));
+    EXPECT_EQ(packing.grains.radius[1], 0.25);
+    EXPECT_DOUBLE_EQ(packing.grains.mass[0], 2600 * sphere_volume(0.5));
+    EXPECT_FALSE(packing.cell.has_value());
+    ASSERT_EQ(packing.warnings.size(), 1U);
+    EXPECT_NE(packing.warnings[0].find("p.csv:2: column \"color\" ignored"), std::string::npos);
+}
+
+TEST(PackingFile, CsvMayCarryVelocitiesAndSpins) {
+    const ImportedPacking packing = parse("x,y,z,r,vx,vy,vz,wx,wy,wz\n1,2,3,0.5,4,5,6,7,8,9\n");
+    EXPECT_EQ(packing.grains.velocity[0], (Vec3{4, 5, 6}));
+    EXPECT_EQ(packing.grains.spin[0], (Vec3{7, 8, 9}));
+    EXPECT_TRUE(packing.warnings.empty());
+    EXPECT_EQ(parse("x,y,z,r,wz,wy,wx\n1,2,3,0.5,9,8,7\n").grains.spin[0], (Vec3{7, 8, 9}));
+}
+
+TEST(PackingFile, BadCsvIsRefusedWithPlaceFoundAndExpected) {
+    EXPECT_EQ(
+        complaint("x,y,z\n1,2,3\n"), "p.csv:1: column r is missing; found \"x,y,z\", expected a header with x,y,z,r"
+    );
+    EXPECT_NE(complaint("x,y,z,r,vx,vz\n1,2,3,1,0,0\n").find("p.csv:1: column vy is missing"), std::string::npos);
+    EXPECT_EQ(complaint("x,y,z,r,x\n"), "p.csv:1: column x occurs twice");
+    EXPECT_EQ(complaint("x,y,z,r\n1,2,3,1\n1,nan,3,1\n"), "p.csv:3: column y: found \"nan\", expected a finite number");
+    EXPECT_EQ(complaint("x,y,z,r\n1,2,3,inf\n"), "p.csv:2: column r: found \"inf\", expected a finite number");
+    EXPECT_EQ(complaint("x,y,z,r\n1,2,3,0.5 mm\n"), "p.csv:2: column r: found \"0.5 mm\", expected a finite number");
+    EXPECT_EQ(complaint("x,y,z,r\n1,,3,1\n"), "p.csv:2: column y: found \"\", expected a finite number");
+    EXPECT_EQ(complaint("x,y,z,r\n1,2,3,-0.5\n"), "p.csv:2: found radius -0.5, expected a positive one");
+    EXPECT_EQ(complaint("x,y,z,r\n1,2,3,0\n"), "p.csv:2: found radius 0, expected a positive one");
+    EXPECT_EQ(complaint("x,y,z,r\n1,2,3\n"), "p.csv:2: found 3 fields, expected 4");
+    EXPECT_EQ(complaint("x,y,z,r\n"), "p.csv: no grains found, expected at least one row below the header");
+    EXPECT_NE(complaint("").find("no grains found"), std::string::npos);
+    EXPECT_NE(complaint("hello world\n").find("p.csv:1: found 2 fields, expected x y z r"), std::string::npos);
+    EXPECT_NE(complaint(std::string("x,y,z,r\n1,2,\0003,4\n", 19)).find("column z: found \"?3\""), std::string::npos);
+}
+
+TEST(PackingFile, FileThatIsNotThereIsAnIoError) {
+    const TempFolder folder;
+    EXPECT_THROW(read_packing(folder / "none.csv", 2600), IoError);
+    EXPECT_THROW(read_packing(folder.path(), 2600), IoError); // a folder is no file
+}
+
+TEST(PackingFile, YadeTextNeedsNoHeader) {
+    const ImportedPacking packing = parse("#format x_y_z_r\n1 2 3 0.5\n4\t5 6  0.25\n");
+    ASSERT_EQ(packing.grains.size(), 2U);
+    EXPECT_EQ(packing.grains.position[1], (Vec3{4, 5, 6}));
+    EXPECT_EQ(packing.grains.radius[1], 0.25);
+    EXPECT_EQ(parse("1 2 3 0.5 7\n").warnings.size(), 1U); // a material number behind
+    EXPECT_EQ(complaint("1 2 3 0.5\n1 2 3\n"), "p.csv:2: found 3 fields, expected 4");
+}
+
+const char* const lammps_text =
+    "LAMMPS data file\n\n2 atoms\n1 atom types\n0.5 4.5 xlo xhi\n0 5 ylo yhi\n0 6 zlo zhi\n"
+    "0.5 0.25 0 xy xz yz\n\nMasses\n\n1 1.0\n\nAtoms # sphere\n\n"
+    "7 1 1.0 2600 1 2 3\n3 1 0.5 2600 4 5 6\n\nVelocities\n\n3 1 2 3 4 5 6\n7 0 0 0 0 0 0\n";
+
+TEST(PackingFile, LammpsDataBringsTheCellAndVelocitiesByAtom) {
+    const ImportedPacking packing = parse(lammps_text);
+    ASSERT_EQ(packing.grains.size(), 2U);
+    EXPECT_EQ(packing.grains.radius[1], 0.25);                // diameters in the file
+    EXPECT_EQ(packing.grains.position[1], (Vec3{3.5, 5, 6})); // relative to the corner of the box
+    EXPECT_EQ(packing.grains.velocity[1], (Vec3{1, 2, 3}));   // atom 3 is the second row
+    EXPECT_EQ(packing.grains.spin[1], (Vec3{4, 5, 6}));
+    ASSERT_TRUE(packing.cell.has_value());
+    EXPECT_EQ(packing.cell->h, from_columns({4, 0, 0}, {0.5, 5, 0}, {0.25, 0, 6}));
+    ASSERT_EQ(packing.warnings.size(), 1U); // section Masses
+}
+
+TEST(PackingFile, BadLammpsDataIsRefused) {
+    const auto with = [](const std::string& from, const std::string& to) {
+        std::string text = lammps_text;
+        return text.replace(text.find(from), from.size(), to);
+    };
+    EXPECT_NE(complaint(with("# sphere", "# atomic")).find("p.csv:14: found atom style \"atomic\""), std::string::npos);
+    EXPECT_NE(complaint(with("2 atoms", "3 atoms")).find("found 2 atoms at the end"), std::string::npos);
+    EXPECT_NE(complaint(with("7 1 1.0 2600 1 2 3", "7 1 1.0")).find("p.csv:16: found 3 fields"), std::string::npos);
+    EXPECT_NE(complaint(with("7 1 1.0", "3 1 1.0")).find("atom id 3 occurs twice"), std::string::npos);
+    EXPECT_NE(complaint(with("3 1 2 3 4", "9 1 2 3 4")).find("velocity of atom 9"), std::string::npos);
+    EXPECT_NE(complaint(with("0 5 ylo", "5 5 ylo")).find("p.csv:6: found a box from 5 to 5"), std::string::npos);
+    EXPECT_NE(complaint(with("7 1 1.0", "7 1 -1")).find("found diameter -1"), std::string::npos);
+    EXPECT_EQ(parse(with("7 1 1.0 2600", "7 1 1.0 1000")).warnings.size(), 2U); // another density than the case's
+}
+
+TEST(PackingFile, ReferencePackingIsReadFromGzip) {
+    const ImportedPacking packing = read_packing(SUFFUSE_SOURCE_DIR "/tests/reference/packing500.csv.gz", 2600);
+    ASSERT_EQ(packing.grains.size(), 500U);
+    EXPECT_EQ(packing.grains.position[0].x, 0.00053771875529922612); // first number of the file
+    const cell::Cell cell{diagonal({0.0014360856339985508, 0.0014358137235332051, 0.001436026846625529}), {}};
+    const double solid = grains::solid_volume(packing.grains) / cell::volume(cell);
+    EXPECT_NEAR(1 - solid, 0.4026691676584173, 1e-12); // porosity stated beside it; rounding
+    const double worst = check_overlaps(packing.grains, cell, 0.1);
+    // Settled at 100 kPa: the mean overlap is about p/E = 3e-4, the worst of 800 contacts some tens of times that.
+    EXPECT_GT(worst, 3e-4);
+    EXPECT_LT(worst, 0.03);
+}
+
+TEST(PackingFile, OverlapBeyondTheShareNamesTheWorstPair) {
+    grains::Grains grains;
+    grains::add_grain(grains, {0.5, 0.5, 0.5}, 0.1, 2600);
+    grains::add_grain(grains, {0.65, 0.5, 0.5}, 0.1, 2600); // overlap 0.05
+    grains::add_grain(grains, {0.98, 0.5, 0.5}, 0.05, 2600);
+    grains::add_grain(grains, {1.02, 0.5, 0.5}, 0.05, 2600); // overlap 0.06, and through the period of the cell
+    cell::Cell cell;
+    EXPECT_NEAR(check_overlaps(grains, cell, 1.3), 1.2, 1e-12);
+    try {
+        check_overlaps(grains, cell, 0.1, "p.csv");
+        FAIL() << "expected a CaseError";
+    } catch (const CaseError& error) {
+        EXPECT_NE(
+            std::string(error.what()).find("p.csv: grains 2 and 3 overlap by 1.2 of the smaller"), std::string::npos
+        ) << error.what();
+    }
+    grains::Grains large;
+    grains::add_grain(large, {0, 0, 0}, 0.6, 2600);
+    EXPECT_THROW(check_overlaps(large, cell, 0.1), CaseError); // wider than the cell: overlaps its own image
+}
+
+double any_number(std::uint64_t bits) {
+    const auto value = std::bit_cast<double>(bits);
+    return std::isfinite(value) ? value : static_cast<double>(bits);
+}
+
+RC_GTEST_PROP(PackingFile, WhatIsExportedComesBackToTheBit, ()) {
+    const auto rows = *rc::gen::inRange(1, 8);
+    grains::Grains grains;
+    const auto number = [] { return any_number(*rc::gen::arbitrary<std::uint64_t>()); };
+    const auto vector = [&] { return Vec3{number(), number(), number()}; };
+    for (int k = 0; k < rows; ++k) {
+        const double radius = std::abs(number());
+        RC_PRE(radius > 0);
+        const auto g = grains::add_grain(grains, vector(), radius, 2600);
+        grains.velocity[g] = vector(), grains.spin[g] = vector();
+    }
+    const TempFolder folder;
+    export_csv(folder / "p.csv", grains);
+    const grains::Grains csv = read_packing(folder / "p.csv", 2600).grains;
+    RC_ASSERT(csv.position == grains.position && csv.radius == grains.radius);
+    RC_ASSERT(csv.velocity == grains.velocity && csv.spin == grains.spin);
+    export_yade(folder / "p.txt", grains);
+    const grains::Grains yade = read_packing(folder / "p.txt", 2600).grains;
+    RC_ASSERT(yade.position == grains.position && yade.radius == grains.radius);
+}
+
+TEST(PackingExport, ExtendedXyzHasTheCellAndAllColumns) {
+    grains::Grains grains;
+    grains::add_grain(grains, {1.25, -0.25, 0.5}, 0.125, 2600);
+    const TempFolder folder;
+    cell::Cell cell;
+    cell.h(0, 1) = 0.5;
+    export_extended_xyz(folder / "p.xyz", grains, cell);
+    EXPECT_EQ(
+        test::read_all(folder / "p.xyz"),
+        "1\nLattice=\"1 0 0 0.5 1 0 0 0 1\" Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3:id:I:1:fine:I:1 "
+        "pbc=\"T T T\"\ncoarse 0.75 0.75 0.5 0.125 0 0 0 0 0\n"
+    );
+}
+
+} // namespace
+} // namespace suffuse::io

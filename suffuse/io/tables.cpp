@@ -1,0 +1,57 @@
+#include "suffuse/io/tables.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/io/csv_writer.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace suffuse::io {
+namespace {
+
+std::vector<std::uint32_t> rows_by_id(const grains::Grains& grains) {
+    std::vector<std::uint32_t> rows(grains.size());
+    std::iota(rows.begin(), rows.end(), 0U);
+    std::ranges::sort(rows, [&](std::uint32_t a, std::uint32_t b) { return grains.id[a] < grains.id[b]; });
+    return rows;
+}
+
+} // namespace
+
+void write_grains_csv(const std::filesystem::path& path, const dem::World& world) {
+    const grains::Grains& grains = world.grains;
+    const std::vector<int> contacts = dem::coordination(world);
+    CsvWriter table(path, "id,x,y,z,r,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,contacts,fine");
+    for (const std::uint32_t g : rows_by_id(grains)) {
+        table.row(
+            grains.id[g], grains.position[g], grains.radius[g], grains.velocity[g], grains.spin[g], grains.force[g],
+            grains.torque[g], contacts[g], grains.fine[g]
+        );
+    }
+    table.finish();
+}
+
+void write_contacts_csv(const std::filesystem::path& path, const dem::World& world) {
+    CsvWriter table(path, "i,j,overlap,nx,ny,nz,fnx,fny,fnz,fsx,fsy,fsz,mx,my,mz");
+    for (const dem::ContactView& c : dem::inspect_contacts(world)) {
+        table.row(
+            world.grains.id[c.i], world.grains.id[c.j], c.overlap, c.normal, c.normal_force, c.shear_force, c.moment
+        );
+    }
+    table.finish();
+}
+
+void write_grain_forces_csv(
+    const std::filesystem::path& path, const grains::Grains& grains, const grains::GrainLoad& load
+) {
+    expects(load.force.size() == grains.size(), "a load has a row for each grain");
+    CsvWriter table(path, "id,fx,fy,fz");
+    for (const std::uint32_t g : rows_by_id(grains)) {
+        table.row(grains.id[g], load.force[g]);
+    }
+    table.finish();
+}
+
+} // namespace suffuse::io

@@ -1,0 +1,140 @@
+#include "suffuse/io/text_file.hpp"
+
+#include "suffuse/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+#include <zlib.h>
+
+namespace suffuse::io {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\f\v";
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+[[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& reason) {
+    throw IoError(fmt::format("cannot read {}: {}; check the name and that the file is complete", path.string(), reason)
+    );
+}
+
+/// What a complaint shows of a field: long ones are cut, and a file may hold anything.
+std::string shown(std::string_view field) {
+    constexpr std::size_t most = 40;
+    std::string text(field.substr(0, most));
+    for (char& c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x20 || code == 0x7f) {
+            c = '?';
+        }
+    }
+    return "\"" + text + (field.size() > most ? "...\"" : "\"");
+}
+
+} // namespace
+
+std::string read_text(const std::filesystem::path& path) {
+    errno = 0;
+    const std::unique_ptr<std::remove_pointer_t<gzFile>, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
+    if (!file) {
+        fail_to_read(path, errno != 0 ? std::generic_category().message(errno) : "out of memory");
+    }
+    std::string text;
+    std::string block(std::size_t{1} << 18, '\0');
+    for (;;) {
+        const int count = gzread(file.get(), block.data(), static_cast<unsigned>(block.size()));
+        int error = Z_OK;
+        const char* reason = gzerror(file.get(), &error);
+        if (count < 0 || (error != Z_OK && error != Z_STREAM_END)) {
+            fail_to_read(path, error == Z_ERRNO ? std::generic_category().message(errno) : reason);
+        }
+        if (count == 0) {
+            return text;
+        }
+        text.append(block, 0, static_cast<std::size_t>(count));
+    }
+}
+
+LineReader::LineReader(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (rest_.starts_with(byte_order_mark)) {
+        rest_.remove_prefix(byte_order_mark.size());
+    }
+}
+
+bool LineReader::next() {
+    while (!rest_.empty()) {
+        const std::size_t end = rest_.find('\n');
+        line_ = trimmed(rest_.substr(0, end));
+        rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+        ++number_;
+        const std::size_t mark = line_.find('#');
+        comment_ = mark == std::string_view::npos ? std::string_view{} : trimmed(line_.substr(mark + 1));
+        line_ = trimmed(line_.substr(0, mark));
+        if (!line_.empty()) {
+            return true;
+        }
+    }
+    line_ = {};
+    return false;
+}
+
+void LineReader::complain(const std::string& message) const {
+    throw CaseError(fmt::format("{}:{}: {}", file_, number_, message), file_, number_);
+}
+
+std::vector<std::string_view> split_at_commas(std::string_view line) {
+    std::vector<std::string_view> fields;
+    for (;;) {
+        const std::size_t comma = line.find(',');
+        fields.push_back(trimmed(line.substr(0, comma)));
+        if (comma == std::string_view::npos) {
+            return fields;
+        }
+        line.remove_prefix(comma + 1);
+    }
+}
+
+std::vector<std::string_view> split_at_blanks(std::string_view line) {
+    std::vector<std::string_view> fields;
+    for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+        const std::size_t end = line.find_first_of(blanks);
+        fields.push_back(line.substr(0, end));
+        line.remove_prefix(end == std::string_view::npos ? line.size() : end);
+    }
+    return fields;
+}
+
+double to_number(const LineReader& reader, std::string_view field, std::string_view column) {
+    double value = 0;
+    const std::string_view digits = field.starts_with('+') ? field.substr(1) : field;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {
+        reader.complain(fmt::format("column {}: found {}, expected a finite number", column, shown(field)));
+    }
+    return value;
+}
+
+std::size_t to_count(const LineReader& reader, std::string_view field, std::string_view column) {
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (error != std::errc{} || end != field.data() + field.size()) {
+        reader.complain(fmt::format("{}: found {}, expected a whole number", column, shown(field)));
+    }
+    return value;
+}
+
+} // namespace suffuse::io

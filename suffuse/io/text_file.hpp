@@ -1,0 +1,52 @@
+#pragma once
+// Reading text tables that other programs wrote: lines with their numbers, fields, numbers that must be numbers. Every
+// complaint names file, line, what was found and what was expected.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suffuse::io {
+
+/// The whole of a file, plain or compressed with gzip. Throws IoError where it cannot be read.
+std::string read_text(const std::filesystem::path& path);
+
+/// The lines of a text, one after the other; blank ones and those that start with '#' are passed over.
+class LineReader {
+public:
+    LineReader(std::string file, std::string_view text);
+
+    /// Goes to the next line. @return whether there is one.
+    bool next();
+
+    /// The current line, without blanks at its ends and without its comment.
+    [[nodiscard]] std::string_view line() const { return line_; }
+
+    /// What follows '#' on the current line, likewise.
+    [[nodiscard]] std::string_view comment() const { return comment_; }
+
+    /// Of the current line, from 1.
+    [[nodiscard]] int number() const { return number_; }
+
+    /// Throws CaseError with the place of the current line in front.
+    [[noreturn]] void complain(const std::string& message) const;
+
+private:
+    std::string file_;
+    std::string_view rest_, line_, comment_;
+    int number_ = 0;
+};
+
+/// Fields of a line, between commas (blanks around them do not count) or between blanks.
+std::vector<std::string_view> split_at_commas(std::string_view line);
+std::vector<std::string_view> split_at_blanks(std::string_view line);
+
+/// A finite number; complains in the name of `column` where it is none.
+double to_number(const LineReader& reader, std::string_view field, std::string_view column);
+
+/// A whole number of zero or more, likewise.
+std::size_t to_count(const LineReader& reader, std::string_view field, std::string_view column);
+
+} // namespace suffuse::io
