@@ -38,6 +38,7 @@ struct Loading {
 /// What the servo remembers between steps.
 struct ServoState {
     Vec3 modulus{}; ///< longitudinal modulus of the contact network along each axis, kept up to date by the driver [Pa]
+    Vec3 held_stress{}; ///< held along each axis by the last loading stage, compression positive; zero: none [Pa]
 };
 
 } // namespace suffuse::cell

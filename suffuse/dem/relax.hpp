@@ -1,0 +1,26 @@
+#pragma once
+// Relaxation of an equilibrium far below what a loading stage asks for, at constant volume. A viscous drag against the mean
+// motion, chosen from the stiffest mode and the size of the sample, kills the slow modes that local damping leaves ringing.
+
+#include "suffuse/base/pulse.hpp"
+#include "suffuse/dem/step.hpp"
+
+#include <cstdint>
+
+namespace suffuse::dem {
+
+struct RelaxReport {
+    double unbalanced_force = 0; ///< reached [-]
+    std::int64_t steps = 0;
+    bool reached_floor = false; ///< it stopped falling before the wanted value: the floor of double precision here
+};
+
+/// Steps at constant volume until the unbalanced force is below `wanted`, or stops falling. Afterwards the grains are at rest
+/// but for what the unbalance moves.
+/// @param dt [s]; @param damping local [-]
+RelaxReport relax(
+    World& world, StepCaches& caches, double dt, double damping, double wanted, std::int64_t most_steps,
+    const Pulse& pulse = {}
+);
+
+} // namespace suffuse::dem

@@ -1,0 +1,67 @@
+#include "suffuse/erosion/detachment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::erosion {
+namespace {
+
+/// Value below which a share `q` of `values` lies.
+double quantile(std::vector<double> values, double q) {
+    if (values.empty()) { return 0; }
+    const auto last = static_cast<double>(values.size() - 1);
+    const auto rank = static_cast<std::ptrdiff_t>(std::min(last, std::ceil(q * last)));
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
+}
+
+/// The paper's first group: the speed rises over every tenth of the watch.
+bool rises_throughout(const std::array<double, probe_samples + 1>& speed) {
+    for (std::size_t k = 1; k < speed.size(); ++k) {
+        if (!(speed[k] > speed[k - 1])) { return false; }
+    }
+    return true;
+}
+
+bool detaches_by_velocity(const DetachSpec& spec, const ProbeResult& probe, std::size_t k) {
+    const double final_speed = probe.speed[k].back();
+    switch (spec.rule) {
+    case VelocityRule::Rising:
+        return rises_throughout(probe.speed[k]);
+    case VelocityRule::Above:
+        return final_speed > spec.over_speed.value_or(0);
+    case VelocityRule::StillAccelerating:
+        break;
+    }
+    return rises_throughout(probe.speed[k]) && final_speed > spec.over * probe.free_speed[k] &&
+           final_speed > probe.twin_noise;
+}
+
+bool detaches_by_displacement(const DetachSpec& spec, const ProbeResult& probe, std::size_t k) {
+    const double wanted = spec.over_diameters ? *spec.over_diameters * probe.diameter[k]
+                                              : spec.over * probe.free_displacement[k];
+    return probe.displacement[k] > wanted;
+}
+
+} // namespace
+
+void judge_detachment(const DetachSpec& spec, ProbeResult& result) {
+    const std::size_t fines = result.id.size();
+    result.twin_noise = quantile(result.twin_speed, spec.noise_quantile);
+    result.by_velocity.assign(fines, 0);
+    result.by_displacement.assign(fines, 0);
+    result.agreement = {};
+    for (std::size_t k = 0; k < fines; ++k) {
+        if (result.fluid_force[k] > 0) {
+            result.by_velocity[k] = detaches_by_velocity(spec, result, k) ? 1 : 0;
+            result.by_displacement[k] = detaches_by_displacement(spec, result, k) ? 1 : 0;
+        }
+        ++result.agreement[result.by_velocity[k]][result.by_displacement[k]];
+    }
+}
+
+const std::vector<std::uint8_t>& verdicts(const DetachSpec& spec, const ProbeResult& result) {
+    return spec.by == DetachBy::Velocity ? result.by_velocity : result.by_displacement;
+}
+
+} // namespace suffuse::erosion

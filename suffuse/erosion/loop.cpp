@@ -1,0 +1,162 @@
+#include "suffuse/erosion/loop.hpp"
+
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/order.hpp"
+#include "suffuse/dem/relax.hpp"
+#include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/erosion/detachment.hpp"
+#include "suffuse/erosion/extraction.hpp"
+#include "suffuse/erosion/passage.hpp"
+#include "suffuse/erosion/probe.hpp"
+#include "suffuse/erosion/reequilibrate.hpp"
+#include "suffuse/flow/seepage.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace suffuse::erosion {
+namespace {
+
+/// Wall seconds since it was made or last asked.
+class Stopwatch {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+flow::Seepage seep(const dem::World& world, double gradient, const Vec3& direction, const flow::Fluid& fluid) {
+    return flow::solve_seepage(
+        world.cell, world.grains.position, world.grains.radius, {gradient, direction, false}, fluid
+    );
+}
+
+/// Step 1: the equilibrium relaxed so far that its unbalance does not drown the fluid's force.
+dem::RelaxReport relax_further(dem::World& world, double dt, const ProbeSpec& spec, const Surroundings& around) {
+    dem::StepCaches caches;
+    return dem::relax(world, caches, dt, around.damping, spec.unbalanced_force, spec.relax_limit, around.pulse);
+}
+
+/// Step 3 under the flow's forces.
+ProbeResult probe(
+    const dem::World& world, const flow::Seepage& seepage, double gradient, double dt, const dem::RelaxReport& relaxed,
+    const ProbeSpec& spec, const DetachSpec& rule, const Surroundings& around
+) {
+    const ProbeSetting setting{spec, around.fluid, gradient, dt, around.damping};
+    ProbeResult result = watch_fines(world, {seepage.grain_force}, setting, around.pulse);
+    result.unbalanced_force = relaxed.unbalanced_force;
+    result.relax_steps = relaxed.steps;
+    result.reached_floor = relaxed.reached_floor;
+    judge_detachment(rule, result);
+    return result;
+}
+
+/// Step 5: the detachable fines that the constrictions let through, or the fines that are taken out by force.
+std::vector<Leaver>
+choose_leavers(const dem::World& world, const CoarseSkeleton& skeleton, const ErodeSpec& spec, PassResult& pass) {
+    const std::vector<int> contacts = dem::coordination(world);
+    const std::vector<std::uint8_t>& detached = verdicts(spec.detached, pass.probe);
+    std::vector<Leaver> leavers;
+    for (std::uint32_t g = 0, fine = 0; g < world.grains.size(); ++g) {
+        if (world.grains.fine[g] == 0) { continue; }
+        const bool detachable = spec.forced ? contacts[g] <= spec.forced->max_contacts : detached[fine] != 0;
+        ++fine;
+        if (!detachable) { continue; }
+        ++pass.detachable;
+        if (spec.forced || passes(skeleton, spec.passes_constriction, g, 2 * world.grains.radius[g])) {
+            leavers.push_back({g, contacts[g]});
+            ++pass.coordination_histogram[contacts[g]];
+        } else {
+            ++pass.held_back;
+        }
+    }
+    pass.removed = static_cast<std::int64_t>(leavers.size());
+    return leavers;
+}
+
+std::string reason_of(const ErodeSpec& spec) {
+    if (spec.forced) { return "forced"; }
+    return spec.detached.by == DetachBy::Velocity ? "velocity" : "displacement";
+}
+
+} // namespace
+
+ErosionResult begin_erosion(const dem::World& world) {
+    ErosionResult result;
+    result.initial_mass = total_mass(world.grains);
+    return result;
+}
+
+bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result) {
+    PassResult pass;
+    pass.pass = static_cast<int>(result.passes.size()) + 1;
+    Stopwatch watch;
+    dem::World next = world; // the caller's world changes only when the pass is complete
+    dem::sort_along_curve(next);
+    const double dt = dem::stable_time_step(next);
+    const double mass = total_mass(next.grains);
+    describe_before(next, pass);
+
+    // 1 equilibrium
+    const dem::RelaxReport relaxed = relax_further(next, dt, spec.probe, around);
+    pass.wall_seconds["relax"] = watch.lap();
+
+    // 2 flow
+    const flow::Seepage seepage = seep(next, spec.gradient, spec.direction, around.fluid);
+    pass.permeability_before = seepage.permeability;
+    pass.wall_seconds["flow"] = watch.lap();
+
+    // 3 probe
+    pass.probe = probe(next, seepage, spec.gradient, dt, relaxed, spec.probe, spec.detached, around);
+    pass.wall_seconds["probe"] = watch.lap();
+
+    // 4 constrictions
+    const bool with_paths = spec.passes_constriction == ConstrictionSize::WidestPath;
+    const CoarseSkeleton skeleton = measure_coarse_skeleton(next, spec.direction, with_paths);
+    pass.constrictions = skeleton.constrictions;
+    pass.wall_seconds["constrictions"] = watch.lap();
+
+    // 5 extraction
+    std::vector<LedgerRow> ledger = result.ledger;
+    extract(next, choose_leavers(next, skeleton, spec, pass), pass.pass, reason_of(spec), ledger);
+    check_ledger(next, ledger, result.initial_mass);
+    pass.eroded_mass_percent = 100 * (1 - total_mass(next.grains) / mass);
+    pass.eroded_mass_percent_of_initial = 100 * (mass - total_mass(next.grains)) / result.initial_mass;
+
+    // 6 new equilibrium
+    std::vector<PathRow> path = reequilibrate(next, dt, result, around, pass);
+    watch.lap();
+    pass.permeability_after = seep(next, 1, spec.direction, around.fluid).permeability;
+    pass.wall_seconds["flow"] += watch.lap();
+
+    const std::optional<std::string> complaint = skeleton_complaint(next);
+    pass.verdict = pass.removed == 0 ? "nothing leaves any more" : complaint.value_or("");
+    const bool go_on = pass.verdict.empty();
+    world = std::move(next);
+    result.ledger = std::move(ledger);
+    result.path.insert(result.path.end(), path.begin(), path.end());
+    result.passes.push_back(std::move(pass));
+    return go_on;
+}
+
+std::vector<ProbeResult>
+probe_gradients(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around) {
+    dem::World relaxed_world = world;
+    dem::sort_along_curve(relaxed_world);
+    const double dt = dem::stable_time_step(relaxed_world);
+    const dem::RelaxReport relaxed = relax_further(relaxed_world, dt, spec.probe, around);
+    const flow::Seepage unit = seep(relaxed_world, 1, spec.direction, around.fluid);
+    std::vector<ProbeResult> results;
+    for (const double gradient : spec.gradients) {
+        flow::Seepage seepage = unit;
+        flow::scale(seepage, gradient);
+        results.push_back(probe(relaxed_world, seepage, gradient, dt, relaxed, spec.probe, spec.detached, around));
+    }
+    return results;
+}
+
+} // namespace suffuse::erosion

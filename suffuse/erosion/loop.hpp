@@ -1,0 +1,35 @@
+#pragma once
+// The erosion procedure of the paper (its section 4 and Figure 7): equilibrium, flow, probe, constrictions, extraction, new
+// equilibrium, and again.
+
+#include "suffuse/base/pulse.hpp"
+#include "suffuse/dem/spec.hpp"
+#include "suffuse/dem/world.hpp"
+#include "suffuse/erosion/result.hpp"
+#include "suffuse/erosion/spec.hpp"
+#include "suffuse/flow/fluid.hpp"
+
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// What the loop needs beside its own settings.
+struct Surroundings {
+    flow::Fluid fluid;
+    dem::BalanceSpec balance;
+    double damping = 0.2; ///< local [-]
+    Pulse pulse;          ///< may throw Interrupted: the world is then as it was before the pass
+};
+
+/// One pass from an equilibrium; appends to `result` and returns whether the procedure should go on.
+/// @throws SolverError, GeometryError, StateError; the world is then as before.
+bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result);
+
+/// Begins a result at the equilibrium `world`.
+ErosionResult begin_erosion(const dem::World& world);
+
+/// The probe alone at several gradients, nothing removed (Figure 9). One flow solution serves all gradients.
+std::vector<ProbeResult>
+probe_gradients(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around);
+
+} // namespace suffuse::erosion

@@ -1,0 +1,29 @@
+#pragma once
+// Step 4 of the procedure: the constrictions of the coarse skeleton, and which grains they let through.
+
+#include "suffuse/dem/world.hpp"
+#include "suffuse/erosion/result.hpp"
+#include "suffuse/erosion/spec.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// The coarse grains alone, triangulated.
+struct CoarseSkeleton {
+    Constrictions constrictions;
+    std::vector<double> widest_path; ///< for each grain of the world the diameter of the widest path from where it is [m]
+};
+
+/// @param with_paths also finds the widest paths along `direction` (the cell axis nearest to it).
+/// @throws GeometryError with too few coarse grains to triangulate.
+CoarseSkeleton measure_coarse_skeleton(const dem::World& world, const Vec3& direction, bool with_paths);
+
+/// Why the coarse skeleton has lost its meaning as a filter; nothing where it has not.
+std::optional<std::string> skeleton_complaint(const dem::World& world);
+
+/// Whether a grain of diameter `d` [m] in row `g` passes.
+bool passes(const CoarseSkeleton& skeleton, ConstrictionSize size, std::size_t g, double d);
+
+} // namespace suffuse::erosion

@@ -1,0 +1,126 @@
+#include "suffuse/erosion/reequilibrate.hpp"
+
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/settle.hpp"
+#include "suffuse/erosion/extraction.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace suffuse::erosion {
+namespace {
+
+constexpr std::int64_t most_steps_at_constant_volume = 200'000;
+constexpr std::int64_t most_steps_under_stress = 3'000'000;
+constexpr std::int64_t bursts_a_row = 4; // of the recorded path, beyond its dense beginning
+constexpr double lost_stress = 1e-6;     // share of the stress before: the skeleton carries nothing any more
+
+/// Appends rows to the path of one pass.
+class PathRecorder {
+public:
+    PathRecorder(const dem::World& start, const ErosionResult& so_far, const PassResult& pass)
+        : pass_(pass.pass), initial_mass_(so_far.initial_mass), start_volume_(cell::volume(start.cell)) {
+        if (!so_far.path.empty()) {
+            first_step_ = so_far.path.back().step;
+            first_strain_ = so_far.path.back().volumetric_strain;
+        }
+    }
+
+    void add(
+        const std::string& phase, const dem::World& world, const Mat3& stress, double unbalanced_force, std::int64_t steps
+    ) {
+        const double strain = -std::log(cell::volume(world.cell) / start_volume_);
+        const double eroded = 1 - total_mass(world.grains) / initial_mass_;
+        rows_.push_back(
+            {pass_, phase, first_step_ + steps, stress, first_strain_ + strain, dem::porosity(world), unbalanced_force, eroded}
+        );
+    }
+
+    std::vector<PathRow> take() { return std::move(rows_); }
+
+private:
+    int pass_;
+    double initial_mass_, start_volume_;
+    std::int64_t first_step_ = 0;
+    double first_strain_ = 0;
+    std::vector<PathRow> rows_;
+};
+
+cell::Loading held_loading(const dem::World& world, const Mat3& stress_before) {
+    cell::Loading loading;
+    for (int a = 0; a < 3; ++a) {
+        const double held = world.servo.held_stress[a];
+        loading.axis[static_cast<std::size_t>(a)] = {cell::Control::Stress, held > 0 ? held : stress_before(a, a)};
+    }
+    return loading;
+}
+
+bool rests(const dem::BalanceState& state, const dem::BalanceSpec& balance, double stress_before) {
+    return state.balanced_steps >= balance.patience ||
+           std::abs(dem::mean_stress(state.stress)) <= lost_stress * stress_before;
+}
+
+} // namespace
+
+void describe_before(const dem::World& world, PassResult& pass) {
+    pass.stress_before = dem::mean_stress_tensor(world);
+    pass.porosity_before = dem::porosity(world);
+}
+
+std::vector<PathRow> reequilibrate(
+    dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass
+) {
+    PathRecorder recorder(world, so_far, pass);
+    dem::StepCaches caches;
+    dem::StepPlan plan;
+    plan.dt = dt;
+    plan.damping = around.damping;
+    plan.loading = dem::constant_volume();
+
+    pass.porosity_after_removal = dem::porosity(world);
+    pass.stress_after_removal = dem::step(world, caches, plan).stress;
+    recorder.add("removal", world, pass.stress_after_removal, dem::measure_equilibrium(world).unbalanced_force, 1);
+    std::int64_t steps = 1;
+
+    const auto started = std::chrono::steady_clock::now();
+    const auto seconds_since = [](auto then) {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+    };
+    const auto run_phase = [&](const std::string& phase, std::int64_t most_steps, const auto& is_over) {
+        dem::BalanceState state;
+        for (std::int64_t burst = 1;; ++burst) {
+            dem::settle_burst(world, caches, plan, around.balance, state);
+            steps += dem::burst_steps;
+            const bool over = is_over(state);
+            if (over || burst <= 20 || burst % bursts_a_row == 0) {
+                recorder.add(phase, world, state.stress, state.equilibrium.unbalanced_force, steps);
+            }
+            if (over || state.steps >= most_steps) { return state; }
+            beat(around.pulse, phase, state.steps);
+        }
+    };
+    const double before = dem::mean_stress(pass.stress_before);
+    const dem::BalanceState still = run_phase("constant volume", most_steps_at_constant_volume, [&](const auto& state) {
+        return rests(state, around.balance, before);
+    });
+    pass.stress_constant_volume = still.stress;
+    pass.wall_seconds["constant volume"] = seconds_since(started);
+
+    const auto servo_started = std::chrono::steady_clock::now();
+    plan.loading = held_loading(world, pass.stress_before);
+    const dem::BalanceState settled = run_phase("servo", most_steps_under_stress, [&](const auto& state) {
+        return state.balanced_steps >= around.balance.patience;
+    });
+    pass.stress_after = settled.stress;
+    pass.wall_seconds["servo"] = seconds_since(servo_started);
+
+    pass.steps = steps;
+    pass.porosity_after = dem::porosity(world);
+    pass.void_ratio_after = dem::void_ratio(world);
+    pass.fines_content_after = fines_content(world.grains);
+    std::vector<PathRow> path = recorder.take();
+    pass.volumetric_strain = path.back().volumetric_strain - (so_far.path.empty() ? 0 : so_far.path.back().volumetric_strain);
+    return path;
+}
+
+} // namespace suffuse::erosion
