@@ -91,17 +91,23 @@ build_target() {
     [ "$seconds" -lt 2 ] || say "build: $seconds s"
 }
 
-# The report's page is optional: without it, reports are plain. It is rebuilt when a source of it is newer.
+# The report's page is optional: without it, reports are plain, and each call says so. It is rebuilt when a source of it
+# is newer than its stamp; the stamp of a failure holds the line to say.
 build_report_page() {
     [ -x "$root/report/build.sh" ] || return 0
     page_stamp=$root/build/report-page.stamp
     if [ -e "$page_stamp" ]; then
-        [ -z "$(find "$root/report" -name node_modules -prune -o -type f -newer "$page_stamp" -print | head -n 1)" ] && return 0
+        newer=$(find "$root/report" -name node_modules -prune -o -type f -newer "$page_stamp" -print | head -n 1)
+        [ -n "$newer" ] || { cat "$page_stamp" >&2 && return 0; }
     fi
     if ! { have npm && have node && [ "$(node -p 'parseInt(process.versions.node)')" -ge 18 ]; }; then
         need_packages nodejs npm || { say "no node (18 or newer) and npm: the report will be plain"; return 0; }
     fi
     [ "$offline" = no ] || { say "--offline leaves out the report's page, which npm builds: the report will be plain"; return 0; }
-    step "report page" report-page.log "$root/report/build.sh" "$root/build/report-page" || say "the report will be plain"
-    : >"$page_stamp"
+    if step "report page" report-page.log "$root/report/build.sh" "$root/build/report-page"; then
+        : >"$page_stamp"
+    else
+        say "the report will be plain; to try again: rm $page_stamp" 2>"$page_stamp"
+        cat "$page_stamp" >&2
+    fi
 }
