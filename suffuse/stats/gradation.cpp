@@ -1,0 +1,64 @@
+#include "suffuse/stats/gradation.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace suffuse::stats {
+namespace {
+
+Gradation gradation_of(const grains::Grains& grains, std::vector<std::uint32_t> rows) {
+    std::sort(rows.begin(), rows.end(), [&](auto a, auto b) { return grains.radius[a] < grains.radius[b]; });
+    Gradation gradation;
+    double mass = 0;
+    for (const std::uint32_t g : rows) {
+        mass += grains.mass[g];
+        const double diameter = 2 * grains.radius[g];
+        if (gradation.diameter.empty() || diameter > gradation.diameter.back()) {
+            gradation.diameter.push_back(diameter);
+            gradation.passing.push_back(mass);
+        } else {
+            gradation.passing.back() = mass;
+        }
+    }
+    for (double& share : gradation.passing) {
+        share /= mass;
+    }
+    return gradation;
+}
+
+} // namespace
+
+Gradation measure_gradation(const grains::Grains& grains) {
+    std::vector<std::uint32_t> rows(grains.size());
+    std::iota(rows.begin(), rows.end(), 0U);
+    return gradation_of(grains, std::move(rows));
+}
+
+Gradation measure_gradation_of(const grains::Grains& grains, bool fine) {
+    std::vector<std::uint32_t> rows;
+    for (std::uint32_t g = 0; g < grains.size(); ++g) {
+        if ((grains.fine[g] != 0) == fine) {
+            rows.push_back(g);
+        }
+    }
+    return gradation_of(grains, std::move(rows));
+}
+
+double passing(const Gradation& gradation, double diameter) {
+    const auto above = std::upper_bound(gradation.diameter.begin(), gradation.diameter.end(), diameter);
+    const auto count = above - gradation.diameter.begin();
+    return count > 0 ? gradation.passing[static_cast<std::size_t>(count - 1)] : 0;
+}
+
+double size_at(const Gradation& gradation, double fraction) {
+    if (gradation.diameter.empty()) {
+        return 0;
+    }
+    // A grain's share is a sum of rounded numbers: a fraction met to 1e-12 counts as met.
+    const auto first = std::lower_bound(gradation.passing.begin(), gradation.passing.end(), fraction - 1e-12);
+    const auto row =
+        std::min(first - gradation.passing.begin(), static_cast<std::ptrdiff_t>(gradation.diameter.size()) - 1);
+    return gradation.diameter[static_cast<std::size_t>(row)];
+}
+
+} // namespace suffuse::stats

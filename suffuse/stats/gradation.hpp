@@ -1,0 +1,27 @@
+#pragma once
+// The grading of the grains that are there, by mass: what is left of the soil after an extraction. One point a grain
+// size.
+
+#include "suffuse/grains/grains.hpp"
+
+#include <vector>
+
+namespace suffuse::stats {
+
+/// Sizes in ascending order, and the mass share of the grains up to and with each of them.
+struct Gradation {
+    std::vector<double> diameter; ///< each different size once [m]
+    std::vector<double> passing;  ///< ends at 1 [-]
+};
+
+/// The gradation of all grains, or of those of the fine or the coarse fraction.
+Gradation measure_gradation(const grains::Grains& grains);
+Gradation measure_gradation_of(const grains::Grains& grains, bool fine);
+
+/// Mass share of the grains not larger than `diameter` [-].
+double passing(const Gradation& gradation, double diameter);
+
+/// D_x: smallest size such that the share `fraction` of the mass is not larger [m]; 0 without grains.
+double size_at(const Gradation& gradation, double fraction);
+
+} // namespace suffuse::stats

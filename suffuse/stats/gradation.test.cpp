@@ -1,0 +1,51 @@
+#include "suffuse/stats/gradation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.hpp"
+
+namespace suffuse::stats {
+namespace {
+
+/// Masses 1, 1, 8 and 64 (diameters 1, 1, 2, 4).
+dem::World four_grains() {
+    dem::World world = test::empty_world(100);
+    test::add(world, {10, 0, 0}, 2);
+    test::add(world, {20, 0, 0}, 0.5, true);
+    test::add(world, {30, 0, 0}, 1);
+    test::add(world, {40, 0, 0}, 0.5, true);
+    return world;
+}
+
+TEST(Gradation, OfFourGrainsPassesByMass) {
+    const Gradation gradation = measure_gradation(four_grains().grains);
+    EXPECT_EQ(gradation.diameter, (std::vector<double>{1, 2, 4}));
+    EXPECT_NEAR(passing(gradation, 1), 2.0 / 74, 1e-15);
+    EXPECT_NEAR(passing(gradation, 3.9), 10.0 / 74, 1e-15);
+    EXPECT_EQ(passing(gradation, 4), 1);
+    EXPECT_EQ(passing(gradation, 0.9), 0);
+}
+
+TEST(Gradation, SizeAtAFractionIsTheSmallestThatPassesIt) {
+    const Gradation gradation = measure_gradation(four_grains().grains);
+    EXPECT_EQ(size_at(gradation, 0.5), 4);
+    EXPECT_EQ(size_at(gradation, 2.0 / 74), 1);
+    EXPECT_EQ(size_at(gradation, 2.01 / 74), 2);
+    EXPECT_EQ(size_at(gradation, 0), 1);
+    EXPECT_EQ(size_at(gradation, 1), 4);
+}
+
+TEST(Gradation, OfAFractionLeavesTheOtherOut) {
+    const dem::World world = four_grains();
+    EXPECT_EQ(measure_gradation_of(world.grains, true).diameter, std::vector<double>{1});
+    EXPECT_EQ(measure_gradation_of(world.grains, false).diameter, (std::vector<double>{2, 4}));
+}
+
+TEST(Gradation, OfNoGrainsIsEmpty) {
+    const Gradation gradation = measure_gradation({});
+    EXPECT_EQ(passing(gradation, 1), 0);
+    EXPECT_EQ(size_at(gradation, 0.5), 0);
+}
+
+} // namespace
+} // namespace suffuse::stats
