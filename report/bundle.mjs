@@ -1,0 +1,57 @@
+// bundle.mjs OUT_DIR: the page's script as one file, its hash for the page's content policy, and the notices that the
+// licenses of the bundled packages ask for. The packages stand in OUT_DIR/npm, so that the source tree stays clean.
+import { createHash } from "node:crypto";
+import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join, relative, resolve, sep } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const out = resolve(process.argv[2]);
+const modules = join(out, "npm", "node_modules");
+const { buildSync } = createRequire(join(out, "npm", "package.json"))("esbuild");
+
+const result = buildSync({
+  entryPoints: [join(dirname(fileURLToPath(import.meta.url)), "src", "main.js")],
+  bundle: true,
+  minify: true,
+  format: "iife",
+  target: ["es2022"],
+  charset: "ascii",
+  legalComments: "none",
+  nodePaths: [modules],
+  absWorkingDir: modules,
+  metafile: true,
+  write: false,
+});
+
+const code = result.outputFiles[0].text;
+if (code.includes("</script") || code.includes("\r")) {
+  throw new Error("the bundle holds text that cannot stand in a script element");
+}
+writeFileSync(join(out, "page.js"), code);
+writeFileSync(join(out, "page.js.sha256"), createHash("sha256").update(code).digest("base64") + "\n");
+writeFileSync(join(out, "notices.txt"), notices(result.metafile.outputs));
+console.log(`page.js: ${Math.round(code.length / 1024)} KiB`);
+
+/** Name, version and license text of each package that has bytes in the bundle. */
+function notices(outputs) {
+  const packages = new Map();
+  for (const output of Object.values(outputs)) {
+    for (const [file, { bytesInOutput }] of Object.entries(output.inputs)) {
+      const path = resolve(modules, file);
+      if (bytesInOutput === 0 || !path.startsWith(modules + sep)) continue;
+      const name = relative(modules, path).split(sep);
+      const folder = join(modules, ...name.slice(0, name[0].startsWith("@") ? 2 : 1));
+      packages.set(folder, JSON.parse(readFileSync(join(folder, "package.json"), "utf8")));
+    }
+  }
+  const texts = [...packages].map(([folder, { name, version, license }]) => {
+    const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each));
+    const text = file && existsSync(join(folder, file)) ? readFileSync(join(folder, file), "utf8").trim() : "";
+    return { title: `${name} ${version} (${license})`, text };
+  });
+  // Many packages of one family share one text: say it once.
+  const byText = new Map();
+  for (const { title, text } of texts) byText.set(text, [...(byText.get(text) ?? []), title]);
+  return [...byText].map(([text, titles]) => `${titles.join(", ")}\n\n${text}\n`).join(`\n${"-".repeat(72)}\n\n`);
+}

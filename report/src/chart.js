@@ -1,0 +1,87 @@
+// One chart: numbers from CSV, specification fitted to the width at hand, drawn as SVG. Vega's interpreter evaluates its
+// expressions, so that the page's content policy can forbid scripts made from text.
+import { csvParseRows } from "d3-dsv";
+import { parse, View, Warn } from "vega";
+import { expressionInterpreter } from "vega-interpreter";
+import { compile } from "vega-lite";
+import { Handler } from "vega-tooltip";
+
+const tooltip = new Handler({ disableDefaultStyle: true });
+
+/** Rows as objects under the column's name without its unit; what reads as a number is one, what is empty is null. */
+export function readTable(csv) {
+  const lines = csvParseRows(csv.replace(/^#.*\n/gm, ""));
+  const names = lines[0].map((heading) => heading.replace(/ \[[^\]]*\]$/, ""));
+  const numeric = names.map((_, c) => lines.slice(1).every((line) => line[c] === "" || !Number.isNaN(Number(line[c]))));
+  return lines.slice(1).map((line) =>
+    Object.fromEntries(names.map((name, c) => [name, line[c] === "" ? null : numeric[c] ? Number(line[c]) : line[c]])),
+  );
+}
+
+const axisRoom = 74; // for the vertical axis with its title
+const panelGap = 24;
+
+/** The specification with widths that fill `width` pixels: panels in a row are dropped before they get too narrow. */
+export function fitted(chart, width) {
+  const copy = structuredClone(chart);
+  if (copy.facet) {
+    const least = Math.min(copy.spec.width, 260);
+    const columns = Math.max(1, Math.min(copy.columns, Math.floor((width - axisRoom) / (least + panelGap))));
+    copy.columns = columns;
+    const room = (width - axisRoom - (columns - 1) * panelGap) / columns - 8;
+    copy.spec.width = Math.floor(Math.min(copy.spec.width * 1.7, Math.max(120, room)));
+  } else {
+    for (const part of copy.vconcat ?? [copy]) {
+      part.width = Math.floor(Math.max(160, Math.min(part.width * 1.15, width - axisRoom - 12)));
+    }
+  }
+  return copy;
+}
+
+export class Chart {
+  constructor(figure, look, place) {
+    this.figure = figure;
+    this.look = look;
+    this.place = place;
+    this.rows = readTable(figure.csv);
+  }
+
+  /** Vega's view of the chart; without a container it can be turned into a file. */
+  view(chart, config, options) {
+    const specification = { ...chart, config, data: { values: this.rows }, description: this.figure.title };
+    const vega = compile(specification).spec;
+    return new View(parse(vega, null, { ast: true }), { expr: expressionInterpreter, logLevel: Warn, ...options });
+  }
+
+  async draw() {
+    const width = this.place.clientWidth;
+    if (width === 0 || Math.abs(width - (this.width ?? 0)) < 4) return;
+    this.width = width;
+    this.shown?.finalize();
+    try {
+      const config = { ...this.look, background: null };
+      this.shown = this.view(fitted(this.figure.chart, width), config, {
+        renderer: "svg",
+        container: this.place,
+        hover: true,
+        tooltip: tooltip.call,
+      });
+      await this.shown.runAsync();
+      const drawing = this.place.querySelector("svg");
+      drawing.setAttribute("role", "img");
+      drawing.setAttribute("aria-labelledby", `${this.figure.id}-title`);
+      drawing.setAttribute("aria-describedby", `${this.figure.id}-caption`);
+      this.place.dataset.rows = this.rows.length;
+    } catch (error) {
+      this.place.textContent = `This chart could not be drawn (${error.message}). Its numbers are below.`;
+      console.error(this.figure.id, error);
+    }
+  }
+
+  /** The chart as it goes to print: its own size, dark ink on white. */
+  async printed() {
+    const view = this.view(this.figure.chart, this.look, { renderer: "none" });
+    await view.runAsync();
+    return view;
+  }
+}

@@ -1,0 +1,80 @@
+// A figure as files: SVG and PNG in the look of print, CSV with the numbers.
+
+const pixelsPerPixel = 3; // PNG: about 290 dots an inch at the chart's own size
+
+function save(name, blob) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
+
+/** SVG text with the title and the caption inside, for readers that cannot see it. */
+function withWords(svg, { title, caption }) {
+  const document_ = new DOMParser().parseFromString(svg, "image/svg+xml");
+  const root = document_.documentElement;
+  for (const [tag, words] of [["desc", caption], ["title", title]]) {
+    const element = document_.createElementNS("http://www.w3.org/2000/svg", tag);
+    element.textContent = words;
+    root.prepend(element);
+  }
+  return new XMLSerializer().serializeToString(root);
+}
+
+function drawing(figure) {
+  return document.querySelector(`[data-figure="${figure.id}"] .drawing svg`);
+}
+
+async function svgOf({ figure, chart }) {
+  if (!chart) return withWords(new XMLSerializer().serializeToString(drawing(figure)), figure);
+  const view = await chart.printed();
+  const svg = await view.toSVG();
+  view.finalize();
+  return withWords(svg, figure);
+}
+
+async function canvasOf({ figure, chart }) {
+  if (chart) {
+    const view = await chart.printed();
+    const canvas = await view.toCanvas(pixelsPerPixel);
+    view.finalize();
+    return canvas;
+  }
+  const { width, height } = drawing(figure).viewBox.baseVal;
+  const image = new Image();
+  image.src = "data:image/svg+xml," + encodeURIComponent(new XMLSerializer().serializeToString(drawing(figure)));
+  await image.decode();
+  const canvas = document.createElement("canvas");
+  canvas.width = width * pixelsPerPixel;
+  canvas.height = height * pixelsPerPixel;
+  const context = canvas.getContext("2d");
+  context.fillStyle = "white";
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  context.drawImage(image, 0, 0, canvas.width, canvas.height);
+  return canvas;
+}
+
+const kinds = {
+  SVG: async (what) => new Blob([await svgOf(what)], { type: "image/svg+xml" }),
+  PNG: async (what) => {
+    const canvas = await canvasOf(what);
+    return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+  },
+  CSV: async ({ figure }) => new Blob([figure.csv], { type: "text/csv" }),
+};
+
+/** A button a kind of file; in place of the link to the file beside the report, which may have been left behind. */
+export function addButtons(place, what) {
+  for (const [kind, make] of Object.entries(kinds)) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = kind;
+    button.setAttribute("aria-label", `Save as ${kind}: ${what.figure.title}`);
+    button.addEventListener("click", async () => {
+      save(`${what.run}-${what.figure.id}.${kind.toLowerCase()}`, await make(what));
+    });
+    place.append(button);
+  }
+  place.parentElement.querySelector("a")?.remove();
+}

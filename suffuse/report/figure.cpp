@@ -1,0 +1,79 @@
+#include "suffuse/report/figure.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace suffuse::report {
+
+namespace {
+
+using nlohmann::json;
+
+json rows_of(const Table& table) {
+    json rows = json::array();
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        json object = json::object();
+        for (const Column& column : table.columns()) {
+            if (const auto* words = std::get_if<std::vector<std::string>>(&column.values)) {
+                object[column.name] = (*words)[row];
+            } else {
+                const double value = std::get<std::vector<double>>(column.values)[row];
+                object[column.name] = std::isfinite(value) ? json(value) : json(nullptr);
+            }
+        }
+        rows.push_back(std::move(object));
+    }
+    return rows;
+}
+
+} // namespace
+
+const json& color::sequence() {
+    static const json colors = {"#3b82b8", "#d55e00", "#2a9d74", "#b5669a", "#b5852f", "#7a6fd0"};
+    return colors;
+}
+
+json complete_specification(const Figure& figure) {
+    json specification = figure.chart;
+    specification["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
+    specification["description"] = figure.title + ". " + figure.caption;
+    specification["data"] = {{"values", rows_of(figure.table)}};
+    specification["config"] = look_in_print();
+    return specification;
+}
+
+json look_in_print() {
+    return json::parse(R"json({
+        "font": "Helvetica, Arial, 'DejaVu Sans', sans-serif",
+        "background": "white",
+        "view": {"stroke": null},
+        "axis": {
+            "labelFontSize": 11, "titleFontSize": 12, "titleFontWeight": "normal", "titlePadding": 8,
+            "labelColor": "#333333", "titleColor": "#111111", "domainColor": "#666666", "tickColor": "#666666",
+            "gridColor": "#e4e4e4", "labelOverlap": true
+        },
+        "legend": {
+            "orient": "top", "labelFontSize": 11, "titleFontSize": 11, "titleFontWeight": "normal",
+            "labelColor": "#333333", "titleColor": "#111111", "symbolStrokeWidth": 2, "labelLimit": 320
+        },
+        "header": {"labelFontSize": 12, "labelColor": "#111111", "titleColor": "#111111", "labelLimit": 320},
+        "text": {"fontSize": 11},
+        "line": {"strokeWidth": 2}
+    })json");
+}
+
+std::string grouped(long long count) {
+    std::string digits = fmt::format("{}", count < 0 ? -count : count);
+    for (std::size_t place = 3; place < digits.size(); place += 4) {
+        digits.insert(digits.size() - place, 1, ',');
+    }
+    return (count < 0 ? "-" : "") + digits;
+}
+
+std::string power_of_ten_labels() {
+    return "'10' + ['⁻²⁰','⁻¹⁹','⁻¹⁸','⁻¹⁷','⁻¹⁶','⁻¹⁵','⁻¹⁴','⁻¹³','⁻¹²','⁻¹¹','⁻¹⁰','⁻⁹','⁻⁸','⁻⁷','⁻⁶','⁻⁵','⁻⁴',"
+           "'⁻³','⁻²','⁻¹','⁰','¹','²','³','⁴','⁵','⁶','⁷','⁸'][round(log(datum.value) / LN10) + 20]";
+}
+
+} // namespace suffuse::report

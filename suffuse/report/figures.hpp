@@ -1,0 +1,75 @@
+#pragma once
+// The figures of the report, made from the results of a run: Figures 7 to 14 of the paper, and our own. Inputs are SI;
+// tables and axes are in kPa, mm and %. Compression positive. A function whose input is empty makes no figure.
+
+#include "suffuse/erosion/result.hpp"
+#include "suffuse/grains/soil.hpp"
+#include "suffuse/report/figure.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::report {
+
+/// One row of a triaxial test.
+struct StressStrainRow {
+    double axial_strain = 0, volumetric_strain = 0; ///< [-]
+    double deviator_stress = 0, mean_stress = 0;    ///< q, p [Pa]
+    double void_ratio = 0;                          ///< [-]
+};
+
+struct ResponseCurve {
+    std::string name; ///< "before erosion", "after pass 2"
+    std::vector<StressStrainRow> rows;
+};
+
+enum class GradingAxis { LeftToRight, Reversed };
+
+/// Figure 7: the erosion loop, with this run's counts on its arrows.
+std::optional<Figure> erosion_loop(const erosion::ErosionResult& erosion);
+
+/// Figure 8: the grading asked for and the sample's own; fines, smaller than `finer_than` [m], shaded.
+std::optional<Figure> grading_curves(
+    const grains::Grading& asked, const grains::Grading& sampled, std::optional<double> finer_than,
+    GradingAxis axis = GradingAxis::LeftToRight
+);
+
+/// Figure 9: speed of the fines in a panel a gradient.
+std::optional<Figure> speed_by_gradient(const std::vector<erosion::ProbeResult>& probes);
+
+/// Figure 10: the same in a panel a pass.
+std::optional<Figure> speed_by_pass(const erosion::ErosionResult& erosion);
+
+/// Figure 11: eroded mass of each pass.
+std::optional<Figure> eroded_mass(const erosion::ErosionResult& erosion);
+
+/// Figure 12: contacts that the removed grains had.
+std::optional<Figure> eroded_coordination(const erosion::ErosionResult& erosion);
+
+/// Figure 13: stress and volumetric strain along the path.
+std::optional<Figure> stress_path(const erosion::ErosionResult& erosion);
+
+/// Figure 14: porosity against eroded mass.
+std::optional<Figure> porosity_path(const erosion::ErosionResult& erosion);
+
+/// Ours: how often the velocity rule and the displacement rule agree, for each probe and pass.
+std::optional<Figure>
+rules_compared(const std::vector<erosion::ProbeResult>& probes, const erosion::ErosionResult& erosion);
+
+/// Ours: constriction sizes of the coarse skeleton beside the sizes of the fines.
+std::optional<Figure> constriction_sizes(const erosion::ErosionResult& erosion);
+
+/// Ours: the sample's grading, that of the grains which left, and that of what remains. `sampled` is the grading of the
+/// sample before erosion.
+std::optional<Figure> eroded_grading(
+    const grains::Grading& sampled, const erosion::ErosionResult& erosion, GradingAxis axis = GradingAxis::LeftToRight
+);
+
+/// Ours: permeability before erosion and after each pass.
+std::optional<Figure> permeability_by_pass(const erosion::ErosionResult& erosion);
+
+/// Ours: deviator stress and volumetric strain of drained triaxial tests, before and after erosion.
+std::optional<Figure> triaxial_response(const std::vector<ResponseCurve>& tests);
+
+} // namespace suffuse::report

@@ -1,0 +1,266 @@
+#include "suffuse/report/figures.hpp"
+
+#include "suffuse/base/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/sample_report.hpp"
+#include <set>
+
+namespace suffuse::report {
+namespace {
+
+using erosion::ErosionResult;
+using erosion::ProbeResult;
+using nlohmann::json;
+
+const std::vector<std::string>& words(const Table& table, const std::string& name) {
+    for (const Column& column : table.columns()) {
+        if (column.name == name) {
+            return std::get<std::vector<std::string>>(column.values);
+        }
+    }
+    throw Bug("no column " + name);
+}
+
+/// Every field that an encoding or transform of the chart reads.
+void fields_in(const json& part, std::set<std::string>& fields) {
+    if (part.is_object()) {
+        for (const auto& [key, value] : part.items()) {
+            if (key == "field" && value.is_string()) {
+                fields.insert(value.get<std::string>());
+            }
+            fields_in(value, fields);
+        }
+    } else if (part.is_array()) {
+        for (const json& each : part) {
+            fields_in(each, fields);
+        }
+    }
+}
+
+/// Fields that the chart itself makes: `as` of its transforms, and data of its own.
+void made_in(const json& part, std::set<std::string>& fields) {
+    if (part.is_object()) {
+        if (part.contains("as")) {
+            for (const json& name : part["as"].is_array() ? part["as"] : json::array({part["as"]})) {
+                fields.insert(name.get<std::string>());
+            }
+        }
+        if (part.contains("values") && part["values"].is_array()) {
+            for (const json& row : part["values"]) {
+                for (const auto& [key, value] : row.items()) {
+                    fields.insert(key);
+                }
+            }
+        }
+        for (const auto& [key, value] : part.items()) {
+            made_in(value, fields);
+        }
+    } else if (part.is_array()) {
+        for (const json& each : part) {
+            made_in(each, fields);
+        }
+    }
+}
+
+TEST(Figures, EachChartReadsOnlyColumnsOfItsOwnTable) {
+    for (const Figure& figure : test::sample_report("t").figures) {
+        std::set<std::string> read, there;
+        fields_in(figure.chart, read);
+        made_in(figure.chart, there);
+        for (const Column& column : figure.table.columns()) {
+            there.insert(column.name);
+        }
+        for (const std::string& field : read) {
+            EXPECT_TRUE(there.contains(field)) << figure.id << " reads " << field;
+        }
+        EXPECT_GT(figure.table.rows(), 0U) << figure.id;
+        EXPECT_FALSE(figure.caption.empty()) << figure.id;
+        EXPECT_NE(figure.chart.is_null(), figure.drawing.empty()) << figure.id;
+    }
+}
+
+TEST(Figures, TheSampleRunHasTheFiguresOfThePaperAndOurs) {
+    std::vector<std::string> ids;
+    for (const Figure& figure : test::sample_report("t").figures) {
+        ids.push_back(figure.id);
+    }
+    EXPECT_EQ(
+        ids, (std::vector<std::string>{
+                 "fig08", "fig07", "fig09", "fig10", "fig11", "fig12", "fig13", "fig14", "own-rules",
+                 "own-constrictions", "own-eroded-grading", "own-permeability", "own-triaxial"})
+    );
+}
+
+TEST(Figures, AnEmptyRunMakesNone) {
+    const ErosionResult nothing;
+    EXPECT_FALSE(
+        erosion_loop(nothing) || speed_by_pass(nothing) || eroded_mass(nothing) || eroded_coordination(nothing)
+    );
+    EXPECT_FALSE(stress_path(nothing) || porosity_path(nothing) || constriction_sizes(nothing));
+    EXPECT_FALSE(permeability_by_pass(nothing) || rules_compared({}, nothing) || speed_by_gradient({}));
+    EXPECT_FALSE(triaxial_response({}) || eroded_grading({}, nothing) || grading_curves({}, {}, 1e-4));
+}
+
+TEST(Figures, APassThatTookNothingStillGivesItsFigures) {
+    ErosionResult erosion;
+    erosion.passes.emplace_back().pass = 1;
+    erosion.passes[0].verdict = "nothing leaves";
+    EXPECT_TRUE(eroded_mass(erosion));
+    EXPECT_FALSE(eroded_coordination(erosion));
+    ASSERT_TRUE(erosion_loop(erosion));
+    EXPECT_NE(erosion_loop(erosion)->caption.find("nothing leaves"), std::string::npos);
+}
+
+TEST(GradingFigure, SizesAreInMillimetersAndSharesInPercent) {
+    const Figure figure = *grading_curves(test::sample_grading(), test::sample_grading(), 2.6e-4);
+    const auto& d = figure.table.numbers("diameter");
+    EXPECT_NEAR(*std::min_element(d.begin(), d.end()), 0.1, 1e-12);
+    EXPECT_NEAR(*std::max_element(d.begin(), d.end()), 0.4, 1e-12);
+    EXPECT_NEAR(figure.table.numbers("passing").back(), 100, 1e-12);
+    EXPECT_EQ(figure.chart["encoding"]["x"]["scale"]["reverse"], false);
+    const Figure reversed = *grading_curves(test::sample_grading(), test::sample_grading(), {}, GradingAxis::Reversed);
+    EXPECT_EQ(reversed.chart["encoding"]["x"]["scale"]["reverse"], true);
+}
+
+TEST(SpeedFigure, DrawsAtMostTwoHundredGrainsAndKeepsTheExtremes) {
+    const ProbeResult probe = test::sample_probe(0.05, 3000, 0.3, 7);
+    const Figure figure = *speed_by_gradient({probe});
+    std::set<double> drawn;
+    for (const double id : figure.table.numbers("grain")) {
+        if (std::isfinite(id)) {
+            drawn.insert(id);
+        }
+    }
+    EXPECT_EQ(drawn.size(), 200U);
+    for (const int group : {0, 1}) {
+        std::size_t slowest = 0, fastest = 0;
+        double low = 1e9, high = -1;
+        for (std::size_t g = 0; g < probe.id.size(); ++g) {
+            if (probe.by_velocity[g] != group) {
+                continue;
+            }
+            if (probe.speed[g].back() < low) {
+                low = probe.speed[g].back(), slowest = g;
+            }
+            if (probe.speed[g].back() > high) {
+                high = probe.speed[g].back(), fastest = g;
+            }
+        }
+        EXPECT_TRUE(drawn.contains(static_cast<double>(slowest)));
+        EXPECT_TRUE(drawn.contains(static_cast<double>(fastest)));
+    }
+}
+
+TEST(SpeedFigure, RoomThatASmallGroupLeavesGoesToTheOther) {
+    ProbeResult probe = test::sample_probe(0.05, 3000, 0.0, 7);
+    probe.by_velocity[11] = 1;
+    const Figure figure = *speed_by_gradient({probe});
+    std::set<double> drawn;
+    for (const double id : figure.table.numbers("grain")) {
+        if (std::isfinite(id)) {
+            drawn.insert(id);
+        }
+    }
+    EXPECT_EQ(drawn.size(), 200U);
+    EXPECT_TRUE(drawn.contains(11));
+}
+
+TEST(SpeedFigure, BandsAreTheQuantilesOfAllGrainsOfTheGroup) {
+    ProbeResult probe;
+    probe.watch = 1000;
+    for (std::uint32_t g = 0; g <= 100; ++g) {
+        probe.id.push_back(g);
+        probe.by_velocity.push_back(1);
+        std::array<double, erosion::probe_samples + 1> speed{};
+        speed.fill(1e-6 * g);
+        probe.speed.push_back(speed);
+    }
+    const Figure figure = *speed_by_gradient({probe});
+    // The first rows are the group's; with ranks 0 to 100 the quantiles are the ranks.
+    EXPECT_EQ(words(figure.table, "kind").front(), "group");
+    EXPECT_NEAR(figure.table.numbers("speed").front(), 50e-6, 1e-15);
+    EXPECT_NEAR(figure.table.numbers("speed_10").front(), 10e-6, 1e-15);
+    EXPECT_NEAR(figure.table.numbers("speed_90").front(), 90e-6, 1e-15);
+}
+
+TEST(SpeedFigure, TheLogAxisSpansWholeDecadesAndAtMostNine) {
+    ProbeResult probe = test::sample_probe(0.05, 50, 0.5, 3);
+    probe.speed[0].fill(1e-19);
+    const json domain = speed_by_gradient({probe})->chart["spec"]["layer"][0]["encoding"]["y"]["scale"]["domain"];
+    const double decades = std::log10(domain[1].get<double>() / domain[0].get<double>());
+    EXPECT_NEAR(decades, std::round(decades), 1e-9);
+    EXPECT_LE(decades, 10);
+    for (auto& speed : probe.speed) {
+        speed.fill(0);
+    }
+    EXPECT_TRUE(speed_by_gradient({probe})); // nothing moves: a drawing without lines, not a failure
+}
+
+TEST(ErodedGrading, WhatLeftAndWhatRemainsMakeTheWhole) {
+    const ErosionResult erosion = test::sample_erosion();
+    const Figure figure = *eroded_grading(test::sample_grading(), erosion);
+    double eroded = 0;
+    for (const erosion::LedgerRow& row : erosion.ledger) {
+        eroded += row.mass;
+    }
+    const double share = eroded / erosion.initial_mass;
+    const auto& passing = figure.table.numbers("passing");
+    const std::size_t points = passing.size() / 3;
+    for (std::size_t k = 0; k < points; ++k) {
+        const double before = passing[k], left = passing[points + k], remains = passing[2 * points + k];
+        EXPECT_NEAR(share * left + (1 - share) * remains, before, 1e-9); // rounding
+    }
+    EXPECT_NEAR(passing[2 * points - 1], 100, 1e-9);
+    EXPECT_NEAR(passing[3 * points - 1], 100, 1e-9);
+}
+
+TEST(PathFigures, LongPathsAreThinnedButKeepTheEndsOfEachPhase) {
+    ErosionResult erosion = test::sample_erosion();
+    const erosion::PathRow pattern = erosion.path.back();
+    for (int k = 1; k <= 5000; ++k) {
+        erosion.path.push_back(pattern);
+        erosion.path.back().step += k;
+    }
+    const Figure figure = *stress_path(erosion);
+    EXPECT_LT(figure.table.rows(), 1000U);
+    EXPECT_EQ(figure.table.numbers("step").back(), static_cast<double>(erosion.path.back().step));
+    EXPECT_EQ(words(figure.table, "phase").front(), "removal");
+}
+
+TEST(PathFigures, StressIsInKilopascalsAndStrainInPercent) {
+    const ErosionResult erosion = test::sample_erosion();
+    const Table table = stress_path(erosion)->table;
+    EXPECT_NEAR(table.numbers("stress_x").front(), 100, 1e-9);
+    EXPECT_NEAR(table.numbers("stress_z").front(), 102, 1e-9);
+    EXPECT_NEAR(table.numbers("volumetric_strain").back(), 100 * erosion.path.back().volumetric_strain, 1e-15);
+}
+
+TEST(LoopFigure, CountsStandOnTheArrowsAndManyPassesKeepFirstAndLast) {
+    ErosionResult erosion = test::sample_erosion();
+    erosion.passes[0].detachable = 2778;
+    EXPECT_NE(erosion_loop(erosion)->drawing.find(">2,778<"), std::string::npos);
+    while (erosion.passes.size() < 9) {
+        erosion.passes.push_back(erosion.passes.back());
+        erosion.passes.back().pass = static_cast<int>(erosion.passes.size());
+    }
+    const Figure many = *erosion_loop(erosion);
+    EXPECT_NE(many.drawing.find(">pass 1<"), std::string::npos);
+    EXPECT_NE(many.drawing.find(">pass 9<"), std::string::npos);
+    EXPECT_EQ(many.drawing.find(">pass 5<"), std::string::npos);
+    EXPECT_EQ(many.table.columns().size(), 2U + 9U);
+}
+
+TEST(RulesFigure, CountsOfEachProbeAddUpToItsFines) {
+    const auto probes = test::sample_probes();
+    const Figure figure = *rules_compared(probes, {});
+    const auto& grains = figure.table.numbers("grains");
+    ASSERT_EQ(grains.size(), 16U);
+    for (std::size_t p = 0; p < probes.size(); ++p) {
+        EXPECT_EQ(grains[4 * p] + grains[4 * p + 1] + grains[4 * p + 2] + grains[4 * p + 3], 950);
+    }
+}
+
+} // namespace
+} // namespace suffuse::report

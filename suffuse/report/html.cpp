@@ -1,0 +1,100 @@
+#include "suffuse/report/html.hpp"
+
+#include <algorithm>
+
+namespace suffuse::report {
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    out.reserve(text.size());
+    for (const char letter : text) {
+        switch (letter) {
+        case '&':
+            out += "&amp;";
+            break;
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        case '\'':
+            out += "&#39;";
+            break;
+        default:
+            out += letter;
+        }
+    }
+    return out;
+}
+
+std::string script_safe(const nlohmann::json& value) {
+    // These three stand in JSON only inside strings, where their escape means the same.
+    const std::string plain = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    std::string out;
+    out.reserve(plain.size());
+    for (const char letter : plain) {
+        switch (letter) {
+        case '<':
+            out += "\\u003c";
+            break;
+        case '>':
+            out += "\\u003e";
+            break;
+        case '&':
+            out += "\\u0026";
+            break;
+        default:
+            out += letter;
+        }
+    }
+    return out;
+}
+
+std::string html_table(
+    const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
+    const std::vector<bool>& numeric, std::string_view css_class
+) {
+    const auto cell = [&numeric](const char* tag, std::size_t column, const std::string& text) {
+        const bool right = column < numeric.size() && numeric[column];
+        return std::string("<") + tag + (right ? " class=\"number\">" : ">") + escaped(text) + "</" + tag + ">";
+    };
+    // Wide tables scroll inside their own frame, which the keyboard must be able to reach.
+    std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"" + escaped(css_class) + "\"><thead><tr>";
+    for (std::size_t column = 0; column < header.size(); ++column) {
+        out += cell("th", column, header[column]);
+    }
+    out += "</tr></thead><tbody>\n";
+    for (const std::vector<std::string>& row : rows) {
+        out += "<tr>";
+        for (std::size_t column = 0; column < row.size(); ++column) {
+            out += cell("td", column, row[column]);
+        }
+        out += "</tr>\n";
+    }
+    return out + "</tbody></table></div>\n";
+}
+
+std::string html_table(const Table& table, std::size_t most_rows) {
+    constexpr int digits = 6;
+    std::vector<std::string> header;
+    std::vector<bool> numeric;
+    for (const Column& column : table.columns()) {
+        header.push_back(heading(column));
+        numeric.push_back(std::holds_alternative<std::vector<double>>(column.values));
+    }
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t row = 0; row < std::min(table.rows(), most_rows); ++row) {
+        std::vector<std::string> cells;
+        for (std::size_t column = 0; column < header.size(); ++column) {
+            cells.push_back(table.cell(row, column, digits));
+        }
+        rows.push_back(std::move(cells));
+    }
+    return html_table(header, rows, numeric, "numbers");
+}
+
+} // namespace suffuse::report

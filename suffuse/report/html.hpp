@@ -1,0 +1,29 @@
+#pragma once
+// Text into HTML: everything that comes from a case, a file or a run is escaped here, so that it stays text.
+
+#include "suffuse/report/table.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suffuse::report {
+
+/// Safe as the content of an element and inside a double-quoted attribute.
+std::string escaped(std::string_view text);
+
+/// JSON that can stand in a script element: no character of it can end the element. Text that is not UTF-8 is mended.
+std::string script_safe(const nlohmann::json& value);
+
+/// A table whose first row is the header; `numeric[c]` says which columns are set flush right.
+std::string html_table(
+    const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
+    const std::vector<bool>& numeric, std::string_view css_class
+);
+
+/// The numbers of a figure, at most `most_rows` of them, to six digits.
+std::string html_table(const Table& table, std::size_t most_rows);
+
+} // namespace suffuse::report

@@ -1,0 +1,359 @@
+#include "suffuse/report/page.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/report/html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace suffuse::report {
+
+namespace {
+
+using nlohmann::json;
+using Remarks = std::vector<std::pair<std::string, std::string>>;
+
+constexpr std::size_t most_rows_shown = 60; ///< of a figure's numbers; its CSV has them all
+const std::array<const char*, 4> figure_sections = {"Soils", "Tests", "Water", "Erosion"};
+
+/// What report/build.sh leaves: the script, its hash for the content policy, the notices of what is bundled in it.
+struct PageScript {
+    std::string code, sha256, notices;
+};
+
+std::optional<std::string> read_text(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) {
+        return std::nullopt;
+    }
+    std::ostringstream text;
+    text << in.rdbuf();
+    return std::move(text).str();
+}
+
+/// Whole or not at all: a reader never meets half a file.
+void write_text(const std::filesystem::path& path, const std::string& text) {
+    const std::filesystem::path part = path.string() + ".part";
+    {
+        std::ofstream out(part, std::ios::binary | std::ios::trunc);
+        out << text;
+        out.flush();
+        if (!out) {
+            std::error_code ignored;
+            std::filesystem::remove(part, ignored);
+            throw IoError("cannot write " + path.string() + ": is the disk full, or the folder not writable?");
+        }
+    }
+    std::error_code failure;
+    std::filesystem::rename(part, path, failure);
+    if (failure) {
+        throw IoError("cannot write " + path.string() + ": " + failure.message());
+    }
+}
+
+std::optional<PageScript> read_page_script(const std::filesystem::path& folder) {
+    if (folder.empty()) {
+        return std::nullopt;
+    }
+    std::optional<std::string> code = read_text(folder / "page.js"), hash = read_text(folder / "page.js.sha256");
+    if (!code || !hash) {
+        return std::nullopt;
+    }
+    const auto is_base64 = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '/' || c == '=';
+    };
+    while (!hash->empty() && hash->back() == '\n') {
+        hash->pop_back();
+    }
+    // A script that could end its element, or a hash that is none, is no script of ours.
+    if (code->find("</script") != std::string::npos || !std::all_of(hash->begin(), hash->end(), is_base64)) {
+        return std::nullopt;
+    }
+    return PageScript{std::move(*code), std::move(*hash), read_text(folder / "notices.txt").value_or("")};
+}
+
+std::string anchor(const std::string& name) {
+    std::string id;
+    for (const char letter : name) {
+        if (letter >= 'A' && letter <= 'Z') {
+            id += static_cast<char>(letter - 'A' + 'a');
+        } else {
+            const bool keeps = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
+            id += keeps ? letter : '-';
+        }
+    }
+    return id;
+}
+
+std::string section(const std::string& name, const std::string& content) {
+    return fmt::format(
+        "<section id=\"{0}\" aria-labelledby=\"{0}-heading\">\n<h2 id=\"{0}-heading\">{1}</h2>\n{2}</section>\n",
+        anchor(name), escaped(name), content
+    );
+}
+
+Remarks csv_remarks(const Figure& figure, const ReportData& report) {
+    Remarks remarks = {{"figure", figure.id}, {"title", figure.title}, {"case", report.title}, {"run", report.run}};
+    remarks.insert(remarks.end(), report.provenance.begin(), report.provenance.end());
+    return remarks;
+}
+
+std::string list(const std::vector<std::string>& lines, const char* css_class) {
+    std::string out = fmt::format("<ul class=\"{}\">\n", css_class);
+    for (const std::string& line : lines) {
+        out += "<li>" + escaped(line) + "</li>\n";
+    }
+    return out + "</ul>\n";
+}
+
+std::string findings_table(const std::vector<Finding>& findings) {
+    std::string out =
+        "<div class=\"scroll\" tabindex=\"0\"><table class=\"findings\"><thead><tr><th></th><th>Criterion</th>"
+        "<th>Paper</th><th>This run</th><th>Verdict</th></tr></thead><tbody>\n";
+    for (const Finding& finding : findings) {
+        const bool known = finding.met.has_value();
+        const char* css_class = !known ? "unknown" : *finding.met ? "met" : "not-met";
+        const char* verdict = !known ? "? cannot tell" : *finding.met ? "✓ met" : "✗ not met";
+        out += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td class=\"verdict {}\">{}</td></tr>\n",
+            escaped(finding.id), escaped(finding.claim), escaped(finding.paper), escaped(finding.ours), css_class,
+            verdict
+        );
+    }
+    return out + "</tbody></table></div>\n";
+}
+
+std::string answer_section(const ReportData& report) {
+    std::string out;
+    for (const std::string& line : report.answer) {
+        out += "<p class=\"answer\">" + escaped(line) + "</p>\n";
+    }
+    if (!report.warnings.empty()) {
+        out +=
+            "<div class=\"warnings\" role=\"note\"><h3>Warnings</h3>\n" + list(report.warnings, "plain") + "</div>\n";
+    }
+    if (!report.findings.empty()) {
+        std::size_t met = 0, unknown = 0;
+        for (const Finding& finding : report.findings) {
+            met += finding.met == true ? 1U : 0U;
+            unknown += finding.met ? 0U : 1U;
+        }
+        out += fmt::format(
+            "<h3>The paper's findings: {} of {} met{}</h3>\n", met, report.findings.size(),
+            unknown > 0 ? fmt::format(", {} cannot be told from this run", unknown) : ""
+        );
+        out += findings_table(report.findings);
+    }
+    if (!report.assumed.empty()) {
+        std::vector<std::vector<std::string>> rows;
+        for (const AssumedValue& value : report.assumed) {
+            rows.push_back({value.key, value.value, value.note});
+        }
+        out += fmt::format(
+            "<details><summary>{} values that the paper does not give: our choice</summary>\n", report.assumed.size()
+        );
+        out += html_table({"key", "value", "remark"}, rows, {}, "assumed") + "</details>\n";
+    }
+    return section("Answer", out);
+}
+
+std::string figure_block(const Figure& figure, const ReportData& report) {
+    const std::string id = escaped(figure.id);
+    std::string out = fmt::format(
+        "<figure id=\"{0}\" class=\"figure{2}\" data-figure=\"{0}\">\n<h3 id=\"{0}-title\">{1}</h3>\n", id,
+        escaped(figure.title),
+        figure.chart.contains("facet") ? " wide"
+        : figure.drawing.empty()       ? ""
+                                       : " wide drawn"
+    );
+    if (figure.drawing.empty()) {
+        out += fmt::format("<div class=\"chart\" data-chart=\"{}\"></div>\n", id);
+    } else {
+        out += "<div class=\"drawing\">" + figure.drawing + "</div>\n";
+    }
+    const std::string number = figure.id.starts_with("fig")
+                                   ? "Figure " + std::to_string(std::atoi(figure.id.c_str() + 3)) + " of the paper. "
+                                   : "";
+    out += fmt::format("<figcaption id=\"{}-caption\"><b>{}</b>{}</figcaption>\n", id, number, escaped(figure.caption));
+    out += fmt::format(
+        "<div class=\"tools\"><span class=\"buttons\" data-buttons=\"{0}\"></span><a "
+        "href=\"figures/{0}.csv\">{0}.csv</a></div>\n",
+        id
+    );
+    const std::size_t rows = figure.table.rows();
+    out += fmt::format(
+        "<details class=\"numbers-of\"><summary>Numbers ({}{})</summary>\n",
+        rows > most_rows_shown ? "the first " + std::to_string(most_rows_shown) + " of " : "",
+        rows == 1 ? "1 row" : grouped(static_cast<long long>(rows)) + " rows"
+    );
+    out += html_table(figure.table, most_rows_shown);
+    if (!report.redraw.empty()) {
+        out += "<p class=\"quiet\">Redraw: <code>" + escaped(report.redraw) + "</code></p>\n";
+    }
+    return out + "</details>\n</figure>\n";
+}
+
+std::string stage_table(const std::vector<StageRow>& stages) {
+    const auto number = [](double value, const char* format) {
+        return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string("–");
+    };
+    std::vector<std::vector<std::string>> rows;
+    for (const StageRow& stage : stages) {
+        rows.push_back(
+            {stage.name, grouped(stage.grains), number(stage.void_ratio, "{:.4f}"), number(stage.porosity, "{:.4f}"),
+             number(stage.coordination, "{:.3f}"), number(stage.mean_stress / 1e3, "{:.4g}"),
+             number(stage.deviator_stress / 1e3, "{:.3g}"), number(stage.unbalanced_force, "{:.1e}"),
+             number(stage.max_overlap_ratio, "{:.2g}"), number(stage.inertial_number_max, "{:.1e}"),
+             grouped(stage.steps), number(stage.seconds, "{:.1f}")}
+        );
+    }
+    std::vector<bool> numeric(12, true);
+    numeric[0] = false;
+    return html_table(
+        {"stage", "grains", "void ratio e [-]", "porosity n [-]", "coordination Z [-]", "mean stress p [kPa]",
+         "deviator q [kPa]", "unbalanced force [-]", "largest overlap / r [-]", "inertial number [-]", "steps",
+         "time [s]"},
+        rows, numeric, "stages"
+    );
+}
+
+const char* const conventions = "<details><summary>Conventions</summary><p>Compression and contraction are positive. q "
+                                "= σ₁ − σ₃, p = (σ₁ + σ₂ + σ₃)/3, "
+                                "εᵥ = ε₁ + ε₂ + ε₃. Void ratio e = volume of voids over volume of solids, porosity n = "
+                                "e/(1 + e). Fines content is by mass. A "
+                                "grain is active when it has at least two contacts. The unbalanced force is the mean "
+                                "resultant over grains with at least "
+                                "two contacts, over the mean contact force. The hydraulic gradient i is without unit; "
+                                "it acts as the body force ρ g i.</p>"
+                                "</details>\n";
+
+std::string provenance_section(const ReportData& report, const std::optional<PageScript>& script) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& [key, value] : report.provenance) {
+        rows.push_back({key, value});
+    }
+    std::string out = html_table({"what", "value"}, rows, {}, "provenance");
+    if (script && !script->notices.empty()) {
+        out += "<details><summary>Notices of the software in this page</summary><pre>" + escaped(script->notices) +
+               "</pre></details>\n";
+    }
+    return section("Provenance", out);
+}
+
+/// Specification and numbers of each chart, for the page's script.
+std::string charts_json(const ReportData& report) {
+    json figures = json::array();
+    for (const Figure& figure : report.figures) {
+        figures.push_back(
+            {{"id", figure.id},
+             {"title", figure.title},
+             {"caption", figure.caption},
+             {"chart", figure.drawing.empty() ? figure.chart : json(nullptr)},
+             {"csv", to_csv(figure.table, csv_remarks(figure, report))}}
+        );
+    }
+    return script_safe({{"run", report.run}, {"look", look_in_print()}, {"figures", std::move(figures)}});
+}
+
+std::string head(const ReportData& report, const std::optional<PageScript>& script) {
+    const std::string scripts = script ? "script-src 'sha256-" + script->sha256 + "'; " : "";
+    return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; " +
+           scripts +
+           "style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'\">\n"
+           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+           "<meta name=\"color-scheme\" content=\"light dark\">\n"
+           "<link rel=\"icon\" href=\"data:,\">\n<title>" +
+           escaped(report.title) + "</title>\n<style>" + std::string(page_style()) + "</style>\n</head>\n";
+}
+
+const char* const plain_sentence = "<p class=\"missing\" role=\"note\">This report is plain: all numbers and verdicts "
+                                   "are here, the charts are not, because "
+                                   "the script that draws them was not built. To have it, install Node (18 or newer) "
+                                   "and npm, let npm reach its registry, "
+                                   "and call <code>./run</code> once more; each figure's chart is also in "
+                                   "<code>figures/*.vl.json</code> for any Vega-Lite "
+                                   "viewer.</p>\n";
+
+const char* const no_script_sentence =
+    "<noscript><p class=\"missing\">The charts need JavaScript, which is off here. All numbers are in the tables: open "
+    "“Numbers” below each figure.</p></noscript>\n";
+
+std::string render(const ReportData& report, const std::optional<PageScript>& script) {
+    std::string sections = answer_section(report), links = "<a href=\"#answer\">Answer</a>\n";
+    for (const char* name : figure_sections) {
+        std::string figures;
+        for (const Figure& figure : report.figures) {
+            if (figure.section == name) {
+                figures += figure_block(figure, report);
+            }
+        }
+        if (figures.empty()) {
+            continue;
+        }
+        sections += section(name, "<div class=\"figures\">\n" + figures + "</div>\n");
+        links += fmt::format("<a href=\"#{}\">{}</a>\n", anchor(name), name);
+    }
+    sections += section("Quality", stage_table(report.stages) + conventions);
+    sections += provenance_section(report, script);
+    links += "<a href=\"#quality\">Quality</a>\n<a href=\"#provenance\">Provenance</a>\n";
+    std::string page = head(report, script);
+    page +=
+        "<body>\n<a class=\"skip\" href=\"#answer\">Skip to the answer</a>\n<header>\n<p class=\"quiet\">suffuse · " +
+        escaped(report.run) + "</p>\n<h1>" + escaped(report.title) + "</h1>\n<nav aria-label=\"Sections\">\n" + links +
+        "</nav>\n</header>\n<main>\n" + (script ? no_script_sentence : plain_sentence) + sections + "</main>\n";
+    if (script) {
+        page += "<script type=\"application/json\" id=\"report-data\">" + charts_json(report) + "</script>\n<script>" +
+                script->code + "</script>\n";
+    }
+    return page + "</body>\n</html>\n";
+}
+
+void check_figures(const ReportData& report) {
+    for (const Figure& figure : report.figures) {
+        const bool plain = std::all_of(figure.id.begin(), figure.id.end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+        });
+        expects(plain && !figure.id.empty(), "a figure's id is made of a-z, 0-9 and '-'");
+        expects(
+            std::find(figure_sections.begin(), figure_sections.end(), figure.section) != figure_sections.end(),
+            "a figure belongs to one of the report's sections"
+        );
+    }
+}
+
+} // namespace
+
+WrittenReport write_report(
+    const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder
+) {
+    check_figures(report);
+    const std::filesystem::path figures = run_folder / "figures";
+    std::error_code failure;
+    std::filesystem::create_directories(figures, failure);
+    if (failure) {
+        throw IoError("cannot make the folder " + figures.string() + ": " + failure.message());
+    }
+    for (const Figure& figure : report.figures) {
+        write_text(figures / (figure.id + ".csv"), to_csv(figure.table, csv_remarks(figure, report)));
+        if (figure.drawing.empty()) {
+            const json chart = complete_specification(figure);
+            write_text(
+                figures / (figure.id + ".vl.json"), chart.dump(1, ' ', false, json::error_handler_t::replace) + "\n"
+            );
+        } else {
+            write_text(figures / (figure.id + ".svg"), figure.drawing);
+        }
+    }
+    const std::optional<PageScript> script = read_page_script(page_folder);
+    write_text(run_folder / "report.html", render(report, script));
+    return {run_folder / "report.html", script.has_value()};
+}
+
+} // namespace suffuse::report

@@ -1,0 +1,64 @@
+#pragma once
+// The report of a run: one HTML file that opens offline from `file:` and makes no request. With the page's script
+// (built from the report/ folder by npm) its figures are charts; without it the report is plain and says what is
+// missing. Beside it, `figures/` holds each figure's numbers as CSV and its chart as a Vega-Lite specification.
+
+#include "suffuse/report/figure.hpp"
+#include "suffuse/report/findings.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace suffuse::report {
+
+/// A value that the paper does not give: our choice, marked `#~` in the case.
+struct AssumedValue {
+    std::string key, value, note;
+};
+
+/// One line of the stage table. What a stage does not know is not a number.
+struct StageRow {
+    std::string name;
+    std::int64_t grains = 0;
+    double void_ratio = 0, porosity = 0;                                   ///< [-]
+    double coordination = 0;                                               ///< mean contacts a grain [-]
+    double mean_stress = 0, deviator_stress = 0;                           ///< [Pa]
+    double unbalanced_force = 0;                                           ///< [-]
+    double max_overlap_ratio = std::numeric_limits<double>::quiet_NaN();   ///< [-]
+    double inertial_number_max = std::numeric_limits<double>::quiet_NaN(); ///< [-]
+    std::int64_t steps = 0;
+    double seconds = 0; ///< wall time [s]
+};
+
+struct ReportData {
+    std::string title;               ///< of the case
+    std::string run;                 ///< name of the run folder
+    std::vector<std::string> answer; ///< about five sentences with numbers
+    std::vector<Finding> findings;
+    std::vector<std::string> warnings;
+    std::vector<AssumedValue> assumed;
+    std::vector<Figure> figures; ///< in the order in which they are shown
+    std::vector<StageRow> stages;
+    std::vector<std::pair<std::string, std::string>> provenance; ///< version, commit, seed, threads, hashes, times
+    std::string redraw;                                          ///< the command that builds this report again
+};
+
+struct WrittenReport {
+    std::filesystem::path file;
+    bool has_charts = false; ///< false: plain, for want of the page's script
+};
+
+/// Writes `run_folder/report.html`, `figures/ID.csv` and `figures/ID.vl.json`. `page_folder` is where report/build.sh
+/// left the page's script; empty or without it, the report is plain. Throws IoError, naming the file.
+WrittenReport write_report(
+    const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder = {}
+);
+
+/// The report's look, also for print and dark screens: CSS.
+std::string_view page_style();
+
+} // namespace suffuse::report

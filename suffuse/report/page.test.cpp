@@ -1,0 +1,142 @@
+#include "suffuse/report/page.hpp"
+
+#include "suffuse/base/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/sample_report.hpp"
+#include "tests/support/temp_folder.hpp"
+#include <cstdlib>
+#include <fstream>
+
+namespace suffuse::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+using test::read_all;
+
+class Page : public testing::Test {
+protected:
+    void write_script(const std::string& code) const {
+        fs::create_directories(folder / "page");
+        std::ofstream(folder / "page/page.js") << code;
+        std::ofstream(folder / "page/page.js.sha256") << "AbC+/123=\n";
+        std::ofstream(folder / "page/notices.txt") << "Notice of <a library>\n";
+    }
+
+    test::TempFolder folder;
+};
+
+TEST_F(Page, WithoutItsScriptIsPlainAndSaysWhatIsMissing) {
+    const WrittenReport written = write_report(folder.path(), test::sample_report("Sand"), folder / "nowhere");
+    EXPECT_FALSE(written.has_charts);
+    const std::string page = read_all(written.file);
+    EXPECT_NE(page.find("This report is plain"), std::string::npos);
+    EXPECT_NE(page.find("npm"), std::string::npos);
+    EXPECT_EQ(page.find("<script"), std::string::npos);
+    EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+    EXPECT_NE(page.find("✓ met"), std::string::npos);
+    EXPECT_NE(page.find("? cannot tell"), std::string::npos);
+    EXPECT_NE(page.find("figures/fig09.csv"), std::string::npos);
+}
+
+TEST_F(Page, WithItsScriptCarriesTheDataAndTheHash) {
+    write_script("console.log(1)");
+    const WrittenReport written = write_report(folder.path(), test::sample_report("Sand"), folder / "page");
+    EXPECT_TRUE(written.has_charts);
+    const std::string page = read_all(written.file);
+    EXPECT_NE(page.find("script-src 'sha256-AbC+/123='"), std::string::npos);
+    EXPECT_NE(page.find("<script>console.log(1)</script>"), std::string::npos);
+    EXPECT_NE(page.find("Notice of &lt;a library&gt;"), std::string::npos);
+    const std::string begin = "id=\"report-data\">";
+    const std::size_t from = page.find(begin) + begin.size();
+    const auto data = nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+    ASSERT_EQ(data["figures"].size(), 13U);
+    for (const auto& figure : data["figures"]) {
+        EXPECT_EQ(
+            figure["csv"].get<std::string>(), read_all(folder / "figures" / (figure["id"].get<std::string>() + ".csv"))
+        );
+    }
+}
+
+TEST_F(Page, AScriptThatCouldEndItsElementIsNotUsed) {
+    write_script("let a = '</script>'");
+    EXPECT_FALSE(write_report(folder.path(), test::sample_report("Sand"), folder / "page").has_charts);
+}
+
+TEST_F(Page, HostileTextStaysText) {
+    write_script("1");
+    const std::string hostile = "</script></title><img src=x onerror=alert(1)>\"'";
+    ReportData report = test::sample_report(hostile);
+    report.run = report.warnings[0] = report.answer[0] = report.findings[0].ours = report.stages[0].name = hostile;
+    report.provenance.emplace_back(hostile, hostile);
+    report.figures[0].caption = report.figures[0].title = hostile;
+    report.assumed[0] = {hostile, hostile, hostile};
+    report.redraw = hostile;
+    const std::string page = read_all(write_report(folder.path(), report, folder / "page").file);
+    EXPECT_EQ(page.find("<img"), std::string::npos);
+    std::size_t script_ends = 0;
+    for (std::size_t at = page.find("</script"); at != std::string::npos; at = page.find("</script", at + 1)) {
+        ++script_ends;
+    }
+    EXPECT_EQ(script_ends, 2U);
+    EXPECT_NE(page.find("&lt;img src=x onerror=alert(1)&gt;"), std::string::npos);
+}
+
+TEST_F(Page, EachChartIsASpecificationWithItsDataAndEachDrawingAnSvg) {
+    const ReportData report = test::sample_report("Sand");
+    write_report(folder.path(), report);
+    for (const Figure& figure : report.figures) {
+        if (figure.drawing.empty()) {
+            const auto chart = nlohmann::json::parse(read_all(folder / "figures" / (figure.id + ".vl.json")));
+            EXPECT_EQ(chart["data"]["values"].size(), figure.table.rows()) << figure.id;
+            EXPECT_NE(chart["$schema"].get<std::string>().find("vega-lite/v6"), std::string::npos);
+        } else {
+            EXPECT_EQ(read_all(folder / "figures" / (figure.id + ".svg")).rfind("<svg xmlns", 0), 0U);
+        }
+    }
+}
+
+TEST_F(Page, TheSameRunGivesTheSameBytes) {
+    write_report(folder / "a", test::sample_report("Sand"));
+    write_report(folder / "b", test::sample_report("Sand"));
+    EXPECT_EQ(read_all(folder / "a/report.html"), read_all(folder / "b/report.html"));
+    EXPECT_GT(read_all(folder / "a/report.html").size(), 10'000U);
+}
+
+TEST_F(Page, AFolderThatCannotBeMadeIsNamed) {
+    std::ofstream(folder / "file") << "not a folder";
+    try {
+        write_report(folder / "file", test::sample_report("Sand"));
+        FAIL() << "no error";
+    } catch (const IoError& error) {
+        EXPECT_NE(std::string(error.what()).find("file/figures"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(Page, AnEmptyReportIsStillAPage) {
+    const std::string page = read_all(write_report(folder.path(), {}).file);
+    EXPECT_NE(page.find("<h2 id=\"provenance-heading\">"), std::string::npos);
+    EXPECT_EQ(page.find("id=\"erosion\""), std::string::npos);
+}
+
+// Not a check of its own: report/test.sh asks for the runs that the browser tests open.
+TEST(SampleRun, IsWrittenWhereTheBrowserTestsWantIt) {
+    const char* folder = std::getenv("SUFFUSE_SAMPLE_FOLDER");
+    const char* page = std::getenv("SUFFUSE_SAMPLE_PAGE");
+    if (folder == nullptr || page == nullptr) {
+        GTEST_SKIP() << "only report/test.sh asks for it";
+    }
+    const char* hostile = "</script><img src=x onerror=\"document.title='broken'\">";
+    EXPECT_TRUE(
+        write_report(fs::path(folder) / "sample", test::sample_report("Suffusion of a synthetic sand"), page).has_charts
+    );
+    EXPECT_TRUE(write_report(fs::path(folder) / "hostile", test::sample_report(hostile), page).has_charts);
+    EXPECT_FALSE(
+        write_report(fs::path(folder) / "plain", test::sample_report("Suffusion of a synthetic sand")).has_charts
+    );
+}
+
+} // namespace
+} // namespace suffuse::report

@@ -1,0 +1,27 @@
+#pragma once
+// Quantiles of a sample, linear between order statistics (type 7 of Hyndman and Fan 1996).
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace suffuse::report {
+
+/// The `share` quantile of values sorted upward; not a number for an empty sample.
+inline double quantile_of_sorted(const std::vector<double>& sorted, double share) {
+    if (sorted.empty()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const double rank = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(std::floor(rank));
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (rank - std::floor(rank)) * (sorted[above] - sorted[below]);
+}
+
+inline double quantile(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return quantile_of_sorted(values, share);
+}
+
+} // namespace suffuse::report

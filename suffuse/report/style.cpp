@@ -1,0 +1,122 @@
+// The report's look. Charts take their ink from here too, so that dark screens and white paper need no redrawing.
+#include "suffuse/report/page.hpp"
+
+namespace suffuse::report {
+
+std::string_view page_style() {
+    return R"css(
+:root {
+  color-scheme: light dark;
+  --paper: #ffffff; --panel: #f7f6f3; --ink: #1d1f21; --soft: #55595e; --line: #d9d6cf; --grid: #e6e4de;
+  --accent: #1f5f8b; --met: #14653f; --met-back: #e1f3e8; --not: #96281b; --not-back: #fbe5e1;
+  --open: #6b5300; --open-back: #f8efd0; --warn-back: #fdf3d9; --warn-line: #c99a2e;
+}
+@media (prefers-color-scheme: dark) {
+  :root {
+    --paper: #16181b; --panel: #1f2226; --ink: #e8e6e1; --soft: #a9adb3; --line: #3a3e44; --grid: #2d3136;
+    --accent: #82bde6; --met: #8fdcae; --met-back: #143524; --not: #f5a195; --not-back: #431c17;
+    --open: #e8cf80; --open-back: #3a3010; --warn-back: #33290f; --warn-line: #a67f22;
+  }
+}
+* { box-sizing: border-box; }
+html { scroll-behavior: smooth; scroll-padding-top: 1rem; }
+@media (prefers-reduced-motion: reduce) { html { scroll-behavior: auto; } }
+body {
+  margin: 0; background: var(--paper); color: var(--ink);
+  font: 16px/1.55 system-ui, "Segoe UI", Roboto, Helvetica, Arial, "DejaVu Sans", sans-serif;
+}
+header, main { max-width: 78rem; margin: 0 auto; padding: 0 1.25rem; }
+header { padding-top: 2.2rem; }
+h1 { font-size: clamp(1.5rem, 1rem + 2vw, 2.2rem); line-height: 1.2; margin: .2rem 0 1rem; text-wrap: balance; overflow-wrap: anywhere; }
+h2 { font-size: 1.4rem; margin: 2.8rem 0 .8rem; padding-bottom: .3rem; border-bottom: 2px solid var(--ink); }
+h3 { font-size: 1.08rem; margin: 1.6rem 0 .5rem; }
+p { margin: .5rem 0; }
+a { color: var(--accent); }
+:focus-visible { outline: 3px solid var(--accent); outline-offset: 2px; border-radius: 2px; }
+.quiet { color: var(--soft); margin: 0; font-size: .9rem; overflow-wrap: anywhere; }
+.skip { position: absolute; left: -999rem; }
+.skip:focus { left: 1rem; top: .5rem; background: var(--paper); padding: .3rem .6rem; z-index: 2; }
+nav { display: flex; flex-wrap: wrap; gap: .3rem 1.2rem; padding: .6rem 0; border-top: 1px solid var(--line); border-bottom: 1px solid var(--line); }
+nav a { text-decoration: none; font-weight: 600; }
+nav a:hover { text-decoration: underline; }
+.answer { font-size: 1.12rem; max-width: 46rem; }
+.warnings, .missing { background: var(--warn-back); border-left: 4px solid var(--warn-line); padding: .6rem 1rem; margin: 1.2rem 0; }
+.warnings h3 { margin: 0 0 .2rem; }
+ul.plain { margin: 0; padding-left: 1.1rem; }
+.scroll { overflow-x: auto; max-width: 100%; }
+table { border-collapse: collapse; width: 100%; font-size: .9rem; font-variant-numeric: tabular-nums; }
+th, td { text-align: left; vertical-align: top; padding: .42rem .7rem; border-bottom: 1px solid var(--line); }
+thead th { color: var(--soft); font-weight: 600; border-bottom: 2px solid var(--line); vertical-align: bottom; }
+.number { text-align: right; }
+td.number { white-space: nowrap; }
+table.numbers { width: auto; min-width: 50%; font-size: .84rem; }
+table.numbers th, table.numbers td { padding: .2rem .7rem; }
+table.provenance { overflow-wrap: anywhere; }
+table.provenance td:first-child, table.stages td:first-child { font-weight: 600; }
+table.provenance td:first-child { width: 14rem; }
+table.findings td:nth-child(2) { min-width: 13rem; }
+table.findings td:nth-child(3), table.findings td:nth-child(4) { min-width: 11rem; }
+.verdict { white-space: nowrap; font-weight: 600; }
+.met { color: var(--met); background: var(--met-back); }
+.not-met { color: var(--not); background: var(--not-back); }
+.unknown { color: var(--open); background: var(--open-back); }
+details { margin: .6rem 0; }
+summary { cursor: pointer; color: var(--accent); font-size: .92rem; width: fit-content; }
+code, pre { font-family: ui-monospace, "DejaVu Sans Mono", Consolas, monospace; font-size: .86em; }
+pre { white-space: pre-wrap; background: var(--panel); padding: 1rem; overflow-wrap: anywhere; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr)); gap: 1.4rem 3rem; }
+.figure { margin: 0 0 1rem; padding: 0; min-width: 0; }
+.figure.wide { grid-column: 1 / -1; }
+@media (min-width: 64rem) {
+  .drawn { display: grid; grid-template-columns: auto minmax(18rem, 1fr); gap: 0 3rem; align-content: start; align-items: start; }
+  .drawn h3, .drawn details { grid-column: 1 / -1; }
+  .drawn .drawing { grid-row: 2 / span 2; }
+}
+.figure figcaption { max-width: 46rem; color: var(--ink); font-size: .95rem; margin-top: .5rem; }
+.chart, .drawing { min-height: 2rem; max-width: 100%; }
+.chart svg, .drawing svg { max-width: 100%; height: auto; display: block; }
+.tools { display: flex; flex-wrap: wrap; align-items: center; gap: .6rem; margin-top: .5rem; font-size: .9rem; }
+.buttons { display: contents; }
+button {
+  font: inherit; color: var(--accent); background: none; border: 1px solid var(--line); border-radius: 5px;
+  padding: .12rem .7rem; cursor: pointer;
+}
+button:hover { border-color: var(--accent); }
+/* Ink of charts and drawings */
+.chart .role-axis-label text, .chart .role-axis-title text, .chart .role-legend-label text, .chart .role-legend-title text,
+.chart .role-title-text text, .drawing text { fill: var(--ink); }
+.chart .role-axis-grid line { stroke: var(--grid); }
+.chart .role-axis-domain line, .chart .role-axis-tick line { stroke: var(--soft); }
+.chart .role-mark.mark-text text { fill: var(--ink); }
+.drawing .flow-box { fill: var(--panel); stroke: var(--soft); }
+.drawing .flow-arrow { stroke: var(--soft); }
+.drawing .flow-head { fill: var(--soft); }
+.drawing .flow-label, .drawing .flow-what { fill: var(--soft); }
+#vg-tooltip-element {
+  position: fixed; visibility: hidden; z-index: 10; pointer-events: none; padding: .35rem .6rem; font-size: .82rem;
+  background: var(--paper); color: var(--ink); border: 1px solid var(--soft); border-radius: 4px; box-shadow: 0 2px 8px #0003;
+}
+#vg-tooltip-element.visible { visibility: visible; }
+#vg-tooltip-element table { width: auto; font-size: inherit; }
+#vg-tooltip-element td { border: 0; padding: .05rem .4rem .05rem 0; }
+#vg-tooltip-element td.key { color: var(--soft); text-align: right; }
+@media print {
+  :root {
+    --paper: #ffffff; --panel: #f7f6f3; --ink: #000000; --soft: #444444; --line: #bbbbbb; --grid: #e2e2e2; --accent: #000000;
+    --met: #14653f; --met-back: #ffffff; --not: #96281b; --not-back: #ffffff; --open: #6b5300; --open-back: #ffffff;
+    --warn-back: #ffffff; color-scheme: light;
+  }
+  @page { margin: 16mm 15mm; }
+  body { font-size: 10.5pt; }
+  header, main { max-width: none; padding: 0; }
+  nav, .tools, .skip, details:not([open]) { display: none; }
+  .figure, table.findings tr { break-inside: avoid; }
+  h2, h3 { break-after: avoid; }
+  .scroll { overflow: visible; }
+  table { font-size: 8.5pt; }
+  th, td { padding: .25rem .35rem; }
+}
+)css";
+}
+
+} // namespace suffuse::report
