@@ -76,7 +76,7 @@ inline constexpr std::array named_dimensions = {
     NamedDimension{dimension::force, "force", {"N", "kN", "mN", {}}},
     NamedDimension{dimension::pressure, "pressure", {"kPa", "Pa", "MPa", "GPa"}},
     NamedDimension{dimension::viscosity, "viscosity", {"mPa*s", "Pa*s", {}, {}}},
-    NamedDimension{dimension::density, "density", {"kg/m^3", "g/cm^3", {}, {}}},
+    NamedDimension{dimension::density, "density", {"kg/m^3", {}, {}, {}}},
     NamedDimension{dimension::mass_per_length, "mass per length", {"kg/m", "g/m", {}, {}}},
 };
 

@@ -259,7 +259,8 @@ std::string print_shifted(const Digits& number, int shift) {
 /// `value` in a unit that is no power of ten, if some count of digits gives the same bits back.
 std::optional<std::string> print_in(double value, const UnitProduct& unit, std::string_view symbol) {
     for (int digits = 1; digits <= 17; ++digits) {
-        const std::string text = fmt::format("{:.{}g} {}", value / unit.factor, digits, symbol);
+        const double rounded = std::atof(fmt::format("{:.{}g}", value / unit.factor, digits).c_str());
+        const std::string text = fmt::format("{} {}", print_shifted(shortest_digits(rounded), 0), symbol);
         if (parse_quantity(text).value == value) {
             return text;
         }

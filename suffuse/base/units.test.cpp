@@ -102,6 +102,8 @@ TEST(Units, PrintingPicksAUsualUnitThatIsShort) {
     EXPECT_EQ(print_quantity(2.6e-4, dimension::length), "0.26 mm");
     EXPECT_EQ(print_quantity(1e-3, dimension::viscosity), "1 mPa*s");
     EXPECT_EQ(print_quantity(suffuse::radians(37), dimension::angle), "37 deg");
+    EXPECT_EQ(print_quantity(suffuse::radians(10), dimension::angle), "10 deg");
+    EXPECT_EQ(print_quantity(1000, dimension::density), "1000 kg/m^3");
     EXPECT_EQ(print_quantity(2600, dimension::density), "2600 kg/m^3");
     EXPECT_EQ(print_quantity(0, dimension::rate), "0 1/s");
     EXPECT_EQ(print_quantity(0.005, dimension::none), "0.005");

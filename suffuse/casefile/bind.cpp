@@ -1,0 +1,163 @@
+#include "suffuse/casefile/bind.hpp"
+
+#include "suffuse/casefile/fields.hpp"
+#include "suffuse/casefile/soil_fields.hpp"
+#include "suffuse/casefile/study_fields.hpp"
+
+#include <fmt/format.h>
+
+namespace suffuse::casefile {
+
+namespace {
+
+/// Reads a table of settings that may be missing.
+template <class Body>
+void read_table(ReadContext& context, const Node& root, const std::string& name, Body body) {
+    const Node::Entry* entry = root.find(name);
+    if (entry == nullptr) {
+        return;
+    }
+    if (!entry->value.is_table()) {
+        context.problems.error(
+            "E205", entry->value.place, fmt::format("`{}` needs a table, and this is a value", name),
+            fmt::format("write [{}] on a line of its own", name)
+        );
+        return;
+    }
+    Reader v(context, entry->value, entry->place, {name}, name);
+    body(v);
+    v.finish();
+}
+
+/// Calls `visit(entry)` for each [group.NAME].
+template <class Visit>
+void for_each_member(ReadContext& context, const Node& root, const std::string& group, Visit visit) {
+    const Node::Entry* entry = root.find(group);
+    if (entry == nullptr) {
+        return;
+    }
+    const std::string form = fmt::format("write [{}.NAME] on a line of its own", group);
+    if (!entry->value.is_table()) {
+        context.problems.error(
+            "E205", entry->value.place, fmt::format("`{}` needs named tables, and this is a value", group), form
+        );
+        return;
+    }
+    for (const Node::Entry& member : entry->value.entries) {
+        if (member.value.is_table()) {
+            visit(member);
+        } else {
+            context.problems.error(
+                "E205", member.place, fmt::format("[{}] holds named tables, and `{}` is a value", group, member.key),
+                form
+            );
+        }
+    }
+}
+
+void check_preset(ReadContext& context, const Node::Entry& entry) {
+    check_name(context, "preset", entry.key, entry.place);
+    Reader v(context, entry.value, entry.place, {"presets.*"}, "presets." + entry.key);
+    for (const Key& key : schema()) {
+        if (key.table != "presets.*" || !v.has(key.name)) {
+            continue;
+        }
+        double ratio = 0;
+        std::int64_t count = 0;
+        std::vector<double> ratios;
+        if (key.is_list) {
+            v.field(key.name, ratios);
+        } else if (key.kind == ValueKind::Count) {
+            v.field(key.name, count);
+        } else if (key.name == "inertial_number") {
+            inertial_number_field(v, ratio);
+        } else {
+            v.field(key.name, ratio);
+        }
+    }
+    v.finish();
+}
+
+void read_top(ReadContext& context, const Node& root, Case& c) {
+    Node values = root;
+    std::erase_if(values.entries, [](const Node::Entry& entry) {
+        constexpr std::array<std::string_view, 9> tables = {"grain", "contact", "balance", "fluid",  "soil",
+                                                            "study", "output",  "report",  "presets"};
+        return std::find(tables.begin(), tables.end(), entry.key) != tables.end();
+    });
+    Reader v(context, values, root.place, {""}, "");
+    top_fields(v, c);
+    std::string ignored;
+    v.field("preset", ignored); // applied before
+    v.field("applied_preset", ignored);
+    v.finish();
+}
+
+} // namespace
+
+Case bind_case(const Node& root, const std::string& folder, const std::string& preset, Problems& problems) {
+    ReadContext context{problems, folder, {}, {}};
+    Case c;
+    c.preset = preset;
+    read_top(context, root, c);
+    read_table(context, root, "grain", [&](Reader& v) { grain_fields(v, c.material); });
+    read_table(context, root, "contact", [&](Reader& v) { contact_fields(v, c.material, c.damping); });
+    read_table(context, root, "balance", [&](Reader& v) { fields(v, c.balance); });
+    read_table(context, root, "fluid", [&](Reader& v) { fields(v, c.fluid); });
+    read_table(context, root, "output", [&](Reader& v) { fields(v, c.output); });
+    read_table(context, root, "report", [&](Reader& v) { fields(v, c.report); });
+    for_each_member(context, root, "presets", [&](const Node::Entry& entry) { check_preset(context, entry); });
+    for_each_member(context, root, "soil", [&](const Node::Entry& entry) {
+        check_name(context, "soil", entry.key, entry.place);
+        c.soils[entry.key] = read_soil(context, entry.value, entry.place, "soil." + entry.key);
+    });
+    const Node::Entry* soils = root.find("soil");
+    const StudySurroundings around{c, soils != nullptr ? &soils->value : nullptr};
+    for_each_member(context, root, "study", [&](const Node::Entry& entry) {
+        c.studies.push_back(read_study(context, around, entry));
+    });
+    if (root.find("study") == nullptr) {
+        problems.error(
+            "E201", root.place, "the case has no study",
+            "add a [study.NAME] with its stages; suffuse new DIR writes an example"
+        );
+    }
+    return c;
+}
+
+Node tree_of(const Case& c) {
+    Case copy = c;
+    const auto write = [](const std::string& pattern, auto body) {
+        Writer v({pattern});
+        body(v);
+        return v.node();
+    };
+    Node root = write("", [&](Writer& v) {
+        top_fields(v, copy);
+        v.field("applied_preset", copy.preset);
+    });
+    root.set("grain", write("grain", [&](Writer& v) { grain_fields(v, copy.material); }));
+    root.set("contact", write("contact", [&](Writer& v) { contact_fields(v, copy.material, copy.damping); }));
+    root.set("balance", write("balance", [&](Writer& v) { fields(v, copy.balance); }));
+    root.set("fluid", write("fluid", [&](Writer& v) { fields(v, copy.fluid); }));
+    Node soils, studies;
+    for (const auto& [name, soil] : c.soils) {
+        soils.set(name, write_soil(soil));
+    }
+    for (const Study& study : c.studies) {
+        studies.set(study.name, write_study(study));
+    }
+    if (!c.soils.empty()) {
+        root.set("soil", std::move(soils));
+    }
+    root.set("study", std::move(studies));
+    root.set("output", write("output", [&](Writer& v) { fields(v, copy.output); }));
+    root.set("report", write("report", [&](Writer& v) { fields(v, copy.report); }));
+    return root;
+}
+
+std::string resolved_toml(const Case& c) {
+    return print_file(tree_of(c));
+}
+
+} // namespace suffuse::casefile

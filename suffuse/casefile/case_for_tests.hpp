@@ -1,0 +1,204 @@
+#pragma once
+// Cases for this room's tests: one that uses every key, and ways to look at what is wrong with others.
+
+#include "suffuse/casefile/load_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace suffuse::casefile::testing {
+
+/// A folder of its own for a test, with the data files that cases ask for.
+inline std::string data_folder() {
+    const std::string folder = ::testing::TempDir() + "suffuse_casefile_" + std::to_string(::getpid());
+    std::filesystem::create_directories(folder + "/data");
+    std::ofstream(folder + "/data/sand.csv") << "d [mm],passing [%]\n0.1,0\n0.2,50\n0.4,100\n";
+    std::ofstream(folder + "/data/silt.csv") << "d [mm],passing [%]\n0.05,0\n0.06,100\n";
+    std::ofstream(folder + "/data/points.csv") << "x,y\n";
+    std::ofstream(folder + "/packing.csv") << "x,y,z,r\n0,0,0,1e-3\n";
+    return folder;
+}
+
+/// What loading finds, errors and warnings; empty where all is well.
+inline std::vector<Diagnostic> problems_of(const std::string& text, const LoadOptions& options = {}) {
+    try {
+        return load_case_text(text, "case.toml", data_folder(), options).warnings;
+    } catch (const CaseProblems& problems) {
+        return problems.problems;
+    }
+}
+
+inline Case load(const std::string& text, const LoadOptions& options = {}) {
+    return load_case_text(text, "case.toml", data_folder(), options).value;
+}
+
+/// The problem with this code, or one that says that there is none, with all that were found.
+inline Diagnostic find_problem(const std::vector<Diagnostic>& list, const std::string& code) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const Diagnostic& d) { return d.code == code; });
+    Diagnostic none;
+    none.message = "no " + code + " among\n" + render(list);
+    return found == list.end() ? none : *found;
+}
+
+/// The head of a small case that is good, for a test to put something wrong below or into.
+inline const std::string good_case = R"(schema = 1
+[soil.sand]
+psd = "data/sand.csv"
+fines = { finer_than = "0.15 mm" }
+[study.one]
+soil = "sand"
+particles = 20000
+[[study.one.stage]]
+name = "cloud"
+do = "pack"
+[[study.one.stage]]
+name = "initial"
+do = "compact"
+pressure = "100 kPa"
+)";
+
+/// A case that uses every key which can stand beside the others.
+inline const std::string full_case = R"(schema = 1
+title = "All \"keys\"\n and a tab\t"
+paper = "none"
+seed = 42
+[grain]
+density = "2.7 g/cm^3"
+[contact]
+law = "linear-rolling"
+modulus = "1 GPa"
+shear_ratio = 0.3
+friction = "33.3 deg"
+rolling_stiffness = 1
+rolling_friction = -1
+twisting_stiffness = 0.1
+twisting_friction = 0.2
+damping = "25 %"
+adhesion = { normal = "1 kPa", shear = "2 kPa" }
+[balance]
+unbalanced_force = 1e-4
+stress_error = "0.1 %"
+patience = 100
+[fluid]
+density = "998 kg/m3"
+viscosity = "1.002e-3 Pa*s"
+[soil.whole]
+psd = "data/sand.csv"
+fines = { finer_than = "150 um" }
+fines_auto = "kenney-lau"
+grading_tolerance = "1 %"
+[soil.two]
+coarse = { psd = "data/sand.csv" }
+fines = { psd = "data/silt.csv" }
+fines_content = "20 %"
+fines_auto = "none"
+[soil.split]
+psd = "data/sand.csv"
+fines = "kenney-lau"
+[study.main]
+soil = "two"
+particles = 200_000
+sweep = { fines_content = ["10 %", 0.2], "stage.initial.pressure" = ["50 kPa", "100 kPa"] }
+replicates = 2
+[[study.main.stage]]
+name = "cloud"
+do = "pack"
+porosity = 0.7
+[[study.main.stage]]
+name = "initial"
+do = "compact"
+pressure = "100 kPa"
+prepare = { friction = "5 deg", adhesion = { normal = "1 MPa", shear = "2 MPa" } }
+void_ratio = 0.7
+void_ratio_tolerance = 0.001
+max_rate = "100 1/s"
+time_step = "1e-8 s"
+measure = ["void-ratios", "flow"]
+[[study.main.stage]]
+name = "probe"
+do = "detach"
+gradients = [0, "5 %"]
+direction = [1, 2, -2]
+hold = "none"
+ramp = 500
+watch = 2_000
+probe_unbalanced_force = 1e-7
+relax_limit = 1000
+detached = { by = "displacement", over = "0.1 d", noise_quantile = 0.99 }
+restore = true
+only = { fines_content = [0.1] }
+[[study.main.stage]]
+name = "erosion"
+from = "initial"
+do = "erode"
+passes = 3
+until_nothing_leaves = true
+gradient = 0.1
+direction = "-y"
+detached = { by = "velocity", rule = "above", over = "1e-5 m/s" }
+passes_constriction = { size = "d50", of = "coarse" }
+forced = { max_contacts = 2 }
+then = "settle"
+record = { every = 10 }
+[[study.main.stage]]
+name = "shear"
+do = "triaxial"
+path = "undrained"
+axis = "x"
+strain = "20 %"
+deviator_stress = "50 kPa"
+stress_ratio = 0.5
+inertial_number = "strict"
+rows = 100
+[study.other]
+soil = "whole"
+[[study.other.stage]]
+name = "start"
+do = "import"
+packing = "packing.csv"
+cell = [["1 mm", "0.1 mm", "0 mm"], ["0 mm", "1 mm", "0 mm"], ["0 mm", "0 mm", "1 mm"]]
+max_overlap = "5 %"
+[[study.other.stage]]
+name = "settled"
+do = "settle"
+stress = ["100 kPa", "-", "50 kPa"]
+servo = { kind = "inertial", mass = "0.0063 kg/m", damping = 0.3, max_rate = "60 1/s", response = 200 }
+max_steps = 1000
+[[study.other.stage]]
+name = "go"
+do = "advance"
+steps = 10
+time_step = "computed"
+strain_rate = ["1 1/s", "-", "2 1/s"]
+stress = ["-", "10 kPa", "-"]
+[[study.other.stage]]
+name = "turn"
+do = "advance"
+steps = 10
+velocity_gradient = [["-70 1/s", "25 1/s", "0 1/s"], ["0 1/s", "1 1/s", "0 1/s"], ["0 1/s", "0 1/s", "1 1/s"]]
+[[study.other.stage]]
+name = "seep"
+do = "flow"
+gradient = 0.05
+direction = "x"
+tensor = true
+[output]
+formats = ["csv", "vtp"]
+snapshots = { every = "1 %" }
+checkpoint = "5 min"
+histories = { every = 50 }
+[report]
+figures = ["own", "figure-9"]
+psd_axis = "reversed"
+dilation = "up"
+language = "en"
+overlay = { figure-2 = "data/points.csv" }
+)";
+
+} // namespace suffuse::casefile::testing

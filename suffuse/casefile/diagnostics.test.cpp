@@ -1,0 +1,85 @@
+#include "suffuse/casefile/diagnostics.hpp"
+
+#include "suffuse/casefile/case_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace suffuse::casefile;
+using namespace suffuse::casefile::testing;
+
+std::shared_ptr<const Source> source_of(const std::string& text) {
+    return std::make_shared<Source>(Source{"dyke/case.toml", text});
+}
+
+TEST(Diagnostics, ShowTheLineWithCaretsLabelAndHelp) {
+    Problems problems;
+    std::string text;
+    for (int line = 1; line < 14; ++line) {
+        text += "\n";
+    }
+    problems.error(
+        "E203", {source_of(text + "fines_contnet = \"17 %\"\nx"), 14, 1, 13},
+        "unknown key `fines_contnet` in [soil.dyke]", "a key with a similar name exists: `fines_content`",
+        "not a key of a soil"
+    );
+    EXPECT_EQ(render(problems.sorted()), R"(error[E203]: unknown key `fines_contnet` in [soil.dyke]
+  --> dyke/case.toml:14:1
+   |
+14 | fines_contnet = "17 %"
+   | ^^^^^^^^^^^^^ not a key of a soil
+   = help: a key with a similar name exists: `fines_content`
+
+1 error; nothing was run
+)");
+}
+
+TEST(Diagnostics, CountsErrorsAndWarnings) {
+    Problems problems;
+    problems.error("E1", {}, "a");
+    problems.error("E1", {}, "b");
+    problems.warning("W1", {}, "c");
+    EXPECT_EQ(count_problems(problems.sorted()), "2 errors, 1 warning");
+    EXPECT_TRUE(problems.has_errors());
+    EXPECT_EQ(count_problems({}), "no problems");
+}
+
+TEST(Diagnostics, TheSameProblemIsToldOnce) {
+    Problems problems;
+    const auto source = source_of("a\nb\n");
+    problems.error("E1", {source, 2, 1, 1}, "later");
+    problems.error("E1", {source, 1, 1, 1}, "first");
+    problems.error("E1", {source, 2, 1, 1}, "later");
+    const auto list = problems.sorted();
+    ASSERT_EQ(list.size(), 2U);
+    EXPECT_EQ(list[0].message, "first");
+}
+
+TEST(Diagnostics, CaretsFollowCharactersNotBytes) {
+    const auto list = problems_of("schema = 1\ncontact = { \"\u00e9\u4e2d\" = 1, modulus = 3 }\n[study.a]\n");
+    const Diagnostic found = find_problem(list, "E310");
+    EXPECT_EQ(found.column, 33);
+    const std::string shown = render({found});
+    EXPECT_NE(shown.find("\n  | " + std::string(32, ' ') + "^\n"), std::string::npos) << shown;
+}
+
+TEST(Diagnostics, ControlCharactersDoNotReachTheTerminal) {
+    Problems problems;
+    problems.error("E1", {source_of("a = \x1b[2J\x07"), 1, 1, 1}, "a \x1b[31m message", "help\x1b", "label\x1b");
+    EXPECT_EQ(render(problems.sorted()).find('\x1b'), std::string::npos);
+    EXPECT_NE(render(problems.sorted(), true).find("\x1b[1;31merror"), std::string::npos);
+}
+
+TEST(Diagnostics, AnEndlessLineIsCutAroundItsPlace) {
+    Problems problems;
+    problems.error(
+        "E1", {source_of(std::string(5'000'000, 'x') + "HERE" + std::string(1000, 'y')), 1, 5'000'001, 4}, "m"
+    );
+    const std::string shown = render(problems.sorted());
+    EXPECT_LT(shown.size(), 1000U);
+    EXPECT_NE(shown.find("HERE"), std::string::npos);
+    EXPECT_NE(shown.find("^^^^\n"), std::string::npos);
+}
+
+} // namespace

@@ -1,0 +1,149 @@
+#include "suffuse/casefile/explain.hpp"
+
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/casefile/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace suffuse::casefile {
+
+namespace {
+
+struct Code {
+    std::string_view code, title, text;
+};
+
+constexpr std::array code_table = {
+    Code{"E100", "the file is not text", "A case or data file is empty, binary, or not UTF-8. Save it as UTF-8 text."},
+    Code{
+        "E101", "the file is not TOML",
+        "The text breaks the rules of TOML at the place shown. Outside of quotes and comments only plain ASCII may "
+        "stand; texts need straight quotes; each key stands once."},
+    Code{"E201", "something is missing", "A key or table that the case cannot do without."},
+    Code{
+        "E203", "unknown key",
+        "Keys that the program does not know are errors, so that a misspelt one is not silently ignored."},
+    Code{
+        "E204", "a name is used twice",
+        "Stages of one study have different names, for each is a folder and a possible start."},
+    Code{
+        "E205", "wrong kind of value",
+        "A number where a text is needed, a value where a list is needed, and the like."},
+    Code{"E206", "unknown word", "The key has a fixed list of words, and this is none of them."},
+    Code{"E207", "keys contradict each other", "Two keys exclude each other, or one is needed because of another."},
+    Code{
+        "E209", "bad name",
+        "Names of studies, soils, stages and presets become folders: letters, digits, - and _, at most 64."},
+    Code{"E301", "not a quantity", "The text is no number with a unit that the program knows."},
+    Code{
+        "E310", "no unit",
+        "A value with a dimension is written with its unit, \"100 kPa\": a bare number could be anything."},
+    Code{"E311", "wrong dimension", "The unit measures something else than what the key means."},
+    Code{"E312", "out of range", "The value lies outside of what the key can mean."},
+    Code{"E313", "not finite", "TOML knows inf and nan; no key of a case can be either."},
+    Code{"E401", "unknown stage", "`from` names an earlier stage of the same study."},
+    Code{"E402", "unknown soil", "`soil` names one of the [soil.NAME] tables of the case."},
+    Code{
+        "E403", "stages in the wrong order",
+        "A stage starts from the end of an earlier one; the first of a study packs or imports its grains."},
+    Code{"E404", "unknown preset", "A preset is a [presets.NAME] table; \"standard\" is the case as written."},
+    Code{"E405", "bad --set", "--set KEY=VALUE takes the path of a key, study.NAME.stage.NAME.KEY for a stage."},
+    Code{"E501", "no such file", "A path in a case starts at the folder of the case."},
+    Code{
+        "E502", "bad value in a data file", "A grading holds plain numbers with a decimal point, one for each column."},
+    Code{"E503", "grading not monotonic", "Percent passing cannot fall as the size grows, and no size stands twice."},
+    Code{
+        "E504", "impossible grading value",
+        "Sizes are above 0, percent passing lies between 0 and 100, and a curve runs from 0 to 100 %."},
+    Code{"E505", "empty grading", "A grading has a header and at least two points."},
+    Code{
+        "E506", "bad header of a grading",
+        "The first line names the columns, `d [mm],passing [%]`; other units may stand in the brackets."},
+    Code{
+        "E601", "a sample too small for its largest grain",
+        "The cell would be narrower than three of its largest grains, which then meet their own images. Take more "
+        "grains, or cut the coarse end of the grading."},
+    Code{"W602", "a narrow cell", "Below ten times the largest grain, results depend on the size of the sample."},
+    Code{
+        "E603", "overlaps too large",
+        "At this stress, grains overlap by more than 5 % of their radius: the contact law no longer describes grains."},
+    Code{"W603", "large overlaps", "At this stress, grains overlap by more than 2 % of their radius."},
+    Code{
+        "W604", "above the critical gradient",
+        "Upward seepage at this gradient would lift the whole soil; gravity is not part of the model."},
+    Code{"E605", "no fines", "Erosion needs to know which grains are fine."},
+    Code{
+        "W605", "nothing or everything is fine",
+        "Without fines nothing can leave; without coarse grains there is no skeleton."},
+};
+
+constexpr std::string_view conventions =
+    "conventions\n"
+    "  stress, strain   compression positive; volumetric strain positive when the sample contracts\n"
+    "  q, p             q = sigma_1 - sigma_3, p = (sigma_1 + 2 sigma_3)/3\n"
+    "  e, n             e = voids/solid, n = e/(1 + e)\n"
+    "  e_g, e_eq        voids with all fines counted as voids, with inactive fines counted as voids\n"
+    "  active           a grain with at least two contacts; b = active fines/fines, by volume\n"
+    "  fines content    fines/all, by mass\n"
+    "  gradient i       grad p = -i rho_w g along the direction of flow, g = 9.81 m/s2 exactly\n"
+    "  gradings         percent passing by mass against size, linear in log size between points\n"
+    "  units            SI inside; in a case, a value with a dimension is a text with its unit\n";
+
+std::string describe(const Key& key) {
+    std::string text = fmt::format("{}\n  {}\n  value    {}\n", key_place(key), key.text, value_text(key));
+    if (key.is_required) {
+        text += "  required\n";
+    }
+    if (!key.default_text.empty()) {
+        text += fmt::format("  default  {}\n", key.default_text);
+    }
+    return text;
+}
+
+/// "watch", "detached.over", "contact.modulus", "study.NAME.stage.erode.watch".
+bool is_meant(const Key& key, std::string_view what) {
+    const std::string full = key.table.empty() ? key.name : key.table + "." + key.name;
+    return full == what ||
+           (full.size() > what.size() && full.ends_with(what) && full[full.size() - what.size() - 1] == '.');
+}
+
+} // namespace
+
+std::vector<std::string> codes() {
+    std::vector<std::string> list;
+    for (const Code& code : code_table) {
+        list.emplace_back(code.code);
+    }
+    return list;
+}
+
+std::optional<std::string> explain(std::string_view what) {
+    if (what == "conventions") {
+        return std::string(conventions);
+    }
+    for (const Code& code : code_table) {
+        if (edit_distance(code.code, what) == 0) {
+            return fmt::format("{}: {}\n  {}\n", code.code, code.title, code.text);
+        }
+    }
+    std::string text;
+    for (const Key& key : schema()) {
+        if (!what.empty() && is_meant(key, what)) {
+            text += (text.empty() ? "" : "\n") + describe(key);
+        }
+    }
+    return text.empty() ? std::nullopt : std::optional(text);
+}
+
+std::optional<std::string> nearest_topic(std::string_view what) {
+    std::vector<std::string> known = codes();
+    known.emplace_back("conventions");
+    for (const Key& key : schema()) {
+        known.push_back(key.name);
+    }
+    return nearest_word(what, known);
+}
+
+} // namespace suffuse::casefile

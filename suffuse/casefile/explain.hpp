@@ -1,0 +1,20 @@
+#pragma once
+// One screen on a key of the case file, a code of an error, or the conventions.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suffuse::casefile {
+
+/// Text for a key ("watch", "contact.modulus"), a code ("E310") or "conventions"; empty where nothing is known.
+std::optional<std::string> explain(std::string_view what);
+
+/// What the program could have meant, for a word that `explain` does not know.
+std::optional<std::string> nearest_topic(std::string_view what);
+
+/// All codes, in order.
+std::vector<std::string> codes();
+
+} // namespace suffuse::casefile

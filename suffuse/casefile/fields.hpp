@@ -1,0 +1,207 @@
+#pragma once
+// Which key fills which field, once for reading and writing: `v` is a Reader or a Writer.
+
+#include "suffuse/casefile/reader.hpp"
+#include "suffuse/casefile/special_fields.hpp"
+#include "suffuse/casefile/writer.hpp"
+
+namespace suffuse::casefile {
+
+template <class V>
+void top_fields(V& v, Case& c) {
+    v.field("schema", c.schema);
+    v.field("title", c.title);
+    v.field("paper", c.paper);
+    v.field("seed", c.seed);
+}
+
+template <class V>
+void grain_fields(V& v, grains::Material& m) {
+    v.field("density", m.density);
+}
+
+template <class V>
+void contact_fields(V& v, grains::Material& m, double& damping) {
+    auto law = names::Law::LinearRolling;
+    v.choice("law", law, names::law);
+    v.field("modulus", m.modulus);
+    v.field("shear_ratio", m.shear_ratio);
+    v.field("friction", m.friction);
+    v.field("rolling_stiffness", m.rolling_stiffness);
+    v.field("rolling_friction", m.rolling_friction);
+    v.field("twisting_stiffness", m.twisting_stiffness);
+    v.field("twisting_friction", m.twisting_friction);
+    v.field("damping", damping);
+    v.table("adhesion", [&](auto& a) {
+        a.field("normal", m.adhesion_normal);
+        a.field("shear", m.adhesion_shear);
+    });
+}
+
+template <class V>
+void fields(V& v, dem::BalanceSpec& s) {
+    v.field("unbalanced_force", s.unbalanced_force);
+    v.field("stress_error", s.stress_error);
+    v.field("patience", s.patience);
+}
+
+template <class V>
+void fields(V& v, flow::Fluid& s) {
+    v.field("density", s.density);
+    v.field("viscosity", s.viscosity);
+}
+
+template <class V>
+void fields(V& v, OutputSpec& s) {
+    v.field("formats", s.formats);
+    snapshot_field(v, s.snapshots);
+    v.field("checkpoint", s.checkpoint);
+    v.table("histories", [&](auto& h) { h.field("every", s.histories_every); });
+}
+
+template <class V>
+void fields(V& v, ReportSpec& s) {
+    v.field("figures", s.figures);
+    v.choice("psd_axis", s.reversed_size_axis, names::size_axis);
+    v.choice("dilation", s.dilation_up, names::dilation);
+    std::string_view language = s.language;
+    v.choice("language", language, names::language);
+    s.language = std::string(language);
+    overlay_field(v, s.overlay);
+}
+
+template <class V>
+void fields(V& v, ImportSpec& s) {
+    packing_field(v, s);
+    cell_field(v, s.cell);
+    v.field("max_overlap", s.max_overlap);
+}
+
+template <class V>
+void fields(V& v, packing::PackSpec& s) {
+    v.field("porosity", s.porosity);
+}
+
+template <class V>
+void fields(V& v, packing::CompactSpec& s) {
+    v.field("pressure", s.pressure);
+    v.table("prepare", [&](auto& p) {
+        p.field("friction", s.prepare.friction);
+        p.table("adhesion", [&](auto& a) {
+            a.field("normal", s.prepare.adhesion_normal);
+            a.field("shear", s.prepare.adhesion_shear);
+        });
+    });
+    v.field("void_ratio", s.void_ratio);
+    v.field("void_ratio_tolerance", s.void_ratio_tolerance);
+    v.field("max_rate", s.max_rate);
+    v.time_step(s.time_step);
+}
+
+template <class V>
+void fields(V& v, cell::ServoSpec& s) {
+    v.choice("kind", s.kind, names::servo_kind);
+    v.field("mass", s.mass);
+    v.field("damping", s.damping);
+    v.field("max_rate", s.max_rate);
+    v.field("response", s.response);
+}
+
+template <class V>
+void servo_field(V& v, cell::ServoSpec& s) {
+    v.table("servo", [&](auto& inner) {
+        fields(inner, s);
+        check_servo(inner, s);
+    });
+}
+
+template <class V>
+void fields(V& v, dem::SettleSpec& s) {
+    settle_stress_fields(v, s.loading);
+    servo_field(v, s.loading.servo);
+    v.time_step(s.time_step);
+    v.field("max_steps", s.max_steps);
+}
+
+template <class V>
+void fields(V& v, dem::AdvanceSpec& s) {
+    v.field("steps", s.steps);
+    v.time_step(s.time_step);
+    loading_fields(v, s.loading);
+    servo_field(v, s.loading.servo);
+}
+
+template <class V>
+void fields(V& v, triaxial::TriaxialSpec& s) {
+    v.choice("path", s.path, names::triaxial_path);
+    v.choice("axis", s.axis, names::axis);
+    v.field("strain", s.strain);
+    v.field("deviator_stress", s.deviator_stress);
+    v.field("stress_ratio", s.stress_ratio);
+    inertial_number_field(v, s.inertial_number);
+    v.time_step(s.time_step);
+    v.field("rows", s.rows);
+}
+
+template <class V>
+void fields(V& v, flow::FlowSpec& s) {
+    v.field("gradient", s.gradient);
+    v.direction(s.direction);
+    v.field("tensor", s.tensor);
+}
+
+template <class V>
+void fields(V& v, erosion::DetachSpec& s) {
+    v.choice("by", s.by, names::detach_by);
+    velocity_rule_field(v, s);
+    over_field(v, s);
+    v.field("noise_quantile", s.noise_quantile);
+}
+
+template <class V>
+void probe_fields(V& v, erosion::ProbeSpec& probe, erosion::DetachSpec& detached) {
+    v.choice("hold", probe.hold_coarse, names::hold);
+    v.field("ramp", probe.ramp);
+    v.field("watch", probe.watch);
+    v.field("probe_unbalanced_force", probe.unbalanced_force);
+    v.field("relax_limit", probe.relax_limit);
+    v.table("detached", [&](auto& inner) { fields(inner, detached); });
+}
+
+template <class V>
+void fields(V& v, erosion::DetachStageSpec& s) {
+    v.field("gradients", s.gradients);
+    v.direction(s.direction);
+    probe_fields(v, s.probe, s.detached);
+}
+
+template <class V>
+void fields(V& v, erosion::ErodeSpec& s) {
+    v.field("passes", s.passes);
+    v.field("until_nothing_leaves", s.until_nothing_leaves);
+    v.field("gradient", s.gradient);
+    v.direction(s.direction);
+    probe_fields(v, s.probe, s.detached);
+    v.table("passes_constriction", [&](auto& inner) {
+        auto of = names::Of::Coarse;
+        inner.choice("size", s.passes_constriction, names::constriction_size);
+        inner.choice("of", of, names::constrictions_of);
+    });
+    v.table("forced", s.forced, [](auto& inner, erosion::ForcedRemoval& f) {
+        inner.field("max_contacts", f.max_contacts);
+    });
+    auto then = names::Then::Settle;
+    v.choice("then", then, names::then);
+}
+
+/// What every stage has besides its own keys; `name` and `do` are read before, for they say which keys these are.
+template <class V>
+void stage_fields(V& v, Stage& s) {
+    v.field("from", s.from);
+    v.table("record", [&](auto& r) { r.field("every", s.record_every); });
+    v.field("restore", s.restore);
+    v.field("measure", s.measure);
+    sweep_field(v, "only", s.only);
+}
+
+} // namespace suffuse::casefile

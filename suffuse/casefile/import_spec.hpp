@@ -1,0 +1,17 @@
+#pragma once
+// `do = "import"`: a packing brought from elsewhere. It carries no contact memory.
+
+#include "suffuse/base/vec3.hpp"
+
+#include <string>
+
+namespace suffuse::casefile {
+
+struct ImportSpec {
+    std::string path;         ///< of the packing file, absolute
+    Mat3 cell = {};           ///< columns are the cell vectors [m]
+    double max_overlap = 0.1; ///< largest overlap that is accepted / radius of the smaller grain [-]
+    std::string place;        ///< where the case asks for it, "case.toml:31:11", for messages
+};
+
+} // namespace suffuse::casefile

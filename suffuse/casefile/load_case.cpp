@@ -1,0 +1,58 @@
+#include "suffuse/casefile/load_case.hpp"
+
+#include "suffuse/casefile/overrides.hpp"
+#include "suffuse/casefile/read_text.hpp"
+#include "suffuse/casefile/read_toml.hpp"
+
+#include <filesystem>
+
+namespace suffuse::casefile {
+
+namespace {
+
+/// The preset in force: the command line's, the case's, or the one that a resolved case holds already.
+std::string choose_preset(Node& root, const LoadOptions& options, Problems& problems) {
+    const auto text_at = [&](std::string_view key) {
+        const Node::Entry* entry = root.find(key);
+        return entry != nullptr && entry->value.is_text() ? entry->value.text : "";
+    };
+    const bool is_asked = !options.preset.empty();
+    const std::string name = is_asked ? options.preset : text_at("preset");
+    if (name.empty()) {
+        const std::string applied = text_at("applied_preset");
+        return applied.empty() ? "standard" : applied;
+    }
+    const Place asked =
+        is_asked
+            ? Place{std::make_shared<Source>(Source{"--preset", options.preset}), 1, 1, static_cast<int>(options.preset.size())}
+            : root.find("preset")->value.place;
+    apply_preset(root, name, asked, problems);
+    return name;
+}
+
+} // namespace
+
+LoadedCase load_case_text(
+    const std::string& text, const std::string& name, const std::string& folder, const LoadOptions& options
+) {
+    Problems problems;
+    LoadedCase loaded;
+    if (auto root = read_toml(std::make_shared<Source>(Source{name, text}), problems)) {
+        const std::string preset = choose_preset(*root, options, problems);
+        for (const std::string& text_of_override : options.overrides) {
+            apply_override(*root, text_of_override, problems);
+        }
+        loaded.value = bind_case(*root, folder, preset, problems);
+    }
+    if (problems.has_errors()) {
+        throw CaseProblems(problems.sorted());
+    }
+    loaded.warnings = problems.sorted();
+    return loaded;
+}
+
+LoadedCase load_case(const std::string& path, const LoadOptions& options) {
+    return load_case_text(read_whole_file(path), path, std::filesystem::path(path).parent_path().string(), options);
+}
+
+} // namespace suffuse::casefile

@@ -1,0 +1,100 @@
+#pragma once
+// The words that a case may use where there is a choice. The first word of a value is the one that is written back.
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/casefile/case.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suffuse::casefile::names {
+
+template <class Value>
+struct Word {
+    Value value;
+    std::string_view word;
+};
+
+enum class Law { LinearRolling };
+enum class Then { Settle };
+enum class Of { Coarse };
+
+inline constexpr std::array law = {Word<Law>{Law::LinearRolling, "linear-rolling"}};
+inline constexpr std::array then = {Word<Then>{Then::Settle, "settle"}};
+inline constexpr std::array constrictions_of = {Word<Of>{Of::Coarse, "coarse"}};
+inline constexpr std::array hold = {Word<bool>{true, "coarse"}, Word<bool>{false, "none"}};
+inline constexpr std::array axis = {Word<int>{0, "x"}, Word<int>{1, "y"}, Word<int>{2, "z"}};
+
+inline constexpr std::array servo_kind = {
+    Word<cell::ServoKind>{cell::ServoKind::Secant, "secant"},
+    Word<cell::ServoKind>{cell::ServoKind::Inertial, "inertial"}};
+
+inline constexpr std::array triaxial_path = {
+    Word<triaxial::Path>{triaxial::Path::Drained, "drained"},
+    Word<triaxial::Path>{triaxial::Path::ConstantMean, "constant-mean"},
+    Word<triaxial::Path>{triaxial::Path::Undrained, "undrained"}};
+
+inline constexpr std::array detach_by = {
+    Word<erosion::DetachBy>{erosion::DetachBy::Velocity, "velocity"},
+    Word<erosion::DetachBy>{erosion::DetachBy::Displacement, "displacement"}};
+
+inline constexpr std::array velocity_rule = {
+    Word<erosion::VelocityRule>{erosion::VelocityRule::StillAccelerating, "still-accelerating"},
+    Word<erosion::VelocityRule>{erosion::VelocityRule::Rising, "rising"},
+    Word<erosion::VelocityRule>{erosion::VelocityRule::Above, "above"}};
+
+inline constexpr std::array constriction_size = {
+    Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::Mean, "mean"},
+    Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::Median, "median"},
+    Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::Median, "d50"},
+    Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::D35, "d35"},
+    Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::WidestPath, "widest-path"},
+    Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::None, "none"}};
+
+inline constexpr std::array snapshots = {
+    Word<Snapshots::When>{Snapshots::When::PerStage, "per-stage"},
+    Word<Snapshots::When>{Snapshots::When::Never, "none"}};
+
+inline constexpr std::array size_axis = {Word<bool>{false, "left-to-right"}, Word<bool>{true, "reversed"}};
+inline constexpr std::array dilation = {Word<bool>{false, "down"}, Word<bool>{true, "up"}};
+inline constexpr std::array language = {Word<std::string_view>{"en", "en"}};
+
+/// In the order of StageSpec.
+inline constexpr std::array<std::string_view, 9> verbs = {"import",  "pack", "compact", "settle", "triaxial",
+                                                          "advance", "flow", "detach",  "erode"};
+
+inline constexpr std::array<std::string_view, 14> measures = {
+    "void-ratios",  "active-fines",      "contact-classes", "strong-contacts", "stress-strain",
+    "flow",         "permeability",      "stress",          "constrictions",   "coordination-of-eroded",
+    "coordination", "volumetric-strain", "grading",         "porosity"};
+
+inline constexpr std::array<std::string_view, 3> formats = {"vtp", "xyz", "csv"};
+
+/// All words of a choice.
+template <class Words>
+std::vector<std::string> words_of(const Words& words) {
+    std::vector<std::string> list;
+    for (const auto& entry : words) {
+        if constexpr (requires { entry.word; }) {
+            list.emplace_back(entry.word);
+        } else {
+            list.emplace_back(entry);
+        }
+    }
+    return list;
+}
+
+/// The word that is written for a value.
+template <class Words, class Value>
+std::string word_for(const Words& words, const Value& value) {
+    for (const auto& entry : words) {
+        if (entry.value == value) {
+            return std::string(entry.word);
+        }
+    }
+    throw Bug("a choice has no word for one of its values");
+}
+
+} // namespace suffuse::casefile::names

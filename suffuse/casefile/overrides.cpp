@@ -1,0 +1,231 @@
+#include "suffuse/casefile/overrides.hpp"
+
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/casefile/read_toml.hpp"
+#include "suffuse/casefile/schema.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace suffuse::casefile {
+
+namespace {
+
+std::vector<std::string> split_path(const std::string& text) {
+    std::vector<std::string> parts{""};
+    for (const char c : text) {
+        if (c == '.') {
+            parts.emplace_back();
+        } else if (c != ' ') {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+std::string text_of(const Node& table, std::string_view key) {
+    const Node::Entry* entry = table.find(key);
+    return entry != nullptr && entry->value.is_text() ? entry->value.text : "";
+}
+
+template <class Visit>
+void for_each_study(Node& root, Visit visit) {
+    Node::Entry* studies = root.find("study");
+    if (studies == nullptr) {
+        return;
+    }
+    for (Node::Entry& study : studies->value.entries) {
+        if (study.value.is_table()) {
+            visit(study.value);
+        }
+    }
+}
+
+template <class Visit>
+void for_each_stage(Node& root, const std::vector<std::string>& verbs, Visit visit) {
+    for_each_study(root, [&](Node& study) {
+        Node::Entry* stages = study.find("stage");
+        if (stages == nullptr) {
+            return;
+        }
+        for (Node& stage : stages->value.items) {
+            const std::string verb = text_of(stage, "do");
+            if (std::find(verbs.begin(), verbs.end(), verb) != verbs.end()) {
+                visit(stage);
+            }
+        }
+    });
+}
+
+void apply_preset_key(Node& root, const Node::Entry& entry) {
+    const std::string& key = entry.key;
+    const auto set = [&](Node& table, std::string_view name) { table.set(name, entry.value, entry.place); };
+    const auto set_in_stages = [&](const std::vector<std::string>& verbs, std::string_view name) {
+        for_each_stage(root, verbs, [&](Node& stage) { set(stage, name); });
+    };
+    if (key == "particles") {
+        // A study that imports its grains has as many as its file.
+        for_each_study(root, [&](Node& study) {
+            if (study.find("particles") != nullptr) {
+                set(study, key);
+            }
+        });
+    } else if (key == "replicates") {
+        for_each_study(root, [&](Node& study) { set(study, key); });
+    } else if (key == "fines_content") {
+        for_each_study(root, [&](Node& study) {
+            Node::Entry* sweep = study.find("sweep");
+            if (sweep != nullptr && sweep->value.find(key) != nullptr) {
+                set(sweep->value, key);
+            }
+        });
+    } else if (key == "inertial_number") {
+        set_in_stages({"triaxial"}, key);
+    } else if (key == "triaxial_strain") {
+        set_in_stages({"triaxial"}, "strain");
+    } else if (key == "passes") {
+        set_in_stages({"erode"}, key);
+    } else if (key == "gradients") {
+        set_in_stages({"detach"}, key);
+    } else if (key == "max_rate") {
+        set_in_stages({"compact"}, key);
+    } else if (key == "unbalanced_force" || key == "stress_error" || key == "patience") {
+        if (root.find("balance") == nullptr) {
+            root.set("balance", Node{}, entry.place);
+        }
+        set(root.find("balance")->value, key);
+    } else if (find_key("presets.*", key) != nullptr) {
+        set_in_stages({"detach", "erode"}, key);
+    }
+}
+
+} // namespace
+
+void apply_preset(Node& root, const std::string& name, const Place& asked, Problems& problems) {
+    const Node::Entry* presets = root.find("presets");
+    const Node::Entry* preset = presets != nullptr ? presets->value.find(name) : nullptr;
+    if (preset == nullptr) {
+        if (name == "standard") {
+            return;
+        }
+        std::vector<std::string> known{"standard"};
+        for (const Node::Entry& entry : presets != nullptr ? presets->value.entries : std::vector<Node::Entry>{}) {
+            if (entry.key != "standard") {
+                known.push_back(entry.key);
+            }
+        }
+        problems.error(
+            "E404", asked, fmt::format("there is no preset \"{}\"", name),
+            fmt::format("known are {}", fmt::join(known, ", "))
+        );
+        return;
+    }
+    if (!preset->value.is_table()) {
+        return;
+    } // reported where the presets are read
+    const std::vector<Node::Entry> entries = preset->value.entries;
+    for (const Node::Entry& entry : entries) {
+        apply_preset_key(root, entry);
+    }
+}
+
+std::optional<std::string>
+set_at(Node& table, const std::vector<std::string>& path, const Node& value, const Place& place) {
+    Node* node = &table;
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+        Node::Entry* entry = node->find(path[k]);
+        if (entry == nullptr) {
+            // Named things must be there; a table of settings may be left out in the file.
+            if (k == 1 && (path[0] == "study" || path[0] == "soil")) {
+                std::vector<std::string> names;
+                for (const Node::Entry& known : node->entries) {
+                    names.push_back(known.key);
+                }
+                return fmt::format("there is no {} \"{}\"; known are {}", path[0], path[1], fmt::join(names, ", "));
+            }
+            node->set(path[k], Node{}, place);
+            entry = node->find(path[k]);
+            entry->value.place = place;
+        }
+        node = &entry->value;
+        if (node->is_array() && path[k] == "stage" && k + 2 < path.size()) {
+            const auto stage = std::find_if(node->items.begin(), node->items.end(), [&](const Node& item) {
+                return text_of(item, "name") == path[k + 1];
+            });
+            if (stage == node->items.end()) {
+                return fmt::format("there is no stage \"{}\"", path[k + 1]);
+            }
+            node = &*stage;
+            ++k;
+        }
+        if (!node->is_table()) {
+            return fmt::format("`{}` is no table, and has no `{}`", path[k], path[k + 1]);
+        }
+    }
+    node->set(path.back(), value, place);
+    return std::nullopt;
+}
+
+void apply_override(Node& root, const std::string& text, Problems& problems) {
+    const auto source = std::make_shared<Source>(Source{"--set", text});
+    const std::size_t mark = text.find('=');
+    const Place whole{source, 1, 1, static_cast<int>(std::max<std::size_t>(1, std::min(mark, text.size())))};
+    const std::vector<std::string> path = split_path(text.substr(0, mark));
+    const bool has_gap = std::find(path.begin(), path.end(), "") != path.end();
+    if (mark == std::string::npos || has_gap) {
+        problems.error("E405", whole, "--set needs KEY=VALUE", "as in --set study.erosion.particles=4000");
+        return;
+    }
+    // The value as TOML; what is no TOML is a text, so that nobody needs quotes within quotes: --set soil.a.psd=b.csv
+    Problems ignored;
+    const std::string written = text.substr(mark + 1);
+    const auto parsed = read_toml(std::make_shared<Source>(Source{"--set", "v = " + written}), ignored);
+    const bool is_one = parsed && parsed->entries.size() == 1;
+    Node value = is_one ? parsed->entries[0].value : make_node(Scalar(written));
+    const Place place{
+        source, 1, static_cast<int>(mark) + 2, static_cast<int>(std::max<std::size_t>(1, written.size()))};
+    const auto put_place = [&](auto& self, Node& node) -> void {
+        node.place = place;
+        for (Node& item : node.items) {
+            self(self, item);
+        }
+        for (Node::Entry& entry : node.entries) {
+            entry.place = place;
+            self(self, entry.value);
+        }
+    };
+    put_place(put_place, value);
+    if (const auto problem = set_at(root, path, value, whole)) {
+        problems.error(
+            "E405", whole, *problem,
+            "--set KEY=VALUE takes the path of a key, as in study.erosion.stage.probe.watch=4000"
+        );
+    }
+}
+
+bool apply_sweep_value(SweepTarget target, const std::string& key, const Node& value) {
+    if (key == "particles" || key == "soil") {
+        target.study.set(key, value, value.place);
+        return true;
+    }
+    const std::vector<std::string> path = split_path(key);
+    if (path.size() > 2 && path[0] == "stage") {
+        return !set_at(target.study, path, value, value.place);
+    }
+    if (target.soil == nullptr) {
+        return false;
+    }
+    if (key == "finer_than" || key == "fines.finer_than") {
+        return !set_at(*target.soil, {"fines", "finer_than"}, value, value.place);
+    }
+    const Key* soil_key = find_key("soil.*", key);
+    if (soil_key == nullptr || soil_key->kind != ValueKind::Ratio) {
+        return false;
+    }
+    target.soil->set(key, value, value.place);
+    return true;
+}
+
+} // namespace suffuse::casefile

@@ -1,0 +1,32 @@
+#pragma once
+// Changes of the tree before it is bound: presets, --set, and the values of sweeps. What they set keeps the place where
+// it was written, so that a bad value is reported there.
+
+#include "suffuse/casefile/diagnostics.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::casefile {
+
+/// Applies [presets.NAME]; "standard" needs no table and is the case as written. `asked` is where the name stands.
+void apply_preset(Node& root, const std::string& name, const Place& asked, Problems& problems);
+
+/// Applies "study.erosion.stage.erosion.gradient=0.1"; stages are found by their names.
+void apply_override(Node& root, const std::string& text, Problems& problems);
+
+/// What a swept key changes: the study or its soil.
+struct SweepTarget {
+    Node& study;
+    Node* soil; ///< null where the study has none
+};
+
+/// Sets one value of a sweep; false where the study and its soil have no such key.
+bool apply_sweep_value(SweepTarget target, const std::string& key, const Node& value);
+
+/// Sets the key at the end of `path`; says what is missing on the way, nothing where all went well.
+std::optional<std::string>
+set_at(Node& table, const std::vector<std::string>& path, const Node& value, const Place& place);
+
+} // namespace suffuse::casefile

@@ -1,0 +1,231 @@
+#include "suffuse/casefile/physics_checks.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/sampling.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace suffuse::casefile {
+
+namespace {
+
+using grains::Grading;
+
+constexpr double settled_porosity = 0.4; ///< of sands at some 100 kPa
+constexpr double contacts_per_grain = 4; ///< of the grains that carry load
+constexpr double narrow_cell = 10;       ///< cell width / largest grain below which results depend on it [-]
+constexpr double narrowest_cell = 3;     ///< below which a grain meets its own image's neighbors [-]
+constexpr double large_overlap = 0.02;   ///< of the radius: doubtful [-]
+constexpr double largest_overlap = 0.05; ///< of the radius: the contact law no longer describes grains [-]
+
+std::optional<Grading> whole_grading(const grains::Soil& soil) {
+    if (soil.whole) {
+        return soil.whole;
+    }
+    if (!soil.coarse || !soil.fines) {
+        return std::nullopt;
+    }
+    return grains::mixture(*soil.coarse, *soil.fines, soil.fines_content);
+}
+
+/// Mean volume of a grain when `grading` is drawn by mass: 1 / integral of dF/V over log d, F linear in log d [m3].
+double mean_grain_volume(const Grading& grading) {
+    double count = 0; // per unit of volume
+    for (std::size_t k = 0; k + 1 < grading.diameter.size(); ++k) {
+        const double a = grading.diameter[k], b = grading.diameter[k + 1];
+        const double share = grading.passing[k + 1] - grading.passing[k];
+        count += share * (2 / pi) * (1 / (a * a * a) - 1 / (b * b * b)) / std::log(b / a);
+    }
+    return count > 0 ? 1 / count : 0;
+}
+
+double largest_grain(const Grading& grading) {
+    for (std::size_t k = 0; k < grading.diameter.size(); ++k) {
+        if (grading.passing[k] >= 1) {
+            return grading.diameter[k];
+        }
+    }
+    return grading.diameter.back();
+}
+
+class Checks {
+public:
+    Checks(ReadContext& context, const Case& settings, const Study& study, const Variant& variant)
+        : context_(context), settings_(settings), variant_(variant), path_("study." + study.name) {}
+
+    void check_size(double ratio) {
+        if (!(ratio > 0)) {
+            return;
+        }
+        const double enough =
+            std::ceil(static_cast<double>(variant_.particles) * std::pow(narrow_cell / ratio, 3) / 100) * 100;
+        const std::string found = fmt::format(
+            "{} grains of this soil make a cell {:.1f} times as wide as the largest of them", variant_.particles, ratio
+        );
+        const std::string advice = fmt::format("{:.0f} times need about {:.0f} grains", narrow_cell, enough);
+        const Place place = place_of("particles");
+        if (ratio < narrowest_cell) {
+            context_.problems.error("E601", place, "a sample too small for its largest grain: " + found, advice);
+        } else if (ratio < narrow_cell) {
+            context_.problems.warning("W602", place, found, advice);
+        }
+    }
+
+    void check_pressure(const Stage& stage, std::string_view key, double pressure) {
+        const double overlap = overlap_at(std::abs(pressure), settings_.material.modulus);
+        if (overlap <= large_overlap) {
+            return;
+        }
+        const std::string message = fmt::format(
+            "a stress of {} makes grains overlap by about {:.1f} % of their radius",
+            print_quantity(pressure, dimension::pressure), overlap * 100
+        );
+        const std::string advice = fmt::format(
+            "a stiffer contact `modulus` of {} keeps it below 1 %",
+            print_quantity(round_up(settings_.material.modulus * overlap / 0.01), dimension::pressure)
+        );
+        const Place place = stage_place(stage, key);
+        if (overlap > largest_overlap) {
+            context_.problems.error("E603", place, message, advice);
+        } else {
+            context_.problems.warning("W603", place, message, advice);
+        }
+    }
+
+    void check_gradient(const Stage& stage, std::string_view key, double gradient) {
+        const double critical = (1 - settled_porosity) * (settings_.material.density / settings_.fluid.density - 1);
+        if (!(std::abs(gradient) > critical)) {
+            return;
+        }
+        context_.problems.warning(
+            "W604", stage_place(stage, key),
+            fmt::format("a gradient of {:.4g} is above the critical one, about {:.2f}", gradient, critical),
+            "seepage upwards would lift the whole soil; gravity is not part of this model, so the run will not show "
+            "that"
+        );
+    }
+
+    /// Erosion without fines cannot do anything.
+    void check_fines(const Stage& stage) {
+        const auto& soil = variant_.soil;
+        const Place place = stage_place(stage, "do");
+        if (!soil) {
+            context_.problems.error(
+                "E605", place, fmt::format("stage \"{}\" needs to know which grains are fine", stage.name),
+                "give the study a `soil` whose `fines` has `finer_than`"
+            );
+            return;
+        }
+        const bool has_split = soil->finer_than || soil->kenney_lau || (soil->fines && soil->coarse);
+        if (!has_split && soil->whole) {
+            context_.problems.error(
+                "E605", place, fmt::format("stage \"{}\" erodes a soil without fines", stage.name),
+                "give the soil fines = { finer_than = \"0.26 mm\" }"
+            );
+            return;
+        }
+        const double content = fines_content(*soil);
+        if (content <= 0 || content >= 1) {
+            context_.problems.warning(
+                "W605", place,
+                fmt::format(
+                    "stage \"{}\" erodes a soil of which {} is fine", stage.name,
+                    content <= 0 ? "nothing" : "everything"
+                ),
+                "nothing can leave, or no skeleton stays"
+            );
+        }
+    }
+
+    [[nodiscard]] Place stage_place(const Stage& stage, std::string_view key) const {
+        return place_of(fmt::format("stage.{}.{}", stage.name, key));
+    }
+
+    [[nodiscard]] Place place_of(const std::string& key) const {
+        const auto found = context_.places.find(path_ + "." + key);
+        return found == context_.places.end() ? Place{} : found->second;
+    }
+
+private:
+    static double fines_content(const grains::Soil& soil) {
+        if (soil.coarse && soil.fines) {
+            return soil.fines_content;
+        }
+        if (soil.finer_than && soil.whole) {
+            return grains::passing(*soil.whole, *soil.finer_than);
+        }
+        return 0.5; // Kenney and Lau's split lies within the curve
+    }
+
+    /// To two digits, for advice.
+    static double round_up(double value) {
+        const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+        return std::ceil(value / unit) * unit;
+    }
+
+    ReadContext& context_;
+    const Case& settings_;
+    const Variant& variant_;
+    std::string path_;
+};
+
+void check_loading(Checks& checks, const Stage& stage, const cell::Loading& loading, bool has_pressure) {
+    for (const cell::AxisControl& axis : loading.axis) {
+        if (axis.control == cell::Control::Stress) {
+            checks.check_pressure(stage, has_pressure ? "pressure" : "stress", axis.value);
+        }
+    }
+}
+
+void check_stage(Checks& checks, const Stage& stage) {
+    if (const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec)) {
+        checks.check_pressure(stage, "pressure", compact->pressure);
+    } else if (const auto* settle = std::get_if<dem::SettleSpec>(&stage.spec)) {
+        check_loading(checks, stage, settle->loading, checks.stage_place(stage, "pressure").source != nullptr);
+    } else if (const auto* advance = std::get_if<dem::AdvanceSpec>(&stage.spec)) {
+        check_loading(checks, stage, advance->loading, false);
+    } else if (const auto* flow = std::get_if<flow::FlowSpec>(&stage.spec)) {
+        checks.check_gradient(stage, "gradient", flow->gradient);
+    } else if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {
+        for (const double gradient : detach->gradients) {
+            checks.check_gradient(stage, "gradients", gradient);
+        }
+        checks.check_fines(stage);
+    } else if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec)) {
+        checks.check_gradient(stage, "gradient", erode->gradient);
+        checks.check_fines(stage);
+    }
+}
+
+} // namespace
+
+double width_in_grains(const grains::Soil& soil, std::int64_t particles) {
+    const auto grading = whole_grading(soil);
+    if (!grading || particles <= 0) {
+        return 0;
+    }
+    const double solid = static_cast<double>(particles) * mean_grain_volume(*grading);
+    return std::cbrt(solid / (1 - settled_porosity)) / largest_grain(*grading);
+}
+
+double overlap_at(double pressure, double modulus) {
+    // Mean force p pi D^2/(Z (1 - n)) of equal spheres, over their stiffness E D/2, over their radius D/2.
+    return 4 * pi / (contacts_per_grain * (1 - settled_porosity)) * pressure / modulus;
+}
+
+void check_physics(ReadContext& context, const Case& settings, const Study& study, const Variant& variant) {
+    Checks checks(context, settings, study, variant);
+    bool packs = false;
+    for (const Stage& stage : variant.stages) {
+        packs = packs || std::holds_alternative<packing::PackSpec>(stage.spec);
+        check_stage(checks, stage);
+    }
+    if (packs && variant.soil) {
+        checks.check_size(width_in_grains(*variant.soil, variant.particles));
+    }
+}
+
+} // namespace suffuse::casefile

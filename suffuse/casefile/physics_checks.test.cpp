@@ -1,0 +1,83 @@
+#include "suffuse/casefile/physics_checks.hpp"
+
+#include "suffuse/casefile/case_for_tests.hpp"
+#include "suffuse/casefile/read_grading.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace suffuse;
+using namespace suffuse::casefile;
+using namespace suffuse::casefile::testing;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+// 10,000 grains of this grading, settled at 100 kPa at a porosity of 0.4022 by the reference, make a cell of 3.895 mm;
+// the estimate takes 0.4 and a curve where the reference has size classes: 2 % covers both.
+TEST(PhysicsChecks, CellWidthMeetsTheReferencesSample) {
+    grains::Soil soil;
+    soil.whole = read_grading(SUFFUSE_SOURCE_DIR "/examples/fontainebleau-2016/data/fontainebleau.csv");
+    EXPECT_NEAR(width_in_grains(soil, 10'000), 3.895 / 0.4, 0.02 * 3.895 / 0.4);
+    EXPECT_NEAR(width_in_grains(soil, 80'000) / width_in_grains(soil, 10'000), 2, 1e-12); // cube root of 8
+}
+
+TEST(PhysicsChecks, ASampleTooSmallForItsLargestGrainIsAnError) {
+    const Diagnostic found = find_problem(problems_of(replaced(good_case, "20000", "50")), "E601");
+    EXPECT_EQ(found.line, 7);
+    EXPECT_EQ(found.column, 13);
+    EXPECT_NE(found.message.find("too small for its largest grain"), std::string::npos);
+    EXPECT_NE(found.help.find("grains"), std::string::npos);
+}
+
+TEST(PhysicsChecks, TheNumberOfGrainsThatIsAdvisedIsEnough) {
+    const Diagnostic found = find_problem(problems_of(replaced(good_case, "20000", "2000")), "W602");
+    EXPECT_TRUE(found.is_warning);
+    const std::string number = found.help.substr(found.help.find("about ") + 6);
+    EXPECT_EQ(problems_of(replaced(good_case, "20000", std::to_string(std::stoi(number)))).size(), 0U);
+    EXPECT_EQ(problems_of(replaced(good_case, "20000", std::to_string(std::stoi(number) - 200))).size(), 1U);
+}
+
+// Settled at 100 kPa with 356 MPa, the reference's grains overlap by some thousandths of their radius.
+TEST(PhysicsChecks, OverlapIsOfTheRightOrder) {
+    EXPECT_GT(overlap_at(1e5, 356e6), 0.5e-3);
+    EXPECT_LT(overlap_at(1e5, 356e6), 5e-3);
+}
+
+TEST(PhysicsChecks, APressureThatSqueezesGrainsIsDoubtfulThenAnError) {
+    EXPECT_EQ(problems_of(good_case).size(), 0U);
+    EXPECT_EQ(find_problem(problems_of(replaced(good_case, "100 kPa", "2 MPa")), "W603").line, 14);
+    const Diagnostic found = find_problem(problems_of(replaced(good_case, "100 kPa", "20 MPa")), "E603");
+    EXPECT_EQ(found.column, 12);
+    EXPECT_NE(found.help.find("modulus"), std::string::npos);
+}
+
+TEST(PhysicsChecks, StressesOfOtherStagesAreCheckedToo) {
+    const std::string head = good_case + "[[study.one.stage]]\nname = \"x\"\n";
+    EXPECT_EQ(find_problem(problems_of(head + "do = \"settle\"\npressure = \"20 MPa\"\n"), "E603").line, 18);
+    EXPECT_EQ(
+        find_problem(problems_of(head + "do = \"settle\"\nstress = [\"20 MPa\", \"-\", \"-\"]\n"), "E603").line, 18
+    );
+}
+
+TEST(PhysicsChecks, AGradientAboveTheCriticalOneIsDoubtful) {
+    const std::string head = good_case + "[[study.one.stage]]\nname = \"x\"\ndo = \"flow\"\n";
+    EXPECT_EQ(problems_of(head + "gradient = 0.9\n").size(), 0U);
+    EXPECT_TRUE(find_problem(problems_of(head + "gradient = 1.1\n"), "W604").is_warning);
+    EXPECT_EQ(find_problem(problems_of(head + "gradient = -1.1\n"), "W604").line, 18);
+}
+
+TEST(PhysicsChecks, ErosionNeedsFines) {
+    const std::string erode = "[[study.one.stage]]\nname = \"x\"\ndo = \"erode\"\n";
+    EXPECT_EQ(problems_of(good_case + erode).size(), 0U);
+    EXPECT_EQ(
+        find_problem(problems_of(replaced(good_case, "fines = { finer_than = \"0.15 mm\" }", "") + erode), "E605").line,
+        17
+    );
+    EXPECT_TRUE(find_problem(problems_of(replaced(good_case, "0.15 mm", "0.05 mm") + erode), "W605").is_warning);
+    EXPECT_TRUE(find_problem(problems_of(replaced(good_case, "0.15 mm", "1 mm") + erode), "W605").is_warning);
+}
+
+} // namespace

@@ -1,0 +1,34 @@
+#pragma once
+// A grading curve from a CSV file: columns `d [mm]` and `passing [%]` by mass, `#` starts a comment. A unit in the
+// header is honored, without one sizes are in mm and passing in %. Sizes may rise or fall from line to line, but not
+// both.
+
+#include "suffuse/casefile/diagnostics.hpp"
+#include "suffuse/grains/soil.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::casefile {
+
+/// One point of a curve and where it was written.
+struct GradingPoint {
+    double diameter = 0; ///< [m]
+    double passing = 0;  ///< [-]
+    Place diameter_place, passing_place;
+};
+
+/// The curve through the points, sizes rising; reports each point that breaks the rules of a grading and is empty then.
+/// `whole` is the place of a problem of the curve as a whole.
+std::optional<grains::Grading>
+make_grading(std::vector<GradingPoint> points, const std::string& origin, const Place& whole, Problems& problems);
+
+/// Reads the text of a CSV file; all its problems are reported.
+std::optional<grains::Grading> parse_grading(const std::shared_ptr<const Source>& source, Problems& problems);
+
+/// Reads a file. Throws CaseProblems, or IoError where it cannot be read.
+grains::Grading read_grading(const std::string& path);
+
+} // namespace suffuse::casefile

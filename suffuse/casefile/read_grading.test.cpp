@@ -1,0 +1,109 @@
+#include "suffuse/casefile/read_grading.hpp"
+
+#include "suffuse/casefile/case_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace suffuse;
+using namespace suffuse::casefile;
+using namespace suffuse::casefile::testing;
+
+struct Parsed {
+    std::optional<grains::Grading> grading;
+    std::vector<Diagnostic> problems;
+};
+
+Parsed parse(const std::string& text) {
+    Problems problems;
+    Parsed parsed;
+    parsed.grading = parse_grading(std::make_shared<Source>(Source{"sand.csv", text}), problems);
+    parsed.problems = problems.sorted();
+    return parsed;
+}
+
+TEST(ReadGrading, MillimetersAndPercentUnlessTheHeaderSaysOtherwise) {
+    const std::vector<double> sizes{1e-4, 2e-4, 4e-4}, shares{0, 0.5, 1};
+    for (const char* text :
+         {"d,passing\n0.1,0\n0.2,50\n0.4,100\n", "d [mm],passing [%]\n0.1,0\n0.2,50\n0.4,100",
+          "# a comment\r\n\r\npassing [-] ; d [um] ; remark\r\n0;100;a\r\n0.5;200;b # half\r\n1;400;\r\n",
+          "d [m]\tpassing [%]\n4e-4\t100\n2e-4\t50\n1e-4\t0\n"}) {
+        const Parsed parsed = parse(text);
+        ASSERT_TRUE(parsed.grading) << render(parsed.problems);
+        EXPECT_EQ(parsed.grading->diameter, sizes) << text;
+        EXPECT_EQ(parsed.grading->passing, shares) << text;
+        EXPECT_EQ(parsed.grading->origin, "sand.csv");
+    }
+}
+
+struct WrongGrading {
+    std::string code;
+    int line, column;
+    std::string says, text;
+};
+
+TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
+    const std::vector<WrongGrading> wrongs{
+        {"E503", 4, 6, "30 % passes 0.4 mm, but 50 % passes the smaller 0.2 mm",
+         "d,passing\n0.1,0\n0.2,50\n0.40,30\n0.5,100\n"},
+        {"E503", 4, 1, "0.15 mm stands beside 0.2 mm", "d,passing\n0.1,0\n0.2,50\n0.15,60\n0.5,100\n"},
+        {"E503", 3, 1, "each once", "d,passing\n0.1,0\n0.1,50\n0.2,100\n"},
+        {"E504", 2, 1, "-0.1 mm", "d,passing\n-0.1,0\n0.2,100\n"},
+        {"E504", 2, 1, "sizes are above 0", "d,passing\n0,0\n0.2,100\n"},
+        {"E504", 3, 5, "120 %", "d,passing\n0.1,0\n0.2,120\n"},
+        {"E504", 2, 5, "-5 %", "d,passing\n0.1,-5\n0.2,100\n"},
+        {"E504", 2, 5, "nothing passes", "d,passing\n0.1,5\n0.2,100\n"},
+        {"E504", 3, 5, "everything passes", "d,passing\n0.1,0\n0.2,95\n"},
+        {"E502", 3, 5, "\"nan\" is not a number", "d,passing\n0.1,0\n0.2,nan\n"},
+        {"E502", 3, 1, "\"abc\" is not a number", "d,passing\n0.1,0\nabc,50\n"},
+        {"E502", 3, 5, "a value is missing", "d,passing\n0.1,0\n0.2,\n"},
+        {"E502", 3, 1, "3 values where the header names 2 columns", "d,passing\n0.1,0\n0,2,50\n"},
+        {"E502", 2, 1, "has its own unit", "d,passing\n0.1 mm,0\n0.2,100\n"},
+        {"E505", 0, 0, "empty", ""},
+        {"E505", 0, 0, "empty", "# nothing\n\n"},
+        {"E505", 0, 0, "at least two points", "d,passing\n0.1,0\n"},
+        {"E506", 1, 1, "`d` is missing", "0.1,0\n0.2,100\n"},
+        {"E506", 1, 1, "`passing` is missing", "d,percent\n0.2,100\n"},
+        {"E506", 1, 1, "is a pressure", "d [kPa],passing\n0.2,100\n"},
+        {"E100", 0, 0, "UTF-16", "\xFF\xFE"},
+        {"E100", 1, 3, "zero bytes", std::string("d,\0", 3)},
+    };
+    for (const WrongGrading& wrong : wrongs) {
+        const Parsed parsed = parse(wrong.text);
+        EXPECT_FALSE(parsed.grading);
+        const Diagnostic found = find_problem(parsed.problems, wrong.code);
+        EXPECT_EQ(found.line, wrong.line) << wrong.text << found.message;
+        EXPECT_EQ(found.column, wrong.column) << wrong.text;
+        EXPECT_EQ(found.file, "sand.csv");
+        EXPECT_NE((found.message + " " + found.help).find(wrong.says), std::string::npos)
+            << found.message << found.help;
+    }
+}
+
+TEST(ReadGrading, AllBadLinesAreReportedAtOnce) {
+    const Parsed parsed = parse("d,passing\nx,0\n0.2,y\n0.3,100,7\n");
+    ASSERT_EQ(parsed.problems.size(), 3U);
+    EXPECT_EQ(parsed.problems[2].line, 4);
+}
+
+TEST(ReadGrading, ABadCurveOfACaseIsReportedInItsOwnFile) {
+    std::ofstream(data_folder() + "/data/bad.csv") << "d,passing\n0.1,0\n0.2,70\n0.3,60\n0.4,100\n";
+    std::string text = good_case;
+    text.replace(text.find("sand.csv"), 8, "bad.csv");
+    const auto list = problems_of(text + "[contact]\nmodulus = 1\n");
+    EXPECT_EQ(list.size(), 2U) << render(list);
+    const Diagnostic found = find_problem(list, "E503");
+    EXPECT_TRUE(found.file.ends_with("data/bad.csv")) << found.file;
+    EXPECT_EQ(found.line, 4);
+    EXPECT_EQ(found.source_line, "0.3,60");
+}
+
+TEST(ReadGrading, ReadsTheExamplesCurve) {
+    const auto grading = read_grading(SUFFUSE_SOURCE_DIR "/examples/fontainebleau-2016/data/fontainebleau.csv");
+    EXPECT_EQ(grading.diameter.front(), 1e-4);
+    EXPECT_EQ(grading.diameter.size(), 7U);
+    EXPECT_THROW(read_grading("/nowhere.csv"), IoError);
+}
+
+} // namespace

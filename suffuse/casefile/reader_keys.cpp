@@ -1,0 +1,102 @@
+// Which keys a table has: those asked for, those that are missing, those that nobody knows.
+
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/casefile/reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace suffuse::casefile {
+
+Reader::Reader(
+    ReadContext& context, const Node& table, Place place, std::vector<std::string> patterns, std::string path
+)
+    : context_(context), node_(table), place_(std::move(place)), patterns_(std::move(patterns)),
+      path_(std::move(path)) {}
+
+const Key& Reader::key_of(std::string_view key) const {
+    for (const std::string& pattern : patterns_) {
+        if (const Key* found = find_key(pattern, key)) {
+            return *found;
+        }
+    }
+    throw Bug(fmt::format("the schema has no key {} in {}", key, patterns_.front()));
+}
+
+const Node* Reader::take(std::string_view key) {
+    const Key& known = key_of(key);
+    taken_.emplace_back(key);
+    const Node::Entry* entry = node_.find(key);
+    if (entry != nullptr) {
+        context_.places[join(key)] = entry->value.place;
+        return &entry->value;
+    }
+    if (known.is_required) {
+        error(
+            "E201", place_, fmt::format("{} needs `{}`", title(), key),
+            fmt::format("{} It is {}", known.text, value_text(known))
+        );
+    }
+    return nullptr;
+}
+
+void Reader::error(std::string code, const Place& place, std::string message, std::string help, std::string label) {
+    context_.problems.error(std::move(code), place, std::move(message), std::move(help), std::move(label));
+}
+
+std::string Reader::join(std::string_view key) const {
+    return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+std::vector<std::string> Reader::inner_patterns(std::string_view key) const {
+    return {key_of(key).table.empty() ? std::string(key) : fmt::format("{}.{}", key_of(key).table, key)};
+}
+
+std::string Reader::title() const {
+    const std::size_t mark = path_.find(".stage.");
+    if (mark == std::string::npos) {
+        return path_.empty() ? "the case" : "[" + path_ + "]";
+    }
+    return fmt::format("stage \"{}\" of [{}]", path_.substr(mark + 7), path_.substr(0, mark));
+}
+
+void Reader::unknown_key(const Node::Entry& entry) {
+    std::vector<std::string> here, everywhere;
+    std::vector<std::string> elsewhere;
+    for (const Key& key : schema()) {
+        const bool is_here = std::find(patterns_.begin(), patterns_.end(), key.table) != patterns_.end();
+        (is_here ? here : everywhere).push_back(key.name);
+        const std::string home = table_title(key.table);
+        const bool is_home = key.table != "presets.*"; // nobody looks for a setting there
+        if (key.name == entry.key && !is_here && is_home &&
+            std::find(elsewhere.begin(), elsewhere.end(), home) == elsewhere.end()) {
+            elsewhere.push_back(home);
+        }
+    }
+    std::string help;
+    const auto near_here = nearest_word(entry.key, here);
+    const auto near_else = nearest_word(entry.key, everywhere);
+    if (near_here && (elsewhere.empty() || edit_distance(entry.key, *near_here) == 1)) {
+        help = fmt::format("a key with a similar name exists: `{}`", *near_here);
+    } else if (!elsewhere.empty()) {
+        help = fmt::format("`{}` belongs in {}", entry.key, fmt::join(elsewhere, " or "));
+    } else if (near_else) {
+        help = fmt::format("a key with a similar name exists elsewhere: `{}`", *near_else);
+    } else {
+        help = fmt::format("keys here are {}", fmt::join(here, ", "));
+    }
+    error(
+        "E203", entry.place, fmt::format("unknown key `{}` in {}", entry.key, title()), help,
+        "not a key of " + table_title(patterns_.front())
+    );
+}
+
+void Reader::finish() {
+    for (const Node::Entry& entry : node_.entries) {
+        if (std::find(taken_.begin(), taken_.end(), entry.key) == taken_.end()) {
+            unknown_key(entry);
+        }
+    }
+}
+
+} // namespace suffuse::casefile

@@ -1,0 +1,86 @@
+#include "suffuse/casefile/schema.hpp"
+
+#include "suffuse/casefile/case_for_tests.hpp"
+#include "suffuse/casefile/explain.hpp"
+#include "suffuse/casefile/names.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace {
+
+using namespace suffuse;
+using namespace suffuse::casefile;
+
+const Key& key_of(const std::string& table, const std::string& name) {
+    for (const Key& key : schema()) {
+        if (key.table == table && key.name == name) {
+            return key;
+        }
+    }
+    throw std::runtime_error("no key " + name);
+}
+
+TEST(Schema, EveryKeyStandsOnceWithOneSentence) {
+    std::set<std::string> known;
+    for (const Key& key : schema()) {
+        EXPECT_TRUE(known.insert(key.table + "." + key.name).second) << key_place(key);
+        EXPECT_TRUE(key.text.ends_with(".")) << key_place(key);
+        EXPECT_FALSE(value_text(key).empty()) << key_place(key);
+    }
+}
+
+TEST(Schema, DefaultsAreThoseOfTheSpecs) {
+    EXPECT_EQ(key_of("contact", "modulus").default_text, "\"356 MPa\"");
+    EXPECT_EQ(key_of("contact", "friction").default_text, "\"37 deg\"");
+    EXPECT_EQ(key_of("stage.pack", "porosity").default_text, "0.65");
+    EXPECT_EQ(key_of("stage.compact", "time_step").default_text, "\"computed\"");
+    EXPECT_EQ(key_of("stage.erode.detached", "rule").default_text, "\"still-accelerating\"");
+    EXPECT_EQ(key_of("stage.erode.passes_constriction", "size").default_text, "\"mean\"");
+    EXPECT_EQ(key_of("stage.detach", "gradients").default_text, "[0.0, 0.01, 0.05, 0.1]");
+    EXPECT_EQ(key_of("output", "checkpoint").default_text, "\"600 s\"");
+    EXPECT_EQ(key_of("stage.compact", "pressure").default_text, "") << "a required key has none";
+}
+
+TEST(Schema, EveryVerbHasKeys) {
+    for (const std::string_view verb : names::verbs) {
+        const std::string table = "stage." + std::string(verb);
+        EXPECT_TRUE(std::any_of(schema().begin(), schema().end(), [&](const Key& key) { return key.table == table; }))
+            << verb;
+    }
+}
+
+TEST(Schema, RangesAreSaidInWords) {
+    EXPECT_EQ(range_text(key_of("contact", "damping")), "at least 0 and below 1");
+    EXPECT_EQ(range_text(key_of("contact", "friction")), "at least 0 and below 90 deg");
+    EXPECT_EQ(range_text(key_of("stage.detach", "watch")), "at least 10");
+    EXPECT_EQ(range_text(key_of("contact", "rolling_friction")), "");
+}
+
+TEST(Schema, ThePageHasEveryKey) {
+    const std::string page = schema_markdown();
+    for (const Key& key : schema()) {
+        EXPECT_NE(page.find("| `" + key.name + "` |"), std::string::npos) << key.name;
+        EXPECT_EQ(key.text.find('|'), std::string::npos) << "would break the table";
+    }
+}
+
+TEST(Explain, KnowsKeysCodesAndConventions) {
+    EXPECT_NE(explain("modulus")->find("default  \"356 MPa\""), std::string::npos);
+    EXPECT_NE(explain("contact.modulus")->find("[contact] modulus"), std::string::npos);
+    EXPECT_NE(explain("detached.over")->find("[study.NAME.stage.erode.detached] over"), std::string::npos);
+    EXPECT_NE(explain("e310")->find("unit"), std::string::npos);
+    EXPECT_NE(explain("conventions")->find("compression positive"), std::string::npos);
+    EXPECT_FALSE(explain("modulos"));
+    EXPECT_FALSE(explain(""));
+    EXPECT_EQ(nearest_topic("modulos"), "modulus");
+}
+
+TEST(Explain, EveryHintInAMessageLeadsSomewhere) {
+    for (const Key& key : schema()) {
+        EXPECT_TRUE(explain(key.name)) << key.name;
+    }
+}
+
+} // namespace

@@ -1,0 +1,183 @@
+// Rows of the schema: top of the file, material, balance, fluid, soils, studies, output, report, presets.
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/casefile/names.hpp"
+#include "suffuse/casefile/schema_row.hpp"
+
+namespace suffuse::casefile::detail {
+
+namespace {
+
+constexpr Range friction_range{0, pi / 2, false, true};
+
+std::vector<Key> top_rows() {
+    return {
+        required(count("", "schema", {1, 1, false, false}, "Version of this format.")),
+        text("", "title", "Title of the report."),
+        text("", "paper", "Paper that the case follows, for the report."),
+        count(
+            "", "seed", count_from_zero,
+            "Seed of all random numbers: the same seed gives the same results, bit for bit."
+        ),
+        text(
+            "", "preset", "Preset in force unless the command line names another; \"standard\" is the case as written."
+        ),
+        text("", "applied_preset", "Written into resolved cases: the preset whose values they hold."),
+    };
+}
+
+std::vector<Key> contact_rows() {
+    return {
+        quantity("grain", "density", dimension::density, above_zero, "Density of the grains."),
+        choice(
+            "contact", "law", names::words_of(names::law),
+            "Contact law: linear springs, Coulomb slip, rolling and twisting resistance, adhesion."
+        ),
+        quantity(
+            "contact", "modulus", dimension::pressure, above_zero, "E of the normal stiffness kn = 2 E r1 r2/(r1 + r2)."
+        ),
+        ratio("contact", "shear_ratio", above_zero, "Shear stiffness / normal stiffness."),
+        quantity(
+            "contact", "friction", dimension::angle, friction_range,
+            "Contact friction angle; preparation may use another."
+        ),
+        ratio("contact", "rolling_stiffness", from_zero, "kr = this x ks r1 r2; 0 = no rolling resistance."),
+        ratio(
+            "contact", "rolling_friction", any,
+            "Limit of the rolling moment: this x min(r1, r2) x normal force; negative = no limit."
+        ),
+        ratio("contact", "twisting_stiffness", from_zero, "ktw = this x ks r1 r2; 0 = no twisting resistance."),
+        ratio(
+            "contact", "twisting_friction", any, "Limit of the twisting moment, as for rolling; negative = no limit."
+        ),
+        ratio("contact", "damping", {0, 1, false, true}, "Local, non-viscous damping of grain forces."),
+        table("contact", "adhesion", "Adhesion of contacts that are made from now on."),
+        quantity(
+            "contact.adhesion", "normal", dimension::pressure, from_zero, "Pull-off force = this x min(r1, r2)^2."
+        ),
+        quantity(
+            "contact.adhesion", "shear", dimension::pressure, from_zero,
+            "Shear strength without normal force = this x min(r1, r2)^2."
+        ),
+    };
+}
+
+std::vector<Key> balance_rows() {
+    return {
+        ratio(
+            "balance", "unbalanced_force", above_zero,
+            "Settled below this: mean resultant over grains with at least two contacts / mean contact force."
+        ),
+        ratio(
+            "balance", "stress_error", above_zero,
+            "Settled below this: largest error of a controlled stress / that stress."
+        ),
+        count("balance", "patience", from_one, "Steps in a row for which both hold before a stage counts as settled."),
+        quantity("fluid", "density", dimension::density, above_zero, "Density of the pore fluid."),
+        quantity("fluid", "viscosity", dimension::viscosity, above_zero, "Dynamic viscosity of the pore fluid."),
+    };
+}
+
+std::vector<Key> preset_rows() {
+    Key inertial =
+        ratio("presets.*", "inertial_number", above_zero, "Replaces `inertial_number` of every triaxial stage.");
+    inertial.form = "a ratio above 0, or \"strict\" (1e-4), or \"loose\" (1e-3)";
+    return {
+        count("presets.*", "particles", from_one, "Replaces `particles` of every study that packs its own grains."),
+        count("presets.*", "replicates", from_one, "Replaces `replicates` of every study."),
+        inertial,
+        list_of(ratio("presets.*", "fines_content", share, "Replaces the list of every sweep over `fines_content`.")),
+        ratio("presets.*", "triaxial_strain", above_zero, "Replaces `strain` of every triaxial stage."),
+        count("presets.*", "passes", from_one, "Replaces `passes` of every erode stage."),
+        list_of(ratio("presets.*", "gradients", from_zero, "Replaces `gradients` of every detach stage.")),
+        count("presets.*", "ramp", from_one, "Replaces `ramp` of every detach and erode stage."),
+        count("presets.*", "watch", {10, 1e15, false, false}, "Replaces `watch` of every detach and erode stage."),
+        ratio("presets.*", "probe_unbalanced_force", above_zero, "Replaces it in every detach and erode stage."),
+        count("presets.*", "relax_limit", from_one, "Replaces it in every detach and erode stage."),
+        ratio("presets.*", "unbalanced_force", above_zero, "Replaces it in [balance]."),
+        ratio("presets.*", "stress_error", above_zero, "Replaces it in [balance]."),
+        count("presets.*", "patience", from_one, "Replaces it in [balance]."),
+        quantity("presets.*", "max_rate", dimension::rate, above_zero, "Replaces `max_rate` of every compact stage."),
+    };
+}
+
+} // namespace
+
+std::vector<Key> general_rows() {
+    std::vector<Key> rows = top_rows();
+    append(rows, contact_rows());
+    append(rows, balance_rows());
+    return rows;
+}
+
+std::vector<Key> soil_and_study_rows() {
+    const std::string_view psd = "a CSV file, or { d = [\"0.1 mm\", ...], passing = [\"0 %\", ...] }";
+    Key fines_auto = choice(
+        "soil.*", "fines_auto", {"kenney-lau", "none"},
+        "Also reports Kenney and Lau's split into coarse and fine, without using it."
+    );
+    return {
+        other("soil.*", "psd", psd, "Grading curve of the whole soil: columns `d [mm]`, `passing [%]` by mass."),
+        table("soil.*", "coarse", "Coarse part of a soil of two fractions."),
+        required(other("soil.*.coarse", "psd", psd, "Grading curve of the coarse part alone.")),
+        other(
+            "soil.*", "fines", "{ psd = ... }, { finer_than = \"0.26 mm\" }, or \"kenney-lau\"",
+            "Which grains are fine: a second grading, all below a size, or Kenney and Lau's split."
+        ),
+        other("soil.*.fines", "psd", psd, "Grading curve of the fine part alone."),
+        quantity("soil.*.fines", "finer_than", dimension::length, above_zero, "Grains smaller than this are fine."),
+        ratio("soil.*", "fines_content", share, "Mass of the fine part / mass of both; for soils of two fractions."),
+        fines_auto,
+        ratio(
+            "soil.*", "grading_tolerance", open_share,
+            "Largest difference of percent passing that is accepted between the sample and its grading."
+        ),
+        text("study.*", "soil", "Name of a [soil.NAME]: what is packed, or which imported grains are fine."),
+        count("study.*", "particles", {1, 2e9, false, false}, "Number of grains."),
+        other(
+            "study.*", "sweep", "{ KEY = [values] }",
+            "One copy of the study per value; lists multiply. KEY is `particles`, a key of the soil, or "
+            "\"stage.NAME.KEY\"."
+        ),
+        count("study.*", "replicates", {1, 10'000, false, false}, "Copies of the study with different seeds."),
+        other("study.*", "stage", "[[study.NAME.stage]]", "What is done, one stage after the other."),
+    };
+}
+
+std::vector<Key> output_rows() {
+    std::vector<Key> rows = {
+        list_of(choice(
+            "output", "formats", names::words_of(names::formats),
+            "Files of each state: vtp (ParaView), xyz (OVITO), csv (tables of many rows for every stage)."
+        )),
+        other(
+            "output", "snapshots", "\"per-stage\", \"none\", or { every = \"1 %\" }",
+            "When pictures of the state are written: at the end of each stage, never, or also every so much axial "
+            "strain."
+        ),
+        ratio("output.snapshots", "every", open_share, "Axial strain between two snapshots."),
+        quantity("output", "checkpoint", dimension::time, above_zero, "Wall-clock time between checkpoints."),
+        table("output", "histories", "How often histories are sampled."),
+        count("output.histories", "every", from_one, "Steps between two rows, where a stage's `record` does not say."),
+        list_of(
+            text("report", "figures", "Figures of the report: \"paper\", \"own\", or single ones such as \"figure-9\".")
+        ),
+        choice(
+            "report", "psd_axis", names::words_of(names::size_axis),
+            "Grain sizes from small to large, or reversed (the American habit)."
+        ),
+        choice(
+            "report", "dilation", names::words_of(names::dilation),
+            "Which way dilation is drawn; compression stays positive in all numbers."
+        ),
+        choice("report", "language", names::words_of(names::language), "Language of the report."),
+        other(
+            "report", "overlay", "{ figure-2 = \"data/points.csv\" }",
+            "CSV files of measured points to draw as markers."
+        ),
+    };
+    append(rows, preset_rows());
+    return rows;
+}
+
+} // namespace suffuse::casefile::detail

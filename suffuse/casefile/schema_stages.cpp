@@ -1,0 +1,265 @@
+// Rows of the schema: stages.
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/casefile/names.hpp"
+#include "suffuse/casefile/schema_row.hpp"
+
+namespace suffuse::casefile::detail {
+
+namespace {
+
+std::vector<Key> common_rows() {
+    return {
+        required(text("stage", "name", "Name of the stage, unique in its study: its folder, and what `from` refers to.")
+        ),
+        required(choice("stage", "do", names::words_of(names::verbs), "What the stage does.")),
+        text("stage", "from", "Earlier stage whose end state this one starts from; without it, the stage before."),
+        table("stage", "record", "How often the stage's history is sampled."),
+        count("stage.record", "every", from_one, "Steps between two rows of the history."),
+        flag("stage", "restore", "The stage after this one starts where this one started."),
+        list_of(choice("stage", "measure", names::words_of(names::measures), "What to report beyond the usual numbers.")
+        ),
+        other("stage", "only", "{ KEY = [values] }", "Runs the stage for these values of a swept key only."),
+    };
+}
+
+std::vector<Key> servo_rows(const std::string& table) {
+    return {
+        detail::table(table, "servo", "What turns a stress error into a strain rate."),
+        choice(
+            table + ".servo", "kind", names::words_of(names::servo_kind),
+            "secant: rate = error / (modulus x response time), does not ring; inertial: the reference's, rate += error "
+            "x dt / mass."
+        ),
+        quantity(table + ".servo", "mass", dimension::mass_per_length, from_zero, "Inertial servo: its mass."),
+        ratio(table + ".servo", "damping", {0, 1, false, true}, "Inertial servo: damping of its growth."),
+        quantity(
+            table + ".servo", "max_rate", dimension::rate, above_zero,
+            "Largest strain rate of an axis under stress control."
+        ),
+        ratio(table + ".servo", "response", above_zero, "Secant servo: response time in steps."),
+    };
+}
+
+std::vector<Key> movement_rows() {
+    const std::string_view axes = "three texts, \"-\" where the other key gives the axis";
+    Key stress = quantity(
+        "stage.advance", "stress", dimension::pressure, any,
+        "Stress to hold along each axis, compression positive; exactly one of `stress` and `strain_rate` per axis."
+    );
+    stress.form = axes;
+    Key rate = quantity(
+        "stage.advance", "strain_rate", dimension::rate, any,
+        "Strain rate along each axis, compression positive; exactly one of `stress` and `strain_rate` per axis."
+    );
+    rate.form = axes;
+    Key settle_stress = quantity(
+        "stage.settle", "stress", dimension::pressure, any,
+        "Stress to hold along each axis, compression positive; \"-\" keeps the axis at its length."
+    );
+    settle_stress.form = "three texts, \"-\" for an axis of fixed length";
+    Key gradient = quantity(
+        "stage.advance", "velocity_gradient", dimension::rate, any,
+        "Velocity gradient dv/dx of the cell as three rows, extension positive; instead of the other two."
+    );
+    gradient.form = "three rows of three rates";
+    std::vector<Key> rows = {
+        required(count("stage.advance", "steps", count_from_zero, "Number of steps.")),
+        time_step("stage.advance"),
+        rate,
+        stress,
+        gradient,
+    };
+    append(rows, servo_rows("stage.advance"));
+    append(
+        rows,
+        {
+            settle_stress,
+            quantity(
+                "stage.settle", "pressure", dimension::pressure, from_zero,
+                "The same stress to hold along all axes. Without `pressure` and `stress` the volume is held."
+            ),
+            time_step("stage.settle"),
+            count("stage.settle", "max_steps", from_one, "Steps after which a stage that has not settled is an error."),
+        }
+    );
+    append(rows, servo_rows("stage.settle"));
+    return rows;
+}
+
+std::vector<Key> triaxial_rows() {
+    Key inertial = ratio(
+        "stage.triaxial", "inertial_number", above_zero,
+        "Sets the axial strain rate; \"strict\" is 1e-4, \"loose\" 1e-3."
+    );
+    inertial.form = "a ratio above 0, or \"strict\" (1e-4), or \"loose\" (1e-3)";
+    return {
+        choice(
+            "stage.triaxial", "path", names::words_of(names::triaxial_path),
+            "What is held: lateral stresses, mean stress, or volume."
+        ),
+        choice("stage.triaxial", "axis", names::words_of(names::axis), "The axis that is compressed."),
+        ratio("stage.triaxial", "strain", {0, 2, true, false}, "Axial strain to stop at."),
+        quantity(
+            "stage.triaxial", "deviator_stress", dimension::pressure, above_zero,
+            "Deviator stress q to stop at and settle; the strain is then a limit."
+        ),
+        ratio(
+            "stage.triaxial", "stress_ratio", {0, 3, true, true},
+            "Ratio q/p to stop at and settle; the strain is then a limit."
+        ),
+        inertial,
+        time_step("stage.triaxial"),
+        count("stage.triaxial", "rows", {1, 1e6, false, false}, "Stress-strain rows over the asked strain."),
+    };
+}
+
+std::vector<Key> probe_rows(const std::string& stage) {
+    const std::string detached = stage + ".detached";
+    return {
+        direction(stage, "Where the water goes: grad p = -i rho_w g direction."),
+        choice(
+            stage, "hold", names::words_of(names::hold),
+            "Grains that stay fixed while the forces act: the paper holds the coarse ones."
+        ),
+        count(stage, "ramp", from_one, "Steps from no force to the full force."),
+        count(stage, "watch", {10, 1e15, false, false}, "Steps at the full force; the paper takes 1000."),
+        ratio(
+            stage, "probe_unbalanced_force", above_zero,
+            "The probe starts from the equilibrium relaxed to this at constant volume."
+        ),
+        count(
+            stage, "relax_limit", from_one,
+            "Steps of that relaxation after which the floor reached is taken and reported."
+        ),
+        table(stage, "detached", "Which fines count as detachable."),
+        choice(
+            detached, "by", names::words_of(names::detach_by),
+            "The paper's velocity rule, or its announced successor, displacement along the drag."
+        ),
+        choice(
+            detached, "rule", names::words_of(names::velocity_rule),
+            "Velocity rule: rising over every tenth of the watch and ending above a share of free flight; rising only; "
+            "or above a speed."
+        ),
+        other(
+            detached, "over",
+            "0.5 (share of free flight), \"1e-5 m/s\" (rule \"above\"), or \"0.1 d\" (displacement, in diameters)",
+            "What the rule compares with."
+        ),
+        ratio(
+            detached, "noise_quantile", open_share,
+            "Speeds of the twin without fluid count as noise up to this quantile."
+        ),
+    };
+}
+
+} // namespace
+
+std::vector<Key> preparation_rows() {
+    const Range friction_range{0, pi / 2, false, true};
+    std::vector<Key> rows = common_rows();
+    append(
+        rows,
+        {
+            required(text(
+                "stage.import", "packing",
+                "File of grains: CSV with columns x, y, z, r, Yade's `x y z r` text, or a LAMMPS data file."
+            )),
+            required(other(
+                "stage.import", "cell", "three lengths, or a 3 x 3 matrix whose columns are the cell vectors",
+                "The periodic cell."
+            )),
+            ratio(
+                "stage.import", "max_overlap", {0, 2, true, false},
+                "Largest overlap that is accepted / radius of the smaller grain."
+            ),
+            ratio("stage.pack", "porosity", {0.45, 1, false, true}, "Porosity of the cloud without overlaps."),
+            required(quantity(
+                "stage.compact", "pressure", dimension::pressure, above_zero, "Isotropic stress to reach and settle at."
+            )),
+            table("stage.compact", "prepare", "How contacts behave during compaction only."),
+            quantity(
+                "stage.compact.prepare", "friction", dimension::angle, friction_range,
+                "Lowered contact friction: a dense sample."
+            ),
+            table(
+                "stage.compact.prepare", "adhesion",
+                "Adhesion of the contacts that are made during compaction, removed at its end: a loose sample."
+            ),
+            quantity(
+                "stage.compact.prepare.adhesion", "normal", dimension::pressure, from_zero,
+                "Pull-off force = this x min(r1, r2)^2."
+            ),
+            quantity(
+                "stage.compact.prepare.adhesion", "shear", dimension::pressure, from_zero,
+                "Shear strength without normal force = this x min(r1, r2)^2."
+            ),
+            ratio(
+                "stage.compact", "void_ratio", {0.1, 5, false, false},
+                "Void ratio to meet, by searching the friction during compaction."
+            ),
+            ratio("stage.compact", "void_ratio_tolerance", above_zero, "How closely it is met."),
+            quantity(
+                "stage.compact", "max_rate", dimension::rate, above_zero,
+                "Largest strain rate while the cloud carries no load."
+            ),
+            time_step("stage.compact"),
+        }
+    );
+    append(rows, movement_rows());
+    append(rows, triaxial_rows());
+    return rows;
+}
+
+std::vector<Key> erosion_rows() {
+    std::vector<Key> rows = {
+        required(ratio("stage.flow", "gradient", any, "Hydraulic gradient i.")),
+        direction("stage.flow", "Where the water goes: grad p = -i rho_w g direction."),
+        flag("stage.flow", "tensor", "Solves three directions and reports the permeability tensor."),
+        list_of(ratio("stage.detach", "gradients", from_zero, "Hydraulic gradients to probe; nothing is removed.")),
+    };
+    append(rows, probe_rows("stage.detach"));
+    append(
+        rows,
+        {
+            count(
+                "stage.erode", "passes", {1, 10'000, false, false},
+                "Passes of flow, probe, extraction and new equilibrium, at most."
+            ),
+            flag("stage.erode", "until_nothing_leaves", "Goes on beyond `passes` until nothing more leaves."),
+            ratio("stage.erode", "gradient", above_zero, "Hydraulic gradient i."),
+        }
+    );
+    append(rows, probe_rows("stage.erode"));
+    append(
+        rows,
+        {
+            table(
+                "stage.erode", "passes_constriction",
+                "Detachable grains leave if they are smaller than this constriction of the coarse skeleton."
+            ),
+            choice(
+                "stage.erode.passes_constriction", "size", names::words_of(names::constriction_size),
+                "Mean (the paper's), median, d35, the widest path along the flow, or none: every detachable grain "
+                "leaves."
+            ),
+            choice(
+                "stage.erode.passes_constriction", "of", names::words_of(names::constrictions_of),
+                "Whose constrictions."
+            ),
+            table("stage.erode", "forced", "Forced removal instead of the probe: fines with few contacts leave."),
+            count(
+                "stage.erode.forced", "max_contacts", {0, 1000, false, false},
+                "Fines with at most this many contacts leave."
+            ),
+            choice(
+                "stage.erode", "then", names::words_of(names::then),
+                "What follows an extraction: steps without fluid until [balance] holds."
+            ),
+        }
+    );
+    return rows;
+}
+
+} // namespace suffuse::casefile::detail

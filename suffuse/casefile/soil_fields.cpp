@@ -1,0 +1,225 @@
+#include "suffuse/casefile/soil_fields.hpp"
+
+#include "suffuse/casefile/read_grading.hpp"
+#include "suffuse/casefile/read_text.hpp"
+#include "suffuse/casefile/special_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace suffuse::casefile {
+
+namespace {
+
+using grains::Grading;
+
+/// A curve from a file; each file is read once a case, however many sweeps ask for it.
+std::optional<Grading> read_curve_file(Reader& v, const Node& node) {
+    const std::string path = resolved_path(v.context().folder, node.text);
+    auto& known = v.context().gradings;
+    if (const auto found = known.find(path); found != known.end()) {
+        return found->second;
+    }
+    std::error_code failed;
+    if (!std::filesystem::is_regular_file(path, failed)) {
+        v.error(
+            "E501", node.place, fmt::format("there is no file {}", path),
+            "paths start at the folder of the case; a grading is a CSV file with the columns `d [mm],passing [%]`"
+        );
+        return std::nullopt;
+    }
+    const std::string shown = (std::filesystem::path(v.context().folder) / node.text).lexically_normal().string();
+    try {
+        const auto source = std::make_shared<Source>(Source{shown, read_whole_file(path)});
+        auto grading = parse_grading(source, v.context().problems);
+        if (grading) {
+            grading->origin = node.text;
+        }
+        return known[path] = grading;
+    } catch (const IoError& problem) {
+        v.error("E501", node.place, problem.what(), "make the file readable");
+        return std::nullopt;
+    }
+}
+
+/// A curve written out: { d = [...], passing = [...], origin = "..." }.
+std::optional<Grading> read_curve_table(Reader& v, const Node& node) {
+    const Node::Entry *sizes = node.find("d"), *shares = node.find("passing"), *origin = node.find("origin");
+    for (const auto& [key, place, value] : node.entries) {
+        if (key != "d" && key != "passing" && key != "origin") {
+            v.error(
+                "E203", place, fmt::format("unknown key `{}` in a grading", key),
+                "a grading has `d`, `passing` and `origin`", "not a key of a grading"
+            );
+        }
+    }
+    if (sizes == nullptr || shares == nullptr) {
+        v.error(
+            "E201", node.place, "a grading needs the lists `d` and `passing`",
+            "as in { d = [\"0.1 mm\", \"1 mm\"], passing = [\"0 %\", \"100 %\"] }"
+        );
+        return std::nullopt;
+    }
+    const std::vector<Node>* d = v.list("psd", sizes->value);
+    const std::vector<Node>* passing = v.list("psd", shares->value);
+    if (d == nullptr || passing == nullptr) {
+        return std::nullopt;
+    }
+    if (d->size() != passing->size()) {
+        v.error(
+            "E205", shares->value.place,
+            fmt::format("a grading needs as many `passing` as `d`, and there are {} and {}", passing->size(), d->size())
+        );
+        return std::nullopt;
+    }
+    Key size, share;
+    size.name = "d";
+    size.kind = ValueKind::Quantity;
+    size.dimension = dimension::length;
+    share.name = "passing";
+    share.kind = ValueKind::Ratio;
+    std::vector<GradingPoint> points;
+    for (std::size_t k = 0; k < d->size(); ++k) {
+        const auto diameter = v.number(size, (*d)[k]);
+        const auto fraction = v.number(share, (*passing)[k]);
+        if (diameter && fraction) {
+            points.push_back({*diameter, *fraction, (*d)[k].place, (*passing)[k].place});
+        }
+    }
+    if (points.size() != d->size()) {
+        return std::nullopt;
+    }
+    const std::string from = origin != nullptr && origin->value.is_text() ? origin->value.text : "";
+    return make_grading(std::move(points), from, node.place, v.context().problems);
+}
+
+std::optional<Grading> read_curve(Reader& v) {
+    const Node* node = v.take("psd");
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    if (node->is_table()) {
+        return read_curve_table(v, *node);
+    }
+    if (node->is_text()) {
+        return read_curve_file(v, *node);
+    }
+    v.wrong_type("psd", *node, "the path of a CSV file");
+    return std::nullopt;
+}
+
+void read_fines(Reader& v, grains::Soil& soil) {
+    const Node* node = v.take("fines");
+    if (node == nullptr) {
+        return;
+    }
+    if (node->is_text() && node->text == "kenney-lau") {
+        soil.kenney_lau = true;
+        return;
+    }
+    if (!node->is_table()) {
+        return v.wrong_type("fines", *node, v.key_of("fines").form);
+    }
+    Reader inner(v.context(), *node, node->place, {"soil.*.fines"}, v.path() + ".fines");
+    soil.fines = read_curve(inner);
+    inner.field("finer_than", soil.finer_than);
+    inner.finish();
+    if (inner.has("psd") == inner.has("finer_than")) {
+        v.error("E207", node->place, "`fines` needs either `psd` or `finer_than`", "keep one of them");
+    }
+}
+
+/// One grading with a size, or two with a fines content: nothing in between.
+void check_parts(Reader& v, bool fines_have_curve) {
+    const bool has_whole = v.has("psd"), has_coarse = v.has("coarse"), has_content = v.has("fines_content");
+    if (has_whole && has_coarse) {
+        v.error(
+            "E207", v.place(), fmt::format("{} has both `psd` and `coarse`", v.title()),
+            "give `psd` for one grading, or `coarse`, `fines` and `fines_content` for two"
+        );
+    } else if (!has_whole && !has_coarse) {
+        v.error(
+            "E201", v.place(), fmt::format("{} needs a grading", v.title()),
+            "psd = \"data/sand.csv\", or `coarse`, `fines` and `fines_content`"
+        );
+    } else if (has_whole && (fines_have_curve || has_content)) {
+        v.error(
+            "E207", v.place(),
+            fmt::format("{} has a `psd` for all grains, and a second grading or a fines content beside it", v.title()),
+            "write fines = { finer_than = \"0.26 mm\" }, or give `coarse` instead of `psd`"
+        );
+    } else if (has_coarse && !(fines_have_curve && has_content)) {
+        v.error(
+            "E201", v.place(),
+            fmt::format(
+                "{} has a `coarse` part and needs `{}`", v.title(),
+                fines_have_curve ? "fines_content" : "fines = { psd = ... }"
+            ),
+            "a soil of two fractions has `coarse`, `fines` and `fines_content`"
+        );
+    }
+}
+
+Node write_curve(const Grading& grading) {
+    std::vector<Node> d, passing;
+    for (std::size_t k = 0; k < grading.diameter.size(); ++k) {
+        d.push_back(make_node(Scalar(print_quantity(grading.diameter[k], dimension::length))));
+        passing.push_back(make_node(Scalar(grading.passing[k])));
+    }
+    Node curve, table;
+    curve.set("d", make_array(std::move(d)));
+    curve.set("passing", make_array(std::move(passing)));
+    if (!grading.origin.empty()) {
+        curve.set("origin", make_node(Scalar(grading.origin)));
+    }
+    table.set("psd", std::move(curve));
+    return table;
+}
+
+} // namespace
+
+grains::Soil read_soil(ReadContext& context, const Node& table, const Place& place, const std::string& path) {
+    Reader v(context, table, place, {"soil.*"}, path);
+    grains::Soil soil;
+    soil.whole = read_curve(v);
+    v.table("coarse", [&](Reader& inner) { soil.coarse = read_curve(inner); });
+    read_fines(v, soil);
+    const Node::Entry* fines = table.find("fines");
+    const bool fines_have_curve = fines != nullptr && fines->value.is_table() && fines->value.find("psd") != nullptr &&
+                                  fines->value.find("finer_than") == nullptr;
+    v.field("fines_content", soil.fines_content);
+    v.field("grading_tolerance", soil.grading_tolerance);
+    if (const Node* automatic = v.take("fines_auto")) {
+        soil.report_kenney_lau =
+            v.find_word("fines_auto", *automatic, v.key_of("fines_auto").choices) == std::optional<std::size_t>(0);
+    }
+    check_parts(v, fines_have_curve);
+    v.finish();
+    return soil;
+}
+
+Node write_soil(const grains::Soil& soil) {
+    Writer v({"soil.*"});
+    Node fines;
+    if (soil.whole) {
+        v.set("psd", write_curve(*soil.whole).find("psd")->value);
+    }
+    if (soil.coarse) {
+        v.set("coarse", write_curve(*soil.coarse));
+    }
+    if (soil.fines) {
+        v.set("fines", write_curve(*soil.fines));
+        v.field("fines_content", soil.fines_content);
+    } else if (soil.finer_than) {
+        fines.set("finer_than", make_node(Scalar(print_quantity(*soil.finer_than, dimension::length))));
+        v.set("fines", std::move(fines));
+    } else if (soil.kenney_lau) {
+        v.set("fines", make_node("kenney-lau"));
+    }
+    v.set("fines_auto", make_node(soil.report_kenney_lau ? "kenney-lau" : "none"));
+    v.field("grading_tolerance", soil.grading_tolerance);
+    return v.node();
+}
+
+} // namespace suffuse::casefile

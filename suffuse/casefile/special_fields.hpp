@@ -1,0 +1,57 @@
+#pragma once
+// Fields that are not one key and one value: loads per axis, snapshots, thresholds with two meanings, lists by key.
+// Each has a reading and a writing face, as in fields.hpp.
+
+#include "suffuse/casefile/reader.hpp"
+#include "suffuse/casefile/writer.hpp"
+
+namespace suffuse::casefile {
+
+/// "per-stage", "none", or { every = "1 %" }.
+void snapshot_field(Reader& v, Snapshots& s);
+void snapshot_field(Writer& v, const Snapshots& s);
+
+/// Figure -> file with points, the paths taken from the case's folder.
+void overlay_field(Reader& v, std::map<std::string, std::string>& overlay);
+void overlay_field(Writer& v, const std::map<std::string, std::string>& overlay);
+
+/// Path of the packing, taken from the case's folder, and where it was asked for.
+void packing_field(Reader& v, ImportSpec& s);
+void packing_field(Writer& v, const ImportSpec& s);
+
+/// Three lengths, or the matrix whose columns are the cell vectors.
+void cell_field(Reader& v, Mat3& h);
+void cell_field(Writer& v, const Mat3& h);
+
+/// `stress` per axis, "-" for a fixed one, or `pressure`; neither means constant volume.
+void settle_stress_fields(Reader& v, cell::Loading& loading);
+void settle_stress_fields(Writer& v, const cell::Loading& loading);
+
+/// `stress` and `strain_rate`, exactly one per axis, or `velocity_gradient`.
+void loading_fields(Reader& v, cell::Loading& loading);
+void loading_fields(Writer& v, const cell::Loading& loading);
+
+/// An inertial servo needs its mass.
+void check_servo(Reader& v, const cell::ServoSpec& s);
+void check_servo(Writer& v, const cell::ServoSpec& s);
+
+/// A ratio, "strict" or "loose".
+void inertial_number_field(Reader& v, double& value);
+void inertial_number_field(Writer& v, double value);
+
+/// `rule`, which only the velocity rule has.
+void velocity_rule_field(Reader& v, erosion::DetachSpec& s);
+void velocity_rule_field(Writer& v, const erosion::DetachSpec& s);
+
+/// A share of free flight, a speed "1e-5 m/s", or a share of the diameter "0.1 d".
+void over_field(Reader& v, erosion::DetachSpec& s);
+void over_field(Writer& v, const erosion::DetachSpec& s);
+
+/// { KEY = [values] }.
+void sweep_field(Reader& v, std::string_view key, std::vector<Sweep>& sweeps);
+void sweep_field(Writer& v, std::string_view key, const std::vector<Sweep>& sweeps);
+
+/// `path` as the user wrote it, taken from the folder of the case; absolute.
+std::string resolved_path(const std::string& folder, const std::string& path);
+
+} // namespace suffuse::casefile

@@ -1,0 +1,168 @@
+// Stages that start from stages, sweeps and replicates, presets and --set.
+#include "suffuse/casefile/case_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace suffuse;
+using namespace suffuse::casefile;
+using namespace suffuse::casefile::testing;
+
+std::vector<int> parents(const Variant& variant) {
+    std::vector<int> rows;
+    for (const Stage& stage : variant.stages) {
+        rows.push_back(stage.parent);
+    }
+    return rows;
+}
+
+std::string stage(const std::string& name, const std::string& verb, const std::string& rest = "") {
+    return "[[study.one.stage]]\nname = \"" + name + "\"\ndo = \"" + verb + "\"\n" + rest;
+}
+
+std::vector<std::string> folders(const Study& study) {
+    std::vector<std::string> list;
+    for (const Variant& variant : study.variants) {
+        list.push_back(variant.folder);
+    }
+    return list;
+}
+
+TEST(Studies, AStageStartsFromTheOneBeforeUnlessItSaysOtherwise) {
+    const Case c = load(
+        good_case + stage("probe", "detach", "restore = true\n") + stage("seep", "flow", "gradient = 0.1\n") +
+        stage("settled", "settle") + stage("back", "settle", "from = \"cloud\"\nrestore = true\n") +
+        stage("after", "settle")
+    );
+    // detach and flow leave the state as it was, and so does `restore`
+    EXPECT_EQ(parents(c.studies[0].variants[0]), (std::vector<int>{-1, 0, 1, 1, 1, 0, 0}));
+}
+
+TEST(Studies, SweepsMultiplyAndReplicatesHaveTheirOwnSeeds) {
+    const Case c = load(full_case);
+    const Study& study = c.studies[0];
+    EXPECT_EQ(
+        folders(study),
+        (std::vector<std::string>{
+            "main/fc=10/pressure=50kPa/rep=1", "main/fc=10/pressure=50kPa/rep=2", "main/fc=10/pressure=100kPa/rep=1",
+            "main/fc=10/pressure=100kPa/rep=2", "main/fc=20/pressure=50kPa/rep=1", "main/fc=20/pressure=50kPa/rep=2",
+            "main/fc=20/pressure=100kPa/rep=1", "main/fc=20/pressure=100kPa/rep=2"})
+    );
+    EXPECT_EQ(study.variants[0].seed, 42U);
+    EXPECT_EQ(study.variants[4].seed, 42U) << "sweep values are compared on the same random numbers";
+    EXPECT_NE(study.variants[1].seed, 42U);
+    EXPECT_EQ(study.variants[0].soil->fines_content, 0.1);
+    EXPECT_EQ(study.variants[4].soil->fines_content, 0.2);
+    EXPECT_EQ(std::get<packing::CompactSpec>(study.variants[0].stages[1].spec).pressure, 5e4);
+    EXPECT_EQ(std::get<packing::CompactSpec>(study.variants[2].stages[1].spec).pressure, 1e5);
+    EXPECT_EQ(std::get<packing::CompactSpec>(study.stages[1].spec).pressure, 1e5) << "as written";
+}
+
+TEST(Studies, OnlyRunsAStageForItsValues) {
+    const Study study = load(full_case).studies[0];
+    EXPECT_EQ(study.variants[0].stages.size(), 5U);
+    EXPECT_EQ(study.variants[4].stages.size(), 4U);
+    EXPECT_EQ(study.variants[4].stages[2].name, "erosion");
+    EXPECT_EQ(parents(study.variants[4]), (std::vector<int>{-1, 0, 1, 2}));
+}
+
+TEST(Studies, AStudyWithoutSweepHasOneVariant) {
+    const Case c = load(good_case);
+    EXPECT_EQ(folders(c.studies[0]), (std::vector<std::string>{"one"}));
+    EXPECT_EQ(c.studies[0].variants[0].particles, 20'000);
+    ASSERT_TRUE(c.studies[0].variants[0].soil);
+}
+
+const std::string with_presets = good_case + stage("probe", "detach") + stage("erosion", "erode") +
+                                 stage("shear", "triaxial", "strain = \"10 %\"\n") + R"(
+[presets.quick]
+particles = 5000
+watch = 77
+passes = 9
+gradients = [0.2]
+triaxial_strain = "3 %"
+inertial_number = "loose"
+unbalanced_force = 0.5
+replicates = 2
+probe_unbalanced_force = 1e-3
+max_rate = "7 1/s"
+)";
+
+TEST(Presets, ChangeWhatTheyListAndNothingElse) {
+    const Case plain = load(with_presets);
+    EXPECT_EQ(plain.preset, "standard");
+    EXPECT_EQ(plain.studies[0].particles, 20'000);
+    const Case quick = load(with_presets, {"quick", {}});
+    const Study& study = quick.studies[0];
+    EXPECT_EQ(quick.preset, "quick");
+    EXPECT_EQ(study.particles, 5000);
+    EXPECT_EQ(study.replicates, 2);
+    EXPECT_EQ(quick.balance.unbalanced_force, 0.5);
+    EXPECT_EQ(std::get<packing::CompactSpec>(study.stages[1].spec).max_rate, 7);
+    EXPECT_EQ(std::get<packing::CompactSpec>(study.stages[1].spec).pressure, 1e5);
+    EXPECT_EQ(std::get<erosion::DetachStageSpec>(study.stages[2].spec).probe.watch, 77);
+    EXPECT_EQ(std::get<erosion::DetachStageSpec>(study.stages[2].spec).gradients, std::vector<double>{0.2});
+    EXPECT_EQ(std::get<erosion::ErodeSpec>(study.stages[3].spec).passes, 9);
+    EXPECT_EQ(std::get<erosion::ErodeSpec>(study.stages[3].spec).probe.unbalanced_force, 1e-3);
+    EXPECT_EQ(std::get<erosion::ErodeSpec>(study.stages[3].spec).gradient, 0.05);
+    EXPECT_EQ(std::get<triaxial::TriaxialSpec>(study.stages[4].spec).strain, 0.03);
+    EXPECT_EQ(std::get<triaxial::TriaxialSpec>(study.stages[4].spec).inertial_number, 1e-3);
+}
+
+TEST(Presets, ReplaceTheListOfASweep) {
+    const std::string text = full_case + "[presets.few]\nfines_content = [\"15 %\"]\n";
+    const Case c = load(text, {"few", {}});
+    EXPECT_EQ(c.studies[0].variants.size(), 4U);
+    EXPECT_EQ(c.studies[0].variants[0].soil->fines_content, 0.15);
+}
+
+TEST(Presets, AResolvedCaseRemembersItsPreset) {
+    const Case quick = load(with_presets, {"quick", {}});
+    EXPECT_EQ(load(resolved_toml(quick)).preset, "quick");
+}
+
+TEST(Presets, AreCheckedAlsoWhenTheyAreNotInForce) {
+    const auto list = problems_of(good_case + "[presets.x]\nparticles = \"many\"\npressure = \"1 kPa\"\n");
+    EXPECT_EQ(find_problem(list, "E205").line, 16);
+    EXPECT_EQ(find_problem(list, "E203").line, 17);
+}
+
+TEST(Presets, AnUnknownOneOnTheCommandLineIsSaidSo) {
+    const Diagnostic found = find_problem(problems_of(with_presets, {"fast", {}}), "E404");
+    EXPECT_EQ(found.file, "--preset");
+    EXPECT_EQ(found.help, "known are standard, quick");
+}
+
+TEST(Set, ChangesAnyKeyAfterThePreset) {
+    const Case c = load(
+        with_presets, {"quick",
+                       {"study.one.particles=4000", "study.one.stage.erosion.gradient=0.1", "contact.friction=30 deg",
+                        "fluid.viscosity = \"2 mPa*s\"", "study.one.stage.probe.gradients=[0, 0.3]",
+                        "study.one.stage.erosion.detached.over=0.25", "soil.sand.fines.finer_than=0.3 mm"}}
+    );
+    EXPECT_EQ(c.studies[0].particles, 4000);
+    EXPECT_EQ(std::get<erosion::ErodeSpec>(c.studies[0].stages[3].spec).gradient, 0.1);
+    EXPECT_EQ(std::get<erosion::ErodeSpec>(c.studies[0].stages[3].spec).detached.over, 0.25);
+    EXPECT_EQ(std::get<erosion::DetachStageSpec>(c.studies[0].stages[2].spec).gradients, (std::vector<double>{0, 0.3}));
+    EXPECT_EQ(c.material.friction, radians(30));
+    EXPECT_EQ(c.fluid.viscosity, 2e-3);
+    EXPECT_EQ(c.studies[0].variants[0].soil->finer_than, 3e-4);
+}
+
+TEST(Set, MistakesAreReportedOnTheirOwnText) {
+    const auto problem = [](const std::string& text, const std::string& code) {
+        return find_problem(problems_of(good_case, {"", {text}}), code);
+    };
+    EXPECT_EQ(problem("study.one.particles=few", "E205").column, 21);
+    EXPECT_EQ(problem("study.one.particles=few", "E205").file, "--set");
+    EXPECT_NE(problem("study.two.particles=5", "E405").message.find("known are one"), std::string::npos);
+    EXPECT_NE(problem("study.one.stage.none.watch=5", "E405").message.find("no stage \"none\""), std::string::npos);
+    EXPECT_EQ(problem("particles", "E405").line, 1);
+    EXPECT_EQ(problem("a..b=1", "E405").line, 1);
+    EXPECT_EQ(problem("study.one.particels=5", "E203").file, "--set");
+    EXPECT_EQ(problem("study.one.stage=5", "E201").line, 5);
+    EXPECT_EQ(problem("contact.modulus=5", "E310").source_line, "contact.modulus=5");
+}
+
+} // namespace

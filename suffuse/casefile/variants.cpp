@@ -1,0 +1,147 @@
+#include "suffuse/casefile/variants.hpp"
+
+#include "suffuse/base/state_hash.hpp"
+#include "suffuse/base/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suffuse::casefile {
+
+namespace {
+
+double size_of(const Scalar& value) {
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+        return static_cast<double>(*integer);
+    }
+    return std::get<double>(value);
+}
+
+/// "20 %" and 0.2 are the same value.
+bool same_value(const Scalar& a, const Scalar& b) {
+    if (a == b) {
+        return true;
+    }
+    const auto quantity = [](const Scalar& value) -> Quantity {
+        if (const auto* text = std::get_if<std::string>(&value)) {
+            return parse_quantity(*text);
+        }
+        return {size_of(value), dimension::none, false};
+    };
+    if (std::holds_alternative<bool>(a) || std::holds_alternative<bool>(b)) {
+        return false;
+    }
+    try {
+        const Quantity x = quantity(a), y = quantity(b);
+        return x.value == y.value && x.dimension == y.dimension;
+    } catch (const UnitError&) {
+        return false; // words, and different ones
+    }
+}
+
+/// A value as part of a folder's name: fc=20, gradient=0.05, finer_than=0.18mm.
+std::string folder_of(const std::string& key, const Scalar& value) {
+    std::string text = print_value(make_node(value));
+    std::string name = key.substr(key.rfind('.') + 1);
+    if (key == "fines_content") {
+        name = "fc";
+        try {
+            const auto* written = std::get_if<std::string>(&value);
+            const double share = written != nullptr ? parse_quantity(*written, dimension::none) : size_of(value);
+            text = fmt::format("{:.6g}", share * 100);
+        } catch (const UnitError&) {
+            // Not a share: reported where the soil is read, under a folder that is never made.
+        }
+    }
+    std::string plain;
+    for (const char c : text) {
+        const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '_';
+        if (is_plain) {
+            plain += c;
+        }
+        if (c == '%') {
+            plain += "pct";
+        }
+    }
+    return name + "=" + plain;
+}
+
+bool is_chosen(const Stage& stage, const std::map<std::string, Scalar>& values) {
+    return std::all_of(stage.only.begin(), stage.only.end(), [&](const Sweep& only) {
+        const auto found = values.find(only.key);
+        return found != values.end() && std::any_of(only.values.begin(), only.values.end(), [&](const Scalar& value) {
+                   return same_value(value, found->second);
+               });
+    });
+}
+
+} // namespace
+
+std::size_t count_variants(const Study& study) {
+    constexpr std::size_t countless = 1'000'000'000;
+    std::size_t count = static_cast<std::size_t>(study.replicates);
+    for (const Sweep& sweep : study.sweep) {
+        count = std::min(countless, count * sweep.values.size());
+    }
+    return count;
+}
+
+std::vector<Variant> list_variants(const Study& study, std::uint64_t seed) {
+    Variant first;
+    first.folder = study.name;
+    std::vector<Variant> list{first};
+    for (const Sweep& sweep : study.sweep) {
+        std::vector<Variant> longer;
+        for (const Variant& variant : list) {
+            for (const Scalar& value : sweep.values) {
+                longer.push_back(variant);
+                longer.back().values[sweep.key] = value;
+                longer.back().folder += fmt::format("/{}", folder_of(sweep.key, value));
+            }
+        }
+        list = std::move(longer);
+    }
+    std::vector<Variant> all;
+    for (const Variant& variant : list) {
+        for (int replicate = 1; replicate <= study.replicates; ++replicate) {
+            all.push_back(variant);
+            all.back().replicate = replicate;
+            if (study.replicates > 1) {
+                all.back().folder += fmt::format("/rep={}", replicate);
+            }
+            StateHash mixed;
+            mixed.add(seed);
+            mixed.add(replicate);
+            all.back().seed = replicate == 1 ? seed : mixed.value();
+        }
+    }
+    return all;
+}
+
+std::vector<Stage> chosen_stages(const std::vector<Stage>& stages, const std::map<std::string, Scalar>& values) {
+    std::vector<Stage> chosen;
+    std::vector<int> row(stages.size(), -1); // of the stage that ends in the state that this one would leave
+    for (std::size_t k = 0; k < stages.size(); ++k) {
+        const int parent = stages[k].parent < 0 ? -1 : row[static_cast<std::size_t>(stages[k].parent)];
+        if (!is_chosen(stages[k], values)) {
+            row[k] = parent;
+            continue;
+        }
+        row[k] = static_cast<int>(chosen.size());
+        chosen.push_back(stages[k]);
+        chosen.back().parent = parent;
+    }
+    return chosen;
+}
+
+Place place_in_sweep(const Node& list, const Scalar& value) {
+    for (const Node& item : list.items) {
+        if (item.is_scalar() && scalar_of(item) == value) {
+            return item.place;
+        }
+    }
+    return list.place;
+}
+
+} // namespace suffuse::casefile
