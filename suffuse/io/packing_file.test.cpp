@@ -16,6 +16,7 @@ namespace suffuse::io {
 namespace {
 
 using test::TempFolder;
+using namespace std::string_literals;
 
 ImportedPacking parse(const std::string& text) {
     const TempFolder folder;
@@ -69,7 +70,7 @@ TEST(PackingFile, BadCsvIsRefusedWithPlaceFoundAndExpected) {
     EXPECT_EQ(complaint("x,y,z,r\n"), "p.csv: no grains found, expected at least one row below the header");
     EXPECT_NE(complaint("").find("no grains found"), std::string::npos);
     EXPECT_NE(complaint("hello world\n").find("p.csv:1: found 2 fields, expected x y z r"), std::string::npos);
-    EXPECT_NE(complaint(std::string("x,y,z,r\n1,2,\0003,4\n", 19)).find("column z: found \"?3\""), std::string::npos);
+    EXPECT_NE(complaint("x,y,z,r\n1,2,\0003,4\n"s).find("column z: found \"?3\""), std::string::npos);
 }
 
 TEST(PackingFile, FileThatIsNotThereIsAnIoError) {
@@ -177,6 +178,42 @@ RC_GTEST_PROP(PackingFile, WhatIsExportedComesBackToTheBit, ()) {
     export_yade(folder / "p.txt", grains);
     const grains::Grains yade = read_packing(folder / "p.txt", 2600).grains;
     RC_ASSERT(yade.position == grains.position && yade.radius == grains.radius);
+}
+
+/// A good packing file with a few pieces put in or taken out anywhere.
+std::string damaged_file() {
+    auto text =
+        *rc::gen::element<std::string>("x,y,z,r\n1,2,3,0.5\n4,5,6,0.5\n", "1 2 3 0.5\n4 5 6 0.5\n", lammps_text);
+    const int damages = *rc::gen::inRange(0, 4);
+    for (int k = 0; k < damages; ++k) {
+        const auto piece = *rc::gen::element<std::string>(
+            "", "", "x", ",", " ", "\n", "1", "-2", "nan", "1e999", "#", "atoms", "Atoms", "xlo xhi", "xy xz yz",
+            "Masses", "Velocities", "\r\n", std::string(1, '\0'), "\xEF\xBB\xBF", "\x1f\x8b", "99999999999999999999"
+        );
+        const auto at = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(text.size()) + 1));
+        text.replace(at, static_cast<std::size_t>(*rc::gen::inRange(0, 5)), piece);
+    }
+    return text;
+}
+
+RC_GTEST_PROP(PackingFile, DamagedFilesAreEitherAPackingOrAnErrorOfOurs, ()) {
+    const std::string text = damaged_file();
+    try {
+        const ImportedPacking packing = parse(text);
+        for (std::size_t g = 0; g < packing.grains.size(); ++g) {
+            RC_ASSERT(std::isfinite(norm(packing.grains.position[g])) && packing.grains.radius[g] > 0);
+        }
+        RC_TAG("read");
+    } catch (const Error&) {
+        RC_TAG("refused");
+    }
+}
+
+TEST(PackingFile, GzipThatWasCutIsAnIoError) {
+    const TempFolder folder;
+    const std::string whole = test::read_all(SUFFUSE_SOURCE_DIR "/tests/reference/packing500.csv.gz");
+    write_file(folder / "cut.csv.gz", whole.substr(0, whole.size() / 2));
+    EXPECT_THROW(read_packing(folder / "cut.csv.gz", 2600), IoError);
 }
 
 TEST(PackingExport, ExtendedXyzHasTheCellAndAllColumns) {
