@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace suffuse::erosion {
 namespace {

@@ -1,5 +1,6 @@
 #include "suffuse/erosion/reequilibrate.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/erosion/extraction.hpp"
@@ -7,12 +8,15 @@
 #include <chrono>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace suffuse::erosion {
 namespace {
 
 constexpr std::int64_t most_steps_at_constant_volume = 200'000;
 constexpr std::int64_t most_steps_under_stress = 3'000'000;
 constexpr std::int64_t bursts_a_row = 4; // of the recorded path, beyond its dense beginning
+constexpr double resettling_rate = 20;   // largest strain rate of an axis, as in the last part of a compaction [1/s]
 constexpr double lost_stress = 1e-6;     // share of the stress before: the skeleton carries nothing any more
 
 /// Appends rows to the path of one pass.
@@ -108,9 +112,17 @@ std::vector<PathRow> reequilibrate(
 
     const auto servo_started = std::chrono::steady_clock::now();
     plan.loading = held_loading(world, pass.stress_before);
+    plan.loading.servo.max_rate = resettling_rate;
     const dem::BalanceState settled = run_phase("servo", most_steps_under_stress, [&](const auto& state) {
         return state.balanced_steps >= around.balance.patience;
     });
+    if (settled.balanced_steps < around.balance.patience) {
+        throw StateError(fmt::format(
+            "pass {}: the eroded skeleton does not come to rest under its stresses within {} steps: unbalanced force {:.1e}, "
+            "mean stress {:.4g} kPa of {:.4g} kPa; it has failed, or [balance] asks too much",
+            pass.pass, settled.steps, settled.equilibrium.unbalanced_force, dem::mean_stress(settled.stress) / 1e3, before / 1e3
+        ));
+    }
     pass.stress_after = settled.stress;
     pass.wall_seconds["servo"] = seconds_since(servo_started);
 

@@ -1,0 +1,25 @@
+#pragma once
+// A wanted void ratio, found by how easily the grains slide while they are compacted: from frictionless (densest) over the
+// final friction to adhesion (loosest).
+
+#include "suffuse/grains/material.hpp"
+#include "suffuse/packing/spec.hpp"
+
+#include <functional>
+
+namespace suffuse::packing {
+
+struct FoundDensity {
+    CompactSpec spec;      ///< with the preparation found
+    double void_ratio = 0; ///< [-]
+    int trials = 0;
+};
+
+/// @param reach compacts the cloud with a preparation and returns the settled void ratio
+/// @throws StateError with the reachable range when the wanted void ratio is outside it.
+FoundDensity search_void_ratio(
+    const CompactSpec& wanted, const grains::Material& final_material,
+    const std::function<double(const CompactSpec&)>& reach
+);
+
+} // namespace suffuse::packing

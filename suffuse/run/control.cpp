@@ -1,0 +1,74 @@
+#include "suffuse/run/control.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/dem/equilibrium.hpp"
+#include "suffuse/dem/inspect.hpp"
+
+#include <algorithm>
+
+namespace suffuse::run {
+namespace {
+
+constexpr double show_interval = 0.1; // [s]
+
+nlohmann::json state_to_show(const dem::World& world) {
+    const Mat3 stress = dem::mean_stress_tensor(world);
+    return {
+        {"void_ratio", dem::void_ratio(world)},
+        {"mean_stress", dem::mean_stress(stress)},
+        {"deviator_stress", dem::deviator_stress(stress)},
+        {"unbalanced_force", dem::measure_equilibrium(world).unbalanced_force},
+        {"axial_strain", dem::strain(world).z},
+    };
+}
+
+} // namespace
+
+void Control::begin(Progress where) {
+    progress_ = std::move(where);
+    save_ = nullptr;
+    stage_start_ = saved_ = Clock::now();
+    shown_ = Clock::time_point{};
+    beat("", 0);
+}
+
+bool Control::out_of_time() const { return run_seconds() > options_.time_limit; }
+
+void Control::beat(std::string_view part, long long steps, const dem::World* world) {
+    if (options_.on_progress && seconds_since(shown_) > show_interval) {
+        shown_ = Clock::now();
+        progress_.part = part;
+        progress_.steps = steps;
+        progress_.stage_seconds = stage_seconds();
+        progress_.run_seconds = run_seconds();
+        if (world != nullptr) {
+            progress_.state = state_to_show(*world);
+            progress_.particle_steps_per_second = static_cast<double>(steps) *
+                                                  static_cast<double>(world->grains.size()) /
+                                                  std::max(progress_.stage_seconds, 1e-9);
+        }
+        options_.on_progress(progress_);
+    }
+    const bool stop = options_.stop != nullptr && options_.stop->load();
+    if (save_ && (stop || out_of_time() || seconds_since(saved_) > checkpoint_interval_)) {
+        save_();
+        saved_ = Clock::now();
+    }
+    if (stop) { throw Interrupted("stopped"); }
+    if (out_of_time()) { throw Interrupted("time limit"); }
+}
+
+Pulse Control::pulse() {
+    return [this](std::string_view part, long long steps) { beat(part, steps); };
+}
+
+void Control::finish(nlohmann::json numbers) {
+    if (!options_.on_progress) { return; }
+    progress_.state = std::move(numbers);
+    progress_.stage_seconds = stage_seconds();
+    progress_.run_seconds = run_seconds();
+    progress_.stage_finished = true;
+    options_.on_progress(progress_);
+}
+
+} // namespace suffuse::run

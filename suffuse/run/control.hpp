@@ -1,0 +1,52 @@
+#pragma once
+// The pulse of a run: shows progress, saves what is needed to go on, and ends the work when asked to.
+
+#include "suffuse/base/pulse.hpp"
+#include "suffuse/dem/world.hpp"
+#include "suffuse/run/runner.hpp"
+
+#include <chrono>
+#include <functional>
+
+namespace suffuse::run {
+
+class Control {
+public:
+    Control(const RunOptions& options, double checkpoint_interval)
+        : options_(options), checkpoint_interval_(checkpoint_interval) {}
+
+    /// Begins a stage: what to show.
+    void begin(Progress where);
+
+    /// How to save the stage half-way; nothing: a stopped stage begins again.
+    void save_with(std::function<void()> save) { save_ = std::move(save); }
+
+    /// Called between bursts. @throws Interrupted, after saving, when asked to stop or out of time.
+    void beat(std::string_view part, long long steps, const dem::World* world = nullptr);
+
+    /// The same for parts of the library that know no run.
+    [[nodiscard]] Pulse pulse();
+
+    void finish(nlohmann::json numbers);
+
+    [[nodiscard]] bool out_of_time() const;
+
+    [[nodiscard]] double run_seconds() const { return seconds_since(run_start_); }
+
+    [[nodiscard]] double stage_seconds() const { return seconds_since(stage_start_); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    static double seconds_since(Clock::time_point then) {
+        return std::chrono::duration<double>(Clock::now() - then).count();
+    }
+
+    const RunOptions& options_;
+    double checkpoint_interval_; ///< [s]
+    Clock::time_point run_start_ = Clock::now(), stage_start_ = run_start_, saved_ = run_start_, shown_ = run_start_;
+    Progress progress_;
+    std::function<void()> save_;
+};
+
+} // namespace suffuse::run

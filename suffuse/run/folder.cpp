@@ -1,0 +1,121 @@
+#include "suffuse/run/folder.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/base/state_hash.hpp"
+#include "suffuse/base/version.hpp"
+#include "suffuse/casefile/bind.hpp"
+#include "suffuse/io/atomic_file.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+namespace suffuse::run {
+namespace {
+
+std::string read_all(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) { throw IoError(fmt::format("{}: cannot be read; is this a run folder?", path.string())); }
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string processor() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);) {
+        if (line.rfind("model name", 0) == 0) { return line.substr(line.find(':') + 2); }
+    }
+    return "unknown";
+}
+
+std::string now_utc() {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+} // namespace
+
+std::filesystem::path stage_folder(
+    const std::filesystem::path& run, const casefile::Variant& variant, const casefile::Stage& stage
+) {
+    return run / "studies" / variant.folder / stage.name;
+}
+
+nlohmann::json read_json(const std::filesystem::path& path) {
+    const std::string text = read_all(path);
+    nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    if (json.is_discarded()) {
+        throw IoError(fmt::format("{}: is not valid JSON; it was changed or damaged: remove it and resume", path.string()));
+    }
+    return json;
+}
+
+void write_json(const std::filesystem::path& path, const nlohmann::json& json) {
+    io::write_file(path, json.dump(2) + "\n");
+}
+
+nlohmann::json read_cbor(const std::filesystem::path& path) {
+    const std::string bytes = read_all(path);
+    nlohmann::json json = nlohmann::json::from_cbor(bytes, true, false);
+    if (json.is_discarded()) {
+        throw IoError(fmt::format("{}: is damaged: remove the stage's folder and resume", path.string()));
+    }
+    return json;
+}
+
+void write_cbor(const std::filesystem::path& path, const nlohmann::json& json) {
+    const std::vector<std::uint8_t> bytes = nlohmann::json::to_cbor(json);
+    io::write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+void open_folder(const std::filesystem::path& run, const casefile::Case& what, const std::string& case_text) {
+    std::error_code error;
+    std::filesystem::create_directories(run, error);
+    if (error) { throw IoError(fmt::format("{}: cannot be made: {}", run.string(), error.message())); }
+    const std::string resolved = casefile::resolved_toml(what);
+    const std::filesystem::path kept = run / "case.resolved.toml";
+    if (std::filesystem::exists(kept)) {
+        if (read_all(kept) == resolved) { return; }
+        throw CaseError(fmt::format(
+            "{}: holds a run of another case (or of this case with other settings); give -o another folder, or remove this one",
+            run.string()
+        ));
+    }
+    if (!case_text.empty()) { io::write_file(run / "case.toml", case_text); }
+    io::write_file(kept, resolved);
+}
+
+void log_event(const std::filesystem::path& run, nlohmann::json event) {
+    event["at"] = now_utc();
+    std::ofstream file(run / "events.jsonl", std::ios::app);
+    file << event.dump() << '\n';
+    if (!file.flush()) { throw IoError(fmt::format("{}: cannot be written; is the disk full?", (run / "events.jsonl").string())); }
+}
+
+nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions& options, double wall_seconds) {
+    StateHash hash;
+    hash.add(casefile::resolved_toml(what));
+    return {
+        {"program", "suffuse"},
+        {"version", version()},
+        {"commit", commit()},
+        {"compiler", compiler()},
+        {"processor", processor()},
+        {"threads", thread_count()},
+        {"seed", what.seed},
+        {"preset", what.preset},
+        {"case_hash", fmt::format("{:016x}", hash.value())},
+        {"mode", "reference"}, // double precision throughout, the reference's order of operations
+        {"preparation", "faithful"},
+        {"command", options.command},
+        {"finished", now_utc()},
+        {"wall_seconds", wall_seconds},
+    };
+}
+
+} // namespace suffuse::run

@@ -1,0 +1,35 @@
+#pragma once
+// What a run folder holds, and where: names that users' scripts rely on.
+
+#include "suffuse/casefile/case.hpp"
+#include "suffuse/run/runner.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace suffuse::run {
+
+std::filesystem::path stage_folder(
+    const std::filesystem::path& run, const casefile::Variant& variant, const casefile::Stage& stage
+);
+
+nlohmann::json read_json(const std::filesystem::path& path);
+void write_json(const std::filesystem::path& path, const nlohmann::json& json);
+
+/// Results with many numbers, as CBOR: compact, and to the bit.
+nlohmann::json read_cbor(const std::filesystem::path& path);
+void write_cbor(const std::filesystem::path& path, const nlohmann::json& json);
+
+/// Makes the folder ready for this case: fresh, or one that the same case began.
+/// @throws CaseError when the folder belongs to another case, IoError when it cannot be written.
+void open_folder(const std::filesystem::path& run, const casefile::Case& what, const std::string& case_text);
+
+/// Appends one event to events.jsonl.
+void log_event(const std::filesystem::path& run, nlohmann::json event);
+
+/// Version, compiler, processor, threads, seed, hash of the resolved case, times.
+nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions& options, double wall_seconds);
+
+} // namespace suffuse::run

@@ -1,0 +1,76 @@
+#include "suffuse/run/history.hpp"
+
+#include "suffuse/dem/equilibrium.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/io/csv_writer.hpp"
+#include "suffuse/run/result_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::run {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    HistoryRow, step, time, strain, stress, void_ratio, coordination, unbalanced_force, inertial_number
+)
+
+double inertial_number(const dem::World& world, double mean_stress) {
+    if (!(mean_stress > 0) || world.grains.size() == 0) { return 0; }
+    double rate = 0;
+    for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) {
+            rate = std::max(rate, std::abs(world.cell.velocity_gradient(a, b)));
+        }
+    }
+    std::vector<double> radius = world.grains.radius;
+    const auto middle = radius.begin() + static_cast<std::ptrdiff_t>(radius.size() / 2);
+    std::nth_element(radius.begin(), middle, radius.end());
+    return rate * 2 * *middle * std::sqrt(world.material.density / mean_stress);
+}
+
+std::int64_t History::steps_to_next(std::int64_t step) const {
+    const std::int64_t last = rows_.empty() ? step : rows_.back().step;
+    return std::max<std::int64_t>(1, last + every_ - step);
+}
+
+void History::record(const dem::World& world, bool anyway) {
+    const std::int64_t step = world.clock.step;
+    if (!rows_.empty() && rows_.back().step == step) { return; }
+    if (!anyway && !rows_.empty() && step < rows_.back().step + every_) { return; }
+    const Mat3 stress = dem::mean_stress_tensor(world);
+    const dem::Equilibrium balance = dem::measure_equilibrium(world);
+    rows_.push_back(
+        {step, world.clock.time, dem::strain(world), {stress(0, 0), stress(1, 1), stress(2, 2)}, dem::void_ratio(world),
+         2 * static_cast<double>(balance.contacts) / static_cast<double>(std::max<std::size_t>(1, world.grains.size())),
+         balance.unbalanced_force, inertial_number(world, dem::mean_stress(stress))}
+    );
+}
+
+double History::largest_inertial_number() const {
+    double largest = 0;
+    for (const HistoryRow& row : rows_) {
+        largest = std::max(largest, row.inertial_number);
+    }
+    return largest;
+}
+
+void History::write_csv(const std::filesystem::path& path) const {
+    io::CsvWriter file(
+        path,
+        "step,time,strain_1,strain_2,strain_3,stress_1,stress_2,stress_3,void_ratio,coordination,unbalanced_force,"
+        "inertial_number"
+    );
+    for (const HistoryRow& row : rows_) {
+        file.row(
+            row.step, row.time, row.strain, row.stress, row.void_ratio, row.coordination, row.unbalanced_force,
+            row.inertial_number
+        );
+    }
+    file.finish();
+}
+
+nlohmann::json History::to_json() const { return rows_; }
+
+void History::restore(const nlohmann::json& json) { rows_ = json.get<std::vector<HistoryRow>>(); }
+
+} // namespace suffuse::run

@@ -1,0 +1,79 @@
+#pragma once
+// Results and stage states as JSON: what stage files, checkpoints and the rebuilt report are read from. Numbers keep all
+// their bits. A field is written once, here; its meaning and unit stand at its declaration.
+
+#include "suffuse/dem/settle.hpp"
+#include "suffuse/erosion/result.hpp"
+#include "suffuse/packing/compact.hpp"
+#include "suffuse/triaxial/run_path.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace suffuse {
+
+inline void to_json(nlohmann::json& json, const Vec3& v) { json = {v.x, v.y, v.z}; }
+
+inline void from_json(const nlohmann::json& json, Vec3& v) { v = {json.at(0), json.at(1), json.at(2)}; }
+
+inline void to_json(nlohmann::json& json, const Mat3& m) { json = {m.row(0), m.row(1), m.row(2)}; }
+
+inline void from_json(const nlohmann::json& json, Mat3& m) {
+    m = transpose(from_columns(json.at(0).get<Vec3>(), json.at(1).get<Vec3>(), json.at(2).get<Vec3>()));
+}
+
+namespace grains {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Material, density, modulus, shear_ratio, friction, rolling_stiffness, rolling_friction, twisting_stiffness,
+    twisting_friction, adhesion_normal, adhesion_shear
+)
+} // namespace grains
+
+namespace dem {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Equilibrium, unbalanced_force, unbalanced_force_all, mean_contact_force, kinetic_energy, max_overlap_ratio, contacts,
+    rattlers, single_contact
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibrium, stress)
+} // namespace dem
+
+namespace packing {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    CompactState, phase, balance, time_step, material, damping, steps, void_ratio_compacted
+)
+} // namespace packing
+
+namespace triaxial {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    PathRow, axial_strain, volumetric_strain, stress, mean_stress, deviator_stress, void_ratio, coordination,
+    unbalanced_force, inertial_number
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    PathState, phase, start_h, start_stress, strain_rate, median_diameter, time_step, balance, steps, rows
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Response, peak_deviator, peak_strain, peak_ratio, friction_angle, final_deviator, stiffness, dilatancy,
+    largest_contraction, final_volumetric_strain
+)
+} // namespace triaxial
+
+namespace erosion {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    ProbeResult, gradient, unbalanced_force, reached_floor, relax_steps, ramp, watch, time_step, fluid_over_contact,
+    signal_over_twin, viscous_time, beyond_viscous_time, id, diameter, fluid_force, coordination, speed, twin_speed,
+    displacement, free_speed, free_displacement, twin_noise, by_velocity, by_displacement, agreement
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Constrictions, diameter, center, mean, median, d35)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    PathRow, pass, phase, step, stress, volumetric_strain, porosity, unbalanced_force, eroded_mass
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerRow, grain, pass, diameter, mass, coordination, reason)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    PassResult, pass, probe, constrictions, detachable, held_back, removed, eroded_mass_percent,
+    eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal, stress_constant_volume,
+    stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after, fines_content_after,
+    volumetric_strain, permeability_before, permeability_after, steps, wall_seconds, verdict
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
+} // namespace erosion
+
+} // namespace suffuse

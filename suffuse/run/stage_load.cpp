@@ -1,0 +1,145 @@
+// The verbs that load a sample: settle, triaxial, advance.
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/order.hpp"
+#include "suffuse/dem/settle.hpp"
+#include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/run/result_json.hpp"
+#include "suffuse/run/stage_work.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace suffuse::run {
+namespace {
+
+constexpr std::int64_t time_step_interval = 2000;
+
+dem::StepPlan plan_for(const StageWork& work, const cell::Loading& loading) {
+    dem::StepPlan plan;
+    plan.dt = work.time_step;
+    plan.damping = work.what.damping;
+    plan.loading = loading;
+    return plan;
+}
+
+/// The next stages hold what this one held.
+void remember_held_stress(const cell::Loading& loading, cell::ServoState& servo) {
+    for (int a = 0; a < 3; ++a) {
+        const cell::AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
+        if (axis.control == cell::Control::Stress) { servo.held_stress[a] = axis.value; }
+    }
+}
+
+} // namespace
+
+void do_settle(StageWork& work, const dem::SettleSpec& spec) {
+    dem::BalanceState state;
+    if (work.resumed.is_null()) {
+        dem::sort_along_curve(work.world);
+    } else {
+        state = work.resumed.at("balance").get<dem::BalanceState>();
+        work.time_step = work.resumed.at("time_step");
+    }
+    work.control.save_with([&] { work.save_partial({{"balance", state}, {"time_step", work.time_step}}); });
+    dem::StepCaches caches;
+    bool settled = false;
+    while (!settled) {
+        if (spec.time_step > 0) {
+            work.time_step = spec.time_step;
+        } else if (state.steps % time_step_interval == 0) {
+            work.time_step = dem::stable_time_step(work.world);
+        }
+        settled =
+            dem::settle_burst(work.world, caches, plan_for(work, spec.loading), work.what.balance, state);
+        work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
+        work.history.record(work.world);
+        if (!settled && state.steps >= spec.max_steps) {
+            throw StateError(fmt::format(
+                "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted {:.2e}), "
+                "mean stress {:.4g} kPa; the stress may be out of reach of this sample: lower it, or give [balance] more room",
+                state.steps, state.equilibrium.unbalanced_force, work.what.balance.unbalanced_force,
+                dem::stress_error(spec.loading, state.stress), work.what.balance.stress_error,
+                dem::mean_stress(state.stress) / 1e3
+            ));
+        }
+        if (!settled) { work.control.beat("settle", state.steps, &work.world); }
+    }
+    remember_held_stress(spec.loading, work.world.servo);
+    work.numbers["steps"] = state.steps;
+}
+
+void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
+    triaxial::PathState state;
+    if (work.resumed.is_null()) {
+        dem::sort_along_curve(work.world);
+        const double dt = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(work.world);
+        state = triaxial::begin_path(work.world, spec, dem::mean_stress_tensor(work.world), dt);
+    } else {
+        state = work.resumed.get<triaxial::PathState>();
+    }
+    work.control.save_with([&] { work.save_partial(state); });
+    dem::StepCaches caches;
+    bool over = false;
+    while (!over) {
+        over = triaxial::path_burst(work.world, caches, spec, work.what.balance, work.what.damping, state);
+        work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
+        work.history.record(work.world);
+        if (!over) { work.control.beat("shear", state.steps, &work.world); }
+    }
+    const bool stress_wanted = spec.deviator_stress || spec.stress_ratio;
+    const triaxial::PathRow& last = state.rows.back();
+    if (stress_wanted && last.axial_strain >= spec.strain) {
+        throw StateError(fmt::format(
+            "the stress asked of the triaxial test is out of reach: at {:.3g} % axial strain the deviator stress is {:.4g} kPa "
+            "(q/p = {:.3f}); ask for less than the peak of this sample",
+            100 * last.axial_strain, last.deviator_stress / 1e3, last.deviator_stress / last.mean_stress
+        ));
+    }
+    for (int a = 0; a < 3; ++a) {
+        work.world.servo.held_stress[a] =
+            spec.path == triaxial::Path::Drained && a != spec.axis ? state.start_stress(a, a) : state.balance.stress(a, a);
+    }
+    work.time_step = state.time_step;
+    work.numbers["steps"] = state.steps;
+    work.numbers["strain_rate"] = state.strain_rate;
+    work.numbers["response"] = triaxial::summarize(state.rows);
+    work.findings.curve = state.rows;
+}
+
+void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {
+    std::int64_t done = 0;
+    if (work.resumed.is_null()) {
+        work.history.record(work.world, true);
+    } else {
+        done = work.resumed.at("done");
+        work.time_step = work.resumed.at("time_step");
+    }
+    work.control.save_with([&] { work.save_partial({{"done", done}, {"time_step", work.time_step}}); });
+    dem::StepCaches caches;
+    while (done < spec.steps) {
+        if (spec.time_step > 0) {
+            work.time_step = spec.time_step;
+        } else if (done % time_step_interval == 0) {
+            work.time_step = dem::stable_time_step(work.world);
+        }
+        const std::int64_t burst = std::min(
+            {spec.steps - done, work.history.steps_to_next(work.world.clock.step),
+             time_step_interval - done % time_step_interval}
+        );
+        const dem::StepPlan plan = plan_for(work, spec.loading);
+        for (std::int64_t k = 0; k < burst; ++k) {
+            dem::step(work.world, caches, plan);
+        }
+        done += burst;
+        work.grain_steps += burst * static_cast<std::int64_t>(work.world.grains.size());
+        work.history.record(work.world);
+        if (done < spec.steps) { work.control.beat("advance", done, &work.world); }
+    }
+    remember_held_stress(spec.loading, work.world.servo);
+    work.numbers["steps"] = done;
+}
+
+} // namespace suffuse::run

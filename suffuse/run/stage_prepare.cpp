@@ -1,0 +1,106 @@
+// The verbs that bring a sample into being: import, pack, compact.
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/order.hpp"
+#include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/sampling.hpp"
+#include "suffuse/io/packing_file.hpp"
+#include "suffuse/packing/compact.hpp"
+#include "suffuse/packing/seed.hpp"
+#include "suffuse/packing/target_density.hpp"
+#include "suffuse/run/result_json.hpp"
+#include "suffuse/run/stage_work.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace suffuse::run {
+namespace {
+
+/// Marks the fines of a sample whose grains were not drawn from the soil's curves.
+void mark_fines(const std::optional<grains::Soil>& soil, grains::Grains& grains) {
+    if (!soil) { return; }
+    std::optional<double> limit = soil->finer_than;
+    if (soil->kenney_lau && soil->whole) { limit = grains::kenney_lau_split(*soil->whole); }
+    if (!limit) { return; }
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        grains.fine[g] = 2 * grains.radius[g] < *limit ? 1 : 0;
+    }
+}
+
+/// One compaction from the cloud on; it can be resumed between bursts unless it is a trial among several.
+void compact(StageWork& work, const packing::CompactSpec& spec, packing::CompactState state) {
+    if (!spec.void_ratio) {
+        work.control.save_with([&] { work.save_partial(state); });
+    }
+    dem::StepCaches caches;
+    bool done = state.phase == packing::CompactState::Phase::Done;
+    while (!done) {
+        done = packing::compact_burst(work.world, caches, spec, work.what.balance, state);
+        work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
+        work.history.record(work.world);
+        const bool settling = state.phase != packing::CompactState::Phase::Compact;
+        work.control.beat(settling ? "settle" : "compact", state.steps, &work.world);
+    }
+    work.control.save_with(nullptr);
+    work.time_step = state.time_step;
+    work.numbers["steps"] = state.steps;
+    work.numbers["void_ratio_compacted"] = state.void_ratio_compacted;
+}
+
+} // namespace
+
+void do_import(StageWork& work, const casefile::ImportSpec& spec) {
+    io::ImportedPacking packing = io::read_packing(spec.path, work.what.material.density);
+    work.world.cell.h = packing.cell && spec.cell == Mat3{} ? packing.cell->h : spec.cell;
+    work.world.grains = std::move(packing.grains);
+    const double overlap = io::check_overlaps(work.world.grains, work.world.cell, spec.max_overlap, spec.path);
+    mark_fines(work.variant.soil, work.world.grains);
+    work.world.reference_h = work.world.cell.h;
+    work.numbers["imported"] = true;
+    work.numbers["imported_overlap_ratio"] = overlap;
+    work.warnings = std::move(packing.warnings);
+    work.warnings.push_back(fmt::format(
+        "{}: an imported packing carries no contact memory: its shear forces and moments start at zero; settle it where that "
+        "matters",
+        work.stage.name
+    ));
+}
+
+void do_pack(StageWork& work, const packing::PackSpec& spec) {
+    expects(work.variant.soil.has_value(), "a pack stage without a soil passed the checks of the case");
+    const grains::SampledGrains sample =
+        grains::sample_soil(*work.variant.soil, static_cast<int>(work.variant.particles));
+    packing::Cloud cloud = packing::make_cloud(sample, spec, work.what.material.density, work.variant.seed);
+    work.world.cell = cloud.cell;
+    work.world.reference_h = cloud.cell.h;
+    work.world.grains = std::move(cloud.grains);
+    work.numbers["grading_largest_difference"] = sample.largest_difference;
+    work.numbers["grading_tolerance"] = work.variant.soil->grading_tolerance;
+    work.numbers["fines_content_reached"] = sample.fines_content;
+}
+
+void do_compact(StageWork& work, const packing::CompactSpec& spec) {
+    dem::sort_along_curve(work.world);
+    if (spec.void_ratio) {
+        const dem::World cloud = work.world;
+        const auto reach = [&](const packing::CompactSpec& trial) {
+            work.world = cloud;
+            compact(work, trial, packing::begin_compaction(work.world, trial, work.what.damping));
+            return dem::void_ratio(work.world);
+        };
+        const packing::FoundDensity found = packing::search_void_ratio(spec, work.world.material, reach);
+        work.numbers["preparation_friction"] = found.spec.prepare.friction.value_or(work.what.material.friction);
+        work.numbers["preparation_trials"] = found.trials;
+    } else if (work.resumed.is_null()) {
+        const packing::CompactState start = packing::begin_compaction(work.world, spec, work.what.damping);
+        compact(work, spec, start);
+    } else {
+        compact(work, spec, work.resumed.get<packing::CompactState>());
+    }
+    work.world.servo.held_stress = {spec.pressure, spec.pressure, spec.pressure};
+}
+
+} // namespace suffuse::run

@@ -1,0 +1,188 @@
+// The verbs with water: flow, detach, erode.
+
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/erosion/loop.hpp"
+#include "suffuse/flow/seepage.hpp"
+#include "suffuse/io/csv_writer.hpp"
+#include "suffuse/io/flow_tables.hpp"
+#include "suffuse/io/tables.hpp"
+#include "suffuse/run/result_json.hpp"
+#include "suffuse/run/stage_work.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace suffuse::run {
+namespace {
+
+using nlohmann::json;
+
+erosion::Surroundings surroundings(StageWork& work) {
+    return {work.what.fluid, work.what.balance, work.what.damping, work.control.pulse()};
+}
+
+json probe_numbers(const erosion::ProbeResult& probe) {
+    const auto count = [](const auto& verdicts) { return std::count(verdicts.begin(), verdicts.end(), std::uint8_t{1}); };
+    return {
+        {"gradient", probe.gradient},
+        {"fines", probe.id.size()},
+        {"detachable_by_velocity", count(probe.by_velocity)},
+        {"detachable_by_displacement", count(probe.by_displacement)},
+        {"agreement", probe.agreement},
+        {"unbalanced_force", probe.unbalanced_force},
+        {"reached_floor", probe.reached_floor},
+        {"relax_steps", probe.relax_steps},
+        {"ramp", probe.ramp},
+        {"watch", probe.watch},
+        {"time_step", probe.time_step},
+        {"fluid_over_contact", probe.fluid_over_contact},
+        {"signal_over_twin", probe.signal_over_twin},
+        {"viscous_time", probe.viscous_time},
+        {"beyond_viscous_time", probe.beyond_viscous_time},
+    };
+}
+
+json pass_numbers(const erosion::PassResult& pass) {
+    json histogram = json::object();
+    for (const auto& [contacts, grains] : pass.coordination_histogram) {
+        histogram[std::to_string(contacts)] = grains;
+    }
+    return {
+        {"pass", pass.pass},
+        {"detachable", pass.detachable},
+        {"held_back", pass.held_back},
+        {"removed", pass.removed},
+        {"eroded_mass_percent", pass.eroded_mass_percent},
+        {"eroded_mass_percent_of_initial", pass.eroded_mass_percent_of_initial},
+        {"coordination_histogram", histogram},
+        {"constriction_mean", pass.constrictions.mean},
+        {"constriction_median", pass.constrictions.median},
+        {"constriction_d35", pass.constrictions.d35},
+        {"constrictions", pass.constrictions.diameter.size()},
+        {"stress_before", pass.stress_before},
+        {"stress_after_removal", pass.stress_after_removal},
+        {"stress_constant_volume", pass.stress_constant_volume},
+        {"stress_after", pass.stress_after},
+        {"porosity_before", pass.porosity_before},
+        {"porosity_after_removal", pass.porosity_after_removal},
+        {"porosity_after", pass.porosity_after},
+        {"void_ratio_after", pass.void_ratio_after},
+        {"fines_content_after", pass.fines_content_after},
+        {"volumetric_strain", pass.volumetric_strain},
+        {"permeability_before", pass.permeability_before},
+        {"permeability_after", pass.permeability_after},
+        {"steps", pass.steps},
+        {"wall_seconds", pass.wall_seconds},
+        {"verdict", pass.verdict},
+        {"probe", probe_numbers(pass.probe)},
+    };
+}
+
+void note_probe(StageWork& work, const erosion::ProbeResult& probe) {
+    if (probe.reached_floor) {
+        work.warnings.push_back(fmt::format(
+            "{}: the equilibrium could be relaxed to an unbalanced force of {:.1e} only, the floor of double precision here",
+            work.stage.name, probe.unbalanced_force
+        ));
+    }
+    if (probe.beyond_viscous_time) {
+        work.warnings.push_back(fmt::format(
+            "{}: ramp and watch last {:.3g} s, longer than the viscous time {:.3g} s of the fines: the constant force overstates "
+            "how far they move",
+            work.stage.name, static_cast<double>(probe.ramp + probe.watch) * probe.time_step, probe.viscous_time
+        ));
+    }
+}
+
+void write_ledger(const std::filesystem::path& folder, const erosion::ErosionResult& result) {
+    io::CsvWriter eroded(folder / "eroded.csv", "pass,id,d,mass,coordination,reason");
+    for (const erosion::LedgerRow& row : result.ledger) {
+        eroded.row(row.pass, row.grain, row.diameter, row.mass, row.coordination, row.reason);
+    }
+    eroded.finish();
+    if (result.passes.empty()) { return; }
+    const erosion::Constrictions& constrictions = result.passes.back().constrictions;
+    io::CsvWriter sizes(folder / "constrictions.csv", "x,y,z,diameter");
+    for (std::size_t t = 0; t < constrictions.diameter.size(); ++t) {
+        sizes.row(constrictions.center[t], constrictions.diameter[t]);
+    }
+    sizes.finish();
+}
+
+} // namespace
+
+void do_flow(StageWork& work, const flow::FlowSpec& spec) {
+    const dem::World& world = work.world;
+    const flow::Seepage seepage =
+        flow::solve_seepage(world.cell, world.grains.position, world.grains.radius, spec, work.what.fluid);
+    json& numbers = work.numbers;
+    numbers["gradient"] = spec.gradient;
+    numbers["permeability"] = seepage.permeability;
+    if (seepage.tensor) {
+        numbers["permeability_along"] = seepage.permeability;
+        numbers["permeability"] = *seepage.tensor;
+    }
+    numbers["mean_velocity"] = seepage.mean_velocity;
+    numbers["pressure_gradient"] = seepage.pressure_gradient;
+    numbers["force_sum"] = seepage.force_sum;
+    numbers["force_sum_error"] = seepage.force_sum_error;
+    numbers["residual"] = seepage.field.residual;
+    numbers["pores"] = seepage.network.pores.size();
+    numbers["throats"] = seepage.network.throats.size();
+    numbers["hidden_grains"] = seepage.network.hidden.size();
+    numbers["seconds"] = {
+        {"triangulate", seepage.seconds.triangulate},
+        {"conductance", seepage.seconds.conductance},
+        {"solve", seepage.seconds.solve},
+        {"forces", seepage.seconds.forces}};
+    numbers["steps"] = 0;
+    io::write_grain_forces_csv(work.folder / "grain_forces.csv", world.grains, {seepage.grain_force});
+    if (work.write_tables) {
+        io::write_pores_csv(work.folder / "pores.csv", seepage.network, seepage.field.pressure);
+        io::write_throats_csv(work.folder / "throats.csv", seepage.network, seepage.conductance, seepage.field.flux);
+    }
+    io::write_pores_vtu(work.folder / "pores.vtu", seepage.network, world.grains.position, seepage.field.pressure);
+}
+
+void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
+    work.findings.probes = erosion::probe_gradients(work.world, spec, surroundings(work));
+    json probes = json::array();
+    for (const erosion::ProbeResult& probe : work.findings.probes) {
+        probes.push_back(probe_numbers(probe));
+        note_probe(work, probe);
+    }
+    work.numbers["probes"] = probes;
+    work.numbers["steps"] = 0;
+}
+
+void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
+    erosion::ErosionResult& result = work.findings.erosion.emplace(erosion::begin_erosion(work.world));
+    bool goes_on = true;
+    if (!work.resumed.is_null()) {
+        result = work.resumed.at("result").get<erosion::ErosionResult>();
+        goes_on = work.resumed.at("goes_on");
+    }
+    const auto passes_done = [&] { return static_cast<int>(result.passes.size()); };
+    while (goes_on && (spec.until_nothing_leaves || passes_done() < spec.passes)) {
+        goes_on = erosion::erode_once(work.world, spec, surroundings(work), result);
+        work.save_partial({{"result", result}, {"goes_on", goes_on}});
+        work.history.record(work.world, true);
+        note_probe(work, result.passes.back().probe);
+    }
+    json passes = json::array();
+    std::int64_t steps = 0;
+    for (const erosion::PassResult& pass : result.passes) {
+        passes.push_back(pass_numbers(pass));
+        steps += pass.steps;
+        work.time_step = pass.probe.time_step;
+        if (!pass.verdict.empty()) {
+            work.warnings.push_back(fmt::format("{}: pass {}: {}", work.stage.name, pass.pass, pass.verdict));
+        }
+    }
+    work.numbers["passes"] = passes;
+    work.numbers["steps"] = steps;
+    write_ledger(work.folder, result);
+}
+
+} // namespace suffuse::run

@@ -1,0 +1,39 @@
+#include "suffuse/run/stage_work.hpp"
+
+#include "suffuse/io/checkpoint.hpp"
+
+namespace suffuse::run {
+
+void StageWork::save_partial(const nlohmann::json& state) const {
+    const nlohmann::json all{{"state", state}, {"history", history.to_json()}, {"grain_steps", grain_steps}};
+    io::save_world(folder / "partial.h5", world, {{"stage", all.dump()}});
+}
+
+void do_stage(StageWork& work) {
+    struct Verb {
+        StageWork& work;
+
+        void operator()(const casefile::ImportSpec& spec) const { do_import(work, spec); }
+
+        void operator()(const packing::PackSpec& spec) const { do_pack(work, spec); }
+
+        void operator()(const packing::CompactSpec& spec) const { do_compact(work, spec); }
+
+        void operator()(const dem::SettleSpec& spec) const { do_settle(work, spec); }
+
+        void operator()(const triaxial::TriaxialSpec& spec) const { do_triaxial(work, spec); }
+
+        void operator()(const dem::AdvanceSpec& spec) const { do_advance(work, spec); }
+
+        void operator()(const flow::FlowSpec& spec) const { do_flow(work, spec); }
+
+        void operator()(const erosion::DetachStageSpec& spec) const { do_detach(work, spec); }
+
+        void operator()(const erosion::ErodeSpec& spec) const { do_erode(work, spec); }
+    };
+
+    std::visit(Verb{work}, work.stage.spec);
+    work.control.save_with(nullptr);
+}
+
+} // namespace suffuse::run

@@ -1,0 +1,58 @@
+#pragma once
+// One stage: the world it starts from goes in, the world it ends with and its numbers come out. Each verb is a function.
+
+#include "suffuse/casefile/case.hpp"
+#include "suffuse/erosion/result.hpp"
+#include "suffuse/run/control.hpp"
+#include "suffuse/run/history.hpp"
+#include "suffuse/triaxial/run_path.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace suffuse::run {
+
+/// What the report draws from a stage, beyond its numbers.
+struct StageFindings {
+    std::vector<erosion::ProbeResult> probes;
+    std::optional<erosion::ErosionResult> erosion;
+    std::vector<triaxial::PathRow> curve;
+};
+
+struct StageWork {
+    const casefile::Case& what;
+    const casefile::Variant& variant;
+    const casefile::Stage& stage;
+    std::filesystem::path folder; ///< of the stage
+    bool write_tables;            ///< CSV tables of many rows
+    Control& control;
+
+    dem::World world;
+    History history;
+    nlohmann::json numbers = nlohmann::json::object(); ///< of stage.json, beyond those of every state
+    StageFindings findings;
+    std::vector<std::string> warnings, flaws;
+    double time_step = 0;           ///< of the last burst [s]
+    std::int64_t grain_steps = 0;   ///< grains x steps, for the rate
+
+    /// Saves the half-done stage with the verb's own `state`; the verb finds it again in `resumed`.
+    void save_partial(const nlohmann::json& state) const;
+    nlohmann::json resumed; ///< null: from the start
+};
+
+/// Runs the stage's verb.
+void do_stage(StageWork& work);
+
+// The verbs.
+void do_import(StageWork& work, const casefile::ImportSpec& spec);
+void do_pack(StageWork& work, const packing::PackSpec& spec);
+void do_compact(StageWork& work, const packing::CompactSpec& spec);
+void do_settle(StageWork& work, const dem::SettleSpec& spec);
+void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec);
+void do_advance(StageWork& work, const dem::AdvanceSpec& spec);
+void do_flow(StageWork& work, const flow::FlowSpec& spec);
+void do_detach(StageWork& work, const erosion::DetachStageSpec& spec);
+void do_erode(StageWork& work, const erosion::ErodeSpec& spec);
+
+} // namespace suffuse::run

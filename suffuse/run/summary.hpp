@@ -1,0 +1,25 @@
+#pragma once
+// The end of a run: summary.json, figures and report, made from what the stages left in the folder.
+
+#include "suffuse/casefile/case.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace suffuse::run {
+
+struct Summary {
+    std::filesystem::path report; ///< report.html
+    std::vector<std::string> warnings, flaws;
+    nlohmann::json findings;
+};
+
+/// Reads the finished stages of `folder`, writes summary.json, figures/ and report.html.
+Summary summarize_run(
+    const casefile::Case& what, const std::filesystem::path& folder, const std::filesystem::path& page_folder
+);
+
+} // namespace suffuse::run
