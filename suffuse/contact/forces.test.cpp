@@ -1,0 +1,193 @@
+#include "suffuse/contact/forces.hpp"
+
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/base/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace suffuse::contact {
+namespace {
+
+constexpr double dt = 4e-8; // [s]
+
+struct Sample {
+    grains::Grains grains;
+    grains::Material material;
+    Contacts contacts;
+    Mat3 h = diagonal({4e-3, 5e-3, 6e-3}), image_velocity = diagonal({1e-2, -2e-2, 3e-2});
+};
+
+/// `count` pairs in every state: touching and apart, old and new, within the cell and across its faces.
+Sample random_pairs(std::size_t count, bool adhesive, bool twisting) {
+    RandomStream random(7, "pairs", count);
+    const auto vector = [&](double size) {
+        return size * Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    };
+    Sample s;
+    s.material.adhesion_normal = s.material.adhesion_shear = adhesive ? 1e5 : 0;
+    s.material.twisting_stiffness = twisting ? 2 : 0;
+    s.material.twisting_friction = 0.1;
+    for (std::size_t c = 0; c < count; ++c) {
+        const double r1 = random.uniform(0.5e-4, 2e-4), r2 = random.uniform(0.5e-4, 2e-4);
+        const Vec3 v{random.normal(), random.normal(), random.normal()}, n = v / norm(v), x = vector(1e-3);
+        const double overlap = random.uniform(-0.5e-7, 1e-7);
+        const cell::Image image{c % 3 == 0 ? 1 : 0, c % 5 == 0 ? -1 : 0, 0};
+        const auto i = add_grain(s.grains, x, r1, 2600);
+        const auto j = add_grain(s.grains, x + (r1 + r2 - overlap) * n - cell::shift(s.h, image), r2, 2600);
+        for (const auto g : {i, j}) {
+            s.grains.velocity[g] = vector(0.1);
+            s.grains.spin[g] = vector(300);
+        }
+        const bool old = c % 4 != 0;
+        s.contacts.first.push_back(i);
+        s.contacts.second.push_back(j);
+        s.contacts.image.push_back(image);
+        s.contacts.shear_force.push_back(old ? vector(1e-3) : Vec3{});
+        s.contacts.bending.push_back(old ? vector(1e-8) : Vec3{});
+        s.contacts.normal.push_back(old ? n : Vec3{});
+        s.contacts.overlap.push_back(0);
+        if (twisting) {
+            s.contacts.twisting.push_back(old ? vector(1e-8) : Vec3{});
+        }
+        if (adhesive) {
+            s.contacts.bonded.push_back(old && c % 7 != 0 ? 1 : 0);
+        }
+    }
+    return s;
+}
+
+Triple<double> triple(const Vec3& a) {
+    return {a.x, a.y, a.z};
+}
+
+Vec3 vec(const Triple<double>& a) {
+    return {a.x, a.y, a.z};
+}
+
+GrainPair<double> pair_of(const Sample& s, std::size_t c) {
+    const auto i = s.contacts.first[c], j = s.contacts.second[c];
+    const auto& g = s.grains;
+    Vec3 branch = g.position[j] - g.position[i], velocity = g.velocity[j] - g.velocity[i];
+    if (s.contacts.image[c] != cell::Image{}) {
+        branch += cell::shift(s.h, s.contacts.image[c]);
+        velocity += cell::shift(s.image_velocity, s.contacts.image[c]);
+    }
+    return {triple(branch), triple(velocity), triple(g.spin[i]), triple(g.spin[j]), g.radius[i], g.radius[j]};
+}
+
+/// The law applied to one contact after the other: the slow, obvious loop.
+template <bool Adhesive, bool Twisting>
+std::vector<ContactForce> one_by_one(const Sample& s, Contacts& contacts) {
+    const LawConstants law = resolve_law(s.material);
+    std::vector<ContactForce> forces;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        ContactMemory<double> memory{
+            triple(contacts.shear_force[c]), triple(contacts.bending[c]), {}, triple(contacts.normal[c]), 0};
+        if constexpr (Adhesive) {
+            memory.bonded = contacts.bonded[c];
+        }
+        if constexpr (Twisting) {
+            memory.twisting = triple(contacts.twisting[c]);
+        }
+        const auto out = linear_rolling<Adhesive, Twisting>(law, dt, pair_of(s, c), memory);
+        contacts.shear_force.set(c, vec(memory.shear_force));
+        contacts.bending.set(c, vec(memory.bending));
+        contacts.normal.set(c, vec(memory.normal));
+        contacts.overlap[c] = out.overlap;
+        if constexpr (Adhesive) {
+            contacts.bonded[c] = static_cast<std::uint8_t>(memory.bonded);
+        }
+        if constexpr (Twisting) {
+            contacts.twisting.set(c, vec(memory.twisting));
+        }
+        forces.push_back({vec(out.force), vec(out.torque_1), vec(out.torque_2)});
+    }
+    return forces;
+}
+
+std::vector<ContactForce> one_by_one(const Sample& s, bool adhesive, bool twisting, Contacts& contacts) {
+    if (adhesive) {
+        return twisting ? one_by_one<true, true>(s, contacts) : one_by_one<true, false>(s, contacts);
+    }
+    return twisting ? one_by_one<false, true>(s, contacts) : one_by_one<false, false>(s, contacts);
+}
+
+class ContactLoop : public testing::TestWithParam<std::tuple<bool, bool>> {};
+
+TEST_P(ContactLoop, GivesTheBitsOfTheLawAppliedToOneContactAfterTheOther) {
+    const auto [adhesive, twisting] = GetParam();
+    for (const std::size_t count : {1U, 7U, 63U, 64U, 65U, 1200U}) { // whole tiles, short ones, several blocks
+        Sample s = random_pairs(count, adhesive, twisting);
+        Contacts expected = s.contacts;
+        const std::vector<ContactForce> slow = one_by_one(s, adhesive, twisting, expected);
+        std::vector<ContactForce> fast;
+        const Mat3 sum = compute_forces(s.grains, s.h, s.image_velocity, resolve_law(s.material), dt, s.contacts, fast);
+        Mat3 slow_sum{};
+        std::size_t touching = 0;
+        for (std::size_t c = 0; c < count; ++c) {
+            ASSERT_EQ(fast[c].force, slow[c].force) << c;
+            ASSERT_EQ(fast[c].torque_1, slow[c].torque_1) << c;
+            ASSERT_EQ(fast[c].torque_2, slow[c].torque_2) << c;
+            ASSERT_EQ(s.contacts.shear_force[c], expected.shear_force[c]);
+            ASSERT_EQ(s.contacts.bending[c], expected.bending[c]);
+            ASSERT_EQ(s.contacts.normal[c], expected.normal[c]);
+            ASSERT_EQ(s.contacts.overlap[c], expected.overlap[c]);
+            touching += s.contacts.touches(c) ? 1 : 0;
+            slow_sum += outer(slow[c].force, vec(pair_of(s, c).branch));
+        }
+        EXPECT_EQ(s.contacts.bonded, expected.bonded);
+        EXPECT_EQ(s.contacts.twisting.x, expected.twisting.x);
+        EXPECT_TRUE(count < 60 || (touching > count / 4 && touching < count));
+        for (int a = 0; a < 3; ++a) {
+            for (int b = 0; b < 3; ++b) {
+                EXPECT_NEAR(sum(a, b), slow_sum(a, b), 1e-14 * trace(slow_sum)); // another order of the sum
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Variants, ContactLoop, testing::Combine(testing::Bool(), testing::Bool()),
+    [](const auto& test) {
+        return std::string(std::get<0>(test.param) ? "Adhesive" : "Plain") +
+               (std::get<1>(test.param) ? "Twisting" : "");
+    }
+);
+
+TEST(ContactLoop, GivesTheSameBitsForAnyNumberOfThreads) {
+    const Sample start = random_pairs(3000, true, true);
+    std::vector<Mat3> sums;
+    std::vector<std::vector<double>> shears;
+    for (const int threads : {1, 2, 4}) {
+        set_thread_count(threads);
+        Sample s = start;
+        std::vector<ContactForce> forces;
+        sums.push_back(compute_forces(s.grains, s.h, s.image_velocity, resolve_law(s.material), dt, s.contacts, forces)
+        );
+        shears.push_back(s.contacts.shear_force.x);
+    }
+    set_thread_count(1);
+    EXPECT_EQ(sums[0], sums[1]);
+    EXPECT_EQ(sums[0], sums[2]);
+    EXPECT_EQ(shears[0], shears[1]);
+    EXPECT_EQ(shears[0], shears[2]);
+}
+
+TEST(Incidence, ListsEveryContactOnceForEachOfItsGrains) {
+    Contacts contacts;
+    const std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs{{0, 1}, {0, 3}, {1, 3}, {3, 3}};
+    for (const auto& [i, j] : pairs) {
+        contacts.first.push_back(i);
+        contacts.second.push_back(j);
+    }
+    Incidence incidence;
+    index_contacts(contacts, 5, incidence);
+    EXPECT_EQ(incidence.first_start, (std::vector<std::uint32_t>{0, 2, 3, 3, 4, 4}));
+    EXPECT_EQ(incidence.second_start, (std::vector<std::uint32_t>{0, 0, 1, 1, 4, 4}));
+    EXPECT_EQ(incidence.second_contact, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+}
+
+} // namespace
+} // namespace suffuse::contact
