@@ -140,7 +140,7 @@ double check_overlaps(const grains::Grains& grains, const cell::Cell& cell, doub
             pair = &p;
         }
     }
-    if (worst > share) {
+    if (pair != nullptr && worst > share) {
         const auto i = pair->first, j = pair->second;
         throw CaseError(
             fmt::format(

@@ -91,7 +91,8 @@ double edge_at(std::span<const double> radius, double porosity) {
 /// The least porosity, in steps, at which overlaps can be cleared starting from these positions.
 double reachable_porosity(std::span<const double> radius, std::vector<Vec3> position, double edge, double porosity) {
     constexpr double step = 0.02;
-    for (double looser = porosity + step; looser < 1; looser += step) {
+    for (int k = 1; porosity + k * step < 1; ++k) {
+        const double looser = porosity + k * step;
         const double wider = edge_at(radius, looser);
         for (Vec3& x : position) {
             x *= wider / edge;
