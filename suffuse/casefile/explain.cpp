@@ -75,6 +75,11 @@ constexpr std::array code_table = {
         "Upward seepage at this gradient would lift the whole soil; gravity is not part of the model."},
     Code{"E605", "no fines", "Erosion needs to know which grains are fine."},
     Code{
+        "E606", "the grains cannot be drawn",
+        "Grains are drawn from the grading before the first step: the limit of the fines must lie within the curve, "
+        "Kenney and Lau's split must exist where it is asked for, and there must be enough grains to follow the curve "
+        "within `grading_tolerance`."},
+    Code{
         "W605", "nothing or everything is fine",
         "Without fines nothing can leave; without coarse grains there is no skeleton."},
 };
@@ -131,7 +136,7 @@ std::optional<std::string> explain(std::string_view what) {
     std::string text;
     for (const Key& key : schema()) {
         if (!what.empty() && is_meant(key, what)) {
-            text += (text.empty() ? "" : "\n") + describe(key);
+            text += fmt::format("{}{}", text.empty() ? "" : "\n", describe(key));
         }
     }
     return text.empty() ? std::nullopt : std::optional(text);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse::casefile {
@@ -57,13 +58,12 @@ public:
         : context_(context), settings_(settings), variant_(variant), path_("study." + study.name) {}
 
     void check_size(double ratio) {
-        if (!(ratio > 0)) {
-            return;
-        }
         const double enough =
             std::ceil(static_cast<double>(variant_.particles) * std::pow(narrow_cell / ratio, 3) / 100) * 100;
+        const std::string where = variant_.values.empty() ? "" : fmt::format(" ({} is the narrowest)", variant_.folder);
         const std::string found = fmt::format(
-            "{} grains of this soil make a cell {:.1f} times as wide as the largest of them", variant_.particles, ratio
+            "{} grains of this soil make a cell {:.1f} times as wide as the largest of them{}", variant_.particles,
+            ratio, where
         );
         const std::string advice = fmt::format("{:.0f} times need about {:.0f} grains", narrow_cell, enough);
         const Place place = place_of("particles");
@@ -127,8 +127,8 @@ public:
             );
             return;
         }
-        const double content = fines_content(*soil);
-        if (content <= 0 || content >= 1) {
+        const double content = soil->fines_content;
+        if (soil->coarse && soil->fines && (content <= 0 || content >= 1)) {
             context_.problems.warning(
                 "W605", place,
                 fmt::format(
@@ -137,6 +137,19 @@ public:
                 ),
                 "nothing can leave, or no skeleton stays"
             );
+        }
+    }
+
+    /// Draws the grains as the run will: a split that does not exist, a curve that so few grains cannot follow.
+    void check_sampling() {
+        constexpr std::int64_t quickly_drawn = 50'000; // beyond, this would take longer than all other checks together
+        if (!whole_grading(*variant_.soil) || variant_.particles < 1 || variant_.particles > quickly_drawn) {
+            return;
+        }
+        try {
+            grains::sample_soil(*variant_.soil, static_cast<int>(variant_.particles));
+        } catch (const CaseError& problem) {
+            context_.problems.error("E606", place_of("particles"), problem.what(), "suffuse explain E606");
         }
     }
 
@@ -150,16 +163,6 @@ public:
     }
 
 private:
-    static double fines_content(const grains::Soil& soil) {
-        if (soil.coarse && soil.fines) {
-            return soil.fines_content;
-        }
-        if (soil.finer_than && soil.whole) {
-            return grains::passing(*soil.whole, *soil.finer_than);
-        }
-        return 0.5; // Kenney and Lau's split lies within the curve
-    }
-
     /// To two digits, for advice.
     static double round_up(double value) {
         const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
@@ -218,13 +221,29 @@ double overlap_at(double pressure, double modulus) {
 
 void check_physics(ReadContext& context, const Case& settings, const Study& study, const Variant& variant) {
     Checks checks(context, settings, study, variant);
-    bool packs = false;
     for (const Stage& stage : variant.stages) {
-        packs = packs || std::holds_alternative<packing::PackSpec>(stage.spec);
         check_stage(checks, stage);
     }
-    if (packs && variant.soil) {
-        checks.check_size(width_in_grains(*variant.soil, variant.particles));
+}
+
+void check_sample_sizes(ReadContext& context, const Case& settings, const Study& study) {
+    const Variant* narrowest = nullptr;
+    double least = 0;
+    for (const Variant& variant : study.variants) {
+        const bool packs = std::any_of(variant.stages.begin(), variant.stages.end(), [](const Stage& stage) {
+            return std::holds_alternative<packing::PackSpec>(stage.spec);
+        });
+        if (packs && variant.soil && variant.replicate == 1) {
+            Checks(context, settings, study, variant).check_sampling();
+        }
+        const double ratio = packs && variant.soil ? width_in_grains(*variant.soil, variant.particles) : 0;
+        if (ratio > 0 && (narrowest == nullptr || ratio < least)) {
+            narrowest = &variant;
+            least = ratio;
+        }
+    }
+    if (narrowest != nullptr) {
+        Checks(context, settings, study, *narrowest).check_size(least);
     }
 }
 

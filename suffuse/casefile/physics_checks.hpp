@@ -9,6 +9,9 @@ namespace suffuse::casefile {
 /// Reports what cannot work as an error and what is doubtful as a warning. `settings` has material, fluid and balance.
 void check_physics(ReadContext& context, const Case& settings, const Study& study, const Variant& variant);
 
+/// The same for the number of grains: only the narrowest cell of all variants is reported.
+void check_sample_sizes(ReadContext& context, const Case& settings, const Study& study);
+
 /// Width of a settled cubic cell / largest grain, for `particles` grains of `soil` [-]; 0 where it cannot be told.
 double width_in_grains(const grains::Soil& soil, std::int64_t particles);
 

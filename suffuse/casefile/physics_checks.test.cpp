@@ -76,8 +76,31 @@ TEST(PhysicsChecks, ErosionNeedsFines) {
         find_problem(problems_of(replaced(good_case, "fines = { finer_than = \"0.15 mm\" }", "") + erode), "E605").line,
         17
     );
-    EXPECT_TRUE(find_problem(problems_of(replaced(good_case, "0.15 mm", "0.05 mm") + erode), "W605").is_warning);
-    EXPECT_TRUE(find_problem(problems_of(replaced(good_case, "0.15 mm", "1 mm") + erode), "W605").is_warning);
+    const std::string two = replaced(
+        replaced(
+            good_case, "fines = { finer_than = \"0.15 mm\" }",
+            "fines = { psd = \"data/silt.csv\" }\nfines_content = 0.0"
+        ),
+        "psd = \"data/sand.csv\"", "coarse = { psd = \"data/sand.csv\" }"
+    );
+    EXPECT_TRUE(find_problem(problems_of(two + erode), "W605").is_warning);
+}
+
+TEST(PhysicsChecks, GrainsThatCannotBeDrawnAreReportedBeforeTheRun) {
+    const Diagnostic outside = find_problem(problems_of(replaced(good_case, "0.15 mm", "1 mm")), "E606");
+    EXPECT_EQ(outside.line, 7);
+    EXPECT_NE(outside.message.find("leaves no fines or no skeleton"), std::string::npos);
+    const Diagnostic few =
+        find_problem(problems_of(replaced(good_case, "psd =", "grading_tolerance = \"0.01 %\"\npsd =")), "E606");
+    EXPECT_EQ(few.line, 8);
+    EXPECT_NE(few.message.find("particles"), std::string::npos);
+}
+
+TEST(PhysicsChecks, OnlyTheNarrowestVariantIsReported) {
+    const auto list = problems_of(replaced(good_case, "20000", "20000\nsweep = { particles = [3000, 2000, 30000] }"));
+    ASSERT_EQ(list.size(), 1U) << render(list);
+    EXPECT_EQ(list[0].code, "W602");
+    EXPECT_NE(list[0].message.find("one/particles=2000 is the narrowest"), std::string::npos) << list[0].message;
 }
 
 } // namespace

@@ -311,6 +311,7 @@ Study read_study(ReadContext& context, const StudySurroundings& around, const No
     for (Variant& variant : list_variants(study, around.settings.seed)) {
         read_variant(context, around, entry, study, std::move(variant));
     }
+    check_sample_sizes(context, around.settings, study);
     return study;
 }
 
