@@ -1,8 +1,12 @@
 #include "suffuse/base/parallel.hpp"
 
+#include "suffuse/base/error.hpp"
+
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -11,12 +15,41 @@ namespace {
 
 thread_local bool inside_a_loop = false; // a loop within a loop runs on the thread that meets it
 
-constexpr int spins_before_sleep =
+constexpr std::size_t spins_before_sleep =
     4000; // about 20 microseconds: longer than a barrier inside a step, shorter than a time slice
 
+/// The blocks that are left of one thread's share of a loop, as one word: claiming a block is one exchange of it, which
+/// fails when the loop is over, however late the thread that claims it has woken up.
+class Share {
+public:
+    void open(std::uint32_t loop, std::size_t first, std::size_t last) {
+        word_.store(static_cast<std::uint64_t>(loop) << 48 | static_cast<std::uint64_t>(first) << 24 | last);
+    }
+
+    /// A block to do, or nothing.
+    std::optional<std::size_t> claim() {
+        for (std::uint64_t word = word_.load();;) {
+            const std::uint64_t next = word >> 24 & block_mask, last = word & block_mask;
+            if (next >= last) {
+                return std::nullopt;
+            }
+            if (word_.compare_exchange_weak(word, word + (std::uint64_t{1} << 24))) {
+                return next;
+            }
+        }
+    }
+
+    static constexpr std::uint64_t block_mask = 0xffffff; // of one share
+
+private:
+    alignas(64) std::atomic<std::uint64_t> word_{0};
+};
+
+/// Threads that wait for loops. Each has a contiguous share of the blocks, for its cache's sake, and helps the others
+/// when it is done: a thread that the machine has put aside delays nobody.
 class Pool {
 public:
-    explicit Pool(int threads) : errors_(static_cast<std::size_t>(threads)) {
+    explicit Pool(int threads) : shares_(static_cast<std::size_t>(threads)) {
         for (int t = 1; t < threads; ++t) {
             workers_.emplace_back([this, t] { serve(static_cast<std::size_t>(t)); });
         }
@@ -35,45 +68,57 @@ public:
     Pool& operator=(const Pool&) = delete;
 
     void run(std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body) {
+        expects(blocks <= Share::block_mask, "a parallel loop has more blocks than a share can count");
         body_ = &body;
-        blocks_ = blocks;
-        pending_.store(static_cast<int>(workers_.size()));
+        left_.store(blocks);
+        const std::uint32_t loop = generation_.load() + 1;
+        for (std::size_t t = 0; t < shares_.size(); ++t) {
+            shares_[t].open(loop, blocks * t / shares_.size(), blocks * (t + 1) / shares_.size());
+        }
         generation_.fetch_add(1);
         generation_.notify_all();
         work(0);
-        for (int spin = 0, left = pending_.load(); left != 0; left = pending_.load()) {
+        for (std::size_t left = left_.load(), spin = 0; left != 0; left = left_.load()) {
             if (++spin > spins_before_sleep) {
-                pending_.wait(left);
+                left_.wait(left);
             }
         }
-        for (std::exception_ptr& error : errors_) {
-            if (error) {
-                std::rethrow_exception(std::exchange(error, nullptr));
-            }
+        if (failed_.exchange(false)) {
+            std::rethrow_exception(std::exchange(error_, nullptr));
         }
     }
 
 private:
+    /// Own share first, then the others'.
     void work(std::size_t thread) {
-        const std::size_t threads = workers_.size() + 1;
         inside_a_loop = true;
-        try {
-            const std::size_t first = blocks_ * thread / threads;
-            const std::size_t last = blocks_ * (thread + 1) / threads;
-            if (first < last) {
-                (*body_)(first, last);
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            Share& share = shares_[(thread + k) % shares_.size()];
+            while (const std::optional<std::size_t> block = share.claim()) {
+                do_block(*block);
             }
-        } catch (...) {
-            errors_[thread] = std::current_exception();
         }
         inside_a_loop = false;
     }
 
+    void do_block(std::size_t block) {
+        try {
+            (*body_)(block, block + 1);
+        } catch (...) {
+            if (!failed_.exchange(true)) {
+                error_ = std::current_exception();
+            }
+        }
+        if (left_.fetch_sub(1) == 1) {
+            left_.notify_one();
+        }
+    }
+
     void serve(std::size_t thread) {
-        unsigned seen = 0;
+        std::uint32_t seen = 0;
         for (;;) {
-            unsigned now = generation_.load();
-            for (int spin = 0; now == seen; now = generation_.load()) {
+            std::uint32_t now = generation_.load();
+            for (std::size_t spin = 0; now == seen; now = generation_.load()) {
                 if (++spin > spins_before_sleep) {
                     generation_.wait(seen);
                 }
@@ -83,19 +128,16 @@ private:
                 return;
             }
             work(thread);
-            if (pending_.fetch_sub(1) == 1) {
-                pending_.notify_one();
-            }
         }
     }
 
     std::vector<std::thread> workers_;
-    std::vector<std::exception_ptr> errors_;
+    std::vector<Share> shares_;
     const std::function<void(std::size_t, std::size_t)>* body_ = nullptr;
-    std::size_t blocks_ = 0;
-    std::atomic<unsigned> generation_{0};
-    std::atomic<int> pending_{0};
-    std::atomic<bool> stop_{false};
+    std::exception_ptr error_;
+    std::atomic<std::uint32_t> generation_{0};
+    std::atomic<std::size_t> left_{0};
+    std::atomic<bool> failed_{false}, stop_{false};
 };
 
 int requested_threads = 1;

@@ -1,10 +1,11 @@
 #include "suffuse/erosion/passage.hpp"
 
+#include "suffuse/pores/constrictions.hpp"
+#include "suffuse/pores/locate.hpp"
 #include "suffuse/pores/network.hpp"
+#include "suffuse/pores/widest_path.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -29,29 +30,17 @@ CoarseGrains coarse_grains(const grains::Grains& grains) {
     return coarse;
 }
 
-/// Size below which a share of the facets lies, by number.
-double size_at(const std::vector<double>& sorted, double share) {
-    if (sorted.empty()) { return 0; }
-    const double rank = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(rank);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (rank - std::floor(rank)) * (sorted[above] - sorted[below]);
-}
-
-Constrictions describe(const pores::Throats& throats) {
-    Constrictions result;
-    for (std::size_t t = 0; t < throats.size(); ++t) {
-        if (pores::is_internal(throats, t)) { continue; } // an artificial cut through one void
-        result.diameter.push_back(2 * throats.inscribed_radius[t]);
-        result.center.push_back(throats.center[t]);
+/// Diameter of the widest path from where each grain of the world is [m].
+std::vector<double> paths_of_grains(
+    const pores::PoreNetwork& network, const CoarseGrains& coarse, const dem::World& world, const Vec3& direction
+) {
+    const std::vector<double> path = pores::widest_paths(network, pores::axis_along(world.cell.h, direction));
+    const pores::PoreLocator locator(network, coarse.position);
+    std::vector<double> diameter;
+    for (const Vec3& x : world.grains.position) {
+        diameter.push_back(path[locator.find(x).pore]);
     }
-    if (result.diameter.empty()) { return result; }
-    std::vector<double> sorted = result.diameter;
-    std::sort(sorted.begin(), sorted.end());
-    result.mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
-    result.median = size_at(sorted, 0.5);
-    result.d35 = size_at(sorted, 0.35);
-    return result;
+    return diameter;
 }
 
 } // namespace
@@ -80,8 +69,8 @@ std::optional<std::string> skeleton_complaint(const dem::World& world) {
 CoarseSkeleton measure_coarse_skeleton(const dem::World& world, const Vec3& direction, bool with_paths) {
     const CoarseGrains coarse = coarse_grains(world.grains);
     const pores::PoreNetwork network = pores::build_network(world.cell.h, coarse.position, coarse.radius);
-    CoarseSkeleton skeleton{describe(network.throats), {}};
-    (void)direction, (void)with_paths;
+    CoarseSkeleton skeleton{pores::find_constrictions(network), {}};
+    if (with_paths) { skeleton.widest_path = paths_of_grains(network, coarse, world, direction); }
     return skeleton;
 }
 

@@ -2,6 +2,7 @@
 // What the erosion procedure found, as plain values: the rows behind Figures 9 to 14.
 
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/pores/constrictions.hpp"
 
 #include <array>
 #include <cstdint>
@@ -39,11 +40,7 @@ struct ProbeResult {
 };
 
 /// The constrictions of the coarse skeleton, one row a facet of its Delaunay triangulation.
-struct Constrictions {
-    std::vector<double> diameter; ///< of the inscribed circle [m]
-    std::vector<Vec3> center;     ///< [m]
-    double mean = 0, median = 0, d35 = 0; ///< by number of facets [m]
-};
+using Constrictions = pores::Constrictions;
 
 /// The state of the sample at one point of the history of an erosion pass (Figures 13 and 14).
 struct PathRow {

@@ -56,13 +56,16 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 )
 } // namespace triaxial
 
+namespace pores {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Constrictions, diameter, center, mean, median, d35)
+} // namespace pores
+
 namespace erosion {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     ProbeResult, gradient, unbalanced_force, reached_floor, relax_steps, ramp, watch, time_step, fluid_over_contact,
     signal_over_twin, viscous_time, beyond_viscous_time, id, diameter, fluid_force, coordination, speed, twin_speed,
     displacement, free_speed, free_displacement, twin_noise, by_velocity, by_displacement, agreement
 )
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Constrictions, diameter, center, mean, median, d35)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     PathRow, pass, phase, step, stress, volumetric_strain, porosity, unbalanced_force, eroded_mass
 )

@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double largest_good_overlap = 0.05; // of the smaller radius: beyond, spheres are no model of grains any more
+constexpr double largest_good_overlap = 0.1; // of the smaller radius: beyond, a sphere is pressed flat and the linear law no model
 
 bool writes(const casefile::OutputSpec& output, std::string_view format) {
     return std::find(output.formats.begin(), output.formats.end(), format) != output.formats.end();
