@@ -1,0 +1,44 @@
+#include "suffuse/pores/constrictions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace suffuse::pores {
+
+double quantile(std::span<const double> sorted, double share) {
+    if (sorted.empty()) {
+        return 0;
+    }
+    const double place = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+Constrictions find_constrictions(const PoreNetwork& network) {
+    const Throats& throats = network.throats;
+    Constrictions result;
+    for (std::size_t t = 0; t < throats.size(); ++t) {
+        if (is_internal(throats, t)) {
+            continue;
+        }
+        result.diameter.push_back(2 * throats.inscribed_radius[t]);
+        result.center.push_back(throats.center[t]);
+    }
+    if (result.diameter.empty()) {
+        return result;
+    }
+    std::vector<double> sorted = result.diameter;
+    std::sort(sorted.begin(), sorted.end());
+    result.mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
+    result.median = quantile(sorted, 0.5);
+    result.d35 = quantile(sorted, 0.35);
+    return result;
+}
+
+Constrictions find_constrictions(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius) {
+    return find_constrictions(build_network(h, position, radius));
+}
+
+} // namespace suffuse::pores

@@ -1,0 +1,32 @@
+#pragma once
+// Sizes of the constrictions of a skeleton: the circles inscribed in the facets of its weighted Delaunay triangulation,
+// each facet counted once (the paper's choice, as in Yade). Facets between pores of coincident centers, which only cut
+// one void in two, are no constrictions.
+
+#include "suffuse/base/vec3.hpp"
+#include "suffuse/pores/network.hpp"
+
+#include <span>
+#include <vector>
+
+namespace suffuse::pores {
+
+struct Constrictions {
+    std::vector<double> diameter; ///< one row a facet [m]
+    std::vector<Vec3> center;     ///< of the inscribed circle [m]
+    double mean = 0;              ///< by number of facets, like the next two [m]
+    double median = 0;            ///< [m]
+    double d35 = 0;               ///< 35 % are smaller [m]
+};
+
+/// Constrictions of a network.
+Constrictions find_constrictions(const PoreNetwork& network);
+
+/// Constrictions among grains at `position` with `radius` alone, in the periodic cell `h` [m].
+/// @throws GeometryError for input that is not a packing.
+Constrictions find_constrictions(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius);
+
+/// The value below which a share of the sorted values lies, by linear interpolation between them.
+double quantile(std::span<const double> sorted, double share);
+
+} // namespace suffuse::pores

@@ -1,0 +1,197 @@
+#include "suffuse/pores/network.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/pores/offset_union.hpp"
+#include "suffuse/pores/power_center.hpp"
+#include "suffuse/pores/throat.hpp"
+#include "suffuse/pores/triangulation_check.hpp"
+
+#include <cmath>
+
+namespace suffuse::pores {
+namespace {
+
+constexpr std::size_t block = 1024;
+
+/// Corners of the facet opposite to corner k, turning left seen from the far side when the tetrahedron is positive.
+constexpr std::size_t facet_corner[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+/// Numbers the facets, each from the side that comes first, and opens the rows of the throat table.
+void number_throats(const Triangulation& triangulation, Pores& pores, Throats& throats) {
+    const std::size_t expected = 2 * triangulation.size();
+    throats.side.reserve(expected), throats.image.reserve(expected);
+    throats.grain.reserve(expected), throats.grain_image.reserve(expected);
+    pores.throat.resize(triangulation.size());
+    for (std::uint32_t p = 0; p < triangulation.size(); ++p) {
+        const auto& grain = triangulation.grain[p];
+        const auto& grain_image = triangulation.grain_image[p];
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::uint32_t q = triangulation.neighbor[p][k];
+            const ShortImage image = triangulation.neighbor_image[p][k];
+            if (q < p || (q == p && image < ShortImage{})) {
+                continue;
+            }
+            const auto t = static_cast<std::uint32_t>(throats.side.size());
+            const std::size_t j = facet_from_other_side(triangulation, p, k);
+            expects(j < 4, "each facet of the triangulation has two sides");
+            pores.throat[p][k] = t;
+            pores.throat[q][j] = t;
+            const auto& c = facet_corner[k];
+            throats.side.push_back({p, q});
+            throats.image.push_back(image);
+            throats.grain.push_back({grain[c[0]], grain[c[1]], grain[c[2]]});
+            throats.grain_image.push_back({grain_image[c[0]], grain_image[c[1]], grain_image[c[2]]});
+        }
+    }
+}
+
+/// Flat tetrahedra have no center of their own: it lies between those of their neighbors, so that they take one of
+/// these.
+void center_flat_pores(const Mat3& h, Pores& pores, std::vector<std::uint8_t>& is_flat) {
+    std::vector<std::uint32_t> waiting;
+    for (std::uint32_t p = 0; p < pores.size(); ++p) {
+        if (is_flat[p] != 0) {
+            waiting.push_back(p);
+        }
+    }
+    while (!waiting.empty()) {
+        std::vector<std::uint32_t> still, found;
+        for (const std::uint32_t p : waiting) {
+            std::size_t k = 0;
+            while (k < 4 && is_flat[pores.neighbor[p][k]] != 0) {
+                ++k;
+            }
+            if (k == 4) {
+                still.push_back(p);
+                continue;
+            }
+            pores.center[p] = pores.center[pores.neighbor[p][k]] + shift(h, pores.neighbor_image[p][k]);
+            found.push_back(p);
+        }
+        if (found.empty()) {
+            throw GeometryError("pores: all grain centers lie in one plane; a packing has three dimensions");
+        }
+        for (const std::uint32_t p : found) {
+            is_flat[p] = 0;
+        }
+        waiting = std::move(still);
+    }
+}
+
+void measure_pores(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, Pores& pores) {
+    const std::size_t n = pores.size();
+    pores.center.resize(n), pores.volume.resize(n), pores.void_volume.resize(n);
+    std::vector<std::uint8_t> is_flat(n, 0);
+    parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            std::array<Vec3, 4> x;
+            std::array<double, 4> weight;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const std::uint32_t g = pores.grain[p][k];
+                x[k] = position[g] + shift(h, pores.grain_image[p][k]);
+                weight[k] = radius[g] * radius[g];
+            }
+            const PowerCenter center = power_center(x, weight);
+            pores.center[p] = center.point;
+            is_flat[p] = center.is_flat ? 1 : 0;
+            pores.volume[p] = tetrahedron_volume(x[0], x[1], x[2], x[3]);
+            pores.void_volume[p] = pores.volume[p];
+            for (std::size_t k = 0; k < 4; ++k) {
+                const auto& c = facet_corner[k];
+                const double angle = std::abs(solid_angle(x[c[0]] - x[k], x[c[1]] - x[k], x[c[2]] - x[k]));
+                pores.void_volume[p] -= weight[k] * radius[pores.grain[p][k]] * angle / 3;
+            }
+        }
+    });
+    center_flat_pores(h, pores, is_flat);
+}
+
+void measure_throats(
+    const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, const Pores& pores, Throats& throats
+) {
+    const std::size_t n = throats.size();
+    throats.area.resize(n), throats.void_area.resize(n), throats.solid_surface.resize(n);
+    throats.hydraulic_radius.resize(n), throats.inscribed_radius.resize(n), throats.length.resize(n);
+    throats.center.resize(n), throats.grain_share.resize(n);
+    parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            std::array<Vec3, 3> x;
+            std::array<double, 3> r;
+            for (std::size_t k = 0; k < 3; ++k) {
+                x[k] = position[throats.grain[t][k]] + shift(h, throats.grain_image[t][k]);
+                r[k] = radius[throats.grain[t][k]];
+            }
+            const Vec3 p1 = pores.center[throats.side[t][0]];
+            const Vec3 p2 = pores.center[throats.side[t][1]] + shift(h, throats.image[t]);
+            const ThroatGeometry geometry = measure_throat(x, r, p1, p2);
+            const InscribedCircle circle = inscribed_circle(x[1] - x[0], x[2] - x[0], r);
+            throats.area[t] = geometry.area;
+            throats.void_area[t] = geometry.void_area;
+            throats.solid_surface[t] = geometry.solid_surface;
+            throats.hydraulic_radius[t] = geometry.hydraulic_radius;
+            throats.grain_share[t] = geometry.grain_share;
+            throats.length[t] = norm(p2 - p1);
+            throats.inscribed_radius[t] = circle.radius;
+            throats.center[t] = x[0] + circle.center;
+        }
+    });
+}
+
+/// Joins pores of coincident centers to bodies and gives throats inside a body the length 0.
+void find_bodies(PoreNetwork& network) {
+    Pores& pores = network.pores;
+    Throats& throats = network.throats;
+    OffsetUnion bodies(pores.size());
+    for (std::size_t t = 0; t < throats.size(); ++t) {
+        if (throats.length[t] > coincidence * std::sqrt(norm(throats.area[t]))) {
+            continue;
+        }
+        bodies.join(throats.side[t][0], throats.side[t][1], throats.image[t]);
+    }
+    constexpr std::uint32_t none = ~std::uint32_t{0};
+    std::vector<std::uint32_t> number(pores.size(), none);
+    pores.body.resize(pores.size()), pores.body_image.resize(pores.size());
+    for (std::uint32_t p = 0; p < pores.size(); ++p) {
+        const auto root = bodies.find(p);
+        if (number[root.node] == none) {
+            number[root.node] = static_cast<std::uint32_t>(network.bodies++);
+        }
+        pores.body[p] = number[root.node];
+        pores.body_image[p] = root.offset;
+    }
+    for (std::size_t t = 0; t < throats.size(); ++t) {
+        const auto [p, q] = throats.side[t];
+        const bool same =
+            pores.body[p] == pores.body[q] && pores.body_image[p] == pores.body_image[q] + throats.image[t];
+        if (same) {
+            throats.length[t] = 0;
+        }
+    }
+}
+
+} // namespace
+
+PoreNetwork build_network(
+    Triangulation&& triangulation, const Mat3& h, std::span<const Vec3> position, std::span<const double> radius
+) {
+    PoreNetwork network;
+    network.h = h;
+    network.jitter = triangulation.jitter;
+    number_throats(triangulation, network.pores, network.throats);
+    network.hidden = std::move(triangulation.hidden);
+    network.pores.grain = std::move(triangulation.grain);
+    network.pores.grain_image = std::move(triangulation.grain_image);
+    network.pores.neighbor = std::move(triangulation.neighbor);
+    network.pores.neighbor_image = std::move(triangulation.neighbor_image);
+    measure_pores(h, position, radius, network.pores);
+    measure_throats(h, position, radius, network.pores, network.throats);
+    find_bodies(network);
+    return network;
+}
+
+PoreNetwork build_network(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius) {
+    return build_network(triangulate(h, position, radius), h, position, radius);
+}
+
+} // namespace suffuse::pores

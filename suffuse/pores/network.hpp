@@ -1,0 +1,80 @@
+#pragma once
+// The pore network of a periodic packing as plain tables: one pore a tetrahedron of the weighted Delaunay
+// triangulation, one throat a facet. Geometry only, no fluid. Positions are those given to build_network, not wrapped;
+// images count in periods of the given cell. A pore's tetrahedron is the image whose centroid lies in the cell.
+// [Chareyre 2012]
+
+#include "suffuse/base/vec3.hpp"
+#include "suffuse/pores/short_image.hpp"
+#include "suffuse/pores/triangulation.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace suffuse::pores {
+
+/// One row a pore.
+struct Pores {
+    std::vector<std::array<std::uint32_t, 4>> grain; ///< corner k is position[grain[k]] + shift(h, grain_image[k])
+    std::vector<std::array<ShortImage, 4>> grain_image;
+    std::vector<std::array<std::uint32_t, 4>> neighbor;    ///< pore across the facet opposite to corner k ...
+    std::vector<std::array<ShortImage, 4>> neighbor_image; ///< ... moved by these periods
+    std::vector<std::array<std::uint32_t, 4>> throat;      ///< through that facet
+    std::vector<Vec3> center;                              ///< power center of the four grains [m]
+    std::vector<double> volume;                            ///< of the tetrahedron [m3]
+    std::vector<double> void_volume;                       ///< without the grains [m3]
+    /// Pores whose centers coincide, as in lattices, hold one body of water with one pressure; elsewhere a pore is a
+    /// body.
+    std::vector<std::uint32_t> body;
+    std::vector<ShortImage> body_image; ///< the pore's center is the body's center moved by these periods
+
+    [[nodiscard]] std::size_t size() const { return grain.size(); }
+};
+
+/// One row a throat; its facet is that of the two pores side[0] and side[1], the latter moved by `image`.
+struct Throats {
+    std::vector<std::array<std::uint32_t, 2>> side;
+    std::vector<ShortImage> image;
+    std::vector<std::array<std::uint32_t, 3>> grain;
+    std::vector<std::array<ShortImage, 3>> grain_image;
+    std::vector<Vec3> area;               ///< of the facet, pointing from side 0 to side 1 [m2]
+    std::vector<double> void_area;        ///< [m2]
+    std::vector<double> solid_surface;    ///< wetted by the throat's water [m2]
+    std::vector<double> hydraulic_radius; ///< [m]
+    std::vector<double> inscribed_radius; ///< of the circle that touches the three grains: the constriction [m]
+    std::vector<double> length;           ///< between the pore centers; exactly 0 inside a body of several pores [m]
+    std::vector<Vec3> center;             ///< of the inscribed circle [m]
+    std::vector<std::array<double, 3>> grain_share; ///< part of pressure difference x area that each grain receives [-]
+
+    [[nodiscard]] std::size_t size() const { return side.size(); }
+};
+
+struct PoreNetwork {
+    Mat3 h; ///< columns are the cell vectors [m]
+    Pores pores;
+    Throats throats;
+    std::size_t bodies = 0; ///< bodies of water: the unknowns of a flow problem
+    std::vector<std::uint32_t>
+        hidden;        ///< grains buried in others: no pore touches them, the fluid exerts no force on them
+    double jitter = 0; ///< see Triangulation [m]
+};
+
+/// A throat between two pores of one body: an artificial cut through one void, no constriction.
+inline bool is_internal(const Throats& throats, std::size_t t) {
+    return throats.length[t] == 0;
+}
+
+/// Pore centers closer than this share of the facet's size (square root of its area) coincide.
+inline constexpr double coincidence = 1e-9;
+
+/// Builds the tables of a triangulation of the same cell, positions and radii. @throws GeometryError if it is not one.
+PoreNetwork build_network(
+    Triangulation&& triangulation, const Mat3& h, std::span<const Vec3> position, std::span<const double> radius
+);
+
+/// Triangulates and builds. @throws GeometryError for input that is not a packing.
+PoreNetwork build_network(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius);
+
+} // namespace suffuse::pores
