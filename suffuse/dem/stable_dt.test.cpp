@@ -1,0 +1,128 @@
+#include "suffuse/dem/stable_dt.hpp"
+
+#include "suffuse/dem/equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/energy.hpp"
+#include "tests/support/worlds.hpp"
+#include <cmath>
+#include <string>
+
+namespace suffuse::dem {
+namespace {
+
+constexpr double radius = 1e-4, overlap = 1e-8; // [m]
+
+double stiffness(const World& world) {
+    return world.material.modulus * radius; // of two equal grains
+}
+
+/// Two equal grains with a contact.
+World pair_of(double shear_ratio, double rolling, double twisting) {
+    grains::Material material;
+    material.shear_ratio = shear_ratio;
+    material.rolling_stiffness = rolling;
+    material.twisting_stiffness = twisting;
+    World world = test::two_grains(radius, radius, overlap, material);
+    test::add_contact(world, 0, 1);
+    return world;
+}
+
+TEST(HighestFrequency, OfAPairIsThatOfItsStiffestMode) {
+    struct Mode {
+        const char* name;
+        double shear_ratio, rolling, twisting;
+        double square; ///< omega2 m / kn
+    };
+
+    // Apart: 2 kn/m. Slip, with both grains turning the same way: ks (2/m + 2 r2/I) = 7 ks/m. Rolling, opposite ways:
+    // 2 kr/I = 5 alpha ks/m. Twisting about the normal: the same with its own stiffness.
+    for (const Mode& mode :
+         {Mode{"normal", 0.1, 0.2, 0.3, 2}, Mode{"slip", 0.8, 1, 0.5, 7 * 0.8},
+          Mode{"rolling", 0.42, 7.5, 2, 5 * 7.5 * 0.42}, Mode{"twisting", 0.42, 2, 9, 5 * 9 * 0.42}}) {
+        const World world = pair_of(mode.shear_ratio, mode.rolling, mode.twisting);
+        const double expected = std::sqrt(mode.square * stiffness(world) / world.grains.mass[0]);
+        EXPECT_NEAR(highest_frequency(world, 400) / expected, 1, 1e-6) << mode.name;
+        const double usual = highest_frequency(world) / expected; // comes from below
+        EXPECT_LE(usual, 1 + 1e-12) << mode.name;
+        EXPECT_GE(usual, 0.95) << mode.name;
+    }
+}
+
+/// A row of equal grains across the whole cell, touching across its faces.
+World chain(int count) {
+    grains::Material material;
+    material.shear_ratio = 1e-9;                               // the normal springs alone
+    material.adhesion_normal = material.adhesion_shear = 1e12; // contacts may pull
+    const double spacing = 2 * radius - overlap;
+    World world = test::empty_world(count * spacing, material);
+    world.reference_h = world.cell.h = diagonal({count * spacing, 10 * radius, 10 * radius});
+    for (int k = 0; k < count; ++k) {
+        test::add(world, {(k + 0.5) * spacing, 5 * radius, 5 * radius}, radius);
+    }
+    StepCaches caches;
+    step(world, caches, test::plan_of(1e-12));
+    return world;
+}
+
+TEST(HighestFrequency, OfAChainIsTwiceTheRootOfStiffnessOverMass) {
+    const World world = chain(20);
+    const double expected = 2 * std::sqrt(stiffness(world) / world.grains.mass[0]);
+    EXPECT_NEAR(highest_frequency(world, 3000) / expected, 1, 1e-6); // neighbors in the spectrum are 1 % away
+    const double usual = highest_frequency(world) / expected;
+    EXPECT_GE(usual, 0.95);
+    EXPECT_LE(usual, 1 + 1e-12);
+}
+
+TEST(HighestFrequency, WithoutContactsIsZero) {
+    World world = pair_of(0.42, 7.5, 0);
+    world.contacts.normal.set(0, {});
+    EXPECT_EQ(highest_frequency(world), 0);
+}
+
+/// Vibration of a chain after many steps of `share` of the stability limit, relative to its start.
+double growth(double share) {
+    World world = chain(20);
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        world.grains.velocity[g].x = 1e-7 * (g % 2 == 0 ? 1 : -1); // the stiffest mode
+    }
+    StepCaches caches;
+    const double limit = 2 / (2 * std::sqrt(stiffness(world) / world.grains.mass[0]));
+    const double start = test::energy_of(world).kinetic;
+    test::advance(world, caches, test::plan_of(share * limit), 300);
+    return test::energy_of(world).kinetic / start;
+}
+
+TEST(StabilityLimit, IsTwoOverTheHighestFrequency) {
+    EXPECT_LT(growth(0.99), 100); // bounded: near the limit the scheme's conserved energy stretches by 1/(1 - share^2)
+    EXPECT_GT(growth(1.01), 1e10);
+}
+
+TEST(StableTimeStep, IsAShareOfTheLimitAndHoldsForContactsToCome) {
+    World world = pair_of(0.42, 7.5, 0);
+    const double limit = 2 / highest_frequency(world, 400);
+    const double dt = stable_time_step(world, 0.5);
+    EXPECT_LE(dt, 0.5 * limit);
+    EXPECT_GE(dt, 0.4 * limit);
+    world.contacts = {}; // a cloud: what an uncompressed pair of the smallest grains allows
+    EXPECT_LE(stable_time_step(world, 0.5), 0.5 * limit * (1 + 1e-9));
+    EXPECT_GE(stable_time_step(world, 0.5), 0.4 * limit);
+}
+
+TEST(StableTimeStep, OfThePackingIsNearTheReferencesAndCalm) {
+    World world = test::reference_packing("packing500");
+    StepCaches caches;
+    step(world, caches, test::plan_of(1e-12));
+    const double dt = stable_time_step(world);
+    // The reference's time stepper allows 0.271 to 0.339 of the P-wave step, 1.37e-7 s, for this packing.
+    EXPECT_GT(dt, 0.2 * 1.3655e-7);
+    EXPECT_LT(dt, 0.5 * 1.3655e-7);
+    test::advance(world, caches, test::plan_of(dt, 0.2), 2000);
+    EXPECT_LT(measure_equilibrium(world).unbalanced_force, 1e-3);
+    RecordProperty("share_of_limit", std::to_string(dt * highest_frequency(world, 2000) / 2));
+    EXPECT_LT(dt * highest_frequency(world, 2000) / 2, 0.9);
+}
+
+} // namespace
+} // namespace suffuse::dem
