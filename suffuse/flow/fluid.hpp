@@ -12,9 +12,9 @@ struct Fluid {
 
 /// `do = "flow"`: steady seepage through the frozen packing.
 struct FlowSpec {
-    double gradient = 0;         ///< hydraulic gradient i [-]
-    Vec3 direction = {0, 0, 1};  ///< where the water goes: grad p = -i rho_w g direction
-    bool tensor = false;         ///< solve three directions and report the permeability tensor
+    double gradient = 0;        ///< hydraulic gradient i [-]
+    Vec3 direction = {0, 0, 1}; ///< where the water goes: grad p = -i rho_w g direction
+    bool tensor = false;        ///< solve three directions and report the permeability tensor
 };
 
 } // namespace suffuse::flow

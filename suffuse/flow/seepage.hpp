@@ -1,0 +1,46 @@
+#pragma once
+// Steady seepage through the frozen packing, from grains to fluid forces and permeability: triangulate, measure, solve,
+// act.
+
+#include "suffuse/base/vec3.hpp"
+#include "suffuse/cell/cell.hpp"
+#include "suffuse/flow/fluid.hpp"
+#include "suffuse/flow/pressure.hpp"
+#include "suffuse/pores/network.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace suffuse::flow {
+
+/// Wall seconds of each part.
+struct SeepageSeconds {
+    double triangulate = 0, conductance = 0, solve = 0, forces = 0;
+};
+
+struct Seepage {
+    pores::PoreNetwork network;
+    std::vector<double> conductance; ///< per throat [m3/(Pa s)]
+    Vec3 pressure_gradient;          ///< mean: -i rho g direction [Pa/m]
+    FlowField field;
+    std::vector<Vec3> grain_force; ///< of the fluid on each grain, without buoyancy; rows as given [N]
+    double permeability = 0;       ///< along the direction, from the unit gradient: also known at i = 0 [m2]
+    std::optional<Mat3> tensor;    ///< permeability tensor, where asked [m2]
+    Vec3 mean_velocity;            ///< superficial [m/s]
+    Vec3 force_sum;                ///< over all grains [N]
+    double force_sum_error = 0;    ///< |force_sum + V grad p| / |V grad p|, 0 where there is no gradient [-]
+    SeepageSeconds seconds;
+};
+
+/// Solves the flow through the grains at `position` with `radius` [m], one row a grain.
+/// @throws GeometryError, SolverError; CaseError for a fluid or direction that cannot be.
+Seepage solve_seepage(
+    const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius, const FlowSpec& spec,
+    const Fluid& fluid
+);
+
+/// Multiplies the pressure gradient, and with it everything that is linear in it: one solution serves all gradients.
+void scale(Seepage& seepage, double factor);
+
+} // namespace suffuse::flow
