@@ -1,0 +1,180 @@
+// What must not matter: where the sample lies, how its cell is turned or its basis chosen, how grains are numbered,
+// whether a list is fresh.
+
+#include "suffuse/contact/carry_over.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/order.hpp"
+#include "suffuse/neighbors/pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.hpp"
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace suffuse::dem {
+namespace {
+
+constexpr double dt = 4e-8;    // [s]
+constexpr int steps = 200;     // rounding grows in a packing: this is before it does
+constexpr double close = 1e-9; // relative; rounding of 1e-16 on lengths whose overlaps are 1e-3 of them, and its growth
+
+double largest(const Mat3& m) {
+    double most = 0;
+    for (const auto& row : m.m) {
+        for (const double v : row) {
+            most = std::max(most, std::abs(v));
+        }
+    }
+    return most;
+}
+
+/// A packing that has taken up its load, with shear forces and moments in its contacts.
+const World& loaded_packing() {
+    static const World world = [] {
+        World packing = test::reference_packing("packing500");
+        StepCaches caches;
+        test::advance(packing, caches, test::plan_of(dt, 0.2), 100);
+        packing.contacts = contact::touching_rows(packing.contacts);
+        return packing;
+    }();
+    return world;
+}
+
+/// Shears the packing; no damping, which acts along the axes and so is not the same in a turned frame.
+StepPlan shearing(const Mat3& frame = identity()) {
+    StepPlan plan = test::plan_of(dt);
+    plan.loading.velocity_gradient = frame * Mat3{{{{20, 0, 30}, {0, 10, 0}, {0, 0, -30}}}} * transpose(frame);
+    return plan;
+}
+
+Mat3 run(World& world, const Mat3& frame = identity()) {
+    StepCaches caches;
+    test::advance(world, caches, shearing(frame), steps);
+    return mean_stress_tensor(world);
+}
+
+const Mat3& expected_stress() {
+    static const Mat3 stress = [] {
+        World world = loaded_packing();
+        return run(world);
+    }();
+    return stress;
+}
+
+TEST(Invariance, ATranslatedSampleHasTheSameStress) {
+    World world = loaded_packing();
+    for (Vec3& x : world.grains.position) {
+        x += Vec3{0.31e-3, -1.7e-3, 0.05e-3};
+    }
+    // The mean motion is about the origin of space, now elsewhere in the sample: all grains drift alike.
+    EXPECT_LE(largest(run(world) - expected_stress()), close * largest(expected_stress()));
+}
+
+TEST(Invariance, ARotatedSampleHasTheRotatedStress) {
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    const Mat3 q = Mat3{{{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}}} * Mat3{{{{1, 0, 0}, {0, c, -s}, {0, s, c}}}};
+    World world = loaded_packing();
+    world.cell.h = q * world.cell.h;
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        for (Vec3* v : {&world.grains.position[g], &world.grains.velocity[g], &world.grains.spin[g]}) {
+            *v = q * *v;
+        }
+    }
+    for (std::size_t k = 0; k < world.contacts.size(); ++k) {
+        for (contact::VectorColumn* column :
+             {&world.contacts.shear_force, &world.contacts.bending, &world.contacts.normal}) {
+            column->set(k, q * (*column)[k]);
+        }
+    }
+    const Mat3 stress = run(world, q);
+    EXPECT_LE(largest(stress - q * expected_stress() * transpose(q)), close * largest(expected_stress()));
+}
+
+TEST(Invariance, AShearedBasisOfTheSameLatticeGivesTheSameTrajectory) {
+    World world = loaded_packing(), other = world;
+    // b becomes b + a, c becomes c - b - a: the same points of the lattice, other names; images follow.
+    const Mat3 change = from_columns({1, 0, 0}, {1, 1, 0}, {-1, -1, 1});
+    ASSERT_EQ(determinant(change), 1);
+    other.cell.h = other.cell.h * change;
+    const Mat3 back = inverse(change);
+    for (cell::Image& image : other.contacts.image) {
+        const Vec3 k = back * Vec3{double(image.a), double(image.b), double(image.c)};
+        image = {
+            static_cast<int>(std::lround(k.x)), static_cast<int>(std::lround(k.y)), static_cast<int>(std::lround(k.z))};
+    }
+    // The contact table is sorted by image too: only pairs that touch twice could change places, and there are none.
+    const Mat3 stress = run(world), other_stress = run(other);
+    EXPECT_LE(largest(stress - other_stress), close * largest(stress));
+    EXPECT_EQ(coordination(world), coordination(other));
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        ASSERT_LE(norm(world.grains.position[g] - other.grains.position[g]), 1e-12 * 1e-3) << g;
+    }
+}
+
+TEST(Invariance, RenumberedGrainsMoveTheSameToRounding) {
+    World world = loaded_packing(), other = world;
+    std::vector<std::uint32_t> order(other.grains.size()), new_row(order.size());
+    std::iota(order.begin(), order.end(), 0U);
+    for (std::uint32_t k = 0; k < order.size(); ++k) { // any permutation: 500 and 237 have no common divisor
+        order[k] = (237 * k + 91) % 500;
+        new_row[order[k]] = k;
+    }
+    select_rows(other.grains, order);
+    other.contacts = contact::renumbered(other.contacts, new_row);
+    const Mat3 stress = run(world), other_stress = run(other);
+    EXPECT_LE(largest(stress - other_stress), close * largest(stress));
+    for (std::uint32_t k = 0; k < order.size(); ++k) {
+        ASSERT_LE(norm(world.grains.position[order[k]] - other.grains.position[k]), 1e-12 * 1e-3);
+        ASSERT_EQ(world.grains.id[order[k]], other.grains.id[k]);
+    }
+}
+
+TEST(Invariance, FreshListsChangeNoBit) {
+    World world = loaded_packing(), other = world;
+    StepCaches caches;
+    const StepPlan plan = shearing();
+    for (int k = 0; k < steps; ++k) {
+        step(world, caches, plan);
+        StepCaches fresh; // all neighbors searched anew in every step
+        step(other, fresh, plan);
+    }
+    EXPECT_EQ(state_hash(world), state_hash(other));
+    EXPECT_GE(caches.neighborhood.prunings(), 2); // and the lists were made again on the way
+}
+
+TEST(Invariance, NoTouchingPairIsEverMissed) {
+    // Fast grains in a shearing cell: the table against a test of every pair with every image.
+    World world = loaded_packing();
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        world.grains.velocity[g] =
+            0.5 * Vec3{std::sin(1.0 * double(g)), std::cos(2.3 * double(g)), std::sin(3.1 * double(g))};
+    }
+    StepCaches caches;
+    StepPlan plan = test::plan_of(dt);
+    plan.loading.velocity_gradient = Mat3{{{{0, 0, 3000}, {0, 500, 0}, {0, 0, -1000}}}};
+    for (int k = 0; k < 5; ++k) {
+        test::advance(world, caches, plan, 24);
+        World now = world; // geometry of the next step's contacts
+        StepCaches copy = caches;
+        step(now, copy, plan);
+        const auto pairs =
+            neighbors::find_pairs_exhaustively(now.cell.h, world.grains.position, world.grains.radius, -1e-12);
+        std::size_t row = 0;
+        for (const neighbors::Pair& pair : pairs) {
+            while (row < now.contacts.size() &&
+                   neighbors::Pair{now.contacts.first[row], now.contacts.second[row], now.contacts.image[row]} < pair) {
+                ++row;
+            }
+            ASSERT_LT(row, now.contacts.size());
+            ASSERT_EQ(
+                (neighbors::Pair{now.contacts.first[row], now.contacts.second[row], now.contacts.image[row]}), pair
+            );
+            ASSERT_TRUE(now.contacts.touches(row));
+        }
+    }
+}
+
+} // namespace
+} // namespace suffuse::dem

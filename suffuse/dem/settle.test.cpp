@@ -1,0 +1,126 @@
+#include "suffuse/dem/settle.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/dem/inspect.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.hpp"
+#include <limits>
+#include <string>
+
+namespace suffuse::dem {
+namespace {
+
+/// A cubic lattice pressed to about 100 kPa: at rest by symmetry, so that only what a test asks for is unbalanced.
+World pressed_lattice() {
+    constexpr double r = 1e-4, spacing = 2 * r * (1 - 5.6e-4);
+    World world = test::empty_world(3 * spacing);
+    for (int k = 0; k < 27; ++k) {
+        const Vec3 site{static_cast<double>(k % 3), static_cast<double>(k / 3 % 3), static_cast<double>(k / 9)};
+        test::add(world, spacing * site, r);
+    }
+    StepCaches caches;
+    step(world, caches, test::plan_of(1e-9));
+    return world;
+}
+
+struct Settling {
+    World world = pressed_lattice();
+    StepCaches caches;
+    StepPlan plan = test::plan_of(1e-9, 0.2);
+    BalanceSpec spec;
+    BalanceState state;
+
+    Settling() {
+        plan.loading = constant_volume();
+        spec.patience = 200;
+    }
+
+    /// Bursts until balanced, or ten.
+    int bursts() {
+        for (int k = 1; k <= 10; ++k) {
+            if (settle_burst(world, caches, plan, spec, state)) {
+                return k;
+            }
+        }
+        return 0;
+    }
+};
+
+TEST(Settle, TakesAsManyBalancedStepsInARowAsAsked) {
+    Settling run;
+    EXPECT_EQ(run.bursts(), 4); // 4 x 50 steps
+    EXPECT_EQ(run.state.steps, 200);
+}
+
+TEST(Settle, NeedsTheForcesBalanced) {
+    Settling run;
+    run.world.grains.velocity[13] = {1e-3, 0, 0};
+    run.spec.unbalanced_force = 1e-12;
+    EXPECT_EQ(run.bursts(), 0);
+}
+
+TEST(Settle, NeedsTheStressesMet) {
+    Settling run;
+    run.plan.loading = isotropic_stress(2e5);
+    run.plan.loading.servo.max_rate = 0;
+    EXPECT_EQ(run.bursts(), 0);
+    EXPECT_GT(stress_error(run.plan.loading, run.state.stress), 0.4);
+    run.plan.loading = isotropic_stress(mean_stress(run.state.stress));
+    run.plan.loading.servo.max_rate = 0;
+    EXPECT_EQ(run.bursts(), 4);
+}
+
+TEST(Settle, StartsToCountAnewAfterADisturbance) {
+    Settling run;
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_FALSE(settle_burst(run.world, run.caches, run.plan, run.spec, run.state));
+    }
+    run.plan.loading = isotropic_stress(2e5);
+    run.plan.loading.servo.max_rate = 0;
+    settle_burst(run.world, run.caches, run.plan, run.spec, run.state);
+    EXPECT_EQ(run.state.balanced_steps, 0);
+    run.plan.loading = constant_volume();
+    EXPECT_EQ(run.bursts(), 4);
+}
+
+TEST(Settle, DoesNotCallACloudWithoutContactsBalanced) {
+    Settling run;
+    run.world = test::empty_world(1);
+    test::add(run.world, {0.5, 0.5, 0.5}, 0.01);
+    EXPECT_EQ(run.bursts(), 0);
+}
+
+TEST(Settle, SaysWhatIsMissingWhenItTakesTooLong) {
+    Settling run;
+    run.plan.loading = isotropic_stress(2e5);
+    run.plan.loading.servo.max_rate = 0;
+    try {
+        settle(run.world, run.caches, run.plan, run.spec, 500);
+        FAIL() << "no error";
+    } catch (const StateError& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("not balanced after 500 steps"), std::string::npos) << message;
+        EXPECT_NE(message.find("stress error 5"), std::string::npos) << message; // about one half
+    }
+}
+
+TEST(StressError, IsTheLargestOfTheControlledAxesAgainstTheLargestTarget) {
+    cell::Loading loading;
+    loading.axis[0] = {cell::Control::Stress, 100};
+    loading.axis[1] = {cell::Control::Stress, 0};
+    EXPECT_DOUBLE_EQ(stress_error(loading, diagonal({99, 5, 777})), 0.05);
+    EXPECT_EQ(stress_error(constant_volume(), diagonal({1, 2, 3})), 0);
+    loading.velocity_gradient = Mat3{};
+    EXPECT_EQ(stress_error(loading, {}), 0);
+}
+
+TEST(Step, StopsAtAStressThatIsNotANumber) {
+    Settling run;
+    run.world.grains.velocity[0].x = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(test::advance(run.world, run.caches, run.plan, 3), Error);
+}
+
+} // namespace
+} // namespace suffuse::dem
