@@ -1,1 +1,101 @@
-int main(){return 0;}
+// The program: the command line in, an exit code out. The only place that catches, so that every error of the library
+// ends here, once, with its words and its code.
+
+#include "suffuse/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/command_line.hpp"
+#include "apps/console.hpp"
+#include "apps/exit_code.hpp"
+#include "apps/verbs.hpp"
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <string_view>
+
+namespace suffuse::apps {
+namespace {
+
+struct Complaint {
+    int code;
+    std::string kind, message;
+    bool rendered = false; ///< with its source line already
+    nlohmann::json problems = nlohmann::json::array();
+};
+
+Complaint complaint_about(const casefile::CaseProblems& error, bool color) {
+    Complaint complaint{BadCase, "case", casefile::render(error.problems, color), true};
+    for (const casefile::Diagnostic& problem : error.problems) {
+        complaint.problems.push_back(problem_json(problem));
+    }
+    return complaint;
+}
+
+/// What the exception in flight means to the user.
+Complaint current_complaint(bool color) {
+    try {
+        throw;
+    } catch (const UsageError& error) {
+        return {WrongUse, "usage", error.what()};
+    } catch (const casefile::CaseProblems& error) {
+        return complaint_about(error, color);
+    } catch (const CaseError& error) {
+        return {BadCase, "case", error.what()};
+    } catch (const IoError& error) {
+        return {InputOutput, "io", error.what()};
+    } catch (const std::filesystem::filesystem_error& error) {
+        return {InputOutput, "io", error.what()};
+    } catch (const suffuse::Interrupted& error) {
+        return {Interrupted, "interrupted", error.what()};
+    } catch (const Error& error) {
+        return {Failed, "run", error.what()};
+    } catch (const std::bad_alloc&) {
+        return {Failed, "memory", "out of memory; suffuse plan CASE tells how much a case needs"};
+    } catch (const std::exception& error) {
+        return {OurDefect, "defect", error.what()};
+    } catch (...) {
+        return {
+            OurDefect, "defect", "something was thrown that is no exception (a defect of suffuse, please report it)"};
+    }
+}
+
+int complain(const Complaint& complaint, const Console& console) {
+    console.error(complaint.message, complaint.rendered);
+    console.document(json_text(
+        {{"error",
+          {{"kind", complaint.kind},
+           {"exit_code", complaint.code},
+           {"message", complaint.message},
+           {"problems", complaint.problems}}}}
+    ));
+    return complaint.code;
+}
+
+int run_program(int argc, const char* const* argv) {
+    CommandLine early; // what an error about the command line itself needs to know
+    early.json = std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
+    Console console(early);
+    try {
+        const CommandLine line = read_command_line(argc, argv);
+        console = Console(line);
+        if (line.verb.empty()) {
+            Console().result(line.text);
+            Console().finish();
+            return Done;
+        }
+        const int code = perform(line, console);
+        console.finish();
+        return code;
+    } catch (...) {
+        return complain(current_complaint(console.has_color()), console);
+    }
+}
+
+} // namespace
+} // namespace suffuse::apps
+
+int main(int argc, char** argv) {
+    return suffuse::apps::run_program(argc, argv);
+}

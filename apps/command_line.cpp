@@ -1,0 +1,279 @@
+#include "apps/command_line.hpp"
+
+#include "suffuse/base/spelling.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/help.hpp"
+#include <algorithm>
+
+namespace suffuse::apps {
+namespace {
+
+const std::string case_text = "the case file";
+const std::string folder_text = "the folder of a run";
+
+void add_everywhere(CLI::App& app, CommandLine& line) {
+    app.add_flag("-q,--quiet", line.quiet, "say nothing but results and errors");
+    app.add_flag("-v,--verbose", line.verbose, "say more");
+    app.add_flag("--json", line.json, "one JSON document on standard output");
+    app.add_option("--color", line.color_word, "auto, always or never; NO_COLOR is heeded")->type_name("WHEN");
+}
+
+CLI::Option* add_subject(CLI::App& verb, CommandLine& line, const std::string& name, const std::string& text) {
+    return verb.add_option(name, line.subject, text)->required();
+}
+
+void add_case_changes(CLI::App& verb, CommandLine& line) {
+    verb.add_option("--preset", line.preset, "size of the job, one of the case's [presets.*]")->type_name("NAME");
+    verb.add_option("--set", line.overrides, "change one value of the case; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+}
+
+void add_threads(CLI::App& verb, CommandLine& line) {
+    verb.add_option("-j,--threads", line.threads, "threads; all cores unless given. Results do not depend on it")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+}
+
+void add_limits(CLI::App& verb, CommandLine& line) {
+    verb.add_option("--until", line.until, "stop after this stage")->type_name("STAGE");
+    verb.add_option("--time-limit", line.time_limit, "save and stop after this wall time, as in 90min or 2h")
+        ->type_name("TIME");
+}
+
+void add_run_verbs(CLI::App& app, CommandLine& line) {
+    CLI::App* run = app.add_subcommand("run", "run a case and write its report");
+    add_subject(*run, line, "CASE", case_text);
+    add_threads(*run, line);
+    run->add_option("-o,--output", line.output, "folder of the run; runs/NAME-0001 and so on unless given")
+        ->type_name("DIR");
+    add_case_changes(*run, line);
+    add_limits(*run, line);
+
+    CLI::App* resume = app.add_subcommand("resume", "go on with a run that was stopped, to the same bits");
+    add_subject(*resume, line, "DIR", folder_text);
+    add_threads(*resume, line);
+    add_limits(*resume, line);
+
+    CLI::App* report = app.add_subcommand("report", "write the report of a run again, without computing");
+    add_subject(*report, line, "DIR", folder_text);
+}
+
+void add_case_verbs(CLI::App& app, CommandLine& line) {
+    CLI::App* make = app.add_subcommand("new", "write a commented case and its data to start from");
+    make->add_option("DIR", line.subject, "folder to write it to; the template's name unless given");
+    make->add_option("--from", line.from, "template to start from")->type_name("NAME")->required();
+
+    CLI::App* check = app.add_subcommand("check", "read a case and tell all that is wrong with it");
+    add_subject(*check, line, "CASE", case_text);
+    add_case_changes(*check, line);
+
+    CLI::App* plan = app.add_subcommand("plan", "what a case would cost: steps, time, memory, disk");
+    add_subject(*plan, line, "CASE", case_text);
+    add_threads(*plan, line);
+    add_case_changes(*plan, line);
+
+    CLI::App* explain = app.add_subcommand("explain", "one screen on a key, an error code, or the conventions");
+    add_subject(*explain, line, "WORD", "as in contact.modulus, E310, conventions");
+
+    app.add_subcommand("schema", "every key that a case may have, as Markdown");
+}
+
+void add_packing_options(CLI::App& verb, CommandLine& line) {
+    verb.add_option("--packing", line.packing, "grains: x,y,z,r in meters, Yade's text, or a LAMMPS data file")
+        ->type_name("FILE")
+        ->required();
+    verb.add_option("--cell", line.cell, "edges of the periodic cell in meters, or nine numbers, its matrix by rows")
+        ->type_name("LX,LY,LZ")
+        ->required();
+}
+
+void add_bench_verbs(CLI::App& app, CommandLine& line) {
+    CLI::App* bench = app.add_subcommand("bench", "measure the speed on a packing of yours");
+    CLI::App* step = bench->add_subcommand("step", "settle a packing at 100 kPa, then time slow shear");
+    step->add_option("--steps", line.steps, "steps that are timed, 2000 unless given")
+        ->type_name("N")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+    step->add_option("--time-step", line.time_step, "in seconds; 4.1e-8 unless given")->type_name("DT");
+    CLI::App* flow = bench->add_subcommand("flow", "time each part of a flow solution");
+    flow->add_option("--gradient", line.gradient, "hydraulic gradient along x, 0.05 unless given")->type_name("I");
+    for (CLI::App* verb : {step, flow}) {
+        add_packing_options(*verb, line);
+        add_threads(*verb, line);
+        verb->add_option("--replicate", line.replicate, "copies of the packing along each axis")
+            ->type_name("N")
+            ->check(CLI::Range(1, 30));
+        verb->callback([verb, &line] { line.bench = verb->get_name(); });
+    }
+}
+
+void add_packing_verbs(CLI::App& app, CommandLine& line) {
+    CLI::App* import = app.add_subcommand("import", "look at a packing from elsewhere, and write it as CSV");
+    add_subject(*import, line, "FILE", "grains: x,y,z,r in meters, Yade's text, or a LAMMPS data file");
+    import->add_option("--cell", line.cell, "edges of its cell in meters, or nine numbers, its matrix by rows")
+        ->type_name("LX,LY,LZ");
+    import->add_option("-o,--output", line.output, "CSV file to write")->type_name("FILE");
+
+    CLI::App* out = app.add_subcommand("export", "write the grains of a stage for other programs");
+    add_subject(*out, line, "STATE", "a stage's state.h5, or the stage's folder");
+    out->add_option("-o,--output", line.output, "file to write")->type_name("FILE")->required();
+    out->add_option("--format", line.format, "csv, yade or xyz; by the file's ending unless given")->type_name("NAME");
+}
+
+std::vector<std::string> names_of_verbs(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(verb->get_name());
+    }
+    return names;
+}
+
+/// Long and short names of what an app and those above it understand.
+std::vector<std::string> names_of_flags(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* level = &app; level != nullptr; level = level->get_parent()) {
+        for (const CLI::Option* option : level->get_options()) {
+            for (const std::string& name : option->get_lnames()) {
+                names.push_back("--" + name);
+            }
+        }
+    }
+    return names;
+}
+
+/// The verb, or verb below it, that was recognized last.
+const CLI::App& innermost(const CLI::App& app) {
+    const CLI::App* level = &app;
+    while (!level->get_subcommands().empty()) {
+        level = level->get_subcommands().back();
+    }
+    return *level;
+}
+
+[[noreturn]] void complain_about_extra(const CLI::App& app) {
+    const CLI::App& verb = innermost(app);
+    const std::vector<std::string> extra = app.remaining(true);
+    const std::string word = extra.empty() ? "" : extra.front();
+    const std::string help = &verb == &app ? "suffuse --help" : fmt::format("suffuse {} --help", path_of(verb));
+    if (word.rfind('-', 0) == 0) {
+        const std::string flag = word.substr(0, word.find('='));
+        throw UsageError(
+            fmt::format("unknown flag {}{}; {} lists them", shown(flag), near_hint(flag, names_of_flags(verb)), help)
+        );
+    }
+    const std::vector<std::string> verbs = names_of_verbs(verb);
+    if (!verbs.empty()) {
+        throw UsageError(fmt::format("unknown verb {}{}; {} lists them", shown(word), near_hint(word, verbs), help));
+    }
+    throw UsageError(fmt::format("{} is one argument too many; see {}", shown(word), help));
+}
+
+Color color_of(const std::string& word) {
+    if (word == "always") {
+        return Color::Always;
+    }
+    if (word == "never") {
+        return Color::Never;
+    }
+    if (word == "auto") {
+        return Color::Auto;
+    }
+    throw UsageError(fmt::format("--color {}: it is auto, always or never", shown(word)));
+}
+
+std::string quoted(const std::string& word) {
+    const bool is_plain =
+        !word.empty() &&
+        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+%@") ==
+            std::string::npos;
+    if (is_plain) {
+        return word;
+    }
+    std::string text = "'";
+    for (const char c : word) {
+        text += c == '\'' ? "'\\''" : std::string(1, c);
+    }
+    return text + "'";
+}
+
+/// `suffuse my/case.toml` runs the case.
+std::vector<std::string> with_verb(std::vector<std::string> words) {
+    constexpr std::string_view ending = ".toml";
+    if (!words.empty() && words.front().size() > ending.size() && words.front().ends_with(ending)) {
+        words.insert(words.begin(), "run");
+    }
+    return words;
+}
+
+void parse(CLI::App& app, std::vector<std::string> words, CommandLine& line) {
+    std::reverse(words.begin(), words.end()); // as CLI11 wants them
+    try {
+        app.parse(words);
+    } catch (const CLI::CallForVersion&) {
+        line.text = version_text();
+    } catch (const CLI::CallForHelp&) {
+        const CLI::App& verb = innermost(app);
+        line.text = &verb == &app ? overview(app) : help_on(verb);
+    } catch (const CLI::ExtrasError&) {
+        complain_about_extra(app);
+    } catch (const CLI::ParseError& error) {
+        const CLI::App& verb = innermost(app);
+        throw UsageError(
+            fmt::format("{}; see suffuse {}--help", shown(error.what()), &verb == &app ? "" : path_of(verb) + " ")
+        );
+    }
+}
+
+} // namespace
+
+std::string shown(const std::string& word) {
+    constexpr std::size_t most = 200;
+    std::string text = word.substr(0, most);
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?'
+    );
+    return word.size() > most ? text + "..." : text;
+}
+
+std::string near_hint(const std::string& word, const std::vector<std::string>& known) {
+    const auto nearest = nearest_word(word, known);
+    return nearest ? fmt::format("; a similar one exists: {}", *nearest) : "";
+}
+
+CommandLine read_command_line(int argc, const char* const* argv) {
+    CommandLine line;
+    const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    line.typed = "suffuse";
+    for (const std::string& word : words) {
+        line.typed += " " + quoted(word);
+    }
+    CLI::App app;
+    app.fallthrough();
+    app.set_version_flag("--version", std::string(), "which program this is");
+    add_everywhere(app, line);
+    add_run_verbs(app, line);
+    add_case_verbs(app, line);
+    add_bench_verbs(app, line);
+    add_packing_verbs(app, line);
+    parse(app, with_verb(words), line);
+    if (!line.text.empty()) {
+        return line;
+    }
+    if (app.get_subcommands().empty()) {
+        line.text = overview(app);
+        return line;
+    }
+    line.verb = app.get_subcommands().front()->get_name();
+    if (line.verb == "bench" && line.bench.empty()) {
+        throw UsageError("bench what? suffuse bench step, or suffuse bench flow; suffuse bench --help says more");
+    }
+    line.color = color_of(line.color_word);
+    return line;
+}
+
+} // namespace suffuse::apps

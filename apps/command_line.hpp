@@ -1,0 +1,53 @@
+#pragma once
+// The command line -> one plain value. Wrong use is reported with the nearest word that would have been right.
+
+#include "suffuse/base/error.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::apps {
+
+/// The command line asks for something that cannot be; the message ends with what to do.
+struct UsageError : Error {
+    using Error::Error;
+};
+
+enum class Color { Auto, Always, Never };
+
+struct CommandLine {
+    std::string verb;  ///< empty: `text` is all there is to say
+    std::string text;  ///< help or version
+    std::string typed; ///< the whole command, quoted as for a shell
+
+    bool quiet = false, verbose = false, json = false;
+    Color color = Color::Auto;
+    std::string color_word = "auto"; ///< as typed
+
+    std::string subject; ///< case file, run folder, key, state: the verb's first argument
+    std::string output;  ///< -o
+    std::string preset;
+    std::vector<std::string> overrides; ///< --set
+    std::string until;                  ///< stage
+    std::string time_limit;             ///< with its unit
+    int threads = 0;                    ///< 0: all cores
+    std::string from;                   ///< template of `new`
+    std::string bench;                  ///< "step" or "flow"
+    std::string packing, cell, time_step, density, format;
+    std::int64_t steps = 2000;
+    int replicate = 1;
+    double gradient = 0.05;
+};
+
+/// @throws UsageError.
+CommandLine read_command_line(int argc, const char* const* argv);
+
+/// A word of the user's for a message: without control characters, and not endless.
+std::string shown(const std::string& word);
+
+/// ", did you mean ...": empty where nothing is near.
+std::string near_hint(const std::string& word, const std::vector<std::string>& known);
+
+} // namespace suffuse::apps

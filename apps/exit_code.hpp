@@ -1,0 +1,20 @@
+#pragma once
+
+// Exit codes: a promise to scripts.
+
+namespace suffuse::apps {
+
+enum ExitCode : int {
+    Done = 0,
+    Failed = 1,        ///< while running
+    WrongUse = 2,      ///< of the command line
+    BadCase = 3,       ///< the case or a data file has errors
+    Flawed = 4,        ///< ran, but a quality bar was missed; the results are marked so
+    OurDefect = 70,    ///< a broken promise of our own
+    InputOutput = 74,  ///< cannot read or write
+    OutOfTime = 75,    ///< the time limit was reached; resumable
+    Interrupted = 130, ///< SIGINT; what is needed to go on was saved
+    Terminated = 143,  ///< SIGTERM, likewise
+};
+
+} // namespace suffuse::apps

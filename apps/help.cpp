@@ -1,0 +1,116 @@
+#include "apps/help.hpp"
+
+#include "suffuse/base/version.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace suffuse::apps {
+namespace {
+
+struct Example {
+    std::string_view verb, text;
+};
+
+constexpr std::array examples{
+    Example{
+        "run", "suffuse run examples/fontainebleau-2016/case.toml --preset quick\n"
+               "suffuse run dyke/case.toml --set study.erosion.particles=4000 -o runs/small"},
+    Example{"resume", "suffuse resume runs/dyke-0001 --time-limit 2h"},
+    Example{"report", "suffuse report runs/dyke-0001"},
+    Example{"new", "suffuse new my-dyke --from fontainebleau-2016"},
+    Example{"check", "suffuse check my-dyke/case.toml"},
+    Example{"plan", "suffuse plan my-dyke/case.toml --preset paper"},
+    Example{"explain", "suffuse explain fines_content"},
+    Example{"schema", "suffuse schema > case-reference.md"},
+    Example{"bench step", "suffuse bench step --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3 --json"},
+    Example{"bench flow", "suffuse bench flow --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3"},
+    Example{"import", "suffuse import pack.txt --cell 0.004,0.004,0.004 -o packing.csv"},
+    Example{"export", "suffuse export runs/dyke-0001/studies/erosion/initial -o initial.xyz"},
+};
+
+constexpr std::string_view exit_codes =
+    "exit codes  0 done, 1 failed while running, 2 wrong use, 3 errors in the case or its data,\n"
+    "            4 ran but missed a quality bar, 70 a defect of suffuse, 74 cannot read or write,\n"
+    "            75 time limit reached, 130 and 143 stopped by a signal; the last three can be resumed\n";
+
+std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::string flag_names(const CLI::Option& option) {
+    std::string names = option.get_positional() ? option.get_name(true, false) : option.get_name(false, true);
+    for (std::size_t at = names.find(','); at != std::string::npos; at = names.find(',', at + 2)) {
+        names.replace(at, 1, ", ");
+    }
+    if (!option.get_positional() && option.get_items_expected_max() > 0) {
+        names += " " + option.get_type_name().substr(0, option.get_type_name().find(':'));
+    }
+    return names;
+}
+
+std::string flags_of(const CLI::App& app, bool positional) {
+    std::string text;
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->get_positional() == positional && option->get_name() != "--help") {
+            text += fmt::format("  {:24} {}\n", flag_names(*option), option->get_description());
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+std::string path_of(const CLI::App& verb) {
+    const CLI::App* above = verb.get_parent();
+    const bool is_top = above == nullptr || above->get_parent() == nullptr;
+    return is_top ? verb.get_name() : path_of(*above) + " " + verb.get_name();
+}
+
+std::string overview(const CLI::App& app) {
+    std::string text = "suffuse: internal erosion of soils, grain by grain, from a grading curve to a report\n\n"
+                       "  suffuse new my-dyke --from fontainebleau-2016\n"
+                       "  suffuse run my-dyke/case.toml\n\nverbs\n";
+    for (const CLI::App* verb : verbs_of(app)) {
+        text += fmt::format("  {:10} {}\n", verb->get_name(), verb->get_description());
+    }
+    text += "\neverywhere\n" + flags_of(app, false);
+    text += "\nsuffuse VERB --help says more; suffuse FILE.toml runs that case\n\n";
+    return text + std::string(exit_codes);
+}
+
+std::string help_on(const CLI::App& verb) {
+    const std::string path = path_of(verb);
+    std::string text = fmt::format("suffuse {}: {}\n", path, verb.get_description());
+    const std::string arguments = flags_of(verb, true), flags = flags_of(verb, false);
+    if (!verbs_of(verb).empty()) {
+        text += "\nverbs\n";
+        for (const CLI::App* below : verbs_of(verb)) {
+            text += fmt::format("  {:24} {}\n", path + " " + below->get_name(), below->get_description());
+        }
+    }
+    if (!arguments.empty()) {
+        text += "\narguments\n" + arguments;
+    }
+    if (!flags.empty()) {
+        text += "\nflags\n" + flags;
+    }
+    text += "\neverywhere\n" +
+            flags_of(*(verb.get_parent()->get_parent() ? verb.get_parent()->get_parent() : verb.get_parent()), false);
+    for (const Example& example : examples) {
+        if (example.verb == path) {
+            text += fmt::format("\nexample\n{}\n", example.text);
+        }
+    }
+    return text;
+}
+
+std::string version_text() {
+    return fmt::format("suffuse {} ({}, {})\n", version(), commit(), compiler());
+}
+
+} // namespace suffuse::apps

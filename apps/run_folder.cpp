@@ -1,0 +1,108 @@
+#include "apps/run_folder.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/run/folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path options_file = "run_options.json";
+
+void make_folders(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) {
+        throw IoError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+    }
+}
+
+/// The number at the end of NAME-0012, or 0.
+int number_of(const std::string& folder, const std::string& name) {
+    if (folder.rfind(name + "-", 0) != 0) {
+        return 0;
+    }
+    const std::string digits = folder.substr(name.size() + 1);
+    const bool is_number = !digits.empty() && digits.size() < 9 &&
+                           std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return is_number ? std::stoi(digits) : 0;
+}
+
+} // namespace
+
+fs::path make_run_folder(const fs::path& case_file) {
+    const std::string name = fs::absolute(case_file).lexically_normal().parent_path().filename().string();
+    const std::string stem = name.empty() ? "run" : name;
+    const fs::path runs = "runs";
+    make_folders(runs);
+    int last = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(runs)) {
+        last = std::max(last, number_of(entry.path().filename().string(), stem));
+    }
+    // Another run may take the number between looking and making: only the maker of a folder gets it.
+    for (;;) {
+        const fs::path folder = runs / fmt::format("{}-{:04}", stem, ++last);
+        std::error_code error;
+        if (fs::create_directory(folder, error)) {
+            return folder;
+        }
+        if (error) {
+            throw IoError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+        }
+    }
+}
+
+void take_run_folder(const fs::path& folder) {
+    if (fs::exists(folder) && !fs::is_directory(folder)) {
+        throw UsageError(fmt::format("{} is a file; -o wants a folder", shown(folder.string())));
+    }
+    make_folders(folder);
+    const bool is_begun = fs::exists(folder / options_file) || fs::exists(folder / "case.resolved.toml");
+    if (!is_begun && !fs::is_empty(folder)) {
+        throw UsageError(fmt::format(
+            "{} is not empty and holds no run; give -o a new folder, so that nothing of yours is overwritten",
+            shown(folder.string())
+        ));
+    }
+}
+
+void keep_asked(const fs::path& folder, const AskedRun& asked) {
+    run::write_json(
+        folder / options_file, {{"case", asked.case_file}, {"preset", asked.preset}, {"overrides", asked.overrides}}
+    );
+}
+
+AskedRun read_asked(const fs::path& folder) {
+    if (!fs::exists(folder / options_file)) {
+        throw UsageError(fmt::format("{} holds no run that could be resumed", shown(folder.string())));
+    }
+    const nlohmann::json asked = run::read_json(folder / options_file);
+    return {asked.value("case", ""), asked.value("preset", ""), asked.value("overrides", std::vector<std::string>{})};
+}
+
+FolderLock::FolderLock(const fs::path& folder)
+    : descriptor_(open((folder / ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) {
+        throw IoError(fmt::format("{}: cannot be written: {}", folder.string(), std::strerror(errno)));
+    }
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        close(descriptor_);
+        throw UsageError(fmt::format("another suffuse is at work in {}", shown(folder.string())));
+    }
+}
+
+FolderLock::~FolderLock() {
+    close(descriptor_);
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,166 @@
+#include "apps/terminal.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/wording.hpp"
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace suffuse::apps {
+namespace {
+
+using run::Progress;
+using run::Range;
+
+constexpr std::chrono::milliseconds redraw_interval{100};
+constexpr std::chrono::seconds report_interval{30};
+constexpr std::size_t label_width = 14, longest_bar = 28, shortest_bar = 8;
+
+struct ShownNumber {
+    std::string_view key, label;
+    double factor;
+    std::string_view unit;
+    int digits;
+};
+
+constexpr std::array shown_numbers{
+    ShownNumber{"pass", "pass", 1, "", 3},
+    ShownNumber{"void_ratio", "e", 1, "", 3},
+    ShownNumber{"mean_stress", "p", 1e-3, " kPa", 3},
+    ShownNumber{"deviator_stress", "q", 1e-3, " kPa", 3},
+    ShownNumber{"axial_strain", "strain", 100, " %", 3},
+    ShownNumber{"unbalanced_force", "unbalance", 1, "", 2},
+};
+
+bool is_worth_showing(const nlohmann::json& state, const ShownNumber& number) {
+    if (!state.contains(number.key) || !state.at(std::string(number.key)).is_number()) {
+        return false;
+    }
+    const double value = state.at(std::string(number.key));
+    const bool may_be_zero = number.key != "axial_strain" && number.key != "deviator_stress";
+    return std::isfinite(value) && (may_be_zero || std::abs(value) * number.factor >= 0.01);
+}
+
+std::string bar(double share, std::size_t cells, bool utf8) {
+    const auto full = std::min(cells, static_cast<std::size_t>(share * static_cast<double>(cells) + 0.5));
+    std::string text;
+    for (std::size_t k = 0; k < cells; ++k) {
+        text += utf8 ? (k < full ? "\u2588" : "\u2591") : (k < full ? "#" : ".");
+    }
+    return text;
+}
+
+std::string labelled(std::string_view label, std::string_view text) {
+    return fmt::format(" {:{}}{}", label, label_width - 1, text);
+}
+
+std::string place_of(const Progress& progress) {
+    return progress.study.empty() ? progress.stage : progress.study + "/" + progress.stage;
+}
+
+/// "relax, step 1,200", or the verb where the part has no name.
+std::string doing(const Progress& progress) {
+    const std::string& part = progress.part.empty() ? progress.verb : progress.part;
+    if (progress.steps == 0) {
+        return part;
+    }
+    return fmt::format("{}, step {}", part, count_text(progress.steps));
+}
+
+} // namespace
+
+std::string state_text(const nlohmann::json& state) {
+    std::string text;
+    for (const ShownNumber& number : shown_numbers) {
+        if (!is_worth_showing(state, number)) {
+            continue;
+        }
+        const double value = number.factor * state.at(std::string(number.key)).get<double>();
+        text +=
+            fmt::format("{}{} {:.{}g}{}", text.empty() ? "" : "  ", number.label, value, number.digits, number.unit);
+    }
+    return text;
+}
+
+std::vector<std::string>
+progress_lines(const Progress& progress, const Range& left, const std::string& hint, std::size_t width, bool utf8) {
+    const int done = progress.stage_number - (progress.stage_finished ? 0 : 1);
+    const double share = progress.stages > 0 ? static_cast<double>(done) / progress.stages : 0;
+    const std::size_t cells = std::clamp(width / 3, shortest_bar, longest_bar);
+    const std::string rate = progress.particle_steps_per_second > 0
+                                 ? fmt::format("  {:.2g} grain-steps/s", progress.particle_steps_per_second)
+                                 : "";
+    std::vector<std::string> lines{
+        labelled("stages", fmt::format("{} {}/{}", bar(share, cells, utf8), done, progress.stages)),
+        labelled("now", fmt::format("{}: {}{}", place_of(progress), doing(progress), rate)),
+        labelled("left", fmt::format("{:16} {}", duration_range_text(left), hint))};
+    if (const std::string state = state_text(progress.state); !state.empty()) {
+        lines.insert(lines.begin() + 2, labelled("state", state));
+    }
+    for (std::string& line : lines) {
+        line = clipped(line, width > 1 ? width - 1 : 1); // the last column would make some terminals begin a new line
+    }
+    return lines;
+}
+
+std::string progress_line(const Progress& progress, const Range& left) {
+    const std::string at = fmt::format("{}/{} {}", progress.stage_number, progress.stages, place_of(progress));
+    const std::string state = state_text(progress.state);
+    const std::string what =
+        progress.stage_finished ? fmt::format("done in {}", duration_text(progress.stage_seconds)) : doing(progress);
+    const bool is_last = progress.stage_finished && progress.stage_number == progress.stages;
+    const std::string rest = is_last ? "" : fmt::format("  {} left", duration_range_text(left));
+    return fmt::format("{:32} {}{}{}{}", at, what, state.empty() ? "" : "  ", state, rest);
+}
+
+void ProgressView::show(const Progress& progress) {
+    if (screen_.quiet) {
+        return;
+    }
+    if (progress.stage_finished) {
+        left_.learn(progress);
+    }
+    const auto now = Clock::now();
+    const bool is_first = shown_ == Clock::time_point{};
+    if (screen_.redraws) {
+        if (!progress.stage_finished && !is_first && now - shown_ < redraw_interval) {
+            return;
+        }
+        redraw(progress);
+    } else {
+        if (!progress.stage_finished && !is_first && now - shown_ < report_interval) {
+            return;
+        }
+        if (progress.stage_finished || !is_first) {
+            report(progress);
+        }
+    }
+    shown_ = now;
+}
+
+void ProgressView::redraw(const Progress& progress) {
+    const auto lines = progress_lines(progress, left_.left(progress), hint_, screen_.width(), screen_.utf8);
+    std::string text = drawn_ > 0 ? fmt::format("\x1b[{}A", drawn_) : "";
+    for (const std::string& line : lines) {
+        text += "\r\x1b[K" + line + "\n";
+    }
+    if (lines.size() < drawn_) {
+        text += "\x1b[J";
+    }
+    screen_.write(text);
+    drawn_ = lines.size();
+}
+
+void ProgressView::report(const Progress& progress) {
+    screen_.write(progress_line(progress, left_.left(progress)) + "\n");
+}
+
+void ProgressView::clear() {
+    if (drawn_ > 0) {
+        screen_.write(fmt::format("\x1b[{}A\r\x1b[J", drawn_));
+    }
+    drawn_ = 0;
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,139 @@
+// new, check, explain, schema: a case before it is run.
+
+#include "suffuse/casefile/explain.hpp"
+#include "suffuse/casefile/schema.hpp"
+#include "suffuse/io/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/exit_code.hpp"
+#include "apps/templates.hpp"
+#include "apps/verbs.hpp"
+#include "apps/wording.hpp"
+#include <algorithm>
+#include <filesystem>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> template_names() {
+    std::vector<std::string> names;
+    for (const TemplateFile& file : template_files()) {
+        if (names.empty() || names.back() != file.name) {
+            names.emplace_back(file.name);
+        }
+    }
+    return names;
+}
+
+nlohmann::json key_json(const casefile::Key& key) {
+    return {
+        {"place", casefile::key_place(key)},
+        {"table", key.table},
+        {"name", key.name},
+        {"value", casefile::value_text(key)},
+        {"default", key.default_text},
+        {"required", key.is_required},
+        {"text", key.text}};
+}
+
+} // namespace
+
+int new_verb(const CommandLine& line, const Console& console) {
+    const std::vector<std::string> names = template_names();
+    if (std::find(names.begin(), names.end(), line.from) == names.end()) {
+        throw UsageError(fmt::format(
+            "no template {}{}; there are {}", shown(line.from), near_hint(line.from, names), fmt::join(names, ", ")
+        ));
+    }
+    const fs::path folder = line.subject.empty() ? line.from : line.subject;
+    std::vector<std::string> written;
+    for (const TemplateFile& file : template_files()) {
+        if (file.name == line.from && fs::exists(folder / file.path)) {
+            throw UsageError(fmt::format(
+                "{} exists; give another folder, so that nothing of yours is overwritten",
+                shown((folder / file.path).string())
+            ));
+        }
+    }
+    for (const TemplateFile& file : template_files()) {
+        if (file.name != line.from) {
+            continue;
+        }
+        const fs::path path = folder / file.path;
+        std::error_code error;
+        fs::create_directories(path.parent_path(), error);
+        if (error) {
+            throw IoError(fmt::format("{}: cannot be made: {}", path.parent_path().string(), error.message()));
+        }
+        io::write_file(path, file.text);
+        written.push_back(path.string());
+    }
+    console.result(fmt::format("{}", fmt::join(written, "\n")));
+    console.document(json_text({{"written", written}}));
+    console.talk(fmt::format("next: suffuse run {}", (folder / "case.toml").string()));
+    return Done;
+}
+
+int check_verb(const CommandLine& line, const Console& console) {
+    const casefile::LoadedCase loaded = casefile::load_case(line.subject, {line.preset, line.overrides});
+    std::int64_t variants = 0, stages = 0;
+    for (const casefile::Study& study : loaded.value.studies) {
+        variants += std::ssize(study.variants);
+        for (const casefile::Variant& variant : study.variants) {
+            stages += std::ssize(variant.stages);
+        }
+    }
+    nlohmann::json problems = nlohmann::json::array();
+    for (const casefile::Diagnostic& warning : loaded.warnings) {
+        problems.push_back(problem_json(warning));
+    }
+    if (!loaded.warnings.empty() && !console.wants_json()) {
+        console.talk(casefile::render(loaded.warnings, console.has_color()));
+    }
+    console.result(fmt::format(
+        "{}: no errors{}; preset {}, {}, {} in all", line.subject,
+        loaded.warnings.empty() ? "" : fmt::format(", {}", plural(std::ssize(loaded.warnings), "warning")),
+        loaded.value.preset, plural(variants, "sample"), plural(stages, "stage")
+    ));
+    console.document(json_text(
+        {{"case", line.subject},
+         {"preset", loaded.value.preset},
+         {"errors", 0},
+         {"warnings", loaded.warnings.size()},
+         {"samples", variants},
+         {"stages", stages},
+         {"problems", problems}}
+    ));
+    return Done;
+}
+
+int explain_verb(const CommandLine& line, const Console& console) {
+    const std::optional<std::string> text = casefile::explain(line.subject);
+    if (!text) {
+        const auto nearest = casefile::nearest_topic(line.subject);
+        throw UsageError(fmt::format(
+            "nothing is known about {}; {}", shown(line.subject),
+            nearest ? fmt::format("a similar word: suffuse explain {}", *nearest)
+                    : "suffuse schema lists all keys of a case"
+        ));
+    }
+    console.result(*text);
+    console.document(json_text({{"topic", line.subject}, {"text", *text}}));
+    return Done;
+}
+
+int schema_verb(const CommandLine&, const Console& console) {
+    nlohmann::json keys = nlohmann::json::array();
+    for (const casefile::Key& key : casefile::schema()) {
+        keys.push_back(key_json(key));
+    }
+    console.result(casefile::schema_markdown());
+    console.document(json_text({{"keys", keys}}));
+    return Done;
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,285 @@
+// run, resume, report: the job.
+
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/casefile/read_text.hpp"
+#include "suffuse/run/runner.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/exit_code.hpp"
+#include "apps/run_folder.hpp"
+#include "apps/stop_signal.hpp"
+#include "apps/terminal.hpp"
+#include "apps/verbs.hpp"
+#include "apps/wording.hpp"
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A run that is about to begin or to go on.
+struct Job {
+    casefile::Case what;
+    fs::path folder;
+    std::string case_text;
+    run::RunPlan plan;
+};
+
+/// Where tools/bootstrap.sh lets npm put the report's page: seen from the program, build/release/apps/suffuse.
+fs::path page_folder() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path page = program.parent_path().parent_path().parent_path() / "report-page";
+    return !error && fs::is_directory(page, error) ? page : fs::path();
+}
+
+void check_until(const casefile::Case& what, const std::string& until) {
+    if (until.empty()) {
+        return;
+    }
+    std::vector<std::string> names;
+    for (const casefile::Study& study : what.studies) {
+        for (const casefile::Stage& stage : study.stages) {
+            names.push_back(stage.name);
+        }
+    }
+    if (std::find(names.begin(), names.end(), until) == names.end()) {
+        throw UsageError(fmt::format(
+            "--until {}: the case has no such stage{}; there are {}", shown(until), near_hint(until, names),
+            fmt::join(names, ", ")
+        ));
+    }
+}
+
+double limit_of(const std::string& text) {
+    if (text.empty()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double limit = quantity_of(text, dimension::time, "--time-limit", false);
+    if (!(limit > 0)) {
+        throw UsageError(fmt::format("--time-limit {} is no time to work in", shown(text)));
+    }
+    return limit;
+}
+
+/// The plan without what the folder holds already, or what comes after the stage asked for as the last.
+run::RunPlan plan_rest(const casefile::Case& what, const fs::path& folder, const std::string& until) {
+    run::RunPlan plan = run::plan_run(what, run::measure_speed(run::largest_sample(what)));
+    plan.steps = plan.seconds = {};
+    bool is_over = false;
+    for (run::StageEstimate& stage : plan.stages) {
+        if (is_over || fs::exists(folder / "studies" / stage.study / stage.stage / "stage.json")) {
+            stage.steps = stage.seconds = {};
+        }
+        is_over = is_over || stage.stage == until;
+        plan.steps += stage.steps;
+        plan.seconds += stage.seconds;
+    }
+    return plan;
+}
+
+Screen standard_error(const Console& console) {
+    return {can_redraw(), speaks_utf8(), console.is_quiet(), terminal_width, [](const std::string& text) {
+                std::fwrite(text.data(), 1, text.size(), stderr);
+            }};
+}
+
+std::string findings_text(const nlohmann::json& findings) {
+    std::vector<std::string> not_met, unknown;
+    for (const nlohmann::json& finding : findings) {
+        const nlohmann::json& met = finding.at("met");
+        if (!met.is_null() && met.get<bool>()) {
+            continue;
+        }
+        (met.is_null() ? unknown : not_met).push_back(finding.at("id"));
+    }
+    const std::size_t met = findings.size() - not_met.size() - unknown.size();
+    std::string text = fmt::format("paper's findings: {} of {} met", met, findings.size());
+    if (!not_met.empty()) {
+        text += fmt::format("; not met: {}", fmt::join(not_met, ", "));
+    }
+    if (!unknown.empty()) {
+        text += fmt::format("; cannot tell: {}", fmt::join(unknown, ", "));
+    }
+    return text;
+}
+
+std::string report_text(const fs::path& report) {
+    std::error_code error;
+    const auto bytes = fs::file_size(report, error);
+    if (error) {
+        return "no report";
+    }
+    return fmt::format("{}   ({}, opens offline)", report.string(), size_text(static_cast<double>(bytes)));
+}
+
+void tell_results(const run::RunReport& report, const std::string& headline, const Console& console) {
+    for (const std::string& warning : report.warnings) {
+        console.detail("warning: " + warning);
+    }
+    for (const std::string& flaw : report.flaws) {
+        console.talk("flaw: " + flaw);
+    }
+    console.result(fmt::format("{}   {}", headline, report_text(report.report)));
+    if (!report.warnings.empty()) {
+        console.talk(fmt::format("{}, listed in the report", plural(std::ssize(report.warnings), "warning")));
+    }
+    if (!report.findings.empty()) {
+        console.result(findings_text(report.findings));
+    }
+}
+
+struct Ending {
+    std::string_view word;
+    int code;
+};
+
+Ending ending_of(run::Outcome outcome) {
+    switch (outcome) {
+    case run::Outcome::Done:
+        return {"done", Done};
+    case run::Outcome::DoneWithFlaws:
+        return {"done with flaws", Flawed};
+    case run::Outcome::Stopped:
+        return {"stopped", signal_exit_code()};
+    case run::Outcome::TimeLimit:
+        return {"time limit reached", OutOfTime};
+    }
+    throw Bug("an outcome without a name");
+}
+
+int tell_end(const Job& job, const run::RunReport& report, double seconds, const Console& console) {
+    const auto [word, code] = ending_of(report.outcome);
+    const bool is_done = code == Done || code == Flawed;
+    if (is_done) {
+        tell_results(report, fmt::format("{} in {}", word, duration_text(seconds)), console);
+    } else {
+        console.talk(fmt::format("{} after {}", word, duration_text(seconds)));
+        console.result(fmt::format("resume with: suffuse resume {}", job.folder.string()));
+    }
+    console.document(json_text(
+        {{"outcome", word},
+         {"exit_code", code},
+         {"folder", job.folder.string()},
+         {"report", report.report.string()},
+         {"wall_seconds", seconds},
+         {"warnings", report.warnings},
+         {"flaws", report.flaws},
+         {"findings", report.findings}}
+    ));
+    return code;
+}
+
+int conduct(Job job, const CommandLine& line, const Console& console) {
+    run::RunOptions options;
+    options.folder = job.folder;
+    options.until = line.until;
+    options.time_limit = limit_of(line.time_limit);
+    options.stop = &stop_flag();
+    options.page_folder = page_folder();
+    options.case_text = job.case_text;
+    options.command = line.typed;
+    ProgressView view(
+        standard_error(console), job.plan, "Ctrl-C saves and stops; suffuse resume " + job.folder.string()
+    );
+    bool told_stop = false;
+    options.on_progress = [&](const run::Progress& progress) {
+        if (stop_flag() && !std::exchange(told_stop, true)) {
+            view.begin_anew();
+        } // the signal's message stands below
+        view.show(progress);
+    };
+    heed_signals();
+    const auto start = std::chrono::steady_clock::now();
+    const run::RunReport report = run::run_case(job.what, options);
+    view.clear();
+    return tell_end(
+        job, report, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), console
+    );
+}
+
+void tell_plan(const Job& job, const std::string& verb, const Console& console) {
+    console.talk(fmt::format(
+        "case  {}   preset {}   seed {}   {}", job.what.title.empty() ? "without a title" : job.what.title,
+        job.what.preset, job.what.seed, plural(thread_count(), "thread")
+    ));
+    console.talk(fmt::format("plan  {}", plan_sentence(job.plan)));
+    console.talk(fmt::format("{:5} {}", verb, job.folder.string()));
+}
+
+/// What a larger preset would cost, and where to go from here.
+void tell_next(const CommandLine& line, const Job& job, const Console& console) {
+    std::string next = "suffuse new my-soil --from fontainebleau-2016";
+    if (job.what.preset == "quick") {
+        const casefile::Case larger = casefile::load_case(line.subject, {"standard", line.overrides}).value;
+        const run::RunPlan plan = run::plan_run(larger, job.plan.speed);
+        next = fmt::format("--preset standard ({}), or {}", duration_range_text(plan.seconds), next);
+    }
+    console.talk("next: " + next);
+}
+
+} // namespace
+
+int run_verb(const CommandLine& line, const Console& console) {
+    const double limit = limit_of(line.time_limit); // wrong use is told before anything is made
+    console.detail(fmt::format("time limit {}", std::isfinite(limit) ? duration_text(limit) : "none"));
+    Job job;
+    job.what = load_asked_case(line, console);
+    check_until(job.what, line.until);
+    job.case_text = casefile::read_whole_file(line.subject);
+    set_threads(line.threads);
+    job.plan = plan_rest(job.what, line.output, line.until);
+    if (line.output.empty()) {
+        job.folder = make_run_folder(line.subject);
+    } else {
+        job.folder = line.output;
+        take_run_folder(job.folder);
+    }
+    const FolderLock lock(job.folder);
+    if (!fs::exists(job.folder / "run_options.json")) {
+        keep_asked(job.folder, {fs::absolute(line.subject).string(), line.preset, line.overrides});
+    }
+    tell_plan(job, "into", console);
+    const int code = conduct(job, line, console);
+    if (code == Done) {
+        tell_next(line, job, console);
+    }
+    return code;
+}
+
+int resume_verb(const CommandLine& line, const Console& console) {
+    const fs::path folder = line.subject;
+    const AskedRun asked = read_asked(folder);
+    const fs::path resolved = folder / "case.resolved.toml";
+    Job job;
+    job.folder = folder;
+    job.what = fs::exists(resolved) ? casefile::load_case(resolved.string()).value
+                                    : casefile::load_case(asked.case_file, {asked.preset, asked.overrides}).value;
+    job.case_text = casefile::read_whole_file(fs::exists(resolved) ? resolved.string() : asked.case_file);
+    check_until(job.what, line.until);
+    set_threads(line.threads);
+    const FolderLock lock(folder);
+    job.plan = plan_rest(job.what, folder, line.until);
+    tell_plan(job, "in", console);
+    return conduct(job, line, console);
+}
+
+int report_verb(const CommandLine& line, const Console& console) {
+    const run::RunReport report = run::rebuild_report(line.subject, page_folder());
+    tell_results(report, "written", console);
+    console.document(json_text(
+        {{"report", report.report.string()},
+         {"warnings", report.warnings},
+         {"flaws", report.flaws},
+         {"findings", report.findings}}
+    ));
+    return report.flaws.empty() ? Done : Flawed;
+}
+
+} // namespace suffuse::apps

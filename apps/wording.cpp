@@ -1,0 +1,116 @@
+#include "apps/wording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace suffuse::apps {
+namespace {
+
+constexpr double minute = 60, hour = 3600, day = 86400;
+
+/// Two digits: 4.2, 42, 420.
+std::string two_digits(double value) {
+    return value < 9.95 ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
+}
+
+std::string whole_or_half(double value) {
+    return value < 1.95 ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
+}
+
+std::string one_number(double count) {
+    constexpr double few = 1e4;
+    if (count < few) {
+        return count_text(std::llround(count));
+    }
+    const int power = static_cast<int>(std::floor(std::log10(count)));
+    return fmt::format("{:.1f}e{}", count / std::pow(10.0, power), power);
+}
+
+} // namespace
+
+std::string duration_text(double seconds) {
+    if (seconds < 59.5) {
+        return two_digits(std::max(seconds, 0.0)) + " s";
+    }
+    const auto whole = static_cast<std::int64_t>(std::llround(seconds));
+    if (seconds < hour) {
+        return fmt::format("{} min {} s", whole / 60, whole % 60);
+    }
+    return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string duration_range_text(const run::Range& seconds) {
+    struct Unit {
+        double most, size;
+        std::string_view name;
+    };
+
+    constexpr std::array units{
+        Unit{99, 1, "s"}, Unit{99 * minute, minute, "min"}, Unit{48 * hour, hour, "h"}, Unit{1e300, day, "days"}};
+    constexpr double narrowest = 1.1;
+    const double most = std::max(seconds.most, narrowest * seconds.least);
+    if (most < 1) {
+        return "under 1 s";
+    }
+    const Unit& unit = *std::find_if(units.begin(), units.end(), [&](const Unit& u) { return most < u.most; });
+    const auto number = [&](double value) {
+        return unit.size == 1 ? fmt::format("{:.0f}", value) : whole_or_half(value / unit.size);
+    };
+    const std::string low = number(seconds.least), high = number(most);
+    return low == high ? fmt::format("about {} {}", high, unit.name) : fmt::format("{}-{} {}", low, high, unit.name);
+}
+
+std::string size_text(double bytes) {
+    constexpr std::array names{"B", "kB", "MB", "GB", "TB"};
+    std::size_t unit = 0;
+    while (bytes >= 999.5 && unit + 1 < names.size()) {
+        bytes /= 1000;
+        ++unit;
+    }
+    return unit == 0 ? fmt::format("{:.0f} B", bytes) : fmt::format("{} {}", two_digits(bytes), names[unit]);
+}
+
+std::string count_text(std::int64_t count) {
+    std::string digits = std::to_string(count);
+    const std::ptrdiff_t first = count < 0 ? 1 : 0;
+    for (std::ptrdiff_t at = std::ssize(digits) - 3; at > first; at -= 3) {
+        digits.insert(static_cast<std::size_t>(at), ",");
+    }
+    return digits;
+}
+
+std::string steps_text(const run::Range& steps) {
+    const std::string low = one_number(steps.least), high = one_number(steps.most);
+    return low == high ? high : low + "-" + high;
+}
+
+std::string plural(std::int64_t count, std::string_view noun) {
+    if (count == 1) {
+        return fmt::format("1 {}", noun);
+    }
+    const bool is_y = noun.ends_with('y');
+    return fmt::format("{} {}{}", count_text(count), is_y ? noun.substr(0, noun.size() - 1) : noun, is_y ? "ies" : "s");
+}
+
+std::size_t columns_of(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+    }));
+}
+
+std::string clipped(std::string_view text, std::size_t columns) {
+    std::size_t taken = 0, at = 0;
+    while (at < text.size()) {
+        const bool begins = (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
+        if (begins && taken++ == columns) {
+            break;
+        }
+        ++at;
+    }
+    return std::string(text.substr(0, at));
+}
+
+} // namespace suffuse::apps

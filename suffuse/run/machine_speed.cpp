@@ -1,0 +1,68 @@
+#include "suffuse/run/machine_speed.hpp"
+
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/base/random.hpp"
+#include "suffuse/dem/order.hpp"
+#include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/dem/step.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace suffuse::run {
+namespace {
+
+// Radii and places vary so that some 3.5 neighbors of the lattice's six touch, as in a settled sand.
+constexpr double mean_radius = 1e-4; // [m]
+constexpr double radius_spread = 0.06, place_spread = 0.02, mean_overlap = 0.002;
+constexpr std::int64_t warm_up = 30; // steps: first pairs, pages, threads
+
+dem::World made_up_packing(int edge) {
+    dem::World world;
+    const double spacing = 2 * mean_radius * (1 - mean_overlap);
+    world.cell.h = diagonal(static_cast<double>(edge) * spacing * Vec3{1, 1, 1});
+    world.reference_h = world.cell.h;
+    RandomStream random(0, "machine speed");
+    const auto spread = [&] { return random.uniform(-1, 1); };
+    for (int a = 0; a < edge; ++a) {
+        for (int b = 0; b < edge; ++b) {
+            for (int c = 0; c < edge; ++c) {
+                const Vec3 place{static_cast<double>(a), static_cast<double>(b), static_cast<double>(c)};
+                const Vec3 jitter{spread(), spread(), spread()};
+                const double radius = mean_radius * (1 + radius_spread * spread());
+                add_grain(
+                    world.grains, spacing * place + place_spread * mean_radius * jitter, radius, world.material.density
+                );
+            }
+        }
+    }
+    return world;
+}
+
+} // namespace
+
+MachineSpeed measure_speed(std::int64_t grains, double seconds) {
+    const auto wanted = static_cast<double>(std::clamp<std::int64_t>(grains, 500, 50'000));
+    dem::World world = made_up_packing(static_cast<int>(std::lround(std::cbrt(wanted))));
+    dem::sort_along_curve(world);
+    dem::StepPlan plan;
+    dem::StepCaches caches;
+    plan.dt = 0.2 * dem::stable_time_step(world); // no contacts yet: far below what the network will allow
+    for (std::int64_t k = 0; k < warm_up; ++k) {
+        dem::step(world, caches, plan);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    double spent = 0;
+    std::int64_t steps = 0;
+    while (spent < seconds) {
+        for (int k = 0; k < 10; ++k, ++steps) {
+            dem::step(world, caches, plan);
+        }
+        spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    const auto count = static_cast<double>(world.grains.size());
+    return {static_cast<double>(steps) * count / spent, static_cast<std::int64_t>(world.grains.size()), thread_count()};
+}
+
+} // namespace suffuse::run

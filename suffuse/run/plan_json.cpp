@@ -1,0 +1,39 @@
+#include "suffuse/run/plan.hpp"
+
+namespace suffuse::run {
+namespace {
+
+nlohmann::json range_json(const Range& range) {
+    return {range.least, range.most};
+}
+
+nlohmann::json stage_json(const StageEstimate& stage) {
+    return {
+        {"study", stage.study},
+        {"stage", stage.stage},
+        {"verb", stage.verb},
+        {"grains", stage.grains},
+        {"steps", range_json(stage.steps)},
+        {"seconds", range_json(stage.seconds)},
+        {"memory", stage.memory},
+        {"disk", stage.disk},
+        {"basis", stage.basis},
+    };
+}
+
+} // namespace
+
+void to_json(nlohmann::json& json, const RunPlan& plan) {
+    nlohmann::json stages = nlohmann::json::array();
+    for (const StageEstimate& stage : plan.stages) {
+        stages.push_back(stage_json(stage));
+    }
+    json = {
+        {"studies", plan.studies},         {"stages", stages},
+        {"steps", range_json(plan.steps)}, {"seconds", range_json(plan.seconds)},
+        {"memory", plan.memory},           {"disk", plan.disk},
+        {"threads", plan.speed.threads},   {"particle_steps_per_second", plan.speed.particle_steps_per_second},
+    };
+}
+
+} // namespace suffuse::run
