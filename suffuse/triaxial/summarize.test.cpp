@@ -1,0 +1,113 @@
+// What is read off a stress-strain curve, on curves whose answers are known.
+
+#include "suffuse/triaxial/run_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.hpp"
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace suffuse::triaxial {
+namespace {
+
+constexpr double lateral = 1e5; // [Pa]
+
+/// A drained curve from q(strain) and the volumetric strain.
+std::vector<PathRow> curve(
+    const std::function<double(double)>& deviator, const std::function<double(double)>& volumetric, double last = 0.2,
+    int rows = 400
+) {
+    std::vector<PathRow> result;
+    for (int k = 0; k <= rows; ++k) {
+        PathRow row;
+        row.axial_strain = last * k / rows;
+        row.deviator_stress = deviator(row.axial_strain);
+        row.mean_stress = lateral + row.deviator_stress / 3;
+        row.volumetric_strain = volumetric(row.axial_strain);
+        result.push_back(row);
+    }
+    return result;
+}
+
+double zero(double /*strain*/) {
+    return 0;
+}
+
+/// Straight up to 300 kPa at 2 %, down to 200 kPa at 10 %, flat from there.
+double peaked(double e) {
+    return e < 0.02 ? 1.5e7 * e : e < 0.1 ? 3e5 - 1.25e6 * (e - 0.02) : 2e5;
+}
+
+TEST(Summarize, FindsPeakStrengthAndItsAngle) {
+    const Response response = summarize(curve(peaked, zero));
+    EXPECT_NEAR(response.peak_deviator, 3e5, 1);
+    EXPECT_NEAR(response.peak_strain, 0.02, 1e-12);
+    EXPECT_NEAR(response.peak_ratio, 3e5 / 2e5, 1e-9);
+    EXPECT_NEAR(response.friction_angle, std::asin(3.0 / 5), 1e-9); // (400 - 100)/(400 + 100)
+    EXPECT_NEAR(response.final_deviator, 2e5, 1e-6);
+}
+
+TEST(Summarize, StiffnessIsTheSecantToHalfThePeak) {
+    EXPECT_NEAR(summarize(curve(peaked, zero)).stiffness, 1.5e7, 1);
+    // A curve that softens on the way: q = 3e5 sqrt(e/0.02) reaches half at a quarter of the strain.
+    const auto root = [](double e) { return e < 0.02 ? 3e5 * std::sqrt(e / 0.02) : 3e5 - 1e5 * (e - 0.02); };
+    EXPECT_NEAR(summarize(curve(root, zero)).stiffness / (1.5e5 / 0.005), 1, 1e-3); // straight between rows
+}
+
+TEST(Summarize, FromAnAnisotropicStartTheStiffnessIsThatOfTheIncrement) {
+    const auto lifted = [](double e) { return 1e5 + (e < 0.02 ? 1e7 * e : 2e5); };
+    EXPECT_NEAR(summarize(curve(lifted, zero)).stiffness, 1e7, 1);
+}
+
+TEST(Summarize, DilatancyAndContractionAreSlopesAndExtremesOfTheVolume) {
+    // Contracts by 0.4 % until 1 %, then dilates at 0.3, then at 0.6 between 5 and 9 %, then stays.
+    const auto volume = [](double e) {
+        return e < 0.01 ? 0.4 * e : e < 0.05 ? 0.004 - 0.3 * (e - 0.01) : e < 0.09 ? -0.008 - 0.6 * (e - 0.05) : -0.032;
+    };
+    const Response response = summarize(curve(peaked, volume));
+    EXPECT_NEAR(response.dilatancy, 0.6, 1e-6);
+    EXPECT_NEAR(response.largest_contraction, 0.004, 1e-12);
+    EXPECT_NEAR(response.final_volumetric_strain, -0.032, 1e-12);
+}
+
+TEST(Summarize, NoiseOfSingleRowsIsNoDilatancy) {
+    int k = 0;
+    const auto noisy = [&](double /*strain*/) { return ++k % 2 == 0 ? 1e-5 : -1e-5; }; // slopes of 0.04 row to row
+    EXPECT_LT(summarize(curve(peaked, noisy)).dilatancy, 3e-3);
+}
+
+TEST(Summarize, OfAContractiveCurveDilatancyIsZeroAndThePeakIsTheEnd) {
+    const Response response =
+        summarize(curve([](double e) { return 2e5 * e / (0.01 + e); }, [](double e) { return 0.1 * e; }));
+    EXPECT_EQ(response.dilatancy, 0);
+    EXPECT_NEAR(response.peak_strain, 0.2, 1e-12);
+    EXPECT_EQ(response.peak_deviator, response.final_deviator);
+}
+
+TEST(Summarize, OfNothingIsNothing) {
+    EXPECT_EQ(summarize({}).peak_deviator, 0);
+    EXPECT_EQ(summarize(std::vector<PathRow>(1)).stiffness, 0);
+}
+
+TEST(BeginPath, SetsTheStrainRateFromTheInertialNumber) {
+    dem::World world = test::reference_packing("packing500");
+    dem::StepCaches caches;
+    dem::step(world, caches, test::plan_of(1e-9));
+    TriaxialSpec spec;
+    spec.inertial_number = 1e-3;
+    const PathState state = begin_path(world, spec, diagonal({1e5, 1e5, 1e5}), 4e-8);
+    // I = rate d sqrt(rho/p): back to what was asked with the mean diameter by mass, between the smallest and the
+    // largest.
+    const double inertial = state.strain_rate * state.median_diameter * std::sqrt(2600 / 1e5);
+    EXPECT_NEAR(inertial, 1e-3, 1e-15);
+    const auto [least, most] = std::minmax_element(world.grains.radius.begin(), world.grains.radius.end());
+    EXPECT_GT(state.median_diameter, 2 * *least);
+    EXPECT_LT(state.median_diameter, 2 * *most);
+    ASSERT_EQ(state.rows.size(), 1U);
+    EXPECT_EQ(state.rows[0].axial_strain, 0);
+}
+
+} // namespace
+} // namespace suffuse::triaxial
