@@ -18,18 +18,26 @@ export function readTable(csv) {
   );
 }
 
+const narrow = 480; // below it, legends stand one under the other
 const axisRoom = 74; // for the vertical axis with its title
 const panelGap = 24;
+
+/** Columns, at most `most`, that leave no gap in the last row where there is such a number. */
+function fullRows(panels, most) {
+  for (let columns = most; 2 * columns > most; --columns) if (panels % columns === 0) return columns;
+  return most;
+}
 
 /** The specification with widths that fill `width` pixels: panels in a row are dropped before they get too narrow. */
 export function fitted(chart, width) {
   const copy = structuredClone(chart);
   if (copy.facet) {
     const least = Math.min(copy.spec.width, 260);
-    const columns = Math.max(1, Math.min(copy.columns, Math.floor((width - axisRoom) / (least + panelGap))));
+    const fitting = Math.min(copy.columns, Math.floor((width - axisRoom) / (least + panelGap)));
+    const columns = fullRows(copy.facet.sort.length, Math.max(1, fitting));
     copy.columns = columns;
     const room = (width - axisRoom - (columns - 1) * panelGap) / columns - 8;
-    copy.spec.width = Math.floor(Math.min(copy.spec.width * 1.7, Math.max(120, room)));
+    copy.spec.width = Math.floor(Math.min(copy.spec.width * 1.8, Math.max(120, room)));
   } else {
     for (const part of copy.vconcat ?? [copy]) {
       part.width = Math.floor(Math.max(160, Math.min(part.width * 1.15, width - axisRoom - 12)));
@@ -40,6 +48,7 @@ export function fitted(chart, width) {
 
 export class Chart {
   constructor(figure, look, place) {
+    place.chart = this; // for whoever asks the page for its numbers: tests, and the curious in the console
     this.figure = figure;
     this.look = look;
     this.place = place;
@@ -59,7 +68,8 @@ export class Chart {
     this.width = width;
     this.shown?.finalize();
     try {
-      const config = { ...this.look, background: null };
+      const stacked = width < narrow ? { columns: 2, layout: { top: { direction: "vertical", anchor: "start" } } } : {};
+      const config = { ...this.look, background: null, aria: false, legend: { ...this.look.legend, ...stacked } };
       this.shown = this.view(fitted(this.figure.chart, width), config, {
         renderer: "svg",
         container: this.place,

@@ -4,6 +4,7 @@ import { addButtons } from "./downloads.js";
 
 const { run, look, figures } = JSON.parse(document.getElementById("report-data").textContent);
 const charts = [];
+document.getElementById("no-script")?.remove();
 
 for (const figure of figures) {
   const place = document.querySelector(`[data-chart="${figure.id}"]`);

@@ -1,6 +1,8 @@
 // Figure 7: the erosion loop as a drawing, with a column of counts for each pass beside its arrows.
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/html.hpp"
+#include "suffuse/report/passes.hpp"
+#include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 
@@ -28,10 +30,6 @@ struct Step {
     std::vector<Quantity> after; ///< on the arrow that leaves it
 };
 
-double mean_stress(const Mat3& stress) {
-    return (stress(0, 0) + stress(1, 1) + stress(2, 2)) / 3;
-}
-
 template <typename Read>
 Quantity quantity(const char* name, const std::vector<const PassResult*>& passes, Read read) {
     Quantity quantity{name, {}};
@@ -52,7 +50,7 @@ std::vector<Step> steps_of(const std::vector<const PassResult*>& passes) {
          fmt::format("hydraulic gradient i = {}", gradient),
          {quantity(
              "fluid force / contact force [-]", passes,
-             [](const PassResult& p) { return fmt::format("{:.2g}", p.probe.fluid_over_contact); }
+             [](const PassResult& p) { return short_number(p.probe.fluid_over_contact, 2); }
          )}},
         {"3  Probe on a copy",
          "coarse grains held, forces ramped on the fines",
@@ -61,25 +59,24 @@ std::vector<Step> steps_of(const std::vector<const PassResult*>& passes) {
          "of the coarse skeleton against grain sizes",
          {quantity(
               "mean constriction [mm]", passes,
-              [](const PassResult& p) { return fmt::format("{:.3g}", 1e3 * p.constrictions.mean); }
+              [](const PassResult& p) { return short_number(1e3 * p.constrictions.mean); }
           ),
           quantity("held back", passes, [&](const PassResult& p) { return count(p.held_back); })}},
         {"5  Extraction",
          "from the equilibrium of step 1",
          {quantity("removed", passes, [&](const PassResult& p) { return count(p.removed); }),
           quantity(
-              "eroded mass [%]", passes,
-              [](const PassResult& p) { return fmt::format("{:.3g}", p.eroded_mass_percent); }
+              "eroded mass [%]", passes, [](const PassResult& p) { return short_number(p.eroded_mass_percent); }
           )}},
         {"6  New equilibrium",
          "at constant volume, then by the servo",
          {quantity(
               "mean stress p at constant volume [kPa]", passes,
-              [](const PassResult& p) { return fmt::format("{:.4g}", mean_stress(p.stress_constant_volume) / 1e3); }
+              [](const PassResult& p) { return short_number(mean_stress(p.stress_constant_volume) / 1e3, 4); }
           ),
           quantity(
               "volumetric strain εᵥ [%]", passes,
-              [](const PassResult& p) { return fmt::format("{:.2g}", 100 * p.volumetric_strain); }
+              [](const PassResult& p) { return short_number(100 * p.volumetric_strain, 2); }
           ),
           quantity(
               "porosity n [-]", passes, [](const PassResult& p) { return fmt::format("{:.4f}", p.porosity_after); }
@@ -123,7 +120,7 @@ std::string draw(const std::vector<Step>& steps, const std::vector<const PassRes
     for (std::size_t k = 0; k < shown.size(); ++k) {
         out += text(
             columns_x + column_width * (static_cast<int>(k) + 1) - 10, top - 16, "flow-label", "end",
-            fmt::format("pass {}", shown[k]->pass)
+            pass_name(shown[k]->pass)
         );
     }
     for (std::size_t s = 0; s < steps.size(); ++s) {

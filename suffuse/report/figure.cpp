@@ -1,7 +1,5 @@
 #include "suffuse/report/figure.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 namespace suffuse::report {
@@ -55,20 +53,13 @@ json look_in_print() {
         },
         "legend": {
             "orient": "top", "labelFontSize": 11, "titleFontSize": 11, "titleFontWeight": "normal",
-            "labelColor": "#333333", "titleColor": "#111111", "symbolStrokeWidth": 2, "labelLimit": 320
+            "labelColor": "#333333", "titleColor": "#111111", "symbolStrokeWidth": 2, "labelLimit": 320,
+            "symbolBaseFillColor": "#808080", "symbolBaseStrokeColor": "#808080"
         },
         "header": {"labelFontSize": 12, "labelColor": "#111111", "titleColor": "#111111", "labelLimit": 320},
         "text": {"fontSize": 11},
         "line": {"strokeWidth": 2}
     })json");
-}
-
-std::string grouped(long long count) {
-    std::string digits = fmt::format("{}", count < 0 ? -count : count);
-    for (std::size_t place = 3; place < digits.size(); place += 4) {
-        digits.insert(digits.size() - place, 1, ',');
-    }
-    return (count < 0 ? "-" : "") + digits;
 }
 
 std::string power_of_ten_labels() {

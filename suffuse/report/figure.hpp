@@ -38,9 +38,6 @@ nlohmann::json complete_specification(const Figure& figure);
 /// Vega-Lite configuration of a figure in print: fonts, dark ink on white.
 nlohmann::json look_in_print();
 
-/// A whole number with thousands apart: 2,778.
-std::string grouped(long long count);
-
 /// An axis or legend expression that writes decades as powers of ten.
 std::string power_of_ten_labels();
 

@@ -226,15 +226,23 @@ TEST(PathFigures, LongPathsAreThinnedButKeepTheEndsOfEachPhase) {
     const Figure figure = *stress_path(erosion);
     EXPECT_LT(figure.table.rows(), 1000U);
     EXPECT_EQ(figure.table.numbers("step").back(), static_cast<double>(erosion.path.back().step));
-    EXPECT_EQ(words(figure.table, "phase").front(), "removal");
+    EXPECT_EQ(words(figure.table, "phase").front(), "before");
 }
 
 TEST(PathFigures, StressIsInKilopascalsAndStrainInPercent) {
     const ErosionResult erosion = test::sample_erosion();
     const Table table = stress_path(erosion)->table;
-    EXPECT_NEAR(table.numbers("stress_x").front(), 100, 1e-9);
-    EXPECT_NEAR(table.numbers("stress_z").front(), 102, 1e-9);
+    EXPECT_NEAR(table.numbers("stress_x")[1], 100, 1e-9);
+    EXPECT_NEAR(table.numbers("stress_z")[1], 102, 1e-9);
     EXPECT_NEAR(table.numbers("volumetric_strain").back(), 100 * erosion.path.back().volumetric_strain, 1e-15);
+}
+
+TEST(PathFigures, TheStateBeforeEachRemovalStandsInFrontOfIt) {
+    const ErosionResult erosion = test::sample_erosion();
+    const Table table = porosity_path(erosion)->table;
+    EXPECT_EQ(table.rows(), erosion.path.size() + 2);
+    EXPECT_EQ(table.numbers("eroded_mass").front(), 0);
+    EXPECT_NEAR(table.numbers("porosity").front(), erosion.passes[0].porosity_before, 1e-15);
 }
 
 TEST(LoopFigure, CountsStandOnTheArrowsAndManyPassesKeepFirstAndLast) {

@@ -1,5 +1,7 @@
 // Ours: what erosion did to the sample's response, to water and to load.
 #include "suffuse/report/figures.hpp"
+#include "suffuse/report/passes.hpp"
+#include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 
@@ -28,7 +30,7 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
         }
         mass += pass.eroded_mass_percent_of_initial;
         if (pass.permeability_after > 0) {
-            state.push_back(fmt::format("after pass {}", pass.pass));
+            state.push_back("after " + pass_name(pass.pass));
             eroded.push_back(mass);
             permeability.push_back(pass.permeability_after);
         }
@@ -41,11 +43,13 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
     figure.section = "Water";
     figure.title = "Permeability before and after erosion";
     figure.caption = fmt::format(
-        "The loss of {:.3g} % of the mass changes the permeability along the flow from {:.3g} to {:.3g} m², {:.3g} "
-        "times.",
-        eroded.back(), permeability.front(), permeability.back(), permeability.back() / permeability.front()
+        "The loss of {} % of the mass changes the permeability along the flow from {} to {} m², {} times.",
+        short_number(eroded.back()), short_number(permeability.front()), short_number(permeability.back()),
+        short_number(permeability.back() / permeability.front())
     );
     const double highest = *std::max_element(permeability.begin(), permeability.end());
+    const int decade = static_cast<int>(std::floor(std::log10(highest)));
+    const double unit = std::pow(10.0, decade);
     figure.table.add("state", std::move(state));
     figure.table.add("eroded_mass", "%", std::move(eroded));
     figure.table.add("permeability", "m2", std::move(permeability));
@@ -53,8 +57,7 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
         "width": 360, "height": 240,
         "encoding": {
             "x": {"field": "eroded_mass", "type": "quantitative", "title": "eroded mass, of the initial mass [%]"},
-            "y": {"field": "permeability", "type": "quantitative", "title": "permeability k [m²]",
-                  "axis": {"format": ".1e"}}
+            "y": {"field": "drawn", "type": "quantitative"}
         },
         "layer": [
             {"mark": {"type": "line", "color": "#3b82b8", "point": {"size": 60, "filled": true, "color": "#3b82b8"}},
@@ -65,7 +68,10 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
              "encoding": {"text": {"field": "state", "type": "nominal"}}}
         ]
     })json");
-    figure.chart["encoding"]["y"]["scale"] = {{"domain", {0, 1.1 * highest}}};
+    figure.chart["transform"] = {{{"calculate", fmt::format("datum.permeability / {}", unit)}, {"as", "drawn"}}};
+    figure.chart["encoding"]["y"]["title"] = "permeability k [" + power_of_ten(decade) + " m²]";
+    figure.chart["encoding"]["y"]["scale"] = {{"domain", {0, 1.1 * highest / unit}}};
+    figure.chart["encoding"]["x"]["scale"] = {{"domain", {0, 1.15 * figure.table.numbers("eroded_mass").back()}}};
     return figure;
 }
 
@@ -83,8 +89,8 @@ std::optional<Figure> triaxial_response(const std::vector<ResponseCurve>& tests)
             [](const StressStrainRow& a, const StressStrainRow& b) { return a.deviator_stress < b.deviator_stress; }
         );
         claim += fmt::format(
-            "{}{}: highest q {:.3g} kPa at ε₁ = {:.3g} %", claim.empty() ? "" : "; ", test.name,
-            peak->deviator_stress / 1e3, 100 * peak->axial_strain
+            "{}{}: highest q {} kPa at ε₁ = {} %", claim.empty() ? "" : "; ", test.name,
+            short_number(peak->deviator_stress / 1e3), short_number(100 * peak->axial_strain)
         );
         for (const StressStrainRow& row : test.rows) {
             name.push_back(test.name);
@@ -102,7 +108,7 @@ std::optional<Figure> triaxial_response(const std::vector<ResponseCurve>& tests)
     figure.id = "own-triaxial";
     figure.section = "Tests";
     figure.title = "Drained triaxial compression";
-    figure.caption = claim + ". Contraction positive.";
+    figure.caption = as_sentence(claim) + ". Contraction positive.";
     figure.table.add("test", std::move(name));
     figure.table.add("axial_strain", "%", std::move(axial));
     figure.table.add("deviator_stress", "kPa", std::move(deviator));
@@ -112,10 +118,11 @@ std::optional<Figure> triaxial_response(const std::vector<ResponseCurve>& tests)
     figure.chart = json::parse(R"json({
         "vconcat": [
             {"width": 560, "height": 240, "mark": {"type": "line"}, "encoding": {
-                "x": {"field": "axial_strain", "type": "quantitative", "axis": {"title": null, "labels": false, "ticks": false}},
+                "x": {"field": "axial_strain", "type": "quantitative", "axis": {"title": null, "labels": false, "ticks": false, "tickCount": 8}},
                 "y": {"field": "deviator_stress", "type": "quantitative", "title": "deviator stress q = σ₁ − σ₃ [kPa]"}}},
             {"width": 560, "height": 160, "mark": {"type": "line"}, "encoding": {
-                "x": {"field": "axial_strain", "type": "quantitative", "title": "axial strain ε₁ [%]"},
+                "x": {"field": "axial_strain", "type": "quantitative", "title": "axial strain ε₁ [%]",
+                      "axis": {"tickCount": 8}},
                 "y": {"field": "volumetric_strain", "type": "quantitative", "title": "volumetric strain εᵥ [%]"}}}
         ],
         "spacing": 8,

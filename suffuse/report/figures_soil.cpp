@@ -2,11 +2,13 @@
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/quantile.hpp"
+#include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 namespace suffuse::report {
@@ -19,14 +21,22 @@ using erosion::PassResult;
 using grains::Grading;
 using nlohmann::json;
 
+const char* const dashes = "[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2]]";
+
+constexpr std::size_t most_points = 200; ///< of a curve in a drawing
+
 struct Curves {
     std::vector<std::string> curve;
     std::vector<double> diameter, passing; ///< [mm], [%]
-    std::vector<std::string> order;
+    json order = json::array(), colors = json::array();
 
-    void add(const std::string& name, const Grading& grading) {
+    /// A curve with a point for each of thousands of grains is thinned to what can be seen; its ends stay.
+    void add(const std::string& name, const char* color, const Grading& grading) {
         order.push_back(name);
-        for (std::size_t k = 0; k < grading.diameter.size(); ++k) {
+        colors.push_back(color);
+        const std::size_t last = grading.diameter.size() - 1, steps = std::min(last, most_points - 1);
+        for (std::size_t step = 0; step <= steps; ++step) {
+            const std::size_t k = steps == 0 ? 0 : step * last / steps;
             curve.push_back(name);
             diameter.push_back(1e3 * grading.diameter[k]);
             passing.push_back(100 * grading.passing[k]);
@@ -41,6 +51,26 @@ struct Curves {
         return table;
     }
 };
+
+/// Round sizes between `from` and `to` for a logarithmic axis, at least four where they exist.
+json log_ticks(double from, double to) {
+    for (const std::vector<double>& steps : {std::vector<double>{1}, {1, 2, 5}, {1, 1.5, 2, 3, 4, 5, 7}}) {
+        json ticks = json::array();
+        for (int decade = static_cast<int>(std::floor(std::log10(from))); std::pow(10.0, decade) <= to; ++decade) {
+            for (const double step : steps) {
+                // Read from text, so that 0.3 is 0.3 and not the nearest product.
+                const double tick = std::strtod(fmt::format("{}e{}", step, decade).c_str(), nullptr);
+                if (tick >= from && tick <= to) {
+                    ticks.push_back(tick);
+                }
+            }
+        }
+        if (ticks.size() >= 4 || steps.size() == 7) {
+            return ticks;
+        }
+    }
+    return json::array();
+}
 
 /// ISO 14688: where the classes of grain size begin [mm].
 struct SizeClass {
@@ -86,50 +116,79 @@ json class_layers(double from, double to) {
     return layers;
 }
 
+/// The sizes that count as fine, shaded and named.
+json fines_layers(double from, double limit) {
+    const json data = {
+        {"values",
+         {{{"from", from},
+           {"to", limit},
+           {"middle", std::sqrt(from * limit)},
+           {"text", "fines, d < " + short_number(limit) + " mm"}}}}};
+    json layers = json::array();
+    layers.push_back(
+        {{"data", data},
+         {"mark", {{"type", "rect"}, {"color", color::fines}, {"opacity", 0.12}}},
+         {"encoding", {{"x", {{"field", "from"}, {"type", "quantitative"}}}, {"x2", {{"field", "to"}}}}}}
+    );
+    layers.push_back(
+        {{"data", data},
+         {"mark", {{"type", "text"}, {"baseline", "top"}, {"dy", 8}, {"color", color::ink}}},
+         {"encoding",
+          {{"x", {{"field", "middle"}, {"type", "quantitative"}}},
+           {"y", {{"value", 0}}},
+           {"text", {{"field", "text"}}}}}}
+    );
+    return layers;
+}
+
 json grading_chart(const Curves& curves, std::optional<double> finer_than, GradingAxis axis) {
     const auto [low, high] = std::minmax_element(curves.diameter.begin(), curves.diameter.end());
     const double from = *low / 1.15, to = *high * 1.15;
-    json chart = json::parse(R"json({
-        "width": 560, "height": 300,
-        "encoding": {
-            "x": {"type": "quantitative", "title": "grain diameter d [mm]",
-                  "axis": {"labelExpr": "format(datum.value, '~g')", "labelOverlap": "greedy"}}
-        },
-        "layer": []
-    })json");
-    chart["encoding"]["x"]["scale"] = {
-        {"type", "log"}, {"domain", {from, to}}, {"nice", false}, {"reverse", axis == GradingAxis::Reversed}};
-    if (finer_than) {
-        const double limit = 1e3 * *finer_than;
-        chart["layer"].push_back(
-            {{"data",
-              {{"values", {{{"from", from}, {"to", limit}, {"text", fmt::format("fines, d < {:.3g} mm", limit)}}}}}},
-             {"mark", {{"type", "rect"}, {"color", color::fines}, {"opacity", 0.12}}},
-             {"encoding",
-              {{"x", {{"field", "from"}, {"type", "quantitative"}}},
-               {"x2", {{"field", "to"}}},
-               {"tooltip", {{"field", "text"}}}}}}
-        );
+    json layers = json::array();
+    if (finer_than && 1e3 * *finer_than > from) {
+        layers = fines_layers(from, std::min(to, 1e3 * *finer_than));
     }
     for (json& layer : class_layers(from, to)) {
-        chart["layer"].push_back(std::move(layer));
+        layers.push_back(std::move(layer));
     }
     json lines = json::parse(R"json({
-        "mark": {"type": "line", "strokeWidth": 2.2, "point": {"size": 22, "filled": true}},
+        "mark": {"type": "line", "strokeWidth": 2.2},
         "encoding": {
             "x": {"field": "diameter", "type": "quantitative"},
             "y": {"field": "passing", "type": "quantitative", "title": "passing by mass F [%]", "scale": {"domain": [0, 100]}},
             "color": {"field": "curve", "type": "nominal", "title": null},
-            "strokeDash": {"field": "curve", "type": "nominal", "title": null, "scale": {"range": [[1, 0], [6, 3], [2, 2], [8, 2, 2, 2]]}},
-            "order": {"field": "diameter"},
+            "strokeDash": {"field": "curve", "type": "nominal", "title": null},
+            "order": {"field": "diameter"}
+        }
+    })json");
+    lines["encoding"]["color"]["scale"] = {{"domain", curves.order}, {"range", curves.colors}};
+    lines["encoding"]["strokeDash"]["scale"] = {{"domain", curves.order}, {"range", json::parse(dashes)}};
+    layers.push_back(lines);
+    // Unseen points under the pointer say what a line is and where.
+    json points = json::parse(R"json({
+        "mark": {"type": "point", "filled": true, "size": 60, "opacity": 0},
+        "encoding": {
+            "x": {"field": "diameter", "type": "quantitative"},
+            "y": {"field": "passing", "type": "quantitative"},
             "tooltip": [{"field": "curve", "title": "curve"}, {"field": "diameter", "title": "d [mm]", "format": ".4g"},
                         {"field": "passing", "title": "F [%]", "format": ".4g"}]
         }
     })json");
-    lines["encoding"]["color"]["scale"] = {{"domain", curves.order}, {"range", color::sequence()}};
-    lines["encoding"]["strokeDash"]["scale"]["domain"] = curves.order;
-    chart["layer"].push_back(std::move(lines));
-    return chart;
+    layers.push_back(std::move(points));
+    return {
+        {"width", 560},
+        {"height", 300},
+        {"encoding",
+         {{"x",
+           {{"type", "quantitative"},
+            {"title", "grain diameter d [mm]"},
+            {"axis", {{"values", log_ticks(from, to)}, {"format", "~g"}, {"labelOverlap", "greedy"}}},
+            {"scale",
+             {{"type", "log"},
+              {"domain", {from, to}},
+              {"nice", false},
+              {"reverse", axis == GradingAxis::Reversed}}}}}}},
+        {"layer", layers}};
 }
 
 bool is_usable(const Grading& grading) {
@@ -186,20 +245,21 @@ grading_curves(const Grading& asked, const Grading& sampled, std::optional<doubl
         return std::nullopt;
     }
     Curves curves;
-    curves.add("sample", sampled);
-    curves.add("asked for", asked);
+    curves.add("sample", color::staying, sampled);
+    curves.add("asked for", color::detachable, asked);
     Figure figure;
     figure.id = "fig08";
     figure.section = "Soils";
     figure.title = "Grading of the soil";
     figure.caption = fmt::format(
-        "The sample follows the grading asked for within {:.2g} % of the mass; D50 = {:.3g} mm, D60/D10 = {:.3g}.",
-        largest_difference(asked, sampled), 1e3 * grains::size_at(sampled, 0.5), grains::uniformity(sampled)
+        "The sample follows the grading asked for within {} % of the mass; D50 = {} mm, D60/D10 = {}.",
+        short_number(largest_difference(asked, sampled), 2), short_number(1e3 * grains::size_at(sampled, 0.5)),
+        short_number(grains::uniformity(sampled))
     );
     if (finer_than) {
         figure.caption += fmt::format(
-            " Grains smaller than {:.3g} mm count as fine (shaded): {:.3g} % of the mass.", 1e3 * *finer_than,
-            100 * grains::passing(sampled, *finer_than)
+            " Grains smaller than {} mm count as fine (shaded): {} % of the mass.", short_number(1e3 * *finer_than),
+            short_number(100 * grains::passing(sampled, *finer_than))
         );
     }
     figure.chart = grading_chart(curves, finer_than, axis);
@@ -227,17 +287,17 @@ std::optional<Figure> eroded_grading(const Grading& sampled, const ErosionResult
         remains.passing.push_back((finer * erosion.initial_mass - gone) / (erosion.initial_mass - eroded));
     }
     Curves curves;
-    curves.add("before erosion", before);
-    curves.add("what left", left);
-    curves.add("what remains", remains);
+    curves.add("before erosion", color::staying, before);
+    curves.add("what left", color::fines, left);
+    curves.add("what remains", color::coarse, remains);
     Figure figure;
     figure.id = "own-eroded-grading";
     figure.section = "Erosion";
     figure.title = "Grading before erosion, of what left and of what remains";
     figure.caption = fmt::format(
-        "{} grains with {:.3g} % of the mass left; D50 moves from {:.3g} to {:.3g} mm.",
-        grouped(std::ssize(erosion.ledger)), 100 * eroded / erosion.initial_mass, 1e3 * grains::size_at(before, 0.5),
-        1e3 * grains::size_at(remains, 0.5)
+        "{} grains with {} % of the mass left; D50 moves from {} to {} mm.", grouped(std::ssize(erosion.ledger)),
+        short_number(100 * eroded / erosion.initial_mass), short_number(1e3 * grains::size_at(before, 0.5)),
+        short_number(1e3 * grains::size_at(remains, 0.5))
     );
     figure.chart = grading_chart(curves, std::nullopt, axis);
     figure.table = std::move(curves).table();
@@ -252,13 +312,14 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
         if (pass.constrictions.diameter.empty()) {
             continue;
         }
-        const std::string name = fmt::format("constrictions, pass {}", pass.pass);
+        const std::string name = fmt::format("constrictions of pass {}", pass.pass);
         order.push_back(name);
         add_distribution(name, pass.constrictions.diameter, curve, size, share);
         claim += fmt::format(
-            "{}pass {}: mean {:.3g}, median {:.3g}, D35 {:.3g} mm",
-            claim.empty() ? "Constrictions of the coarse skeleton in " : "; ", pass.pass, 1e3 * pass.constrictions.mean,
-            1e3 * pass.constrictions.median, 1e3 * pass.constrictions.d35
+            "{}pass {}: mean {}, median {}, D35 {} mm",
+            claim.empty() ? "Constrictions of the coarse skeleton in " : "; ", pass.pass,
+            short_number(1e3 * pass.constrictions.mean), short_number(1e3 * pass.constrictions.median),
+            short_number(1e3 * pass.constrictions.d35)
         );
     }
     if (order.empty()) {
@@ -270,7 +331,7 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
         add_distribution("fine grains", first.probe.diameter, curve, size, share);
         const double largest = *std::max_element(first.probe.diameter.begin(), first.probe.diameter.end());
         claim += fmt::format(
-            "; the largest fine grain, {:.3g} mm, is {} than the mean constriction of pass {}", 1e3 * largest,
+            "; the largest fine grain, {} mm, is {} than the mean constriction of pass {}", short_number(1e3 * largest),
             largest < first.constrictions.mean ? "smaller" : "larger", first.pass
         );
     }
@@ -306,8 +367,7 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
         range.erase(range.begin());
     }
     figure.chart["encoding"]["color"]["scale"] = {{"domain", order}, {"range", range}};
-    figure.chart["encoding"]["strokeDash"]["scale"] = {
-        {"domain", order}, {"range", json::parse("[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2]]")}};
+    figure.chart["encoding"]["strokeDash"]["scale"] = {{"domain", order}, {"range", json::parse(dashes)}};
     return figure;
 }
 

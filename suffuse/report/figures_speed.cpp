@@ -1,7 +1,9 @@
 // Figures 9 and 10 and the comparison of the detachment rules: what the probes saw.
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/findings.hpp"
+#include "suffuse/report/passes.hpp"
 #include "suffuse/report/quantile.hpp"
+#include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 
@@ -34,6 +36,17 @@ struct Panel {
 /// Six digits are more than a line shows; the run's own files hold all of them.
 double rounded(double value) {
     return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
+/// Columns, at most `most`, that leave no gap in the last row where there is such a number: axes of empty places
+/// confuse.
+std::size_t full_rows(std::size_t panels, std::size_t most) {
+    for (std::size_t columns = most; 2 * columns > most; --columns) {
+        if (panels % columns == 0) {
+            return columns;
+        }
+    }
+    return most;
 }
 
 struct SpeedColumns {
@@ -102,7 +115,7 @@ void add_group(
 }
 
 const char* const detachable_name = "detachable";
-const char* const staying_name = "staying";
+const char* const staying_name = "stays";
 
 void add_panel(const Panel& panel, SpeedColumns& out) {
     std::vector<std::size_t> detachable, staying;
@@ -125,17 +138,18 @@ json speed_chart(const std::vector<Panel>& panels, double lowest, double highest
             "encoding": {
                 "x": {"field": "iteration", "type": "quantitative", "title": "iterations at full fluid force [-]",
                       "axis": {"tickCount": 5}},
-                "color": {"field": "group", "type": "nominal", "title": "velocity rule"}
+                "color": {"field": "group", "type": "nominal", "title": "velocity rule",
+                          "legend": {"symbolType": "stroke", "symbolOpacity": 1, "symbolStrokeWidth": 3}}
             },
             "layer": [
                 {"transform": [{"filter": "datum.kind == 'grain' && datum.speed > 0"}],
-                 "mark": {"type": "line", "strokeWidth": 0.7, "opacity": 0.35, "clip": true},
+                 "mark": {"type": "line", "strokeWidth": 0.6, "opacity": 0.25, "clip": true},
                  "encoding": {"y": {"field": "speed"}, "detail": {"field": "grain"}}},
                 {"transform": [{"filter": "datum.kind == 'group' && datum.speed_90 > 0"}],
-                 "mark": {"type": "area", "opacity": 0.28, "clip": true},
+                 "mark": {"type": "area", "opacity": 0.25, "clip": true},
                  "encoding": {"y": {"field": "low"}, "y2": {"field": "speed_90"}}},
                 {"transform": [{"filter": "datum.kind == 'group' && datum.speed > 0"}],
-                 "mark": {"type": "line", "strokeWidth": 2.5, "clip": true, "point": {"size": 20, "filled": true}},
+                 "mark": {"type": "line", "strokeWidth": 2.5, "clip": true, "point": {"size": 80, "opacity": 0}},
                  "encoding": {"y": {"field": "speed"}, "tooltip": [
                      {"field": "group", "title": "group"}, {"field": "iteration", "title": "iteration"},
                      {"field": "speed", "title": "median speed [m/s]", "format": ".3g"},
@@ -150,6 +164,7 @@ json speed_chart(const std::vector<Panel>& panels, double lowest, double highest
         titles[panel.name] = panel.title;
     }
     chart["facet"]["sort"] = order;
+    chart["columns"] = full_rows(panels.size(), panels.size() == 3 ? 3 : 2);
     chart["facet"]["header"]["labelExpr"] = titles.dump() + "[datum.value]";
     chart["spec"]["encoding"]["color"]["scale"] = {
         {"domain", {detachable_name, staying_name}}, {"range", {color::detachable, color::staying}}};
@@ -246,7 +261,7 @@ std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
         if (pass.probe.id.empty()) {
             continue;
         }
-        const std::string name = fmt::format("pass {}", pass.pass);
+        const std::string name = pass_name(pass.pass);
         panels.push_back({name, name + ": " + share_detached(pass.probe), &pass.probe});
         const Detached detached = count_detached(pass.probe);
         counts += fmt::format("{}{} in pass {}", counts.empty() ? "" : ", ", grouped(detached.yes), pass.pass);
@@ -262,7 +277,7 @@ std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
 }
 
 std::optional<Figure> rules_compared(const std::vector<ProbeResult>& probes, const ErosionResult& erosion) {
-    std::vector<std::string> probe_name, velocity, displacement, order;
+    std::vector<std::string> probe_name, velocity, displacement, verdicts, order;
     std::vector<double> grains, share;
     std::int64_t all = 0, agreed = 0;
     const auto add = [&](const std::string& name, const ProbeResult& probe) {
@@ -279,6 +294,7 @@ std::optional<Figure> rules_compared(const std::vector<ProbeResult>& probes, con
                 probe_name.push_back(name);
                 velocity.emplace_back(v == 1 ? "detachable" : "stays");
                 displacement.emplace_back(d == 1 ? "detachable" : "stays");
+                verdicts.emplace_back(v == d ? "agree" : "differ");
                 grains.push_back(static_cast<double>(n[v][d]));
                 share.push_back(100.0 * static_cast<double>(n[v][d]) / static_cast<double>(total));
             }
@@ -299,12 +315,13 @@ std::optional<Figure> rules_compared(const std::vector<ProbeResult>& probes, con
     figure.section = "Erosion";
     figure.title = "Velocity rule against displacement rule, on the same probes";
     figure.caption = fmt::format(
-        "The two rules agree on {} of {} verdicts ({:.4g} %); the diagonal from top left holds the agreement.",
-        grouped(agreed), grouped(all), 100.0 * static_cast<double>(agreed) / static_cast<double>(all)
+        "The two rules agree on {} of {} verdicts ({} %); the diagonal from top left holds the agreement.",
+        grouped(agreed), grouped(all), short_number(100.0 * static_cast<double>(agreed) / static_cast<double>(all), 4)
     );
     figure.table.add("probe", std::move(probe_name));
     figure.table.add("velocity_rule", std::move(velocity));
     figure.table.add("displacement_rule", std::move(displacement));
+    figure.table.add("rules", std::move(verdicts));
     figure.table.add("grains", "", std::move(grains));
     figure.table.add("share", "%", std::move(share));
     figure.chart = json::parse(R"json({
@@ -320,9 +337,12 @@ std::optional<Figure> rules_compared(const std::vector<ProbeResult>& probes, con
             },
             "layer": [
                 {"mark": {"type": "rect", "stroke": "#999999", "strokeWidth": 0.5},
-                 "encoding": {"fill": {"value": "#3b82b8"},
+                 "encoding": {
+                    "fill": {"field": "rules", "type": "nominal", "title": "the rules", "scale":
+                             {"domain": ["agree", "differ"], "range": ["#3b82b8", "#d55e00"]},
+                             "legend": {"symbolOpacity": 0.6, "symbolStrokeWidth": 0}},
                     "fillOpacity": {"field": "share", "type": "quantitative", "legend": null,
-                                    "scale": {"domain": [0, 100], "range": [0.03, 0.55]}},
+                                    "scale": {"domain": [0, 100], "range": [0.06, 0.6]}},
                     "tooltip": [{"field": "grains", "title": "grains", "format": ","},
                                 {"field": "share", "title": "share of the fines [%]", "format": ".3g"}]}},
                 {"mark": {"type": "text", "fontSize": 13, "color": "#111111"},
@@ -331,6 +351,7 @@ std::optional<Figure> rules_compared(const std::vector<ProbeResult>& probes, con
         }
     })json");
     figure.chart["facet"]["sort"] = order;
+    figure.chart["columns"] = full_rows(order.size(), 4);
     return figure;
 }
 

@@ -2,7 +2,9 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/report/figure.hpp"
+#include "suffuse/report/passes.hpp"
 #include "suffuse/report/quantile.hpp"
+#include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 
@@ -47,10 +49,6 @@ const PassResult* pass_of(const ErosionResult& erosion, int number) {
         return pass.pass == number;
     });
     return found == erosion.passes.end() ? nullptr : &*found;
-}
-
-double mean_stress(const Mat3& stress) {
-    return (stress(0, 0) + stress(1, 1) + stress(2, 2)) / 3;
 }
 
 Finding judge_gradients(const std::vector<ProbeResult>& probes, const ErosionResult& erosion) {
@@ -110,8 +108,9 @@ Finding judge_separation(const std::vector<ProbeResult>& probes, const ErosionRe
     const auto [fast, slow] = median_speeds(*probe, static_cast<std::size_t>(last));
     const bool separated = fast >= apart * slow && fast > 0;
     finding.ours = fmt::format(
-        "{:.3g} against {:.3g} m/s after {:.0f} iterations at full force: {}", fast, slow, last * spacing,
-        slow > 0 ? fmt::format("{:.3g} times", fast / slow) : "the others stand still"
+        "{} against {} m/s after {} iterations at full force: {}", short_number(fast), short_number(slow),
+        grouped(std::llround(last * spacing)),
+        slow > 0 ? short_number(fast / slow) + " times" : "the others stand still"
     );
     // A watch that ends early, or was first read later than the paper's, shows a separation but cannot deny it.
     const bool watched = probe->watch >= static_cast<std::int64_t>(paper_watch) && last > 0;
@@ -145,8 +144,8 @@ Finding judge_rattlers(const ErosionResult& erosion) {
         return finding;
     }
     finding.ours = fmt::format(
-        "{} of {} ({:.3g} %)", grouped(held), grouped(removed),
-        100.0 * static_cast<double>(held) / static_cast<double>(removed)
+        "{} of {} ({} %)", grouped(held), grouped(removed),
+        short_number(100.0 * static_cast<double>(held) / static_cast<double>(removed))
     );
     finding.met = 10 * held < removed;
     return finding;
@@ -166,8 +165,8 @@ Finding judge_active(const ErosionResult& erosion) {
         return finding;
     }
     finding.ours = fmt::format(
-        "{} of {} ({:.3g} %)", grouped(active), grouped(removed),
-        100.0 * static_cast<double>(active) / static_cast<double>(removed)
+        "{} of {} ({} %)", grouped(active), grouped(removed),
+        short_number(100.0 * static_cast<double>(active) / static_cast<double>(removed))
     );
     finding.met = 2 * active > removed;
     return finding;
@@ -179,9 +178,9 @@ Finding judge_strain(const ErosionResult& erosion) {
         "almost negligible in pass 1, important in pass 2 (Figure 13)", "", std::nullopt};
     const PassResult *first = pass_of(erosion, 1), *second = pass_of(erosion, 2);
     finding.ours =
-        first == nullptr ? "there was no pass 1" : fmt::format("{:.3g} % in pass 1", 100 * first->volumetric_strain);
+        first == nullptr ? "there was no pass 1" : short_number(100 * first->volumetric_strain) + " % in pass 1";
     finding.ours += second == nullptr ? "; there was no pass 2"
-                                      : fmt::format(", {:.3g} % in pass 2", 100 * second->volumetric_strain);
+                                      : ", " + short_number(100 * second->volumetric_strain) + " % in pass 2";
     finding.met = both(
         first == nullptr ? std::nullopt : Verdict(std::abs(first->volumetric_strain) < 1e-4),
         second == nullptr ? std::nullopt : Verdict(second->volumetric_strain > 1e-3)
@@ -232,8 +231,8 @@ Finding judge_stress(const ErosionResult& erosion) {
         const double after = mean_stress(pass->stress_constant_volume);
         verdict = judge((before - after) / before);
         return fmt::format(
-            "pass {}: {:.4g} to {:.4g} kPa ({:+.3g} %)", number, before / 1e3, after / 1e3,
-            100 * (after - before) / before
+            "pass {}: {} to {} kPa ({} %)", number, short_number(before / 1e3, 4), short_number(after / 1e3, 4),
+            short_number(100 * (after - before) / before)
         );
     };
     Verdict slight, important;

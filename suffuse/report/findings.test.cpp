@@ -1,5 +1,6 @@
 #include "suffuse/report/findings.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,7 +63,7 @@ TEST(Findings, AllSevenAreJudgedInOrderAndAnEmptyRunCannotTellAny) {
     const std::vector<Finding> findings = judge_erosion({}, {});
     ASSERT_EQ(findings.size(), 7U);
     for (std::size_t f = 0; f < findings.size(); ++f) {
-        EXPECT_EQ(findings[f].id, "E" + std::to_string(f + 1));
+        EXPECT_EQ(findings[f].id, fmt::format("E{}", f + 1));
         EXPECT_FALSE(findings[f].met.has_value()) << findings[f].id;
         EXPECT_FALSE(findings[f].ours.empty()) << findings[f].id;
         EXPECT_FALSE(findings[f].claim.empty());

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/report/html.hpp"
+#include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 
@@ -104,10 +105,15 @@ Remarks csv_remarks(const Figure& figure, const ReportData& report) {
     return remarks;
 }
 
+/// Text of ours or of the run, set for reading.
+std::string typeset(const std::string& text) {
+    return escaped(kept_together(text));
+}
+
 std::string list(const std::vector<std::string>& lines, const char* css_class) {
     std::string out = fmt::format("<ul class=\"{}\">\n", css_class);
     for (const std::string& line : lines) {
-        out += "<li>" + escaped(line) + "</li>\n";
+        out += "<li>" + typeset(line) + "</li>\n";
     }
     return out + "</ul>\n";
 }
@@ -121,19 +127,33 @@ std::string findings_table(const std::vector<Finding>& findings) {
         const char* css_class = !known ? "unknown" : *finding.met ? "met" : "not-met";
         const char* verdict = !known ? "? cannot tell" : *finding.met ? "✓ met" : "✗ not met";
         out += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td class=\"verdict {}\">{}</td></tr>\n",
-            escaped(finding.id), escaped(finding.claim), escaped(finding.paper), escaped(finding.ours), css_class,
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td data-label=\"Paper\">{}</td><td data-label=\"This "
+            "run\">{}</td>"
+            "<td class=\"verdict {}\">{}</td></tr>\n",
+            escaped(finding.id), typeset(finding.claim), typeset(finding.paper), typeset(finding.ours), css_class,
             verdict
         );
     }
     return out + "</tbody></table></div>\n";
 }
 
-std::string answer_section(const ReportData& report) {
-    std::string out;
-    for (const std::string& line : report.answer) {
-        out += "<p class=\"answer\">" + escaped(line) + "</p>\n";
+std::string headline_list(const std::vector<Headline>& headlines) {
+    std::string out = "<dl class=\"headlines\">\n";
+    for (const Headline& headline : headlines) {
+        out += fmt::format(
+            "<div><dt>{}</dt><dd class=\"value\">{}</dd><dd class=\"quiet\">{}</dd></div>\n", typeset(headline.label),
+            typeset(headline.value), typeset(headline.detail)
+        );
     }
+    return out + "</dl>\n";
+}
+
+std::string answer_section(const ReportData& report) {
+    std::string out = "<div class=\"opening\">\n<div>\n";
+    for (const std::string& line : report.answer) {
+        out += "<p class=\"answer\">" + typeset(line) + "</p>\n";
+    }
+    out += "</div>\n" + (report.headlines.empty() ? "" : headline_list(report.headlines)) + "</div>\n";
     if (!report.warnings.empty()) {
         out +=
             "<div class=\"warnings\" role=\"note\"><h3>Warnings</h3>\n" + list(report.warnings, "plain") + "</div>\n";
@@ -180,7 +200,10 @@ std::string figure_block(const Figure& figure, const ReportData& report) {
     const std::string number = figure.id.starts_with("fig")
                                    ? "Figure " + std::to_string(std::atoi(figure.id.c_str() + 3)) + " of the paper. "
                                    : "";
-    out += fmt::format("<figcaption id=\"{}-caption\"><b>{}</b>{}</figcaption>\n", id, number, escaped(figure.caption));
+    out += fmt::format(
+        "<div class=\"about\">\n<figcaption id=\"{}-caption\"><b>{}</b>{}</figcaption>\n", id, number,
+        typeset(figure.caption)
+    );
     out += fmt::format(
         "<div class=\"tools\"><span class=\"buttons\" data-buttons=\"{0}\"></span><a "
         "href=\"figures/{0}.csv\">{0}.csv</a></div>\n",
@@ -196,7 +219,7 @@ std::string figure_block(const Figure& figure, const ReportData& report) {
     if (!report.redraw.empty()) {
         out += "<p class=\"quiet\">Redraw: <code>" + escaped(report.redraw) + "</code></p>\n";
     }
-    return out + "</details>\n</figure>\n";
+    return out + "</details>\n</div>\n</figure>\n";
 }
 
 std::string stage_table(const std::vector<StageRow>& stages) {
@@ -207,10 +230,10 @@ std::string stage_table(const std::vector<StageRow>& stages) {
     for (const StageRow& stage : stages) {
         rows.push_back(
             {stage.name, grouped(stage.grains), number(stage.void_ratio, "{:.4f}"), number(stage.porosity, "{:.4f}"),
-             number(stage.coordination, "{:.3f}"), number(stage.mean_stress / 1e3, "{:.4g}"),
-             number(stage.deviator_stress / 1e3, "{:.3g}"), number(stage.unbalanced_force, "{:.1e}"),
-             number(stage.max_overlap_ratio, "{:.2g}"), number(stage.inertial_number_max, "{:.1e}"),
-             grouped(stage.steps), number(stage.seconds, "{:.1f}")}
+             number(stage.coordination, "{:.3f}"), short_number(stage.mean_stress / 1e3, 4),
+             short_number(stage.deviator_stress / 1e3), short_number(stage.unbalanced_force, 2),
+             short_number(stage.max_overlap_ratio, 2), short_number(stage.inertial_number_max, 2), grouped(stage.steps),
+             number(stage.seconds, "{:.1f}")}
         );
     }
     std::vector<bool> numeric(12, true);
@@ -281,9 +304,10 @@ const char* const plain_sentence = "<p class=\"missing\" role=\"note\">This repo
                                    "<code>figures/*.vl.json</code> for any Vega-Lite "
                                    "viewer.</p>\n";
 
+// Shown after some seconds unless the script, which runs at once where it may, has taken it away.
 const char* const no_script_sentence =
-    "<noscript><p class=\"missing\">The charts need JavaScript, which is off here. All numbers are in the tables: open "
-    "“Numbers” below each figure.</p></noscript>\n";
+    "<p class=\"missing late\" id=\"no-script\" role=\"note\">The charts need JavaScript, which did not run here. All "
+    "numbers are in the tables: open “Numbers” below each figure.</p>\n";
 
 std::string render(const ReportData& report, const std::optional<PageScript>& script) {
     std::string sections = answer_section(report), links = "<a href=\"#answer\">Answer</a>\n";

@@ -20,6 +20,13 @@ struct AssumedValue {
     std::string key, value, note;
 };
 
+/// A number for the eye: shown large beside the answer.
+struct Headline {
+    std::string value;  ///< "13.5 %"
+    std::string label;  ///< "of the mass eroded"
+    std::string detail; ///< "in 2 passes at i = 0.05"; may be empty
+};
+
 /// One line of the stage table. What a stage does not know is not a number.
 struct StageRow {
     std::string name;
@@ -38,6 +45,7 @@ struct ReportData {
     std::string title;               ///< of the case
     std::string run;                 ///< name of the run folder
     std::vector<std::string> answer; ///< about five sentences with numbers
+    std::vector<Headline> headlines; ///< about four
     std::vector<Finding> findings;
     std::vector<std::string> warnings;
     std::vector<AssumedValue> assumed;

@@ -72,6 +72,7 @@ TEST_F(Page, HostileTextStaysText) {
     report.run = report.warnings[0] = report.answer[0] = report.findings[0].ours = report.stages[0].name = hostile;
     report.provenance.emplace_back(hostile, hostile);
     report.figures[0].caption = report.figures[0].title = hostile;
+    report.headlines[0] = {hostile, hostile, hostile};
     report.assumed[0] = {hostile, hostile, hostile};
     report.redraw = hostile;
     const std::string page = read_all(write_report(folder.path(), report, folder / "page").file);

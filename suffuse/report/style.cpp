@@ -40,7 +40,20 @@ nav { display: flex; flex-wrap: wrap; gap: .3rem 1.2rem; padding: .6rem 0; borde
 nav a { text-decoration: none; font-weight: 600; }
 nav a:hover { text-decoration: underline; }
 .answer { font-size: 1.12rem; max-width: 46rem; }
+.opening { display: grid; grid-template-columns: minmax(0, 46rem); gap: 1.2rem 3rem; }
+.headlines { display: grid; grid-template-columns: repeat(auto-fit, minmax(11rem, 1fr)); gap: .8rem; margin: 0; align-content: start; }
+.headlines > div { background: var(--panel); border-top: 3px solid var(--accent); padding: .6rem .9rem .7rem; display: flex; flex-direction: column; }
+.headlines dt { color: var(--soft); font-size: .86rem; }
+.headlines dd { margin: 0; }
+.headlines .value { font-size: 1.65rem; font-weight: 700; line-height: 1.25; font-variant-numeric: tabular-nums; }
+.headlines .quiet { font-size: .82rem; }
+@media (min-width: 70rem) {
+  .opening { grid-template-columns: minmax(0, 44rem) minmax(20rem, 1fr); }
+  .headlines { grid-template-columns: 1fr 1fr; }
+}
 .warnings, .missing { background: var(--warn-back); border-left: 4px solid var(--warn-line); padding: .6rem 1rem; margin: 1.2rem 0; }
+.late { animation: appear .1s 3s both; overflow: hidden; }
+@keyframes appear { from { max-height: 0; padding: 0 1rem; margin: 0; visibility: hidden; } to { max-height: 20rem; } }
 .warnings h3 { margin: 0 0 .2rem; }
 ul.plain { margin: 0; padding-left: 1.1rem; }
 .scroll { overflow-x: auto; max-width: 100%; }
@@ -56,6 +69,16 @@ table.provenance td:first-child, table.stages td:first-child { font-weight: 600;
 table.provenance td:first-child { width: 14rem; }
 table.findings td:nth-child(2) { min-width: 13rem; }
 table.findings td:nth-child(3), table.findings td:nth-child(4) { min-width: 11rem; }
+@media screen and (max-width: 48rem) {
+  table.findings, table.findings tbody { display: block; }
+  table.findings thead { display: none; }
+  table.findings tr { display: grid; grid-template-columns: 2.6rem minmax(0, 1fr); padding: .6rem 0; border-bottom: 1px solid var(--line); }
+  table.findings th, table.findings td { border: 0; padding: .15rem .3rem; grid-column: 2; }
+  table.findings th { grid-column: 1; }
+  table.findings td[data-label]::before { content: attr(data-label) ": "; color: var(--soft); }
+  table.findings td:nth-child(2) { font-weight: 600; }
+  .verdict { width: fit-content; }
+}
 .verdict { white-space: nowrap; font-weight: 600; }
 .met { color: var(--met); background: var(--met-back); }
 .not-met { color: var(--not); background: var(--not-back); }
@@ -68,10 +91,11 @@ pre { white-space: pre-wrap; background: var(--panel); padding: 1rem; overflow-w
 .figure { margin: 0 0 1rem; padding: 0; min-width: 0; }
 .figure.wide { grid-column: 1 / -1; }
 @media (min-width: 64rem) {
-  .drawn { display: grid; grid-template-columns: auto minmax(18rem, 1fr); gap: 0 3rem; align-content: start; align-items: start; }
-  .drawn h3, .drawn details { grid-column: 1 / -1; }
-  .drawn .drawing { grid-row: 2 / span 2; }
+  .drawn, .figure:only-child:not(.wide) { display: grid; grid-template-columns: minmax(0, max-content) minmax(18rem, 1fr); gap: 0 3rem; }
+  .drawn h3, .figure:only-child:not(.wide) h3 { grid-column: 1 / -1; }
+  .figure:only-child:not(.wide) .chart { width: 41rem; }
 }
+.figure h3 { margin-top: .4rem; }
 .figure figcaption { max-width: 46rem; color: var(--ink); font-size: .95rem; margin-top: .5rem; }
 .chart, .drawing { min-height: 2rem; max-width: 100%; }
 .chart svg, .drawing svg { max-width: 100%; height: auto; display: block; }
@@ -113,6 +137,8 @@ button:hover { border-color: var(--accent); }
   .figure, table.findings tr { break-inside: avoid; }
   h2, h3 { break-after: avoid; }
   .scroll { overflow: visible; }
+  .headlines { grid-template-columns: repeat(4, 1fr); }
+  .opening { grid-template-columns: 1fr; }
   table { font-size: 8.5pt; }
   th, td { padding: .25rem .35rem; }
 }

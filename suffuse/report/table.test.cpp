@@ -46,14 +46,6 @@ TEST(Table, ColumnsOfDifferentLengthAreADefect) {
     EXPECT_THROW((void)table.numbers("z"), Bug);
 }
 
-TEST(Figure, ThousandsAreSetApart) {
-    EXPECT_EQ(grouped(0), "0");
-    EXPECT_EQ(grouped(999), "999");
-    EXPECT_EQ(grouped(2778), "2,778");
-    EXPECT_EQ(grouped(123456), "123,456");
-    EXPECT_EQ(grouped(-1234567), "-1,234,567");
-}
-
 TEST(Figure, MissingNumbersBecomeNullInItsSpecification) {
     Figure figure;
     figure.table.add("x", "m", {1.5, std::nan("")});

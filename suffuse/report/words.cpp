@@ -1,0 +1,90 @@
+#include "suffuse/report/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace suffuse::report {
+
+namespace {
+
+const char* const no_break = "\u00a0";
+const std::array<std::string_view, 8> units = {"%", "kPa", "mm", "m²", "m/s", "s", "N", "grains"};
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+bool starts_with_unit(std::string_view rest) {
+    return std::any_of(units.begin(), units.end(), [rest](std::string_view unit) {
+        const bool ends_there =
+            rest.size() == unit.size() || (rest.size() > unit.size() && !std::isalpha(rest[unit.size()]));
+        return rest.starts_with(unit) && ends_there;
+    });
+}
+
+std::string superscript(int exponent) {
+    static const std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string out = exponent < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(exponent))) {
+        out += digits[static_cast<std::size_t>(digit - '0')];
+    }
+    return out;
+}
+
+} // namespace
+
+std::string grouped(long long count) {
+    std::string digits = fmt::format("{}", count < 0 ? -count : count);
+    for (std::size_t place = 3; place < digits.size(); place += 4) {
+        digits.insert(digits.size() - place, 1, ',');
+    }
+    return (count < 0 ? "−" : "") + digits;
+}
+
+std::string short_number(double value, int digits) {
+    if (!std::isfinite(value)) {
+        return "–";
+    }
+    const double size = std::abs(value);
+    const std::string sign = value < 0 ? "−" : "";
+    if (size == 0 || (size >= 1e-3 && size < 1e5)) {
+        // The round trip drops trailing zeros and never falls into powers of ten in this range.
+        return sign + fmt::format("{}", std::strtod(fmt::format("{:.{}g}", size, digits).c_str(), nullptr));
+    }
+    const std::string text = fmt::format("{:.{}e}", size, digits - 1);
+    const std::size_t at = text.find('e');
+    const double leading = std::strtod(text.substr(0, at).c_str(), nullptr);
+    return sign + fmt::format("{}·", leading) + power_of_ten(std::atoi(text.c_str() + at + 1));
+}
+
+std::string power_of_ten(int exponent) {
+    return "10" + superscript(exponent);
+}
+
+std::string kept_together(std::string_view text) {
+    std::string out;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const bool space = text[k] == ' ' && k > 0 && k + 1 < text.size();
+        const bool unit = space && is_digit(text[k - 1]) && starts_with_unit(text.substr(k + 1));
+        const bool equals = space && (text[k - 1] == '=' || text[k + 1] == '=');
+        if (unit || equals) {
+            out += no_break;
+        } else {
+            out += text[k];
+        }
+    }
+    return out;
+}
+
+std::string as_sentence(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') {
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    }
+    return text;
+}
+
+} // namespace suffuse::report

@@ -1,0 +1,24 @@
+#pragma once
+// Numbers and units as a reader expects them in a sentence.
+
+#include <string>
+#include <string_view>
+
+namespace suffuse::report {
+
+/// A whole number with thousands apart: 2,778.
+std::string grouped(long long count);
+
+/// `digits` significant digits, no trailing zeros, powers of ten written as such outside 0.001 to 100,000: 1.37·10⁻⁵.
+std::string short_number(double value, int digits = 3);
+
+/// 10⁻⁵ for -5.
+std::string power_of_ten(int exponent);
+
+/// The same text with spaces that do not break between a number and its unit, nor around "=".
+std::string kept_together(std::string_view text);
+
+/// "Pass 1" for "pass 1": how a sentence begins.
+std::string as_sentence(std::string text);
+
+} // namespace suffuse::report
