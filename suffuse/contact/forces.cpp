@@ -1,10 +1,12 @@
 #include "suffuse/contact/forces.hpp"
 
 #include "suffuse/base/clones.hpp"
+#include "suffuse/base/exact_sum.hpp"
 #include "suffuse/base/parallel.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace suffuse::contact {
 namespace {
@@ -116,20 +118,35 @@ SUFFUSE_CLONES void apply_all(const LawConstants& law, double dt, std::size_t ro
     apply_law<true, true>(law, dt, rows, m, t);
 }
 
-/// Sum of force (x) branch over a tile, in `lanes` interleaved partial sums added in order.
-SUFFUSE_CLONES void add_stress(const Tile& t, std::size_t rows, std::array<double, 9 * lanes>& sum) {
+/// Sums of force (x) branch, exact in two parts and `lanes` side by side.
+struct StressSum {
+    std::array<double, 9 * lanes> coarse{}, fine{};
+};
+
+SUFFUSE_CLONES void add_stress(const Tile& t, std::size_t rows, const SumQuanta& quanta, StressSum& sum) {
     const std::array<const Row*, 3> force{&t.force.x, &t.force.y, &t.force.z};
     const std::array<const Row*, 3> branch{&t.branch.x, &t.branch.y, &t.branch.z};
     for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = 0; b < 3; ++b) {
-            double* s = &sum[(3 * a + b) * lanes];
+            double* coarse = &sum.coarse[(3 * a + b) * lanes];
+            double* fine = &sum.fine[(3 * a + b) * lanes];
             for (std::size_t k = 0; k < rows; k += lanes) {
                 for (std::size_t l = 0; l < lanes; ++l) {
-                    s[l] += (*force[a])[k + l] * (*branch[b])[k + l];
+                    add_exactly(quanta, (*force[a])[k + l] * (*branch[b])[k + l], coarse[l], fine[l]);
                 }
             }
         }
     }
+}
+
+Mat3 across_lanes(const std::array<double, 9 * lanes>& sum) {
+    Mat3 total{};
+    for (std::size_t q = 0; q < 9; ++q) {
+        for (std::size_t l = 0; l < lanes; ++l) {
+            total.m[q / 3][q % 3] += sum[q * lanes + l];
+        }
+    }
+    return total;
 }
 
 MemoryPointers memory_at(Contacts& c, std::size_t row, bool twisting) {
@@ -190,32 +207,37 @@ Mat3 compute_forces(
     const grains::Grains& grains, const Mat3& h, const Mat3& image_velocity, const LawConstants& law, double dt,
     Contacts& contacts, std::vector<ContactForce>& forces
 ) {
+    struct Parts {
+        Mat3 coarse, fine;
+    };
+
     forces.resize(contacts.size());
+    // No stress reaches the modulus. The quanta follow from the state alone, as the same bits after a resume ask for.
+    const SumQuanta quanta(law.twice_modulus * std::abs(determinant(h)));
     constexpr std::size_t block_rows = 8 * tile_rows;
-    return parallel_sum(contacts.size(), block_rows, Mat3{}, [&](std::size_t begin, std::size_t end) {
-        Tile tile;
-        std::array<double, 9 * lanes> sum{};
-        for (std::size_t c = begin; c < end; c += tile_rows) {
-            const std::size_t rows = std::min(tile_rows, end - c);
-            load(grains, contacts, h, image_velocity, c, rows, tile);
-            apply(law, dt, c, rows, contacts, tile);
-            for (std::size_t k = 0; k < rows; ++k) {
-                forces[c + k] = {get(tile.force, k), get(tile.torque_1, k), get(tile.torque_2, k)};
+    const Parts sum = parallel_sum(
+        contacts.size(), block_rows, Parts{},
+        [&](std::size_t begin, std::size_t end) {
+            Tile tile;
+            StressSum stress;
+            for (std::size_t c = begin; c < end; c += tile_rows) {
+                const std::size_t rows = std::min(tile_rows, end - c);
+                load(grains, contacts, h, image_velocity, c, rows, tile);
+                apply(law, dt, c, rows, contacts, tile);
+                for (std::size_t k = 0; k < rows; ++k) {
+                    forces[c + k] = {get(tile.force, k), get(tile.torque_1, k), get(tile.torque_2, k)};
+                }
+                for (std::size_t k = rows; k % lanes != 0; ++k) { // the last lanes of a short tile add nothing
+                    set(tile.force, k, {});
+                    set(tile.branch, k, {});
+                }
+                add_stress(tile, rows, quanta, stress);
             }
-            for (std::size_t k = rows; k % lanes != 0; ++k) { // the last lanes of a short tile add nothing
-                set(tile.force, k, {});
-                set(tile.branch, k, {});
-            }
-            add_stress(tile, rows, sum);
-        }
-        Mat3 total{};
-        for (std::size_t q = 0; q < 9; ++q) {
-            for (std::size_t l = 0; l < lanes; ++l) {
-                total.m[q / 3][q % 3] += sum[q * lanes + l];
-            }
-        }
-        return total;
-    });
+            return Parts{across_lanes(stress.coarse), across_lanes(stress.fine)};
+        },
+        [](const Parts& a, const Parts& b) { return Parts{a.coarse + b.coarse, a.fine + b.fine}; }
+    );
+    return sum.coarse + sum.fine;
 }
 
 } // namespace suffuse::contact

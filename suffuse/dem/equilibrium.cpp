@@ -1,6 +1,5 @@
 #include "suffuse/dem/equilibrium.hpp"
 
-#include "suffuse/base/parallel.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 
@@ -17,26 +16,16 @@ struct ContactSums {
 
 ContactSums sum_contacts(const World& world) {
     const contact::Contacts& contacts = world.contacts;
-    return parallel_sum(
-        contacts.size(), 1024, ContactSums{},
-        [&](std::size_t begin, std::size_t end) {
-            ContactSums part;
-            for (std::size_t c = begin; c < end; ++c) {
-                if (!contacts.touches(c)) {
-                    continue;
-                }
-                const double r1 = world.grains.radius[contacts.first[c]], r2 = world.grains.radius[contacts.second[c]];
-                const double normal = contact::normal_stiffness(world.material, r1, r2) * contacts.overlap[c];
-                part.force += std::sqrt(normal * normal + norm2(contacts.shear_force[c]));
-                part.overlap_ratio = std::max(part.overlap_ratio, contacts.overlap[c] / std::min(r1, r2));
-                ++part.count;
-            }
-            return part;
-        },
-        [](const ContactSums& a, const ContactSums& b) {
-            return ContactSums{a.force + b.force, std::max(a.overlap_ratio, b.overlap_ratio), a.count + b.count};
-        }
-    );
+    ContactSums sums; // one after the other over the contacts that touch: which others are listed must change no bit
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        if (!contacts.touches(c)) { continue; }
+        const double r1 = world.grains.radius[contacts.first[c]], r2 = world.grains.radius[contacts.second[c]];
+        const double normal = contact::normal_stiffness(world.material, r1, r2) * contacts.overlap[c];
+        sums.force += std::sqrt(normal * normal + norm2(contacts.shear_force[c]));
+        sums.overlap_ratio = std::max(sums.overlap_ratio, contacts.overlap[c] / std::min(r1, r2));
+        ++sums.count;
+    }
+    return sums;
 }
 
 } // namespace

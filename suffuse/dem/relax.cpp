@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::int64_t floor_bursts = 60; // without halving the unbalance: it has stopped falling
 
-/// Deceleration rate near the critical one of the slowest mode: its period grows with the width of the sample in grains
-/// (measured on 10,000 grains: 2e5 1/s at dt = 4.1e-8 s relaxes to 1e-9 in 2,000 steps) [1/s].
+} // namespace
+
 double slowest_mode_drag(std::size_t grains, double dt) {
+    // Its period grows with the width of the sample in grains; measured on 10,000 grains: 2e5 1/s at dt = 4.1e-8 s relaxes to
+    // 1e-9 in 2,000 steps.
     constexpr double share_at_10k = 0.0082, grains_at_10k = 1e4;
     return share_at_10k / dt * std::cbrt(grains_at_10k / static_cast<double>(std::max<std::size_t>(grains, 1)));
 }
-
-} // namespace
 
 RelaxReport relax(
     World& world, StepCaches& caches, double dt, double damping, double wanted, std::int64_t most_steps,

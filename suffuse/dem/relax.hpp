@@ -9,6 +9,10 @@
 
 namespace suffuse::dem {
 
+/// Viscous drag near the critical one of the slowest mode of the sample: under it a state finds its equilibrium without the
+/// inertia that knocks weak contacts open [1/s]. @param dt time step [s]
+double slowest_mode_drag(std::size_t grains, double dt);
+
 struct RelaxReport {
     double unbalanced_force = 0; ///< reached [-]
     std::int64_t steps = 0;

@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
+#include "suffuse/dem/relax.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/run/result_json.hpp"
@@ -35,6 +36,8 @@ void remember_held_stress(const cell::Loading& loading, cell::ServoState& servo)
 
 } // namespace
 
+// Settling looks for an equilibrium, not for a motion: the drag keeps inertia from knocking weak contacts open (an imported
+// packing lost 27 of its 7,210 active grains without it, and none with it).
 void do_settle(StageWork& work, const dem::SettleSpec& spec) {
     dem::BalanceState state;
     if (work.resumed.is_null()) {
@@ -52,8 +55,9 @@ void do_settle(StageWork& work, const dem::SettleSpec& spec) {
         } else if (state.steps % time_step_interval == 0) {
             work.time_step = dem::stable_time_step(work.world);
         }
-        settled =
-            dem::settle_burst(work.world, caches, plan_for(work, spec.loading), work.what.balance, state);
+        dem::StepPlan plan = plan_for(work, spec.loading);
+        plan.drag = dem::slowest_mode_drag(work.world.grains.size(), work.time_step);
+        settled = dem::settle_burst(work.world, caches, plan, work.what.balance, state);
         work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
         work.history.record(work.world);
         if (!settled && state.steps >= spec.max_steps) {

@@ -83,7 +83,7 @@ void do_pack(StageWork& work, const packing::PackSpec& spec) {
 }
 
 void do_compact(StageWork& work, const packing::CompactSpec& spec) {
-    dem::sort_along_curve(work.world);
+    if (work.resumed.is_null()) { dem::sort_along_curve(work.world); }
     if (spec.void_ratio) {
         const dem::World cloud = work.world;
         const auto reach = [&](const packing::CompactSpec& trial) {

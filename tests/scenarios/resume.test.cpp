@@ -1,0 +1,126 @@
+// A run that is stopped half-way and resumed ends with the same bits as one that is not.
+
+#include "suffuse/base/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_text.hpp"
+#include <atomic>
+
+namespace suffuse::test {
+namespace {
+
+const std::string stages = R"(
+[study.s]
+soil      = "sand"
+particles = 600
+[[study.s.stage]]
+name     = "cloud"
+do       = "pack"
+porosity = 0.62
+[[study.s.stage]]
+name     = "initial"
+do       = "compact"
+pressure = "100 kPa"
+prepare  = { friction = "10 deg" }
+[[study.s.stage]]
+name         = "sheared"
+do           = "triaxial"
+stress_ratio = 0.5
+strain       = "5 %"
+[[study.s.stage]]
+name        = "moved"
+do          = "advance"
+steps       = 700
+strain_rate = ["1 1/s", "0 1/s", "0 1/s"]
+[[study.s.stage]]
+name     = "erosion"
+do       = "erode"
+passes   = 2
+gradient = 0.05
+)";
+
+std::string whole_case() {
+    return reference_constants + reference_soil() + stages;
+}
+
+std::string hash_of(const TempFolder& folder, const std::string& stage) {
+    return stage_of(folder.path(), stage).at("state_hash");
+}
+
+const std::vector<std::string> names{"cloud", "initial", "sheared", "moved", "erosion"};
+
+TEST(Resume, AfterStopsInTheMiddleOfStagesTheBitsAreTheSame) {
+    const TempFolder straight, broken;
+    run_text(whole_case(), straight.path());
+
+    // Stops at ever later pulses, so that every verb is interrupted somewhere.
+    int stops = 0;
+    for (int pulses = 5;; pulses = pulses * 3 / 2) {
+        std::atomic<bool> stop{false};
+        run::RunOptions options;
+        options.stop = &stop;
+        int left = pulses;
+        options.on_progress = [&](const run::Progress&) {
+            if (--left <= 0) {
+                stop = true;
+            }
+        };
+        const run::RunReport report = run_text(whole_case(), broken.path(), options);
+        if (report.outcome != run::Outcome::Stopped) {
+            break;
+        }
+        ++stops;
+        ASSERT_LT(stops, 200);
+    }
+    EXPECT_GE(stops, 2);
+    for (const std::string& stage : names) {
+        EXPECT_EQ(hash_of(broken, stage), hash_of(straight, stage)) << stage;
+    }
+    EXPECT_EQ(
+        stage_of(broken.path(), "erosion").at("passes").at(0).at("permeability_after"),
+        stage_of(straight.path(), "erosion").at("passes").at(0).at("permeability_after")
+    );
+}
+
+TEST(Resume, ATimeLimitOfZeroStopsAtOnceAndLeavesARunThatGoesOn) {
+    const TempFolder folder;
+    run::RunOptions options;
+    options.time_limit = 0;
+    EXPECT_EQ(run_text(whole_case(), folder.path(), options).outcome, run::Outcome::TimeLimit);
+    EXPECT_NE(run_text(whole_case(), folder.path()).outcome, run::Outcome::TimeLimit);
+}
+
+TEST(Resume, AFolderOfAnotherCaseIsRefused) {
+    const TempFolder folder;
+    run::RunOptions options;
+    options.time_limit = 0;
+    run_text(whole_case(), folder.path(), options);
+    std::string other = whole_case();
+    other.replace(other.find("particles = 600"), 15, "particles = 601");
+    EXPECT_THROW(run_text(other, folder.path()), CaseError);
+}
+
+class Threads : public testing::Test {
+protected:
+    void TearDown() override { set_thread_count(1); }
+};
+
+TEST_F(Threads, ChangeNoBitOfAWholeRun) {
+    std::vector<std::string> hashes;
+    for (const int threads : {1, 2, 4}) {
+        set_thread_count(threads);
+        const TempFolder folder;
+        run_text(whole_case(), folder.path());
+        std::string all;
+        for (const std::string& stage : names) {
+            all += hash_of(folder, stage);
+        }
+        hashes.push_back(all);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+} // namespace
+} // namespace suffuse::test

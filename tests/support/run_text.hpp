@@ -1,0 +1,66 @@
+#pragma once
+// A case as text, run in a folder of its own: what scenarios that go through the whole program share.
+
+#include "suffuse/casefile/load_case.hpp"
+#include "suffuse/run/folder.hpp"
+#include "suffuse/run/runner.hpp"
+#include "tests/support/temp_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace suffuse::test {
+
+/// Grain, contact, balance and fluid of the reference's section 4.
+inline const std::string reference_constants = R"(
+schema = 1
+title  = "scenario"
+[grain]
+density = "2600 kg/m^3"
+[contact]
+law               = "linear-rolling"
+modulus           = "356 MPa"
+shear_ratio       = 0.42
+friction          = "37 deg"
+rolling_stiffness = 7.5
+rolling_friction  = 0.22
+damping           = 0.2
+[balance]
+unbalanced_force = 1e-3
+stress_error     = "0.1 %"
+patience         = 500
+[fluid]
+density   = "1000 kg/m^3"
+viscosity = "1 mPa*s"
+)";
+
+/// The reference's Fontainebleau-like sand, fines below 0.26 mm.
+inline std::string reference_soil() {
+    return "[soil.sand]\npsd = \"" + std::string(SUFFUSE_SOURCE_DIR) +
+           "/examples/fontainebleau-2016/data/fontainebleau.csv\"\nfines = { finer_than = \"0.26 mm\" }\n";
+}
+
+/// A study that starts from one of the reference's packings, settled at 100 kPa in the stage "settled".
+inline std::string study_of_packing(const std::string& name) {
+    const nlohmann::json about = run::read_json(std::string(SUFFUSE_SOURCE_DIR) + "/tests/reference/" + name + ".json");
+    std::string edges;
+    for (const double edge : about.at("cell")) {
+        edges += (edges.empty() ? "\"" : ", \"") + fmt::format("{} m", edge) + "\"";
+    }
+    return "[study.s]\nsoil = \"sand\"\n[[study.s.stage]]\nname = \"start\"\ndo = \"import\"\npacking = \"" +
+           std::string(SUFFUSE_SOURCE_DIR) + "/tests/reference/" + name + ".csv.gz\"\ncell = [" + edges +
+           "]\n[[study.s.stage]]\nname = \"settled\"\ndo = \"settle\"\npressure = \"100 kPa\"\n";
+}
+
+inline run::RunReport run_text(const std::string& text, const std::filesystem::path& folder, run::RunOptions options = {}) {
+    const casefile::LoadedCase loaded = casefile::load_case_text(text, "scenario.toml", folder.string());
+    options.folder = folder / "run";
+    return run::run_case(loaded.value, options);
+}
+
+inline nlohmann::json stage_of(const std::filesystem::path& folder, const std::string& stage) {
+    return run::read_json(folder / "run" / "studies" / "s" / stage / "stage.json");
+}
+
+} // namespace suffuse::test
