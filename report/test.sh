@@ -21,4 +21,4 @@ samples=$page/samples
 rm -rf "$samples"
 SUFFUSE_SAMPLE_FOLDER=$samples SUFFUSE_SAMPLE_PAGE=$page "$program" --gtest_filter='SampleRun.*' >"$page/samples.log" ||
     { cat "$page/samples.log" >&2 && fail "the sample runs could not be written"; }
-SUFFUSE_SAMPLES=$samples SUFFUSE_PAGE=$page SUFFUSE_CHROMIUM=$browser node --test "$here/tests/"
+SUFFUSE_SAMPLES=$samples SUFFUSE_PAGE=$page SUFFUSE_CHROMIUM=$browser node --test "$here"/tests/*.test.mjs

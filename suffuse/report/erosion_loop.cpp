@@ -30,6 +30,11 @@ struct Step {
     std::vector<Quantity> after; ///< on the arrow that leaves it
 };
 
+/// A pass of forced removal has no probe: what a probe would say is left open.
+std::string of_probe(const PassResult& pass, std::string text) {
+    return pass.probe.id.empty() ? "–" : std::move(text);
+}
+
 template <typename Read>
 Quantity quantity(const char* name, const std::vector<const PassResult*>& passes, Read read) {
     Quantity quantity{name, {}};
@@ -45,12 +50,13 @@ std::vector<Step> steps_of(const std::vector<const PassResult*>& passes) {
     return {
         {"1  Equilibrium",
          "under the stresses held",
-         {quantity("fine grains", passes, [&](const PassResult& p) { return count(p.probe.id.size()); })}},
+         {quantity("fine grains", passes, [&](const PassResult& p) { return of_probe(p, count(p.probe.id.size())); })}},
         {"2  Pore flow",
-         fmt::format("hydraulic gradient i = {}", gradient),
+         passes.front()->probe.id.empty() ? "left out: the removal is forced"
+                                          : fmt::format("hydraulic gradient i = {}", gradient),
          {quantity(
              "fluid force / contact force [-]", passes,
-             [](const PassResult& p) { return short_number(p.probe.fluid_over_contact, 2); }
+             [](const PassResult& p) { return of_probe(p, short_number(p.probe.fluid_over_contact, 2)); }
          )}},
         {"3  Probe on a copy",
          "coarse grains held, forces ramped on the fines",

@@ -167,6 +167,18 @@ TEST(SpeedFigure, RoomThatASmallGroupLeavesGoesToTheOther) {
     EXPECT_TRUE(drawn.contains(11));
 }
 
+TEST(SpeedFigure, ProbesOfOneGradientAndDifferentWatchesKeepTheirOwnPanels) {
+    ProbeResult longer = test::sample_probe(0.05, 50, 0.5, 3);
+    longer.watch = 10'000;
+    const std::vector<ProbeResult> probes = {test::sample_probe(0.05, 50, 0.5, 3), longer, longer};
+    const json chart = speed_by_gradient(probes)->chart;
+    ASSERT_EQ(chart["facet"]["sort"].size(), 3U);
+    EXPECT_EQ(std::set<json>(chart["facet"]["sort"].begin(), chart["facet"]["sort"].end()).size(), 3U);
+    EXPECT_EQ(chart["resolve"]["scale"]["x"], "independent");
+    EXPECT_EQ(rules_compared(probes, {})->table.rows(), 12U);
+    EXPECT_EQ(rules_compared(probes, {})->chart["facet"]["sort"].size(), 3U);
+}
+
 TEST(SpeedFigure, BandsAreTheQuantilesOfAllGrainsOfTheGroup) {
     ProbeResult probe;
     probe.watch = 1000;
@@ -258,6 +270,14 @@ TEST(LoopFigure, CountsStandOnTheArrowsAndManyPassesKeepFirstAndLast) {
     EXPECT_NE(many.drawing.find(">pass 9<"), std::string::npos);
     EXPECT_EQ(many.drawing.find(">pass 5<"), std::string::npos);
     EXPECT_EQ(many.table.columns().size(), 2U + 9U);
+}
+
+TEST(LoopFigure, AForcedRemovalLeavesOpenWhatAProbeWouldSay) {
+    ErosionResult erosion = test::sample_erosion();
+    erosion.passes[0].probe = {};
+    const std::string drawing = erosion_loop(erosion)->drawing;
+    EXPECT_NE(drawing.find("the removal is forced"), std::string::npos);
+    EXPECT_NE(drawing.find(">–<"), std::string::npos);
 }
 
 TEST(RulesFigure, CountsOfEachProbeAddUpToItsFines) {

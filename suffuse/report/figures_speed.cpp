@@ -38,6 +38,24 @@ double rounded(double value) {
     return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
 }
 
+/// "i = 0.05", with the watch where two probes share a gradient.
+std::vector<std::string> probe_names(const std::vector<ProbeResult>& probes) {
+    std::vector<std::string> names;
+    for (const ProbeResult& probe : probes) {
+        const auto alike = std::count_if(probes.begin(), probes.end(), [&probe](const ProbeResult& other) {
+            return other.gradient == probe.gradient;
+        });
+        names.push_back(fmt::format("i = {}", probe.gradient));
+        if (alike > 1) {
+            names.back() += ", watch " + grouped(probe.watch);
+        }
+        if (std::count(names.begin(), names.end(), names.back()) > 1) {
+            names.back() += fmt::format(" #{}", names.size());
+        }
+    }
+    return names;
+}
+
 /// Columns, at most `most`, that leave no gap in the last row where there is such a number: axes of empty places
 /// confuse.
 std::size_t full_rows(std::size_t panels, std::size_t most) {
@@ -164,6 +182,12 @@ json speed_chart(const std::vector<Panel>& panels, double lowest, double highest
         titles[panel.name] = panel.title;
     }
     chart["facet"]["sort"] = order;
+    const bool one_watch = std::all_of(panels.begin(), panels.end(), [&panels](const Panel& panel) {
+        return panel.probe->watch == panels.front().probe->watch;
+    });
+    if (!one_watch) {
+        chart["resolve"] = {{"scale", {{"x", "independent"}}}};
+    }
     chart["columns"] = full_rows(panels.size(), panels.size() == 3 ? 3 : 2);
     chart["facet"]["header"]["labelExpr"] = titles.dump() + "[datum.value]";
     chart["spec"]["encoding"]["color"]["scale"] = {
@@ -235,14 +259,14 @@ const char* const how_drawn =
 std::optional<Figure> speed_by_gradient(const std::vector<ProbeResult>& probes) {
     std::vector<Panel> panels;
     std::string counts;
-    for (const ProbeResult& probe : probes) {
-        if (probe.id.empty()) {
+    const std::vector<std::string> names = probe_names(probes);
+    for (std::size_t p = 0; p < probes.size(); ++p) {
+        if (probes[p].id.empty()) {
             continue;
         }
-        const std::string name = fmt::format("i = {}", probe.gradient);
-        panels.push_back({name, name + ": " + share_detached(probe), &probe});
-        const Detached detached = count_detached(probe);
-        counts += fmt::format("{}{} at i = {}", counts.empty() ? "" : ", ", grouped(detached.yes), probe.gradient);
+        panels.push_back({names[p], names[p] + ": " + share_detached(probes[p]), &probes[p]});
+        counts +=
+            fmt::format("{}{} at {}", counts.empty() ? "" : ", ", grouped(count_detached(probes[p]).yes), names[p]);
     }
     if (panels.empty()) {
         return std::nullopt;
@@ -300,8 +324,9 @@ std::optional<Figure> rules_compared(const std::vector<ProbeResult>& probes, con
             }
         }
     };
-    for (const ProbeResult& probe : probes) {
-        add(fmt::format("probe, i = {}", probe.gradient), probe);
+    const std::vector<std::string> names = probe_names(probes);
+    for (std::size_t p = 0; p < probes.size(); ++p) {
+        add("probe, " + names[p], probes[p]);
     }
     for (const PassResult& pass : erosion.passes) {
         add(fmt::format("pass {}, i = {}", pass.pass, pass.probe.gradient), pass.probe);

@@ -7,6 +7,7 @@
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/report/figures.hpp"
+#include "suffuse/report/headlines.hpp"
 #include "suffuse/report/page.hpp"
 
 #include <algorithm>
@@ -188,13 +189,9 @@ inline report::ReportData sample_report(const std::string& title) {
         "The first pass left stress and volume as they were; the second took active grains, and the mean stress at "
         "constant volume fell by 28 %.",
         "Permeability rose from 5.4e-11 to 1.9e-10 m²; the peak deviator stress fell from 340 to 260 kPa."};
-    report.headlines = {
-        {"14.7 %", "of the mass eroded", "in 2 passes at i = 0.05"},
-        {"× 3.5", "permeability", "5.4·10⁻¹¹ to 1.9·10⁻¹⁰ m²"},
-        {"−28 %", "mean stress at constant volume", "after pass 2"},
-        {"6 of 7", "findings of the paper met", "1 cannot be told"}};
     report.findings = judge_erosion(probes, erosion);
     report.findings.back().met = std::nullopt;
+    report.headlines = erosion_headlines(erosion, report.findings);
     report.warnings = {
         "The cell is 9.7 times as wide as the largest grain; ten is the least for a representative sample."};
     report.assumed = {

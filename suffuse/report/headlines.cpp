@@ -1,0 +1,72 @@
+#include "suffuse/report/headlines.hpp"
+
+#include "suffuse/report/passes.hpp"
+#include "suffuse/report/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suffuse::report {
+
+namespace {
+
+using erosion::ErosionResult;
+using erosion::PassResult;
+
+/// Share of the mean stress lost at constant volume [-]; below zero where there is no stress to lose.
+double stress_loss(const PassResult& pass) {
+    const double before = mean_stress(pass.stress_before);
+    return before > 0 ? 1 - mean_stress(pass.stress_constant_volume) / before : -1;
+}
+
+void add_passes(const ErosionResult& erosion, std::vector<Headline>& headlines) {
+    const auto& passes = erosion.passes;
+    double eroded = 0;
+    for (const PassResult& pass : passes) {
+        eroded += pass.eroded_mass_percent_of_initial;
+    }
+    const std::string turns = fmt::format("in {} {}", passes.size(), passes.size() == 1 ? "pass" : "passes");
+    const bool probed = !passes.front().probe.id.empty();
+    headlines.push_back(
+        {short_number(eroded) + " %", "of the mass eroded",
+         probed ? fmt::format("{} at i = {}", turns, passes.front().probe.gradient) : turns}
+    );
+    const double before = passes.front().permeability_before, after = passes.back().permeability_after;
+    if (before > 0 && after > 0) {
+        headlines.push_back(
+            {"× " + short_number(after / before), "permeability",
+             fmt::format("{} to {} m²", short_number(before, 2), short_number(after, 2))}
+        );
+    }
+    const auto worst = std::max_element(passes.begin(), passes.end(), [](const PassResult& a, const PassResult& b) {
+        return stress_loss(a) < stress_loss(b);
+    });
+    if (stress_loss(*worst) > -1) {
+        headlines.push_back(
+            {short_number(-100 * stress_loss(*worst), 2) + " %", "mean stress at constant volume",
+             fmt::format("after pass {}, the largest loss", worst->pass)}
+        );
+    }
+}
+
+} // namespace
+
+std::vector<Headline> erosion_headlines(const ErosionResult& erosion, const std::vector<Finding>& findings) {
+    std::vector<Headline> headlines;
+    if (!erosion.passes.empty()) {
+        add_passes(erosion, headlines);
+    }
+    if (!findings.empty()) {
+        const auto met =
+            std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.met == true; });
+        const auto open = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.met; });
+        headlines.push_back(
+            {fmt::format("{} of {}", met, findings.size()), "findings of the paper met",
+             open > 0 ? fmt::format("{} cannot be told from this run", open) : ""}
+        );
+    }
+    return headlines;
+}
+
+} // namespace suffuse::report

@@ -1,0 +1,36 @@
+#include "suffuse/report/headlines.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/sample_report.hpp"
+
+namespace suffuse::report {
+namespace {
+
+TEST(Headlines, SayMassPermeabilityStressAndFindings) {
+    const erosion::ErosionResult erosion = test::sample_erosion();
+    std::vector<Finding> findings(7);
+    findings[0].met = findings[3].met = true;
+    findings[1].met = false;
+    const std::vector<Headline> headlines = erosion_headlines(erosion, findings);
+    ASSERT_EQ(headlines.size(), 4U);
+    EXPECT_EQ(headlines[0].value, "14.7 %"); // (0.0764 + 0.012)/0.6
+    EXPECT_EQ(headlines[0].detail, "in 2 passes at i = 0.05");
+    EXPECT_EQ(headlines[1].value, "× 3.52"); // 1.9e-10/5.4e-11
+    EXPECT_EQ(headlines[2].value, "−28 %");
+    EXPECT_EQ(headlines[2].detail, "after pass 2, the largest loss");
+    EXPECT_EQ(headlines[3].value, "2 of 7");
+    EXPECT_EQ(headlines[3].detail, "4 cannot be told from this run");
+}
+
+TEST(Headlines, LeaveOutWhatTheRunCannotTell) {
+    EXPECT_TRUE(erosion_headlines({}, {}).empty());
+    erosion::ErosionResult erosion;
+    erosion.passes.emplace_back().pass = 1;
+    const std::vector<Headline> headlines = erosion_headlines(erosion, {});
+    ASSERT_EQ(headlines.size(), 1U);
+    EXPECT_EQ(headlines[0].detail, "in 1 pass");
+}
+
+} // namespace
+} // namespace suffuse::report
