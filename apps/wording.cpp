@@ -77,7 +77,7 @@ std::string count_text(std::int64_t count) {
     std::string digits = std::to_string(count);
     const std::ptrdiff_t first = count < 0 ? 1 : 0;
     for (std::ptrdiff_t at = std::ssize(digits) - 3; at > first; at -= 3) {
-        digits.insert(static_cast<std::size_t>(at), ",");
+        digits.insert(static_cast<std::size_t>(at), 1, ',');
     }
     return digits;
 }

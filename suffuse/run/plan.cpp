@@ -37,7 +37,7 @@ constexpr Range flow_seconds{2e-5, 1.5e-4}; // a grain, one direction
 
 constexpr double settled_porosity = 0.4;
 constexpr double process_memory = 40e6, grain_memory = 1000, flow_memory = 8000;          // [B], a grain
-constexpr double state_disk = 350, table_disk = 900, picture_disk = 400, page_disk = 2e6; // [B], a grain; [B]
+constexpr double state_disk = 350, table_disk = 900, picture_disk = 200, page_disk = 2e6; // [B], a grain; [B]
 
 /// What is known of a sample at the end of a stage.
 struct Sample {

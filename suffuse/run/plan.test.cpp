@@ -1,0 +1,156 @@
+#include "suffuse/run/plan.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/casefile/load_case.hpp"
+#include "suffuse/run/runner.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temp_folder.hpp"
+
+namespace suffuse::run {
+namespace {
+
+const std::string source = SUFFUSE_SOURCE_DIR;
+const MachineSpeed a_machine{1e7, 10'000, 2};
+
+/// The replay example's packing at 100 kPa, with one more stage.
+casefile::Case replay_and(const std::string& stage) {
+    const std::string text = R"(
+schema = 1
+[study.replay]
+[[study.replay.stage]]
+name = "start"
+do = "import"
+packing = "packing.csv"
+cell = ["1.4360856339985508 mm", "1.4358137235332051 mm", "1.436026846625529 mm"]
+[[study.replay.stage]]
+name = "settled"
+do = "settle"
+pressure = "100 kPa"
+[[study.replay.stage]]
+name = "last"
+)" + stage;
+    return casefile::load_case_text(text, "case.toml", source + "/examples/replay").value;
+}
+
+RunPlan plan_of(const std::string& stage) {
+    return plan_run(replay_and(stage), a_machine);
+}
+
+casefile::Case fontainebleau(const std::vector<std::string>& overrides) {
+    return casefile::load_case(source + "/examples/fontainebleau-2016/case.toml", {"standard", overrides}).value;
+}
+
+const StageEstimate& stage_named(const RunPlan& plan, const std::string& name) {
+    for (const StageEstimate& stage : plan.stages) {
+        if (stage.stage == name) {
+            return stage;
+        }
+    }
+    throw Bug("no stage " + name);
+}
+
+TEST(Plan, AFixedNumberOfStepsIsExact) {
+    const StageEstimate last = plan_of(R"(do = "advance"
+steps = 1234
+time_step = "4.1e-8 s"
+strain_rate = ["10 1/s", "0 1/s", "0 1/s"])")
+                                   .stages.back();
+    EXPECT_EQ(last.steps.least, 1234);
+    EXPECT_EQ(last.steps.most, 1234);
+    EXPECT_EQ(last.grains, 500);
+}
+
+TEST(Plan, AStrainDrivenTestWithAGivenTimeStepIsExact) {
+    const auto plan = [](const std::string& strain, const std::string& number, const std::string& dt) {
+        return plan_of(fmt::format(
+                           "do = \"triaxial\"\nstrain = \"{} %\"\ninertial_number = {}\ntime_step = \"{} s\"", strain,
+                           number, dt
+                       ))
+            .stages.back()
+            .steps;
+    };
+    const Range steps = plan("4", "1e-3", "4e-8");
+    EXPECT_EQ(steps.least, steps.most);
+    // rate = I sqrt(p/rho)/d50 with p = 100 kPa, rho = 2600 kg/m3 and d50 = 0.21 mm within a tenth, as of this sand
+    const double expected = 0.04 * 0.21e-3 / (1e-3 * std::sqrt(100e3 / 2600) * 4e-8);
+    EXPECT_NEAR(steps.least, expected, 0.1 * expected);
+    EXPECT_NEAR(plan("8", "1e-3", "4e-8").least, 2 * steps.least, 1e-9 * steps.least); // rounding only
+    EXPECT_NEAR(plan("4", "1e-4", "4e-8").least, 10 * steps.least, 1e-9 * steps.least);
+    EXPECT_NEAR(plan("4", "1e-3", "2e-8").least, 2 * steps.least, 1e-9 * steps.least);
+}
+
+TEST(Plan, AProbeIsPaidTwiceForItsTwinAndOnceForEachGradientOrPass) {
+    const auto steps = [](const std::string& stage, const std::vector<std::string>& overrides) {
+        return stage_named(plan_run(fontainebleau(overrides), a_machine), stage).steps;
+    };
+    const Range probe = steps("probe", {}), longer = steps("probe", {"study.erosion.stage.probe.watch=2000"});
+    EXPECT_EQ(longer.least - probe.least, 4 * 2 * 1000); // four gradients
+    const Range erosion = steps("erosion", {}), slower = steps("erosion", {"study.erosion.stage.erosion.watch=2000"});
+    EXPECT_EQ(slower.most - erosion.most, 2 * 2 * 1000); // two passes
+}
+
+TEST(Plan, ItsSumsAreThoseOfItsStages) {
+    const RunPlan plan = plan_run(fontainebleau({}), a_machine);
+    Range steps, seconds;
+    for (const StageEstimate& stage : plan.stages) {
+        EXPECT_LE(stage.steps.least, stage.steps.most) << stage.stage;
+        EXPECT_LE(stage.seconds.least, stage.seconds.most) << stage.stage;
+        steps += stage.steps;
+        seconds += stage.seconds;
+        EXPECT_LE(stage.memory, plan.memory) << stage.stage;
+    }
+    EXPECT_EQ(plan.steps.most, steps.most);
+    EXPECT_EQ(plan.seconds.most, seconds.most);
+    EXPECT_GT(seconds.most, 1.1 * seconds.least); // never narrower than a tenth of itself
+}
+
+TEST(Plan, AMachineTwiceAsFastStepsInHalfTheTime) {
+    const casefile::Case what = replay_and("do = \"settle\"\npressure = \"200 kPa\"");
+    const StageEstimate slow = plan_run(what, a_machine).stages.back();
+    const StageEstimate fast = plan_run(what, {2e7, 10'000, 2}).stages.back();
+    EXPECT_DOUBLE_EQ(fast.seconds.most, slow.seconds.most / 2);
+    EXPECT_EQ(fast.steps.most, slow.steps.most);
+}
+
+TEST(Plan, ARunOfTheReplayLiesWithinItsRanges) {
+    const casefile::Case what = casefile::load_case(source + "/examples/replay/case.toml").value;
+    const RunPlan plan = plan_run(what, a_machine);
+    const test::TempFolder folder;
+    std::map<std::string, long long> steps;
+    RunOptions options;
+    options.folder = folder / "run";
+    options.on_progress = [&](const Progress& progress) {
+        if (progress.stage_finished) {
+            steps[progress.stage] = progress.state.value("steps", 0LL);
+        }
+    };
+    run_case(what, options);
+    for (const std::string stage : {"settled", "compressed"}) {
+        EXPECT_GE(static_cast<double>(steps[stage]), stage_named(plan, stage).steps.least) << stage;
+        EXPECT_LE(static_cast<double>(steps[stage]), stage_named(plan, stage).steps.most) << stage;
+    }
+}
+
+TEST(Plan, AMissingPackingIsNamed) {
+    casefile::Case what = replay_and("do = \"settle\"\npressure = \"200 kPa\"");
+    std::get<casefile::ImportSpec>(what.studies[0].variants[0].stages[0].spec).path = "/nowhere/packing.csv";
+    try {
+        plan_run(what, a_machine);
+        FAIL() << "a packing that is not there was read";
+    } catch (const IoError& error) {
+        EXPECT_NE(std::string(error.what()).find("/nowhere/packing.csv"), std::string::npos);
+    }
+}
+
+TEST(MachineSpeed, IsMeasuredOnAboutAsManyGrainsAsAsked) {
+    const MachineSpeed speed = measure_speed(1000, 0.02);
+    EXPECT_EQ(speed.grains, 1000);                   // 10 x 10 x 10
+    EXPECT_GT(speed.particle_steps_per_second, 1e3); // any machine, also under a sanitizer
+    EXPECT_LT(speed.particle_steps_per_second, 1e12);
+}
+
+} // namespace
+} // namespace suffuse::run
