@@ -33,7 +33,7 @@ void sweep_up(const WeightedGraph& graph, std::span<const double> b, std::span<d
         for (std::uint32_t k = graph.first[i]; k < graph.middle[i]; ++k) {
             sum += graph.weight[k] * x[graph.neighbor[k]];
         }
-        x[i] = graph.sum[i] > 0 ? sum / graph.sum[i] : 0;
+        x[i] = sum * graph.inverse_sum[i];
     }
 }
 
@@ -44,7 +44,7 @@ void sweep_down(const WeightedGraph& graph, std::span<const double> b, std::span
         for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
             sum += graph.weight[k] * x[graph.neighbor[k]];
         }
-        x[i] = graph.sum[i] > 0 ? sum / graph.sum[i] : 0;
+        x[i] = sum * graph.inverse_sum[i];
     }
 }
 
@@ -190,7 +190,7 @@ void GraphMultigrid::solve_coarse(std::size_t l, std::vector<Work>& work) const 
 double GraphMultigrid::size(std::span<const double> b) const {
     double sum = 0;
     for (std::size_t i = 0; i < graph().size(); ++i) {
-        sum += graph().sum[i] > 0 ? b[i] * b[i] / graph().sum[i] : 0;
+        sum += b[i] * b[i] * graph().inverse_sum[i];
     }
     return std::sqrt(sum);
 }

@@ -15,7 +15,7 @@ constexpr double worth_joining = 0.8;
 /// Sorts every row and adds up entries of one neighbor; `end[i]` is where row i ends as filled.
 void tidy_rows(WeightedGraph& graph, std::span<const std::uint32_t> end) {
     const std::size_t nodes = end.size();
-    graph.middle.resize(nodes), graph.sum.resize(nodes), graph.ground.resize(nodes);
+    graph.middle.resize(nodes), graph.sum.resize(nodes), graph.inverse_sum.resize(nodes);
     std::vector<std::pair<std::uint32_t, double>> row;
     std::uint32_t write = 0;
     for (std::uint32_t i = 0; i < nodes; ++i) {
@@ -39,6 +39,7 @@ void tidy_rows(WeightedGraph& graph, std::span<const std::uint32_t> end) {
             }
         }
         graph.sum[i] = sum;
+        graph.inverse_sum[i] = sum > 0 ? 1 / sum : 0;
     }
     graph.first[nodes] = write;
     graph.neighbor.resize(write), graph.weight.resize(write);

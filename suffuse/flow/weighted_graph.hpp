@@ -20,8 +20,9 @@ struct WeightedGraph {
     std::vector<std::uint32_t> middle; ///< those below i up to middle[i]
     std::vector<std::uint32_t> neighbor;
     std::vector<double> weight;
-    std::vector<double> ground; ///< coupling of a node to the potential zero
-    std::vector<double> sum;    ///< of all weights of a node, that to the ground included
+    std::vector<double> ground;      ///< coupling of a node to the potential zero
+    std::vector<double> sum;         ///< of all weights of a node, that to the ground included
+    std::vector<double> inverse_sum; ///< 0 where the sum is 0
 
     [[nodiscard]] std::size_t size() const { return sum.size(); }
 };

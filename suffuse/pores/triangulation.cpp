@@ -69,6 +69,19 @@ Canonical<N> canonical(const std::array<Corner, N>& given) {
     return best;
 }
 
+/// Place along a curve that visits the eighths of a cube one after the other, and so on within each (Morton).
+std::uint64_t place_on_curve(const Vec3& s) {
+    constexpr int bits = 16;
+    std::uint64_t place = 0;
+    for (int a = 0; a < 3; ++a) {
+        const auto cut = static_cast<std::uint64_t>(std::ldexp(std::clamp(s[a], 0.0, 1 - 1e-9), bits));
+        for (int b = 0; b < bits; ++b) {
+            place |= (cut >> b & 1) << (3 * b + a);
+        }
+    }
+    return place;
+}
+
 class GhostTriangulation {
 public:
     explicit GhostTriangulation(const ExactPacking& packing)
@@ -81,7 +94,7 @@ public:
         for (int round = 0; round < 60; ++round) {
             const double needed = keep_tetrahedra();
             if (needed <= reach_) {
-                return;
+                return number_tetrahedra();
             }
             // Beyond a reach that is much too small the tetrahedra are those of the hull: they say nothing of the need.
             reach = std::min(1.02 * needed, 1.5 * reach_);
@@ -163,6 +176,15 @@ private:
             points_[t->vertex(3)->info()]};
     }
 
+    static Vec3 centroid(Regular::Cell_handle t) {
+        Vec3 sum;
+        for (int k = 0; k < 4; ++k) {
+            const Point& x = t->vertex(k)->point();
+            sum += Vec3{x.x(), x.y(), x.z()};
+        }
+        return 0.25 * sum;
+    }
+
     [[nodiscard]] Vec3 place(const Corner& c) const {
         return packing_.position[c.grain] + shift(packing_.h, c.image); // exact
     }
@@ -170,20 +192,16 @@ private:
     /// The period that the centroid of a tetrahedron lies in. Near a face of the cell rounding must not let two images
     /// differ, so that it is decided on the canonical image there.
     [[nodiscard]] cell::Image home(Regular::Cell_handle t) const {
-        const std::array<Corner, 4> given = corners(t);
-        const Vec3 s = fractional_centroid(given);
+        const Vec3 s = packing_.inverse_h * centroid(t);
         const cell::Image period = {floor(s.x), floor(s.y), floor(s.z)};
         const auto near_a_face = [](double x) { return std::abs(x - std::nearbyint(x)) < 1e-9; };
         if (!near_a_face(s.x) && !near_a_face(s.y) && !near_a_face(s.z)) {
             return period;
         }
-        const Canonical<4> c = canonical(given);
-        const Vec3 sc = fractional_centroid(c.corners);
-        return cell::Image(c.moved) + cell::Image{floor(sc.x), floor(sc.y), floor(sc.z)};
-    }
-
-    [[nodiscard]] Vec3 fractional_centroid(const std::array<Corner, 4>& c) const {
-        return 0.25 * (packing_.inverse_h * (place(c[0]) + place(c[1]) + place(c[2]) + place(c[3])));
+        const Canonical<4> c = canonical(corners(t));
+        const Vec3 corner_sum = place(c.corners[0]) + place(c.corners[1]) + place(c.corners[2]) + place(c.corners[3]);
+        const Vec3 decisive = 0.25 * (packing_.inverse_h * corner_sum);
+        return cell::Image(c.moved) + cell::Image{floor(decisive.x), floor(decisive.y), floor(decisive.z)};
     }
 
     static std::int32_t floor(double x) { return static_cast<std::int32_t>(std::floor(x)); }
@@ -235,22 +253,34 @@ private:
         reach_ = reach;
     }
 
-    /// Numbers the tetrahedra whose centroid lies in the cell. @return the reach of images that they need.
+    /// Finds the tetrahedra whose centroid lies in the cell. @return the reach of images that they need.
     double keep_tetrahedra() {
         kept_.clear();
         double needed = 0;
         for (auto t = triangulation_.all_cells_begin(); t != triangulation_.all_cells_end(); ++t) {
             t->info() = not_kept;
-        }
-        for (auto t = triangulation_.finite_cells_begin(); t != triangulation_.finite_cells_end(); ++t) {
-            if (home(t) != cell::Image{}) {
+            if (triangulation_.is_infinite(t) || home(t) != cell::Image{}) {
                 continue;
             }
-            t->info() = static_cast<std::uint32_t>(kept_.size());
             kept_.push_back(t);
             needed = std::max(needed, needed_reach(t));
         }
         return kept_.empty() ? unlimited : needed;
+    }
+
+    /// Numbers the kept tetrahedra along a curve that fills the cell, so that what is close in space is close in
+    /// memory.
+    void number_tetrahedra() {
+        std::vector<std::pair<std::uint64_t, Regular::Cell_handle>> order;
+        order.reserve(kept_.size());
+        for (const Regular::Cell_handle t : kept_) {
+            order.emplace_back(place_on_curve(packing_.inverse_h * centroid(t)), t);
+        }
+        std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (std::uint32_t p = 0; p < kept_.size(); ++p) {
+            kept_[p] = order[p].second;
+            kept_[p]->info() = p;
+        }
     }
 
     /// Distance from the cell within which a surface could be in conflict with this tetrahedron. A sphere (x, r) is in
@@ -269,9 +299,10 @@ private:
             weight[static_cast<std::size_t>(k)] = point.weight();
         }
         const PowerCenter center = power_center(x, weight);
+        // The center of a flat one lies between those of its neighbors, which are checked.
         if (center.is_flat) {
             return 0;
-        } // its center lies between those of its neighbors, which are checked
+        }
         const Vec3 s = packing_.inverse_h * center.point;
         const double power = norm2(center.point - x[0]) - weight[0];
         const double ball = power > 0 ? std::sqrt(power + smallest_ * smallest_) - smallest_ : 0;

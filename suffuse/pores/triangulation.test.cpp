@@ -154,6 +154,43 @@ TEST(Triangulation, RotatedLatticeHolds) {
     EXPECT_EQ(find_defect(triangulate(turned), turned.h, turned.position), std::nullopt);
 }
 
+TEST(Triangulation, DilutedLatticesHold) {
+    // Many grains on one sphere, in many places, none of them alike.
+    for (const Packing& full :
+         {test::simple_cubic(4, 0.5), test::body_centered(3, 1e-4), test::face_centered(2, 1),
+          test::face_centered(3, 1)}) {
+        for (std::size_t seed = 1; seed <= 10; ++seed) {
+            Packing packing;
+            packing.h = full.h;
+            for (std::size_t g = 0; g < full.size(); ++g) {
+                if ((g * 7919 + seed * 104729) % 13 < 4) {
+                    continue;
+                }
+                packing.position.push_back(full.position[g]);
+                packing.radius.push_back(full.radius[g]);
+            }
+            const Triangulation t = triangulate(packing);
+            EXPECT_EQ(find_defect(t, packing.h, packing.position), std::nullopt);
+            EXPECT_EQ(t.jitter, 0);
+        }
+    }
+}
+
+TEST(Triangulation, GrainsAtOnePlaceAreHiddenOrToldApartByJitter) {
+    int jittered = 0;
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Packing packing = test::random_packing(identity(), 30, 0.05, 0.1, seed);
+        packing.position.push_back(packing.position[3]);
+        packing.radius.push_back(packing.radius[3]);
+        const Triangulation t = triangulate(packing);
+        EXPECT_EQ(find_defect(t, packing.h, packing.position), std::nullopt);
+        EXPECT_TRUE(t.jitter > 0 || t.hidden.size() == 1);
+        EXPECT_LT(t.jitter, 1e-8); // a billionth of the spacing
+        jittered += t.jitter > 0 ? 1 : 0;
+    }
+    EXPECT_GT(jittered, 0); // images may hide one or the other of the two: the case that jitter is for
+}
+
 TEST(Triangulation, CountsGrainsBuriedInOthers) {
     Packing packing = test::random_packing(identity(), 100, 0.05, 0.1, 10);
     packing.position.push_back(packing.position[0] + Vec3{0.01, 0, 0});
