@@ -61,8 +61,21 @@ Complaint current_complaint(bool color) {
     }
 }
 
+/// Names of files come from the user and could hold what moves a terminal's cursor.
+std::string harmless(std::string message) {
+    constexpr std::size_t most = 4000;
+    if (message.size() > most) {
+        message = message.substr(0, most) + " ...";
+    }
+    std::replace_if(
+        message.begin(), message.end(),
+        [](char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f; }, '?'
+    );
+    return message;
+}
+
 int complain(const Complaint& complaint, const Console& console) {
-    console.error(complaint.message, complaint.rendered);
+    console.error(complaint.rendered ? complaint.message : harmless(complaint.message), complaint.rendered);
     console.document(json_text(
         {{"error",
           {{"kind", complaint.kind},

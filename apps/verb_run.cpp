@@ -195,7 +195,6 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
         } // the signal's message stands below
         view.show(progress);
     };
-    heed_signals();
     const auto start = std::chrono::steady_clock::now();
     const run::RunReport report = run::run_case(job.what, options);
     view.clear();
@@ -227,8 +226,8 @@ void tell_next(const CommandLine& line, const Job& job, const Console& console) 
 } // namespace
 
 int run_verb(const CommandLine& line, const Console& console) {
-    const double limit = limit_of(line.time_limit); // wrong use is told before anything is made
-    console.detail(fmt::format("time limit {}", std::isfinite(limit) ? duration_text(limit) : "none"));
+    limit_of(line.time_limit); // wrong use is told before anything is made
+    heed_signals();
     Job job;
     job.what = load_asked_case(line, console);
     check_until(job.what, line.until);
@@ -254,14 +253,19 @@ int run_verb(const CommandLine& line, const Console& console) {
 }
 
 int resume_verb(const CommandLine& line, const Console& console) {
+    limit_of(line.time_limit);
+    heed_signals();
     const fs::path folder = line.subject;
-    const AskedRun asked = read_asked(folder);
     const fs::path resolved = folder / "case.resolved.toml";
     Job job;
     job.folder = folder;
-    job.what = fs::exists(resolved) ? casefile::load_case(resolved.string()).value
-                                    : casefile::load_case(asked.case_file, {asked.preset, asked.overrides}).value;
-    job.case_text = casefile::read_whole_file(fs::exists(resolved) ? resolved.string() : asked.case_file);
+    if (fs::exists(resolved)) {
+        job.what = casefile::load_case(resolved.string()).value;
+    } else { // stopped before it really began
+        const AskedRun asked = read_asked(folder);
+        job.what = casefile::load_case(asked.case_file, {asked.preset, asked.overrides}).value;
+        job.case_text = casefile::read_whole_file(asked.case_file);
+    }
     check_until(job.what, line.until);
     set_threads(line.threads);
     const FolderLock lock(folder);

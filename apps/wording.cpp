@@ -36,7 +36,7 @@ std::string duration_text(double seconds) {
         return two_digits(std::max(seconds, 0.0)) + " s";
     }
     const auto whole = static_cast<std::int64_t>(std::llround(seconds));
-    if (seconds < hour) {
+    if (whole < 3600) {
         return fmt::format("{} min {} s", whole / 60, whole % 60);
     }
     return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
