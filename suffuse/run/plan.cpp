@@ -21,8 +21,8 @@ using casefile::StageSpec;
 constexpr Range settling{500, 15'000};
 constexpr Range compaction_share{1.8, 4.5}; // of the steps that the strain takes at the largest rate
 constexpr Range relaxation{800, 6'000};
-constexpr Range constant_volume{100, 12'000};
-constexpr Range servo{100, 20'000};
+constexpr Range constant_volume{100, 8'000};
+constexpr Range servo{100, 15'000};
 constexpr Range strain_to_stress{0.002, 0.02}; // axial strain until a deviator stress is reached [-]
 
 // The time step of a settled packing over that of one pair of its smallest grains.
@@ -31,12 +31,12 @@ constexpr Range time_step_error{0.85, 1.2}; // factor on the steps
 
 // What the made-up packing of measure_speed leaves out: searches while grains fly, recording, other work of the
 // machine.
-constexpr Range price_error{0.9, 1.5};
+constexpr Range price_error{0.9, 1.8};
 constexpr Range cloud_seconds{5e-6, 1e-4};  // a grain
 constexpr Range flow_seconds{2e-5, 1.5e-4}; // a grain, one direction
 
 constexpr double settled_porosity = 0.4;
-constexpr double process_memory = 40e6, grain_memory = 1000, flow_memory = 8000;          // [B], a grain
+constexpr double process_memory = 40e6, grain_memory = 1000, flow_memory = 5000;          // [B], a grain
 constexpr double state_disk = 350, table_disk = 900, picture_disk = 200, page_disk = 2e6; // [B], a grain; [B]
 
 /// What is known of a sample at the end of a stage.
