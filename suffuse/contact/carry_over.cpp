@@ -12,54 +12,69 @@ struct Source {
     double sign;       ///< -1 where the two grains changed places
 };
 
-void gather(const std::vector<double>& from, const std::vector<Source>& sources, bool odd, std::vector<double>& to) {
-    to.resize(sources.size());
+/// Rearranges a column in place; `spare` lends its storage.
+void rearrange(
+    std::vector<double>& column, const std::vector<Source>& sources, bool odd, std::vector<double>& spare
+) {
+    spare.resize(sources.size());
     for (std::size_t c = 0; c < sources.size(); ++c) {
         const auto [row, sign] = sources[c];
-        to[c] = row == no_source || from.empty() ? 0.0 : (odd ? sign * from[row] : from[row]);
+        spare[c] = row == no_source || column.empty() ? 0.0 : (odd ? sign * column[row] : column[row]);
     }
+    std::swap(column, spare);
 }
 
-void gather(const VectorColumn& from, const std::vector<Source>& sources, VectorColumn& to) {
-    gather(from.x, sources, true, to.x);
-    gather(from.y, sources, true, to.y);
-    gather(from.z, sources, true, to.z);
+void rearrange(VectorColumn& column, const std::vector<Source>& sources, std::vector<double>& spare) {
+    rearrange(column.x, sources, true, spare);
+    rearrange(column.y, sources, true, spare);
+    rearrange(column.z, sources, true, spare);
 }
 
-void gather_memory(
-    const Contacts& from, const std::vector<Source>& sources, const OptionalMemory& memory, Contacts& to
+/// Gives `table`, whose pairs are already the new ones, the memory of the rows that they come from.
+void rearrange_memory(
+    Contacts& table, const std::vector<Source>& sources, const OptionalMemory& memory, std::vector<double>& spare
 ) {
-    gather(from.shear_force, sources, to.shear_force);
-    gather(from.bending, sources, to.bending);
-    gather(from.normal, sources, to.normal);
-    gather(from.overlap, sources, false, to.overlap);
-    to.twisting.clear();
-    to.bonded.clear();
+    rearrange(table.shear_force, sources, spare);
+    rearrange(table.bending, sources, spare);
+    rearrange(table.normal, sources, spare);
+    rearrange(table.overlap, sources, false, spare);
     if (memory.twisting) {
-        gather(from.twisting, sources, to.twisting);
+        rearrange(table.twisting, sources, spare);
+    } else {
+        table.twisting.clear();
     }
-    if (memory.bonds) {
-        to.bonded.resize(sources.size());
-        for (std::size_t c = 0; c < sources.size(); ++c) {
-            const std::uint32_t row = sources[c].row;
-            to.bonded[c] = row == no_source || from.bonded.empty() ? std::uint8_t{0} : from.bonded[row];
-        }
+    std::vector<std::uint8_t> bonded(memory.bonds ? sources.size() : 0);
+    for (std::size_t c = 0; c < bonded.size(); ++c) {
+        const std::uint32_t row = sources[c].row;
+        bonded[c] = row == no_source || table.bonded.empty() ? std::uint8_t{0} : table.bonded[row];
     }
+    table.bonded = std::move(bonded);
 }
 
 neighbors::Pair pair_of(const Contacts& contacts, std::size_t c) {
     return {contacts.first[c], contacts.second[c], contacts.image[c]};
 }
 
-void clear_pairs(Contacts& table) {
-    table.first.clear(), table.second.clear(), table.image.clear();
-}
+/// The pairs of a table to be, and the rows that their memory comes from.
+struct NewRows {
+    std::vector<std::uint32_t> first, second;
+    std::vector<cell::Image> image;
+    std::vector<Source> source;
 
-void append(Contacts& table, const neighbors::Pair& pair) {
-    table.first.push_back(pair.first);
-    table.second.push_back(pair.second);
-    table.image.push_back(pair.image);
-}
+    void append(const neighbors::Pair& pair, const Source& from) {
+        first.push_back(pair.first);
+        second.push_back(pair.second);
+        image.push_back(pair.image);
+        source.push_back(from);
+    }
+
+    void move_into(Contacts& table, const OptionalMemory& memory, std::vector<double>& spare) {
+        table.first = std::move(first);
+        table.second = std::move(second);
+        table.image = std::move(image);
+        rearrange_memory(table, source, memory, spare);
+    }
+};
 
 } // namespace
 
@@ -68,34 +83,28 @@ OptionalMemory optional_memory(const Contacts& contacts) {
 }
 
 void carry_over(
-    const Contacts& old, std::span<const neighbors::Pair> pairs, const OptionalMemory& memory, Contacts& table
+    Contacts& table, std::span<const neighbors::Pair> pairs, const OptionalMemory& memory, std::vector<double>& spare
 ) {
-    clear_pairs(table);
-    std::vector<Source> sources;
-    sources.reserve(pairs.size() + 16);
+    NewRows rows;
     std::size_t c = 0;
     const auto keep_touching_before = [&](auto&& is_before) {
-        for (; c < old.size() && is_before(pair_of(old, c)); ++c) {
-            if (!old.touches(c)) {
-                continue;
-            }
-            append(table, pair_of(old, c));
-            sources.push_back({static_cast<std::uint32_t>(c), 1});
+        for (; c < table.size() && is_before(pair_of(table, c)); ++c) {
+            if (table.touches(c)) { rows.append(pair_of(table, c), {static_cast<std::uint32_t>(c), 1}); }
         }
     };
     for (const neighbors::Pair& pair : pairs) {
         keep_touching_before([&](const neighbors::Pair& other) { return other < pair; });
-        const bool known = c < old.size() && pair_of(old, c) == pair;
-        append(table, pair);
-        sources.push_back({known ? static_cast<std::uint32_t>(c++) : no_source, 1});
+        const bool known = c < table.size() && pair_of(table, c) == pair;
+        rows.append(pair, {known ? static_cast<std::uint32_t>(c++) : no_source, 1});
     }
     keep_touching_before([](const neighbors::Pair&) { return true; });
-    gather_memory(old, sources, memory, table);
+    rows.move_into(table, memory, spare);
 }
 
 Contacts touching_rows(const Contacts& contacts) {
-    Contacts table;
-    carry_over(contacts, {}, optional_memory(contacts), table);
+    Contacts table = contacts;
+    std::vector<double> spare;
+    carry_over(table, {}, optional_memory(contacts), spare);
     return table;
 }
 
@@ -105,29 +114,27 @@ Contacts renumbered(const Contacts& contacts, std::span<const std::uint32_t> new
         Source source;
     };
 
-    std::vector<Row> rows;
-    rows.reserve(contacts.size());
+    std::vector<Row> sorted;
+    sorted.reserve(contacts.size());
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const std::uint32_t i = new_row[contacts.first[c]], j = new_row[contacts.second[c]];
-        if (i == removed_row || j == removed_row) {
-            continue;
-        }
+        if (i == removed_row || j == removed_row) { continue; }
         const cell::Image image = contacts.image[c];
         const auto source = static_cast<std::uint32_t>(c);
         if (i <= j) {
-            rows.push_back({{i, j, image}, {source, 1}});
+            sorted.push_back({{i, j, image}, {source, 1}});
         } else {
-            rows.push_back({{j, i, cell::Image{} - image}, {source, -1}});
+            sorted.push_back({{j, i, cell::Image{} - image}, {source, -1}});
         }
     }
-    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.pair < b.pair; });
-    Contacts table;
-    std::vector<Source> sources;
-    for (const Row& row : rows) {
-        append(table, row.pair);
-        sources.push_back(row.source);
+    std::sort(sorted.begin(), sorted.end(), [](const Row& a, const Row& b) { return a.pair < b.pair; });
+    NewRows rows;
+    for (const Row& row : sorted) {
+        rows.append(row.pair, row.source);
     }
-    gather_memory(contacts, sources, optional_memory(contacts), table);
+    Contacts table = contacts;
+    std::vector<double> spare;
+    rows.move_into(table, optional_memory(contacts), spare);
     return table;
 }
 

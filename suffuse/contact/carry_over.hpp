@@ -18,10 +18,10 @@ struct OptionalMemory {
 
 OptionalMemory optional_memory(const Contacts& contacts);
 
-/// A table of the `pairs` (sorted), with the memory that `old` (sorted) has of them. Pairs that touch in `old` stay in
-/// the table whether or not they are among `pairs`. `table` is overwritten; its storage is reused.
+/// Makes `table` (sorted) the table of the `pairs` (sorted), with the memory that it has of them. Pairs that touch stay in it
+/// whether or not they are among `pairs`. Column after column is exchanged with `spare`, so that no second table is needed.
 void carry_over(
-    const Contacts& old, std::span<const neighbors::Pair> pairs, const OptionalMemory& memory, Contacts& table
+    Contacts& table, std::span<const neighbors::Pair> pairs, const OptionalMemory& memory, std::vector<double>& spare
 );
 
 /// Only the pairs that touch: all that a saved state needs.

@@ -128,11 +128,11 @@ void Neighborhood::make_table(World& world) {
         }
     });
     std::vector<neighbors::Pair> close;
-    for (const auto& part : blocks) {
+    for (auto& part : blocks) {
         close.insert(close.end(), part.begin(), part.end());
+        part = {};
     }
-    contact::carry_over(world.contacts, close, needed_memory(world), spare_);
-    std::swap(world.contacts, spare_);
+    contact::carry_over(world.contacts, close, needed_memory(world), spare_column_);
     contact::index_contacts(world.contacts, grains.size(), incidence_);
     near_.position = grains.position;
     near_.h = world.cell.h;

@@ -52,7 +52,7 @@ private:
     double largest_radius_ = 0, smallest_radius_ = 0;
     Snapshot wide_, near_;
     std::vector<neighbors::Pair> pairs_;
-    contact::Contacts spare_;
+    std::vector<double> spare_column_;
     contact::Incidence incidence_;
     std::int64_t searches_ = 0, prunings_ = 0;
 };
