@@ -5,6 +5,8 @@
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/report/figures.hpp"
+#include "suffuse/report/headlines.hpp"
+#include "suffuse/report/words.hpp"
 #include "suffuse/run/folder.hpp"
 
 #include <algorithm>
@@ -111,13 +113,27 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
         const double loss = before > 0 ? 100 * (1 - dem::mean_stress(pass.stress_constant_volume) / before) : 0;
         text += fmt::format(
             "Pass {}: {} of {} detachable fines left, {:.2f} % of the initial mass; porosity {:.4f} to {:.4f}, permeability "
-            "{:.3g} to {:.3g} m²; at constant volume the skeleton lost {:.2g} % of its mean stress, and resettling strained "
-            "it by {:.2g} %. ",
-            pass.pass, pass.removed, pass.detachable, pass.eroded_mass_percent_of_initial, pass.porosity_before,
-            pass.porosity_after, pass.permeability_before, pass.permeability_after, loss, 100 * pass.volumetric_strain
+            "{} to {} m²; at constant volume the skeleton lost {} % of its mean stress, and resettling strained it by {} %. ",
+            pass.pass, report::grouped(pass.removed), report::grouped(pass.detachable), pass.eroded_mass_percent_of_initial, pass.porosity_before,
+            pass.porosity_after, report::short_number(pass.permeability_before),
+            report::short_number(pass.permeability_after), report::short_number(loss),
+            report::short_number(100 * pass.volumetric_strain)
         );
     }
     return text;
+}
+
+std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
+    const report::Detached first = report::count_detached(probes.front());
+    std::string text = fmt::format("Of {} fines ", report::grouped(first.yes + first.no));
+    for (std::size_t k = 0; k < probes.size(); ++k) {
+        const std::int64_t yes = report::count_detached(probes[k]).yes;
+        text += fmt::format(
+            "{}{} at the gradient i = {:g}", k == 0 ? "" : k + 1 == probes.size() ? " and " : ", ",
+            yes == 0 ? "none" : report::grouped(yes), probes[k].gradient
+        );
+    }
+    return text + " are detachable.";
 }
 
 std::vector<std::string> answer(const ErosionStory& story, const std::vector<FinishedStage>& stages) {
@@ -129,18 +145,14 @@ std::vector<std::string> answer(const ErosionStory& story, const std::vector<Fin
             if (stage.variant != story.eroded->variant || stage.stage->name != start) { continue; }
             sentences.push_back(fmt::format(
                 "{} grains carry {:.4g} kPa at void ratio {:.3f} (porosity {:.3f}, {:.2f} contacts a grain, {} rattlers).",
-                stage.numbers.at("grains").get<std::int64_t>(), stage.numbers.at("mean_stress").get<double>() / 1e3,
+                report::grouped(stage.numbers.at("grains").get<std::int64_t>()), stage.numbers.at("mean_stress").get<double>() / 1e3,
                 stage.numbers.at("void_ratio").get<double>(), stage.numbers.at("porosity").get<double>(),
-                stage.numbers.at("coordination").get<double>(), stage.numbers.at("rattlers").get<std::int64_t>()
+                stage.numbers.at("coordination").get<double>(),
+                report::grouped(stage.numbers.at("rattlers").get<std::int64_t>())
             ));
         }
     }
-    for (const erosion::ProbeResult& probe : story.probes) {
-        const report::Detached count = report::count_detached(probe);
-        sentences.push_back(fmt::format(
-            "At the gradient i = {:g}, {} of {} fines are detachable.", probe.gradient, count.yes, count.yes + count.no
-        ));
-    }
+    if (!story.probes.empty()) { sentences.push_back(answer_to_probes(story.probes)); }
     if (!story.erosion.passes.empty()) { sentences.push_back(answer_to_erosion(story.erosion)); }
     for (const FinishedStage& stage : stages) {
         if (!stage.numbers.contains("response")) { continue; }
@@ -206,6 +218,7 @@ report::ReportData describe_run(
     if (story.eroded != nullptr || !story.probes.empty()) {
         data.findings = report::judge_erosion(story.probes, story.erosion);
     }
+    data.headlines = report::erosion_headlines(story.erosion, data.findings);
     data.warnings = flaws;
     data.warnings.insert(data.warnings.end(), warnings.begin(), warnings.end());
     data.assumed = assumed_values(folder);
