@@ -1,7 +1,8 @@
 #pragma once
-// A sum of doubles that does not depend on the order of its terms, nor on zeros among them: each term is first rounded to a
-// multiple of a fixed quantum, and the remainder to one of a much finer quantum; sums of multiples are exact [Demmel and
-// Nguyen 2013, the idea]. Adding and subtracting a large constant does the rounding, so it runs in vector lanes.
+// A sum of doubles that does not depend on the order of its terms, nor on zeros among them: each term is first rounded
+// to a multiple of a fixed quantum, and the remainder to one of a much finer quantum; sums of multiples are exact
+// [Demmel and Nguyen 2013, the idea]. Adding and subtracting a large constant does the rounding, so it runs in vector
+// lanes.
 
 #include <cmath>
 

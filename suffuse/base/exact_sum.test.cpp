@@ -2,10 +2,10 @@
 
 #include "suffuse/base/random.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 namespace suffuse {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-// How long work tells how far it is, and learns that it should stop. The one call back of the library: whoever drives a run
-// shows progress or saves the state, and throws Interrupted to end the work between two bursts of steps.
+// How long work tells how far it is, and learns that it should stop. The one call back of the library: whoever drives a
+// run shows progress or saves the state, and throws Interrupted to end the work between two bursts of steps.
 
 #include <functional>
 #include <string_view>
@@ -11,7 +11,9 @@ namespace suffuse {
 using Pulse = std::function<void(std::string_view part, long long steps)>;
 
 inline void beat(const Pulse& pulse, std::string_view part, long long steps) {
-    if (pulse) { pulse(part, steps); }
+    if (pulse) {
+        pulse(part, steps);
+    }
 }
 
 } // namespace suffuse

@@ -13,9 +13,7 @@ struct Source {
 };
 
 /// Rearranges a column in place; `spare` lends its storage.
-void rearrange(
-    std::vector<double>& column, const std::vector<Source>& sources, bool odd, std::vector<double>& spare
-) {
+void rearrange(std::vector<double>& column, const std::vector<Source>& sources, bool odd, std::vector<double>& spare) {
     spare.resize(sources.size());
     for (std::size_t c = 0; c < sources.size(); ++c) {
         const auto [row, sign] = sources[c];
@@ -89,7 +87,9 @@ void carry_over(
     std::size_t c = 0;
     const auto keep_touching_before = [&](auto&& is_before) {
         for (; c < table.size() && is_before(pair_of(table, c)); ++c) {
-            if (table.touches(c)) { rows.append(pair_of(table, c), {static_cast<std::uint32_t>(c), 1}); }
+            if (table.touches(c)) {
+                rows.append(pair_of(table, c), {static_cast<std::uint32_t>(c), 1});
+            }
         }
     };
     for (const neighbors::Pair& pair : pairs) {
@@ -118,7 +118,9 @@ Contacts renumbered(const Contacts& contacts, std::span<const std::uint32_t> new
     sorted.reserve(contacts.size());
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const std::uint32_t i = new_row[contacts.first[c]], j = new_row[contacts.second[c]];
-        if (i == removed_row || j == removed_row) { continue; }
+        if (i == removed_row || j == removed_row) {
+            continue;
+        }
         const cell::Image image = contacts.image[c];
         const auto source = static_cast<std::uint32_t>(c);
         if (i <= j) {

@@ -18,8 +18,9 @@ struct OptionalMemory {
 
 OptionalMemory optional_memory(const Contacts& contacts);
 
-/// Makes `table` (sorted) the table of the `pairs` (sorted), with the memory that it has of them. Pairs that touch stay in it
-/// whether or not they are among `pairs`. Column after column is exchanged with `spare`, so that no second table is needed.
+/// Makes `table` (sorted) the table of the `pairs` (sorted), with the memory that it has of them. Pairs that touch stay
+/// in it whether or not they are among `pairs`. Column after column is exchanged with `spare`, so that no second table
+/// is needed.
 void carry_over(
     Contacts& table, std::span<const neighbors::Pair> pairs, const OptionalMemory& memory, std::vector<double>& spare
 );

@@ -235,7 +235,9 @@ Mat3 compute_forces(
             }
             return Parts{across_lanes(stress.coarse), across_lanes(stress.fine)};
         },
-        [](const Parts& a, const Parts& b) { return Parts{a.coarse + b.coarse, a.fine + b.fine}; }
+        [](const Parts& a, const Parts& b) {
+            return Parts{a.coarse + b.coarse, a.fine + b.fine};
+        }
     );
     return sum.coarse + sum.fine;
 }

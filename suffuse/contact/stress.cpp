@@ -7,7 +7,9 @@ Vec3 affine_moduli(
 ) {
     Vec3 sum; // one after the other over the contacts that touch: which others are listed must change no bit
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (!contacts.touches(c)) { continue; }
+        if (!contacts.touches(c)) {
+            continue;
+        }
         const double r1 = grains.radius[contacts.first[c]], r2 = grains.radius[contacts.second[c]];
         const double kn = normal_stiffness(material, r1, r2), length = r1 + r2 - contacts.overlap[c];
         const Vec3 n = contacts.normal[c];

@@ -18,7 +18,9 @@ ContactSums sum_contacts(const World& world) {
     const contact::Contacts& contacts = world.contacts;
     ContactSums sums; // one after the other over the contacts that touch: which others are listed must change no bit
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (!contacts.touches(c)) { continue; }
+        if (!contacts.touches(c)) {
+            continue;
+        }
         const double r1 = world.grains.radius[contacts.first[c]], r2 = world.grains.radius[contacts.second[c]];
         const double normal = contact::normal_stiffness(world.material, r1, r2) * contacts.overlap[c];
         sums.force += std::sqrt(normal * normal + norm2(contacts.shear_force[c]));

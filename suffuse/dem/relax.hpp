@@ -1,6 +1,7 @@
 #pragma once
-// Relaxation of an equilibrium far below what a loading stage asks for, at constant volume. A viscous drag against the mean
-// motion, chosen from the stiffest mode and the size of the sample, kills the slow modes that local damping leaves ringing.
+// Relaxation of an equilibrium far below what a loading stage asks for, at constant volume. A viscous drag against the
+// mean motion, chosen from the stiffest mode and the size of the sample, kills the slow modes that local damping leaves
+// ringing.
 
 #include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/step.hpp"
@@ -9,8 +10,8 @@
 
 namespace suffuse::dem {
 
-/// Viscous drag near the critical one of the slowest mode of the sample: under it a state finds its equilibrium without the
-/// inertia that knocks weak contacts open [1/s]. @param dt time step [s]
+/// Viscous drag near the critical one of the slowest mode of the sample: under it a state finds its equilibrium without
+/// the inertia that knocks weak contacts open [1/s]. @param dt time step [s]
 double slowest_mode_drag(std::size_t grains, double dt);
 
 struct RelaxReport {
@@ -19,8 +20,8 @@ struct RelaxReport {
     bool reached_floor = false; ///< it stopped falling before the wanted value: the floor of double precision here
 };
 
-/// Steps at constant volume until the unbalanced force is below `wanted`, or stops falling. Afterwards the grains are at rest
-/// but for what the unbalance moves.
+/// Steps at constant volume until the unbalanced force is below `wanted`, or stops falling. Afterwards the grains are
+/// at rest but for what the unbalance moves.
 /// @param dt [s]; @param damping local [-]
 RelaxReport relax(
     World& world, StepCaches& caches, double dt, double damping, double wanted, std::int64_t most_steps,

@@ -8,7 +8,9 @@ namespace {
 
 /// Value below which a share `q` of `values` lies.
 double quantile(std::vector<double> values, double q) {
-    if (values.empty()) { return 0; }
+    if (values.empty()) {
+        return 0;
+    }
     const auto last = static_cast<double>(values.size() - 1);
     const auto rank = static_cast<std::ptrdiff_t>(std::min(last, std::ceil(q * last)));
     std::nth_element(values.begin(), values.begin() + rank, values.end());
@@ -18,7 +20,9 @@ double quantile(std::vector<double> values, double q) {
 /// The paper's first group: the speed rises over every tenth of the watch.
 bool rises_throughout(const std::array<double, probe_samples + 1>& speed) {
     for (std::size_t k = 1; k < speed.size(); ++k) {
-        if (!(speed[k] > speed[k - 1])) { return false; }
+        if (!(speed[k] > speed[k - 1])) {
+            return false;
+        }
     }
     return true;
 }
@@ -38,8 +42,8 @@ bool detaches_by_velocity(const DetachSpec& spec, const ProbeResult& probe, std:
 }
 
 bool detaches_by_displacement(const DetachSpec& spec, const ProbeResult& probe, std::size_t k) {
-    const double wanted = spec.over_diameters ? *spec.over_diameters * probe.diameter[k]
-                                              : spec.over * probe.free_displacement[k];
+    const double wanted =
+        spec.over_diameters ? *spec.over_diameters * probe.diameter[k] : spec.over * probe.free_displacement[k];
     return probe.displacement[k] > wanted;
 }
 

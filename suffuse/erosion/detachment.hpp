@@ -1,14 +1,14 @@
 #pragma once
-// Which of the watched fines are detachable. Two rules read the same probe: the paper's, on the growth of the speed, and the
-// successor that it announces, on the displacement along the drag.
+// Which of the watched fines are detachable. Two rules read the same probe: the paper's, on the growth of the speed,
+// and the successor that it announces, on the displacement along the drag.
 
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/erosion/spec.hpp"
 
 namespace suffuse::erosion {
 
-/// Fills in the verdict of both rules for every grain, the twin's noise level, and the two-way table of their agreement.
-/// A grain on which no fluid force acts is detachable by neither: at i = 0 both return no grain.
+/// Fills in the verdict of both rules for every grain, the twin's noise level, and the two-way table of their
+/// agreement. A grain on which no fluid force acts is detachable by neither: at i = 0 both return no grain.
 void judge_detachment(const DetachSpec& spec, ProbeResult& result);
 
 /// The verdicts of the rule asked for.

@@ -10,7 +10,8 @@
 namespace suffuse::erosion {
 
 void extract(
-    dem::World& world, std::span<const Leaver> leavers, int pass, const std::string& reason, std::vector<LedgerRow>& ledger
+    dem::World& world, std::span<const Leaver> leavers, int pass, const std::string& reason,
+    std::vector<LedgerRow>& ledger
 ) {
     const grains::Grains& grains = world.grains;
     std::vector<std::uint32_t> rows;
@@ -46,7 +47,9 @@ void check_ledger(const dem::World& world, const std::vector<LedgerRow>& ledger,
         mass += row.mass;
     }
     // Sums of up to a million masses in different orders differ by their rounding only.
-    expects(std::abs(mass - initial_mass) <= 1e-10 * initial_mass, "skeleton and ledger do not add up to the initial mass");
+    expects(
+        std::abs(mass - initial_mass) <= 1e-10 * initial_mass, "skeleton and ledger do not add up to the initial mass"
+    );
 }
 
 } // namespace suffuse::erosion

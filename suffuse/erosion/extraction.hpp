@@ -11,13 +11,14 @@ namespace suffuse::erosion {
 
 /// A grain that is to leave.
 struct Leaver {
-    std::uint32_t row = 0;  ///< of the grain table
-    int coordination = 0;   ///< contacts when it leaves
+    std::uint32_t row = 0; ///< of the grain table
+    int coordination = 0;  ///< contacts when it leaves
 };
 
 /// Takes the leavers out of the world and writes them into the ledger.
 void extract(
-    dem::World& world, std::span<const Leaver> leavers, int pass, const std::string& reason, std::vector<LedgerRow>& ledger
+    dem::World& world, std::span<const Leaver> leavers, int pass, const std::string& reason,
+    std::vector<LedgerRow>& ledger
 );
 
 /// Throws Bug unless skeleton and ledger together are the initial mass, and no grain is in both.

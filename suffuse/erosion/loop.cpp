@@ -63,10 +63,14 @@ choose_leavers(const dem::World& world, const CoarseSkeleton& skeleton, const Er
     const std::vector<std::uint8_t>& detached = verdicts(spec.detached, pass.probe);
     std::vector<Leaver> leavers;
     for (std::uint32_t g = 0, fine = 0; g < world.grains.size(); ++g) {
-        if (world.grains.fine[g] == 0) { continue; }
+        if (world.grains.fine[g] == 0) {
+            continue;
+        }
         const bool detachable = spec.forced ? contacts[g] <= spec.forced->max_contacts : detached[fine] != 0;
         ++fine;
-        if (!detachable) { continue; }
+        if (!detachable) {
+            continue;
+        }
         ++pass.detachable;
         if (spec.forced || passes(skeleton, spec.passes_constriction, g, 2 * world.grains.radius[g])) {
             leavers.push_back({g, contacts[g]});
@@ -80,7 +84,9 @@ choose_leavers(const dem::World& world, const CoarseSkeleton& skeleton, const Er
 }
 
 std::string reason_of(const ErodeSpec& spec) {
-    if (spec.forced) { return "forced"; }
+    if (spec.forced) {
+        return "forced";
+    }
     return spec.detached.by == DetachBy::Velocity ? "velocity" : "displacement";
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The erosion procedure of the paper (its section 4 and Figure 7): equilibrium, flow, probe, constrictions, extraction, new
-// equilibrium, and again.
+// The erosion procedure of the paper (its section 4 and Figure 7): equilibrium, flow, probe, constrictions, extraction,
+// new equilibrium, and again.
 
 #include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/spec.hpp"

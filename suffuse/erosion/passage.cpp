@@ -5,14 +5,14 @@
 #include "suffuse/pores/network.hpp"
 #include "suffuse/pores/widest_path.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace suffuse::erosion {
 namespace {
 
-constexpr double narrowest_cell = 5;     // coarse diameters: below, the skeleton sees its own images
+constexpr double narrowest_cell = 5;      // coarse diameters: below, the skeleton sees its own images
 constexpr std::size_t fewest_coarse = 50; // grains, for a distribution of constrictions to mean anything
 
 struct CoarseGrains {
@@ -23,7 +23,9 @@ struct CoarseGrains {
 CoarseGrains coarse_grains(const grains::Grains& grains) {
     CoarseGrains coarse;
     for (std::size_t g = 0; g < grains.size(); ++g) {
-        if (grains.fine[g] != 0) { continue; }
+        if (grains.fine[g] != 0) {
+            continue;
+        }
         coarse.position.push_back(grains.position[g]);
         coarse.radius.push_back(grains.radius[g]);
     }
@@ -49,7 +51,8 @@ std::optional<std::string> skeleton_complaint(const dem::World& world) {
     const CoarseGrains coarse = coarse_grains(world.grains);
     if (coarse.radius.size() < fewest_coarse) {
         return fmt::format(
-            "the coarse skeleton has {} grains left: too few for its constrictions to mean anything", coarse.radius.size()
+            "the coarse skeleton has {} grains left: too few for its constrictions to mean anything",
+            coarse.radius.size()
         );
     }
     std::vector<double> radius = coarse.radius;
@@ -59,7 +62,8 @@ std::optional<std::string> skeleton_complaint(const dem::World& world) {
     const double narrow = std::min({width.x, width.y, width.z});
     if (narrow < narrowest_cell * diameter) {
         return fmt::format(
-            "the cell is only {:.1f} coarse diameters wide (at least {} wanted): the coarse skeleton has lost its meaning",
+            "the cell is only {:.1f} coarse diameters wide (at least {} wanted): the coarse skeleton has lost its "
+            "meaning",
             narrow / diameter, narrowest_cell
         );
     }
@@ -70,7 +74,9 @@ CoarseSkeleton measure_coarse_skeleton(const dem::World& world, const Vec3& dire
     const CoarseGrains coarse = coarse_grains(world.grains);
     const pores::PoreNetwork network = pores::build_network(world.cell.h, coarse.position, coarse.radius);
     CoarseSkeleton skeleton{pores::find_constrictions(network), {}};
-    if (with_paths) { skeleton.widest_path = paths_of_grains(network, coarse, world, direction); }
+    if (with_paths) {
+        skeleton.widest_path = paths_of_grains(network, coarse, world, direction);
+    }
     return skeleton;
 }
 

@@ -13,7 +13,8 @@ namespace suffuse::erosion {
 /// The coarse grains alone, triangulated.
 struct CoarseSkeleton {
     Constrictions constrictions;
-    std::vector<double> widest_path; ///< for each grain of the world the diameter of the widest path from where it is [m]
+    std::vector<double>
+        widest_path; ///< for each grain of the world the diameter of the widest path from where it is [m]
 };
 
 /// @param with_paths also finds the widest paths along `direction` (the cell axis nearest to it).

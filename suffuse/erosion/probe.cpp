@@ -20,7 +20,9 @@ struct Watched {
 std::vector<std::uint32_t> rows_of_fines(const grains::Grains& grains) {
     std::vector<std::uint32_t> rows;
     for (std::uint32_t g = 0; g < grains.size(); ++g) {
-        if (grains.fine[g] != 0) { rows.push_back(g); }
+        if (grains.fine[g] != 0) {
+            rows.push_back(g);
+        }
     }
     return rows;
 }
@@ -48,7 +50,9 @@ void sample_speeds(
 }
 
 double median(std::vector<double> values) {
-    if (values.empty()) { return 0; }
+    if (values.empty()) {
+        return 0;
+    }
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
@@ -56,7 +60,8 @@ double median(std::vector<double> values) {
 
 /// What the grains would do free of contacts: a constant force after a linear ramp, reduced by the local damping.
 void fill_free_flight(
-    const grains::Grains& grains, const std::vector<std::uint32_t>& fines, const ProbeSetting& setting, ProbeResult& result
+    const grains::Grains& grains, const std::vector<std::uint32_t>& fines, const ProbeSetting& setting,
+    ProbeResult& result
 ) {
     const double ramp = static_cast<double>(setting.spec.ramp) * setting.time_step;
     const double watch = static_cast<double>(setting.spec.watch) * setting.time_step;
@@ -68,16 +73,15 @@ void fill_free_flight(
 }
 
 void fill_scales(
-    const dem::World& equilibrium, const std::vector<std::uint32_t>& fines, const ProbeSetting& setting, ProbeResult& result
+    const dem::World& equilibrium, const std::vector<std::uint32_t>& fines, const ProbeSetting& setting,
+    ProbeResult& result
 ) {
     const grains::Grains& grains = equilibrium.grains;
     double force = 0;
     std::vector<double> viscous_times, final_speeds;
     for (std::size_t k = 0; k < fines.size(); ++k) {
         force += result.fluid_force[k] / static_cast<double>(fines.size());
-        viscous_times.push_back(
-            grains.mass[fines[k]] / (6 * pi * setting.fluid.viscosity * grains.radius[fines[k]])
-        );
+        viscous_times.push_back(grains.mass[fines[k]] / (6 * pi * setting.fluid.viscosity * grains.radius[fines[k]]));
         final_speeds.push_back(result.speed[k].back());
     }
     const double contact_force = dem::measure_equilibrium(equilibrium).mean_contact_force;
@@ -137,12 +141,18 @@ ProbeResult watch_fines(
     for (std::int64_t k = 0; k <= steps; ++k) {
         // Samples at full force and after each tenth of the watch.
         const auto next = setting.spec.ramp + static_cast<std::int64_t>(sample) * setting.spec.watch / probe_samples;
-        if (k == next && sample <= probe_samples) { sample_speeds(probe.world.grains, fines, sample++, result); }
-        if (k == steps) { break; }
+        if (k == next && sample <= probe_samples) {
+            sample_speeds(probe.world.grains, fines, sample++, result);
+        }
+        if (k == steps) {
+            break;
+        }
         loaded.load_share = std::min(1.0, static_cast<double>(k + 1) / static_cast<double>(setting.spec.ramp));
         dem::step(probe.world, probe.caches, loaded);
         dem::step(twin.world, twin.caches, plan);
-        if (k % dem::burst_steps == 0) { beat(pulse, "probe", k); }
+        if (k % dem::burst_steps == 0) {
+            beat(pulse, "probe", k);
+        }
     }
 
     for (std::size_t k = 0; k < fines.size(); ++k) {

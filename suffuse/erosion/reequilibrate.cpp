@@ -5,10 +5,10 @@
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/erosion/extraction.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace suffuse::erosion {
 namespace {
@@ -30,13 +30,14 @@ public:
         }
     }
 
-    void add(
-        const std::string& phase, const dem::World& world, const Mat3& stress, double unbalanced_force, std::int64_t steps
-    ) {
+    void
+    add(const std::string& phase, const dem::World& world, const Mat3& stress, double unbalanced_force,
+        std::int64_t steps) {
         const double strain = -std::log(cell::volume(world.cell) / start_volume_);
         const double eroded = 1 - total_mass(world.grains) / initial_mass_;
         rows_.push_back(
-            {pass_, phase, first_step_ + steps, stress, first_strain_ + strain, dem::porosity(world), unbalanced_force, eroded}
+            {pass_, phase, first_step_ + steps, stress, first_strain_ + strain, dem::porosity(world), unbalanced_force,
+             eroded}
         );
     }
 
@@ -71,9 +72,8 @@ void describe_before(const dem::World& world, PassResult& pass) {
     pass.porosity_before = dem::porosity(world);
 }
 
-std::vector<PathRow> reequilibrate(
-    dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass
-) {
+std::vector<PathRow>
+reequilibrate(dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass) {
     PathRecorder recorder(world, so_far, pass);
     dem::StepCaches caches;
     dem::StepPlan plan;
@@ -99,7 +99,9 @@ std::vector<PathRow> reequilibrate(
             if (over || burst <= 20 || burst % bursts_a_row == 0) {
                 recorder.add(phase, world, state.stress, state.equilibrium.unbalanced_force, steps);
             }
-            if (over || state.steps >= most_steps) { return state; }
+            if (over || state.steps >= most_steps) {
+                return state;
+            }
             beat(around.pulse, phase, state.steps);
         }
     };
@@ -118,9 +120,11 @@ std::vector<PathRow> reequilibrate(
     });
     if (settled.balanced_steps < around.balance.patience) {
         throw StateError(fmt::format(
-            "pass {}: the eroded skeleton does not come to rest under its stresses within {} steps: unbalanced force {:.1e}, "
+            "pass {}: the eroded skeleton does not come to rest under its stresses within {} steps: unbalanced force "
+            "{:.1e}, "
             "mean stress {:.4g} kPa of {:.4g} kPa; it has failed, or [balance] asks too much",
-            pass.pass, settled.steps, settled.equilibrium.unbalanced_force, dem::mean_stress(settled.stress) / 1e3, before / 1e3
+            pass.pass, settled.steps, settled.equilibrium.unbalanced_force, dem::mean_stress(settled.stress) / 1e3,
+            before / 1e3
         ));
     }
     pass.stress_after = settled.stress;
@@ -131,7 +135,8 @@ std::vector<PathRow> reequilibrate(
     pass.void_ratio_after = dem::void_ratio(world);
     pass.fines_content_after = fines_content(world.grains);
     std::vector<PathRow> path = recorder.take();
-    pass.volumetric_strain = path.back().volumetric_strain - (so_far.path.empty() ? 0 : so_far.path.back().volumetric_strain);
+    pass.volumetric_strain =
+        path.back().volumetric_strain - (so_far.path.empty() ? 0 : so_far.path.back().volumetric_strain);
     return path;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Step 6 of the procedure: the skeleton finds a new equilibrium, first at constant volume (how much stress is lost), then
-// under the stresses held before (how much it settles). Figures 13 and 14.
+// Step 6 of the procedure: the skeleton finds a new equilibrium, first at constant volume (how much stress is lost),
+// then under the stresses held before (how much it settles). Figures 13 and 14.
 
 #include "suffuse/erosion/loop.hpp"
 
@@ -10,8 +10,7 @@ namespace suffuse::erosion {
 void describe_before(const dem::World& world, PassResult& pass);
 
 /// Runs both phases, fills in what they did, and returns the path from the first step after the removal on.
-std::vector<PathRow> reequilibrate(
-    dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass
-);
+std::vector<PathRow>
+reequilibrate(dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass);
 
 } // namespace suffuse::erosion

@@ -16,25 +16,26 @@ inline constexpr int probe_samples = 10; ///< equal parts of the watch at which 
 
 /// One probe: every column has a row a fine grain.
 struct ProbeResult {
-    double gradient = 0;                 ///< hydraulic gradient i [-]
-    double unbalanced_force = 0;         ///< of the relaxed state that it started from [-]
-    bool reached_floor = false;          ///< the wanted unbalance was below what double precision allows here
+    double gradient = 0;         ///< hydraulic gradient i [-]
+    double unbalanced_force = 0; ///< of the relaxed state that it started from [-]
+    bool reached_floor = false;  ///< the wanted unbalance was below what double precision allows here
     std::int64_t relax_steps = 0, ramp = 0, watch = 0;
-    double time_step = 0;                ///< [s]
-    double fluid_over_contact = 0;       ///< mean fluid force on a fine grain / mean contact force [-]
-    double signal_over_twin = 0;         ///< median speed with fluid / median speed of the twin, over the fines [-]
-    double viscous_time = 0;             ///< m/(6 pi mu r) of the median fine grain [s]
-    bool beyond_viscous_time = false;    ///< ramp and watch last longer: a constant force then overstates motion
+    double time_step = 0;             ///< [s]
+    double fluid_over_contact = 0;    ///< mean fluid force on a fine grain / mean contact force [-]
+    double signal_over_twin = 0;      ///< median speed with fluid / median speed of the twin, over the fines [-]
+    double viscous_time = 0;          ///< m/(6 pi mu r) of the median fine grain [s]
+    bool beyond_viscous_time = false; ///< ramp and watch last longer: a constant force then overstates motion
 
-    std::vector<std::uint32_t> id;       ///< grain
-    std::vector<double> diameter;        ///< [m]
-    std::vector<double> fluid_force;     ///< magnitude [N]
-    std::vector<int> coordination;       ///< contacts in the equilibrium
-    std::vector<std::array<double, probe_samples + 1>> speed; ///< at full force, and after each tenth of the watch [m/s]
-    std::vector<double> twin_speed;      ///< at the end, without fluid [m/s]
-    std::vector<double> displacement;    ///< along the drag, relative to the twin [m]
+    std::vector<std::uint32_t> id;   ///< grain
+    std::vector<double> diameter;    ///< [m]
+    std::vector<double> fluid_force; ///< magnitude [N]
+    std::vector<int> coordination;   ///< contacts in the equilibrium
+    std::vector<std::array<double, probe_samples + 1>>
+        speed;                                         ///< at full force, and after each tenth of the watch [m/s]
+    std::vector<double> twin_speed;                    ///< at the end, without fluid [m/s]
+    std::vector<double> displacement;                  ///< along the drag, relative to the twin [m]
     std::vector<double> free_speed, free_displacement; ///< of the same grain without contacts [m/s], [m]
-    double twin_noise = 0;               ///< quantile of the twin's speeds that counts as noise [m/s]
+    double twin_noise = 0;                             ///< quantile of the twin's speeds that counts as noise [m/s]
     std::vector<std::uint8_t> by_velocity, by_displacement; ///< 1: detachable by that rule
     std::array<std::array<std::int64_t, 2>, 2> agreement{}; ///< [by velocity][by displacement] counts
 };
@@ -69,16 +70,17 @@ struct PassResult {
     ProbeResult probe;
     Constrictions constrictions;
     std::int64_t detachable = 0, held_back = 0, removed = 0;
-    double eroded_mass_percent = 0;            ///< of the mass before this pass [%]
-    double eroded_mass_percent_of_initial = 0; ///< [%]
+    double eroded_mass_percent = 0;                     ///< of the mass before this pass [%]
+    double eroded_mass_percent_of_initial = 0;          ///< [%]
     std::map<int, std::int64_t> coordination_histogram; ///< of the removed grains
     Mat3 stress_before, stress_after_removal, stress_constant_volume, stress_after; ///< [Pa]
     double porosity_before = 0, porosity_after_removal = 0, porosity_after = 0;
     double void_ratio_after = 0, fines_content_after = 0;
-    double volumetric_strain = 0; ///< of this pass, compression positive [-]
+    double volumetric_strain = 0;                           ///< of this pass, compression positive [-]
     double permeability_before = 0, permeability_after = 0; ///< along the flow [m2]
     std::int64_t steps = 0;
-    std::map<std::string, double> wall_seconds; ///< by part: "flow", "relax", "probe", "constrictions", "constant volume", "servo"
+    std::map<std::string, double>
+        wall_seconds;    ///< by part: "flow", "relax", "probe", "constrictions", "constant volume", "servo"
     std::string verdict; ///< empty, or why the procedure stops here ("nothing leaves", "coarse skeleton too small ...")
 };
 

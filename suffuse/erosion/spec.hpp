@@ -11,17 +11,18 @@ namespace suffuse::erosion {
 
 /// Step 3: coarse grains held, fluid forces ramped on the fines of a copy and kept, beside a twin without fluid.
 struct ProbeSpec {
-    std::int64_t ramp = 1000;           ///< steps from no force to the full force
-    std::int64_t watch = 1000;          ///< steps at the full force; the paper's value
-    bool hold_coarse = true;            ///< the paper holds them
-    double unbalanced_force = 1e-8;     ///< the probe starts from the equilibrium relaxed to this at constant volume [-]
+    std::int64_t ramp = 1000;       ///< steps from no force to the full force
+    std::int64_t watch = 1000;      ///< steps at the full force; the paper's value
+    bool hold_coarse = true;        ///< the paper holds them
+    double unbalanced_force = 1e-8; ///< the probe starts from the equilibrium relaxed to this at constant volume [-]
     std::int64_t relax_limit = 400'000; ///< steps after which the floor reached is taken and reported
 };
 
 enum class DetachBy { Velocity, Displacement };
 
 enum class VelocityRule {
-    StillAccelerating, ///< rises over every tenth of the watch, and ends above a share of free flight and above the twin's noise
+    StillAccelerating, ///< rises over every tenth of the watch, and ends above a share of free flight and above the
+                       ///< twin's noise
     Rising,            ///< rises over every tenth of the watch
     Above,             ///< ends above a given speed
 };
@@ -37,7 +38,7 @@ struct DetachSpec {
 };
 
 enum class ConstrictionSize {
-    Mean,       ///< the paper's choice
+    Mean, ///< the paper's choice
     Median,
     D35,        ///< by number of facets
     WidestPath, ///< ours: the widest way from the grain's pore to its image one period along the flow

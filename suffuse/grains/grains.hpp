@@ -1,5 +1,6 @@
 #pragma once
-// The grain table: one row a grain, one column a field. Rows may be stored in any order; `id` is stable and never reused.
+// The grain table: one row a grain, one column a field. Rows may be stored in any order; `id` is stable and never
+// reused.
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/vec3.hpp"
@@ -16,17 +17,17 @@ enum class Motion : std::uint8_t {
 };
 
 struct Grains {
-    std::vector<Vec3> position;      ///< not wrapped into the cell [m]
-    std::vector<Vec3> velocity;      ///< absolute: with the cell's mean motion [m/s]
-    std::vector<Vec3> spin;          ///< [rad/s]
-    std::vector<Vec3> force;         ///< contact force of the last step [N]
-    std::vector<Vec3> torque;        ///< contact torque of the last step [N m]
-    std::vector<double> radius;      ///< [m]
-    std::vector<double> mass;        ///< [kg]
-    std::vector<double> inertia;     ///< [kg m2]
-    std::vector<std::uint32_t> id;   ///< stable, never reused
-    std::vector<Motion> motion;      ///< Free unless held
-    std::vector<std::uint8_t> fine;  ///< 1: belongs to the fine fraction of the soil
+    std::vector<Vec3> position;     ///< not wrapped into the cell [m]
+    std::vector<Vec3> velocity;     ///< absolute: with the cell's mean motion [m/s]
+    std::vector<Vec3> spin;         ///< [rad/s]
+    std::vector<Vec3> force;        ///< contact force of the last step [N]
+    std::vector<Vec3> torque;       ///< contact torque of the last step [N m]
+    std::vector<double> radius;     ///< [m]
+    std::vector<double> mass;       ///< [kg]
+    std::vector<double> inertia;    ///< [kg m2]
+    std::vector<std::uint32_t> id;  ///< stable, never reused
+    std::vector<Motion> motion;     ///< Free unless held
+    std::vector<std::uint8_t> fine; ///< 1: belongs to the fine fraction of the soil
 
     [[nodiscard]] std::size_t size() const { return radius.size(); }
 };
@@ -49,7 +50,8 @@ inline std::uint32_t add_grain(Grains& grains, const Vec3& position, double radi
     return g;
 }
 
-/// Calls `visit(column)` on every column, in a fixed order: what selects, permutes, hashes and saves rows is written once.
+/// Calls `visit(column)` on every column, in a fixed order: what selects, permutes, hashes and saves rows is written
+/// once.
 template <class Table, class Visit>
 void for_each_column(Table& grains, Visit&& visit) {
     visit(grains.position);

@@ -21,7 +21,7 @@ struct Soil {
     bool kenney_lau = false;          ///< fines by Kenney and Lau's split where it exists
     bool report_kenney_lau = false;   ///< report that split too, without using it
     std::optional<Grading> coarse, fines;
-    double fines_content = 0; ///< by mass, of the mixture of `coarse` and `fines` [-]
+    double fines_content = 0;        ///< by mass, of the mixture of `coarse` and `fines` [-]
     double grading_tolerance = 0.02; ///< largest difference of percent passing between sample and grading [-]
 };
 

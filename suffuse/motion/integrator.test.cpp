@@ -37,7 +37,7 @@ TEST(Integrator, LocalDampingTakesAShareOfAForceThatDrivesAndAddsItToOneThatBrak
     const Grain next = moved(step, grain, {2, 2, 2}, {0, 0, -0.5});
     EXPECT_NEAR(next.velocity.x - 1, 0.01 * 0.7, 1e-15); // drives
     EXPECT_NEAR(next.velocity.y + 1, 0.01 * 1.3, 1e-15); // brakes
-    EXPECT_DOUBLE_EQ(next.velocity.z, 0.01 * 0.7);     // at rest: the half step ahead decides
+    EXPECT_DOUBLE_EQ(next.velocity.z, 0.01 * 0.7);       // at rest: the half step ahead decides
     EXPECT_NEAR(next.spin.z, 1 - 0.01 * 1.3, 1e-15);
 }
 

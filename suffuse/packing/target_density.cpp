@@ -2,10 +2,10 @@
 
 #include "suffuse/base/error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace suffuse::packing {
 namespace {
@@ -28,7 +28,8 @@ CompactSpec preparation(const CompactSpec& wanted, const grains::Material& final
 
 [[noreturn]] void report_range(const CompactSpec& wanted, double densest, double loosest) {
     throw StateError(fmt::format(
-        "the void ratio {:.4f} cannot be reached at {:.4g} kPa: this sample goes from {:.4f} (frictionless) to {:.4f} (final "
+        "the void ratio {:.4f} cannot be reached at {:.4g} kPa: this sample goes from {:.4f} (frictionless) to {:.4f} "
+        "(final "
         "friction with adhesion {:.3g} Pa) during compaction; ask for a value in between, or lend it more adhesion",
         *wanted.void_ratio, wanted.pressure / 1e3, densest, loosest,
         wanted.prepare.adhesion_normal.value_or(default_adhesion)
@@ -52,13 +53,17 @@ FoundDensity search_void_ratio(
     const auto good = [&] { return std::abs(found.void_ratio - target) <= wanted.void_ratio_tolerance; };
 
     double low = 0, high = 1, at_low = 0, at_high = try_one(1);
-    if (good()) { return found; }
+    if (good()) {
+        return found;
+    }
     if (at_high < target) { // looser than the final friction gives
         low = 1, at_low = at_high, high = 2, at_high = try_one(2);
     } else {
         at_low = try_one(0);
     }
-    if (good()) { return found; }
+    if (good()) {
+        return found;
+    }
     if (target < at_low || target > at_high) {
         const double densest = low == 0 ? at_low : try_one(0);
         const double loosest = high == 2 ? at_high : try_one(2);
@@ -70,7 +75,9 @@ FoundDensity search_void_ratio(
         const double share = std::clamp(0.7 * chord + 0.15, 0.1, 0.9);
         const double looseness = low + share * (high - low);
         const double reached = try_one(looseness);
-        if (good()) { return found; }
+        if (good()) {
+            return found;
+        }
         (reached < target ? low : high) = looseness;
         (reached < target ? at_low : at_high) = reached;
     }

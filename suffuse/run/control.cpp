@@ -32,7 +32,9 @@ void Control::begin(Progress where) {
     beat("", 0);
 }
 
-bool Control::out_of_time() const { return run_seconds() > options_.time_limit; }
+bool Control::out_of_time() const {
+    return run_seconds() > options_.time_limit;
+}
 
 void Control::beat(std::string_view part, long long steps, const dem::World* world) {
     if (options_.on_progress && seconds_since(shown_) > show_interval) {
@@ -54,8 +56,12 @@ void Control::beat(std::string_view part, long long steps, const dem::World* wor
         save_();
         saved_ = Clock::now();
     }
-    if (stop) { throw Interrupted("stopped"); }
-    if (out_of_time()) { throw Interrupted("time limit"); }
+    if (stop) {
+        throw Interrupted("stopped");
+    }
+    if (out_of_time()) {
+        throw Interrupted("time limit");
+    }
 }
 
 Pulse Control::pulse() {
@@ -63,7 +69,9 @@ Pulse Control::pulse() {
 }
 
 void Control::finish(nlohmann::json numbers) {
-    if (!options_.on_progress) { return; }
+    if (!options_.on_progress) {
+        return;
+    }
     progress_.state = std::move(numbers);
     progress_.stage_seconds = stage_seconds();
     progress_.run_seconds = run_seconds();

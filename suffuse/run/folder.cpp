@@ -7,6 +7,9 @@
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/io/atomic_file.hpp"
 
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cstdint>
 #include <ctime>
@@ -14,22 +17,23 @@
 #include <iterator>
 #include <vector>
 
-#include <fmt/chrono.h>
-#include <fmt/format.h>
-
 namespace suffuse::run {
 namespace {
 
 std::string read_all(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) { throw IoError(fmt::format("{}: cannot be read; is this a run folder?", path.string())); }
+    if (!file) {
+        throw IoError(fmt::format("{}: cannot be read; is this a run folder?", path.string()));
+    }
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::string processor() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);) {
-        if (line.rfind("model name", 0) == 0) { return line.substr(line.find(':') + 2); }
+        if (line.rfind("model name", 0) == 0) {
+            return line.substr(line.find(':') + 2);
+        }
     }
     return "unknown";
 }
@@ -40,9 +44,8 @@ std::string now_utc() {
 
 } // namespace
 
-std::filesystem::path stage_folder(
-    const std::filesystem::path& run, const casefile::Variant& variant, const casefile::Stage& stage
-) {
+std::filesystem::path
+stage_folder(const std::filesystem::path& run, const casefile::Variant& variant, const casefile::Stage& stage) {
     return run / "studies" / variant.folder / stage.name;
 }
 
@@ -50,7 +53,9 @@ nlohmann::json read_json(const std::filesystem::path& path) {
     const std::string text = read_all(path);
     nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
     if (json.is_discarded()) {
-        throw IoError(fmt::format("{}: is not valid JSON; it was changed or damaged: remove it and resume", path.string()));
+        throw IoError(
+            fmt::format("{}: is not valid JSON; it was changed or damaged: remove it and resume", path.string())
+        );
     }
     return json;
 }
@@ -76,17 +81,24 @@ void write_cbor(const std::filesystem::path& path, const nlohmann::json& json) {
 void open_folder(const std::filesystem::path& run, const casefile::Case& what, const std::string& case_text) {
     std::error_code error;
     std::filesystem::create_directories(run, error);
-    if (error) { throw IoError(fmt::format("{}: cannot be made: {}", run.string(), error.message())); }
+    if (error) {
+        throw IoError(fmt::format("{}: cannot be made: {}", run.string(), error.message()));
+    }
     const std::string resolved = casefile::resolved_toml(what);
     const std::filesystem::path kept = run / "case.resolved.toml";
     if (std::filesystem::exists(kept)) {
-        if (read_all(kept) == resolved) { return; }
+        if (read_all(kept) == resolved) {
+            return;
+        }
         throw CaseError(fmt::format(
-            "{}: holds a run of another case (or of this case with other settings); give -o another folder, or remove this one",
+            "{}: holds a run of another case (or of this case with other settings); give -o another folder, or remove "
+            "this one",
             run.string()
         ));
     }
-    if (!case_text.empty()) { io::write_file(run / "case.toml", case_text); }
+    if (!case_text.empty()) {
+        io::write_file(run / "case.toml", case_text);
+    }
     io::write_file(kept, resolved);
 }
 
@@ -94,7 +106,9 @@ void log_event(const std::filesystem::path& run, nlohmann::json event) {
     event["at"] = now_utc();
     std::ofstream file(run / "events.jsonl", std::ios::app);
     file << event.dump() << '\n';
-    if (!file.flush()) { throw IoError(fmt::format("{}: cannot be written; is the disk full?", (run / "events.jsonl").string())); }
+    if (!file.flush()) {
+        throw IoError(fmt::format("{}: cannot be written; is the disk full?", (run / "events.jsonl").string()));
+    }
 }
 
 nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions& options, double wall_seconds) {

@@ -11,9 +11,8 @@
 
 namespace suffuse::run {
 
-std::filesystem::path stage_folder(
-    const std::filesystem::path& run, const casefile::Variant& variant, const casefile::Stage& stage
-);
+std::filesystem::path
+stage_folder(const std::filesystem::path& run, const casefile::Variant& variant, const casefile::Stage& stage);
 
 nlohmann::json read_json(const std::filesystem::path& path);
 void write_json(const std::filesystem::path& path, const nlohmann::json& json);

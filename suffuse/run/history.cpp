@@ -15,7 +15,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 )
 
 double inertial_number(const dem::World& world, double mean_stress) {
-    if (!(mean_stress > 0) || world.grains.size() == 0) { return 0; }
+    if (!(mean_stress > 0) || world.grains.size() == 0) {
+        return 0;
+    }
     double rate = 0;
     for (int a = 0; a < 3; ++a) {
         for (int b = 0; b < 3; ++b) {
@@ -35,14 +37,23 @@ std::int64_t History::steps_to_next(std::int64_t step) const {
 
 void History::record(const dem::World& world, bool anyway) {
     const std::int64_t step = world.clock.step;
-    if (!rows_.empty() && rows_.back().step == step) { return; }
-    if (!anyway && !rows_.empty() && step < rows_.back().step + every_) { return; }
+    if (!rows_.empty() && rows_.back().step == step) {
+        return;
+    }
+    if (!anyway && !rows_.empty() && step < rows_.back().step + every_) {
+        return;
+    }
     const Mat3 stress = dem::mean_stress_tensor(world);
     const dem::Equilibrium balance = dem::measure_equilibrium(world);
     rows_.push_back(
-        {step, world.clock.time, dem::strain(world), {stress(0, 0), stress(1, 1), stress(2, 2)}, dem::void_ratio(world),
+        {step,
+         world.clock.time,
+         dem::strain(world),
+         {stress(0, 0), stress(1, 1), stress(2, 2)},
+         dem::void_ratio(world),
          2 * static_cast<double>(balance.contacts) / static_cast<double>(std::max<std::size_t>(1, world.grains.size())),
-         balance.unbalanced_force, inertial_number(world, dem::mean_stress(stress))}
+         balance.unbalanced_force,
+         inertial_number(world, dem::mean_stress(stress))}
     );
 }
 
@@ -69,8 +80,12 @@ void History::write_csv(const std::filesystem::path& path) const {
     file.finish();
 }
 
-nlohmann::json History::to_json() const { return rows_; }
+nlohmann::json History::to_json() const {
+    return rows_;
+}
 
-void History::restore(const nlohmann::json& json) { rows_ = json.get<std::vector<HistoryRow>>(); }
+void History::restore(const nlohmann::json& json) {
+    rows_ = json.get<std::vector<HistoryRow>>();
+}
 
 } // namespace suffuse::run

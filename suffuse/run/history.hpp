@@ -14,12 +14,12 @@ namespace suffuse::run {
 
 struct HistoryRow {
     std::int64_t step = 0;
-    double time = 0;              ///< [s]
-    Vec3 strain, stress;          ///< along the axes, compression positive [-], [Pa]
-    double void_ratio = 0;        ///< [-]
-    double coordination = 0;      ///< 2 contacts / grains [-]
-    double unbalanced_force = 0;  ///< [-]
-    double inertial_number = 0;   ///< [-]
+    double time = 0;             ///< [s]
+    Vec3 strain, stress;         ///< along the axes, compression positive [-], [Pa]
+    double void_ratio = 0;       ///< [-]
+    double coordination = 0;     ///< 2 contacts / grains [-]
+    double unbalanced_force = 0; ///< [-]
+    double inertial_number = 0;  ///< [-]
 };
 
 class History {

@@ -6,16 +6,18 @@
 #include "suffuse/stats/coordination.hpp"
 #include "suffuse/stats/fines.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace suffuse::run {
 namespace {
 
 void add_fines(const dem::World& world, nlohmann::json& numbers) {
     const auto fines = std::count(world.grains.fine.begin(), world.grains.fine.end(), std::uint8_t{1});
-    if (fines == 0 || fines == static_cast<std::ptrdiff_t>(world.grains.size())) { return; }
+    if (fines == 0 || fines == static_cast<std::ptrdiff_t>(world.grains.size())) {
+        return;
+    }
     const stats::FinesState state = stats::measure_fines(world);
     numbers["fines_content"] = state.fines_content;
     numbers["intergranular_void_ratio"] = state.intergranular_void_ratio;

@@ -9,11 +9,11 @@
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/folder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <set>
-
-#include <fmt/format.h>
 
 namespace suffuse::run {
 namespace {
@@ -37,11 +37,17 @@ ErosionStory find_story(const std::vector<FinishedStage>& stages) {
         }
     }
     for (const FinishedStage& stage : stages) {
-        if (story.eroded != nullptr && stage.study != story.eroded->study) { continue; }
-        if (story.probes.empty()) { story.probes = stage.findings.probes; }
+        if (story.eroded != nullptr && stage.study != story.eroded->study) {
+            continue;
+        }
+        if (story.probes.empty()) {
+            story.probes = stage.findings.probes;
+        }
     }
     for (const FinishedStage& stage : stages) {
-        if (stage.findings.curve.empty()) { continue; }
+        if (stage.findings.curve.empty()) {
+            continue;
+        }
         report::ResponseCurve curve{stage.variant->folder + " / " + stage.stage->name, {}};
         for (const triaxial::PathRow& row : stage.findings.curve) {
             curve.rows.push_back(
@@ -59,7 +65,9 @@ grains::Grading sampled_grading(const std::vector<double>& radius) {
     grains::Grading grading;
     constexpr int points = 60;
     for (int k = 0; k <= points; ++k) {
-        grading.diameter.push_back(2 * *least * std::pow(*most / *least, static_cast<double>(k) / points) * (1 + 1e-12 * k));
+        grading.diameter.push_back(
+            2 * *least * std::pow(*most / *least, static_cast<double>(k) / points) * (1 + 1e-12 * k)
+        );
     }
     grading.passing = grains::sample_curve(radius, grading.diameter);
     return grading;
@@ -67,27 +75,32 @@ grains::Grading sampled_grading(const std::vector<double>& radius) {
 
 /// The sample before erosion: the state of the stage that the erosion starts from.
 std::vector<double> radii_before(const std::filesystem::path& folder, const FinishedStage& eroded) {
-    if (eroded.stage->parent < 0) { return {}; }
+    if (eroded.stage->parent < 0) {
+        return {};
+    }
     const casefile::Stage& parent = eroded.variant->stages[static_cast<std::size_t>(eroded.stage->parent)];
     return io::load_world(stage_folder(folder, *eroded.variant, parent) / "state.h5").world.grains.radius;
 }
 
 void add(std::optional<report::Figure> figure, std::vector<report::Figure>& figures) {
-    if (figure) { figures.push_back(std::move(*figure)); }
+    if (figure) {
+        figures.push_back(std::move(*figure));
+    }
 }
 
 std::vector<report::Figure>
 draw_figures(const casefile::Case& what, const std::filesystem::path& folder, const ErosionStory& story) {
     std::vector<report::Figure> figures;
-    const auto axis =
-        what.report.reversed_size_axis ? report::GradingAxis::Reversed : report::GradingAxis::LeftToRight;
+    const auto axis = what.report.reversed_size_axis ? report::GradingAxis::Reversed : report::GradingAxis::LeftToRight;
     if (story.eroded != nullptr) {
         add(report::erosion_loop(story.erosion), figures);
         const std::vector<double> radius = radii_before(folder, *story.eroded);
         const auto& soil = story.eroded->variant->soil;
         if (!radius.empty()) {
             const grains::Grading sampled = sampled_grading(radius);
-            if (soil) { add(report::grading_curves(grains::asked_grading(*soil), sampled, soil->finer_than, axis), figures); }
+            if (soil) {
+                add(report::grading_curves(grains::asked_grading(*soil), sampled, soil->finer_than, axis), figures);
+            }
             add(report::speed_by_gradient(story.probes), figures);
             add(report::speed_by_pass(story.erosion), figures);
             add(report::eroded_mass(story.erosion), figures);
@@ -112,12 +125,14 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
         const double before = dem::mean_stress(pass.stress_before);
         const double loss = before > 0 ? 100 * (1 - dem::mean_stress(pass.stress_constant_volume) / before) : 0;
         text += fmt::format(
-            "Pass {}: {} of {} detachable fines left, {:.2f} % of the initial mass; porosity {:.4f} to {:.4f}, permeability "
-            "{} to {} m²; at constant volume the skeleton lost {} % of its mean stress, and resettling strained it by {} %. ",
-            pass.pass, report::grouped(pass.removed), report::grouped(pass.detachable), pass.eroded_mass_percent_of_initial, pass.porosity_before,
-            pass.porosity_after, report::short_number(pass.permeability_before),
-            report::short_number(pass.permeability_after), report::short_number(loss),
-            report::short_number(100 * pass.volumetric_strain)
+            "Pass {}: {} of {} detachable fines left, {:.2f} % of the initial mass; porosity {:.4f} to {:.4f}, "
+            "permeability "
+            "{} to {} m²; at constant volume the skeleton lost {} % of its mean stress, and resettling strained it by "
+            "{} %. ",
+            pass.pass, report::grouped(pass.removed), report::grouped(pass.detachable),
+            pass.eroded_mass_percent_of_initial, pass.porosity_before, pass.porosity_after,
+            report::short_number(pass.permeability_before), report::short_number(pass.permeability_after),
+            report::short_number(loss), report::short_number(100 * pass.volumetric_strain)
         );
     }
     return text;
@@ -129,7 +144,10 @@ std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
     for (std::size_t k = 0; k < probes.size(); ++k) {
         const std::int64_t yes = report::count_detached(probes[k]).yes;
         text += fmt::format(
-            "{}{} at the gradient i = {:g}", k == 0 ? "" : k + 1 == probes.size() ? " and " : ", ",
+            "{}{} at the gradient i = {:g}",
+            k == 0                   ? ""
+            : k + 1 == probes.size() ? " and "
+                                     : ", ",
             yes == 0 ? "none" : report::grouped(yes), probes[k].gradient
         );
     }
@@ -142,23 +160,33 @@ std::vector<std::string> answer(const ErosionStory& story, const std::vector<Fin
         const std::size_t parent = static_cast<std::size_t>(std::max(0, story.eroded->stage->parent));
         const std::string start = story.eroded->variant->stages[parent].name;
         for (const FinishedStage& stage : stages) {
-            if (stage.variant != story.eroded->variant || stage.stage->name != start) { continue; }
+            if (stage.variant != story.eroded->variant || stage.stage->name != start) {
+                continue;
+            }
             sentences.push_back(fmt::format(
-                "{} grains carry {:.4g} kPa at void ratio {:.3f} (porosity {:.3f}, {:.2f} contacts a grain, {} rattlers).",
-                report::grouped(stage.numbers.at("grains").get<std::int64_t>()), stage.numbers.at("mean_stress").get<double>() / 1e3,
-                stage.numbers.at("void_ratio").get<double>(), stage.numbers.at("porosity").get<double>(),
-                stage.numbers.at("coordination").get<double>(),
+                "{} grains carry {:.4g} kPa at void ratio {:.3f} (porosity {:.3f}, {:.2f} contacts a grain, {} "
+                "rattlers).",
+                report::grouped(stage.numbers.at("grains").get<std::int64_t>()),
+                stage.numbers.at("mean_stress").get<double>() / 1e3, stage.numbers.at("void_ratio").get<double>(),
+                stage.numbers.at("porosity").get<double>(), stage.numbers.at("coordination").get<double>(),
                 report::grouped(stage.numbers.at("rattlers").get<std::int64_t>())
             ));
         }
     }
-    if (!story.probes.empty()) { sentences.push_back(answer_to_probes(story.probes)); }
-    if (!story.erosion.passes.empty()) { sentences.push_back(answer_to_erosion(story.erosion)); }
+    if (!story.probes.empty()) {
+        sentences.push_back(answer_to_probes(story.probes));
+    }
+    if (!story.erosion.passes.empty()) {
+        sentences.push_back(answer_to_erosion(story.erosion));
+    }
     for (const FinishedStage& stage : stages) {
-        if (!stage.numbers.contains("response")) { continue; }
+        if (!stage.numbers.contains("response")) {
+            continue;
+        }
         const json& response = stage.numbers.at("response");
         sentences.push_back(fmt::format(
-            "Triaxial compression {}/{}: peak q = {:.4g} kPa at {:.3g} % axial strain (q/p = {:.2f}), E50 = {:.3g} MPa, "
+            "Triaxial compression {}/{}: peak q = {:.4g} kPa at {:.3g} % axial strain (q/p = {:.2f}), E50 = {:.3g} "
+            "MPa, "
             "dilatancy {:.2f}.",
             stage.variant->folder, stage.stage->name, response.at("peak_deviator").get<double>() / 1e3,
             100 * response.at("peak_strain").get<double>(), response.at("peak_ratio").get<double>(),
@@ -192,13 +220,16 @@ std::vector<report::AssumedValue> assumed_values(const std::filesystem::path& fo
     std::ifstream file(folder / "case.toml");
     for (std::string line; std::getline(file, line);) {
         const std::size_t mark = line.find("#~"), equals = line.find('=');
-        if (mark == std::string::npos || equals == std::string::npos || equals > mark) { continue; }
+        if (mark == std::string::npos || equals == std::string::npos || equals > mark) {
+            continue;
+        }
         const auto trimmed = [](std::string text) {
             const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
             return first == std::string::npos ? std::string{} : text.substr(first, last - first + 1);
         };
         values.push_back(
-            {trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1, mark - equals - 1)), trimmed(line.substr(mark + 2))}
+            {trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1, mark - equals - 1)),
+             trimmed(line.substr(mark + 2))}
         );
     }
     return values;

@@ -1,6 +1,6 @@
 #pragma once
-// Results and stage states as JSON: what stage files, checkpoints and the rebuilt report are read from. Numbers keep all
-// their bits. A field is written once, here; its meaning and unit stand at its declaration.
+// Results and stage states as JSON: what stage files, checkpoints and the rebuilt report are read from. Numbers keep
+// all their bits. A field is written once, here; its meaning and unit stand at its declaration.
 
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/erosion/result.hpp"
@@ -11,11 +11,17 @@
 
 namespace suffuse {
 
-inline void to_json(nlohmann::json& json, const Vec3& v) { json = {v.x, v.y, v.z}; }
+inline void to_json(nlohmann::json& json, const Vec3& v) {
+    json = {v.x, v.y, v.z};
+}
 
-inline void from_json(const nlohmann::json& json, Vec3& v) { v = {json.at(0), json.at(1), json.at(2)}; }
+inline void from_json(const nlohmann::json& json, Vec3& v) {
+    v = {json.at(0), json.at(1), json.at(2)};
+}
 
-inline void to_json(nlohmann::json& json, const Mat3& m) { json = {m.row(0), m.row(1), m.row(2)}; }
+inline void to_json(nlohmann::json& json, const Mat3& m) {
+    json = {m.row(0), m.row(1), m.row(2)};
+}
 
 inline void from_json(const nlohmann::json& json, Mat3& m) {
     m = transpose(from_columns(json.at(0).get<Vec3>(), json.at(1).get<Vec3>(), json.at(2).get<Vec3>()));
@@ -30,8 +36,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 
 namespace dem {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    Equilibrium, unbalanced_force, unbalanced_force_all, mean_contact_force, kinetic_energy, max_overlap_ratio, contacts,
-    rattlers, single_contact
+    Equilibrium, unbalanced_force, unbalanced_force_all, mean_contact_force, kinetic_energy, max_overlap_ratio,
+    contacts, rattlers, single_contact
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibrium, stress)
 } // namespace dem

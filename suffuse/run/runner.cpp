@@ -11,18 +11,18 @@
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/run/summary.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
-
-#include <fmt/format.h>
 
 namespace suffuse::run {
 namespace {
 
 using nlohmann::json;
 
-// Of the smaller radius. Hard shearing presses single fines far into their neighbors at this stiffness; beyond a fifth the
-// linear law is no model of a contact any more.
+// Of the smaller radius. Hard shearing presses single fines far into their neighbors at this stiffness; beyond a fifth
+// the linear law is no model of a contact any more.
 constexpr double notable_overlap = 0.1, largest_good_overlap = 0.2;
 
 bool writes(const casefile::OutputSpec& output, std::string_view format) {
@@ -50,15 +50,15 @@ public:
         } catch (const Interrupted&) {
             report.outcome = control_.out_of_time() ? Outcome::TimeLimit : Outcome::Stopped;
         }
-        write_json(
-            options_.folder / "provenance.json", describe_provenance(what_, options_, control_.run_seconds())
-        );
+        write_json(options_.folder / "provenance.json", describe_provenance(what_, options_, control_.run_seconds()));
         const Summary summary = summarize_run(what_, options_.folder, options_.page_folder);
         report.report = summary.report;
         report.warnings = summary.warnings;
         report.flaws = summary.flaws;
         report.findings = summary.findings;
-        if (report.outcome == Outcome::Done && !report.flaws.empty()) { report.outcome = Outcome::DoneWithFlaws; }
+        if (report.outcome == Outcome::Done && !report.flaws.empty()) {
+            report.outcome = Outcome::DoneWithFlaws;
+        }
         log_event(options_.folder, {{"event", "run ends"}, {"wall_seconds", control_.run_seconds()}});
         return report;
     }
@@ -67,7 +67,9 @@ private:
     void run_studies(RunReport&) {
         for (const casefile::Study& study : what_.studies) {
             for (const casefile::Variant& variant : study.variants) {
-                if (!run_variant(variant)) { return; }
+                if (!run_variant(variant)) {
+                    return;
+                }
             }
         }
     }
@@ -77,24 +79,40 @@ private:
         for (const casefile::Stage& stage : variant.stages) {
             ++stage_number_;
             const std::filesystem::path folder = stage_folder(options_.folder, variant, stage);
-            if (!std::filesystem::exists(folder / "stage.json")) { run_stage(variant, stage, folder); }
-            if (stage.name == options_.until) { return false; }
+            if (!std::filesystem::exists(folder / "stage.json")) {
+                run_stage(variant, stage, folder);
+            }
+            if (stage.name == options_.until) {
+                return false;
+            }
         }
         return true;
     }
 
-    void run_stage(
-        const casefile::Variant& variant, const casefile::Stage& stage, const std::filesystem::path& folder
-    ) {
+    void
+    run_stage(const casefile::Variant& variant, const casefile::Stage& stage, const std::filesystem::path& folder) {
         std::filesystem::create_directories(folder);
         const bool imported = starts_from_import(variant, stage);
         const bool last = &stage == &variant.stages.back();
         StageWork work{
-            what_,    variant, stage,
-            folder,   imported || last || writes(what_.output, "csv"),
-            control_, start_of(variant, stage), History(stage.record_every.value_or(what_.output.histories_every)),
-            json::object(), {}, {}, {}, 0, 0, {}};
-        if (std::filesystem::exists(folder / "partial.h5")) { take_up(work); }
+            what_,
+            variant,
+            stage,
+            folder,
+            imported || last || writes(what_.output, "csv"),
+            control_,
+            start_of(variant, stage),
+            History(stage.record_every.value_or(what_.output.histories_every)),
+            json::object(),
+            {},
+            {},
+            {},
+            0,
+            0,
+            {}};
+        if (std::filesystem::exists(folder / "partial.h5")) {
+            take_up(work);
+        }
         Progress where;
         where.study = variant.folder;
         where.stage = stage.name;
@@ -105,7 +123,10 @@ private:
         try {
             do_stage(work);
         } catch (Error& error) {
-            log_event(options_.folder, {{"event", "stage fails"}, {"stage", stage_name(variant, stage)}, {"what", error.what()}});
+            log_event(
+                options_.folder,
+                {{"event", "stage fails"}, {"stage", stage_name(variant, stage)}, {"what", error.what()}}
+            );
             throw;
         }
         finish(work);
@@ -154,15 +175,16 @@ private:
         numbers["verb"] = casefile::verb_of(work.stage.spec);
         numbers["time_step"] = work.time_step;
         numbers["wall_seconds"] = seconds;
-        numbers["particle_steps_per_second"] =
-            seconds > 0 ? static_cast<double>(work.grain_steps) / seconds : 0.0;
+        numbers["particle_steps_per_second"] = seconds > 0 ? static_cast<double>(work.grain_steps) / seconds : 0.0;
         numbers["inertial_number_max"] = work.history.largest_inertial_number();
         if (const double overlap = numbers["max_overlap_ratio"]; overlap > notable_overlap) {
-            (overlap > largest_good_overlap ? work.flaws : work.warnings).push_back(fmt::format(
-                "{}: the largest overlap is {:.1f} % of the smaller radius; a higher contact.modulus or a lower pressure makes it "
-                "smaller",
-                stage_name(work.variant, work.stage), 100 * overlap
-            ));
+            (overlap > largest_good_overlap ? work.flaws : work.warnings)
+                .push_back(fmt::format(
+                    "{}: the largest overlap is {:.1f} % of the smaller radius; a higher contact.modulus or a lower "
+                    "pressure makes it "
+                    "smaller",
+                    stage_name(work.variant, work.stage), 100 * overlap
+                ));
         }
         numbers["warnings"] = work.warnings;
         numbers["flaws"] = work.flaws;
@@ -185,17 +207,26 @@ private:
         write_json(work.folder / "stage.json", numbers);
         std::filesystem::remove(work.folder / "partial.h5");
         log_event(
-            options_.folder, {{"event", "stage done"}, {"stage", stage_name(work.variant, work.stage)}, {"wall_seconds", seconds}}
+            options_.folder,
+            {{"event", "stage done"}, {"stage", stage_name(work.variant, work.stage)}, {"wall_seconds", seconds}}
         );
         control_.finish(numbers);
     }
 
     static void save_findings(const StageWork& work) {
         json results = json::object();
-        if (!work.findings.probes.empty()) { results["probes"] = work.findings.probes; }
-        if (work.findings.erosion) { results["erosion"] = *work.findings.erosion; }
-        if (!work.findings.curve.empty()) { results["curve"] = work.findings.curve; }
-        if (!results.empty()) { write_cbor(work.folder / "results.cbor", results); }
+        if (!work.findings.probes.empty()) {
+            results["probes"] = work.findings.probes;
+        }
+        if (work.findings.erosion) {
+            results["erosion"] = *work.findings.erosion;
+        }
+        if (!work.findings.curve.empty()) {
+            results["curve"] = work.findings.curve;
+        }
+        if (!results.empty()) {
+            write_cbor(work.folder / "results.cbor", results);
+        }
     }
 
     const casefile::Case& what_;
@@ -206,6 +237,8 @@ private:
 
 } // namespace
 
-RunReport run_case(const casefile::Case& what, const RunOptions& options) { return Runner(what, options).run(); }
+RunReport run_case(const casefile::Case& what, const RunOptions& options) {
+    return Runner(what, options).run();
+}
 
 } // namespace suffuse::run

@@ -9,9 +9,9 @@
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace suffuse::run {
 namespace {
@@ -30,14 +30,16 @@ dem::StepPlan plan_for(const StageWork& work, const cell::Loading& loading) {
 void remember_held_stress(const cell::Loading& loading, cell::ServoState& servo) {
     for (int a = 0; a < 3; ++a) {
         const cell::AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
-        if (axis.control == cell::Control::Stress) { servo.held_stress[a] = axis.value; }
+        if (axis.control == cell::Control::Stress) {
+            servo.held_stress[a] = axis.value;
+        }
     }
 }
 
 } // namespace
 
-// Settling looks for an equilibrium, not for a motion: the drag keeps inertia from knocking weak contacts open (an imported
-// packing lost 27 of its 7,210 active grains without it, and none with it).
+// Settling looks for an equilibrium, not for a motion: the drag keeps inertia from knocking weak contacts open (an
+// imported packing lost 27 of its 7,210 active grains without it, and none with it).
 void do_settle(StageWork& work, const dem::SettleSpec& spec) {
     dem::BalanceState state;
     if (work.resumed.is_null()) {
@@ -62,14 +64,18 @@ void do_settle(StageWork& work, const dem::SettleSpec& spec) {
         work.history.record(work.world);
         if (!settled && state.steps >= spec.max_steps) {
             throw StateError(fmt::format(
-                "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted {:.2e}), "
-                "mean stress {:.4g} kPa; the stress may be out of reach of this sample: lower it, or give [balance] more room",
+                "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted "
+                "{:.2e}), "
+                "mean stress {:.4g} kPa; the stress may be out of reach of this sample: lower it, or give [balance] "
+                "more room",
                 state.steps, state.equilibrium.unbalanced_force, work.what.balance.unbalanced_force,
                 dem::stress_error(spec.loading, state.stress), work.what.balance.stress_error,
                 dem::mean_stress(state.stress) / 1e3
             ));
         }
-        if (!settled) { work.control.beat("settle", state.steps, &work.world); }
+        if (!settled) {
+            work.control.beat("settle", state.steps, &work.world);
+        }
     }
     remember_held_stress(spec.loading, work.world.servo);
     work.numbers["steps"] = state.steps;
@@ -91,20 +97,24 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
         over = triaxial::path_burst(work.world, caches, spec, work.what.balance, work.what.damping, state);
         work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
         work.history.record(work.world);
-        if (!over) { work.control.beat("shear", state.steps, &work.world); }
+        if (!over) {
+            work.control.beat("shear", state.steps, &work.world);
+        }
     }
     const bool stress_wanted = spec.deviator_stress || spec.stress_ratio;
     const triaxial::PathRow& last = state.rows.back();
     if (stress_wanted && last.axial_strain >= spec.strain) {
         throw StateError(fmt::format(
-            "the stress asked of the triaxial test is out of reach: at {:.3g} % axial strain the deviator stress is {:.4g} kPa "
+            "the stress asked of the triaxial test is out of reach: at {:.3g} % axial strain the deviator stress is "
+            "{:.4g} kPa "
             "(q/p = {:.3f}); ask for less than the peak of this sample",
             100 * last.axial_strain, last.deviator_stress / 1e3, last.deviator_stress / last.mean_stress
         ));
     }
     for (int a = 0; a < 3; ++a) {
-        work.world.servo.held_stress[a] =
-            spec.path == triaxial::Path::Drained && a != spec.axis ? state.start_stress(a, a) : state.balance.stress(a, a);
+        work.world.servo.held_stress[a] = spec.path == triaxial::Path::Drained && a != spec.axis
+                                              ? state.start_stress(a, a)
+                                              : state.balance.stress(a, a);
     }
     work.time_step = state.time_step;
     work.numbers["steps"] = state.steps;
@@ -140,7 +150,9 @@ void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {
         done += burst;
         work.grain_steps += burst * static_cast<std::int64_t>(work.world.grains.size());
         work.history.record(work.world);
-        if (done < spec.steps) { work.control.beat("advance", done, &work.world); }
+        if (done < spec.steps) {
+            work.control.beat("advance", done, &work.world);
+        }
     }
     remember_held_stress(spec.loading, work.world.servo);
     work.numbers["steps"] = done;

@@ -12,19 +12,25 @@
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace suffuse::run {
 namespace {
 
 /// Marks the fines of a sample whose grains were not drawn from the soil's curves.
 void mark_fines(const std::optional<grains::Soil>& soil, grains::Grains& grains) {
-    if (!soil) { return; }
+    if (!soil) {
+        return;
+    }
     std::optional<double> limit = soil->finer_than;
-    if (soil->kenney_lau && soil->whole) { limit = grains::kenney_lau_split(*soil->whole); }
-    if (!limit) { return; }
+    if (soil->kenney_lau && soil->whole) {
+        limit = grains::kenney_lau_split(*soil->whole);
+    }
+    if (!limit) {
+        return;
+    }
     for (std::size_t g = 0; g < grains.size(); ++g) {
         grains.fine[g] = 2 * grains.radius[g] < *limit ? 1 : 0;
     }
@@ -63,7 +69,8 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     work.numbers["imported_overlap_ratio"] = overlap;
     work.warnings = std::move(packing.warnings);
     work.warnings.push_back(fmt::format(
-        "{}: an imported packing carries no contact memory: its shear forces and moments start at zero; settle it where that "
+        "{}: an imported packing carries no contact memory: its shear forces and moments start at zero; settle it "
+        "where that "
         "matters",
         work.stage.name
     ));
@@ -83,7 +90,9 @@ void do_pack(StageWork& work, const packing::PackSpec& spec) {
 }
 
 void do_compact(StageWork& work, const packing::CompactSpec& spec) {
-    if (work.resumed.is_null()) { dem::sort_along_curve(work.world); }
+    if (work.resumed.is_null()) {
+        dem::sort_along_curve(work.world);
+    }
     if (spec.void_ratio) {
         const dem::World cloud = work.world;
         const auto reach = [&](const packing::CompactSpec& trial) {

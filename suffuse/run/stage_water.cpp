@@ -9,9 +9,9 @@
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace suffuse::run {
 namespace {
@@ -23,7 +23,9 @@ erosion::Surroundings surroundings(StageWork& work) {
 }
 
 json probe_numbers(const erosion::ProbeResult& probe) {
-    const auto count = [](const auto& verdicts) { return std::count(verdicts.begin(), verdicts.end(), std::uint8_t{1}); };
+    const auto count = [](const auto& verdicts) {
+        return std::count(verdicts.begin(), verdicts.end(), std::uint8_t{1});
+    };
     return {
         {"gradient", probe.gradient},
         {"fines", probe.id.size()},
@@ -82,13 +84,15 @@ json pass_numbers(const erosion::PassResult& pass) {
 void note_probe(StageWork& work, const erosion::ProbeResult& probe) {
     if (probe.reached_floor) {
         work.warnings.push_back(fmt::format(
-            "{}: the equilibrium could be relaxed to an unbalanced force of {:.1e} only, the floor of double precision here",
+            "{}: the equilibrium could be relaxed to an unbalanced force of {:.1e} only, the floor of double precision "
+            "here",
             work.stage.name, probe.unbalanced_force
         ));
     }
     if (probe.beyond_viscous_time) {
         work.warnings.push_back(fmt::format(
-            "{}: ramp and watch last {:.3g} s, longer than the viscous time {:.3g} s of the fines: the constant force overstates "
+            "{}: ramp and watch last {:.3g} s, longer than the viscous time {:.3g} s of the fines: the constant force "
+            "overstates "
             "how far they move",
             work.stage.name, static_cast<double>(probe.ramp + probe.watch) * probe.time_step, probe.viscous_time
         ));
@@ -101,7 +105,9 @@ void write_ledger(const std::filesystem::path& folder, const erosion::ErosionRes
         eroded.row(row.pass, row.grain, row.diameter, row.mass, row.coordination, row.reason);
     }
     eroded.finish();
-    if (result.passes.empty()) { return; }
+    if (result.passes.empty()) {
+        return;
+    }
     const erosion::Constrictions& constrictions = result.passes.back().constrictions;
     io::CsvWriter sizes(folder / "constrictions.csv", "x,y,z,diameter");
     for (std::size_t t = 0; t < constrictions.diameter.size(); ++t) {

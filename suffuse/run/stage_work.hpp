@@ -1,5 +1,6 @@
 #pragma once
-// One stage: the world it starts from goes in, the world it ends with and its numbers come out. Each verb is a function.
+// One stage: the world it starts from goes in, the world it ends with and its numbers come out. Each verb is a
+// function.
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/erosion/result.hpp"
@@ -33,8 +34,8 @@ struct StageWork {
     nlohmann::json numbers = nlohmann::json::object(); ///< of stage.json, beyond those of every state
     StageFindings findings;
     std::vector<std::string> warnings, flaws;
-    double time_step = 0;           ///< of the last burst [s]
-    std::int64_t grain_steps = 0;   ///< grains x steps, for the rate
+    double time_step = 0;         ///< of the last burst [s]
+    std::int64_t grain_steps = 0; ///< grains x steps, for the rate
 
     /// Saves the half-done stage with the verb's own `state`; the verb finds it again in `resumed`.
     void save_partial(const nlohmann::json& state) const;

@@ -24,15 +24,21 @@ std::vector<FinishedStage> read_stages(const casefile::Case& what, const std::fi
         for (const casefile::Variant& variant : study.variants) {
             for (const casefile::Stage& stage : variant.stages) {
                 const std::filesystem::path place = stage_folder(folder, variant, stage);
-                if (!std::filesystem::exists(place / "stage.json")) { continue; }
+                if (!std::filesystem::exists(place / "stage.json")) {
+                    continue;
+                }
                 FinishedStage done{&study, &variant, &stage, read_json(place / "stage.json"), {}};
                 if (std::filesystem::exists(place / "results.cbor")) {
                     const json results = read_cbor(place / "results.cbor");
-                    if (results.contains("probes")) { results.at("probes").get_to(done.findings.probes); }
+                    if (results.contains("probes")) {
+                        results.at("probes").get_to(done.findings.probes);
+                    }
                     if (results.contains("erosion")) {
                         done.findings.erosion = results.at("erosion").get<erosion::ErosionResult>();
                     }
-                    if (results.contains("curve")) { results.at("curve").get_to(done.findings.curve); }
+                    if (results.contains("curve")) {
+                        results.at("curve").get_to(done.findings.curve);
+                    }
                 }
                 stages.push_back(std::move(done));
             }
@@ -46,7 +52,11 @@ json findings_json(const std::vector<report::Finding>& findings) {
     for (const report::Finding& finding : findings) {
         const json met = finding.met ? json(*finding.met) : json(nullptr);
         list.push_back(
-            {{"id", finding.id}, {"claim", finding.claim}, {"paper", finding.paper}, {"ours", finding.ours}, {"met", met}}
+            {{"id", finding.id},
+             {"claim", finding.claim},
+             {"paper", finding.paper},
+             {"ours", finding.ours},
+             {"met", met}}
         );
     }
     return list;

@@ -4,10 +4,10 @@
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/runner.hpp"
-#include "tests/support/temp_folder.hpp"
 
 #include <fmt/format.h>
 
+#include "tests/support/temp_folder.hpp"
 #include <string>
 
 namespace suffuse::test {
@@ -53,7 +53,8 @@ inline std::string study_of_packing(const std::string& name) {
            "]\n[[study.s.stage]]\nname = \"settled\"\ndo = \"settle\"\npressure = \"100 kPa\"\n";
 }
 
-inline run::RunReport run_text(const std::string& text, const std::filesystem::path& folder, run::RunOptions options = {}) {
+inline run::RunReport
+run_text(const std::string& text, const std::filesystem::path& folder, run::RunOptions options = {}) {
     const casefile::LoadedCase loaded = casefile::load_case_text(text, "scenario.toml", folder.string());
     options.folder = folder / "run";
     return run::run_case(loaded.value, options);
