@@ -1,6 +1,13 @@
 #include "suffuse/contact/carry_over.hpp"
 
+#include "suffuse/base/random.hpp"
+
 #include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace suffuse::contact {
 namespace {
@@ -26,10 +33,15 @@ Contacts three_contacts() {
     return contacts;
 }
 
+Contacts carried(Contacts table, const std::vector<Pair>& pairs, const OptionalMemory& memory = {}) {
+    std::vector<double> spare;
+    carry_over(table, pairs, memory, spare);
+    return table;
+}
+
 TEST(CarryOver, KeepsTheMemoryOfKnownPairsAndGivesNoneToNewOnes) {
     const std::vector<Pair> pairs{{0, 1, {}}, {0, 3, {}}, {1, 2, {1, 0, 0}}};
-    Contacts table;
-    carry_over(three_contacts(), pairs, {}, table);
+    const Contacts table = carried(three_contacts(), pairs);
     ASSERT_EQ(table.size(), 3U);
     EXPECT_EQ(table.shear_force[0], (Vec3{1, 2, 0}));
     EXPECT_EQ(table.overlap[0], 0.1);
@@ -39,28 +51,72 @@ TEST(CarryOver, KeepsTheMemoryOfKnownPairsAndGivesNoneToNewOnes) {
 }
 
 TEST(CarryOver, NeverDropsATouchingPairAndDropsTheOthers) {
-    Contacts table;
-    carry_over(three_contacts(), std::vector<Pair>{{2, 5, {}}}, {}, table);
+    const Contacts table = carried(three_contacts(), {{2, 5, {}}});
     EXPECT_EQ(table.first, (std::vector<std::uint32_t>{0, 1, 2}));
     EXPECT_EQ(table.second, (std::vector<std::uint32_t>{1, 2, 5}));
     EXPECT_EQ(touching_rows(three_contacts()).size(), 2U);
 }
 
 TEST(CarryOver, TellsPairsApartByTheirImage) {
-    Contacts table;
-    carry_over(three_contacts(), std::vector<Pair>{{1, 2, {}}, {1, 2, {1, 0, 0}}}, {}, table);
+    const Contacts table = carried(three_contacts(), {{1, 2, {}}, {1, 2, {1, 0, 0}}});
     ASSERT_EQ(table.size(), 3U); // (0,1) touches and stays
     EXPECT_FALSE(table.touches(1));
     EXPECT_TRUE(table.touches(2));
 }
 
 TEST(CarryOver, BringsOptionalColumnsWhenAskedAndWithoutBonds) {
-    Contacts table;
-    carry_over(three_contacts(), {}, {true, true}, table);
+    const Contacts table = carried(three_contacts(), {}, {true, true});
     EXPECT_EQ(table.twisting.size(), 2U);
     EXPECT_EQ(table.bonded, (std::vector<std::uint8_t>{0, 0}));
     EXPECT_EQ(optional_memory(table), (OptionalMemory{true, true}));
     EXPECT_EQ(optional_memory(three_contacts()), OptionalMemory{});
+}
+
+TEST(CarryOver, OfLongTablesGivesEveryPairItsOwnMemoryAgainAndAgain) {
+    // The same storage through many lists, against a dictionary from pairs to their marks.
+    RandomStream random(3, "tables");
+    Contacts table;
+    std::vector<double> spare;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> marks; // of the touching pairs
+    double next_mark = 1;
+    for (int round = 0; round < 30; ++round) {
+        std::vector<Pair> pairs;
+        for (std::uint32_t i = 0; i < 60; ++i) {
+            for (std::uint32_t j = i + 1; j < 60; ++j) {
+                if (random.uniform() < 0.1) {
+                    pairs.push_back({i, j, {}});
+                }
+            }
+        }
+        carry_over(table, pairs, {}, spare);
+        std::set<std::pair<std::uint32_t, std::uint32_t>> wanted;
+        for (const Pair& pair : pairs) {
+            wanted.insert({pair.first, pair.second});
+        }
+        for (const auto& [pair, mark] : marks) {
+            wanted.insert(pair);
+        }
+        ASSERT_EQ(table.size(), wanted.size());
+        auto want = wanted.begin();
+        for (std::size_t c = 0; c < table.size(); ++c, ++want) {
+            ASSERT_EQ((std::pair{table.first[c], table.second[c]}), *want);
+            const auto mark = marks.find(*want);
+            ASSERT_EQ(table.shear_force[c].x, mark == marks.end() ? 0 : mark->second);
+            ASSERT_EQ(table.bending[c].z, mark == marks.end() ? 0 : 3 * mark->second);
+            ASSERT_EQ(table.touches(c), mark != marks.end());
+            // Some contacts open, some begin.
+            const double draw = random.uniform();
+            if (draw < 0.3) {
+                marks.erase(*want);
+                table.shear_force.set(c, {}), table.bending.set(c, {}), table.normal.set(c, {}), table.overlap[c] = 0;
+            } else if (draw < 0.6) {
+                marks[*want] = ++next_mark;
+                table.shear_force.set(c, {next_mark, 2 * next_mark, 0});
+                table.bending.set(c, {0, next_mark, 3 * next_mark});
+                table.normal.set(c, {0, 0, 1});
+            }
+        }
+    }
 }
 
 TEST(Renumbering, TurnsSignsAroundWhereTheOrderOfTwoGrainsTurns) {
