@@ -1,0 +1,101 @@
+#include "suffuse/erosion/detachment.hpp"
+
+#include <gtest/gtest.h>
+
+namespace suffuse::erosion {
+namespace {
+
+/// Fines of free-flight speed 1 and free displacement 1, each with the speeds of the eleven samples.
+ProbeResult probe_of(const std::vector<std::array<double, probe_samples + 1>>& speeds) {
+    ProbeResult result;
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+        result.id.push_back(static_cast<std::uint32_t>(k));
+        result.diameter.push_back(2);
+        result.fluid_force.push_back(1);
+        result.coordination.push_back(0);
+        result.speed.push_back(speeds[k]);
+        result.twin_speed.push_back(0);
+        result.displacement.push_back(0);
+        result.free_speed.push_back(1);
+        result.free_displacement.push_back(1);
+    }
+    return result;
+}
+
+std::array<double, probe_samples + 1> rising_to(double end) {
+    std::array<double, probe_samples + 1> speed{};
+    for (int k = 0; k <= probe_samples; ++k) {
+        speed[static_cast<std::size_t>(k)] = end * (k + 1) / (probe_samples + 1);
+    }
+    return speed;
+}
+
+TEST(Detachment, AGrainThatFliesFreeIsDetachableAndOneThatFluctuatesIsNot) {
+    auto fluctuating = rising_to(1);
+    std::swap(fluctuating[5], fluctuating[6]);
+    ProbeResult probe = probe_of({rising_to(1), fluctuating, rising_to(0.4)});
+    judge_detachment({}, probe);
+    EXPECT_EQ(probe.by_velocity, (std::vector<std::uint8_t>{1, 0, 0})); // the last is too slow for half of free flight
+}
+
+TEST(Detachment, WhatTheTwinDoesWithoutFluidIsNoise) {
+    ProbeResult probe = probe_of({rising_to(1), rising_to(1)});
+    probe.twin_speed = {0, 2};
+    judge_detachment({}, probe);
+    EXPECT_EQ(probe.twin_noise, 2);
+    EXPECT_EQ(probe.by_velocity, (std::vector<std::uint8_t>{0, 0}));
+}
+
+TEST(Detachment, WithoutFluidForceNoRuleReturnsAGrain) {
+    for (const VelocityRule rule : {VelocityRule::StillAccelerating, VelocityRule::Rising, VelocityRule::Above}) {
+        ProbeResult probe = probe_of({rising_to(1)});
+        probe.fluid_force = {0};
+        probe.displacement = {5};
+        DetachSpec spec;
+        spec.rule = rule;
+        judge_detachment(spec, probe);
+        EXPECT_EQ(probe.by_velocity[0], 0);
+        EXPECT_EQ(probe.by_displacement[0], 0);
+    }
+}
+
+TEST(Detachment, TheOtherReadingsAskForLess) {
+    ProbeResult probe = probe_of({rising_to(0.4)});
+    DetachSpec rising;
+    rising.rule = VelocityRule::Rising;
+    judge_detachment(rising, probe);
+    EXPECT_EQ(probe.by_velocity[0], 1);
+    DetachSpec above;
+    above.rule = VelocityRule::Above;
+    above.over_speed = 0.5;
+    judge_detachment(above, probe);
+    EXPECT_EQ(probe.by_velocity[0], 0);
+    above.over_speed = 0.3;
+    judge_detachment(above, probe);
+    EXPECT_EQ(probe.by_velocity[0], 1);
+}
+
+TEST(Detachment, DisplacementCountsAgainstFreeFlightOrTheDiameter) {
+    ProbeResult probe = probe_of({rising_to(1), rising_to(1), rising_to(1)});
+    probe.displacement = {0.6, 0.4, -0.9};
+    DetachSpec spec;
+    spec.by = DetachBy::Displacement;
+    judge_detachment(spec, probe);
+    EXPECT_EQ(verdicts(spec, probe), (std::vector<std::uint8_t>{1, 0, 0}));
+    spec.over_diameters = 0.1; // of a diameter of 2
+    judge_detachment(spec, probe);
+    EXPECT_EQ(verdicts(spec, probe), (std::vector<std::uint8_t>{1, 1, 0}));
+}
+
+TEST(Detachment, TheTwoWayTableCountsEveryGrainOnce) {
+    ProbeResult probe = probe_of({rising_to(1), rising_to(1), rising_to(0.1), rising_to(0.1)});
+    probe.displacement = {1, 0, 1, 0};
+    judge_detachment({}, probe);
+    EXPECT_EQ(probe.agreement[1][1], 1);
+    EXPECT_EQ(probe.agreement[1][0], 1);
+    EXPECT_EQ(probe.agreement[0][1], 1);
+    EXPECT_EQ(probe.agreement[0][0], 1);
+}
+
+} // namespace
+} // namespace suffuse::erosion

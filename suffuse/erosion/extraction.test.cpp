@@ -1,0 +1,99 @@
+#include "suffuse/erosion/extraction.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/erosion/passage.hpp"
+
+#include <gtest/gtest.h>
+
+namespace suffuse::erosion {
+namespace {
+
+dem::World four_grains() {
+    dem::World world;
+    world.cell.h = diagonal({1, 1, 1});
+    for (int g = 0; g < 4; ++g) {
+        add_grain(world.grains, {0.1 + 0.2 * g, 0.5, 0.5}, 0.01 * (g + 1), 2600);
+    }
+    world.grains.fine = {1, 1, 0, 0};
+    return world;
+}
+
+TEST(Extraction, WhatLeavesIsInTheLedgerAndNothingElse) {
+    dem::World world = four_grains();
+    const double mass = total_mass(world.grains);
+    std::vector<LedgerRow> ledger;
+    extract(world, std::vector<Leaver>{{1, 3}}, 2, "velocity", ledger);
+    ASSERT_EQ(ledger.size(), 1U);
+    EXPECT_EQ(ledger[0].grain, 1U);
+    EXPECT_EQ(ledger[0].pass, 2);
+    EXPECT_EQ(ledger[0].coordination, 3);
+    EXPECT_EQ(ledger[0].diameter, 0.04);
+    EXPECT_EQ(world.grains.id, (std::vector<std::uint32_t>{0, 2, 3}));
+    EXPECT_NO_THROW(check_ledger(world, ledger, mass));
+}
+
+TEST(Extraction, ALedgerThatMissesOrRepeatsAGrainIsADefect) {
+    dem::World world = four_grains();
+    const double mass = total_mass(world.grains);
+    std::vector<LedgerRow> ledger;
+    extract(world, std::vector<Leaver>{{0, 0}, {1, 0}}, 1, "velocity", ledger);
+    std::vector<LedgerRow> missing(ledger.begin(), ledger.begin() + 1), repeated = ledger;
+    repeated.push_back(ledger.front());
+    EXPECT_THROW(check_ledger(world, missing, mass), Bug);
+    EXPECT_THROW(check_ledger(world, repeated, mass), Bug);
+}
+
+TEST(Extraction, FinesContentIsByMass) {
+    const double fine = 1 + 8, all = 1 + 8 + 27 + 64;
+    EXPECT_NEAR(fines_content(four_grains().grains), fine / all, 1e-14);
+}
+
+TEST(Passage, AGrainPassesWhatIsWiderThanItself) {
+    CoarseSkeleton skeleton;
+    skeleton.constrictions.mean = 3;
+    skeleton.constrictions.median = 2;
+    skeleton.constrictions.d35 = 1;
+    skeleton.widest_path = {5, 0.5};
+    EXPECT_TRUE(passes(skeleton, ConstrictionSize::Mean, 0, 2.9));
+    EXPECT_FALSE(passes(skeleton, ConstrictionSize::Mean, 0, 3));
+    EXPECT_FALSE(passes(skeleton, ConstrictionSize::Median, 0, 2.9));
+    EXPECT_FALSE(passes(skeleton, ConstrictionSize::D35, 0, 1.5));
+    EXPECT_TRUE(passes(skeleton, ConstrictionSize::WidestPath, 0, 4));
+    EXPECT_FALSE(passes(skeleton, ConstrictionSize::WidestPath, 1, 4));
+    EXPECT_TRUE(passes(skeleton, ConstrictionSize::None, 1, 400));
+}
+
+/// A simple cubic lattice of coarse grains with a fine one in every void.
+dem::World lattice_with_fines(int cells) {
+    dem::World world;
+    const double r = 0.5e-3;
+    world.cell.h = 2 * r * cells * identity();
+    for (int a = 0; a < cells; ++a) {
+        for (int b = 0; b < cells; ++b) {
+            for (int c = 0; c < cells; ++c) {
+                const Vec3 corner = 2 * r * Vec3{double(a), double(b), double(c)};
+                add_grain(world.grains, corner, r, 2600);
+                add_grain(world.grains, corner + r * Vec3{1, 1, 1}, 0.1 * r, 2600);
+                world.grains.fine[world.grains.size() - 1] = 1;
+            }
+        }
+    }
+    return world;
+}
+
+TEST(Passage, TheWidestPathThroughASimpleCubicSkeletonIsItsSquareWindow) {
+    const dem::World world = lattice_with_fines(4);
+    const CoarseSkeleton skeleton = measure_coarse_skeleton(world, {0, 0, 1}, true);
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        EXPECT_NEAR(skeleton.widest_path[g], 2 * (std::sqrt(2.0) - 1) * 0.5e-3, 1e-9);
+    }
+}
+
+TEST(Passage, TooFewOrTooLargeCoarseGrainsAreACause) {
+    EXPECT_FALSE(skeleton_complaint(lattice_with_fines(6)).has_value());
+    EXPECT_TRUE(skeleton_complaint(lattice_with_fines(4)).has_value()); // a cell of four diameters
+    EXPECT_TRUE(skeleton_complaint(lattice_with_fines(3)).has_value()); // 27 grains
+}
+
+} // namespace
+} // namespace suffuse::erosion
