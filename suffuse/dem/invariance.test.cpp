@@ -4,6 +4,7 @@
 #include "suffuse/contact/carry_over.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
+#include "suffuse/dem/settle.hpp"
 #include "suffuse/neighbors/pairs.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include "tests/support/worlds.hpp"
 #include <algorithm>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace suffuse::dem {
@@ -131,10 +133,16 @@ TEST(Invariance, RenumberedGrainsMoveTheSameToRounding) {
     }
 }
 
-TEST(Invariance, FreshListsChangeNoBit) {
+class FreshLists : public testing::TestWithParam<bool> {};
+
+TEST_P(FreshLists, ChangeNoBit) {
     World world = loaded_packing(), other = world;
     StepCaches caches;
-    const StepPlan plan = shearing();
+    StepPlan plan = shearing();
+    if (GetParam()) { // the stress, a sum over the table, comes back through the servo
+        plan.loading = isotropic_stress(1.3e5);
+        plan.loading.axis[2] = {cell::Control::StrainRate, 30};
+    }
     for (int k = 0; k < steps; ++k) {
         step(world, caches, plan);
         StepCaches fresh; // all neighbors searched anew in every step
@@ -143,6 +151,10 @@ TEST(Invariance, FreshListsChangeNoBit) {
     EXPECT_EQ(state_hash(world), state_hash(other));
     EXPECT_GE(caches.neighborhood.prunings(), 2); // and the lists were made again on the way
 }
+
+INSTANTIATE_TEST_SUITE_P(Loadings, FreshLists, testing::Bool(), [](const auto& test) {
+    return std::string(test.param ? "UnderServo" : "AtAStrainRate");
+});
 
 TEST(Invariance, NoTouchingPairIsEverMissed) {
     // Fast grains in a shearing cell: the table against a test of every pair with every image.

@@ -1,0 +1,116 @@
+// A packing under the servo and along triaxial paths.
+
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/relax.hpp"
+#include "suffuse/dem/settle.hpp"
+#include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/triaxial/run_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/energy.hpp"
+#include "tests/support/worlds.hpp"
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace suffuse {
+namespace {
+
+/// 500 grains settled at `pressure`, with contact memory.
+struct Sample {
+    dem::World world;
+    dem::StepCaches caches;
+    dem::StepPlan plan;
+    dem::BalanceSpec balance;
+    dem::BalanceState state;
+};
+
+Sample settled_at(double pressure) {
+    Sample s;
+    s.world = test::reference_packing("packing500");
+    s.plan = test::plan_of(4e-8, 0.2);
+    s.plan.loading = dem::isotropic_stress(pressure);
+    s.state = dem::settle(s.world, s.caches, s.plan, s.balance, 200'000);
+    return s;
+}
+
+TEST(Servo, ReachesAPressureWithoutOvershootingMoreThanOnePercent) {
+    Sample s = settled_at(5e4);
+    EXPECT_NEAR(dem::mean_stress(s.state.stress), 5e4, 5e-3 * 5e4);
+    s.plan.loading = dem::isotropic_stress(1e5);
+    double most = 0;
+    dem::BalanceState state;
+    while (!dem::settle_burst(s.world, s.caches, s.plan, s.balance, state)) {
+        for (int a = 0; a < 3; ++a) {
+            most = std::max(most, state.stress(a, a));
+        }
+        ASSERT_LT(state.steps, 200'000);
+    }
+    for (int a = 0; a < 3; ++a) {
+        EXPECT_NEAR(state.stress(a, a), 1e5, 5e-3 * 1e5); // what "settled" promises
+    }
+    EXPECT_LE(most, 1.01e5);
+    RecordProperty("overshoot", std::to_string(most / 1e5 - 1));
+    RecordProperty("steps", std::to_string(state.steps));
+}
+
+TEST(Servo, FollowsAMixtureOfStressesAndStrainRates) {
+    Sample s = settled_at(1e5);
+    const double height = s.world.cell.h(1, 1);
+    s.plan.loading.axis[0] = {cell::Control::Stress, 1.1e5};
+    s.plan.loading.axis[1] = {cell::Control::StrainRate, 0};
+    s.plan.loading.axis[2] = {cell::Control::Stress, 0.9e5};
+    const dem::BalanceState state = dem::settle(s.world, s.caches, s.plan, s.balance, 200'000);
+    EXPECT_NEAR(state.stress(0, 0), 1.1e5, 5e-3 * 1.1e5);
+    EXPECT_NEAR(state.stress(2, 2), 0.9e5, 5e-3 * 1.1e5);
+    EXPECT_NEAR(s.world.cell.h(1, 1), height, 1e-7 * height); // the last motion of the settling ends within a step
+    EXPECT_GT(state.stress(1, 1), 0.5e5);
+}
+
+TEST(Relax, BringsThePackingToEquilibriumFarBelowWhatAStageNeeds) {
+    Sample s = settled_at(1e5);
+    const dem::RelaxReport report = dem::relax(s.world, s.caches, 4e-8, 0.2, 1e-8, 200'000);
+    EXPECT_TRUE(report.unbalanced_force <= 1e-8 || report.reached_floor);
+    EXPECT_LE(report.unbalanced_force, 1e-6);
+    RecordProperty("unbalanced", std::to_string(1e9 * report.unbalanced_force) + "e-9");
+    RecordProperty("steps", std::to_string(report.steps));
+}
+
+triaxial::PathState compress(Sample& s, const triaxial::TriaxialSpec& spec) {
+    triaxial::PathState state = triaxial::begin_path(s.world, spec, s.state.stress, 4e-8);
+    while (!triaxial::path_burst(s.world, s.caches, spec, s.balance, 0.2, state)) {
+        EXPECT_LT(state.steps, 400'000);
+        if (state.steps >= 400'000) {
+            break;
+        }
+    }
+    return state;
+}
+
+TEST(Triaxial, AnUndrainedPathKeepsTheVolume) {
+    Sample s = settled_at(1e5);
+    triaxial::TriaxialSpec spec;
+    spec.path = triaxial::Path::Undrained;
+    spec.strain = 0.005;
+    const double volume = cell::volume(s.world.cell);
+    const triaxial::PathState state = compress(s, spec);
+    EXPECT_NEAR(cell::volume(s.world.cell) / volume, 1, 1e-6); // rates add up to zero; of second order in each step
+    EXPECT_GT(state.rows.back().deviator_stress, 5e4);
+}
+
+TEST(Triaxial, StopsAtTheDeviatorAskedForAndComesToRestThere) {
+    Sample s = settled_at(1e5);
+    triaxial::TriaxialSpec spec;
+    spec.deviator_stress = 1e5;
+    spec.inertial_number = 3e-3;
+    const triaxial::PathState state = compress(s, spec);
+    EXPECT_EQ(state.phase, triaxial::PathState::Phase::Done);
+    EXPECT_NEAR(
+        state.balance.stress(2, 2), 2e5, 1.5e-3 * 1e5 + 5e-3 * 2e5
+    ); // start stress and balance, both within limits
+    EXPECT_LE(state.balance.equilibrium.unbalanced_force, s.balance.unbalanced_force);
+}
+
+} // namespace
+} // namespace suffuse
