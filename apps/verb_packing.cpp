@@ -1,6 +1,7 @@
 // import, export: packings from and for other programs.
 
 #include "suffuse/base/units.hpp"
+#include "suffuse/dem/order.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/packing_export.hpp"
 #include "suffuse/io/packing_file.hpp"
@@ -98,7 +99,8 @@ int export_verb(const CommandLine& line, const Console& console) {
     const std::string format = format_of(line);
     const fs::path given = line.subject;
     const fs::path state = fs::is_directory(given) ? given / "state.h5" : given;
-    const dem::World world = io::load_world(state).world;
+    dem::World world = io::load_world(state).world;
+    dem::sort_by_id(world);
     if (format == "csv") {
         io::export_csv(line.output, world.grains);
     } else if (format == "yade") {

@@ -39,6 +39,6 @@ function(suffuse_test_program target label)
     target_compile_definitions(${target} PRIVATE SUFFUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${target} PRIVATE suffuse_options GTest::gtest GTest::gtest_main rapidcheck
-        nlohmann_json::nlohmann_json ZLIB::ZLIB) # the reference's files are compressed JSON
+        Eigen3::Eigen nlohmann_json::nlohmann_json ZLIB::ZLIB) # the reference's files are compressed JSON
     gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
 endfunction()

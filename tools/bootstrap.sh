@@ -6,9 +6,9 @@
 build=$root/build/release
 logs=$root/build/logs
 jobs=${SUFFUSE_JOBS:-2}
-build_packages="g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libhdf5-dev libtomlplusplus-dev
+build_packages="g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libhdf5-dev libtomlplusplus-dev
     libcli11-dev nlohmann-json3-dev libfmt-dev zlib1g-dev"
-test_packages="libgtest-dev librapidcheck-dev libbenchmark-dev voro++-dev clang-format chromium fonts-dejavu-core python3"
+test_packages="libeigen3-dev libgtest-dev librapidcheck-dev libbenchmark-dev voro++-dev clang-format chromium fonts-dejavu-core python3"
 
 mkdir -p "$logs"
 # ccache, npm and Chromium want a home; a container may have none.

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace suffuse::io {
@@ -16,6 +18,28 @@ std::vector<std::uint32_t> rows_by_id(const grains::Grains& grains) {
     std::iota(rows.begin(), rows.end(), 0U);
     std::ranges::sort(rows, [&](std::uint32_t a, std::uint32_t b) { return grains.id[a] < grains.id[b]; });
     return rows;
+}
+
+/// Contacts by ids, the lower one first, whatever rows the grains are stored in.
+std::vector<dem::ContactView> contacts_by_id(const dem::World& world) {
+    std::vector<dem::ContactView> contacts = dem::inspect_contacts(world);
+    for (dem::ContactView& c : contacts) {
+        c.i = world.grains.id[c.i];
+        c.j = world.grains.id[c.j];
+        if (c.i <= c.j) {
+            continue;
+        }
+        std::swap(c.i, c.j);
+        c.image = cell::Image{} - c.image;
+        c.normal = -c.normal;
+        c.normal_force = -c.normal_force;
+        c.shear_force = -c.shear_force;
+        c.moment = -c.moment;
+    }
+    std::ranges::sort(contacts, [](const dem::ContactView& a, const dem::ContactView& b) {
+        return std::tie(a.i, a.j, a.image) < std::tie(b.i, b.j, b.image);
+    });
+    return contacts;
 }
 
 } // namespace
@@ -35,10 +59,8 @@ void write_grains_csv(const std::filesystem::path& path, const dem::World& world
 
 void write_contacts_csv(const std::filesystem::path& path, const dem::World& world) {
     CsvWriter table(path, "i,j,overlap,nx,ny,nz,fnx,fny,fnz,fsx,fsy,fsz,mx,my,mz");
-    for (const dem::ContactView& c : dem::inspect_contacts(world)) {
-        table.row(
-            world.grains.id[c.i], world.grains.id[c.j], c.overlap, c.normal, c.normal_force, c.shear_force, c.moment
-        );
+    for (const dem::ContactView& c : contacts_by_id(world)) {
+        table.row(c.i, c.j, c.overlap, c.normal, c.normal_force, c.shear_force, c.moment);
     }
     table.finish();
 }

@@ -11,7 +11,8 @@ namespace suffuse::io {
 /// `grains.csv`: `id,x,y,z,r,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,contacts,fine`, in order of id.
 void write_grains_csv(const std::filesystem::path& path, const dem::World& world);
 
-/// `contacts.csv`: `i,j,overlap,nx,ny,nz,fnx,fny,fnz,fsx,fsy,fsz,mx,my,mz`; i and j are ids, force and moment act on i.
+/// `contacts.csv`: `i,j,overlap,nx,ny,nz,fnx,fny,fnz,fsx,fsy,fsz,mx,my,mz`; i < j are ids, in their
+/// order; the normal points from i to j, force and moment act on i.
 void write_contacts_csv(const std::filesystem::path& path, const dem::World& world);
 
 /// `grain_forces.csv`: `id,fx,fy,fz`, the fluid's force on each grain, in order of id.

@@ -26,8 +26,8 @@ plan_motion(double dt, double damping, double drag, const Mat3& old_gradient, co
     return {dt, damping, drag, old_gradient, change, spin};
 }
 
-/// Local damping [Cundall]: the acceleration grows where it brakes and shrinks where it drives. The mid-step velocity
-/// decides, per component.
+/// Local damping [Cundall & Strack 1979]: the acceleration grows where it brakes and shrinks where it drives. The
+/// mid-step velocity decides, per component.
 [[gnu::always_inline]] inline double damped(double acceleration, double velocity, double dt, double damping) {
     const double power = acceleration * (velocity + 0.5 * dt * acceleration);
     const double sense =

@@ -4,6 +4,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/run/result_json.hpp"
+#include "suffuse/stats/gradation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +25,8 @@ double inertial_number(const dem::World& world, double mean_stress) {
             rate = std::max(rate, std::abs(world.cell.velocity_gradient(a, b)));
         }
     }
-    std::vector<double> radius = world.grains.radius;
-    const auto middle = radius.begin() + static_cast<std::ptrdiff_t>(radius.size() / 2);
-    std::nth_element(radius.begin(), middle, radius.end());
-    return rate * 2 * *middle * std::sqrt(world.material.density / mean_stress);
+    const double median = stats::size_at(stats::measure_gradation(world.grains), 0.5);
+    return rate * median * std::sqrt(world.material.density / mean_stress);
 }
 
 std::int64_t History::steps_to_next(std::int64_t step) const {

@@ -47,7 +47,8 @@ private:
     std::vector<HistoryRow> rows_;
 };
 
-/// Largest strain rate of an axis x median diameter x sqrt(density / mean stress); 0 at rest, and without stress [-].
+/// Largest velocity gradient x median diameter (by mass) x sqrt(density / mean stress); 0 at rest, and without stress
+/// [-].
 double inertial_number(const dem::World& world, double mean_stress);
 
 } // namespace suffuse::run

@@ -109,6 +109,7 @@ private:
             {},
             0,
             0,
+            0,
             {}};
         if (std::filesystem::exists(folder / "partial.h5")) {
             take_up(work);
@@ -122,7 +123,10 @@ private:
         control_.begin(std::move(where));
         try {
             do_stage(work);
-        } catch (Error& error) {
+        } catch (const Interrupted&) {
+            log_event(options_.folder, {{"event", "stage interrupted"}, {"stage", stage_name(variant, stage)}});
+            throw;
+        } catch (const Error& error) {
             log_event(
                 options_.folder,
                 {{"event", "stage fails"}, {"stage", stage_name(variant, stage)}, {"what", error.what()}}
@@ -138,6 +142,7 @@ private:
         work.world = std::move(partial.world);
         work.history.restore(saved.at("history"));
         work.grain_steps = saved.at("grain_steps");
+        work.earlier_seconds = saved.at("seconds");
         work.resumed = saved.at("state");
     }
 
@@ -169,8 +174,9 @@ private:
     void finish(StageWork& work) {
         const dem::World& world = work.world;
         json numbers = measure_state(world);
+        numbers["steps"] = 0;
         numbers.update(work.numbers);
-        const double seconds = control_.stage_seconds();
+        const double seconds = work.seconds();
         numbers["stage"] = work.stage.name;
         numbers["verb"] = casefile::verb_of(work.stage.spec);
         numbers["time_step"] = work.time_step;

@@ -60,7 +60,7 @@ void compact(StageWork& work, const packing::CompactSpec& spec, packing::Compact
 
 void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     io::ImportedPacking packing = io::read_packing(spec.path, work.what.material.density);
-    work.world.cell.h = packing.cell && spec.cell == Mat3{} ? packing.cell->h : spec.cell;
+    work.world.cell.h = spec.cell;
     work.world.grains = std::move(packing.grains);
     const double overlap = io::check_overlaps(work.world.grains, work.world.cell, spec.max_overlap, spec.path);
     mark_fines(work.variant.soil, work.world.grains);
@@ -87,6 +87,10 @@ void do_pack(StageWork& work, const packing::PackSpec& spec) {
     work.numbers["grading_largest_difference"] = sample.largest_difference;
     work.numbers["grading_tolerance"] = work.variant.soil->grading_tolerance;
     work.numbers["fines_content_reached"] = sample.fines_content;
+    if (work.variant.soil->report_kenney_lau) { // beside the split in use
+        const std::optional<double> split = grains::kenney_lau_split(grains::asked_grading(*work.variant.soil));
+        work.numbers["kenney_lau_split"] = split ? nlohmann::json(*split) : nlohmann::json(nullptr);
+    }
 }
 
 void do_compact(StageWork& work, const packing::CompactSpec& spec) {

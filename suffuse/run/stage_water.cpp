@@ -143,10 +143,14 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
         {"solve", seepage.seconds.solve},
         {"forces", seepage.seconds.forces}};
     numbers["steps"] = 0;
-    io::write_grain_forces_csv(work.folder / "grain_forces.csv", world.grains, {seepage.grain_force});
     if (work.write_tables) {
+        io::write_grain_forces_csv(work.folder / "grain_forces.csv", world.grains, {seepage.grain_force});
         io::write_pores_csv(work.folder / "pores.csv", seepage.network, seepage.field.pressure);
         io::write_throats_csv(work.folder / "throats.csv", seepage.network, seepage.conductance, seepage.field.flux);
+    }
+    const std::vector<std::string>& formats = work.what.output.formats;
+    if (std::find(formats.begin(), formats.end(), "vtp") == formats.end()) {
+        return;
     }
     io::write_pores_vtu(work.folder / "pores.vtu", seepage.network, world.grains.position, seepage.field.pressure);
 }
@@ -159,7 +163,11 @@ void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
         note_probe(work, probe);
     }
     work.numbers["probes"] = probes;
-    work.numbers["steps"] = 0;
+    const erosion::ProbeResult& first = work.findings.probes.front();
+    const auto count = static_cast<std::int64_t>(work.findings.probes.size());
+    work.time_step = first.time_step;
+    work.numbers["steps"] = first.relax_steps + 2 * count * (first.ramp + first.watch);
+    work.grain_steps = work.numbers["steps"].get<std::int64_t>() * static_cast<std::int64_t>(work.world.grains.size());
 }
 
 void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
@@ -177,10 +185,13 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         note_probe(work, result.passes.back().probe);
     }
     json passes = json::array();
-    std::int64_t steps = 0;
+    std::int64_t steps = 0; // of the relaxation, of probe and twin, and of the new equilibrium
+    work.grain_steps = 0;
     for (const erosion::PassResult& pass : result.passes) {
         passes.push_back(pass_numbers(pass));
-        steps += pass.steps;
+        const std::int64_t probe_steps = pass.probe.relax_steps + 2 * (pass.probe.ramp + pass.probe.watch);
+        steps += probe_steps + pass.steps;
+        work.grain_steps += (probe_steps + pass.steps) * static_cast<std::int64_t>(work.world.grains.size());
         work.time_step = pass.probe.time_step;
         if (!pass.verdict.empty()) {
             work.warnings.push_back(fmt::format("{}: pass {}: {}", work.stage.name, pass.pass, pass.verdict));

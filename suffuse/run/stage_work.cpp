@@ -5,7 +5,8 @@
 namespace suffuse::run {
 
 void StageWork::save_partial(const nlohmann::json& state) const {
-    const nlohmann::json all{{"state", state}, {"history", history.to_json()}, {"grain_steps", grain_steps}};
+    const nlohmann::json all{
+        {"state", state}, {"history", history.to_json()}, {"grain_steps", grain_steps}, {"seconds", seconds()}};
     io::save_world(folder / "partial.h5", world, {{"stage", all.dump()}});
 }
 

@@ -37,6 +37,11 @@ struct StageWork {
     double time_step = 0;         ///< of the last burst [s]
     std::int64_t grain_steps = 0; ///< grains x steps, for the rate
 
+    double earlier_seconds = 0; ///< wall time before the stage was taken up again [s]
+
+    /// Wall time of the stage, over all its parts [s].
+    [[nodiscard]] double seconds() const { return earlier_seconds + control.stage_seconds(); }
+
     /// Saves the half-done stage with the verb's own `state`; the verb finds it again in `resumed`.
     void save_partial(const nlohmann::json& state) const;
     nlohmann::json resumed; ///< null: from the start
