@@ -265,8 +265,9 @@ TEST(LinearRolling, RigidRotationOfALoadedPairCreatesNoNewForce) {
     }
 }
 
-/// Turns a loaded pair once about `axis`, in `steps` steps. @return growth of shear force and bending moment.
-std::pair<double, double> growth_over_a_turn(const Vec3& axis, int steps) {
+/// Memory of a loaded pair after `share` of a full turn about `axis`, at `steps` steps a turn. It starts with the
+/// normal along x and force and moment along y.
+ContactMemory<double> turned_pair(const Vec3& axis, int steps, double share) {
     grains::Material material;
     material.friction = 1.5; // no slip
     material.rolling_friction = -1;
@@ -279,14 +280,31 @@ std::pair<double, double> growth_over_a_turn(const Vec3& axis, int steps) {
     s.memory.bending = {0, 1e-8, 0};
     const Vec3 rate = angle / dt * axis;
     s.pair.spin_1 = s.pair.spin_2 = triple(rate);
-    for (int k = 1; k <= steps; ++k) {
+    for (int k = 1; k <= share * steps; ++k) {
         const double turn = angle * k;
         const Vec3 n = axis.z != 0 ? Vec3{std::cos(turn), std::sin(turn), 0} : Vec3{1, 0, 0};
         s.pair.branch = triple((2e-4 - 1e-7) * n);
         s.pair.velocity = triple(cross(rate, vec(s.pair.branch)));
         act<false, false>(law, s.pair, s.memory);
     }
-    return {length(s.memory.shear_force) / 1e-4 - 1, length(s.memory.bending) / 1e-8 - 1};
+    return s.memory;
+}
+
+/// Growth of shear force and bending moment over a turn.
+std::pair<double, double> growth_over_a_turn(const Vec3& axis, int steps) {
+    const ContactMemory<double> memory = turned_pair(axis, steps, 1);
+    return {length(memory.shear_force) / 1e-4 - 1, length(memory.bending) / 1e-8 - 1};
+}
+
+TEST(LinearRolling, ForceAndMomentTurnWithThePair) {
+    // A quarter of a turn with the normal (about z) takes y to -x, one about the normal (x) takes y to z.
+    const double growth = pi * pi / 2 / 4000; // of the first-order rotation, see below
+    for (const auto& [axis, end] :
+         {std::pair{Vec3{0, 0, 1}, Vec3{-1, 0, 0}}, std::pair{Vec3{1, 0, 0}, Vec3{0, 0, 1}}}) {
+        const ContactMemory<double> memory = turned_pair(axis, 4000, 0.25);
+        expect_near(memory.shear_force, 1e-4 * end, 2 * growth * 1e-4, "shear force");
+        expect_near(memory.bending, 1e-8 * end, 2 * growth * 1e-8, "bending moment");
+    }
 }
 
 TEST(LinearRolling, FullTurnOfALoadedPairGrowsTheForceAsTheReferencesFirstOrderRotationDoes) {
