@@ -8,10 +8,33 @@
 
 namespace suffuse::cell {
 
-/// New velocity gradient of the cell [1/s], extension positive.
+/// Strain rate of an axis under the secant servo [1/s], compression positive. The error alone would leave a lag as
+/// large as what the stress changes by in a response time: the lateral stress of a sample that dilates in compression,
+/// say. So the change over that time which the strain rate does not explain is taken off.
+inline double
+secant_rate(const ServoSpec& spec, const ServoState& servo, int a, double missing, double stress, double dt) {
+    const double response = spec.response * dt;
+    const double drift = (stress - servo.mean_stress[a]) / response - servo.modulus[a] * servo.mean_rate[a];
+    // A sample without contacts has no stiffness: any missing stress then asks for the largest rate.
+    return (missing / response - drift) / std::max(servo.modulus[a], 1e-300);
+}
+
+/// Takes this step into the servo's means.
+inline void observe(const Mat3& stress, const Mat3& gradient, double response, ServoState& servo) {
+    for (int a = 0; a < 3; ++a) {
+        servo.mean_stress[a] += (stress(a, a) - servo.mean_stress[a]) / response;
+        servo.mean_rate[a] += (-gradient(a, a) - servo.mean_rate[a]) / response;
+    }
+}
+
+/// New velocity gradient of the cell [1/s], extension positive; updates the means of `servo`.
 /// @param stress of this step, compression positive [Pa]; @param dt [s]
-inline Mat3 drive(const Cell& cell, const Loading& loading, const ServoState& servo, const Mat3& stress, double dt) {
+inline Mat3 drive(const Cell& cell, const Loading& loading, const Mat3& stress, double dt, ServoState& servo) {
+    if (servo.mean_stress == Vec3{}) { // the first load: no drift
+        servo.mean_stress = {stress(0, 0), stress(1, 1), stress(2, 2)};
+    }
     if (loading.velocity_gradient) {
+        observe(stress, *loading.velocity_gradient, loading.servo.response, servo);
         return *loading.velocity_gradient;
     }
     Mat3 gradient{};
@@ -28,12 +51,12 @@ inline Mat3 drive(const Cell& cell, const Loading& loading, const ServoState& se
             rate = -cell.velocity_gradient(a, a);
             const double sense = rate * missing > 0 ? -1.0 : rate * missing < 0 ? 1.0 : 0.0;
             rate += (1 + sense * spec.damping) * dt * missing / spec.mass;
-        } else if (missing != 0) {
-            // A sample without contacts has no stiffness: any missing stress then asks for the largest rate.
-            rate = missing / (std::max(servo.modulus[a], 1e-300) * spec.response * dt);
+        } else {
+            rate = secant_rate(spec, servo, a, missing, stress(a, a), dt);
         }
         gradient(a, a) = -std::clamp(rate, -spec.max_rate, spec.max_rate);
     }
+    observe(stress, gradient, loading.servo.response, servo);
     return gradient;
 }
 

@@ -16,7 +16,7 @@ struct AxisControl {
 };
 
 enum class ServoKind {
-    Secant,   ///< ours: rate = stress error / (modulus x response time); first order, does not ring
+    Secant,   ///< ours: rate = (stress error / response time - drift of the stress by itself) / modulus; does not ring
     Inertial, ///< the reference's: rate += stress error x dt / mass, with a growth damping [reference 1.5]
 };
 
@@ -25,7 +25,7 @@ struct ServoSpec {
     double mass = 0;       ///< inertial: [kg/m]
     double damping = 0.25; ///< inertial: growth damping [-]
     double max_rate = 50;  ///< largest strain rate of an axis under stress control [1/s]
-    double response = 400; ///< secant: response time, in steps [-]
+    double response = 100; ///< secant: response time, in steps [-]
 };
 
 /// The loading of one stage: three axes, or a full velocity gradient instead.
@@ -39,6 +39,8 @@ struct Loading {
 struct ServoState {
     Vec3 modulus{}; ///< longitudinal modulus of the contact network along each axis, kept up to date by the driver [Pa]
     Vec3 held_stress{}; ///< held along each axis by the last loading stage, compression positive; zero: none [Pa]
+    Vec3 mean_stress{}; ///< of each axis over the response time, compression positive; zero: not seen yet [Pa]
+    Vec3 mean_rate{};   ///< strain rate of each axis over the response time, compression positive [1/s]
 };
 
 } // namespace suffuse::cell

@@ -116,7 +116,9 @@ TEST(Removal, OfNoGrainOrOfAllIsFine) {
 }
 
 TEST(StateHash, SeesEveryBitThatTheNextStepDependsOn) {
-    const World start = stirred_packing();
+    World start = stirred_packing();
+    start.contacts.twisting.resize(start.contacts.size());
+    start.contacts.bonded.resize(start.contacts.size());
     const std::uint64_t hash = state_hash(start);
     std::size_t touching = 0;
     while (!start.contacts.touches(touching)) {
@@ -133,6 +135,10 @@ TEST(StateHash, SeesEveryBitThatTheNextStepDependsOn) {
         [&](World& w) { nudge(w.contacts.shear_force.x[touching]); },
         [&](World& w) { nudge(w.contacts.bending.y[touching]); },
         [&](World& w) { nudge(w.contacts.normal.z[touching]); },
+        [&](World& w) { nudge(w.contacts.twisting.x[touching]); },
+        [&](World& w) { w.contacts.bonded[touching] = 1; },
+        [&](World& w) { w.grains.motion[7] = grains::Motion::Held; },
+        [&](World& w) { nudge(w.servo.modulus.y); },
         [&](World& w) { ++w.clock.step; },
     };
     for (std::size_t k = 0; k < changes.size(); ++k) {

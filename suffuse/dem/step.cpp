@@ -54,7 +54,7 @@ StepReport step(World& world, StepCaches& caches, const StepPlan& plan) {
     if (has_secant_servo(plan.loading) && world.clock.step % modulus_interval == 0) {
         world.servo.modulus = contact::affine_moduli(world.grains, world.contacts, world.material, cell.h);
     }
-    const Mat3 gradient = cell::drive(cell, plan.loading, world.servo, stress, plan.dt);
+    const Mat3 gradient = cell::drive(cell, plan.loading, stress, plan.dt, world.servo);
 
     // 5 gather, 6 move
     const motion::StepMotion motion =

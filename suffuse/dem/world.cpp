@@ -18,6 +18,7 @@ std::uint64_t state_hash(const World& world) {
     StateHash hash;
     hash.add(world.cell.h);
     hash.add(world.cell.velocity_gradient);
+    hash.add(world.servo);
     hash.add(world.clock.step);
     for (const std::uint32_t g : order) {
         hash.add(grains.id[g]);
@@ -25,6 +26,7 @@ std::uint64_t state_hash(const World& world) {
         hash.add(grains.velocity[g]);
         hash.add(grains.spin[g]);
         hash.add(grains.radius[g]);
+        hash.add(grains.motion[g]);
     }
     // Contacts as pairs of ids, whatever rows their grains are stored in.
     std::vector<std::uint32_t> rank(grains.size());
@@ -39,6 +41,8 @@ std::uint64_t state_hash(const World& world) {
         hash.add(contacts.shear_force[c]);
         hash.add(contacts.bending[c]);
         hash.add(contacts.normal[c]);
+        hash.add(contacts.twisting.size() > 0 ? contacts.twisting[c] : Vec3{});
+        hash.add(contacts.bonded.empty() ? std::uint8_t{0} : contacts.bonded[c]);
     }
     return hash.value();
 }

@@ -69,13 +69,15 @@ template <class State, class Visit>
 void list_world(State& world, Visit&& visit) {
     auto& [cell, reference_h, grains, material, contacts, servo, clock, seed] = world;
     auto& [h, velocity_gradient] = cell;
-    auto& [modulus, held_stress] = servo;
+    auto& [modulus, held_stress, mean_stress, mean_rate] = servo;
     auto& [step, time] = clock;
     visit("cell/h", "m", h);
     visit("cell/velocity_gradient", "1/s", velocity_gradient);
     visit("cell/reference_h", "m", reference_h);
     visit("servo/modulus", "Pa", modulus);
     visit("servo/held_stress", "Pa", held_stress);
+    visit("servo/mean_stress", "Pa", mean_stress);
+    visit("servo/mean_rate", "1/s", mean_rate);
     visit("clock/step", "", step);
     visit("clock/time", "s", time);
     visit("seed", "", seed);
