@@ -175,7 +175,12 @@ TEST(LoadCase, ExamplesLoadWithEveryPreset) {
                 resolved_toml(loaded.value)
             );
             for (const Diagnostic& warning : loaded.warnings) {
-                EXPECT_EQ(warning.code, "W602") << render({warning}); // a narrow cell: quick presets are small
+                // A narrow cell: quick presets are small. And the study of the second erosion goes far beyond the
+                // critical gradient, to see whether active grains ever move.
+                const bool expected =
+                    warning.code == "W602" ||
+                    (warning.code == "W604" && folder.path().filename() == "second-erosion");
+                EXPECT_TRUE(expected) << render({warning});
             }
         }
     }
