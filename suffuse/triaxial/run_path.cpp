@@ -38,7 +38,8 @@ double deviator(const Mat3& stress, int axis) {
 
 cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
     cell::Loading loading;
-    // A dilating sample widens by up to half the axial rate and its dilatancy together: the servo must be able to follow.
+    // A dilating sample widens by up to half the axial rate and its dilatancy together: the servo must be able to
+    // follow.
     loading.servo.max_rate = std::max(loading.servo.max_rate, 2 * state.strain_rate);
     for (int a = 0; a < 3; ++a) {
         cell::AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
