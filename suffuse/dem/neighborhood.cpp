@@ -106,6 +106,7 @@ void Neighborhood::search(const World& world) {
         );
         near_.margin = std::min(near_.margin, 0.4 * wide_.margin);
     }
+    pairs_ = {}; // before the new ones are made
     pairs_ = neighbors::find_pairs(world.cell.h, world.grains.position, world.grains.radius, wide_.margin);
     wide_.position = world.grains.position;
     wide_.h = world.cell.h;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace suffuse::neighbors {
 namespace {
@@ -98,7 +99,7 @@ private:
 };
 
 /// Sorts by counting on `first`, then within each short row: linear in the number of pairs.
-std::vector<Pair> sorted(const std::vector<std::vector<Pair>>& blocks, std::size_t grains) {
+std::vector<Pair> sorted(std::vector<std::vector<Pair>> blocks, std::size_t grains) {
     std::vector<std::size_t> start(grains + 1, 0);
     for (const auto& block : blocks) {
         for (const Pair& pair : block) {
@@ -110,10 +111,11 @@ std::vector<Pair> sorted(const std::vector<std::vector<Pair>>& blocks, std::size
     }
     std::vector<Pair> pairs(start.back());
     std::vector<std::size_t> next(start.begin(), start.end() - 1);
-    for (const auto& block : blocks) {
+    for (auto& block : blocks) {
         for (const Pair& pair : block) {
             pairs[next[pair.first]++] = pair;
         }
+        block = {}; // as large as what it was copied to
     }
     parallel_for(grains, 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
@@ -148,12 +150,12 @@ find_pairs(const Mat3& h, std::span<const Vec3> position, std::span<const double
     std::vector<std::vector<Pair>> blocks((position.size() + block - 1) / block);
     parallel_for(position.size(), block, [&](std::size_t begin, std::size_t end) {
         std::vector<Pair>& pairs = blocks[begin / block];
-        pairs.reserve(8 * (end - begin));
+        pairs.reserve(4 * (end - begin));
         for (std::size_t i = begin; i < end; ++i) {
             search.collect(static_cast<std::uint32_t>(i), pairs);
         }
     });
-    return sorted(blocks, position.size());
+    return sorted(std::move(blocks), position.size());
 }
 
 std::vector<Pair>
