@@ -5,6 +5,7 @@
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/packing_file.hpp"
+#include "suffuse/stats/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -69,26 +70,11 @@ Range operator+(Range a, const Range& b) {
     return a += b;
 }
 
-double median_diameter(const grains::Grains& grains) {
-    std::vector<std::size_t> order(grains.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return grains.radius[a] < grains.radius[b]; });
-    const double half = 0.5 * std::accumulate(grains.mass.begin(), grains.mass.end(), 0.0);
-    double mass = 0;
-    for (const std::size_t g : order) {
-        mass += grains.mass[g];
-        if (mass >= half) {
-            return 2 * grains.radius[g];
-        }
-    }
-    return 0;
-}
-
 Sample describe(const grains::Grains& grains, const grains::Material& material) {
     Sample sample;
     sample.grains = static_cast<std::int64_t>(grains.size());
     sample.smallest = *std::min_element(grains.radius.begin(), grains.radius.end());
-    sample.median = median_diameter(grains);
+    sample.median = stats::size_at(stats::measure_gradation(grains), 0.5);
     sample.density = material.density;
     dem::World smallest; // a world without contacts: the bound is that of a pair of its smallest grains
     smallest.material = material;

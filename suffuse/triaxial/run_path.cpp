@@ -2,6 +2,7 @@
 
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/stats/gradation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,22 +12,6 @@ namespace suffuse::triaxial {
 namespace {
 
 constexpr std::int64_t time_step_interval = 2000;
-
-/// Diameter that half of the mass is finer than [m].
-double median_diameter(const grains::Grains& grains) {
-    std::vector<std::size_t> order(grains.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return grains.radius[a] < grains.radius[b]; });
-    const double half = 0.5 * std::accumulate(grains.mass.begin(), grains.mass.end(), 0.0);
-    double mass = 0;
-    for (const std::size_t g : order) {
-        mass += grains.mass[g];
-        if (mass >= half) {
-            return 2 * grains.radius[g];
-        }
-    }
-    return 0;
-}
 
 double lateral_mean(const Mat3& stress, int axis) {
     return 0.5 * (trace(stress) - stress(axis, axis));
@@ -110,7 +95,7 @@ PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& st
     state.start_h = world.cell.h;
     state.start_stress = stress;
     state.balance.stress = stress;
-    state.median_diameter = median_diameter(world.grains);
+    state.median_diameter = stats::size_at(stats::measure_gradation(world.grains), 0.5);
     state.strain_rate =
         spec.inertial_number * std::sqrt(dem::mean_stress(stress) / world.material.density) / state.median_diameter;
     state.time_step = time_step;
