@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -143,10 +144,75 @@ private:
 int requested_threads = 1;
 std::unique_ptr<Pool> pool;
 
+// Of a task among others: its loops run on these threads instead of on all.
+thread_local int own_threads = 0; // 0: this thread is no such task
+thread_local Pool* own_pool = nullptr;
+
+Pool* current_pool() {
+    return own_threads > 0 ? own_pool : pool.get();
+}
+
+/// While it lives, the loops of this thread run on `threads` threads of its own.
+class OwnThreads {
+public:
+    explicit OwnThreads(int threads) : pool_(threads > 1 ? std::make_unique<Pool>(threads) : nullptr) {
+        own_threads = threads;
+        own_pool = pool_.get();
+    }
+
+    ~OwnThreads() {
+        own_threads = 0;
+        own_pool = nullptr;
+    }
+
+    OwnThreads(const OwnThreads&) = delete;
+    OwnThreads& operator=(const OwnThreads&) = delete;
+
+private:
+    std::unique_ptr<Pool> pool_;
+};
+
+/// The tasks of one `run_side_by_side`: whoever is free takes the next.
+class TaskQueue {
+public:
+    TaskQueue(std::size_t tasks, const std::function<void(std::size_t)>& task) : tasks_(tasks), task_(task) {}
+
+    void work() {
+        while (const std::optional<std::size_t> number = take()) {
+            try {
+                task_(*number);
+            } catch (...) {
+                const std::lock_guard lock(mutex_);
+                if (!error_ || *number < failed_) {
+                    error_ = std::current_exception();
+                    failed_ = *number;
+                }
+            }
+        }
+    }
+
+    void rethrow() const {
+        if (error_) {
+            std::rethrow_exception(error_);
+        }
+    }
+
+private:
+    std::optional<std::size_t> take() {
+        const std::lock_guard lock(mutex_);
+        return next_ < tasks_ && !error_ ? std::optional(next_++) : std::nullopt;
+    }
+
+    std::size_t tasks_, next_ = 0, failed_ = 0;
+    const std::function<void(std::size_t)>& task_;
+    std::mutex mutex_;
+    std::exception_ptr error_;
+};
+
 } // namespace
 
 int thread_count() {
-    return requested_threads;
+    return own_threads > 0 ? own_threads : requested_threads;
 }
 
 void set_thread_count(int threads) {
@@ -158,10 +224,30 @@ void detail::run_blocks(std::size_t blocks, const std::function<void(std::size_t
     if (blocks == 0) {
         return;
     }
-    if (!pool || blocks == 1 || inside_a_loop) {
+    Pool* const threads = current_pool();
+    if (threads == nullptr || blocks == 1 || inside_a_loop) {
         return body(0, blocks);
     }
-    pool->run(blocks, body);
+    threads->run(blocks, body);
+}
+
+void run_side_by_side(std::size_t tasks, int at_once, const std::function<void(std::size_t)>& task) {
+    const auto workers = static_cast<int>(std::min<std::size_t>(tasks, static_cast<std::size_t>(std::max(at_once, 1))));
+    TaskQueue queue(tasks, task);
+    if (workers <= 1 || inside_a_loop) {
+        queue.work();
+        return queue.rethrow();
+    }
+    const int share = std::max(1, thread_count() / workers);
+    std::vector<std::jthread> threads;
+    for (int w = 0; w < workers; ++w) {
+        threads.emplace_back([&] {
+            const OwnThreads own(share);
+            queue.work();
+        });
+    }
+    threads.clear(); // waits for all
+    queue.rethrow();
 }
 
 } // namespace suffuse

@@ -10,7 +10,8 @@
 
 namespace suffuse {
 
-/// Number of threads that parallel loops use, at least 1. Set once at the start of a program, or by a test.
+/// Number of threads that the parallel loops of the calling thread use, at least 1. Set once at the start of a program,
+/// or by a test; a task of `run_side_by_side` has its share of them.
 int thread_count();
 void set_thread_count(int threads);
 
@@ -18,6 +19,12 @@ namespace detail {
 /// Calls `body(first, last)` over [0, blocks) cut into one contiguous run of blocks per thread.
 void run_blocks(std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body);
 } // namespace detail
+
+/// Calls `task(0)`, `task(1)`, ... each once, started in this order and at most `at_once` of them at a time, each on a
+/// thread of its own; the parallel loops of a task run on its share of the threads, `thread_count() / at_once`. One at
+/// a time they run on the calling thread with all threads. Where a task throws, no further one begins; when those that
+/// run have ended, the exception of the first of them (by number) is thrown.
+void run_side_by_side(std::size_t tasks, int at_once, const std::function<void(std::size_t)>& task);
 
 /// Calls `body(first, last)` on consecutive ranges of at most `block` rows that cover [0, rows).
 template <class Body>

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 
 namespace suffuse {
 namespace {
@@ -66,6 +69,43 @@ TEST_F(Parallel, ALoopWithinALoopRuns) {
     std::vector<double> sums(8);
     parallel_for(8, 1, [&](std::size_t begin, std::size_t) { sums[begin] = sum_of_roots(500); });
     EXPECT_EQ(sums[0], sums[7]);
+}
+
+TEST_F(Parallel, TasksSideBySideRunOnceEachOnTheirShareOfTheThreads) {
+    set_thread_count(5);
+    for (const int at_once : {1, 2, 3, 9}) {
+        std::vector<int> visits(7, 0), shares(7, 0);
+        std::vector<double> sums(7, 0);
+        run_side_by_side(7, at_once, [&](std::size_t task) {
+            ++visits[task];
+            shares[task] = thread_count();
+            sums[task] = sum_of_roots(1000 * (task + 1));
+        });
+        EXPECT_EQ(visits, std::vector<int>(7, 1));
+        EXPECT_EQ(shares, std::vector<int>(7, std::max(1, 5 / std::min(at_once, 7))));
+        EXPECT_EQ(thread_count(), 5) << "of the caller";
+        set_thread_count(1);
+        for (std::size_t task = 0; task < 7; ++task) {
+            EXPECT_EQ(sums[task], sum_of_roots(1000 * (task + 1)));
+        }
+        set_thread_count(5);
+    }
+}
+
+TEST_F(Parallel, AfterATaskThatThrowsNoFurtherOneBegins) {
+    set_thread_count(2);
+    for (const int at_once : {1, 2}) {
+        std::atomic<int> begun{0};
+        const auto task = [&](std::size_t number) {
+            ++begun;
+            if (number == 3) {
+                throw std::runtime_error("the fourth");
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        };
+        EXPECT_THROW(run_side_by_side(1000, at_once, task), std::runtime_error);
+        EXPECT_LT(begun, 1000);
+    }
 }
 
 } // namespace
