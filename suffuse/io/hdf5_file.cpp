@@ -52,6 +52,12 @@ void require(bool done, std::string_view what) {
     }
 }
 
+/// One for the process, as the library is. Recursive: a thread may read one file while it makes another.
+std::recursive_mutex& library_mutex() {
+    static std::recursive_mutex mutex;
+    return mutex;
+}
+
 /// HDF5 would print its errors; ours are thrown instead.
 void keep_quiet() {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -109,13 +115,14 @@ std::string stripped(std::string text) { // the one blank that stands for an emp
 
 } // namespace
 
-Hdf5Writer::Hdf5Writer() {
+Hdf5Writer::Hdf5Writer() : lock_(library_mutex()) {
     keep_quiet();
     constexpr std::size_t growth = std::size_t{1} << 20;
     constexpr hbool_t on_disk = 0;
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
     require(H5Pset_fapl_core(access, growth, on_disk) >= 0, "a file in memory");
-    file_ = H5Fcreate("suffuse", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    const std::string name = fmt::format("suffuse {}", fmt::ptr(this)); // HDF5 tells files in memory apart by name
+    file_ = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
     require(file_ >= 0, "a file in memory");
 }
 
@@ -154,7 +161,7 @@ void Hdf5Writer::save(const std::filesystem::path& path) {
     write_file(path, {image, static_cast<std::size_t>(size)});
 }
 
-Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path.string()) {
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : lock_(library_mutex()), path_(path.string()) {
     keep_quiet();
     if (!std::filesystem::exists(path)) {
         complain("there is no such file");

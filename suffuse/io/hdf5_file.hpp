@@ -1,11 +1,12 @@
 #pragma once
 // HDF5 files as named arrays with a unit, and named texts. A file is made in memory and then written at once, so that a
 // full disk cannot leave a damaged one and HDF5 never holds a file that it cannot close. The only room that sees the
-// HDF5 library; that library serves one thread at a time.
+// HDF5 library; that library serves one thread at a time, so that a thread waits while another one has a file open.
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ public:
     void save(const std::filesystem::path& path);
 
 private:
+    std::unique_lock<std::recursive_mutex> lock_;
     std::int64_t file_ = -1;
 };
 
@@ -62,6 +64,7 @@ public:
     [[noreturn]] void complain(const std::string& message) const;
 
 private:
+    std::unique_lock<std::recursive_mutex> lock_;
     std::string path_;
     std::int64_t file_ = -1;
 };

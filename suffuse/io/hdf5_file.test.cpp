@@ -3,9 +3,12 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/io/atomic_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/temp_folder.hpp"
+#include <atomic>
+#include <thread>
 
 namespace suffuse::io {
 namespace {
@@ -33,6 +36,27 @@ TEST(Hdf5File, ArraysComeBackWithShapeTypeAndUnit) {
     EXPECT_TRUE(reader.names("nothing").empty());
     EXPECT_TRUE(reader.has("a/b"));
     EXPECT_FALSE(reader.has("a/c/d"));
+}
+
+// Samples of a sweep save their states whenever they like, also at the same moment.
+TEST(Hdf5File, SeveralThreadsReadAndWriteAtTheSameTime) {
+    const TempFolder folder;
+    std::vector<std::jthread> threads;
+    std::atomic<int> good{0};
+    for (int t = 0; t < 4; ++t) {
+        threads.emplace_back([&, t] {
+            const std::filesystem::path path = folder / fmt::format("{}.h5", t);
+            for (int k = 0; k < 20; ++k) {
+                const std::vector<double> values(1000, 100 * t + k);
+                Hdf5Writer writer;
+                writer.write("values", {values.size()}, values.data(), "m");
+                writer.save(path);
+                good += Hdf5Reader(path).read<double>("values") == values ? 1 : 0;
+            }
+        });
+    }
+    threads.clear(); // waits for all
+    EXPECT_EQ(good, 80);
 }
 
 TEST(Hdf5File, TextsMayBeEmptyOrLong) {
