@@ -1,0 +1,71 @@
+#include "suffuse/stability/critical_gradient.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suffuse::stability {
+
+namespace {
+
+constexpr double water_density = 1000; // [kg/m3]
+
+/// Number i, limit i_c, and what is left of it.
+Criterion against(const Seepage& seepage, double critical) {
+    Criterion criterion;
+    criterion.measure = "i";
+    criterion.value = seepage.gradient;
+    criterion.limit = critical;
+    criterion.sense = Sense::AtMost;
+    criterion.verdict = judge(criterion);
+    return criterion;
+}
+
+std::string margin(const Criterion& criterion) {
+    const double left = *criterion.limit - *criterion.value;
+    return *criterion.value > 0
+               ? fmt::format("margin {:.3g}, {:.3g} times the gradient", left, *criterion.limit / *criterion.value)
+               : fmt::format("margin {:.3g}", left);
+}
+
+} // namespace
+
+double terzaghi_gradient(double porosity, double grain_density) {
+    return (grain_density / water_density - 1) * (1 - porosity);
+}
+
+Criterion terzaghi(const Seepage& seepage) {
+    Criterion criterion = against(seepage, terzaghi_gradient(seepage.porosity, seepage.grain_density));
+    criterion.id = "terzaghi";
+    criterion.name = "Terzaghi";
+    criterion.source = "Terzaghi1939";
+    criterion.remark = margin(criterion);
+    return criterion;
+}
+
+Criterion skempton_brogan(const Seepage& seepage, Verdict by_shape) {
+    const double whole = terzaghi_gradient(seepage.porosity, seepage.grain_density);
+    const bool all_carry = by_shape == Verdict::Stable;
+    const double share = seepage.stress_share.value_or(1);
+    Criterion criterion = against(seepage, share * whole);
+    criterion.id = "skempton-brogan-1994";
+    criterion.name = "Skempton and Brogan 1994";
+    criterion.source = "SkemptonBrogan1994";
+    if (seepage.stress_share) {
+        criterion.remark = fmt::format("alpha = {:.3g}, {}", share, margin(criterion));
+    } else if (all_carry) {
+        criterion.remark = fmt::format("alpha = 1 as the soil is stable by (H/F)min, {}", margin(criterion));
+    } else if (seepage.gradient > whole) {
+        criterion.remark = fmt::format("whatever the fines carry, {}", margin(criterion));
+    } else {
+        criterion.limit.reset();
+        criterion.verdict = Verdict::CannotSay;
+        criterion.remark = fmt::format(
+            "the share alpha of the stress that the fines carry is not known; they hold if it is at least {:.3g}",
+            seepage.gradient / whole
+        );
+    }
+    return criterion;
+}
+
+} // namespace suffuse::stability

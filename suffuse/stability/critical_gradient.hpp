@@ -1,0 +1,29 @@
+#pragma once
+// The gradient of upward seepage at which grains lose their weight: all of them [Terzaghi 1939], or the fines alone,
+// which carry only a share of the stress [Skempton and Brogan 1994].
+
+#include "suffuse/stability/criterion.hpp"
+
+#include <optional>
+
+namespace suffuse::stability {
+
+struct Seepage {
+    double gradient = 0;                     ///< i of the water, upward [-]
+    double porosity = 0.40;                  ///< [-]
+    double grain_density = 2650;             ///< [kg/m3]
+    std::optional<double> stress_share = {}; ///< alpha: mean stress of the fines over that of the soil [-]
+};
+
+/// (Gs - 1)(1 - n): the gradient that carries the whole weight of the soil.
+double terzaghi_gradient(double porosity, double grain_density);
+
+/// Stable while i stays below (Gs - 1)(1 - n).
+Criterion terzaghi(const Seepage& seepage);
+
+/// Stable while i stays below alpha (Gs - 1)(1 - n). `by_shape` is what Kenney and Lau 1986 say: where the soil is
+/// stable all grains carry, alpha = 1 [Skempton and Brogan 1994, abstract]. Where it is not, alpha must be known;
+/// without it the criterion cannot say, and tells the share that the fines would have to carry.
+Criterion skempton_brogan(const Seepage& seepage, Verdict by_shape);
+
+} // namespace suffuse::stability

@@ -1,0 +1,138 @@
+#include "suffuse/stability/curve.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/grains/grading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::stability {
+
+using grains::Grading;
+
+namespace {
+
+constexpr double flat = 0.10;       // of the mass per tenfold size: flatter is a gap
+constexpr double least_ratio = 1.5; // a narrower flat is no gap
+constexpr double populated = 0.05;  // mass on either side of a gap
+
+bool is_flat(const Grading& grading, std::size_t k) {
+    const double rise = grading.passing[k + 1] - grading.passing[k];
+    return rise < flat * std::log10(grading.diameter[k + 1] / grading.diameter[k]);
+}
+
+/// Mass over diameter, summed over the segment k up to `diameter`: its surface area but for a factor [1/m].
+double surface_up_to(const Grading& grading, std::size_t k, double diameter) {
+    const double width = std::log(grading.diameter[k + 1] / grading.diameter[k]);
+    const double rise = grading.passing[k + 1] - grading.passing[k];
+    return rise / width * (1 / grading.diameter[k] - 1 / diameter);
+}
+
+} // namespace
+
+std::vector<ShapePoint> shape_curve(const Grading& grading, double from, double to) {
+    std::vector<double> sizes{grains::size_at(grading, from), coarse_end_at(grading, to)};
+    for (const double d : grading.diameter) {
+        sizes.push_back(d);
+        sizes.push_back(d / 4);
+    }
+    std::ranges::sort(sizes);
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    const double smallest = grains::size_at(grading, 0);
+    std::vector<ShapePoint> points;
+    for (const double d : sizes) {
+        // A size looked up by its percentage may come back a rounding beyond it.
+        const double finer = grains::passing(grading, d);
+        constexpr double rounding = 1e-12;
+        if (finer >= from - rounding && finer <= to + rounding && d >= smallest) {
+            points.push_back({d, finer, grains::kenney_lau_increment(grading, d)});
+        }
+    }
+    return points;
+}
+
+std::optional<Gap> find_gap(const Grading& grading) {
+    std::optional<Gap> found;
+    const std::size_t segments = grading.diameter.size() - 1;
+    for (std::size_t first = 0; first < segments; ++first) {
+        if (!is_flat(grading, first)) {
+            continue;
+        }
+        std::size_t end = first;
+        while (end < segments && is_flat(grading, end)) {
+            ++end;
+        }
+        const Gap gap{grading.diameter[first], grading.diameter[end], grading.passing[first]};
+        const bool counts = gap.coarse_end / gap.fine_end >= least_ratio && gap.finer >= populated &&
+                            grading.passing[end] <= 1 - populated;
+        if (counts && (!found || gap.coarse_end / gap.fine_end > found->coarse_end / found->fine_end)) {
+            found = gap;
+        }
+        first = end;
+    }
+    return found;
+}
+
+double coarse_end_at(const Grading& grading, double fraction) {
+    const auto above = std::ranges::upper_bound(grading.passing, fraction);
+    if (above == grading.passing.end()) {
+        // 100 %: the first size that everything passes.
+        return grains::size_at(grading, fraction);
+    }
+    if (above != grading.passing.begin() && *(above - 1) == fraction) {
+        return grading.diameter[static_cast<std::size_t>(above - grading.passing.begin()) - 1];
+    }
+    return grains::size_at(grading, fraction);
+}
+
+Grading fine_part(const Grading& grading, double split) {
+    const double below = grains::passing(grading, split);
+    expects(below > 0 && below < 1, "a split of a grading has mass on both sides");
+    Grading part;
+    part.origin = grading.origin;
+    for (std::size_t k = 0; k < grading.diameter.size() && grading.diameter[k] < split; ++k) {
+        part.diameter.push_back(grading.diameter[k]);
+        part.passing.push_back(grading.passing[k] / below);
+    }
+    part.diameter.push_back(split);
+    part.passing.push_back(1);
+    return part;
+}
+
+Grading coarse_part(const Grading& grading, double split) {
+    const double below = grains::passing(grading, split);
+    expects(below > 0 && below < 1, "a split of a grading has mass on both sides");
+    Grading part;
+    part.origin = grading.origin;
+    part.diameter.push_back(split);
+    part.passing.push_back(0);
+    for (std::size_t k = 0; k < grading.diameter.size(); ++k) {
+        if (grading.diameter[k] > split) {
+            part.diameter.push_back(grading.diameter[k]);
+            part.passing.push_back((grading.passing[k] - below) / (1 - below));
+        }
+    }
+    part.passing.back() = 1;
+    return part;
+}
+
+double size_by_surface(const Grading& grading, double share) {
+    const std::size_t segments = grading.diameter.size() - 1;
+    double total = 0;
+    for (std::size_t k = 0; k < segments; ++k) {
+        total += surface_up_to(grading, k, grading.diameter[k + 1]);
+    }
+    double left = share * total;
+    for (std::size_t k = 0; k < segments; ++k) {
+        const double here = surface_up_to(grading, k, grading.diameter[k + 1]);
+        if (here > 0 && left <= here) {
+            const double rise = grading.passing[k + 1] - grading.passing[k];
+            const double width = std::log(grading.diameter[k + 1] / grading.diameter[k]);
+            return 1 / (1 / grading.diameter[k] - left * width / rise);
+        }
+        left -= here;
+    }
+    return grains::size_at(grading, 1);
+}
+
+} // namespace suffuse::stability

@@ -1,0 +1,39 @@
+#include "suffuse/stability/fine_fraction.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/grains/grading.hpp"
+#include "suffuse/stability/curve.hpp"
+
+#include <fmt/format.h>
+
+namespace suffuse::stability {
+
+std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, std::optional<double> asked) {
+    if (asked) {
+        const double content = grains::passing(grading, *asked);
+        if (!(content > 0 && content < 1)) {
+            throw CaseError(
+                fmt::format(
+                    "grading curve {}: {:.6g} % of it is finer than {:.6g} mm; fines and skeleton both need some mass: "
+                    "take a size between {:.6g} and {:.6g} mm",
+                    grading.origin, 100 * content, 1e3 * *asked, 1e3 * grains::size_at(grading, 0),
+                    1e3 * grains::size_at(grading, 1)
+                ),
+                grading.origin
+            );
+        }
+        return FineFraction{*asked, content, "as asked"};
+    }
+    if (const auto gap = find_gap(grading)) {
+        return FineFraction{gap->fine_end, gap->finer, "fine end of the gap"};
+    }
+    if (const auto split = grains::kenney_lau_split(grading)) {
+        const double content = grains::passing(grading, *split);
+        if (content > 0 && content < 1) {
+            return FineFraction{*split, content, "Kenney and Lau's split"};
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace suffuse::stability

@@ -1,0 +1,21 @@
+#pragma once
+// Which grains of a soil count as its fine fraction: those that could be washed out from between the others.
+
+#include "suffuse/grains/soil.hpp"
+
+#include <optional>
+#include <string>
+
+namespace suffuse::stability {
+
+struct FineFraction {
+    double finer_than = 0; ///< [m]
+    double content = 0;    ///< of the mass [-]
+    std::string basis;     ///< "as asked", "fine end of the gap", "Kenney and Lau's split"
+};
+
+/// As asked [m]; else the fine end of a gap; else where Kenney and Lau would split; nothing for a soil without either.
+/// @throws CaseError where the size asked for has no mass on one side.
+std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, std::optional<double> asked);
+
+} // namespace suffuse::stability

@@ -1,0 +1,32 @@
+#pragma once
+// Criteria on the shape curve: is there, at every size d of the finer part, enough soil between d and 4d to hold it?
+// [Kenney and Lau 1985, 1986] [Li and Fannin 2008], in the reading of [RMC 2023].
+
+#include "suffuse/stability/criterion.hpp"
+#include "suffuse/stability/curve.hpp"
+
+namespace suffuse::stability {
+
+/// How much of the curve counts: F up to 20 % where the primary fabric is widely graded (D60/D10 > 3), up to 30 % where
+/// it is not.
+double finer_limit(double uniformity_of_fabric);
+
+/// Where H/F is least.
+struct LeastRatio {
+    double value = 0; ///< (H/F)min [-]
+    ShapePoint at;
+};
+
+/// The least H/F with 0 < F <= `limit`.
+LeastRatio least_shape_ratio(const grains::Grading& grading, double limit);
+
+/// Unstable where H/F < 1.3 for some F up to the limit.
+Criterion kenney_lau_1985(const grains::Grading& grading, double limit);
+
+/// Unstable where H/F < 1.
+Criterion kenney_lau_1986(const grains::Grading& grading, double limit);
+
+/// Unstable where H is less than both F and 15 %. Its number is the least H/min(F, 15 %), to be at least 1.
+Criterion li_fannin(const grains::Grading& grading, double limit);
+
+} // namespace suffuse::stability
