@@ -1,4 +1,4 @@
-"""Yade's side of step_vs_yade.sh: `yade -n -x -j2 step.py CASE.json`.
+"""Yade's side of the comparisons: `yade -n -x -j2 inside.py CASE.json`.
 
 Yade runs this file with its own names (O, utils, the engine classes) already there. Commands come in, one a line, on
 standard input; answers go out as lines "@{...}", because Yade prints lines of its own:
@@ -85,13 +85,14 @@ def main():
     servo = build_scene(case)
     for line in sys.stdin:
         verb, *steps = line.split()
-        begin = time.perf_counter()
+        begin, processor = time.perf_counter(), time.process_time()
         if verb == "settle":
             quiet = settle(case, servo)
             answer(time.perf_counter() - begin, quiet=quiet)
         elif verb == "window":
             O.run(int(steps[0]), True)
-            answer(time.perf_counter() - begin, window=int(steps[0]))
+            seconds, processor = time.perf_counter() - begin, time.process_time() - processor
+            answer(seconds, processor_seconds=processor, window=int(steps[0]))
         else:
             break
 
