@@ -1,10 +1,10 @@
 #pragma once
 // Potentials on a weighted graph: sum_j w_ij (x_i - x_j) = b_i, the equation of a pore network. Its weights differ by
 // ten orders of magnitude (somewhere in every packing pore centers almost coincide), which incomplete factors do not
-// survive. Here strongly coupled nodes are joined pairwise, again and again; the smaller graphs precondition the larger
-// ones (aggregation and K-cycle, [Notay 2010]) in conjugate gradients. The constant that each part of the graph leaves
-// free needs no pinned node.
+// survive. Conjugate gradients in double precision, preconditioned by a cycle over graphs of joined nodes. The same
+// bits for any number of threads.
 
+#include "suffuse/flow/aggregation_cycle.hpp"
 #include "suffuse/flow/weighted_graph.hpp"
 
 #include <cstdint>
@@ -32,28 +32,20 @@ public:
     [[nodiscard]] double size(std::span<const double> b) const;
 
     /// The graph solved, with its ground.
-    [[nodiscard]] const WeightedGraph& graph() const { return levels_.front().graph; }
-
-    [[nodiscard]] std::size_t levels() const { return levels_.size(); }
+    [[nodiscard]] const WeightedGraph& graph() const { return graph_; }
 
     /// Stored couplings of all levels over those of the first.
-    [[nodiscard]] double complexity() const;
+    [[nodiscard]] double complexity() const { return cycle_.complexity(); }
 
 private:
-    struct Level {
-        WeightedGraph graph;
-        std::vector<std::uint32_t> coarse; ///< node of the next level that a node belongs to
-    };
+    struct Descent; ///< columns of the conjugate gradients
 
-    struct Work; ///< columns of one level during a solution
+    void precondition(double scale, Descent& descent) const;
+    void turn(double scale, Descent& descent) const;
+    [[nodiscard]] bool go_down(Descent& descent) const;
 
-    void factor_last();
-    void solve_last(std::span<const double> b, std::span<double> x) const;
-    void cycle(std::size_t l, std::span<const double> b, std::span<double> x, std::vector<Work>& work) const;
-    void solve_coarse(std::size_t l, std::vector<Work>& work) const;
-
-    std::vector<Level> levels_;
-    std::vector<double> factor_; ///< Cholesky factor of the last level, dense, by rows
+    WeightedGraph graph_;
+    AggregationCycle cycle_;
 };
 
 } // namespace suffuse::flow

@@ -1,5 +1,7 @@
 #include "suffuse/flow/graph_multigrid.hpp"
 
+#include "suffuse/base/parallel.hpp"
+
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
@@ -103,6 +105,19 @@ TEST(GraphMultigrid, NeedsFewIterationsOnWeightsOfAnySpread) {
         EXPECT_LE(result.iterations, 30);
         EXPECT_LE(multigrid.complexity(), 3); // memory stays linear in the graph
     }
+}
+
+TEST(GraphMultigrid, SameBitsForAnyNumberOfThreads) {
+    const std::vector<double> b = balanced_source(30 * 30 * 30, 5);
+    std::vector<std::vector<double>> solutions;
+    for (const int threads : {1, 2, 4}) {
+        set_thread_count(threads);
+        const GraphMultigrid multigrid(make_graph(30 * 30 * 30, grid_edges(30, 8)));
+        solutions.push_back(multigrid.solve(b, 1e-10 * multigrid.size(b), 200).x);
+    }
+    set_thread_count(1);
+    EXPECT_EQ(solutions[0], solutions[1]);
+    EXPECT_EQ(solutions[0], solutions[2]);
 }
 
 TEST(GraphMultigrid, PartsMayBeApart) {

@@ -174,7 +174,13 @@ WeightedGraph contracted(const WeightedGraph& graph, const Grouping& grouping) {
 }
 
 void multiply(const WeightedGraph& graph, std::span<const double> x, std::span<double> y) {
-    for (std::size_t i = 0; i < graph.size(); ++i) {
+    multiply(graph, x, y, 0, graph.size());
+}
+
+void multiply(
+    const WeightedGraph& graph, std::span<const double> x, std::span<double> y, std::size_t begin, std::size_t end
+) {
+    for (std::size_t i = begin; i < end; ++i) {
         // By differences: between nodes whose pore centers almost coincide a small number times a huge weight.
         double sum = graph.ground[i] * x[i];
         for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {

@@ -47,7 +47,10 @@ Grouping join_pairs(const WeightedGraph& graph);
 /// The graph of groups; weights between two groups add up.
 WeightedGraph contracted(const WeightedGraph& graph, const Grouping& grouping);
 
-/// y_i = sum_j w_ij (x_i - x_j) + ground_i x_i.
+/// y_i = sum_j w_ij (x_i - x_j) + ground_i x_i for the nodes of [begin, end), or for all.
+void multiply(
+    const WeightedGraph& graph, std::span<const double> x, std::span<double> y, std::size_t begin, std::size_t end
+);
 void multiply(const WeightedGraph& graph, std::span<const double> x, std::span<double> y);
 
 } // namespace suffuse::flow

@@ -1,0 +1,287 @@
+#include "suffuse/flow/colored_graph.hpp"
+
+#include "suffuse/base/clones.hpp"
+#include "suffuse/base/parallel.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace suffuse::flow {
+namespace {
+
+constexpr std::size_t block = 256; // groups of one loop of a thread
+
+/// First color that no neighbor has, node by node.
+std::vector<std::uint32_t> choose_colors(const WeightedGraph& graph) {
+    std::vector<std::uint32_t> color(graph.size());
+    std::vector<std::uint32_t> taken_by; // the node whose neighbor has the color
+    for (std::uint32_t i = 0; i < graph.size(); ++i) {
+        for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
+            if (graph.neighbor[k] < i) {
+                taken_by[color[graph.neighbor[k]]] = i;
+            }
+        }
+        std::uint32_t c = 0;
+        while (c < taken_by.size() && taken_by[c] == i) {
+            ++c;
+        }
+        if (c == taken_by.size()) {
+            taken_by.push_back(0);
+        }
+        color[i] = c;
+    }
+    return color;
+}
+
+/// Rows in order of colors, then nodes; each color begins a group. @return the node of each row, or none
+std::vector<std::uint32_t> number_rows(const std::vector<std::uint32_t>& color, ColoredGraph& result) {
+    const std::uint32_t colors = color.empty() ? 0 : *std::max_element(color.begin(), color.end()) + 1;
+    std::vector<std::uint32_t> next(colors + 1, 0);
+    for (const std::uint32_t c : color) {
+        ++next[c + 1];
+    }
+    result.color.assign(colors + 1, 0);
+    for (std::uint32_t c = 0; c < colors; ++c) {
+        const std::uint32_t rows = next[c + 1] + (c + 1 == colors ? 1 : 0); // the last row stays free
+        result.color[c + 1] = result.color[c] + static_cast<std::uint32_t>((rows + lanes - 1) / lanes);
+        next[c] = result.color[c] * lanes;
+    }
+    std::vector<std::uint32_t> node(result.color.back() * lanes, ~std::uint32_t{0});
+    result.row.resize(color.size());
+    for (std::uint32_t i = 0; i < color.size(); ++i) {
+        result.row[i] = next[color[i]]++;
+        node[result.row[i]] = i;
+    }
+    return node;
+}
+
+/// The couplings of the rows that `takes(row, other row)` chooses.
+template <class Takes>
+LaneRows gather_rows(
+    const WeightedGraph& graph, const std::vector<std::uint32_t>& node, const std::vector<std::uint32_t>& row,
+    Takes&& takes
+) {
+    const std::size_t groups = node.size() / lanes;
+    const auto last = static_cast<std::uint32_t>(node.size() - 1);
+    LaneRows result;
+    result.first.assign(groups + 1, 0);
+    const auto for_each_coupling = [&](std::size_t r, auto&& visit) {
+        if (node[r] >= graph.size()) {
+            return;
+        }
+        for (std::uint32_t k = graph.first[node[r]]; k < graph.first[node[r] + 1]; ++k) {
+            if (takes(static_cast<std::uint32_t>(r), row[graph.neighbor[k]])) {
+                visit(row[graph.neighbor[k]], graph.weight[k]);
+            }
+        }
+    };
+    parallel_for(groups, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t q = begin; q < end; ++q) {
+            for (std::size_t r = q * lanes; r < (q + 1) * lanes; ++r) {
+                std::uint32_t length = 0;
+                for_each_coupling(r, [&](std::uint32_t, double) { ++length; });
+                result.first[q + 1] = std::max(result.first[q + 1], length);
+            }
+        }
+    });
+    for (std::size_t q = 0; q < groups; ++q) {
+        result.first[q + 1] += result.first[q];
+    }
+    result.column.assign(result.first[groups] * lanes, last);
+    result.weight.assign(result.first[groups] * lanes, 0.0F);
+    parallel_for(groups, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin * lanes; r < end * lanes; ++r) {
+            std::size_t place = result.first[r / lanes] * lanes + r % lanes;
+            for_each_coupling(r, [&](std::uint32_t other, double weight) {
+                result.column[place] = other;
+                result.weight[place] = static_cast<float>(weight);
+                place += lanes;
+            });
+        }
+    });
+    return result;
+}
+
+/// Raw columns of LaneRows, for kernels.
+struct Couplings {
+    explicit Couplings(const LaneRows& rows)
+        : first(rows.first.data()), column(rows.column.data()), weight(rows.weight.data()) {}
+
+    const std::uint32_t* first;
+    const std::uint32_t* column;
+    const float* weight;
+};
+
+using Lanes = std::array<float, lanes>;
+
+/// sum += couplings of group q times x.
+inline __attribute__((always_inline)) void
+add_couplings(const Couplings& couplings, std::size_t q, const float* x, Lanes& sum) {
+    for (std::size_t s = couplings.first[q] * lanes; s < couplings.first[q + 1] * lanes; s += lanes) {
+        for (std::size_t l = 0; l < lanes; ++l) {
+            sum[l] += couplings.weight[s + l] * x[couplings.column[s + l]];
+        }
+    }
+}
+
+/// sum += couplings of group q times the differences of x to that of the row.
+inline __attribute__((always_inline)) void
+add_differences(const Couplings& couplings, std::size_t q, const Lanes& own, const float* x, Lanes& sum) {
+    for (std::size_t s = couplings.first[q] * lanes; s < couplings.first[q + 1] * lanes; s += lanes) {
+        for (std::size_t l = 0; l < lanes; ++l) {
+            sum[l] += couplings.weight[s + l] * (own[l] - x[couplings.column[s + l]]);
+        }
+    }
+}
+
+inline __attribute__((always_inline)) Lanes group(const float* x, std::size_t q) {
+    Lanes values;
+    for (std::size_t l = 0; l < lanes; ++l) {
+        values[l] = x[q * lanes + l];
+    }
+    return values;
+}
+
+inline __attribute__((always_inline)) void store(const Lanes& values, std::size_t q, float* x) {
+    for (std::size_t l = 0; l < lanes; ++l) {
+        x[q * lanes + l] = values[l];
+    }
+}
+
+SUFFUSE_CLONES void sweep_up_groups(
+    const Couplings before, const float* inverse_sum, const float* b, float* x, std::size_t q, std::size_t end
+) {
+    for (; q < end; ++q) {
+        Lanes sum = group(b, q);
+        add_couplings(before, q, x, sum);
+        for (std::size_t l = 0; l < lanes; ++l) {
+            sum[l] *= inverse_sum[q * lanes + l];
+        }
+        store(sum, q, x);
+    }
+}
+
+SUFFUSE_CLONES void
+residual_of_groups(const Couplings after, const float* x, float* residual, std::size_t q, std::size_t end) {
+    for (; q < end; ++q) {
+        Lanes sum{};
+        add_couplings(after, q, x, sum);
+        store(sum, q, residual);
+    }
+}
+
+SUFFUSE_CLONES void sweep_down_groups(
+    const Couplings before, const Couplings after, const float* inverse_sum, const float* b, float* x, std::size_t q,
+    std::size_t end
+) {
+    for (; q < end; ++q) {
+        Lanes sum = group(b, q);
+        add_couplings(before, q, x, sum);
+        add_couplings(after, q, x, sum);
+        for (std::size_t l = 0; l < lanes; ++l) {
+            sum[l] *= inverse_sum[q * lanes + l];
+        }
+        store(sum, q, x);
+    }
+}
+
+/// Sums of the products, a lane each.
+struct LaneProducts {
+    std::array<double, lanes> xy{}, xb{}, yc{};
+};
+
+SUFFUSE_CLONES void multiply_groups(
+    const Couplings before, const Couplings after, const float* ground, const float* x, const float* b, const float* c,
+    float* y, std::size_t q, std::size_t end, LaneProducts& sums
+) {
+    LaneProducts products;
+    for (; q < end; ++q) {
+        const Lanes own = group(x, q);
+        Lanes sum = group(ground, q);
+        for (std::size_t l = 0; l < lanes; ++l) {
+            sum[l] *= own[l];
+        }
+        add_differences(before, q, own, x, sum);
+        add_differences(after, q, own, x, sum);
+        store(sum, q, y);
+        for (std::size_t l = 0; l < lanes; ++l) {
+            products.xy[l] += static_cast<double>(own[l]) * static_cast<double>(sum[l]);
+            products.xb[l] += static_cast<double>(own[l]) * static_cast<double>(b[q * lanes + l]);
+            products.yc[l] += static_cast<double>(sum[l]) * static_cast<double>(c[q * lanes + l]);
+        }
+    }
+    sums = products;
+}
+
+/// The groups of a color, in blocks.
+template <class Body>
+void for_color(const ColoredGraph& graph, std::size_t c, Body&& body) {
+    const std::size_t first = graph.color[c];
+    parallel_for(graph.color[c + 1] - first, block, [&](std::size_t begin, std::size_t end) {
+        body(first + begin, first + end);
+    });
+}
+
+} // namespace
+
+ColoredGraph color_graph(const WeightedGraph& graph) {
+    ColoredGraph result;
+    const std::vector<std::uint32_t> color = choose_colors(graph);
+    const std::vector<std::uint32_t> node = number_rows(color, result);
+    // Rows of one color couple to no other of it: earlier rows are of earlier colors.
+    result.before =
+        gather_rows(graph, node, result.row, [](std::uint32_t r, std::uint32_t other) { return other < r; });
+    result.after = gather_rows(graph, node, result.row, [](std::uint32_t r, std::uint32_t other) { return other > r; });
+    result.inverse_sum.assign(node.size(), 0.0F);
+    result.ground.assign(node.size(), 0.0F);
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        result.inverse_sum[result.row[i]] = static_cast<float>(graph.inverse_sum[i]);
+        result.ground[result.row[i]] = static_cast<float>(graph.ground[i]);
+    }
+    return result;
+}
+
+void sweep_up(const ColoredGraph& graph, std::span<const float> b, std::span<float> x) {
+    for (std::size_t c = 0; c + 1 < graph.color.size(); ++c) {
+        for_color(graph, c, [&](std::size_t begin, std::size_t end) {
+            sweep_up_groups(Couplings(graph.before), graph.inverse_sum.data(), b.data(), x.data(), begin, end);
+        });
+    }
+}
+
+void residual_after_sweep(const ColoredGraph& graph, std::span<const float> x, std::span<float> residual) {
+    parallel_for(graph.rows() / lanes, block, [&](std::size_t begin, std::size_t end) {
+        residual_of_groups(Couplings(graph.after), x.data(), residual.data(), begin, end);
+    });
+}
+
+void sweep_down(const ColoredGraph& graph, std::span<const float> b, std::span<float> x) {
+    for (std::size_t c = graph.color.size() - 1; c-- > 0;) {
+        for_color(graph, c, [&](std::size_t begin, std::size_t end) {
+            sweep_down_groups(
+                Couplings(graph.before), Couplings(graph.after), graph.inverse_sum.data(), b.data(), x.data(), begin,
+                end
+            );
+        });
+    }
+}
+
+Products multiply(
+    const ColoredGraph& graph, std::span<const float> x, std::span<const float> b, std::span<const float> c,
+    std::span<float> y
+) {
+    return parallel_sum(graph.rows() / lanes, block, Products{}, [&](std::size_t begin, std::size_t end) {
+        LaneProducts sums;
+        multiply_groups(
+            Couplings(graph.before), Couplings(graph.after), graph.ground.data(), x.data(), b.data(), c.data(),
+            y.data(), begin, end, sums
+        );
+        Products total;
+        for (std::size_t l = 0; l < lanes; ++l) {
+            total = total + Products{sums.xy[l], sums.xb[l], sums.yc[l]};
+        }
+        return total;
+    });
+}
+
+} // namespace suffuse::flow
