@@ -137,6 +137,10 @@ constexpr double trace(const Mat3& a) {
     return a(0, 0) + a(1, 1) + a(2, 2);
 }
 
+constexpr bool is_diagonal(const Mat3& a) {
+    return a(0, 1) == 0 && a(0, 2) == 0 && a(1, 0) == 0 && a(1, 2) == 0 && a(2, 0) == 0 && a(2, 1) == 0;
+}
+
 constexpr double determinant(const Mat3& a) {
     return dot(a.column(0), cross(a.column(1), a.column(2)));
 }

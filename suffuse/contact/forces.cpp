@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <mutex>
 
 namespace suffuse::contact {
 namespace {
 
 constexpr std::size_t tile_rows = 64;
-constexpr std::size_t lanes =
-    8; // of the stress sum, whatever the vector width: the order of the sum is part of the result
 
 using Row = std::array<double, tile_rows>;
 
@@ -21,225 +21,320 @@ struct alignas(64) Rows3 {
     Row x, y, z;
 };
 
-/// The two grains of each contact of a tile, side by side.
+/// The two grains of each contact of a tile, side by side, and what the parts of the law leave to the next one.
 struct alignas(64) Tile {
     Rows3 branch, velocity, spin_1, spin_2;
     Row radius_1, radius_2, bonded;
-    Rows3 force, torque_1, torque_2;
+    Rows3 normal;
+    Row overlap, stretch, normal_stiffness, within_reach;
+    Rows3 shear_force, bending, twisting;
+    Row normal_force, slip_limit, bending_limit, twisting_limit, touching;
+
+    // The motion is not needed any more when the contact's action on its grains is known.
+    Rows3& force() { return velocity; }
+
+    Rows3& torque_1() { return spin_1; }
+
+    Rows3& torque_2() { return spin_2; }
 };
 
-void set(Rows3& rows, std::size_t k, const Vec3& v) {
-    rows.x[k] = v.x, rows.y[k] = v.y, rows.z[k] = v.z;
+/// Displacement and velocity of a period against the home period.
+struct alignas(64) Shift {
+    Quad position, velocity;
+};
+
+/// The columns that the law reads and writes.
+struct MemoryColumns {
+    double *fx, *fy, *fz, *bx, *by, *bz, *nx, *ny, *nz, *tx, *ty, *tz, *overlap;
+    std::uint8_t* bonded;
+
+    explicit MemoryColumns(Contacts& c)
+        : fx(c.shear_force.x.data()), fy(c.shear_force.y.data()), fz(c.shear_force.z.data()), bx(c.bending.x.data()),
+          by(c.bending.y.data()), bz(c.bending.z.data()), nx(c.normal.x.data()), ny(c.normal.y.data()),
+          nz(c.normal.z.data()), tx(c.twisting.x.data()), ty(c.twisting.y.data()), tz(c.twisting.z.data()),
+          overlap(c.overlap.data()), bonded(c.bonded.data()) {}
+};
+
+/// What the loop over a domain reads and writes.
+struct Work {
+    const grains::MovingRow* grains;
+    const std::uint32_t *first, *second, *second_sum;
+    const std::uint16_t* image;
+    const Shift* shifts;
+    LawConstants law;
+    double dt;
+    SumQuantum quantum;
+    double largest_force; ///< [N]
+    MemoryColumns memory;
+    grains::GrainSum* sums;
+};
+
+/// Sums of force (x) branch, in quanta, and whether a force is out of bounds.
+struct StressSum {
+    std::array<std::uint64_t, 9> quanta{};
+    std::uint64_t wild = 0;
+};
+
+[[gnu::always_inline]] inline void
+set_three(Rows3& rows, std::size_t k, const Quad& a, const Quad& b, const Quad& c, const Quad& d) {
+    const std::array<Quad, 4> t = transposed(a, b, c, d);
+    std::memcpy(&rows.x[k], &t[0], sizeof(Quad));
+    std::memcpy(&rows.y[k], &t[1], sizeof(Quad));
+    std::memcpy(&rows.z[k], &t[2], sizeof(Quad));
 }
 
-Vec3 get(const Rows3& rows, std::size_t k) {
-    return {rows.x[k], rows.y[k], rows.z[k]};
+[[gnu::always_inline]] inline void
+set_four(Rows3& rows, Row& last, std::size_t k, const Quad& a, const Quad& b, const Quad& c, const Quad& d) {
+    const std::array<Quad, 4> t = transposed(a, b, c, d);
+    std::memcpy(&rows.x[k], &t[0], sizeof(Quad));
+    std::memcpy(&rows.y[k], &t[1], sizeof(Quad));
+    std::memcpy(&rows.z[k], &t[2], sizeof(Quad));
+    std::memcpy(&last[k], &t[3], sizeof(Quad));
 }
 
-Triple<double> triple(const Rows3& rows, std::size_t k) {
-    return {rows.x[k], rows.y[k], rows.z[k]};
+[[gnu::always_inline]] inline Quad at(const Row& row, std::size_t k) {
+    Quad q;
+    std::memcpy(&q, &row[k], sizeof(Quad));
+    return q;
 }
 
-void load(
-    const grains::Grains& grains, const Contacts& contacts, const Mat3& h, const Mat3& image_velocity,
-    std::size_t begin, std::size_t rows, Tile& tile
-) {
-    for (std::size_t k = 0; k < rows; ++k) {
-        const std::size_t c = begin + k;
-        const std::uint32_t i = contacts.first[c], j = contacts.second[c];
-        Vec3 branch = grains.position[j] - grains.position[i];
-        Vec3 velocity = grains.velocity[j] - grains.velocity[i];
-        if (const cell::Image& image = contacts.image[c]; image != cell::Image{}) {
-            branch += cell::shift(h, image);
-            velocity += cell::shift(image_velocity, image);
+[[gnu::always_inline]] inline std::array<Quad, 4> vectors(const Rows3& rows, std::size_t k) {
+    return transposed(at(rows.x, k), at(rows.y, k), at(rows.z, k), Quad{});
+}
+
+[[gnu::always_inline]] inline void load(const Work& w, std::size_t begin, std::size_t rows, Tile& tile) {
+    for (std::size_t k = 0; k < rows; k += 4) {
+        std::array<Quad, 4> branch, velocity, spin_1, spin_2;
+        for (std::size_t q = 0; q < 4; ++q) {
+            const std::size_t c = begin + std::min(k + q, rows - 1); // short of rows: the last one again, unused
+            const grains::MovingRow &i = w.grains[w.first[c]], &j = w.grains[w.second[c]];
+            const Shift& shift = w.shifts[w.image[c]];
+            branch[q] = j.position - i.position + shift.position;
+            velocity[q] = j.velocity - i.velocity + shift.velocity;
+            spin_1[q] = i.spin;
+            spin_2[q] = j.spin;
         }
-        set(tile.branch, k, branch);
-        set(tile.velocity, k, velocity);
-        set(tile.spin_1, k, grains.spin[i]);
-        set(tile.spin_2, k, grains.spin[j]);
-        tile.radius_1[k] = grains.radius[i];
-        tile.radius_2[k] = grains.radius[j];
+        set_three(tile.branch, k, branch[0], branch[1], branch[2], branch[3]);
+        set_three(tile.velocity, k, velocity[0], velocity[1], velocity[2], velocity[3]);
+        set_four(tile.spin_1, tile.radius_1, k, spin_1[0], spin_1[1], spin_1[2], spin_1[3]);
+        set_four(tile.spin_2, tile.radius_2, k, spin_2[0], spin_2[1], spin_2[2], spin_2[3]);
     }
 }
 
-/// The columns that the law reads and writes, offset to the tile's first row.
-struct MemoryPointers {
-    double *fx, *fy, *fz, *bx, *by, *bz, *nx, *ny, *nz, *tx, *ty, *tz, *overlap;
-};
+[[gnu::always_inline]] inline Triple<double> triple(const Rows3& rows, std::size_t k) {
+    return {rows.x[k], rows.y[k], rows.z[k]};
+}
 
-template <bool Adhesive, bool Twisting>
-[[gnu::always_inline]] inline void
-apply_law(const LawConstants& law, double dt, std::size_t rows, const MemoryPointers& m, Tile& t) {
+[[gnu::always_inline]] inline void set(Rows3& rows, std::size_t k, const Triple<double>& v) {
+    rows.x[k] = v.x, rows.y[k] = v.y, rows.z[k] = v.z;
+}
+
+[[gnu::always_inline]] inline void find_meetings(const LawConstants& law, std::size_t rows, Tile& t) {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
+        const Meeting<double> m = meet(law, triple(t.branch, k), t.radius_1[k], t.radius_2[k]);
+        set(t.normal, k, m.normal);
+        t.overlap[k] = m.overlap;
+        t.stretch[k] = m.stretch;
+        t.normal_stiffness[k] = m.normal_stiffness;
+        t.within_reach[k] = m.within_reach;
+    }
+}
+
+[[gnu::always_inline]] inline Meeting<double> meeting(const Tile& t, std::size_t k) {
+    return {triple(t.normal, k), t.overlap[k], t.stretch[k], t.normal_stiffness[k], t.within_reach[k]};
+}
+
+template <bool Adhesive, bool Twisting>
+[[gnu::always_inline]] inline void stretch_springs(
+    const LawConstants& law, double dt, const MemoryColumns& m, std::size_t begin, std::size_t rows, Tile& t
+) {
+    for (std::size_t k = 0; Adhesive && k < rows; ++k) {
+        t.bonded[k] = m.bonded[begin + k];
+    }
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < rows; ++k) {
+        const std::size_t c = begin + k;
         const GrainPair<double> pair{triple(t.branch, k), triple(t.velocity, k), triple(t.spin_1, k),
                                      triple(t.spin_2, k), t.radius_1[k],         t.radius_2[k]};
         ContactMemory<double> memory{
-            {m.fx[k], m.fy[k], m.fz[k]}, {m.bx[k], m.by[k], m.bz[k]}, {}, {m.nx[k], m.ny[k], m.nz[k]}, 0};
+            {m.fx[c], m.fy[c], m.fz[c]}, {m.bx[c], m.by[c], m.bz[c]}, {}, {m.nx[c], m.ny[c], m.nz[c]}, 0};
         if constexpr (Adhesive) {
             memory.bonded = t.bonded[k];
         }
         if constexpr (Twisting) {
-            memory.twisting = {m.tx[k], m.ty[k], m.tz[k]};
+            memory.twisting = {m.tx[c], m.ty[c], m.tz[c]};
         }
-        const ContactOutcome<double> out = linear_rolling<Adhesive, Twisting>(law, dt, pair, memory);
-        m.fx[k] = memory.shear_force.x, m.fy[k] = memory.shear_force.y, m.fz[k] = memory.shear_force.z;
-        m.bx[k] = memory.bending.x, m.by[k] = memory.bending.y, m.bz[k] = memory.bending.z;
-        m.nx[k] = memory.normal.x, m.ny[k] = memory.normal.y, m.nz[k] = memory.normal.z;
-        m.overlap[k] = out.overlap;
+        const Limits<double> limits = stretch<Adhesive, Twisting>(law, dt, pair, meeting(t, k), memory);
+        set(t.shear_force, k, memory.shear_force);
+        set(t.bending, k, memory.bending);
         if constexpr (Adhesive) {
             t.bonded[k] = memory.bonded;
         }
         if constexpr (Twisting) {
-            m.tx[k] = memory.twisting.x, m.ty[k] = memory.twisting.y, m.tz[k] = memory.twisting.z;
+            set(t.twisting, k, memory.twisting);
+            t.twisting_limit[k] = limits.twisting;
         }
-        t.force.x[k] = out.force.x, t.force.y[k] = out.force.y, t.force.z[k] = out.force.z;
-        t.torque_1.x[k] = out.torque_1.x, t.torque_1.y[k] = out.torque_1.y, t.torque_1.z[k] = out.torque_1.z;
-        t.torque_2.x[k] = out.torque_2.x, t.torque_2.y[k] = out.torque_2.y, t.torque_2.z[k] = out.torque_2.z;
+        t.normal_force[k] = limits.normal_force;
+        t.slip_limit[k] = limits.slip;
+        t.bending_limit[k] = limits.bending;
+        t.touching[k] = limits.touching;
+    }
+    for (std::size_t k = 0; Adhesive && k < rows; ++k) {
+        m.bonded[begin + k] = static_cast<std::uint8_t>(t.bonded[k]);
     }
 }
 
-SUFFUSE_CLONES void
-apply_plain(const LawConstants& law, double dt, std::size_t rows, const MemoryPointers& m, Tile& t) {
-    apply_law<false, false>(law, dt, rows, m, t);
+template <bool Twisting>
+[[gnu::always_inline]] inline void cut_springs(const MemoryColumns& m, std::size_t begin, std::size_t rows, Tile& t) {
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < rows; ++k) {
+        const std::size_t c = begin + k;
+        const Limits<double> limits{
+            t.normal_force[k], t.slip_limit[k], t.bending_limit[k], Twisting ? t.twisting_limit[k] : 0.0,
+            t.touching[k]};
+        ContactMemory<double> memory{triple(t.shear_force, k), triple(t.bending, k), {}, {}, 0};
+        if constexpr (Twisting) {
+            memory.twisting = triple(t.twisting, k);
+        }
+        const ContactOutcome<double> out = cut<Twisting>(meeting(t, k), limits, t.radius_1[k], t.radius_2[k], memory);
+        m.fx[c] = memory.shear_force.x, m.fy[c] = memory.shear_force.y, m.fz[c] = memory.shear_force.z;
+        m.bx[c] = memory.bending.x, m.by[c] = memory.bending.y, m.bz[c] = memory.bending.z;
+        m.nx[c] = memory.normal.x, m.ny[c] = memory.normal.y, m.nz[c] = memory.normal.z;
+        m.overlap[c] = out.overlap;
+        if constexpr (Twisting) {
+            m.tx[c] = memory.twisting.x, m.ty[c] = memory.twisting.y, m.tz[c] = memory.twisting.z;
+        }
+        set(t.force(), k, out.force);
+        set(t.torque_1(), k, out.torque_1);
+        set(t.torque_2(), k, out.torque_2);
+    }
 }
 
-SUFFUSE_CLONES void
-apply_twisting(const LawConstants& law, double dt, std::size_t rows, const MemoryPointers& m, Tile& t) {
-    apply_law<false, true>(law, dt, rows, m, t);
+[[gnu::always_inline]] inline void add_stress(
+    const Rows3& force, const Rows3& branch, std::size_t rows, const SumQuantum& quantum, double largest_force,
+    StressSum& sum
+) {
+    std::array<std::uint64_t, 9> s = sum.quanta;
+    std::uint64_t wild = sum.wild;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < rows; ++k) {
+        const double fx = force.x[k], fy = force.y[k], fz = force.z[k];
+        wild |= std::abs(fx) + std::abs(fy) + std::abs(fz) <= largest_force ? 0U : 1U;
+        s[0] += quantum.count(fx * branch.x[k]);
+        s[1] += quantum.count(fx * branch.y[k]);
+        s[2] += quantum.count(fx * branch.z[k]);
+        s[3] += quantum.count(fy * branch.x[k]);
+        s[4] += quantum.count(fy * branch.y[k]);
+        s[5] += quantum.count(fy * branch.z[k]);
+        s[6] += quantum.count(fz * branch.x[k]);
+        s[7] += quantum.count(fz * branch.y[k]);
+        s[8] += quantum.count(fz * branch.z[k]);
+    }
+    sum = {s, wild};
 }
 
-SUFFUSE_CLONES void
-apply_adhesive(const LawConstants& law, double dt, std::size_t rows, const MemoryPointers& m, Tile& t) {
-    apply_law<true, false>(law, dt, rows, m, t);
-}
-
-SUFFUSE_CLONES void apply_all(const LawConstants& law, double dt, std::size_t rows, const MemoryPointers& m, Tile& t) {
-    apply_law<true, true>(law, dt, rows, m, t);
-}
-
-/// Sums of force (x) branch, exact in two parts and `lanes` side by side.
-struct StressSum {
-    std::array<double, 9 * lanes> coarse{}, fine{};
-};
-
-SUFFUSE_CLONES void add_stress(const Tile& t, std::size_t rows, const SumQuanta& quanta, StressSum& sum) {
-    const std::array<const Row*, 3> force{&t.force.x, &t.force.y, &t.force.z};
-    const std::array<const Row*, 3> branch{&t.branch.x, &t.branch.y, &t.branch.z};
-    for (std::size_t a = 0; a < 3; ++a) {
-        for (std::size_t b = 0; b < 3; ++b) {
-            double* coarse = &sum.coarse[(3 * a + b) * lanes];
-            double* fine = &sum.fine[(3 * a + b) * lanes];
-            for (std::size_t k = 0; k < rows; k += lanes) {
-                for (std::size_t l = 0; l < lanes; ++l) {
-                    add_exactly(quanta, (*force[a])[k + l] * (*branch[b])[k + l], coarse[l], fine[l]);
-                }
-            }
+[[gnu::always_inline]] inline void add_to_grains(const Work& w, std::size_t begin, std::size_t rows, Tile& t) {
+    for (std::size_t k = 0; k < rows; k += 4) {
+        const std::array<Quad, 4> force = vectors(t.force(), k), torque_1 = vectors(t.torque_1(), k),
+                                  torque_2 = vectors(t.torque_2(), k);
+        for (std::size_t q = 0; q < std::min<std::size_t>(4, rows - k); ++q) {
+            const std::size_t c = begin + k + q;
+            grains::GrainSum& first = w.sums[w.first[c]];
+            first.force -= force[q];
+            first.torque += torque_1[q];
+            grains::GrainSum& second = w.sums[w.second_sum[c]];
+            second.force += force[q];
+            second.torque += torque_2[q];
         }
     }
 }
 
-Mat3 across_lanes(const std::array<double, 9 * lanes>& sum) {
-    Mat3 total{};
-    for (std::size_t q = 0; q < 9; ++q) {
-        for (std::size_t l = 0; l < lanes; ++l) {
-            total.m[q / 3][q % 3] += sum[q * lanes + l];
-        }
+template <bool Adhesive, bool Twisting>
+[[gnu::always_inline]] inline void press(const Work& w, std::size_t begin, std::size_t end, StressSum& stress) {
+    Tile tile;
+    for (std::size_t c = begin; c < end; c += tile_rows) {
+        const std::size_t rows = std::min(tile_rows, end - c);
+        load(w, c, rows, tile);
+        find_meetings(w.law, rows, tile);
+        stretch_springs<Adhesive, Twisting>(w.law, w.dt, w.memory, c, rows, tile);
+        cut_springs<Twisting>(w.memory, c, rows, tile);
+        add_stress(tile.force(), tile.branch, rows, w.quantum, w.largest_force, stress);
+        add_to_grains(w, c, rows, tile);
     }
-    return total;
 }
 
-MemoryPointers memory_at(Contacts& c, std::size_t row, bool twisting) {
-    const auto at = [&](std::vector<double>& column) { return column.data() + row; };
-    MemoryPointers m{at(c.shear_force.x),
-                     at(c.shear_force.y),
-                     at(c.shear_force.z),
-                     at(c.bending.x),
-                     at(c.bending.y),
-                     at(c.bending.z),
-                     at(c.normal.x),
-                     at(c.normal.y),
-                     at(c.normal.z),
-                     nullptr,
-                     nullptr,
-                     nullptr,
-                     at(c.overlap)};
-    if (twisting) {
-        m.tx = at(c.twisting.x), m.ty = at(c.twisting.y), m.tz = at(c.twisting.z);
-    }
-    return m;
+SUFFUSE_CLONES void press_plain(const Work& w, std::size_t begin, std::size_t end, StressSum& stress) {
+    press<false, false>(w, begin, end, stress);
 }
 
-void apply(const LawConstants& law, double dt, std::size_t begin, std::size_t rows, Contacts& contacts, Tile& tile) {
+SUFFUSE_CLONES void press_twisting(const Work& w, std::size_t begin, std::size_t end, StressSum& stress) {
+    press<false, true>(w, begin, end, stress);
+}
+
+SUFFUSE_CLONES void press_adhesive(const Work& w, std::size_t begin, std::size_t end, StressSum& stress) {
+    press<true, false>(w, begin, end, stress);
+}
+
+SUFFUSE_CLONES void press_all(const Work& w, std::size_t begin, std::size_t end, StressSum& stress) {
+    press<true, true>(w, begin, end, stress);
+}
+
+auto choose_loop(const Contacts& contacts) {
     const bool adhesive = !contacts.bonded.empty(), twisting = contacts.twisting.size() > 0;
-    const MemoryPointers memory = memory_at(contacts, begin, twisting);
-    if (adhesive) {
-        std::copy_n(contacts.bonded.begin() + static_cast<std::ptrdiff_t>(begin), rows, tile.bonded.begin());
-    }
-    const auto kernel = adhesive ? (twisting ? apply_all : apply_adhesive) : (twisting ? apply_twisting : apply_plain);
-    kernel(law, dt, rows, memory, tile);
-    for (std::size_t k = 0; adhesive && k < rows; ++k) {
-        contacts.bonded[begin + k] = static_cast<std::uint8_t>(tile.bonded[k]);
-    }
+    return adhesive ? (twisting ? press_all : press_adhesive) : (twisting ? press_twisting : press_plain);
 }
 
 } // namespace
 
-void index_contacts(const Contacts& contacts, std::size_t grains, Incidence& incidence) {
-    incidence.first_start.assign(grains + 1, 0);
-    incidence.second_start.assign(grains + 1, 0);
-    incidence.second_contact.resize(contacts.size());
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        ++incidence.first_start[contacts.first[c] + 1];
-        ++incidence.second_start[contacts.second[c] + 1];
-    }
-    for (std::size_t g = 0; g < grains; ++g) {
-        incidence.first_start[g + 1] += incidence.first_start[g];
-        incidence.second_start[g + 1] += incidence.second_start[g];
-    }
-    std::vector<std::uint32_t> next(incidence.second_start.begin(), incidence.second_start.end() - 1);
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        incidence.second_contact[next[contacts.second[c]]++] = static_cast<std::uint32_t>(c);
-    }
-}
-
-Mat3 compute_forces(
-    const grains::Grains& grains, const Mat3& h, const Mat3& image_velocity, const LawConstants& law, double dt,
-    Contacts& contacts, std::vector<ContactForce>& forces
+Pressed compute_forces(
+    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
+    const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums
 ) {
-    struct Parts {
-        Mat3 coarse, fine;
-    };
-
-    forces.resize(contacts.size());
-    // No stress reaches the modulus. The quanta follow from the state alone, as the same bits after a resume ask for.
-    const SumQuanta quanta(law.twice_modulus * std::abs(determinant(h)));
-    constexpr std::size_t block_rows = 8 * tile_rows;
-    const Parts sum = parallel_sum(
-        contacts.size(), block_rows, Parts{},
-        [&](std::size_t begin, std::size_t end) {
-            Tile tile;
-            StressSum stress;
-            for (std::size_t c = begin; c < end; c += tile_rows) {
-                const std::size_t rows = std::min(tile_rows, end - c);
-                load(grains, contacts, h, image_velocity, c, rows, tile);
-                apply(law, dt, c, rows, contacts, tile);
-                for (std::size_t k = 0; k < rows; ++k) {
-                    forces[c + k] = {get(tile.force, k), get(tile.torque_1, k), get(tile.torque_2, k)};
-                }
-                for (std::size_t k = rows; k % lanes != 0; ++k) { // the last lanes of a short tile add nothing
-                    set(tile.force, k, {});
-                    set(tile.branch, k, {});
-                }
-                add_stress(tile, rows, quanta, stress);
-            }
-            return Parts{across_lanes(stress.coarse), across_lanes(stress.fine)};
-        },
-        [](const Parts& a, const Parts& b) {
-            return Parts{a.coarse + b.coarse, a.fine + b.fine};
+    std::vector<Shift> shifts;
+    for (const cell::Image& image : plan.images) {
+        shifts.push_back({quad(cell::shift(around.h, image), 0), quad(cell::shift(around.image_velocity, image), 0)});
+    }
+    // However much they overlap, grains push with at most E r2; with shear, the sum of the components stays below four
+    // times that. And no stress reaches the modulus. The quantum follows from the state alone, as the same bits after a
+    // resume ask for.
+    const double r = around.largest_radius, largest_force = 2 * law.twice_modulus * r * r;
+    const SumQuantum quantum(largest_force * 2 * r, law.twice_modulus * std::abs(determinant(around.h)));
+    const Work work{
+        grains.data(),
+        contacts.first.data(),
+        contacts.second.data(),
+        plan.second_sum.data(),
+        plan.image.data(),
+        shifts.data(),
+        law,
+        around.dt,
+        quantum,
+        largest_force,
+        MemoryColumns(contacts),
+        sums.data()};
+    const auto press_loop = choose_loop(contacts);
+    StressSum total;
+    std::mutex adding; // integers: the order does not matter
+    parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
+        StressSum part;
+        for (std::size_t d = first; d < last; ++d) {
+            const std::size_t begin = d * domain_grains, end = std::min(plan.grains, begin + domain_grains);
+            std::fill(sums.data() + begin, sums.data() + end, grains::GrainSum{});
+            press_loop(work, plan.domain_start[d], plan.domain_start[d + 1], part);
         }
-    );
-    return sum.coarse + sum.fine;
+        const std::lock_guard lock(adding);
+        for (std::size_t q = 0; q < part.quanta.size(); ++q) {
+            total.quanta[q] += part.quanta[q];
+        }
+        total.wild |= part.wild;
+    });
+    Pressed pressed;
+    for (std::size_t q = 0; q < total.quanta.size(); ++q) {
+        pressed.force_branch.m[q / 3][q % 3] = quantum.value(total.quanta[q]);
+    }
+    pressed.wild = total.wild != 0;
+    return pressed;
 }
 
 } // namespace suffuse::contact

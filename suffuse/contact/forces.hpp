@@ -1,42 +1,36 @@
 #pragma once
-// The hot loop over contacts, and the sum of their forces on each grain. Contacts are treated in tiles: the two grains
-// of each contact are copied side by side, then one loop without branches applies the law to the whole tile, which the
-// compiler turns into vector instructions of the processor at hand. Sums are taken in a fixed order.
+// The hot loop over contacts. Contacts are treated in tiles: the two grains of each contact are copied side by side,
+// one loop without branches applies the law to the whole tile, and what it exerts is added to the grains. The compiler
+// turns it into vector instructions of the processor at hand. Sums are taken in a fixed order.
 
-#include "suffuse/cell/cell.hpp"
-#include "suffuse/contact/contacts.hpp"
 #include "suffuse/contact/linear_rolling.hpp"
-#include "suffuse/grains/grains.hpp"
+#include "suffuse/contact/sum_plan.hpp"
+#include "suffuse/grains/moving_rows.hpp"
 
-#include <cstdint>
 #include <vector>
 
 namespace suffuse::contact {
 
-/// What one contact does to its two grains in this step: `force` on the second, minus it on the first.
-struct ContactForce {
-    Vec3 force;    ///< [N]
-    Vec3 torque_1; ///< [N m]
-    Vec3 torque_2; ///< [N m]
+/// What is the same for all contacts in a step.
+struct Surroundings {
+    Mat3 h;                    ///< cell of this step, columns are its vectors [m]
+    Mat3 image_velocity;       ///< relative velocity of neighboring periods, G times the cell of the step before
+                               ///< [m/s, columns as h] (reference 1.1, 1.3)
+    double largest_radius = 0; ///< of all grains [m]
+    double dt = 0;             ///< [s]
 };
 
-/// For each grain the contacts in which it is the first (a run of rows) and the second (listed).
-struct Incidence {
-    std::vector<std::uint32_t> first_start;    ///< grains + 1
-    std::vector<std::uint32_t> second_start;   ///< grains + 1
-    std::vector<std::uint32_t> second_contact; ///< contact rows, ascending for each grain
+struct Pressed {
+    Mat3 force_branch; ///< sum over contacts of force (x) branch [N m]: minus tension, so compression is positive
+    bool wild = false; ///< a force is not finite, or beyond what grains of this modulus exert however much they overlap
 };
 
-void index_contacts(const Contacts& contacts, std::size_t grains, Incidence& incidence);
-
-/// One step of every contact: updates their memory, writes `forces` (a row a contact).
-/// @param h cell of this step; @param image_velocity relative velocity of neighboring periods, G times the cell of the
-/// step before [m/s, columns as h] (reference 1.1, 1.3)
-/// @return sum over contacts of force (x) branch [N m]: minus tension, so compression is positive; divide by the
-/// volume.
-Mat3 compute_forces(
-    const grains::Grains& grains, const Mat3& h, const Mat3& image_velocity, const LawConstants& law, double dt,
-    Contacts& contacts, std::vector<ContactForce>& forces
+/// One step of every contact: updates their memory, and makes the first `plan.grains` rows of `sums` the force and
+/// torque on each grain of the contacts of its own domain, the others those from other domains.
+/// @param sums `plan.rows()` rows; those beyond the grains must be zero
+Pressed compute_forces(
+    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
+    const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums
 );
 
 } // namespace suffuse::contact

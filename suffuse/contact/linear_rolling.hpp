@@ -87,39 +87,95 @@ inline double root(double a) {
     return std::sqrt(a);
 }
 
-/// Turns a stored force or moment with the contact: with the normal, and about it with the mean spin of the two grains.
+inline double magnitude(double a) {
+    return std::abs(a);
+}
+
+/// Sum of the components' magnitudes.
 template <class Real>
-constexpr Triple<Real> turned(const Triple<Real>& stored, const Triple<Real>& swing, const Triple<Real>& twist) {
-    const Triple<Real> once = stored - cross(stored, swing);
-    return once - cross(once, twist);
+[[gnu::always_inline]] inline Real size_1(const Triple<Real>& a) {
+    return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
+}
+
+/// Turns a stored force or moment with the contact: `turn` is the sum of the swing of the normal and the twist about
+/// it. The reference turns by one after the other; the difference is their product along the stored vector's component
+/// on the normal, which is of second order itself: less than 1e-15 of the vector in a step.
+template <class Real>
+constexpr Triple<Real> turned(const Triple<Real>& stored, const Triple<Real>& turn) {
+    return stored - cross(stored, turn);
 }
 
 /// Scales `v` back to the length `limit` where it is longer.
 template <class Real>
-inline Triple<Real> limited(const Triple<Real>& v, const Real& limit) {
+[[gnu::always_inline]] inline Triple<Real> limited(const Triple<Real>& v, const Real& limit) {
     const Real length2 = dot(v, v);
     const Real scale = length2 > limit * limit ? limit / root(length2) : Real{} + 1.0;
     return scale * v;
 }
 
-/// One step of one contact; updates `memory`. `Adhesive` and `Twisting` leave out what no contact of the sample has.
+/// The same for two vectors, with one division.
+template <class Real>
+[[gnu::always_inline]] inline void
+limit_both(Triple<Real>& a, const Real& limit_a, Triple<Real>& b, const Real& limit_b) {
+    const Real one = Real{} + 1.0, tiny = Real{} + 1e-200; // keeps a zero from dividing
+    const Real a2 = dot(a, a), b2 = dot(b, b);
+    const Real size_a = root(a2 > tiny ? a2 : tiny), size_b = root(b2 > tiny ? b2 : tiny);
+    const Real inverse = one / (size_a * size_b);
+    a = (a2 > limit_a * limit_a ? limit_a * (size_b * inverse) : one) * a;
+    b = (b2 > limit_b * limit_b ? limit_b * (size_a * inverse) : one) * b;
+}
+
+// The law has three parts. Each is short enough for a processor to have several contacts under way at once; a loop over
+// many contacts runs the parts one after the other over a tile, `linear_rolling` over one contact.
+
+/// First part: where the pair is.
+template <class Real>
+struct Meeting {
+    Triple<Real> normal;
+    Real overlap;          ///< negative: a gap [m]
+    Real stretch;          ///< reach / distance [-]
+    Real normal_stiffness; ///< [N/m]
+    Real within_reach;     ///< 1: the pair touches, 0: not
+};
+
+template <class Real>
+[[gnu::always_inline]] inline Meeting<Real>
+meet(const LawConstants& law, const Triple<Real>& branch, const Real& r1, const Real& r2) noexcept {
+    const Real zero{}, one = zero + 1.0, reach = r1 + r2;
+    const Real distance2 = dot(branch, branch);
+    const Real distance = root(distance2);
+    const Real inverse = one / (reach * distance); // one division for both
+    const Real inverse_distance = inverse * reach;
+    return {
+        inverse_distance * branch, reach - distance, reach * inverse_distance,
+        law.twice_modulus * r1 * r2 * (inverse * distance), reach * reach - distance2 >= zero ? one : zero};
+}
+
+/// What the second part leaves to the third: how far force and moments may go.
+template <class Real>
+struct Limits {
+    Real normal_force;  ///< [N]
+    Real slip, bending; ///< [N], [N m]
+    Real twisting;      ///< [N m]
+    Real touching;      ///< 1: force and memory, 0: none
+};
+
+/// Second part: turns the memory with the contact, and stretches its springs as if they had no limits.
 /// @param dt time step [s]
 template <bool Adhesive, bool Twisting, class Real>
-inline ContactOutcome<Real> linear_rolling(
-    const LawConstants& law, const Real& dt, const GrainPair<Real>& pair, ContactMemory<Real>& memory
+[[gnu::always_inline]] inline Limits<Real> stretch(
+    const LawConstants& law, const Real& dt, const GrainPair<Real>& pair, const Meeting<Real>& meeting,
+    ContactMemory<Real>& memory
 ) noexcept {
     const Real zero{}, one = zero + 1.0;
-    const Real r1 = pair.radius_1, r2 = pair.radius_2, reach = r1 + r2;
-    const Real smaller = r1 < r2 ? r1 : r2;
-    const Real distance2 = dot(pair.branch, pair.branch);
-    const Real distance = root(distance2);
-    const Real overlap = reach - distance;
-    const Real kn = law.twice_modulus * r1 * r2 / reach;
-    const Real ks = law.shear_ratio * kn;
-    const Real trial_normal = kn * overlap;
+    const Real r1 = pair.radius_1, r2 = pair.radius_2, smaller = r1 < r2 ? r1 : r2;
+    const Real ks = law.shear_ratio * meeting.normal_stiffness;
+    const Real trial_normal = meeting.normal_stiffness * meeting.overlap;
+    const Triple<Real>& n = meeting.normal;
+    Limits<Real> limits{};
 
     // Does the pair touch? An old contact lives until its pull exceeds the adhesion (nothing, without adhesion).
-    const Real was_touching = dot(memory.normal, memory.normal) > zero ? one : zero;
+    const Real was_touching = size_1(memory.normal) > zero ? one : zero;
     Real bonded = zero, pull_off = zero, shear_strength = zero;
     if constexpr (Adhesive) {
         const Real bondable = zero + (law.adhesion_normal > 0 || law.adhesion_shear > 0 ? 1.0 : 0.0);
@@ -128,64 +184,81 @@ inline ContactOutcome<Real> linear_rolling(
         shear_strength = bonded * law.adhesion_shear * smaller * smaller;
     }
     const Real lives = zero - trial_normal > pull_off ? zero : one;
-    const Real begins = reach * reach - distance2 >= zero ? one : zero;
-    const Real touching = was_touching > zero ? lives : begins;
+    limits.touching = was_touching > zero ? lives : meeting.within_reach;
 
-    // A pair that does not touch forgets everything and exerts nothing: exact zeros, so that it may stay in the list.
+    // Relative motion at the contact. The factor on the velocity removes granular ratcheting [reference 1.3, point 2].
+    const Triple<Real> lever = r2 * pair.spin_2 + r1 * pair.spin_1;
+    const Triple<Real> slip_velocity = meeting.stretch * pair.velocity - cross(lever, n);
+    const Triple<Real> slip = slip_velocity - dot(n, slip_velocity) * n;
+    const Triple<Real> roll = pair.spin_2 - pair.spin_1;
+    const Triple<Real> roll_twist = dot(n, roll) * n;
+
+    const Real twist = 0.5 * dt * dot(memory.normal, pair.spin_1 + pair.spin_2);
+    const Triple<Real> turn = cross(memory.normal, n) + twist * memory.normal;
+
+    memory.shear_force = turned(memory.shear_force, turn) - (dt * ks) * slip;
+    limits.normal_force = trial_normal;
+    limits.slip = shear_strength + trial_normal * law.tan_friction;
+    limits.slip = limits.slip > zero ? limits.slip : zero;
+    if constexpr (Adhesive) { // a bond breaks where the Coulomb limit is exceeded
+        const Real exceeds = dot(memory.shear_force, memory.shear_force) > limits.slip * limits.slip ? one : zero;
+        Real broken_limit = trial_normal * law.tan_friction;
+        broken_limit = broken_limit > zero ? broken_limit : zero;
+        limits.slip = exceeds * bonded > zero ? broken_limit : limits.slip;
+        limits.normal_force = exceeds > zero ? (trial_normal < zero ? zero : trial_normal) : trial_normal;
+        bonded = exceeds > zero ? zero : bonded;
+    }
+    memory.bonded = limits.touching * bonded;
+
+    const Real carried = limits.normal_force < zero ? zero - limits.normal_force : limits.normal_force;
+    const Real arm_stiffness = dt * ks * r1 * r2;
+    memory.bending = turned(memory.bending, turn) - (law.rolling_stiffness * arm_stiffness) * (roll - roll_twist);
+    limits.bending = law.rolling_limit * smaller * carried + law.rolling_free * limits.touching;
+    if constexpr (Twisting) {
+        memory.twisting = turned(memory.twisting, turn) - (law.twisting_stiffness * arm_stiffness) * roll_twist;
+        limits.twisting = law.twisting_limit * smaller * carried + law.twisting_free * limits.touching;
+    }
+    return limits;
+}
+
+/// Third part: cuts force and moments at their limits; what the contact exerts. A pair that does not touch forgets
+/// everything and exerts nothing: exact zeros, so that it may stay in the list.
+template <bool Twisting, class Real>
+[[gnu::always_inline]] inline ContactOutcome<Real>
+cut(const Meeting<Real>& meeting, const Limits<Real>& limits, const Real& r1, const Real& r2,
+    ContactMemory<Real>& memory) noexcept {
+    const Real zero{}, touching = limits.touching;
     const auto kept = [&](const Triple<Real>& v) {
         return Triple<Real>{touching > zero ? v.x : zero, touching > zero ? v.y : zero, touching > zero ? v.z : zero};
     };
-
-    // Relative motion at the contact. The factor on the velocity removes granular ratcheting [reference 1.3, point 2].
-    const Triple<Real> n = (one / distance) * pair.branch;
-    const Triple<Real> lever = r2 * pair.spin_2 + r1 * pair.spin_1;
-    const Triple<Real> slip_velocity = (reach / distance) * pair.velocity - cross(lever, n);
-    const Triple<Real> slip = dt * (slip_velocity - dot(n, slip_velocity) * n);
-    const Triple<Real> roll = dt * (pair.spin_2 - pair.spin_1);
-    const Triple<Real> roll_twist = dot(n, roll) * n;
-
-    const Triple<Real> swing = cross(memory.normal, n);
-    const Triple<Real> twist = (0.5 * dt * dot(memory.normal, pair.spin_1 + pair.spin_2)) * memory.normal;
-
-    // Shear force, cut at the Coulomb limit; a bond breaks there first.
-    Triple<Real> shear = turned(memory.shear_force, swing, twist) - ks * slip;
-    Real normal_force = trial_normal;
-    Real slip_limit = shear_strength + trial_normal * law.tan_friction;
-    slip_limit = slip_limit > zero ? slip_limit : zero;
-    if constexpr (Adhesive) {
-        const Real exceeds = dot(shear, shear) > slip_limit * slip_limit ? one : zero;
-        Real broken_limit = trial_normal * law.tan_friction;
-        broken_limit = broken_limit > zero ? broken_limit : zero;
-        slip_limit = exceeds * bonded > zero ? broken_limit : slip_limit;
-        normal_force = exceeds > zero ? (trial_normal < zero ? zero : trial_normal) : trial_normal;
-        bonded = exceeds > zero ? zero : bonded;
-    }
-    shear = limited(shear, slip_limit);
-
-    // Rolling and twisting moments, cut at their plastic limits.
-    const Real carried = normal_force < zero ? zero - normal_force : normal_force;
-    const Real arm_stiffness = ks * r1 * r2;
-    Triple<Real> bending =
-        turned(memory.bending, swing, twist) - (law.rolling_stiffness * arm_stiffness) * (roll - roll_twist);
-    bending = limited(bending, law.rolling_limit * smaller * carried + law.rolling_free * touching);
-    Triple<Real> moment = bending;
+    const Triple<Real>& n = meeting.normal;
+    limit_both(memory.shear_force, limits.slip, memory.bending, limits.bending);
+    Triple<Real> moment = memory.bending;
     if constexpr (Twisting) {
-        Triple<Real> twisting =
-            turned(memory.twisting, swing, twist) - (law.twisting_stiffness * arm_stiffness) * roll_twist;
-        twisting = limited(twisting, law.twisting_limit * smaller * carried + law.twisting_free * touching);
-        moment = bending + twisting;
-        memory.twisting = kept(twisting);
+        memory.twisting = limited(memory.twisting, limits.twisting);
+        moment = moment + memory.twisting;
+        memory.twisting = kept(memory.twisting);
     }
-
-    memory.shear_force = kept(shear);
-    memory.bending = kept(bending);
+    const Triple<Real> shear_arm = cross(n, memory.shear_force);
+    const Real half = 0.5 * meeting.overlap;
+    const ContactOutcome<Real> outcome{
+        kept(limits.normal_force * n + memory.shear_force), kept((half - r1) * shear_arm - moment),
+        kept((half - r2) * shear_arm + moment), touching > zero ? meeting.overlap : zero};
+    memory.shear_force = kept(memory.shear_force);
+    memory.bending = kept(memory.bending);
     memory.normal = kept(n);
-    memory.bonded = touching * bonded;
-    const Triple<Real> shear_arm = cross(n, shear);
-    const Real half = 0.5 * overlap;
-    return {
-        kept(normal_force * n + shear), kept((half - r1) * shear_arm - moment), kept((half - r2) * shear_arm + moment),
-        touching > zero ? overlap : zero};
+    return outcome;
+}
+
+/// One step of one contact; updates `memory`. `Adhesive` and `Twisting` leave out what no contact of the sample has.
+/// @param dt time step [s]
+template <bool Adhesive, bool Twisting, class Real>
+inline ContactOutcome<Real> linear_rolling(
+    const LawConstants& law, const Real& dt, const GrainPair<Real>& pair, ContactMemory<Real>& memory
+) noexcept {
+    const Meeting<Real> meeting = meet(law, pair.branch, pair.radius_1, pair.radius_2);
+    const Limits<Real> limits = stretch<Adhesive, Twisting>(law, dt, pair, meeting, memory);
+    return cut<Twisting>(meeting, limits, pair.radius_1, pair.radius_2, memory);
 }
 
 } // namespace suffuse::contact

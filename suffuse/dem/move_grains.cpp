@@ -4,121 +4,103 @@
 #include "suffuse/base/parallel.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <atomic>
 
 namespace suffuse::dem {
 namespace {
 
-constexpr std::size_t tile_rows = 64;
-
-using Row = std::array<double, tile_rows>;
-
-struct Rows3 {
-    Row x, y, z;
-
-    [[nodiscard]] Vec3 at(std::size_t k) const { return {x[k], y[k], z[k]}; }
-
-    void set(std::size_t k, const Vec3& v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
+struct Work {
+    std::size_t grains;
+    const std::uint32_t *remote_start, *remote_grain;
+    const Vec3* load; ///< null: none
+    double load_share;
+    const Watched* watch;
+    grains::MovingRow* rows;
+    grains::GrainSum* sums;
 };
 
-/// Grains of a tile by component, so that the loop that moves them runs in vector instructions.
-struct alignas(64) Tile {
-    Rows3 position, velocity, spin, force, torque, reference;
-    Row mass, inertia, free, moved2;
-};
-
-/// Contact force and torque on grain `g`: first the contacts in which it is the first grain, then the others.
-void gather(
-    const contact::Incidence& incidence, const std::vector<contact::ContactForce>& forces, std::size_t g, Vec3& force,
-    Vec3& torque
-) {
-    for (std::uint32_t c = incidence.first_start[g]; c < incidence.first_start[g + 1]; ++c) {
-        force -= forces[c].force;
-        torque += forces[c].torque_1;
-    }
-    for (std::uint32_t k = incidence.second_start[g]; k < incidence.second_start[g + 1]; ++k) {
-        const contact::ContactForce& f = forces[incidence.second_contact[k]];
-        force += f.force;
-        torque += f.torque_2;
+/// Adds to the grains of domain `d` what other domains exert on them, in the order of the table.
+[[gnu::always_inline]] inline void collect(const Work& w, std::size_t d) {
+    for (std::uint32_t r = w.remote_start[d]; r < w.remote_start[d + 1]; ++r) {
+        grains::GrainSum& sum = w.sums[w.remote_grain[r - w.grains]];
+        sum.force += w.sums[r].force;
+        sum.torque += w.sums[r].torque;
+        w.sums[r] = {};
     }
 }
 
-void load(
-    const StepCaches& caches, const grains::GrainLoad* load, double load_share, std::size_t begin, std::size_t rows,
-    grains::Grains& grains, Tile& tile
-) {
-    const bool loaded = load != nullptr && !load->force.empty();
-    for (std::size_t k = 0; k < rows; ++k) {
-        const std::size_t g = begin + k;
-        Vec3 force, torque;
-        gather(caches.neighborhood.incidence(), caches.forces, g, force, torque);
-        grains.force[g] = force;
-        grains.torque[g] = torque;
-        if (loaded) {
-            force += load_share * load->force[g];
-        }
-        tile.force.set(k, force);
-        tile.torque.set(k, torque);
-        tile.position.set(k, grains.position[g]);
-        tile.velocity.set(k, grains.velocity[g]);
-        tile.spin.set(k, grains.spin[g]);
-        tile.reference.set(k, caches.neighborhood.reference()[g]);
-        tile.mass[k] = grains.mass[g];
-        tile.inertia[k] = grains.inertia[g];
-        tile.free[k] = grains.motion[g] == grains::Motion::Free ? 1.0 : 0.0;
-    }
+/// By how much the grain's squared motion exceeds what the watch allows, in the first lane [m2].
+template <class Matrix>
+[[gnu::always_inline]] inline Quad excess(const Matrix& mean_motion, const Quad& watched, const Quad& position) {
+    const Quad moved = position - mean_motion * watched;
+    const Quad square = moved * moved;
+    return square + broadcast<1>(square) + broadcast<2>(square) - broadcast<3>(watched);
 }
 
-SUFFUSE_CLONES void move(const motion::StepMotion& step, const Mat3& mean_motion, std::size_t rows, Tile& t) {
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < rows; ++k) {
-        Vec3 position = t.position.at(k), velocity = t.velocity.at(k), spin = t.spin.at(k);
-        motion::move(step, t.force.at(k), t.torque.at(k), t.mass[k], t.inertia[k], t.free[k], position, velocity, spin);
-        t.position.set(k, position);
-        t.velocity.set(k, velocity);
-        t.spin.set(k, spin);
-        t.moved2[k] = norm2(position - mean_motion * t.reference.at(k));
+template <class Matrix>
+[[gnu::always_inline]] inline bool
+move_domain(const motion::MotionOf<Quad, Matrix>& motion, const Matrix& mean_motion, const Work& w, std::size_t d) {
+    collect(w, d);
+    Quad most = Quad{} - 1.0;
+    const std::size_t begin = d * contact::domain_grains, end = std::min(w.grains, begin + contact::domain_grains);
+    for (std::size_t g = begin; g < end; ++g) {
+        const grains::GrainSum& sum = w.sums[g];
+        grains::MovingRow& row = w.rows[g];
+        const Quad force = w.load == nullptr ? sum.force : sum.force + w.load_share * quad(w.load[g], 0);
+        Quad position = row.position, velocity = row.velocity, spin = row.spin;
+        const Quad inverse_mass = broadcast<3>(position), inverse_inertia = broadcast<3>(velocity);
+        const Quad free = inverse_mass > Quad{} ? Quad{} + 1.0 : Quad{};
+        motion::move(motion, inverse_mass * force, inverse_inertia * sum.torque, free, position, velocity, spin);
+        row = {
+            with_last_of(position, row.position), with_last_of(velocity, row.velocity), with_last_of(spin, row.spin)};
+        const Quad over = excess(mean_motion, w.watch[g].position, position);
+        most = over > most ? over : most;
     }
+    return most[0] > 0;
 }
 
-double store(const Tile& tile, std::size_t begin, std::size_t rows, grains::Grains& grains) {
-    double most = 0;
-    for (std::size_t k = 0; k < rows; ++k) {
-        const std::size_t g = begin + k;
-        grains.position[g] = tile.position.at(k);
-        grains.velocity[g] = tile.velocity.at(k);
-        grains.spin[g] = tile.spin.at(k);
-        most = std::max(most, tile.moved2[k]);
-    }
-    return most;
+SUFFUSE_CLONES bool
+move_in_any_cell(const motion::QuadMotion& motion, const QuadMatrix& mean_motion, const Work& w, std::size_t d) {
+    return move_domain(motion, mean_motion, w, d);
+}
+
+SUFFUSE_CLONES bool
+move_in_upright_cell(const motion::DiagonalMotion& motion, const Quad& mean_motion, const Work& w, std::size_t d) {
+    return move_domain(motion, mean_motion, w, d);
 }
 
 } // namespace
 
-double move_grains(
-    const motion::StepMotion& step, const StepCaches& caches, const grains::GrainLoad* grain_load, double load_share,
-    const Mat3& h, grains::Grains& grains
+bool move_grains(
+    const motion::StepMotion& step, const contact::SumPlan& plan, const grains::GrainLoad* load, double load_share,
+    const Mat3& mean_motion, const Watch& watch, std::vector<grains::MovingRow>& rows,
+    std::vector<grains::GrainSum>& sums
 ) {
-    // The cell moves on with the new gradient in the next step, when this motion is looked at.
-    const Mat3 next_h = h + step.dt * ((step.old_gradient + step.change) * h);
-    const Mat3 mean_motion = next_h * inverse(caches.neighborhood.reference_h());
-    const double square = parallel_sum(
-        grains.size(), 8 * tile_rows, 0.0,
-        [&](std::size_t begin, std::size_t end) {
-            Tile tile;
-            double most = 0;
-            for (std::size_t g = begin; g < end; g += tile_rows) {
-                const std::size_t rows = std::min(tile_rows, end - g);
-                load(caches, grain_load, load_share, g, rows, grains, tile);
-                move(step, mean_motion, rows, tile);
-                most = std::max(most, store(tile, g, rows, grains));
+    const bool loaded = load != nullptr && !load->force.empty();
+    const Work work{
+        rows.size(),
+        plan.remote_start.data(),
+        plan.remote_grain.data(),
+        loaded ? load->force.data() : nullptr,
+        load_share,
+        watch.data(),
+        rows.data(),
+        sums.data()};
+    const bool upright = is_diagonal(step.old_gradient) && is_diagonal(step.change) && is_diagonal(mean_motion);
+    const motion::QuadMotion any = motion::in_quads(step);
+    const motion::DiagonalMotion diagonal = motion::in_diagonals(step);
+    const QuadMatrix any_mean = quad_matrix(mean_motion);
+    const Quad diagonal_mean = quad_diagonal(mean_motion);
+    std::atomic<bool> too_far = false;
+    parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t d = first; d < last; ++d) {
+            if (upright ? move_in_upright_cell(diagonal, diagonal_mean, work, d)
+                        : move_in_any_cell(any, any_mean, work, d)) {
+                too_far = true;
             }
-            return most;
-        },
-        [](double a, double b) { return std::max(a, b); }
-    );
-    return std::sqrt(square);
+        }
+    });
+    return too_far;
 }
 
 } // namespace suffuse::dem

@@ -1,16 +1,31 @@
 #pragma once
-// Phases 5 and 6 of the step in one pass over the grains: sum of contact forces in a fixed order, then the motion.
+// The second half of the step: each grain collects what contacts and loads exert on it, and moves.
 
-#include "suffuse/dem/step.hpp"
+#include "suffuse/contact/sum_plan.hpp"
+#include "suffuse/grains/load.hpp"
+#include "suffuse/grains/moving_rows.hpp"
 #include "suffuse/motion/integrator.hpp"
+
+#include <vector>
 
 namespace suffuse::dem {
 
-/// Writes force and torque of every grain and moves it.
-/// @return the largest motion of a grain against the mean motion since the contact table was made [m].
-double move_grains(
-    const motion::StepMotion& step, const StepCaches& caches, const grains::GrainLoad* load, double load_share,
-    const Mat3& h, grains::Grains& grains
+/// Where a grain was when the contact table was made, and how far it may move against the mean motion before the table
+/// must be made again: its square in the last lane.
+struct alignas(32) Watched {
+    Quad position;
+};
+
+using Watch = std::vector<Watched>;
+
+/// Collects into the first `plan.grains` rows of `sums` the contact force and torque on each grain, sets the other rows
+/// to zero, adds the load and moves the grains.
+/// @param mean_motion from the cell at which the watch was made to the cell of the next step
+/// @return whether a grain has moved further than the watch allows
+bool move_grains(
+    const motion::StepMotion& step, const contact::SumPlan& plan, const grains::GrainLoad* load, double load_share,
+    const Mat3& mean_motion, const Watch& watch, std::vector<grains::MovingRow>& rows,
+    std::vector<grains::GrainSum>& sums
 );
 
 } // namespace suffuse::dem

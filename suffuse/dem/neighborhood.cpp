@@ -9,18 +9,19 @@
 namespace suffuse::dem {
 namespace {
 
-// Margins, in radii of the smallest grain. The wide list costs a search when it runs out, the table costs a test of
-// each of its pairs in every step; both adapt to how fast the grains move.
+// The wide list costs a search when it runs out, the table costs a test of each of its pairs in every step; both adapt
+// to how the grains move. Lengths are in radii of the smallest grain.
 constexpr double first_wide_margin = 0.4, least_wide_margin = 0.1, most_wide_margin = 1.5;
-constexpr double first_near_margin = 0.02, least_near_margin = 0.004;
-constexpr std::int64_t seldom = 800, often = 100; // steps between two tables
-constexpr std::int64_t searches_often = 1500;     // steps between two searches
+constexpr std::int64_t searches_often = 1500; // steps between two searches
+constexpr double first_allowance = 2e-3, least_allowance = 1e-5;
+constexpr std::int64_t table_steps = 48; // a table is meant to last
+constexpr double foresight = 1.5;        // speeds change meanwhile
 
-/// How much a branch of unit length can shrink or grow under the mean motion from `old_h` to `h`.
-double strain_between(const Mat3& old_h, const Mat3& h) {
-    const Mat3 f = h * inverse(old_h) - identity();
+/// How much a branch of unit length can shrink or grow under the motion `f`.
+double strain_of(const Mat3& f) {
+    const Mat3 change = f - identity();
     double sum = 0;
-    for (const auto& row : f.m) {
+    for (const auto& row : change.m) {
         for (const double v : row) {
             sum += v * v;
         }
@@ -28,19 +29,20 @@ double strain_between(const Mat3& old_h, const Mat3& h) {
     return std::sqrt(sum);
 }
 
-double largest_fluctuation(const std::vector<Vec3>& old, const Mat3& motion, const std::vector<Vec3>& now) {
-    const double square = parallel_sum(
-        now.size(), 2048, 0.0,
+/// Largest of `value(g)` over all grains, at least zero.
+template <class Value>
+double largest(std::size_t grains, Value&& value) {
+    return parallel_sum(
+        grains, 2048, 0.0,
         [&](std::size_t begin, std::size_t end) {
             double most = 0;
             for (std::size_t g = begin; g < end; ++g) {
-                most = std::max(most, norm2(now[g] - motion * old[g]));
+                most = std::max(most, value(g));
             }
             return most;
         },
         [](double a, double b) { return std::max(a, b); }
     );
-    return std::sqrt(square);
 }
 
 contact::OptionalMemory needed_memory(const World& world) {
@@ -54,63 +56,79 @@ contact::OptionalMemory needed_memory(const World& world) {
 
 } // namespace
 
-bool Neighborhood::still_good(const Snapshot& list, const Mat3& h, double moved, double wanted_gap) const {
-    // A pair left out had a gap above the margin. The mean motion shrinks its branch by the strain at most, and the two
-    // grains come nearer by what both moved against it.
-    const double strain = strain_between(list.h, h);
-    return list.margin * (1 - strain) > 2 * moved + 2 * strain * largest_radius_ + wanted_gap;
+bool Neighborhood::holds(const World& world, const Mat3& h) const {
+    // A pair left out had |branch| > (1 + stretch) reach + both allowances. The mean motion shrinks the branch by the
+    // strain at most; with strain <= stretch/(1 + stretch) and motions within (1 - stretch) allowance it stays above
+    // the reach.
+    return valid_ && strain_of(h * inverse_h_) <= stretch_ / (1 + stretch_) &&
+           contact::optional_memory(world.contacts) == needed_memory(world);
 }
 
-void Neighborhood::update(World& world, double moved) {
-    const Mat3& h = world.cell.h;
-    if (valid_ && still_good(near_, h, moved, 0) && contact::optional_memory(world.contacts) == needed_memory(world)) {
-        return;
-    }
-    choose_margins(world);
-    const bool wide_enough =
-        valid_ &&
-        still_good(
-            wide_, h, largest_fluctuation(wide_.position, h * inverse(wide_.h), world.grains.position), near_.margin
-        );
-    if (!wide_enough) {
+void Neighborhood::update(World& world, double dt) {
+    measure_grains(world);
+    allow_motion(world, dt);
+    if (!valid_ || !wide_list_reaches(world)) {
         search(world);
     }
     make_table(world);
     valid_ = true;
 }
 
-void Neighborhood::choose_margins(const World& world) {
-    if (!valid_) {
-        const auto [least, most] = std::minmax_element(world.grains.radius.begin(), world.grains.radius.end());
-        smallest_radius_ = world.grains.size() > 0 ? *least : 0;
-        largest_radius_ = world.grains.size() > 0 ? *most : 0;
-        wide_.margin = first_wide_margin * smallest_radius_;
-        near_.margin = first_near_margin * smallest_radius_;
+void Neighborhood::measure_grains(const World& world) {
+    if (valid_) {
         return;
     }
-    const std::int64_t lasted = world.clock.step - near_.step;
-    if (lasted < often) {
-        near_.margin = std::min(1.6 * near_.margin, 0.4 * wide_.margin);
+    const auto [least, most] = std::minmax_element(world.grains.radius.begin(), world.grains.radius.end());
+    smallest_radius_ = world.grains.size() > 0 ? *least : 0;
+    largest_radius_ = world.grains.size() > 0 ? *most : 0;
+    wide_margin_ = first_wide_margin * smallest_radius_;
+    least_allowance_ = first_allowance * smallest_radius_;
+}
+
+void Neighborhood::allow_motion(const World& world, double dt) {
+    const grains::Grains& grains = world.grains;
+    const std::int64_t lasted = world.clock.step - near_step_;
+    if (valid_ && lasted < table_steps) {
+        least_allowance_ = std::min(1.5 * least_allowance_, 0.1 * wide_margin_);
+    } else if (valid_ && lasted > 2 * table_steps) {
+        least_allowance_ = std::max(0.7 * least_allowance_, least_allowance * smallest_radius_);
     }
-    if (lasted > seldom) {
-        near_.margin = std::max(0.7 * near_.margin, least_near_margin * smallest_radius_);
+    const double seconds = foresight * static_cast<double>(table_steps) * dt, most = 0.2 * wide_margin_;
+    allowance_.resize(grains.size());
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        const Vec3 fluctuation = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
+        allowance_[g] = std::min(most, least_allowance_ + seconds * norm(fluctuation));
     }
+    stretch_ = least_allowance_ / std::max(largest_radius_, 1e-300) +
+               seconds * strain_of(world.cell.velocity_gradient + identity());
+}
+
+bool Neighborhood::wide_list_reaches(const World& world) const {
+    const Mat3 motion = world.cell.h * inverse(wide_h_);
+    const double strain = strain_of(motion);
+    const double moved = largest(world.grains.size(), [&](std::size_t g) {
+        return norm(world.grains.position[g] - motion * wide_position_[g]) + allowance_[g];
+    });
+    return wide_margin_ * (1 - strain) > 2 * moved + 2 * (strain + stretch_) * largest_radius_;
 }
 
 void Neighborhood::search(const World& world) {
     if (valid_) {
-        const bool too_often = world.clock.step - wide_.step < searches_often;
-        wide_.margin = std::clamp(
-            (too_often ? 1.3 : 0.8) * wide_.margin, least_wide_margin * smallest_radius_,
+        const bool too_often = world.clock.step - wide_step_ < searches_often;
+        wide_margin_ = std::clamp(
+            (too_often ? 1.3 : 0.8) * wide_margin_, least_wide_margin * smallest_radius_,
             most_wide_margin * smallest_radius_
         );
-        near_.margin = std::min(near_.margin, 0.4 * wide_.margin);
     }
+    // What the table needs must be within the list, now that nothing has moved since.
+    const double most_allowed = largest(world.grains.size(), [&](std::size_t g) { return allowance_[g]; });
+    const double needed = 2 * most_allowed + 2 * stretch_ * largest_radius_;
+    wide_margin_ = std::max(wide_margin_, 1.5 * needed);
     pairs_ = {}; // before the new ones are made
-    pairs_ = neighbors::find_pairs(world.cell.h, world.grains.position, world.grains.radius, wide_.margin);
-    wide_.position = world.grains.position;
-    wide_.h = world.cell.h;
-    wide_.step = world.clock.step;
+    pairs_ = neighbors::find_pairs(world.cell.h, world.grains.position, world.grains.radius, wide_margin_);
+    wide_position_ = world.grains.position;
+    wide_h_ = world.cell.h;
+    wide_step_ = world.clock.step;
     ++searches_;
 }
 
@@ -121,7 +139,7 @@ void Neighborhood::make_table(World& world) {
     parallel_for(pairs_.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const auto& [i, j, image] = pairs_[k];
-            const double reach = grains.radius[i] + grains.radius[j] + near_.margin;
+            const double reach = (1 + stretch_) * (grains.radius[i] + grains.radius[j]) + allowance_[i] + allowance_[j];
             const Vec3 branch = grains.position[j] + cell::shift(world.cell.h, image) - grains.position[i];
             if (norm2(branch) <= reach * reach) {
                 blocks[begin / block].push_back(pairs_[k]);
@@ -134,10 +152,15 @@ void Neighborhood::make_table(World& world) {
         part = {};
     }
     contact::carry_over(world.contacts, close, needed_memory(world), spare_column_);
-    contact::index_contacts(world.contacts, grains.size(), incidence_);
-    near_.position = grains.position;
-    near_.h = world.cell.h;
-    near_.step = world.clock.step;
+    contact::plan_sums(world.contacts, grains.size(), sum_plan_);
+    watch_.resize(grains.size());
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        const double may_move = (1 - stretch_) * allowance_[g];
+        watch_[g] = {quad(grains.position[g], may_move * may_move)};
+    }
+    near_h_ = world.cell.h;
+    inverse_h_ = inverse(world.cell.h);
+    near_step_ = world.clock.step;
     ++prunings_;
 }
 

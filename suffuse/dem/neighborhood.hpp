@@ -1,9 +1,11 @@
 #pragma once
-// Which contacts the step looks at. Two lists: a wide one from the neighbor search, and from it the table of contacts,
-// the pairs that touch or may touch before the list is next looked at. Both are caches, rebuilt from the world; pairs
-// that do not touch add exact zeros, so when they are rebuilt changes no bit of the result.
+// Which contacts the step looks at. Two lists: a wide one from the neighbor search, and from it the table of contacts:
+// the pairs that touch, and those whose two grains may come to touch before the table is made again, each grain at its
+// own speed. Both are caches, made from the world; pairs that do not touch add exact zeros, so when they are made
+// changes no bit of the result.
 
-#include "suffuse/contact/forces.hpp"
+#include "suffuse/contact/sum_plan.hpp"
+#include "suffuse/dem/move_grains.hpp"
 #include "suffuse/dem/world.hpp"
 #include "suffuse/neighbors/pairs.hpp"
 
@@ -14,19 +16,24 @@ namespace suffuse::dem {
 
 class Neighborhood {
 public:
-    /// Makes sure that no pair outside `world.contacts` can touch in this step. `moved` is the largest distance that a
-    /// grain moved against the mean motion since the table was made (from the last step), see `reference()`.
-    void update(World& world, double moved);
+    /// Whether no pair outside the contact table can touch in a cell `h`, as long as no grain has moved further than
+    /// `watch()` allows and the memory that the material needs is there.
+    [[nodiscard]] bool holds(const World& world, const Mat3& h) const;
+
+    /// Makes the contact table of `world`. @param dt time step [s]
+    void update(World& world, double dt);
 
     /// Forgets everything: after grains were added, removed or moved by hand.
     void invalidate() { valid_ = false; }
 
-    /// Positions at which the contact table was made, and the cell then.
-    [[nodiscard]] const std::vector<Vec3>& reference() const { return near_.position; }
+    [[nodiscard]] const Watch& watch() const { return watch_; }
 
-    [[nodiscard]] const Mat3& reference_h() const { return near_.h; }
+    /// Mean motion from the cell at which the table was made to the cell `h`.
+    [[nodiscard]] Mat3 mean_motion(const Mat3& h) const { return h * inverse_h_; }
 
-    [[nodiscard]] const contact::Incidence& incidence() const { return incidence_; }
+    [[nodiscard]] const contact::SumPlan& sum_plan() const { return sum_plan_; }
+
+    [[nodiscard]] double largest_radius() const { return largest_radius_; } ///< of all grains [m]
 
     [[nodiscard]] std::int64_t searches() const { return searches_; } ///< neighbor searches so far
 
@@ -35,25 +42,32 @@ public:
     [[nodiscard]] std::size_t candidates() const { return pairs_.size(); } ///< pairs of the wide list
 
 private:
-    /// The state at which a list was made, and up to which gap it holds pairs.
-    struct Snapshot {
-        std::vector<Vec3> position; ///< [m]
-        Mat3 h{};                   ///< [m]
-        double margin = 0;          ///< [m]
-        std::int64_t step = 0;
-    };
-
+    void measure_grains(const World& world);
+    void allow_motion(const World& world, double dt);
+    [[nodiscard]] bool wide_list_reaches(const World& world) const;
     void search(const World& world);
     void make_table(World& world);
-    [[nodiscard]] bool still_good(const Snapshot& list, const Mat3& h, double moved, double wanted_gap) const;
-    void choose_margins(const World& world);
 
     bool valid_ = false;
-    double largest_radius_ = 0, smallest_radius_ = 0;
-    Snapshot wide_, near_;
+    double smallest_radius_ = 0, largest_radius_ = 0;
+
+    // The wide list: all pairs with a gap up to the margin, when it was made.
     std::vector<neighbors::Pair> pairs_;
+    std::vector<Vec3> wide_position_;
+    Mat3 wide_h_{};
+    double wide_margin_ = 0; ///< [m]
+    std::int64_t wide_step_ = 0;
+
+    // The contact table: what each grain may move and the cell may stretch while it holds.
+    std::vector<double> allowance_; ///< of each grain [m]
+    double least_allowance_ = 0;    ///< what a grain at rest may move [m]
+    double stretch_ = 0;            ///< of a branch, by the mean motion [-]
+    Watch watch_;
+    Mat3 near_h_{}, inverse_h_{};
+    std::int64_t near_step_ = 0;
+
+    contact::SumPlan sum_plan_;
     std::vector<double> spare_column_;
-    contact::Incidence incidence_;
     std::int64_t searches_ = 0, prunings_ = 0;
 };
 

@@ -39,9 +39,7 @@ cell::Loading constant_volume() {
 bool settle_burst(
     World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec& spec, BalanceState& state
 ) {
-    for (std::int64_t k = 0; k < burst_steps; ++k) {
-        state.stress = step(world, caches, plan).stress;
-    }
+    state.stress = advance(world, caches, plan, burst_steps).stress;
     state.steps += burst_steps;
     state.equilibrium = measure_equilibrium(world);
     const bool balanced = state.equilibrium.contacts > 0 &&

@@ -116,7 +116,7 @@ TEST(StressError, IsTheLargestOfTheControlledAxesAgainstTheLargestTarget) {
     EXPECT_EQ(stress_error(loading, {}), 0);
 }
 
-TEST(Step, StopsAtAStressThatIsNotANumber) {
+TEST(Step, StopsAtAForceThatIsNotANumber) {
     Settling run;
     run.world.grains.velocity[0].x = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(test::advance(run.world, run.caches, run.plan, 3), Error);

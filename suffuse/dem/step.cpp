@@ -26,29 +26,47 @@ bool has_secant_servo(const cell::Loading& loading) {
     return false;
 }
 
-} // namespace
+void give_back(const StepCaches& caches, World& world) {
+    grains::from_rows(caches.rows, world.grains);
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        world.grains.force[g] = xyz(caches.sums[g].force);
+        world.grains.torque[g] = xyz(caches.sums[g].torque);
+    }
+}
 
-StepReport step(World& world, StepCaches& caches, const StepPlan& plan) {
+/// Makes sure that no pair outside the contact table can touch in this step.
+void pair(World& world, StepCaches& caches, double dt) {
+    if (caches.neighborhood.holds(world, world.cell.h) && !caches.moved_too_far) {
+        return;
+    }
+    grains::from_rows(caches.rows, world.grains);
+    caches.neighborhood.update(world, dt);
+    caches.sums.assign(caches.neighborhood.sum_plan().rows(), {});
+}
+
+Mat3 one_step(World& world, StepCaches& caches, const StepPlan& plan, const contact::LawConstants& law) {
     cell::Cell& cell = world.cell;
-    const contact::LawConstants law = contact::resolve_law(world.material);
+    Neighborhood& neighborhood = caches.neighborhood;
 
     // 1 deform: the mean motion between neighboring periods still belongs to the cell before this step [reference 1.1]
     const Mat3 image_velocity = cell.velocity_gradient * cell.h;
     cell.h += plan.dt * image_velocity;
 
     // 2 pair
-    caches.neighborhood.update(world, caches.moved);
+    pair(world, caches, plan.dt);
 
     // 3 touch, 4 press
-    const Mat3 force_branch =
-        contact::compute_forces(world.grains, cell.h, image_velocity, law, plan.dt, world.contacts, caches.forces);
-    const Mat3 stress = (1 / cell::volume(cell)) * force_branch;
-    if (!std::isfinite(trace(stress))) {
+    const contact::Surroundings around{cell.h, image_velocity, neighborhood.largest_radius(), plan.dt};
+    const contact::Pressed pressed =
+        contact::compute_forces(caches.rows, neighborhood.sum_plan(), around, law, world.contacts, caches.sums);
+    if (pressed.wild) {
         throw StateError(fmt::format(
-            "the stress is not a number at step {}: the motion has blown up; take a smaller time step than {} s",
+            "at step {} a contact force is not a number or beyond all reason: the motion has blown up; take a smaller "
+            "time step than {} s",
             world.clock.step, plan.dt
         ));
     }
+    const Mat3 stress = (1 / cell::volume(cell)) * pressed.force_branch;
 
     // 7 measure: the servo answers to this step's stress and drives this step's motion
     if (has_secant_servo(plan.loading) && world.clock.step % modulus_interval == 0) {
@@ -56,15 +74,32 @@ StepReport step(World& world, StepCaches& caches, const StepPlan& plan) {
     }
     const Mat3 gradient = cell::drive(cell, plan.loading, stress, plan.dt, world.servo);
 
-    // 5 gather, 6 move
+    // 5 gather, 6 move: the cell moves on with the new gradient in the next step, when this motion is looked at
     const motion::StepMotion motion =
         motion::plan_motion(plan.dt, plan.damping, plan.drag, cell.velocity_gradient, gradient);
-    caches.moved = move_grains(motion, caches, plan.load, plan.load_share, cell.h, world.grains);
+    const Mat3 next_h = cell.h + plan.dt * ((motion.old_gradient + motion.change) * cell.h);
+    caches.moved_too_far = move_grains(
+        motion, neighborhood.sum_plan(), plan.load, plan.load_share, neighborhood.mean_motion(next_h),
+        neighborhood.watch(), caches.rows, caches.sums
+    );
     cell.velocity_gradient = gradient;
 
     ++world.clock.step;
     world.clock.time += plan.dt;
-    return {stress, caches.moved};
+    return stress;
+}
+
+} // namespace
+
+StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::int64_t steps) {
+    const contact::LawConstants law = contact::resolve_law(world.material);
+    grains::to_rows(world.grains, caches.rows);
+    StepReport report;
+    for (std::int64_t k = 0; k < steps; ++k) {
+        report.stress = one_step(world, caches, plan, law);
+    }
+    give_back(caches, world);
+    return report;
 }
 
 } // namespace suffuse::dem

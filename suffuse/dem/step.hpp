@@ -22,19 +22,24 @@ struct StepPlan {
 };
 
 struct StepReport {
-    Mat3 stress;      ///< of this step's contact forces and branches, compression positive [Pa]
-    double moved = 0; ///< largest motion of a grain against the mean motion since the contact table was made [m]
+    Mat3 stress; ///< of this step's contact forces and branches, compression positive [Pa]
 };
 
 /// Caches of the step; made from the world, never saved.
 struct StepCaches {
     Neighborhood neighborhood;
-    std::vector<contact::ContactForce> forces; ///< of the last step, a row a contact
-    double moved = 0;                          ///< StepReport::moved of the last step [m]
+    bool moved_too_far = false; ///< a grain has, for the contact table
+    std::vector<grains::MovingRow> rows;
+    std::vector<grains::GrainSum> sums;
 };
 
-/// Advances the world by one step.
+/// Advances the world by `steps` steps. @return of the last one
 /// @throws StateError when the stress is not finite any more, with the step and what to do.
-StepReport step(World& world, StepCaches& caches, const StepPlan& plan);
+StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::int64_t steps);
+
+/// Advances the world by one step.
+inline StepReport step(World& world, StepCaches& caches, const StepPlan& plan) {
+    return advance(world, caches, plan, 1);
+}
 
 } // namespace suffuse::dem

@@ -2,20 +2,28 @@
 // One grain's motion over one step, in a cell that deforms: damped acceleration, convection by the cell's mean motion,
 // and the change of that mean motion [reference 1.4]. Pure functions; the loop over grains is in dem.
 
+#include "suffuse/base/quad.hpp"
 #include "suffuse/base/vec3.hpp"
-#include "suffuse/grains/grains.hpp"
 
 namespace suffuse::motion {
 
-/// What is the same for all grains in a step.
-struct StepMotion {
-    double dt = 0;      ///< [s]
-    double damping = 0; ///< local, non-viscous: share of the force taken where it does positive work [-]
-    double drag = 0;    ///< viscous: deceleration / velocity relative to the mean motion; relaxation only [1/s]
-    Mat3 old_gradient;  ///< velocity gradient of the cell until this step [1/s]
-    Mat3 change;        ///< new gradient minus old one [1/s]
-    Vec3 spin_change;   ///< spin of `change` [rad/s]
+/// What is the same for all grains in a step, over the vector type of the loop that moves them.
+template <class Vec, class Matrix>
+struct MotionOf {
+    double dt = 0;       ///< [s]
+    double damping = 0;  ///< local, non-viscous: share of the force taken where it does positive work [-]
+    double drag = 0;     ///< viscous: deceleration / velocity relative to the mean motion; relaxation only [1/s]
+    Matrix old_gradient; ///< velocity gradient of the cell until this step [1/s]
+    Matrix change;       ///< new gradient minus old one [1/s]
+    Vec spin_change;     ///< spin of `change` [rad/s]
 };
+
+using StepMotion = MotionOf<Vec3, Mat3>;
+
+// A grain's three components at once, with the same bits; in a cell whose edges keep their directions, matrices are
+// diagonal.
+using QuadMotion = MotionOf<Quad, QuadMatrix>;
+using DiagonalMotion = MotionOf<Quad, Quad>;
 
 inline StepMotion
 plan_motion(double dt, double damping, double drag, const Mat3& old_gradient, const Mat3& new_gradient) {
@@ -24,6 +32,14 @@ plan_motion(double dt, double damping, double drag, const Mat3& old_gradient, co
     const Vec3 spin{
         0.5 * (change(2, 1) - change(1, 2)), 0.5 * (change(0, 2) - change(2, 0)), 0.5 * (change(1, 0) - change(0, 1))};
     return {dt, damping, drag, old_gradient, change, spin};
+}
+
+inline QuadMotion in_quads(const StepMotion& m) {
+    return {m.dt, m.damping, m.drag, quad_matrix(m.old_gradient), quad_matrix(m.change), quad(m.spin_change, 0)};
+}
+
+inline DiagonalMotion in_diagonals(const StepMotion& m) {
+    return {m.dt, m.damping, m.drag, quad_diagonal(m.old_gradient), quad_diagonal(m.change), quad(m.spin_change, 0)};
 }
 
 /// Local damping [Cundall & Strack 1979]: the acceleration grows where it brakes and shrinks where it drives. The
@@ -39,18 +55,27 @@ plan_motion(double dt, double damping, double drag, const Mat3& old_gradient, co
     return {damped(a.x, v.x, dt, damping), damped(a.y, v.y, dt, damping), damped(a.z, v.z, dt, damping)};
 }
 
-/// Moves a grain under `force` [N] and `torque` [N m]. `free` is 1, or 0 for a held grain, which keeps its own velocity
-/// and spin and is carried along by the cell as any other.
+[[gnu::always_inline]] inline Quad damped(const Quad& a, const Quad& v, double dt, double damping) {
+    const Quad zero{}, one = zero + 1.0;
+    const Quad power = a * (v + 0.5 * dt * a);
+    const Quad sense = power > zero ? one : (power < zero ? -one : zero);
+    return a * (1.0 - damping * sense);
+}
+
+/// Moves a grain that contacts and loads alone would accelerate by `push` [m/s2] and `turn` [rad/s2]. `free` is 1, or 0
+/// for a held grain (whose `push` and `turn` are zero), which keeps its own velocity and spin and is carried along by
+/// the cell as any other.
+template <class Vec, class Matrix, class Scalar>
 [[gnu::always_inline]] inline void move(
-    const StepMotion& step, const Vec3& force, const Vec3& torque, double mass, double inertia, double free,
-    Vec3& position, Vec3& velocity, Vec3& spin
+    const MotionOf<Vec, Matrix>& step, const Vec& push, const Vec& turn, const Scalar& free, Vec& position,
+    Vec& velocity, Vec& spin
 ) {
-    const Vec3 fluctuation = velocity - step.old_gradient * position;
-    const double drag = free * step.drag;
-    Vec3 acceleration = damped((free / mass) * force, fluctuation, step.dt, step.damping) - drag * fluctuation;
+    const Vec fluctuation = velocity - step.old_gradient * position;
+    const Scalar drag = free * step.drag;
+    Vec acceleration = damped(push, fluctuation, step.dt, step.damping) - drag * fluctuation;
     acceleration += step.old_gradient * velocity;
     velocity += step.dt * acceleration;
-    const Vec3 spin_up = damped((free / inertia) * torque, spin, step.dt, step.damping) - drag * spin;
+    const Vec spin_up = damped(turn, spin, step.dt, step.damping) - drag * spin;
     spin += step.dt * spin_up;
     velocity += step.change * position;
     spin += step.spin_change;

@@ -12,7 +12,7 @@ struct Grain {
 constexpr double mass = 2, inertia = 0.5;
 
 Grain moved(const StepMotion& step, Grain grain, const Vec3& force, const Vec3& torque, double free = 1) {
-    move(step, force, torque, mass, inertia, free, grain.position, grain.velocity, grain.spin);
+    move(step, (free / mass) * force, (free / inertia) * torque, free, grain.position, grain.velocity, grain.spin);
     return grain;
 }
 

@@ -42,9 +42,14 @@ void add_plastic_work(
     grains::Material unlimited = after.material;
     unlimited.friction = 1.57;
     unlimited.rolling_friction = -1;
-    std::vector<contact::ContactForce> forces;
+    std::vector<grains::MovingRow> rows;
+    grains::to_rows(before.grains, rows);
+    contact::SumPlan plan;
+    contact::plan_sums(elastic, before.grains.size(), plan);
+    std::vector<grains::GrainSum> sums(plan.rows());
+    const double largest_radius = *std::max_element(before.grains.radius.begin(), before.grains.radius.end());
     contact::compute_forces(
-        before.grains, after.cell.h, image_velocity, contact::resolve_law(unlimited), dt, elastic, forces
+        rows, plan, {after.cell.h, image_velocity, largest_radius, dt}, contact::resolve_law(unlimited), elastic, sums
     );
     for (std::size_t c = 0; c < elastic.size(); ++c) {
         if (!after.contacts.touches(c)) {

@@ -1,0 +1,35 @@
+#pragma once
+// Where the forces of a contact are added up. Grains are cut into domains of fixed size along their storage order; the
+// contacts whose first grain lies in a domain are its rows of the table. A domain adds directly to its own grains; what
+// it exerts on a grain of another goes into a row of its own, which that grain collects later, in the order of the
+// table. So domains run on any threads at the same time, and every sum has one order.
+
+#include "suffuse/contact/contacts.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace suffuse::contact {
+
+inline constexpr std::size_t domain_grains = 1024;
+
+struct SumPlan {
+    std::size_t grains = 0;
+    std::vector<std::uint32_t> domain_start; ///< first contact row of each domain, and the end
+    std::vector<std::uint32_t>
+        second_sum; ///< for each contact, the row of the sums that its second grain's share goes to
+    std::vector<std::uint32_t> remote_grain; ///< grain of each row of the sums beyond `grains`, ascending
+    std::vector<std::uint32_t> remote_start; ///< first row beyond `grains` of each domain's grains, and the end
+    std::vector<std::uint16_t> image;        ///< for each contact, its row of `images`
+    std::vector<cell::Image> images;         ///< those that occur
+
+    [[nodiscard]] std::size_t domains() const { return domain_start.size() - 1; }
+
+    [[nodiscard]] std::size_t rows() const { return grains + remote_grain.size(); } ///< of the sums
+};
+
+/// Makes the plan of a sorted table.
+/// @throws StateError where more than 65,536 different images occur: grains have drifted over that many periods.
+void plan_sums(const Contacts& contacts, std::size_t grains, SumPlan& plan);
+
+} // namespace suffuse::contact

@@ -1,0 +1,34 @@
+#include "suffuse/grains/moving_rows.hpp"
+
+#include "suffuse/base/parallel.hpp"
+
+namespace suffuse::grains {
+namespace {
+
+constexpr std::size_t block_rows = 2048;
+
+}
+
+void to_rows(const Grains& grains, std::vector<MovingRow>& rows) {
+    rows.resize(grains.size());
+    parallel_for(grains.size(), block_rows, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            const double free = grains.motion[g] == Motion::Free ? 1.0 : 0.0;
+            rows[g] = {
+                quad(grains.position[g], free / grains.mass[g]), quad(grains.velocity[g], free / grains.inertia[g]),
+                quad(grains.spin[g], grains.radius[g])};
+        }
+    });
+}
+
+void from_rows(const std::vector<MovingRow>& rows, Grains& grains) {
+    parallel_for(grains.size(), block_rows, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            grains.position[g] = xyz(rows[g].position);
+            grains.velocity[g] = xyz(rows[g].velocity);
+            grains.spin[g] = xyz(rows[g].spin);
+        }
+    });
+}
+
+} // namespace suffuse::grains
