@@ -4,7 +4,8 @@ target_compile_options(suffuse_options INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     # The same bits on every processor: no fused multiply-add unless written. No traps or errno are read, and saying so
     # lets the compiler turn branches into selects; neither changes a value.
-    -ffp-contract=off -fno-math-errno -fno-trapping-math)
+    -ffp-contract=off -fno-math-errno -fno-trapping-math
+    -Wno-psabi) # vectors wider than the least processor has are only passed where everything is inlined
 if(SUFFUSE_WERROR)
     target_compile_options(suffuse_options INTERFACE -Werror)
 endif()
