@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace suffuse::erosion {
@@ -30,10 +31,25 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-flow::Seepage seep(const dem::World& world, double gradient, const Vec3& direction, const flow::Fluid& fluid) {
-    return flow::solve_seepage(
-        world.cell, world.grains.position, world.grains.radius, {gradient, direction, false}, fluid
-    );
+/// Step 2: the permeability, and the fluid's forces on the grains at each gradient. The pore network, larger than the
+/// world, is gone when this returns.
+struct Seeping {
+    double permeability = 0; ///< [m2]
+    std::vector<ProbeLoad> loads;
+};
+
+Seeping
+seep(const dem::World& world, std::span<const double> gradients, const Vec3& direction, const flow::Fluid& fluid) {
+    const flow::Seepage unit =
+        flow::solve_seepage(world.cell, world.grains.position, world.grains.radius, {1, direction, false}, fluid);
+    Seeping seeping{unit.permeability, {}};
+    for (const double gradient : gradients) {
+        seeping.loads.push_back({gradient, unit.grain_force});
+        for (Vec3& force : seeping.loads.back().force) {
+            force *= gradient;
+        }
+    }
+    return seeping;
 }
 
 /// Step 1: the equilibrium relaxed so far that its unbalance does not drown the fluid's force.
@@ -42,18 +58,20 @@ dem::RelaxReport relax_further(dem::World& world, double dt, const ProbeSpec& sp
     return dem::relax(world, caches, dt, around.damping, spec.unbalanced_force, spec.relax_limit, around.pulse);
 }
 
-/// Step 3 under the flow's forces.
-ProbeResult probe(
-    const dem::World& world, const flow::Seepage& seepage, double gradient, double dt, const dem::RelaxReport& relaxed,
+/// Step 3 under the flow's forces at each gradient.
+std::vector<ProbeResult> probe(
+    const dem::World& world, std::span<const ProbeLoad> loads, double dt, const dem::RelaxReport& relaxed,
     const ProbeSpec& spec, const DetachSpec& rule, const Surroundings& around
 ) {
-    const ProbeSetting setting{spec, around.fluid, gradient, dt, around.damping};
-    ProbeResult result = watch_fines(world, {seepage.grain_force}, setting, around.pulse);
-    result.unbalanced_force = relaxed.unbalanced_force;
-    result.relax_steps = relaxed.steps;
-    result.reached_floor = relaxed.reached_floor;
-    judge_detachment(rule, result);
-    return result;
+    std::vector<ProbeResult> results =
+        watch_fines(world, loads, {spec, around.fluid, dt, around.damping}, around.pulse);
+    for (ProbeResult& result : results) {
+        result.unbalanced_force = relaxed.unbalanced_force;
+        result.relax_steps = relaxed.steps;
+        result.reached_floor = relaxed.reached_floor;
+        judge_detachment(rule, result);
+    }
+    return results;
 }
 
 /// Step 5: the detachable fines that the constrictions let through, or the fines that are taken out by force.
@@ -113,12 +131,12 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.wall_seconds["relax"] = watch.lap();
 
     // 2 flow
-    const flow::Seepage seepage = seep(next, spec.gradient, spec.direction, around.fluid);
-    pass.permeability_before = seepage.permeability;
+    const Seeping seeping = seep(next, {&spec.gradient, 1}, spec.direction, around.fluid);
+    pass.permeability_before = seeping.permeability;
     pass.wall_seconds["flow"] = watch.lap();
 
     // 3 probe
-    pass.probe = probe(next, seepage, spec.gradient, dt, relaxed, spec.probe, spec.detached, around);
+    pass.probe = probe(next, seeping.loads, dt, relaxed, spec.probe, spec.detached, around).front();
     pass.wall_seconds["probe"] = watch.lap();
 
     // 4 constrictions
@@ -137,7 +155,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     // 6 new equilibrium
     std::vector<PathRow> path = reequilibrate(next, dt, result, around, pass);
     watch.lap();
-    pass.permeability_after = seep(next, 1, spec.direction, around.fluid).permeability;
+    pass.permeability_after = seep(next, {}, spec.direction, around.fluid).permeability;
     pass.wall_seconds["flow"] += watch.lap();
 
     const std::optional<std::string> complaint = skeleton_complaint(next);
@@ -156,14 +174,8 @@ probe_gradients(const dem::World& world, const DetachStageSpec& spec, const Surr
     dem::sort_along_curve(relaxed_world);
     const double dt = dem::stable_time_step(relaxed_world);
     const dem::RelaxReport relaxed = relax_further(relaxed_world, dt, spec.probe, around);
-    const flow::Seepage unit = seep(relaxed_world, 1, spec.direction, around.fluid);
-    std::vector<ProbeResult> results;
-    for (const double gradient : spec.gradients) {
-        flow::Seepage seepage = unit;
-        flow::scale(seepage, gradient);
-        results.push_back(probe(relaxed_world, seepage, gradient, dt, relaxed, spec.probe, spec.detached, around));
-    }
-    return results;
+    const Seeping seeping = seep(relaxed_world, spec.gradients, spec.direction, around.fluid);
+    return probe(relaxed_world, seeping.loads, dt, relaxed, spec.probe, spec.detached, around);
 }
 
 } // namespace suffuse::erosion

@@ -1,21 +1,18 @@
 #include "suffuse/erosion/probe.hpp"
 
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/settle.hpp"
+#include "suffuse/grains/load.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace suffuse::erosion {
 namespace {
-
-/// A copy of the equilibrium under observation.
-struct Watched {
-    dem::World world;
-    dem::StepCaches caches;
-    std::vector<Vec3> start; ///< positions of the fines [m]
-};
 
 std::vector<std::uint32_t> rows_of_fines(const grains::Grains& grains) {
     std::vector<std::uint32_t> rows;
@@ -27,27 +24,84 @@ std::vector<std::uint32_t> rows_of_fines(const grains::Grains& grains) {
     return rows;
 }
 
-Watched copy_to_watch(const dem::World& equilibrium, const std::vector<std::uint32_t>& fines, bool hold_coarse) {
-    Watched watched{equilibrium, {}, {}};
-    grains::Grains& grains = watched.world.grains;
-    watched.world.cell.velocity_gradient = {};
+dem::World copy_to_watch(const dem::World& equilibrium, bool hold_coarse) {
+    dem::World world = equilibrium;
+    grains::Grains& grains = world.grains;
+    world.cell.velocity_gradient = {};
     for (std::size_t g = 0; g < grains.size(); ++g) {
         grains.velocity[g] = grains.spin[g] = {};
         grains.motion[g] = hold_coarse && grains.fine[g] == 0 ? grains::Motion::Held : grains::Motion::Free;
     }
-    for (const std::uint32_t g : fines) {
-        watched.start.push_back(grains.position[g]);
-    }
-    return watched;
+    return world;
 }
 
-void sample_speeds(
-    const grains::Grains& grains, const std::vector<std::uint32_t>& fines, std::size_t sample, ProbeResult& result
-) {
-    for (std::size_t k = 0; k < fines.size(); ++k) {
-        result.speed[k][sample] = norm(grains.velocity[fines[k]]);
+/// What is kept of a copy that was watched, a row a fine grain.
+struct Motion {
+    std::vector<std::array<double, probe_samples + 1>>
+        speed;                  ///< at full force, and after each tenth of the watch [m/s]
+    std::vector<Vec3> position; ///< at the end [m]
+};
+
+/// A copy of the equilibrium under observation, with the fluid's forces on its fines or without.
+class Watched {
+public:
+    Watched(
+        const dem::World& equilibrium, const std::vector<std::uint32_t>& fines, const ProbeLoad* load,
+        const ProbeSetting& setting
+    )
+        : fines_(fines), spec_(setting.spec), world_(copy_to_watch(equilibrium, setting.spec.hold_coarse)) {
+        plan_.dt = setting.time_step;
+        plan_.damping = setting.damping;
+        plan_.loading = dem::constant_volume();
+        motion_.speed.resize(fines.size());
+        if (load == nullptr) {
+            return;
+        }
+        load_.emplace().force.resize(equilibrium.grains.size());
+        for (const std::uint32_t g : fines) {
+            load_->force[g] = load->force[g];
+        }
     }
-}
+
+    /// Goes on to the given step.
+    void advance_to(std::int64_t last) {
+        plan_.load = load_ ? &*load_ : nullptr;
+        for (; step_ < last; ++step_) {
+            sample_speeds();
+            plan_.load_share = std::min(1.0, static_cast<double>(step_ + 1) / static_cast<double>(spec_.ramp));
+            dem::step(world_, caches_, plan_);
+        }
+        sample_speeds();
+    }
+
+    Motion finish() {
+        for (const std::uint32_t g : fines_) {
+            motion_.position.push_back(world_.grains.position[g]);
+        }
+        return std::move(motion_);
+    }
+
+private:
+    /// At full force and after each tenth of the watch, the same again where it has been done.
+    void sample_speeds() {
+        while (sample_ <= probe_samples && step_ == spec_.ramp + sample_ * spec_.watch / probe_samples) {
+            for (std::size_t k = 0; k < fines_.size(); ++k) {
+                motion_.speed[k][static_cast<std::size_t>(sample_)] = norm(world_.grains.velocity[fines_[k]]);
+            }
+            ++sample_;
+        }
+    }
+
+    const std::vector<std::uint32_t>& fines_;
+    const ProbeSpec& spec_;
+    dem::World world_;
+    dem::StepCaches caches_;
+    dem::StepPlan plan_;
+    std::optional<grains::GrainLoad> load_;
+    Motion motion_;
+    std::int64_t step_ = 0;
+    int sample_ = 0;
+};
 
 double median(std::vector<double> values) {
     if (values.empty()) {
@@ -94,11 +148,11 @@ void fill_scales(
 }
 
 ProbeResult describe_fines(
-    const dem::World& equilibrium, const std::vector<std::uint32_t>& fines, const grains::GrainLoad& load,
+    const dem::World& equilibrium, const std::vector<std::uint32_t>& fines, const ProbeLoad& load,
     const ProbeSetting& setting
 ) {
     ProbeResult result;
-    result.gradient = setting.gradient;
+    result.gradient = load.gradient;
     result.unbalanced_force = dem::measure_equilibrium(equilibrium).unbalanced_force;
     result.ramp = setting.spec.ramp;
     result.watch = setting.spec.watch;
@@ -110,60 +164,62 @@ ProbeResult describe_fines(
         result.fluid_force.push_back(norm(load.force[g]));
         result.coordination.push_back(contacts[g]);
     }
-    result.speed.resize(fines.size());
     fill_free_flight(equilibrium.grains, fines, setting, result);
     return result;
 }
 
+/// Motions of the twin, then of the copy under each load: `at_once` of them side by side, a burst of steps at a time.
+std::vector<Motion> watch(
+    const dem::World& equilibrium, const std::vector<std::uint32_t>& fines, std::span<const ProbeLoad> loads,
+    const ProbeSetting& setting, const Pulse& pulse
+) {
+    const std::size_t copies = loads.size() + 1;
+    const std::size_t at_once = std::min(copies, static_cast<std::size_t>(thread_count()));
+    const std::int64_t steps = setting.spec.ramp + setting.spec.watch;
+    std::vector<Motion> motions;
+    std::int64_t done = 0; // steps of the copies watched so far
+    for (std::size_t first = 0; first < copies; first += at_once) {
+        std::vector<Watched> side_by_side;
+        side_by_side.reserve(at_once);
+        for (std::size_t k = first; k < std::min(copies, first + at_once); ++k) {
+            side_by_side.emplace_back(equilibrium, fines, k == 0 ? nullptr : &loads[k - 1], setting);
+        }
+        for (std::int64_t step = 0; step < steps; step += dem::burst_steps) {
+            beat(pulse, "probe", done + step);
+            run_side_by_side(side_by_side.size(), static_cast<int>(side_by_side.size()), [&](std::size_t k) {
+                side_by_side[k].advance_to(std::min(steps, step + dem::burst_steps));
+            });
+        }
+        done += steps;
+        for (Watched& watched : side_by_side) {
+            motions.push_back(watched.finish());
+        }
+    }
+    return motions;
+}
+
 } // namespace
 
-ProbeResult watch_fines(
-    const dem::World& equilibrium, const grains::GrainLoad& load, const ProbeSetting& setting, const Pulse& pulse
+std::vector<ProbeResult> watch_fines(
+    const dem::World& equilibrium, std::span<const ProbeLoad> loads, const ProbeSetting& setting, const Pulse& pulse
 ) {
     const std::vector<std::uint32_t> fines = rows_of_fines(equilibrium.grains);
-    ProbeResult result = describe_fines(equilibrium, fines, load, setting);
-    grains::GrainLoad on_fines{std::vector<Vec3>(equilibrium.grains.size())};
-    for (const std::uint32_t g : fines) {
-        on_fines.force[g] = load.force[g];
-    }
-
-    Watched probe = copy_to_watch(equilibrium, fines, setting.spec.hold_coarse);
-    Watched twin = copy_to_watch(equilibrium, fines, setting.spec.hold_coarse);
-    dem::StepPlan plan;
-    plan.dt = setting.time_step;
-    plan.damping = setting.damping;
-    plan.loading = dem::constant_volume();
-    dem::StepPlan loaded = plan;
-    loaded.load = &on_fines;
-
-    const std::int64_t steps = setting.spec.ramp + setting.spec.watch;
-    std::size_t sample = 0;
-    for (std::int64_t k = 0; k <= steps; ++k) {
-        // Samples at full force and after each tenth of the watch.
-        const auto next = setting.spec.ramp + static_cast<std::int64_t>(sample) * setting.spec.watch / probe_samples;
-        if (k == next && sample <= probe_samples) {
-            sample_speeds(probe.world.grains, fines, sample++, result);
+    std::vector<Motion> motions = watch(equilibrium, fines, loads, setting, pulse);
+    const Motion& twin = motions.front();
+    std::vector<ProbeResult> results;
+    for (std::size_t l = 0; l < loads.size(); ++l) {
+        Motion& probe = motions[l + 1];
+        ProbeResult& result = results.emplace_back(describe_fines(equilibrium, fines, loads[l], setting));
+        for (std::size_t k = 0; k < fines.size(); ++k) {
+            result.twin_speed.push_back(twin.speed[k].back());
+            const double force = result.fluid_force[k];
+            const Vec3 against_twin = probe.position[k] - twin.position[k];
+            result.displacement.push_back(force > 0 ? dot(against_twin, loads[l].force[fines[k]]) / force : 0);
         }
-        if (k == steps) {
-            break;
-        }
-        loaded.load_share = std::min(1.0, static_cast<double>(k + 1) / static_cast<double>(setting.spec.ramp));
-        dem::step(probe.world, probe.caches, loaded);
-        dem::step(twin.world, twin.caches, plan);
-        if (k % dem::burst_steps == 0) {
-            beat(pulse, "probe", k);
-        }
+        result.speed = std::move(probe.speed);
+        fill_scales(equilibrium, fines, setting, result);
     }
-
-    for (std::size_t k = 0; k < fines.size(); ++k) {
-        const std::uint32_t g = fines[k];
-        result.twin_speed.push_back(norm(twin.world.grains.velocity[g]));
-        const Vec3 against_twin = probe.world.grains.position[g] - twin.world.grains.position[g];
-        const double force = result.fluid_force[k];
-        result.displacement.push_back(force > 0 ? dot(against_twin, load.force[g]) / force : 0);
-    }
-    fill_scales(equilibrium, fines, setting, result);
-    return result;
+    return results;
 }
 
 } // namespace suffuse::erosion

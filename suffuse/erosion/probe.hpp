@@ -7,22 +7,31 @@
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/erosion/spec.hpp"
 #include "suffuse/flow/fluid.hpp"
-#include "suffuse/grains/load.hpp"
+
+#include <span>
+#include <vector>
 
 namespace suffuse::erosion {
 
 struct ProbeSetting {
     ProbeSpec spec;
     flow::Fluid fluid;
-    double gradient = 0;  ///< hydraulic gradient that `load` belongs to [-]
     double time_step = 0; ///< [s]
     double damping = 0.2; ///< local [-]
 };
 
-/// Watches the fines of a copy of `equilibrium` under `load` (a row a grain; only the fines' rows act) and fills in all
-/// of the result but the verdicts of the rules.
-ProbeResult watch_fines(
-    const dem::World& equilibrium, const grains::GrainLoad& load, const ProbeSetting& setting, const Pulse& pulse = {}
+/// What the fluid does at one hydraulic gradient.
+struct ProbeLoad {
+    double gradient = 0;     ///< hydraulic [-]
+    std::vector<Vec3> force; ///< a row a grain; only the fines' rows act [N]
+};
+
+/// Watches the fines of copies of `equilibrium`, one under each load and one, the twin of all of them, under none.
+/// As many copies as there are threads run side by side, and no more are held at a time.
+/// @return for each load all of the result but the verdicts of the rules
+std::vector<ProbeResult> watch_fines(
+    const dem::World& equilibrium, std::span<const ProbeLoad> loads, const ProbeSetting& setting,
+    const Pulse& pulse = {}
 );
 
 } // namespace suffuse::erosion

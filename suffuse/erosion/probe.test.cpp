@@ -1,5 +1,6 @@
 #include "suffuse/erosion/probe.hpp"
 
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/erosion/detachment.hpp"
 
 #include <gtest/gtest.h>
@@ -22,15 +23,19 @@ dem::World floating_and_caught() {
 
 ProbeSetting setting() {
     ProbeSetting s;
-    s.gradient = 0.05;
     s.time_step = 2e-8;
     s.spec.ramp = 200;
     s.spec.watch = 300;
     return s;
 }
 
-grains::GrainLoad sideways(double force) {
-    return {std::vector<Vec3>(4, Vec3{force, 0, 0})};
+ProbeLoad sideways(double force) {
+    return {0.05, std::vector<Vec3>(4, Vec3{force, 0, 0})};
+}
+
+/// One load, one result.
+ProbeResult watch_fines(const dem::World& equilibrium, const ProbeLoad& load, const ProbeSetting& setting) {
+    return erosion::watch_fines(equilibrium, {&load, 1}, setting).front();
 }
 
 TEST(Probe, AFloatingGrainMovesAsFreeFlightSays) {
@@ -62,6 +67,38 @@ TEST(Probe, LeavesTheEquilibriumAsItWasAndHoldsTheCoarseGrains) {
     const auto hash = dem::state_hash(before);
     watch_fines(before, sideways(3e-9), setting());
     EXPECT_EQ(dem::state_hash(before), hash);
+}
+
+TEST(Probe, LoadsAndThreadsDoNotKnowOfEachOther) {
+    const dem::World world = floating_and_caught();
+    const std::vector<ProbeLoad> loads = {sideways(0), sideways(3e-9), sideways(5e-9), sideways(7e-9)};
+    for (const int threads : {1, 2, 3}) {
+        set_thread_count(threads);
+        const std::vector<ProbeResult> together = erosion::watch_fines(world, loads, setting());
+        ASSERT_EQ(together.size(), loads.size());
+        for (std::size_t l = 0; l < loads.size(); ++l) {
+            const ProbeResult alone = watch_fines(world, loads[l], setting());
+            EXPECT_EQ(together[l].speed, alone.speed);
+            EXPECT_EQ(together[l].twin_speed, alone.twin_speed);
+            EXPECT_EQ(together[l].displacement, alone.displacement);
+        }
+    }
+    set_thread_count(1);
+}
+
+TEST(Probe, CanBeInterruptedBetweenBursts) {
+    struct Enough {};
+
+    long long last = -1;
+    const Pulse pulse = [&](std::string_view, long long steps) {
+        last = steps;
+        if (steps >= 600) { // in the second copy of two: the twin's 500 steps come first on one thread
+            throw Enough{};
+        }
+    };
+    const ProbeLoad load = sideways(3e-9);
+    EXPECT_THROW(erosion::watch_fines(floating_and_caught(), {&load, 1}, setting(), pulse), Enough);
+    EXPECT_EQ(last, 600);
 }
 
 TEST(Probe, SaysWhenAConstantForceOverstatesTheMotion) {
