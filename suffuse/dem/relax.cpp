@@ -34,9 +34,7 @@ RelaxReport relax(
     double best = report.unbalanced_force;
     std::int64_t since_best = 0;
     while (report.steps < most_steps) {
-        for (std::int64_t k = 0; k < burst_steps; ++k) {
-            step(world, caches, plan);
-        }
+        advance(world, caches, plan, burst_steps);
         report.steps += burst_steps;
         report.unbalanced_force = measure_equilibrium(world).unbalanced_force;
         if (report.unbalanced_force <= wanted) {
