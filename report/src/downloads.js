@@ -2,7 +2,7 @@
 
 const pixelsPerPixel = 3; // PNG: about 290 dots an inch at the chart's own size
 
-function save(name, blob) {
+export function save(name, blob) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;

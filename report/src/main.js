@@ -1,6 +1,7 @@
 // The report's page: draws the charts whose specifications and numbers the program left in it, and offers them as files.
 import { Chart } from "./chart.js";
 import { addButtons } from "./downloads.js";
+import { showScene } from "./scene/index.js";
 
 const { run, look, figures } = JSON.parse(document.getElementById("report-data").textContent);
 const charts = [];
@@ -19,6 +20,7 @@ async function drawAll() {
     await chart.draw();
     await new Promise((resume) => setTimeout(resume));
   }
+  if (!document.documentElement.dataset.drawn) showScene(run);
   document.documentElement.dataset.drawn = "all";
 }
 

@@ -8,13 +8,13 @@ export const samples = process.env.SUFFUSE_SAMPLES;
 export const fromPage = createRequire(join(process.env.SUFFUSE_PAGE, "npm", "package.json"));
 
 /** Chromium as a container's root user runs it: without its sandbox, drawing 3D by software. */
-export async function launch() {
+export async function launch(more = []) {
   const { chromium } = fromPage("playwright-core");
   const executablePath = process.env.SUFFUSE_CHROMIUM;
   try {
     return await chromium.launch({
       executablePath,
-      args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+      args: ["--no-sandbox", ...(more.length ? more : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"])],
     });
   } catch (error) {
     const { version } = fromPage("playwright-core/package.json");
@@ -48,4 +48,34 @@ export function csv(run, id) {
   const lines = readFileSync(join(samples, run, "figures", `${id}.csv`), "utf8").trim().split("\n");
   const [header, ...rows] = lines.filter((line) => !line.startsWith("#")).map(fieldsOf);
   return { header, rows };
+}
+
+/** Waits until the view in 3D has drawn what was asked of it last. */
+export async function settled(page) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+/** Share of the view's pixels that are not its paper, and the number of colors among a sample of them. */
+export async function pixels(page) {
+  await settled(page);
+  return page.evaluate(() => {
+    const { view } = document.querySelector("[data-scene]");
+    view.draw(); // what WebGL has drawn can be read until the browser shows it
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [view.canvas.width, view.canvas.height];
+    const paint = copy.getContext("2d");
+    paint.drawImage(view.canvas, 0, 0);
+    const { data } = paint.getImageData(0, 0, copy.width, copy.height);
+    let drawn = 0;
+    let sum = 0;
+    const colors = new Set();
+    for (let k = 0; k < data.length; k += 4) {
+      const away = [0, 1, 2].some((c) => Math.abs(data[k + c] - data[c]) > 6);
+      if (!away) continue;
+      ++drawn;
+      sum = (sum * 31 + data[k] * 65536 + data[k + 1] * 256 + data[k + 2]) % 4294967296;
+      if (drawn % 37 === 0) colors.add((data[k] >> 4) * 256 + (data[k + 1] >> 4) * 16 + (data[k + 2] >> 4));
+    }
+    return { share: drawn / (data.length / 4), print: sum, colors: colors.size };
+  });
 }

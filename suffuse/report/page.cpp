@@ -2,6 +2,8 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/report/html.hpp"
+#include "suffuse/report/scene_section.hpp"
+#include "suffuse/report/still.hpp"
 #include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
@@ -324,6 +326,10 @@ std::string render(const ReportData& report, const std::optional<PageScript>& sc
         sections += section(name, "<div class=\"figures\">\n" + figures + "</div>\n");
         links += fmt::format("<a href=\"#{}\">{}</a>\n", anchor(name), name);
     }
+    if (!report.scene.states.empty()) {
+        sections += section("In 3D", scene_section(report.scene, script.has_value()));
+        links += "<a href=\"#in-3d\">In 3D</a>\n";
+    }
     sections += section("Quality", stage_table(report.stages) + conventions);
     sections += provenance_section(report, script);
     links += "<a href=\"#quality\">Quality</a>\n<a href=\"#provenance\">Provenance</a>\n";
@@ -333,8 +339,12 @@ std::string render(const ReportData& report, const std::optional<PageScript>& sc
         escaped(report.run) + "</p>\n<h1>" + escaped(report.title) + "</h1>\n<nav aria-label=\"Sections\">\n" + links +
         "</nav>\n</header>\n<main>\n" + (script ? no_script_sentence : plain_sentence) + sections + "</main>\n";
     if (script) {
-        page += "<script type=\"application/json\" id=\"report-data\">" + charts_json(report) + "</script>\n<script>" +
-                script->code + "</script>\n";
+        page += "<script type=\"application/json\" id=\"report-data\">" + charts_json(report) + "</script>\n";
+        if (!report.scene.states.empty()) {
+            page += "<script type=\"application/json\" id=\"scene-data\">" + script_safe(scene_json(report.scene)) +
+                    "</script>\n";
+        }
+        page += "<script>" + script->code + "</script>\n";
     }
     return page + "</body>\n</html>\n";
 }
@@ -374,6 +384,10 @@ WrittenReport write_report(
         } else {
             write_text(figures / (figure.id + ".svg"), figure.drawing);
         }
+    }
+    for (const std::size_t k : still_states(report.scene)) {
+        const std::string name = fmt::format("own-grains-{}.png", k);
+        write_text(figures / name, still_picture(report.scene, report.scene.states[k]));
     }
     const std::optional<PageScript> script = read_page_script(page_folder);
     write_text(run_folder / "report.html", render(report, script));

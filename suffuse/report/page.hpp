@@ -5,6 +5,7 @@
 
 #include "suffuse/report/figure.hpp"
 #include "suffuse/report/findings.hpp"
+#include "suffuse/report/scene.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -50,6 +51,7 @@ struct ReportData {
     std::vector<std::string> warnings;
     std::vector<AssumedValue> assumed;
     std::vector<Figure> figures; ///< in the order in which they are shown
+    Scene scene;                 ///< without states: no section "In 3D"
     std::vector<StageRow> stages;
     std::vector<std::pair<std::string, std::string>> provenance; ///< version, commit, seed, threads, hashes, times
     std::string redraw;                                          ///< the command that builds this report again
@@ -60,7 +62,8 @@ struct WrittenReport {
     bool has_charts = false; ///< false: plain, for want of the page's script
 };
 
-/// Writes `run_folder/report.html`, `figures/ID.csv` and `figures/ID.vl.json`. `page_folder` is where report/build.sh
+/// Writes `run_folder/report.html`, `figures/ID.csv` and `figures/ID.vl.json` (or `ID.svg`), and the scene's still
+/// pictures, `figures/own-grains-K.png`. `page_folder` is where report/build.sh
 /// left the page's script; empty or without it, the report is plain. Throws IoError, naming the file.
 WrittenReport write_report(
     const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder = {}

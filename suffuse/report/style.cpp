@@ -8,13 +8,13 @@ std::string_view page_style() {
 :root {
   color-scheme: light dark;
   --paper: #ffffff; --panel: #f7f6f3; --ink: #1d1f21; --soft: #55595e; --line: #d9d6cf; --grid: #e6e4de;
-  --accent: #1f5f8b; --met: #14653f; --met-back: #e1f3e8; --not: #96281b; --not-back: #fbe5e1;
+  --accent: #1f5f8b; --water: #1668a8; --met: #14653f; --met-back: #e1f3e8; --not: #96281b; --not-back: #fbe5e1;
   --open: #6b5300; --open-back: #f8efd0; --warn-back: #fdf3d9; --warn-line: #c99a2e;
 }
 @media (prefers-color-scheme: dark) {
   :root {
     --paper: #16181b; --panel: #1f2226; --ink: #e8e6e1; --soft: #a9adb3; --line: #3a3e44; --grid: #2d3136;
-    --accent: #82bde6; --met: #8fdcae; --met-back: #143524; --not: #f5a195; --not-back: #431c17;
+    --accent: #82bde6; --water: #7cc0f5; --met: #8fdcae; --met-back: #143524; --not: #f5a195; --not-back: #431c17;
     --open: #e8cf80; --open-back: #3a3010; --warn-back: #33290f; --warn-line: #a67f22;
   }
 }
@@ -116,6 +116,55 @@ button:hover { border-color: var(--accent); }
 .drawing .flow-arrow { stroke: var(--soft); }
 .drawing .flow-head { fill: var(--soft); }
 .drawing .flow-label, .drawing .flow-what { fill: var(--soft); }
+/* Grains in 3D */
+.view3d { display: grid; grid-template-columns: minmax(0, 1fr); gap: 1rem 1.5rem; margin: .8rem 0 1.2rem; }
+.view3d[hidden] { display: none; }
+.stage { position: relative; min-width: 0; }
+.picture { position: relative; height: clamp(22rem, 58vw, 44rem); background: var(--panel); color: var(--soft); border: 1px solid var(--line); border-radius: 6px; overflow: hidden; touch-action: pan-y; }
+.picture canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; cursor: grab; touch-action: none; }
+.picture canvas:active { cursor: grabbing; }
+.overlay { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: none; }
+.overlay text { font-size: 13px; fill: var(--ink); }
+.overlay line, .overlay path { stroke: var(--ink); stroke-width: 1.5; fill: none; }
+.overlay polygon { fill: var(--ink); }
+.overlay line.water { stroke: var(--water); stroke-width: 3; }
+.overlay polygon.water, .overlay text.water { fill: var(--water); }
+.overlay circle { fill: none; }
+.overlay .halo { stroke: var(--paper); stroke-width: 5; }
+.overlay .ring { stroke: var(--ink); stroke-width: 2; }
+.panel { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 15rem), 1fr)); gap: .2rem 1.2rem; align-content: start; font-size: .92rem; }
+@media (min-width: 58rem) {
+  .view3d { grid-template-columns: minmax(0, 1fr) 17rem; }
+  .panel { grid-template-columns: minmax(0, 1fr); }
+}
+.panel fieldset { border: 0; border-top: 1px solid var(--line); margin: 0; padding: .3rem 0 .5rem; min-width: 0; }
+.panel legend { font-weight: 600; padding: 0 .5rem 0 0; }
+.control { display: grid; grid-template-columns: 6.2rem minmax(0, 1fr); align-items: center; gap: 0 .5rem; margin: .15rem 0; }
+.control[hidden], .check[hidden] { display: none; }
+.control label { color: var(--soft); }
+.control output { grid-column: 2; font-size: .86rem; }
+.control select, .control input { font: inherit; min-width: 0; width: 100%; color: inherit; accent-color: var(--accent); }
+.control select, .control input[type=number] { background: var(--paper); border: 1px solid var(--line); border-radius: 4px; padding: .1rem .3rem; }
+.checks { display: flex; flex-wrap: wrap; gap: .1rem 1rem; margin-bottom: .2rem; }
+.check { white-space: nowrap; }
+.check input { accent-color: var(--accent); }
+.legend { margin-top: .4rem; font-size: .88rem; }
+.swatch { display: flex; align-items: center; gap: .5rem; }
+.swatch i { width: .85rem; height: .85rem; border-radius: 50%; flex: none; border: 1px solid var(--soft); }
+.scale-bar { height: .7rem; border-radius: 3px; }
+.scale-ends { display: flex; justify-content: space-between; font-variant-numeric: tabular-nums; }
+.card { background: var(--panel); border-left: 3px solid var(--accent); padding: .4rem .8rem .5rem; margin-top: .4rem; }
+.card h3 { margin: 0 0 .2rem; font-size: 1rem; }
+.card dl { display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1.1fr); gap: .05rem .6rem; margin: 0; font-size: .86rem; }
+.card dt { color: var(--soft); }
+.card dd { margin: 0; font-variant-numeric: tabular-nums; }
+.card .neighbors { font-size: .86rem; margin: .3rem 0 0; line-height: 1.9; }
+.card button { padding: 0 .4rem; font-size: .86rem; }
+.keys { margin-top: .4rem; }
+.stills { display: flex; flex-wrap: wrap; gap: 1rem 2.5rem; margin: .8rem 0; }
+.still { margin: 0; max-width: 28rem; }
+.still img { display: block; width: 100%; height: auto; }
+@media screen { .has-view .stills { display: none; } }
 #vg-tooltip-element {
   position: fixed; visibility: hidden; z-index: 10; pointer-events: none; padding: .35rem .6rem; font-size: .82rem;
   background: var(--paper); color: var(--ink); border: 1px solid var(--soft); border-radius: 4px; box-shadow: 0 2px 8px #0003;
@@ -126,15 +175,16 @@ button:hover { border-color: var(--accent); }
 #vg-tooltip-element td.key { color: var(--soft); text-align: right; }
 @media print {
   :root {
-    --paper: #ffffff; --panel: #f7f6f3; --ink: #000000; --soft: #444444; --line: #bbbbbb; --grid: #e2e2e2; --accent: #000000;
+    --paper: #ffffff; --panel: #f7f6f3; --ink: #000000; --soft: #444444; --line: #bbbbbb; --grid: #e2e2e2; --accent: #000000; --water: #1668a8;
     --met: #14653f; --met-back: #ffffff; --not: #96281b; --not-back: #ffffff; --open: #6b5300; --open-back: #ffffff;
     --warn-back: #ffffff; color-scheme: light;
   }
   @page { margin: 16mm 15mm; }
   body { font-size: 10.5pt; }
   header, main { max-width: none; padding: 0; }
-  nav, .tools, .skip, details:not([open]) { display: none; }
-  .figure, table.findings tr { break-inside: avoid; }
+  nav, .tools, .skip, .view3d, [data-no-view], details:not([open]) { display: none; }
+  .stills { flex-wrap: nowrap; }
+  .figure, .still, table.findings tr { break-inside: avoid; }
   h2, h3 { break-after: avoid; }
   .scroll { overflow: visible; }
   .headlines { grid-template-columns: repeat(4, 1fr); }

@@ -8,6 +8,7 @@
 #include "suffuse/report/headlines.hpp"
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/scene_data.hpp"
 
 #include <fmt/format.h>
 
@@ -254,6 +255,7 @@ report::ReportData describe_run(
     data.warnings.insert(data.warnings.end(), warnings.begin(), warnings.end());
     data.assumed = assumed_values(folder);
     data.figures = draw_figures(what, folder, story);
+    data.scene = describe_scene(folder, stages, story.eroded);
     for (const FinishedStage& stage : stages) {
         data.stages.push_back(stage_row(stage));
     }

@@ -10,6 +10,7 @@
 #include "suffuse/report/headlines.hpp"
 #include "suffuse/report/page.hpp"
 
+#include "tests/support/sample_scene.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -218,6 +219,7 @@ inline report::ReportData sample_report(const std::string& title) {
         {"seed", "2016"},
         {"threads", "2"},
         {"state hash", "0123456789abcdef"}};
+    report.scene = sample_scene();
     report.redraw = "suffuse report runs/synthetic-0001";
     return report;
 }

@@ -1,0 +1,148 @@
+#include "suffuse/report/scene.hpp"
+
+#include "suffuse/report/base64.hpp"
+#include "suffuse/report/still.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/sample_scene.hpp"
+#include <cstring>
+#include <zlib.h>
+
+namespace suffuse::report {
+namespace {
+
+/// The other direction, by the table of RFC 4648.
+std::string unbase64(const std::string& text) {
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char letter : text) {
+        if (letter == '=') {
+            break;
+        }
+        bits = bits << 6 | static_cast<std::uint32_t>(letters.find(letter));
+        count += 6;
+        if (count >= 8) {
+            count -= 8;
+            out += static_cast<char>(bits >> count & 255);
+        }
+    }
+    return out;
+}
+
+template <class T>
+std::vector<T> column(const nlohmann::json& json) {
+    const std::string bytes = unbase64(json.at("data"));
+    std::vector<T> values(bytes.size() / sizeof(T));
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+}
+
+TEST(Base64, GivesTheTestVectorsOfItsStandard) {
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foo"), "Zm9v");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(base64(std::string("\xff\xfe\x00", 3)), "//4A");
+}
+
+TEST(Scene, ColumnsReadBackToTheGrains) {
+    const Scene scene = test::sample_scene();
+    const nlohmann::json json = scene_json(scene);
+    EXPECT_EQ(column<std::uint32_t>(json.at("id")), scene.id);
+    EXPECT_EQ(column<std::uint8_t>(json.at("fine")), scene.fine);
+    const SceneState& first = scene.states[0];
+    const auto place = column<std::uint16_t>(json.at("states")[0].at("place"));
+    const double finest = norm(first.h * Vec3{1, 1, 1}) / 65535; // one step of each fraction
+    for (std::size_t g = 0; g < scene.id.size(); ++g) {
+        const Vec3 x = first.h * (Vec3{1.0 * place[3 * g], 1.0 * place[3 * g + 1], 1.0 * place[3 * g + 2]} / 65535);
+        EXPECT_LT(norm(x - first.position[g]), finest);
+        EXPECT_EQ(column<float>(json.at("radius"))[g], static_cast<float>(scene.radius[g]));
+    }
+}
+
+TEST(Scene, ContactsLeadToTheImageThatIsTouched) {
+    const Scene scene = test::sample_scene();
+    const SceneState& state = scene.states[0];
+    const nlohmann::json contacts = scene_json(scene).at("states")[0].at("contacts");
+    const auto ends = column<std::uint16_t>(contacts.at("ends"));
+    const auto period = column<std::uint8_t>(contacts.at("period"));
+    ASSERT_EQ(ends.size(), 2 * state.contacts.size());
+    bool has_crossing = false;
+    for (std::size_t c = 0; c < period.size(); ++c) {
+        const Vec3 periods{period[c] % 3 - 1.0, period[c] / 3 % 3 - 1.0, period[c] / 9 - 1.0};
+        has_crossing = has_crossing || norm(periods) > 0;
+        const Vec3 branch = state.position[ends[2 * c + 1]] + state.h * periods - state.position[ends[2 * c]];
+        const double touching = scene.radius[ends[2 * c]] + scene.radius[ends[2 * c + 1]];
+        EXPECT_NEAR(norm(branch), touching, 1e-9 * touching); // rounding
+    }
+    EXPECT_TRUE(has_crossing);
+}
+
+TEST(Scene, LaterStatesCountOnlyTheGrainsThatStayed) {
+    const Scene scene = test::sample_scene();
+    const auto left = std::count_if(scene.left_in.begin(), scene.left_in.end(), [](int pass) { return pass == 1; });
+    ASSERT_GT(left, 0);
+    const SceneCount before = count_scene(scene, scene.states[0]), after = count_scene(scene, scene.states[1]);
+    EXPECT_EQ(before.grains, std::ssize(scene.id));
+    EXPECT_EQ(before.grains - after.grains, left);
+    EXPECT_GT(before.strong, 0);
+    EXPECT_LT(before.strong, before.contacts);
+    EXPECT_GE(before.largest_force, before.mean_force);
+}
+
+TEST(Still, IsAPngWhosePixelsUncompress) {
+    const Scene scene = test::sample_scene();
+    const std::string png = still_picture(scene, scene.states[0], 120);
+    ASSERT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    std::size_t at = 8;
+    std::vector<std::uint8_t> rows(120 * 121);
+    std::string seen;
+    while (at < png.size()) {
+        const auto number = [&](std::size_t from) {
+            std::uint32_t value = 0;
+            for (std::size_t k = 0; k < 4; ++k) {
+                value = value << 8 | static_cast<std::uint8_t>(png[from + k]);
+            }
+            return value;
+        };
+        const std::uint32_t size = number(at);
+        const std::string name = png.substr(at + 4, 4);
+        seen += name;
+        const auto* checked = reinterpret_cast<const Bytef*>(png.data() + at + 4);
+        EXPECT_EQ(number(at + 8 + size), crc32(0, checked, size + 4)) << name;
+        if (name == "IDAT") {
+            uLongf length = rows.size();
+            EXPECT_EQ(uncompress(rows.data(), &length, checked + 4, size), Z_OK);
+            EXPECT_EQ(length, rows.size());
+        }
+        at += 12 + size;
+    }
+    EXPECT_EQ(seen, "IHDRPLTEtRNSIDATIEND");
+    const auto drawn = std::count_if(rows.begin(), rows.end(), [](std::uint8_t index) { return index != 0; });
+    EXPECT_GT(drawn, 120 * 120 / 4);      // the cell fills the picture
+    EXPECT_LT(drawn, 120 * 120 * 9 / 10); // and leaves its corners free
+}
+
+TEST(Still, OfOneGrainIsADiscOfItsSize) {
+    Scene scene;
+    scene.id = {0};
+    scene.radius = {1};
+    scene.fine = {1};
+    scene.left_in = {0};
+    scene.states.emplace_back();
+    scene.states[0].h = diagonal({8, 8, 8});
+    scene.states[0].position = {{4, 4, 4}};
+    scene.states[0].coordination = {0};
+    const int pixels = 400;
+    const std::string with = still_picture(scene, scene.states[0], pixels);
+    scene.left_in = {1};
+    scene.states[0].passes = 1;
+    EXPECT_NE(with, still_picture(scene, scene.states[0], pixels)); // gone after pass 1
+}
+
+} // namespace
+} // namespace suffuse::report
