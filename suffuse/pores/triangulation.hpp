@@ -2,7 +2,6 @@
 // Weighted Delaunay (regular, weight r^2) triangulation of a periodic packing in a cell of any shape. Images of the
 // grains around the cell are made here, as many as needed: every tetrahedron that is kept has been shown to have no
 // image of any grain in conflict with it. Kept is the one image of each tetrahedron whose centroid lies in the cell.
-// CGAL is used by the .cpp alone.
 
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/pores/short_image.hpp"
@@ -25,15 +24,16 @@ struct Triangulation {
 
     std::vector<std::uint32_t>
         hidden;             ///< grains buried so deep in others that no tetrahedron has them: they have no pores
-    std::size_t ghosts = 0; ///< images that were needed around the cell
+    std::size_t ghosts = 0; ///< images that were needed around the cell and its parts
     double margin = 0;      ///< distance from the cell to which surfaces of images were needed [m]
     double jitter = 0;      ///< largest displacement used to decide degenerate cases, 0 where none was needed [m]
 
     [[nodiscard]] std::size_t size() const { return grain.size(); }
 };
 
-/// Triangulates the packing in the periodic cell with vectors `h` (columns) [m].
+/// Triangulates the packing in the periodic cell with vectors `h` (columns) [m], in up to `parts` parts of the cell on
+/// several threads; 0 takes as many as suit the number of grains. The tetrahedra are the same for any number of parts.
 /// The result satisfies find_defect() == nullopt. @throws GeometryError for input that is not a packing.
-Triangulation triangulate(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius);
+Triangulation triangulate(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, int parts = 0);
 
 } // namespace suffuse::pores

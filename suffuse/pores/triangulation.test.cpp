@@ -1,6 +1,7 @@
 #include "suffuse/pores/triangulation.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/pores/lattice.hpp"
 #include "suffuse/pores/power_center.hpp"
 #include "suffuse/pores/triangulation_check.hpp"
@@ -115,6 +116,37 @@ TEST(Triangulation, SameWhereverTheGrainsAreInTheirPeriods) {
         other.position[g] += cell::shift(packing.h, {n - 3, 2 - n, n % 3});
     }
     EXPECT_EQ(grain_sets(triangulate(packing)), grain_sets(triangulate(other)));
+}
+
+TEST(Triangulation, SameInAnyNumberOfPartsAndThreads) {
+    const std::vector<Packing> packings = {
+        test::reference_packing("packing2000"), test::random_packing(sheared(), 400, 0.02, 0.08, 13),
+        test::random_packing(diagonal({3, 1, 0.4}), 200, 0.03, 0.1, 14), test::face_centered(4, 0.3),
+        test::simple_cubic(5, 1e-4)};
+    for (const Packing& packing : packings) {
+        const Triangulation whole = pores::triangulate(packing.h, packing.position, packing.radius, 1);
+        for (const int parts : {2, 8, 64}) {
+            set_thread_count(parts == 8 ? 3 : 1);
+            const Triangulation cut = pores::triangulate(packing.h, packing.position, packing.radius, parts);
+            EXPECT_EQ(cut.grain, whole.grain);
+            EXPECT_EQ(cut.grain_image, whole.grain_image);
+            EXPECT_EQ(cut.neighbor, whole.neighbor);
+            EXPECT_EQ(cut.neighbor_image, whole.neighbor_image);
+            EXPECT_EQ(cut.jitter, 0);
+        }
+    }
+    set_thread_count(1);
+}
+
+TEST(Triangulation, PartsMayBeEmpty) {
+    Packing corner = test::random_packing(identity(), 30, 0.01, 0.02, 15);
+    for (Vec3& x : corner.position) {
+        x *= 0.2;
+    }
+    const Triangulation whole = pores::triangulate(corner.h, corner.position, corner.radius, 1);
+    const Triangulation cut = pores::triangulate(corner.h, corner.position, corner.radius, 64);
+    EXPECT_EQ(cut.grain, whole.grain);
+    EXPECT_EQ(cut.neighbor, whole.neighbor);
 }
 
 TEST(Triangulation, SameAtAnyScale) {
