@@ -15,27 +15,37 @@ namespace {
 
 constexpr std::size_t tile_rows = 64;
 
-using Row = std::array<double, tile_rows>;
+constexpr std::size_t cached_grains = 100'000; // about 160 bytes each
 
+using FloatQuad = float __attribute__((vector_size(16)));
+
+template <class Real>
+using Row = std::array<Real, tile_rows>;
+
+template <class Real>
 struct alignas(64) Rows3 {
-    Row x, y, z;
+    Row<Real> x, y, z;
 };
 
-/// The two grains of each contact of a tile, side by side, and what the parts of the law leave to the next one.
+/// The two grains of each contact of a tile, side by side, and what the parts of the law leave to the next one. Where
+/// the grains are is known in double precision, whatever the rest: an overlap is a small difference of large numbers.
+template <class Real>
 struct alignas(64) Tile {
-    Rows3 branch, velocity, spin_1, spin_2;
-    Row radius_1, radius_2, bonded;
-    Rows3 normal;
-    Row overlap, stretch, normal_stiffness, within_reach;
-    Rows3 shear_force, bending, twisting;
-    Row normal_force, slip_limit, bending_limit, twisting_limit, touching;
+    Rows3<double> branch;
+    Rows3<Real> velocity, spin_1, spin_2;
+    Row<double> exact_radius_1, exact_radius_2;
+    Row<Real> radius_1, radius_2, bonded;
+    Rows3<Real> normal;
+    Row<Real> overlap, stretch, normal_stiffness, within_reach;
+    Rows3<Real> shear_force, bending, twisting;
+    Row<Real> normal_force, slip_limit, bending_limit, twisting_limit, touching;
 
     // The motion is not needed any more when the contact's action on its grains is known.
-    Rows3& force() { return velocity; }
+    Rows3<Real>& force() { return velocity; }
 
-    Rows3& torque_1() { return spin_1; }
+    Rows3<Real>& torque_1() { return spin_1; }
 
-    Rows3& torque_2() { return spin_2; }
+    Rows3<Real>& torque_2() { return spin_2; }
 };
 
 /// Displacement and velocity of a period against the home period.
@@ -44,28 +54,35 @@ struct alignas(64) Shift {
 };
 
 /// The columns that the law reads and writes.
+template <class Real>
 struct MemoryColumns {
-    double *fx, *fy, *fz, *bx, *by, *bz, *nx, *ny, *nz, *tx, *ty, *tz, *overlap;
+    Real *fx, *fy, *fz, *bx, *by, *bz, *nx, *ny, *nz, *tx, *ty, *tz, *overlap;
     std::uint8_t* bonded;
-
-    explicit MemoryColumns(Contacts& c)
-        : fx(c.shear_force.x.data()), fy(c.shear_force.y.data()), fz(c.shear_force.z.data()), bx(c.bending.x.data()),
-          by(c.bending.y.data()), bz(c.bending.z.data()), nx(c.normal.x.data()), ny(c.normal.y.data()),
-          nz(c.normal.z.data()), tx(c.twisting.x.data()), ty(c.twisting.y.data()), tz(c.twisting.z.data()),
-          overlap(c.overlap.data()), bonded(c.bonded.data()) {}
 };
 
+/// `columns` of Contacts or SingleMemory.
+template <class Real, class Columns>
+MemoryColumns<Real> pointers(Columns& m) {
+    return {m.shear_force.x.data(), m.shear_force.y.data(), m.shear_force.z.data(), m.bending.x.data(),
+            m.bending.y.data(),     m.bending.z.data(),     m.normal.x.data(),      m.normal.y.data(),
+            m.normal.z.data(),      m.twisting.x.data(),    m.twisting.y.data(),    m.twisting.z.data(),
+            m.overlap.data(),       m.bonded.data()};
+}
+
 /// What the loop over a domain reads and writes.
+template <class Real>
 struct Work {
     const grains::MovingRow* grains;
     const std::uint32_t *first, *second, *second_sum;
     const std::uint16_t* image;
     const Shift* shifts;
-    LawConstants law;
-    double dt;
+    LawConstants exact_law;
+    LawConstantsOf<Real> law;
+    Real dt;
     SumQuantum quantum;
     double largest_force; ///< [N]
-    MemoryColumns memory;
+    bool beyond_cache;    ///< there are more grains than a processor's cache holds
+    MemoryColumns<Real> memory;
     grains::GrainSum* sums;
 };
 
@@ -75,36 +92,46 @@ struct StressSum {
     std::uint64_t wild = 0;
 };
 
-[[gnu::always_inline]] inline void
-set_three(Rows3& rows, std::size_t k, const Quad& a, const Quad& b, const Quad& c, const Quad& d) {
-    const std::array<Quad, 4> t = transposed(a, b, c, d);
-    std::memcpy(&rows.x[k], &t[0], sizeof(Quad));
-    std::memcpy(&rows.y[k], &t[1], sizeof(Quad));
-    std::memcpy(&rows.z[k], &t[2], sizeof(Quad));
+/// Four lanes, narrowed where the rows are of single precision.
+[[gnu::always_inline]] inline void put(Row<double>& row, std::size_t k, const Quad& q) {
+    std::memcpy(&row[k], &q, sizeof(q));
 }
 
-[[gnu::always_inline]] inline void
-set_four(Rows3& rows, Row& last, std::size_t k, const Quad& a, const Quad& b, const Quad& c, const Quad& d) {
-    const std::array<Quad, 4> t = transposed(a, b, c, d);
-    std::memcpy(&rows.x[k], &t[0], sizeof(Quad));
-    std::memcpy(&rows.y[k], &t[1], sizeof(Quad));
-    std::memcpy(&rows.z[k], &t[2], sizeof(Quad));
-    std::memcpy(&last[k], &t[3], sizeof(Quad));
+[[gnu::always_inline]] inline void put(Row<float>& row, std::size_t k, const Quad& q) {
+    const auto narrow = __builtin_convertvector(q, FloatQuad);
+    std::memcpy(&row[k], &narrow, sizeof(narrow));
 }
 
-[[gnu::always_inline]] inline Quad at(const Row& row, std::size_t k) {
+[[gnu::always_inline]] inline Quad get(const Row<double>& row, std::size_t k) {
     Quad q;
-    std::memcpy(&q, &row[k], sizeof(Quad));
+    std::memcpy(&q, &row[k], sizeof(q));
     return q;
 }
 
-[[gnu::always_inline]] inline std::array<Quad, 4> vectors(const Rows3& rows, std::size_t k) {
-    return transposed(at(rows.x, k), at(rows.y, k), at(rows.z, k), Quad{});
+[[gnu::always_inline]] inline Quad get(const Row<float>& row, std::size_t k) {
+    FloatQuad q;
+    std::memcpy(&q, &row[k], sizeof(q));
+    return __builtin_convertvector(q, Quad);
 }
 
-[[gnu::always_inline]] inline void load(const Work& w, std::size_t begin, std::size_t rows, Tile& tile) {
+using FourQuads = std::array<Quad, 4>;
+
+template <class Real>
+[[gnu::always_inline]] inline void put(Rows3<Real>& rows, std::size_t k, const FourQuads& t) {
+    put(rows.x, k, t[0]);
+    put(rows.y, k, t[1]);
+    put(rows.z, k, t[2]);
+}
+
+template <class Real>
+[[gnu::always_inline]] inline FourQuads vectors(const Rows3<Real>& rows, std::size_t k) {
+    return transposed(get(rows.x, k), get(rows.y, k), get(rows.z, k), Quad{});
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void load(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& tile) {
     for (std::size_t k = 0; k < rows; k += 4) {
-        std::array<Quad, 4> branch, velocity, spin_1, spin_2;
+        FourQuads branch, velocity, spin_1, spin_2;
         for (std::size_t q = 0; q < 4; ++q) {
             const std::size_t c = begin + std::min(k + q, rows - 1); // short of rows: the last one again, unused
             const grains::MovingRow &i = w.grains[w.first[c]], &j = w.grains[w.second[c]];
@@ -114,50 +141,62 @@ set_four(Rows3& rows, Row& last, std::size_t k, const Quad& a, const Quad& b, co
             spin_1[q] = i.spin;
             spin_2[q] = j.spin;
         }
-        set_three(tile.branch, k, branch[0], branch[1], branch[2], branch[3]);
-        set_three(tile.velocity, k, velocity[0], velocity[1], velocity[2], velocity[3]);
-        set_four(tile.spin_1, tile.radius_1, k, spin_1[0], spin_1[1], spin_1[2], spin_1[3]);
-        set_four(tile.spin_2, tile.radius_2, k, spin_2[0], spin_2[1], spin_2[2], spin_2[3]);
+        const auto columns = [](const FourQuads& r) { return transposed(r[0], r[1], r[2], r[3]); };
+        put(tile.branch, k, columns(branch));
+        put(tile.velocity, k, columns(velocity));
+        const FourQuads first = columns(spin_1), second = columns(spin_2);
+        put(tile.spin_1, k, first);
+        put(tile.spin_2, k, second);
+        put(tile.exact_radius_1, k, first[3]);
+        put(tile.exact_radius_2, k, second[3]);
     }
 }
 
-[[gnu::always_inline]] inline Triple<double> triple(const Rows3& rows, std::size_t k) {
+template <class Real>
+[[gnu::always_inline]] inline Triple<Real> triple(const Rows3<Real>& rows, std::size_t k) {
     return {rows.x[k], rows.y[k], rows.z[k]};
 }
 
-[[gnu::always_inline]] inline void set(Rows3& rows, std::size_t k, const Triple<double>& v) {
-    rows.x[k] = v.x, rows.y[k] = v.y, rows.z[k] = v.z;
+template <class Real, class Other>
+[[gnu::always_inline]] inline void set(Rows3<Real>& rows, std::size_t k, const Triple<Other>& v) {
+    rows.x[k] = static_cast<Real>(v.x), rows.y[k] = static_cast<Real>(v.y), rows.z[k] = static_cast<Real>(v.z);
 }
 
-[[gnu::always_inline]] inline void find_meetings(const LawConstants& law, std::size_t rows, Tile& t) {
+template <class Real>
+[[gnu::always_inline]] inline void find_meetings(const LawConstants& law, std::size_t rows, Tile<Real>& t) {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
-        const Meeting<double> m = meet(law, triple(t.branch, k), t.radius_1[k], t.radius_2[k]);
+        const Meeting<double> m = meet(law, triple(t.branch, k), t.exact_radius_1[k], t.exact_radius_2[k]);
         set(t.normal, k, m.normal);
-        t.overlap[k] = m.overlap;
-        t.stretch[k] = m.stretch;
-        t.normal_stiffness[k] = m.normal_stiffness;
-        t.within_reach[k] = m.within_reach;
+        t.overlap[k] = static_cast<Real>(m.overlap);
+        t.stretch[k] = static_cast<Real>(m.stretch);
+        t.normal_stiffness[k] = static_cast<Real>(m.normal_stiffness);
+        t.within_reach[k] = static_cast<Real>(m.within_reach);
+        t.radius_1[k] = static_cast<Real>(t.exact_radius_1[k]);
+        t.radius_2[k] = static_cast<Real>(t.exact_radius_2[k]);
     }
 }
 
-[[gnu::always_inline]] inline Meeting<double> meeting(const Tile& t, std::size_t k) {
+template <class Real>
+[[gnu::always_inline]] inline Meeting<Real> meeting(const Tile<Real>& t, std::size_t k) {
     return {triple(t.normal, k), t.overlap[k], t.stretch[k], t.normal_stiffness[k], t.within_reach[k]};
 }
 
-template <bool Adhesive, bool Twisting>
-[[gnu::always_inline]] inline void stretch_springs(
-    const LawConstants& law, double dt, const MemoryColumns& m, std::size_t begin, std::size_t rows, Tile& t
-) {
+template <bool Adhesive, bool Twisting, class Real>
+[[gnu::always_inline]] inline void
+stretch_springs(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& t) {
+    const LawConstantsOf<Real> law = w.law;
+    const MemoryColumns<Real> m = w.memory;
+    const Real dt = w.dt;
     for (std::size_t k = 0; Adhesive && k < rows; ++k) {
         t.bonded[k] = m.bonded[begin + k];
     }
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
         const std::size_t c = begin + k;
-        const GrainPair<double> pair{triple(t.branch, k), triple(t.velocity, k), triple(t.spin_1, k),
-                                     triple(t.spin_2, k), t.radius_1[k],         t.radius_2[k]};
-        ContactMemory<double> memory{
+        const GrainPair<Real> pair{
+            {}, triple(t.velocity, k), triple(t.spin_1, k), triple(t.spin_2, k), t.radius_1[k], t.radius_2[k]};
+        ContactMemory<Real> memory{
             {m.fx[c], m.fy[c], m.fz[c]}, {m.bx[c], m.by[c], m.bz[c]}, {}, {m.nx[c], m.ny[c], m.nz[c]}, 0};
         if constexpr (Adhesive) {
             memory.bonded = t.bonded[k];
@@ -165,7 +204,7 @@ template <bool Adhesive, bool Twisting>
         if constexpr (Twisting) {
             memory.twisting = {m.tx[c], m.ty[c], m.tz[c]};
         }
-        const Limits<double> limits = stretch<Adhesive, Twisting>(law, dt, pair, meeting(t, k), memory);
+        const Limits<Real> limits = stretch<Adhesive, Twisting>(law, dt, pair, meeting(t, k), memory);
         set(t.shear_force, k, memory.shear_force);
         set(t.bending, k, memory.bending);
         if constexpr (Adhesive) {
@@ -185,19 +224,21 @@ template <bool Adhesive, bool Twisting>
     }
 }
 
-template <bool Twisting>
-[[gnu::always_inline]] inline void cut_springs(const MemoryColumns& m, std::size_t begin, std::size_t rows, Tile& t) {
+template <bool Twisting, class Real>
+[[gnu::always_inline]] inline void
+cut_springs(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t rows, Tile<Real>& t) {
+    const MemoryColumns<Real> m = columns;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
         const std::size_t c = begin + k;
-        const Limits<double> limits{
-            t.normal_force[k], t.slip_limit[k], t.bending_limit[k], Twisting ? t.twisting_limit[k] : 0.0,
+        const Limits<Real> limits{
+            t.normal_force[k], t.slip_limit[k], t.bending_limit[k], Twisting ? t.twisting_limit[k] : Real{},
             t.touching[k]};
-        ContactMemory<double> memory{triple(t.shear_force, k), triple(t.bending, k), {}, {}, 0};
+        ContactMemory<Real> memory{triple(t.shear_force, k), triple(t.bending, k), {}, {}, 0};
         if constexpr (Twisting) {
             memory.twisting = triple(t.twisting, k);
         }
-        const ContactOutcome<double> out = cut<Twisting>(meeting(t, k), limits, t.radius_1[k], t.radius_2[k], memory);
+        const ContactOutcome<Real> out = cut<Twisting>(meeting(t, k), limits, t.radius_1[k], t.radius_2[k], memory);
         m.fx[c] = memory.shear_force.x, m.fy[c] = memory.shear_force.y, m.fz[c] = memory.shear_force.z;
         m.bx[c] = memory.bending.x, m.by[c] = memory.bending.y, m.bz[c] = memory.bending.z;
         m.nx[c] = memory.normal.x, m.ny[c] = memory.normal.y, m.nz[c] = memory.normal.z;
@@ -211,9 +252,10 @@ template <bool Twisting>
     }
 }
 
+template <class Real>
 [[gnu::always_inline]] inline void add_stress(
-    const Rows3& force, const Rows3& branch, std::size_t rows, const SumQuantum& quantum, double largest_force,
-    StressSum& sum
+    const Rows3<Real>& force, const Rows3<double>& branch, std::size_t rows, const SumQuantum& quantum,
+    double largest_force, StressSum& sum
 ) {
     std::array<std::uint64_t, 9> s = sum.quanta;
     std::uint64_t wild = sum.wild;
@@ -234,10 +276,12 @@ template <bool Twisting>
     sum = {s, wild};
 }
 
-[[gnu::always_inline]] inline void add_to_grains(const Work& w, std::size_t begin, std::size_t rows, Tile& t) {
+template <class Real>
+[[gnu::always_inline]] inline void
+add_to_grains(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& t) {
     for (std::size_t k = 0; k < rows; k += 4) {
-        const std::array<Quad, 4> force = vectors(t.force(), k), torque_1 = vectors(t.torque_1(), k),
-                                  torque_2 = vectors(t.torque_2(), k);
+        const FourQuads force = vectors(t.force(), k), torque_1 = vectors(t.torque_1(), k),
+                        torque_2 = vectors(t.torque_2(), k);
         for (std::size_t q = 0; q < std::min<std::size_t>(4, rows - k); ++q) {
             const std::size_t c = begin + k + q;
             grains::GrainSum& first = w.sums[w.first[c]];
@@ -250,46 +294,80 @@ template <bool Twisting>
     }
 }
 
-template <bool Adhesive, bool Twisting>
-[[gnu::always_inline]] inline void press(const Work& w, std::size_t begin, std::size_t end, StressSum& stress) {
-    Tile tile;
+/// Asks for the second grains of the tile to come, and their sums: they lie all over the table of grains, while the
+/// first ones follow each other.
+template <class Real>
+[[gnu::always_inline]] inline void fetch_ahead(const Work<Real>& w, std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+        const auto* row = reinterpret_cast<const char*>(&w.grains[w.second[c]]);
+        __builtin_prefetch(row);
+        __builtin_prefetch(row + sizeof(grains::MovingRow) - 1);
+        __builtin_prefetch(&w.sums[w.second_sum[c]], 1);
+    }
+}
+
+template <bool Adhesive, bool Twisting, class Real>
+[[gnu::always_inline]] inline void press(const Work<Real>& w, std::size_t begin, std::size_t end, StressSum& stress) {
+    Tile<Real> tile;
     for (std::size_t c = begin; c < end; c += tile_rows) {
         const std::size_t rows = std::min(tile_rows, end - c);
         load(w, c, rows, tile);
-        find_meetings(w.law, rows, tile);
-        stretch_springs<Adhesive, Twisting>(w.law, w.dt, w.memory, c, rows, tile);
+        if (w.beyond_cache) {
+            fetch_ahead(w, c + rows, std::min(c + rows + tile_rows, end));
+        }
+        find_meetings(w.exact_law, rows, tile);
+        stretch_springs<Adhesive, Twisting>(w, c, rows, tile);
         cut_springs<Twisting>(w.memory, c, rows, tile);
         add_stress(tile.force(), tile.branch, rows, w.quantum, w.largest_force, stress);
         add_to_grains(w, c, rows, tile);
     }
 }
 
-SUFFUSE_CLONES void press_plain(const Work& w, std::size_t begin, std::size_t end, StressSum& stress) {
-    press<false, false>(w, begin, end, stress);
+// The loops: for each precision, without and with what a sample may need.
+#define SUFFUSE_CONTACT_LOOP(name, adhesive, twisting)                                                                 \
+    SUFFUSE_CLONES void name(const Work<double>& w, std::size_t begin, std::size_t end, StressSum& stress) {           \
+        press<adhesive, twisting>(w, begin, end, stress);                                                              \
+    }                                                                                                                  \
+    SUFFUSE_CLONES void name(const Work<float>& w, std::size_t begin, std::size_t end, StressSum& stress) {            \
+        press<adhesive, twisting>(w, begin, end, stress);                                                              \
+    }
+
+SUFFUSE_CONTACT_LOOP(press_plain, false, false)
+SUFFUSE_CONTACT_LOOP(press_twisting, false, true)
+SUFFUSE_CONTACT_LOOP(press_adhesive, true, false)
+SUFFUSE_CONTACT_LOOP(press_all, true, true)
+#undef SUFFUSE_CONTACT_LOOP
+
+template <class Real>
+using Loop = void (*)(const Work<Real>&, std::size_t, std::size_t, StressSum&);
+
+template <class Real>
+Loop<Real> choose_loop(bool adhesive, bool twisting) {
+    if (adhesive) {
+        return twisting ? static_cast<Loop<Real>>(press_all) : static_cast<Loop<Real>>(press_adhesive);
+    }
+    return twisting ? static_cast<Loop<Real>>(press_twisting) : static_cast<Loop<Real>>(press_plain);
 }
 
-SUFFUSE_CLONES void press_twisting(const Work& w, std::size_t begin, std::size_t end, StressSum& stress) {
-    press<false, true>(w, begin, end, stress);
+/// Calls `visit` on every column of memory of the two tables.
+template <class Table, class Single, class Visit>
+void for_each_memory(Table& contacts, Single& single, Visit&& visit) {
+    const auto each = [&](auto& a, auto& b) {
+        visit(a.x, b.x);
+        visit(a.y, b.y);
+        visit(a.z, b.z);
+    };
+    each(contacts.shear_force, single.shear_force);
+    each(contacts.bending, single.bending);
+    each(contacts.normal, single.normal);
+    each(contacts.twisting, single.twisting);
+    visit(contacts.overlap, single.overlap);
 }
 
-SUFFUSE_CLONES void press_adhesive(const Work& w, std::size_t begin, std::size_t end, StressSum& stress) {
-    press<true, false>(w, begin, end, stress);
-}
-
-SUFFUSE_CLONES void press_all(const Work& w, std::size_t begin, std::size_t end, StressSum& stress) {
-    press<true, true>(w, begin, end, stress);
-}
-
-auto choose_loop(const Contacts& contacts) {
-    const bool adhesive = !contacts.bonded.empty(), twisting = contacts.twisting.size() > 0;
-    return adhesive ? (twisting ? press_all : press_adhesive) : (twisting ? press_twisting : press_plain);
-}
-
-} // namespace
-
-Pressed compute_forces(
+template <class Real, class Memory>
+Pressed press_contacts(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
-    const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums
+    const LawConstants& law, const Contacts& contacts, Memory& memory, std::vector<grains::GrainSum>& sums
 ) {
     std::vector<Shift> shifts;
     for (const cell::Image& image : plan.images) {
@@ -300,7 +378,7 @@ Pressed compute_forces(
     // resume ask for.
     const double r = around.largest_radius, largest_force = 2 * law.twice_modulus * r * r;
     const SumQuantum quantum(largest_force * 2 * r, law.twice_modulus * std::abs(determinant(around.h)));
-    const Work work{
+    const Work<Real> work{
         grains.data(),
         contacts.first.data(),
         contacts.second.data(),
@@ -308,12 +386,14 @@ Pressed compute_forces(
         plan.image.data(),
         shifts.data(),
         law,
-        around.dt,
+        law.as<Real>(),
+        static_cast<Real>(around.dt),
         quantum,
         largest_force,
-        MemoryColumns(contacts),
+        grains.size() > cached_grains,
+        pointers<Real>(memory),
         sums.data()};
-    const auto press_loop = choose_loop(contacts);
+    const Loop<Real> press_loop = choose_loop<Real>(!memory.bonded.empty(), !memory.twisting.x.empty());
     StressSum total;
     std::mutex adding; // integers: the order does not matter
     parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
@@ -335,6 +415,36 @@ Pressed compute_forces(
     }
     pressed.wild = total.wild != 0;
     return pressed;
+}
+
+} // namespace
+
+void to_single(const Contacts& contacts, SingleMemory& single) {
+    for_each_memory(contacts, single, [](const std::vector<double>& from, std::vector<float>& to) {
+        to.assign(from.begin(), from.end());
+    });
+    single.bonded = contacts.bonded;
+}
+
+void from_single(const SingleMemory& single, Contacts& contacts) {
+    for_each_memory(contacts, single, [](std::vector<double>& to, const std::vector<float>& from) {
+        to.assign(from.begin(), from.end());
+    });
+    contacts.bonded = single.bonded;
+}
+
+Pressed compute_forces(
+    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
+    const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums
+) {
+    return press_contacts<double>(grains, plan, around, law, contacts, contacts, sums);
+}
+
+Pressed compute_forces(
+    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
+    const LawConstants& law, const Contacts& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums
+) {
+    return press_contacts<float>(grains, plan, around, law, contacts, memory, sums);
 }
 
 } // namespace suffuse::contact

@@ -33,4 +33,24 @@ Pressed compute_forces(
     const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums
 );
 
+/// What contacts remember, in single precision: the columns of Contacts of the same names.
+struct SingleMemory {
+    struct Column {
+        std::vector<float> x, y, z;
+    };
+
+    Column shear_force, bending, normal, twisting;
+    std::vector<float> overlap;
+    std::vector<std::uint8_t> bonded;
+};
+
+void to_single(const Contacts& contacts, SingleMemory& single);
+void from_single(const SingleMemory& single, Contacts& contacts);
+
+/// The same with the memory and the law in single precision; distances, and sums over contacts, stay in double.
+Pressed compute_forces(
+    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
+    const LawConstants& law, const Contacts& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums
+);
+
 } // namespace suffuse::contact

@@ -201,6 +201,27 @@ TEST(ContactLoop, GivesTheSameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(shears[0], shears[2]);
 }
 
+TEST(ContactLoop, InSinglePrecisionDiffersByItsRounding) {
+    Sample exact = random_pairs(500, true, true), s = exact;
+    const Result wanted = press(exact);
+    std::vector<grains::MovingRow> rows;
+    grains::to_rows(s.grains, rows);
+    SingleMemory memory;
+    to_single(s.contacts, memory);
+    std::vector<grains::GrainSum> sums(wanted.plan.rows());
+    const Pressed pressed = compute_forces(
+        rows, wanted.plan, {s.h, s.image_velocity, 2e-4, dt}, resolve_law(s.material), s.contacts, memory, sums
+    );
+    from_single(memory, s.contacts);
+    EXPECT_NEAR(trace(pressed.force_branch) / trace(wanted.force_branch), 1, 1e-6);
+    for (std::size_t c = 0; c < s.contacts.size(); ++c) {
+        ASSERT_EQ(s.contacts.touches(c), exact.contacts.touches(c)) << c;
+        const Vec3 force = xyz(sums[s.contacts.first[c]].force), right = xyz(wanted.sums[s.contacts.first[c]].force);
+        ASSERT_LE(norm(force - right), 3e-6 * norm(right) + 1e-9) << c; // the shear may cancel the normal force
+        ASSERT_EQ(s.contacts.bonded[c], exact.contacts.bonded[c]) << c;
+    }
+}
+
 TEST(SumPlan, GivesEveryShareFromAnotherDomainARowOfItsOwnInTheOrderOfGrainsThenContacts) {
     constexpr std::uint32_t there = domain_grains; // the first grain of the second domain
     Contacts contacts;

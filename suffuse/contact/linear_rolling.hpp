@@ -1,7 +1,7 @@
 #pragma once
 // The contact law of the paper: linear normal and shear springs with Coulomb slip, rolling and twisting resistance with
 // plastic limits, adhesion that breaks; incremental [reference 1.2 and 1.3; PHYSICS A2]. A pure function of two grains
-// and their memory, written over a lane type: `double`, or a pack of doubles whose comparisons make masks for `?:`.
+// and their memory, a template over the precision.
 
 #include "suffuse/grains/material.hpp"
 
@@ -41,19 +41,31 @@ constexpr Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
 }
 
 /// Constants of the law, resolved from the material before the first step.
-struct LawConstants {
-    double twice_modulus = 0;      ///< 2 E [Pa]
-    double shear_ratio = 0;        ///< [-]
-    double tan_friction = 0;       ///< [-]
-    double rolling_stiffness = 0;  ///< [-]
-    double rolling_limit = 0;      ///< [-]
-    double rolling_free = 0;       ///< added to the limit where there is none [N m]
-    double twisting_stiffness = 0; ///< [-]
-    double twisting_limit = 0;     ///< [-]
-    double twisting_free = 0;      ///< [N m]
-    double adhesion_normal = 0;    ///< [Pa]
-    double adhesion_shear = 0;     ///< [Pa]
+template <class Real>
+struct LawConstantsOf {
+    Real twice_modulus{};      ///< 2 E [Pa]
+    Real shear_ratio{};        ///< [-]
+    Real tan_friction{};       ///< [-]
+    Real rolling_stiffness{};  ///< [-]
+    Real rolling_limit{};      ///< [-]
+    Real rolling_free{};       ///< added to the limit where there is none [N m]
+    Real twisting_stiffness{}; ///< [-]
+    Real twisting_limit{};     ///< [-]
+    Real twisting_free{};      ///< [N m]
+    Real adhesion_normal{};    ///< [Pa]
+    Real adhesion_shear{};     ///< [Pa]
+
+    template <class Other>
+    [[nodiscard]] LawConstantsOf<Other> as() const {
+        // A limit beyond any moment is one in every precision, and zero times it is zero.
+        const auto other = [](Real a) { return static_cast<Other>(a < Real(1e30) ? a : Real(1e30)); };
+        return {other(twice_modulus), other(shear_ratio),     other(tan_friction),       other(rolling_stiffness),
+                other(rolling_limit), other(rolling_free),    other(twisting_stiffness), other(twisting_limit),
+                other(twisting_free), other(adhesion_normal), other(adhesion_shear)};
+    }
 };
+
+using LawConstants = LawConstantsOf<double>;
 
 LawConstants resolve_law(const grains::Material& material);
 
@@ -83,11 +95,13 @@ struct ContactOutcome {
     Real overlap;          ///< [m]; zero where the pair does not touch
 };
 
-inline double root(double a) {
+template <class Real>
+inline Real root(Real a) {
     return std::sqrt(a);
 }
 
-inline double magnitude(double a) {
+template <class Real>
+inline Real magnitude(Real a) {
     return std::abs(a);
 }
 
@@ -109,7 +123,7 @@ constexpr Triple<Real> turned(const Triple<Real>& stored, const Triple<Real>& tu
 template <class Real>
 [[gnu::always_inline]] inline Triple<Real> limited(const Triple<Real>& v, const Real& limit) {
     const Real length2 = dot(v, v);
-    const Real scale = length2 > limit * limit ? limit / root(length2) : Real{} + 1.0;
+    const Real scale = length2 > limit * limit ? limit / root(length2) : Real(1);
     return scale * v;
 }
 
@@ -117,7 +131,7 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline void
 limit_both(Triple<Real>& a, const Real& limit_a, Triple<Real>& b, const Real& limit_b) {
-    const Real one = Real{} + 1.0, tiny = Real{} + 1e-200; // keeps a zero from dividing
+    const Real one(1), tiny(static_cast<Real>(1e-36)); // keeps a zero from dividing
     const Real a2 = dot(a, a), b2 = dot(b, b);
     const Real size_a = root(a2 > tiny ? a2 : tiny), size_b = root(b2 > tiny ? b2 : tiny);
     const Real inverse = one / (size_a * size_b);
@@ -140,8 +154,8 @@ struct Meeting {
 
 template <class Real>
 [[gnu::always_inline]] inline Meeting<Real>
-meet(const LawConstants& law, const Triple<Real>& branch, const Real& r1, const Real& r2) noexcept {
-    const Real zero{}, one = zero + 1.0, reach = r1 + r2;
+meet(const LawConstantsOf<Real>& law, const Triple<Real>& branch, const Real& r1, const Real& r2) noexcept {
+    const Real zero{}, one(1), reach = r1 + r2;
     const Real distance2 = dot(branch, branch);
     const Real distance = root(distance2);
     const Real inverse = one / (reach * distance); // one division for both
@@ -164,10 +178,10 @@ struct Limits {
 /// @param dt time step [s]
 template <bool Adhesive, bool Twisting, class Real>
 [[gnu::always_inline]] inline Limits<Real> stretch(
-    const LawConstants& law, const Real& dt, const GrainPair<Real>& pair, const Meeting<Real>& meeting,
+    const LawConstantsOf<Real>& law, const Real& dt, const GrainPair<Real>& pair, const Meeting<Real>& meeting,
     ContactMemory<Real>& memory
 ) noexcept {
-    const Real zero{}, one = zero + 1.0;
+    const Real zero{}, one(1);
     const Real r1 = pair.radius_1, r2 = pair.radius_2, smaller = r1 < r2 ? r1 : r2;
     const Real ks = law.shear_ratio * meeting.normal_stiffness;
     const Real trial_normal = meeting.normal_stiffness * meeting.overlap;
@@ -178,7 +192,7 @@ template <bool Adhesive, bool Twisting, class Real>
     const Real was_touching = size_1(memory.normal) > zero ? one : zero;
     Real bonded = zero, pull_off = zero, shear_strength = zero;
     if constexpr (Adhesive) {
-        const Real bondable = zero + (law.adhesion_normal > 0 || law.adhesion_shear > 0 ? 1.0 : 0.0);
+        const Real bondable = law.adhesion_normal > 0 || law.adhesion_shear > 0 ? one : zero;
         bonded = was_touching > zero ? memory.bonded : bondable;
         pull_off = bonded * law.adhesion_normal * smaller * smaller;
         shear_strength = bonded * law.adhesion_shear * smaller * smaller;
@@ -193,7 +207,7 @@ template <bool Adhesive, bool Twisting, class Real>
     const Triple<Real> roll = pair.spin_2 - pair.spin_1;
     const Triple<Real> roll_twist = dot(n, roll) * n;
 
-    const Real twist = 0.5 * dt * dot(memory.normal, pair.spin_1 + pair.spin_2);
+    const Real twist = Real(0.5) * dt * dot(memory.normal, pair.spin_1 + pair.spin_2);
     const Triple<Real> turn = cross(memory.normal, n) + twist * memory.normal;
 
     memory.shear_force = turned(memory.shear_force, turn) - (dt * ks) * slip;
@@ -240,7 +254,7 @@ cut(const Meeting<Real>& meeting, const Limits<Real>& limits, const Real& r1, co
         memory.twisting = kept(memory.twisting);
     }
     const Triple<Real> shear_arm = cross(n, memory.shear_force);
-    const Real half = 0.5 * meeting.overlap;
+    const Real half = Real(0.5) * meeting.overlap;
     const ContactOutcome<Real> outcome{
         kept(limits.normal_force * n + memory.shear_force), kept((half - r1) * shear_arm - moment),
         kept((half - r2) * shear_arm + moment), touching > zero ? meeting.overlap : zero};
@@ -254,7 +268,7 @@ cut(const Meeting<Real>& meeting, const Limits<Real>& limits, const Real& r1, co
 /// @param dt time step [s]
 template <bool Adhesive, bool Twisting, class Real>
 inline ContactOutcome<Real> linear_rolling(
-    const LawConstants& law, const Real& dt, const GrainPair<Real>& pair, ContactMemory<Real>& memory
+    const LawConstantsOf<Real>& law, const Real& dt, const GrainPair<Real>& pair, ContactMemory<Real>& memory
 ) noexcept {
     const Meeting<Real> meeting = meet(law, pair.branch, pair.radius_1, pair.radius_2);
     const Limits<Real> limits = stretch<Adhesive, Twisting>(law, dt, pair, meeting, memory);

@@ -26,7 +26,22 @@ bool has_secant_servo(const cell::Loading& loading) {
     return false;
 }
 
-void give_back(const StepCaches& caches, World& world) {
+/// Contact memory travels in single precision during a burst of fast steps; the world has it in double again whenever
+/// somebody looks.
+void take_memory(const World& world, Mode mode, StepCaches& caches) {
+    if (mode == Mode::Fast) {
+        contact::to_single(world.contacts, caches.memory);
+    }
+}
+
+void give_back_memory(const StepCaches& caches, Mode mode, World& world) {
+    if (mode == Mode::Fast) {
+        contact::from_single(caches.memory, world.contacts);
+    }
+}
+
+void give_back(const StepCaches& caches, Mode mode, World& world) {
+    give_back_memory(caches, mode, world);
     grains::from_rows(caches.rows, world.grains);
     for (std::size_t g = 0; g < world.grains.size(); ++g) {
         world.grains.force[g] = xyz(caches.sums[g].force);
@@ -35,13 +50,25 @@ void give_back(const StepCaches& caches, World& world) {
 }
 
 /// Makes sure that no pair outside the contact table can touch in this step.
-void pair(World& world, StepCaches& caches, double dt) {
+void pair(World& world, StepCaches& caches, const StepPlan& plan) {
     if (caches.neighborhood.holds(world, world.cell.h) && !caches.moved_too_far) {
         return;
     }
+    give_back_memory(caches, plan.mode, world);
     grains::from_rows(caches.rows, world.grains);
-    caches.neighborhood.update(world, dt);
+    caches.neighborhood.update(world, plan.dt);
     caches.sums.assign(caches.neighborhood.sum_plan().rows(), {});
+    take_memory(world, plan.mode, caches);
+}
+
+contact::Pressed press(
+    World& world, StepCaches& caches, Mode mode, const contact::Surroundings& around, const contact::LawConstants& law
+) {
+    const contact::SumPlan& sums = caches.neighborhood.sum_plan();
+    if (mode == Mode::Fast) {
+        return contact::compute_forces(caches.rows, sums, around, law, world.contacts, caches.memory, caches.sums);
+    }
+    return contact::compute_forces(caches.rows, sums, around, law, world.contacts, caches.sums);
 }
 
 Mat3 one_step(World& world, StepCaches& caches, const StepPlan& plan, const contact::LawConstants& law) {
@@ -53,12 +80,11 @@ Mat3 one_step(World& world, StepCaches& caches, const StepPlan& plan, const cont
     cell.h += plan.dt * image_velocity;
 
     // 2 pair
-    pair(world, caches, plan.dt);
+    pair(world, caches, plan);
 
     // 3 touch, 4 press
     const contact::Surroundings around{cell.h, image_velocity, neighborhood.largest_radius(), plan.dt};
-    const contact::Pressed pressed =
-        contact::compute_forces(caches.rows, neighborhood.sum_plan(), around, law, world.contacts, caches.sums);
+    const contact::Pressed pressed = press(world, caches, plan.mode, around, law);
     if (pressed.wild) {
         throw StateError(fmt::format(
             "at step {} a contact force is not a number or beyond all reason: the motion has blown up; take a smaller "
@@ -70,6 +96,7 @@ Mat3 one_step(World& world, StepCaches& caches, const StepPlan& plan, const cont
 
     // 7 measure: the servo answers to this step's stress and drives this step's motion
     if (has_secant_servo(plan.loading) && world.clock.step % modulus_interval == 0) {
+        give_back_memory(caches, plan.mode, world);
         world.servo.modulus = contact::affine_moduli(world.grains, world.contacts, world.material, cell.h);
     }
     const Mat3 gradient = cell::drive(cell, plan.loading, stress, plan.dt, world.servo);
@@ -94,11 +121,12 @@ Mat3 one_step(World& world, StepCaches& caches, const StepPlan& plan, const cont
 StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::int64_t steps) {
     const contact::LawConstants law = contact::resolve_law(world.material);
     grains::to_rows(world.grains, caches.rows);
+    take_memory(world, plan.mode, caches);
     StepReport report;
     for (std::int64_t k = 0; k < steps; ++k) {
         report.stress = one_step(world, caches, plan, law);
     }
-    give_back(caches, world);
+    give_back(caches, plan.mode, world);
     return report;
 }
 

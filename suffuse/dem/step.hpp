@@ -11,8 +11,15 @@
 
 namespace suffuse::dem {
 
+/// In which precision the step works.
+enum class Mode {
+    Reference, ///< double throughout
+    Fast,      ///< contact memory and law in single precision; positions, overlaps, sums and motion in double
+};
+
 /// What was decided before the step; constant during it.
 struct StepPlan {
+    Mode mode = Mode::Reference;
     double dt = 0;        ///< [s]
     double damping = 0.2; ///< local, non-viscous [-]
     double drag = 0;      ///< viscous, for relaxation only [1/s]
@@ -31,6 +38,7 @@ struct StepCaches {
     bool moved_too_far = false; ///< a grain has, for the contact table
     std::vector<grains::MovingRow> rows;
     std::vector<grains::GrainSum> sums;
+    contact::SingleMemory memory; ///< of the contacts, in fast mode
 };
 
 /// Advances the world by `steps` steps. @return of the last one
