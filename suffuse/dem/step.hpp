@@ -17,6 +17,10 @@ enum class Mode {
     Fast,      ///< contact memory and law in single precision; positions, overlaps, sums and motion in double
 };
 
+constexpr const char* name_of(Mode mode) {
+    return mode == Mode::Fast ? "fast" : "reference";
+}
+
 /// What was decided before the step; constant during it.
 struct StepPlan {
     Mode mode = Mode::Reference;

@@ -63,10 +63,12 @@ BenchStepResult bench_step(const BenchStepSpec& spec) {
     dem::sort_along_curve(world);
     dem::StepCaches caches;
     dem::StepPlan plan;
+    plan.mode = spec.mode;
     plan.dt = spec.time_step;
     plan.loading = dem::isotropic_stress(spec.pressure);
 
     BenchStepResult result;
+    result.mode = spec.mode;
     result.threads = thread_count();
     result.grains = static_cast<std::int64_t>(world.grains.size());
     result.steps = spec.steps;
@@ -85,6 +87,7 @@ BenchStepResult bench_step(const BenchStepSpec& spec) {
 
 void to_json(nlohmann::json& json, const BenchStepResult& r) {
     json = {
+        {"mode", dem::name_of(r.mode)},
         {"threads", r.threads},
         {"grains", r.grains},
         {"contacts_before", r.contacts_before},

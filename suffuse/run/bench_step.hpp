@@ -3,6 +3,7 @@
 // is settled with the example's law at 100 kPa, then sheared slowly, lateral stress held by the servo [reference,
 // section 6].
 
+#include "suffuse/dem/step.hpp"
 #include "suffuse/run/bench_packing.hpp"
 
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@ namespace suffuse::run {
 
 struct BenchStepSpec {
     BenchPacking packing;
+    dem::Mode mode = dem::Mode::Reference;
     std::int64_t steps = 2000; ///< that are timed
     double time_step = 4.1e-8; ///< [s]
     double pressure = 100e3;   ///< of the settled state, and then of the lateral stress [Pa]
@@ -20,6 +22,7 @@ struct BenchStepSpec {
 };
 
 struct BenchStepResult {
+    dem::Mode mode = dem::Mode::Reference;
     int threads = 1;
     std::int64_t grains = 0, steps = 0;
     std::int64_t contacts_before = 0, contacts = 0; ///< touching, before and after the timed steps

@@ -144,9 +144,7 @@ void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {
              time_step_interval - done % time_step_interval}
         );
         const dem::StepPlan plan = plan_for(work, spec.loading);
-        for (std::int64_t k = 0; k < burst; ++k) {
-            dem::step(work.world, caches, plan);
-        }
+        dem::advance(work.world, caches, plan, burst);
         done += burst;
         work.grain_steps += burst * static_cast<std::int64_t>(work.world.grains.size());
         work.history.record(work.world);
