@@ -6,7 +6,7 @@
 #include "suffuse/flow/pressure.hpp"
 
 #include "bench/per_item.hpp"
-#include "tests/support/packings.hpp"
+#include "tests/support/worlds.hpp"
 
 namespace suffuse::bench {
 namespace {
@@ -15,8 +15,11 @@ constexpr double viscosity = 1e-3;        // [Pa s]
 constexpr Vec3 gradient{0, 0, -490.3325}; // i = 0.05 [Pa/m]
 
 struct Network {
-    test::Packing packing = test::reference_packing("packing10k");
-    pores::PoreNetwork network = pores::build_network(packing.h, packing.position, packing.radius);
+    dem::World world = test::reference_packing("packing10k");
+    const Mat3& h = world.cell.h;
+    const std::vector<Vec3>& position = world.grains.position;
+    const std::vector<double>& radius = world.grains.radius;
+    pores::PoreNetwork network = pores::build_network(h, position, radius);
     std::vector<double> conductance = flow::conductances(network, viscosity);
 
     [[nodiscard]] double throats() const { return static_cast<double>(network.throats.size()); }
@@ -44,18 +47,18 @@ private:
 
 void triangulate(benchmark::State& state) {
     const OneThread one;
-    const test::Packing& packing = sample().packing;
+    const Network& s = sample();
     for (auto _ : state) {
-        benchmark::DoNotOptimize(pores::triangulate(packing.h, packing.position, packing.radius));
+        benchmark::DoNotOptimize(pores::triangulate(s.h, s.position, s.radius));
     }
-    state.counters["ns_per_grain"] = ns_per(static_cast<double>(packing.size()));
+    state.counters["ns_per_grain"] = ns_per(static_cast<double>(s.radius.size()));
 }
 
 void build_network(benchmark::State& state) {
     const OneThread one;
-    const test::Packing& packing = sample().packing;
+    const Network& s = sample();
     for (auto _ : state) {
-        benchmark::DoNotOptimize(pores::build_network(packing.h, packing.position, packing.radius));
+        benchmark::DoNotOptimize(pores::build_network(s.h, s.position, s.radius));
     }
     state.counters["ns_per_throat"] = ns_per(sample().throats());
 }
@@ -92,7 +95,7 @@ void grain_forces(benchmark::State& state) {
     const OneThread one;
     const flow::FlowField field = flow::solve_pressure(sample().network, sample().conductance, gradient);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(flow::grain_forces(sample().network, field.pressure, gradient, sample().packing.size())
+        benchmark::DoNotOptimize(flow::grain_forces(sample().network, field.pressure, gradient, sample().radius.size())
         );
     }
     state.counters["ns_per_throat"] = ns_per(sample().throats());

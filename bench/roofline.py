@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Static roofline of a vectorized loop: what the processor's ports allow, before caches and memory.
 
-Takes the hot loop of a symbol out of a built object (the innermost loop with the most vector instructions), lets llvm-mca
-simulate it on a processor's model, and prints cycles per item, the port that is busiest and the bound that it sets. The
-functions that the compiler cloned for several processors (`target_clones`) are told apart by the clone's suffix.
+Takes the vectorized inner loops of a symbol out of a built object, lets llvm-mca simulate each on a processor's model, and
+prints cycles per item, the port that is busiest and the bound that it sets. The functions that the compiler cloned for
+several processors (`target_clones`) are told apart by the clone's suffix. What lies outside those loops is not counted.
 """
 import argparse
 import pathlib
@@ -22,11 +22,12 @@ FEATURES = "+avx512f,+avx512vl,+avx512dq,+avx512bw,+avx512cd,+fma,+bmi,+bmi2,+lz
 def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--object", required=True, type=pathlib.Path, help="object file or archive")
-    parser.add_argument("--symbol", required=True, help="part of the function's demangled name, as apply_plain")
+    parser.add_argument("--symbol", required=True, help="part of the function's demangled name, as press_plain")
     parser.add_argument("--items", type=int, help="items an iteration works on; by default the doubles of the widest register")
     parser.add_argument("--clock", type=float, default=4.0, help="GHz, to turn cycles into nanoseconds")
     parser.add_argument("--mca", default="llvm-mca-14")
     parser.add_argument("--cpu", action="append", help="model of llvm-mca instead of those known for the clone")
+    parser.add_argument("--least", type=int, default=24, help="vector instructions that make a loop worth a row")
     parser.add_argument("--show", action="store_true", help="print the loop and the whole of llvm-mca's answer")
     return parser.parse_args()
 
@@ -57,8 +58,8 @@ def is_vector(text):
     return re.search(r"%[yz]mm", text) is not None
 
 
-def hot_loop(rows):
-    """The innermost loop with the most vector instructions: a jump back, and what lies between it and its target."""
+def hot_loops(rows, least):
+    """Innermost loops with at least `least` vector instructions: a jump back, and what lies between it and its target."""
     place = {address: k for k, (address, _) in enumerate(rows)}
     loops = []
     for end, (address, text) in enumerate(rows):
@@ -68,8 +69,7 @@ def hot_loop(rows):
             loops.append((begin, end))
     inner = [a for a in loops if not any(b != a and a[0] <= b[0] and b[1] <= a[1] for b in loops)]
     bodies = [[text for _, text in rows[begin : end + 1]] for begin, end in inner]
-    bodies = [body for body in bodies if any(map(is_vector, body))]
-    return max(bodies, key=lambda body: sum(map(is_vector, body)), default=None)
+    return [body for body in bodies if sum(map(is_vector, body)) >= least]
 
 
 def as_assembly(body):
@@ -101,6 +101,22 @@ def busiest_port(answer):
     return max(zip(pressure, (name for _, name in names)))
 
 
+def print_row(options, title, cpu, body):
+    assembly = as_assembly(body)
+    items = options.items or (8 if any("%zmm" in text for text in body) else 4)
+    answer = simulate(options, assembly, cpu)
+    cycles = number(answer, "Total Cycles") / number(answer, "Iterations") / items
+    pressure, port = busiest_port(answer)
+    bound = max(number(answer, "Block RThroughput"), pressure) / items
+    by = f"{port} ({pressure / items:.1f})" if pressure / items >= bound else f"dispatch; {port} {pressure / items:.1f}"
+    count = len(assembly.splitlines()) - 1
+    times = f"{cycles / options.clock:>8.2f}{bound / options.clock:>7.2f}"
+    print(f"{title:9}{cpu:16}{count:>13}{items:>6}{cycles:>13.1f}{bound:>8.1f}  {by:28}{times}")
+    if options.show:
+        print(assembly + answer)
+    return cycles, bound
+
+
 def main():
     options = read_arguments()
     found = functions(options.object, options.symbol)
@@ -109,23 +125,14 @@ def main():
     print(f"{'clone':9}{'model':16}{'instructions':>13}{'items':>6}{'cycles/item':>13}{'bound':>8}  {'set by':28}{'ns/item':>8}{'bound':>7}")
     shown = 0
     for suffix, title, cpus in CLONES:
-        for name, rows in found.items():
-            body = hot_loop(rows) if suffix in name else None
-            if body is None:
-                continue
-            items = options.items or (8 if any("%zmm" in text for text in body) else 4)
-            for cpu in options.cpu or cpus:
-                answer = simulate(options, as_assembly(body), cpu)
-                cycles = number(answer, "Total Cycles") / number(answer, "Iterations") / items
-                pressure, port = busiest_port(answer)
-                bound = max(number(answer, "Block RThroughput"), pressure) / items
-                by = f"{port} ({pressure / items:.1f})" if pressure / items >= bound else f"dispatch; {port} {pressure / items:.1f}"
-                count = sum(1 for line in as_assembly(body).splitlines()) - 1
+        bodies = [body for name, rows in found.items() if suffix in name for body in hot_loops(rows, options.least)]
+        for cpu in options.cpu or cpus:
+            both = [print_row(options, title, cpu, body) for body in bodies]
+            if len(both) > 1:
+                cycles, bound = (sum(values) for values in zip(*both))
                 times = f"{cycles / options.clock:>8.2f}{bound / options.clock:>7.2f}"
-                print(f"{title:9}{cpu:16}{count:>13}{items:>6}{cycles:>13.1f}{bound:>8.1f}  {by:28}{times}")
-                shown += 1
-                if options.show:
-                    print(as_assembly(body) + answer)
+                print(f"{title:9}{cpu:16}{'all loops':>13}{'':6}{cycles:>13.1f}{bound:>8.1f}  {'once an item each':28}{times}\n")
+            shown += len(both)
     if shown == 0:
         sys.exit(f"{options.symbol}: none of its clones has a vectorized loop; found: {', '.join(found)}")
     print(f"\nns at {options.clock} GHz; Zen 4 takes a 512-bit instruction in two halves: its AVX-512 is bound as its AVX2 is")
