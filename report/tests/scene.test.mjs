@@ -79,7 +79,7 @@ test("a click on a grain shows its card, and a neighbor on the card can be chose
     // A grain whose middle nobody hides.
     const row = view.rows.find((each) => {
       const { x, y } = view.seenAt(each);
-      return view.pick(x, y) === each && view.scene.fine[each] && view.scene.leftIn[each] === 0;
+      return view.pick(x, y) === each && view.scene.fine[each] && view.scene.leftIn[each] === 0 && view.state.coordination[each] > 0;
     });
     const box = view.canvas.getBoundingClientRect();
     const { x, y } = view.seenAt(row);

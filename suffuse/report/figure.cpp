@@ -53,10 +53,10 @@ json look_in_print() {
         },
         "legend": {
             "orient": "top", "labelFontSize": 11, "titleFontSize": 11, "titleFontWeight": "normal",
-            "labelColor": "#333333", "titleColor": "#111111", "symbolStrokeWidth": 2, "labelLimit": 320,
+            "labelColor": "#333333", "titleColor": "#111111", "symbolStrokeWidth": 2, "labelLimit": 480,
             "symbolBaseFillColor": "#808080", "symbolBaseStrokeColor": "#808080"
         },
-        "header": {"labelFontSize": 12, "labelColor": "#111111", "titleColor": "#111111", "labelLimit": 320},
+        "header": {"labelFontSize": 12, "labelColor": "#111111", "titleColor": "#111111", "labelLimit": 480},
         "text": {"fontSize": 11},
         "line": {"strokeWidth": 2}
     })json");

@@ -1,13 +1,16 @@
 #include "suffuse/run/report_data.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/report/figure_options.hpp"
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/headlines.hpp"
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/measured_points.hpp"
 #include "suffuse/run/scene_data.hpp"
 
 #include <fmt/format.h>
@@ -197,6 +200,39 @@ std::vector<std::string> answer(const ErosionStory& story, const std::vector<Fin
     return sentences;
 }
 
+/// What [report] asks of the figures. What cannot be done is warned of: a long run ends with its report all the same.
+void heed_wishes(const casefile::ReportSpec& spec, report::ReportData& data) {
+    std::erase_if(data.figures, [&](const report::Figure& figure) {
+        return !report::is_asked_for(spec.figures, figure);
+    });
+    for (report::Figure& figure : data.figures) {
+        if (spec.dilation_up) {
+            report::draw_dilation_up(figure);
+        }
+    }
+    for (const auto& [word, file] : spec.overlay) {
+        const std::string id = report::figure_id(word);
+        const auto figure = std::find_if(data.figures.begin(), data.figures.end(), [&](const report::Figure& each) {
+            return each.id == id;
+        });
+        if (figure == data.figures.end()) {
+            data.warnings.push_back(fmt::format("report.overlay: this run has no {} to lay {} over", word, file));
+            continue;
+        }
+        try {
+            if (!report::lay_over(*figure, read_points(file), std::filesystem::path(file).filename().string())) {
+                data.warnings.push_back(fmt::format(
+                    "report.overlay: {} has no two columns of {} that make up a panel; figures/{}.csv shows their "
+                    "names",
+                    file, word, id
+                ));
+            }
+        } catch (const Error& error) {
+            data.warnings.push_back(fmt::format("report.overlay: {}", error.what()));
+        }
+    }
+}
+
 report::StageRow stage_row(const FinishedStage& stage) {
     const json& n = stage.numbers;
     report::StageRow row;
@@ -255,6 +291,7 @@ report::ReportData describe_run(
     data.warnings.insert(data.warnings.end(), warnings.begin(), warnings.end());
     data.assumed = assumed_values(folder);
     data.figures = draw_figures(what, folder, story);
+    heed_wishes(what.report, data);
     data.scene = describe_scene(folder, stages, story.eroded);
     for (const FinishedStage& stage : stages) {
         data.stages.push_back(stage_row(stage));
