@@ -62,6 +62,19 @@ void add_run_verbs(CLI::App& app, CommandLine& line) {
 
     CLI::App* report = app.add_subcommand("report", "write the report of a run again, without computing");
     add_subject(*report, line, "DIR", folder_text);
+
+    CLI::App* figures = app.add_subcommand("figures", "draw the figures of a run as files, for a manuscript");
+    add_subject(*figures, line, "DIR", folder_text);
+    figures->add_option("--format", line.format, "svg, png or pdf; svg unless given")
+        ->type_name("NAME")
+        ->check(CLI::IsMember({"svg", "png", "pdf"}));
+    figures->add_option("--figure", line.figures, "only this one, as in 9 or own-rules; may be repeated")
+        ->type_name("N")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+    figures->add_option("-o,--output", line.output, "folder for the files; the run's figures/ unless given")
+        ->type_name("DIR");
 }
 
 void add_case_verbs(CLI::App& app, CommandLine& line) {

@@ -36,6 +36,7 @@ struct CommandLine {
     std::string from;                   ///< template of `new`
     std::string bench;                  ///< "step" or "flow"
     std::string packing, cell, time_step, density, format;
+    std::vector<std::string> figures; ///< of `figures`: numbers or names
     std::int64_t steps = 2000;
     int replicate = 1;
     double gradient = 0.05;

@@ -22,6 +22,7 @@ constexpr std::array examples{
                "suffuse run dyke/case.toml --set study.erosion.particles=4000 -o runs/small"},
     Example{"resume", "suffuse resume runs/dyke-0001 --time-limit 2h"},
     Example{"report", "suffuse report runs/dyke-0001"},
+    Example{"figures", "suffuse figures runs/dyke-0001 --format pdf --figure 9 --figure own-rules -o manuscript"},
     Example{"new", "suffuse new my-dyke --from fontainebleau-2016"},
     Example{"check", "suffuse check my-dyke/case.toml"},
     Example{"plan", "suffuse plan my-dyke/case.toml --preset paper"},

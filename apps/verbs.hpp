@@ -23,6 +23,7 @@ int plan_verb(const CommandLine& line, const Console& console);
 int run_verb(const CommandLine& line, const Console& console);
 int resume_verb(const CommandLine& line, const Console& console);
 int report_verb(const CommandLine& line, const Console& console);
+int figures_verb(const CommandLine& line, const Console& console);
 int bench_verb(const CommandLine& line, const Console& console);
 int import_verb(const CommandLine& line, const Console& console);
 int export_verb(const CommandLine& line, const Console& console);

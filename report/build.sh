@@ -1,6 +1,7 @@
 #!/bin/sh
 # report/build.sh OUT_DIR: fetch the page's npm packages as the lock file says, and bundle the page's script:
-# OUT_DIR/page.js, its hash page.js.sha256 and the notices of what is in it, notices.txt. Nothing is written elsewhere.
+# OUT_DIR/page.js, its hash page.js.sha256 and the notices of what is in it, notices.txt; and figures.mjs, which draws
+# figures without a browser. Nothing is written elsewhere.
 # With --dev, also the packages of the browser tests. Exit code 1, with a reason, where this cannot be done.
 set -eu
 dev=no
@@ -8,7 +9,7 @@ if [ "${1:-}" = --dev ]; then
     dev=yes
     shift
 fi
-[ $# -eq 1 ] || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
+[ $# -eq 1 ] || { sed -n '2,5s/^# //p' "$0" >&2; exit 2; }
 here=$(dirname "$(readlink -f "$0")")
 mkdir -p "$1/npm"
 out=$(readlink -f "$1")

@@ -1,5 +1,5 @@
-// bundle.mjs OUT_DIR: the page's script as one file, its hash for the page's content policy, and the notices that the
-// licenses of the bundled packages ask for. The packages stand in OUT_DIR/npm, so that the source tree stays clean.
+// bundle.mjs OUT_DIR: the page's script as one file, its hash for the page's content policy, the notices that the
+// licenses of the bundled packages ask for, and the program that draws figures in Node. The packages stand in OUT_DIR/npm, so that the source tree stays clean.
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -10,19 +10,32 @@ const out = resolve(process.argv[2]);
 const modules = join(out, "npm", "node_modules");
 const { buildSync } = createRequire(join(out, "npm", "package.json"))("esbuild");
 
-const result = buildSync({
-  entryPoints: [join(dirname(fileURLToPath(import.meta.url)), "src", "main.js")],
+const sources = join(dirname(fileURLToPath(import.meta.url)), "src");
+const common = {
   bundle: true,
   minify: true,
-  format: "iife",
-  target: ["es2022"],
   charset: "ascii",
   legalComments: "none",
   nodePaths: [modules],
   absWorkingDir: modules,
-  metafile: true,
   write: false,
+};
+const result = buildSync({
+  ...common,
+  entryPoints: [join(sources, "main.js")],
+  format: "iife",
+  target: ["es2022"],
+  metafile: true,
 });
+const inNode = buildSync({
+  ...common,
+  entryPoints: [join(sources, "figures.js")],
+  platform: "node",
+  format: "esm",
+  target: ["node18"],
+  external: ["canvas"], // Vega draws pixels with it where it is there; SVG needs none
+});
+writeFileSync(join(out, "figures.mjs"), inNode.outputFiles[0].text);
 
 const code = result.outputFiles[0].text;
 if (code.includes("</script") || code.includes("\r")) {
