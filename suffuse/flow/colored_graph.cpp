@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace suffuse::flow {
 namespace {
 
-constexpr std::size_t block = 256; // groups of one loop of a thread
+constexpr std::size_t block = 256;    // groups of one loop of a thread
+constexpr std::size_t stretch = 1024; // rows within which those of equal length come together
 
 /// First color that no neighbor has, node by node.
 std::vector<std::uint32_t> choose_colors(const WeightedGraph& graph) {
@@ -33,8 +35,19 @@ std::vector<std::uint32_t> choose_colors(const WeightedGraph& graph) {
     return color;
 }
 
-/// Rows in order of colors, then nodes; each color begins a group. @return the node of each row, or none
-std::vector<std::uint32_t> number_rows(const std::vector<std::uint32_t>& color, ColoredGraph& result) {
+/// Couplings of a node to earlier colors, then all of them, as one number to sort by.
+std::uint64_t length_of(const WeightedGraph& graph, const std::vector<std::uint32_t>& color, std::uint32_t i) {
+    std::uint64_t before = 0;
+    for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
+        before += color[graph.neighbor[k]] < color[i] ? 1 : 0;
+    }
+    return before << 32 | (graph.first[i + 1] - graph.first[i]);
+}
+
+/// Rows in order of colors, then nodes; each color begins a group. Within a stretch of a color rows of equal length
+/// come together, so that little has to be filled up. @return the node of each row, or none
+std::vector<std::uint32_t>
+number_rows(const WeightedGraph& graph, const std::vector<std::uint32_t>& color, ColoredGraph& result) {
     const std::uint32_t colors = color.empty() ? 0 : *std::max_element(color.begin(), color.end()) + 1;
     std::vector<std::uint32_t> next(colors + 1, 0);
     for (const std::uint32_t c : color) {
@@ -47,10 +60,23 @@ std::vector<std::uint32_t> number_rows(const std::vector<std::uint32_t>& color, 
         next[c] = result.color[c] * lanes;
     }
     std::vector<std::uint32_t> node(result.color.back() * lanes, ~std::uint32_t{0});
-    result.row.resize(color.size());
     for (std::uint32_t i = 0; i < color.size(); ++i) {
-        result.row[i] = next[color[i]]++;
-        node[result.row[i]] = i;
+        node[next[color[i]]++] = i;
+    }
+    result.row.resize(color.size());
+    for (std::uint32_t c = 0; c < colors; ++c) {
+        const std::size_t first = result.color[c] * lanes;
+        parallel_for(next[c] - first, stretch, [&](std::size_t begin, std::size_t end) {
+            std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted;
+            for (std::size_t r = first + begin; r < first + end; ++r) {
+                sorted.emplace_back(length_of(graph, color, node[r]), node[r]);
+            }
+            std::sort(sorted.begin(), sorted.end());
+            for (std::size_t k = 0; k < sorted.size(); ++k) {
+                node[first + begin + k] = sorted[k].second;
+                result.row[sorted[k].second] = static_cast<std::uint32_t>(first + begin + k);
+            }
+        });
     }
     return node;
 }
@@ -227,7 +253,7 @@ void for_color(const ColoredGraph& graph, std::size_t c, Body&& body) {
 ColoredGraph color_graph(const WeightedGraph& graph) {
     ColoredGraph result;
     const std::vector<std::uint32_t> color = choose_colors(graph);
-    const std::vector<std::uint32_t> node = number_rows(color, result);
+    const std::vector<std::uint32_t> node = number_rows(graph, color, result);
     // Rows of one color couple to no other of it: earlier rows are of earlier colors.
     result.before =
         gather_rows(graph, node, result.row, [](std::uint32_t r, std::uint32_t other) { return other < r; });

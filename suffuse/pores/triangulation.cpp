@@ -9,19 +9,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suffuse::pores {
 namespace {
 
-// A part of 5,000 grains needs half as many images again. Parts of large packings are larger: the images then cost less
-// than the second thread brings.
-constexpr std::size_t grains_a_part = 5000;
-constexpr int most_parts = 64;
+/// Number of parts worth their images: two of 10,000 grains, which have a tenth more images than one; 16 of a million.
+int suitable_parts(std::size_t grains) {
+    constexpr double grains_in_two = 10'000;
+    return static_cast<int>(2 * std::sqrt(static_cast<double>(grains) / grains_in_two));
+}
 
 /// Halves the widest side of the parts until there are enough of them; depends on the packing only.
 Cuts choose_cuts(const ExactPacking& packing, int parts) {
-    const auto wanted =
-        parts > 0 ? parts : static_cast<int>(std::min<std::size_t>(most_parts, packing.radius.size() / grains_a_part));
+    const int wanted = parts > 0 ? parts : suitable_parts(packing.radius.size());
     Cuts cuts = {1, 1, 1};
     while (2 * cuts[0] * cuts[1] * cuts[2] <= wanted) {
         std::size_t widest = 0;
