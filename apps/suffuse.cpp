@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <malloc.h>
 #include <new>
 #include <string_view>
 
@@ -110,5 +111,8 @@ int run_program(int argc, const char* const* argv) {
 } // namespace suffuse::apps
 
 int main(int argc, char** argv) {
+    // Large tables go back to the system when they are freed; left to itself, the allocator would keep them after the
+    // first, and a sample would hold half as much again.
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
     return suffuse::apps::run_program(argc, argv);
 }

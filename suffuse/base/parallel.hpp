@@ -30,11 +30,12 @@ void run_side_by_side(std::size_t tasks, int at_once, const std::function<void(s
 template <class Body>
 void parallel_for(std::size_t rows, std::size_t block, Body&& body) {
     const std::size_t blocks = (rows + block - 1) / block;
-    detail::run_blocks(blocks, [&](std::size_t begin, std::size_t end) {
+    auto loop = [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
             body(b * block, std::min(rows, (b + 1) * block));
         }
-    });
+    };
+    detail::run_blocks(blocks, std::ref(loop)); // a reference: nothing is allocated
 }
 
 /// Sum of `body(first, last)` over the blocks of [0, rows), added in block order: the same bits for any thread count.

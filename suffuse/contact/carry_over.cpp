@@ -9,7 +9,7 @@ constexpr std::uint32_t no_source = 0xffffffffU;
 
 struct Source {
     std::uint32_t row; ///< of the old table, or no_source
-    double sign;       ///< -1 where the two grains changed places
+    float sign;        ///< -1 where the two grains changed places
 };
 
 /// Rearranges a column in place; `spare` lends its storage.
@@ -59,6 +59,13 @@ struct NewRows {
     std::vector<cell::Image> image;
     std::vector<Source> source;
 
+    void reserve(std::size_t rows) {
+        first.reserve(rows);
+        second.reserve(rows);
+        image.reserve(rows);
+        source.reserve(rows);
+    }
+
     void append(const neighbors::Pair& pair, const Source& from) {
         first.push_back(pair.first);
         second.push_back(pair.second);
@@ -81,9 +88,16 @@ OptionalMemory optional_memory(const Contacts& contacts) {
 }
 
 void carry_over(
-    Contacts& table, std::span<const neighbors::Pair> pairs, const OptionalMemory& memory, std::vector<double>& spare
+    Contacts& table, std::span<const neighbors::Pair> pairs, std::span<const std::uint8_t> wanted,
+    const OptionalMemory& memory, std::vector<double>& spare
 ) {
+    const auto among = [&](std::size_t k) { return wanted.empty() || wanted[k] != 0; };
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        count += among(k) ? 1 : 0;
+    }
     NewRows rows;
+    rows.reserve(count);
     std::size_t c = 0;
     const auto keep_touching_before = [&](auto&& is_before) {
         for (; c < table.size() && is_before(pair_of(table, c)); ++c) {
@@ -92,7 +106,11 @@ void carry_over(
             }
         }
     };
-    for (const neighbors::Pair& pair : pairs) {
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        if (!among(k)) {
+            continue;
+        }
+        const neighbors::Pair& pair = pairs[k];
         keep_touching_before([&](const neighbors::Pair& other) { return other < pair; });
         const bool known = c < table.size() && pair_of(table, c) == pair;
         rows.append(pair, {known ? static_cast<std::uint32_t>(c++) : no_source, 1});
@@ -104,7 +122,7 @@ void carry_over(
 Contacts touching_rows(const Contacts& contacts) {
     Contacts table = contacts;
     std::vector<double> spare;
-    carry_over(table, {}, optional_memory(contacts), spare);
+    carry_over(table, {}, {}, optional_memory(contacts), spare);
     return table;
 }
 

@@ -21,8 +21,10 @@ OptionalMemory optional_memory(const Contacts& contacts);
 /// Makes `table` (sorted) the table of the `pairs` (sorted), with the memory that it has of them. Pairs that touch stay
 /// in it whether or not they are among `pairs`. Column after column is exchanged with `spare`, so that no second table
 /// is needed.
+/// @param wanted for each pair 1, or 0 to leave it out; empty: all
 void carry_over(
-    Contacts& table, std::span<const neighbors::Pair> pairs, const OptionalMemory& memory, std::vector<double>& spare
+    Contacts& table, std::span<const neighbors::Pair> pairs, std::span<const std::uint8_t> wanted,
+    const OptionalMemory& memory, std::vector<double>& spare
 );
 
 /// Only the pairs that touch: all that a saved state needs.

@@ -35,7 +35,7 @@ Contacts three_contacts() {
 
 Contacts carried(Contacts table, const std::vector<Pair>& pairs, const OptionalMemory& memory = {}) {
     std::vector<double> spare;
-    carry_over(table, pairs, memory, spare);
+    carry_over(table, pairs, {}, memory, spare);
     return table;
 }
 
@@ -88,7 +88,7 @@ TEST(CarryOver, OfLongTablesGivesEveryPairItsOwnMemoryAgainAndAgain) {
                 }
             }
         }
-        carry_over(table, pairs, {}, spare);
+        carry_over(table, pairs, {}, {}, spare);
         std::set<std::pair<std::uint32_t, std::uint32_t>> wanted;
         for (const Pair& pair : pairs) {
             wanted.insert({pair.first, pair.second});

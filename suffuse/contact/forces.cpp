@@ -48,11 +48,6 @@ struct alignas(64) Tile {
     Rows3<Real>& torque_2() { return spin_2; }
 };
 
-/// Displacement and velocity of a period against the home period.
-struct alignas(64) Shift {
-    Quad position, velocity;
-};
-
 /// The columns that the law reads and writes.
 template <class Real>
 struct MemoryColumns {
@@ -75,7 +70,7 @@ struct Work {
     const grains::MovingRow* grains;
     const std::uint32_t *first, *second, *second_sum;
     const std::uint16_t* image;
-    const Shift* shifts;
+    const ImageShift* shifts;
     LawConstants exact_law;
     LawConstantsOf<Real> law;
     Real dt;
@@ -135,7 +130,7 @@ template <class Real>
         for (std::size_t q = 0; q < 4; ++q) {
             const std::size_t c = begin + std::min(k + q, rows - 1); // short of rows: the last one again, unused
             const grains::MovingRow &i = w.grains[w.first[c]], &j = w.grains[w.second[c]];
-            const Shift& shift = w.shifts[w.image[c]];
+            const ImageShift& shift = w.shifts[w.image[c]];
             branch[q] = j.position - i.position + shift.position;
             velocity[q] = j.velocity - i.velocity + shift.velocity;
             spin_1[q] = i.spin;
@@ -369,22 +364,18 @@ Pressed press_contacts(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
     const LawConstants& law, const Contacts& contacts, Memory& memory, std::vector<grains::GrainSum>& sums
 ) {
-    std::vector<Shift> shifts;
-    for (const cell::Image& image : plan.images) {
-        shifts.push_back({quad(cell::shift(around.h, image), 0), quad(cell::shift(around.image_velocity, image), 0)});
-    }
     // However much they overlap, grains push with at most E r2; with shear, the sum of the components stays below four
     // times that. And no stress reaches the modulus. The quantum follows from the state alone, as the same bits after a
     // resume ask for.
     const double r = around.largest_radius, largest_force = 2 * law.twice_modulus * r * r;
-    const SumQuantum quantum(largest_force * 2 * r, law.twice_modulus * std::abs(determinant(around.h)));
+    const SumQuantum quantum(largest_force * 2 * r, law.twice_modulus * around.volume);
     const Work<Real> work{
         grains.data(),
         contacts.first.data(),
         contacts.second.data(),
         plan.second_sum.data(),
         plan.image.data(),
-        shifts.data(),
+        around.shifts.data(),
         law,
         law.as<Real>(),
         static_cast<Real>(around.dt),
@@ -418,6 +409,19 @@ Pressed press_contacts(
 }
 
 } // namespace
+
+void surround(
+    const SumPlan& plan, const Mat3& h, const Mat3& image_velocity, double largest_radius, double dt,
+    Surroundings& around
+) {
+    around.volume = std::abs(determinant(h));
+    around.largest_radius = largest_radius;
+    around.dt = dt;
+    around.shifts.clear();
+    for (const cell::Image& image : plan.images) {
+        around.shifts.push_back({quad(cell::shift(h, image), 0), quad(cell::shift(image_velocity, image), 0)});
+    }
+}
 
 void to_single(const Contacts& contacts, SingleMemory& single) {
     for_each_memory(contacts, single, [](const std::vector<double>& from, std::vector<float>& to) {

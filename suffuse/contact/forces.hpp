@@ -11,14 +11,25 @@
 
 namespace suffuse::contact {
 
+/// Displacement and velocity of a period against the home period.
+struct alignas(64) ImageShift {
+    Quad position, velocity; ///< [m], [m/s]
+};
+
 /// What is the same for all contacts in a step.
 struct Surroundings {
-    Mat3 h;                    ///< cell of this step, columns are its vectors [m]
-    Mat3 image_velocity;       ///< relative velocity of neighboring periods, G times the cell of the step before
-                               ///< [m/s, columns as h] (reference 1.1, 1.3)
-    double largest_radius = 0; ///< of all grains [m]
-    double dt = 0;             ///< [s]
+    double volume = 0;              ///< of the cell [m3]
+    double largest_radius = 0;      ///< of all grains [m]
+    double dt = 0;                  ///< [s]
+    std::vector<ImageShift> shifts; ///< of the plan's images
 };
+
+/// @param h cell of this step, columns are its vectors [m]; @param image_velocity relative velocity of neighboring
+/// periods, G times the cell of the step before [m/s, columns as h] (reference 1.1, 1.3)
+void surround(
+    const SumPlan& plan, const Mat3& h, const Mat3& image_velocity, double largest_radius, double dt,
+    Surroundings& around
+);
 
 struct Pressed {
     Mat3 force_branch; ///< sum over contacts of force (x) branch [N m]: minus tension, so compression is positive

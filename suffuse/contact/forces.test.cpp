@@ -121,6 +121,7 @@ std::vector<ContactForce> one_by_one(const Sample& s, bool adhesive, bool twisti
 
 struct Result {
     SumPlan plan;
+    Surroundings around;
     std::vector<grains::GrainSum> sums;
     Mat3 force_branch;
 };
@@ -132,10 +133,7 @@ Result press(Sample& s) {
     plan_sums(s.contacts, s.grains.size(), result.plan);
     result.sums.resize(result.plan.rows());
     result.force_branch =
-        compute_forces(
-            rows, result.plan, {s.h, s.image_velocity, 2e-4, dt}, resolve_law(s.material), s.contacts, result.sums
-        )
-            .force_branch;
+        compute_forces(rows, result.plan, result.around, resolve_law(s.material), s.contacts, result.sums).force_branch;
     return result;
 }
 
@@ -209,9 +207,8 @@ TEST(ContactLoop, InSinglePrecisionDiffersByItsRounding) {
     SingleMemory memory;
     to_single(s.contacts, memory);
     std::vector<grains::GrainSum> sums(wanted.plan.rows());
-    const Pressed pressed = compute_forces(
-        rows, wanted.plan, {s.h, s.image_velocity, 2e-4, dt}, resolve_law(s.material), s.contacts, memory, sums
-    );
+    const Pressed pressed =
+        compute_forces(rows, wanted.plan, wanted.around, resolve_law(s.material), s.contacts, memory, sums);
     from_single(memory, s.contacts);
     EXPECT_NEAR(trace(pressed.force_branch) / trace(wanted.force_branch), 1, 1e-6);
     for (std::size_t c = 0; c < s.contacts.size(); ++c) {

@@ -134,24 +134,16 @@ void Neighborhood::search(const World& world) {
 
 void Neighborhood::make_table(World& world) {
     const auto& grains = world.grains;
-    constexpr std::size_t block = 4096;
-    std::vector<std::vector<neighbors::Pair>> blocks((pairs_.size() + block - 1) / block);
-    parallel_for(pairs_.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint8_t> near(pairs_.size());
+    parallel_for(pairs_.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const auto& [i, j, image] = pairs_[k];
             const double reach = (1 + stretch_) * (grains.radius[i] + grains.radius[j]) + allowance_[i] + allowance_[j];
             const Vec3 branch = grains.position[j] + cell::shift(world.cell.h, image) - grains.position[i];
-            if (norm2(branch) <= reach * reach) {
-                blocks[begin / block].push_back(pairs_[k]);
-            }
+            near[k] = norm2(branch) <= reach * reach ? 1 : 0;
         }
     });
-    std::vector<neighbors::Pair> close;
-    for (auto& part : blocks) {
-        close.insert(close.end(), part.begin(), part.end());
-        part = {};
-    }
-    contact::carry_over(world.contacts, close, needed_memory(world), spare_column_);
+    contact::carry_over(world.contacts, pairs_, near, needed_memory(world), spare_column_);
     contact::plan_sums(world.contacts, grains.size(), sum_plan_);
     watch_.resize(grains.size());
     for (std::size_t g = 0; g < grains.size(); ++g) {

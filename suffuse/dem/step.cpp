@@ -61,14 +61,14 @@ void pair(World& world, StepCaches& caches, const StepPlan& plan) {
     take_memory(world, plan.mode, caches);
 }
 
-contact::Pressed press(
-    World& world, StepCaches& caches, Mode mode, const contact::Surroundings& around, const contact::LawConstants& law
-) {
+contact::Pressed press(World& world, StepCaches& caches, Mode mode, const contact::LawConstants& law) {
     const contact::SumPlan& sums = caches.neighborhood.sum_plan();
     if (mode == Mode::Fast) {
-        return contact::compute_forces(caches.rows, sums, around, law, world.contacts, caches.memory, caches.sums);
+        return contact::compute_forces(
+            caches.rows, sums, caches.around, law, world.contacts, caches.memory, caches.sums
+        );
     }
-    return contact::compute_forces(caches.rows, sums, around, law, world.contacts, caches.sums);
+    return contact::compute_forces(caches.rows, sums, caches.around, law, world.contacts, caches.sums);
 }
 
 Mat3 one_step(World& world, StepCaches& caches, const StepPlan& plan, const contact::LawConstants& law) {
@@ -83,8 +83,10 @@ Mat3 one_step(World& world, StepCaches& caches, const StepPlan& plan, const cont
     pair(world, caches, plan);
 
     // 3 touch, 4 press
-    const contact::Surroundings around{cell.h, image_velocity, neighborhood.largest_radius(), plan.dt};
-    const contact::Pressed pressed = press(world, caches, plan.mode, around, law);
+    contact::surround(
+        neighborhood.sum_plan(), cell.h, image_velocity, neighborhood.largest_radius(), plan.dt, caches.around
+    );
+    const contact::Pressed pressed = press(world, caches, plan.mode, law);
     if (pressed.wild) {
         throw StateError(fmt::format(
             "at step {} a contact force is not a number or beyond all reason: the motion has blown up; take a smaller "

@@ -42,6 +42,7 @@ struct StepCaches {
     bool moved_too_far = false; ///< a grain has, for the contact table
     std::vector<grains::MovingRow> rows;
     std::vector<grains::GrainSum> sums;
+    contact::Surroundings around;
     contact::SingleMemory memory; ///< of the contacts, in fast mode
 };
 

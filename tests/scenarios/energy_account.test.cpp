@@ -26,7 +26,7 @@ contact::Contacts aligned(contact::Contacts before, const contact::Contacts& tab
         pairs.push_back({table.first[c], table.second[c], table.image[c]});
     }
     std::vector<double> spare;
-    contact::carry_over(before, pairs, {}, spare);
+    contact::carry_over(before, pairs, {}, {}, spare);
     return before;
 }
 
@@ -48,9 +48,9 @@ void add_plastic_work(
     contact::plan_sums(elastic, before.grains.size(), plan);
     std::vector<grains::GrainSum> sums(plan.rows());
     const double largest_radius = *std::max_element(before.grains.radius.begin(), before.grains.radius.end());
-    contact::compute_forces(
-        rows, plan, {after.cell.h, image_velocity, largest_radius, dt}, contact::resolve_law(unlimited), elastic, sums
-    );
+    contact::Surroundings around;
+    contact::surround(plan, after.cell.h, image_velocity, largest_radius, dt, around);
+    contact::compute_forces(rows, plan, around, contact::resolve_law(unlimited), elastic, sums);
     for (std::size_t c = 0; c < elastic.size(); ++c) {
         if (!after.contacts.touches(c)) {
             continue;
