@@ -231,7 +231,7 @@ export class SceneView {
     marks.setAttribute("width", width);
     marks.setAttribute("height", height);
     const look = document.createElementNS("http://www.w3.org/2000/svg", "style");
-    look.textContent = "text{font:13px Helvetica,Arial,sans-serif;fill:#222}line,path{stroke:#222;stroke-width:1.5;fill:none}polygon{fill:#222}";
+    look.textContent = "text{font:13px Helvetica,Arial,sans-serif;fill:#222}line,path{stroke:#222;stroke-width:1.5;fill:none}polygon{fill:#222}circle{fill:none;stroke:#222;stroke-width:2}";
     marks.prepend(look);
     const image = new Image();
     image.src = "data:image/svg+xml," + encodeURIComponent(new XMLSerializer().serializeToString(marks));
