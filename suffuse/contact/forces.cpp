@@ -123,27 +123,37 @@ template <class Real>
     return transposed(get(rows.x, k), get(rows.y, k), get(rows.z, k), Quad{});
 }
 
+/// Copies the grains of the contacts `row(0)` to `row(3)` into rows `k` to `k + 3` of the tile.
+template <class Real, class RowOf>
+[[gnu::always_inline]] inline void load_four(const Work<Real>& w, std::size_t k, RowOf&& row, Tile<Real>& tile) {
+    FourQuads branch, velocity, spin_1, spin_2;
+    for (std::size_t q = 0; q < 4; ++q) {
+        const std::size_t c = row(q);
+        const grains::MovingRow &i = w.grains[w.first[c]], &j = w.grains[w.second[c]];
+        const ImageShift& shift = w.shifts[w.image[c]];
+        branch[q] = j.position - i.position + shift.position;
+        velocity[q] = j.velocity - i.velocity + shift.velocity;
+        spin_1[q] = i.spin;
+        spin_2[q] = j.spin;
+    }
+    const auto columns = [](const FourQuads& r) { return transposed(r[0], r[1], r[2], r[3]); };
+    put(tile.branch, k, columns(branch));
+    put(tile.velocity, k, columns(velocity));
+    const FourQuads first = columns(spin_1), second = columns(spin_2);
+    put(tile.spin_1, k, first);
+    put(tile.spin_2, k, second);
+    put(tile.exact_radius_1, k, first[3]);
+    put(tile.exact_radius_2, k, second[3]);
+}
+
 template <class Real>
 [[gnu::always_inline]] inline void load(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& tile) {
-    for (std::size_t k = 0; k < rows; k += 4) {
-        FourQuads branch, velocity, spin_1, spin_2;
-        for (std::size_t q = 0; q < 4; ++q) {
-            const std::size_t c = begin + std::min(k + q, rows - 1); // short of rows: the last one again, unused
-            const grains::MovingRow &i = w.grains[w.first[c]], &j = w.grains[w.second[c]];
-            const ImageShift& shift = w.shifts[w.image[c]];
-            branch[q] = j.position - i.position + shift.position;
-            velocity[q] = j.velocity - i.velocity + shift.velocity;
-            spin_1[q] = i.spin;
-            spin_2[q] = j.spin;
-        }
-        const auto columns = [](const FourQuads& r) { return transposed(r[0], r[1], r[2], r[3]); };
-        put(tile.branch, k, columns(branch));
-        put(tile.velocity, k, columns(velocity));
-        const FourQuads first = columns(spin_1), second = columns(spin_2);
-        put(tile.spin_1, k, first);
-        put(tile.spin_2, k, second);
-        put(tile.exact_radius_1, k, first[3]);
-        put(tile.exact_radius_2, k, second[3]);
+    std::size_t k = 0;
+    for (; k + 4 <= rows; k += 4) {
+        load_four(w, k, [&](std::size_t q) { return begin + k + q; }, tile);
+    }
+    if (k < rows) { // short of rows: the last one again, unused
+        load_four(w, k, [&](std::size_t q) { return begin + std::min(k + q, rows - 1); }, tile);
     }
 }
 
@@ -274,10 +284,10 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline void
 add_to_grains(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& t) {
-    for (std::size_t k = 0; k < rows; k += 4) {
+    const auto add_four = [&](std::size_t k, std::size_t count) {
         const FourQuads force = vectors(t.force(), k), torque_1 = vectors(t.torque_1(), k),
                         torque_2 = vectors(t.torque_2(), k);
-        for (std::size_t q = 0; q < std::min<std::size_t>(4, rows - k); ++q) {
+        for (std::size_t q = 0; q < count; ++q) {
             const std::size_t c = begin + k + q;
             grains::GrainSum& first = w.sums[w.first[c]];
             first.force -= force[q];
@@ -286,6 +296,13 @@ add_to_grains(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Rea
             second.force += force[q];
             second.torque += torque_2[q];
         }
+    };
+    std::size_t k = 0;
+    for (; k + 4 <= rows; k += 4) {
+        add_four(k, 4);
+    }
+    if (k < rows) {
+        add_four(k, rows - k);
     }
 }
 
