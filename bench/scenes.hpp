@@ -5,8 +5,12 @@
 #include "suffuse/dem/order.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/step.hpp"
+#include "suffuse/packing/seed.hpp"
 
 #include "tests/support/worlds.hpp"
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace suffuse::bench {
 
@@ -18,7 +22,7 @@ struct Scene {
     dem::StepCaches caches;
     dem::StepPlan plan;
 
-    void advance(std::int64_t steps) { test::advance(world, caches, plan, steps); }
+    void advance(std::int64_t steps) { dem::advance(world, caches, plan, steps); }
 
     [[nodiscard]] double grains() const { return static_cast<double>(world.grains.size()); }
 
@@ -45,8 +49,10 @@ inline dem::World replicated(const dem::World& one, int copies) {
 }
 
 /// A reference packing under 100 kPa, after `steps`: contacts have their memory, the neighbor lists their margins.
-inline Scene compressed(const std::string& packing, int copies, std::int64_t steps) {
+inline Scene
+compressed(const std::string& packing, int copies, std::int64_t steps, dem::Mode mode = dem::Mode::Reference) {
     Scene scene;
+    scene.plan.mode = mode;
     scene.world = replicated(test::reference_packing(packing), copies);
     dem::sort_along_curve(scene.world);
     scene.plan.dt = reference_dt;
@@ -100,6 +106,53 @@ inline Scene bimodal(int cells) {
         places.push_back({Vec3{0.5, 0.5, 0.5} + step * n, fine});
     }
     return lattice(cells, side, places, 1e-4 * reference_dt);
+}
+
+/// Radii of `grains` grains between 1 and `ratio` times the smallest: as much volume in each octave.
+inline std::vector<double> graded_radii(std::size_t grains, double ratio) {
+    std::vector<double> radii;
+    for (std::size_t g = 0; g < grains; ++g) { // the share of grains that are finer than d is (1 - d^-3)/(1 - ratio^-3)
+        const double finer = (static_cast<double>(g) + 0.5) / static_cast<double>(grains);
+        radii.push_back(1e-5 / std::cbrt(1 - finer * (1 - std::pow(ratio, -3))));
+    }
+    std::reverse(radii.begin(), radii.end());
+    return radii;
+}
+
+/// A continuous grading, with 1.66 contacts a grain whatever the size ratio, as the settled packing has: a cloud whose
+/// grains are blown up until so many touch. It is not in balance, so the time step is too short for it to move.
+inline Scene graded(std::size_t grains, double ratio) {
+    packing::PackSpec spec;
+    spec.porosity = 0.5;
+    grains::SampledGrains sample;
+    sample.radius = graded_radii(grains, ratio);
+    sample.fine.assign(grains, 0);
+    const packing::Cloud cloud = packing::make_cloud(sample, spec, 2600, 7);
+    constexpr double most = 1.3; // of the radii
+    std::vector<double> radius = cloud.grains.radius;
+    for (double& r : radius) {
+        r *= most;
+    }
+    std::vector<double> touching_from; // the factor on the radii at which each near pair touches
+    for (const auto& [i, j, image] : neighbors::find_pairs(cloud.cell.h, cloud.grains.position, radius, 0)) {
+        const Vec3 branch = cloud.grains.position[j] + cell::shift(cloud.cell.h, image) - cloud.grains.position[i];
+        touching_from.push_back(norm(branch) / (cloud.grains.radius[i] + cloud.grains.radius[j]));
+    }
+    const std::size_t wanted = std::min(touching_from.size() - 1, grains * 166 / 100);
+    std::nth_element(
+        touching_from.begin(), touching_from.begin() + static_cast<std::ptrdiff_t>(wanted), touching_from.end()
+    );
+    Scene scene;
+    scene.world.cell = cloud.cell;
+    scene.world.reference_h = cloud.cell.h;
+    for (std::size_t g = 0; g < grains; ++g) {
+        test::add(scene.world, cloud.grains.position[g], touching_from[wanted] * cloud.grains.radius[g]);
+    }
+    dem::sort_along_curve(scene.world);
+    scene.plan.dt = 1e-4 * reference_dt;
+    scene.plan.loading = dem::constant_volume();
+    scene.advance(20);
+    return scene;
 }
 
 } // namespace suffuse::bench

@@ -150,10 +150,14 @@ template <class Real>
 [[gnu::always_inline]] inline void load(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& tile) {
     std::size_t k = 0;
     for (; k + 4 <= rows; k += 4) {
-        load_four(w, k, [&](std::size_t q) { return begin + k + q; }, tile);
+        load_four(
+            w, k, [&](std::size_t q) { return begin + k + q; }, tile
+        );
     }
     if (k < rows) { // short of rows: the last one again, unused
-        load_four(w, k, [&](std::size_t q) { return begin + std::min(k + q, rows - 1); }, tile);
+        load_four(
+            w, k, [&](std::size_t q) { return begin + std::min(k + q, rows - 1); }, tile
+        );
     }
 }
 

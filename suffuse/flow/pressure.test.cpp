@@ -46,7 +46,7 @@ std::vector<Match> match_pores(const pores::PoreNetwork& network, const nlohmann
 }
 
 TEST(Conductance, OfEveryThroatIsThatOfTheReference) {
-    const Packing packing = test::reference_packing("packing500");
+    const Packing packing = test::reference_spheres("packing500");
     const pores::PoreNetwork network = build(packing);
     const std::vector<double> conductance = conductances(network, 1e-3);
     const auto reference = test::read_reference_json("pfv_500.json.gz");
@@ -71,7 +71,7 @@ TEST(Conductance, LengthHasAFloorAndViscosityDivides) {
 }
 
 TEST(Pressure, InEveryPoreIsThatOfTheReference) {
-    const Packing packing = test::reference_packing("packing500");
+    const Packing packing = test::reference_spheres("packing500");
     const pores::PoreNetwork network = build(packing);
     const Vec3 gradient{490.5, 0, 0};
     const FlowField field = solve_pressure(network, conductances(network, 1e-3), gradient);
@@ -104,7 +104,7 @@ double flux_through(const pores::PoreNetwork& network, const FlowField& field, i
 }
 
 TEST(Pressure, FluxThroughEveryCrossSectionIsTheSame) {
-    for (const Packing& packing : {test::reference_packing("packing2000"), sheared_packing()}) {
+    for (const Packing& packing : {test::reference_spheres("packing2000"), sheared_packing()}) {
         const pores::PoreNetwork network = build(packing);
         const std::vector<double> conductance = conductances(network, 1e-3);
         const FlowField field = solve_pressure(network, conductance, {300, -200, 100});
@@ -160,7 +160,7 @@ TEST(Pressure, SaysSoWhenItDoesNotConverge) {
 }
 
 TEST(Pressure, SameBitsForAnyNumberOfThreads) {
-    const Packing packing = test::reference_packing("packing500");
+    const Packing packing = test::reference_spheres("packing500");
     const pores::PoreNetwork network = build(packing);
     const std::vector<double> conductance = conductances(network, 1e-3);
     const FlowField one = solve_pressure(network, conductance, {1, 0, 0});

@@ -46,7 +46,7 @@ TEST(Seepage, ForcesAndPermeabilityAreThoseOfTheReference) {
     for (const auto& [packing, flow] :
          {std::pair{"packing500", "pfv_500.json.gz"}, {"packing2000", "pfv_2000.json.gz"}}) {
         const auto reference = test::read_reference_json(flow);
-        const Seepage seepage = seep(test::reference_packing(packing), along({-1, 0, 0}));
+        const Seepage seepage = seep(test::reference_spheres(packing), along({-1, 0, 0}));
         EXPECT_NEAR(seepage.pressure_gradient.x, reference["summary"]["gradP"].get<double>(), 1e-12 * 490.5);
         EXPECT_NEAR(seepage.permeability / reference["summary"]["darcy_k_m2"].get<double>(), 1, 1e-9);
         EXPECT_LE(force_difference(seepage, reference).largest, 1e-8);
@@ -58,7 +58,7 @@ TEST(Seepage, OfTenThousandGrainsIsTheReferenceWithinItsOwnError) {
     // The reference's linear solver left an error here: refining our pressures a hundredfold changes our forces by
     // 1e-10 of their mean, while theirs stay 2e-7 away at the worst of 10,000 grains and 4e-9 in the typical one.
     const auto reference = test::read_reference_json("pfv_10000.json.gz");
-    const Seepage seepage = seep(test::reference_packing("packing10k"), along({-1, 0, 0}));
+    const Seepage seepage = seep(test::reference_spheres("packing10k"), along({-1, 0, 0}));
     EXPECT_NEAR(seepage.permeability / reference["summary"]["darcy_k_m2"].get<double>(), 1, 1.2e-9);
     const Difference difference = force_difference(seepage, reference);
     EXPECT_LE(difference.typical, 1e-8);
@@ -160,7 +160,7 @@ TEST(Seepage, PermeabilityScalesAsTheSquareOverSixDecades) {
 }
 
 TEST(Seepage, DoesNotDependOnTheBasisOfTheCellOrTheOrderOfGrains) {
-    const Packing packing = test::reference_packing("packing500");
+    const Packing packing = test::reference_spheres("packing500");
     Packing other;
     other.h = packing.h * Mat3{{{{1, 2, 0}, {0, 1, -1}, {0, 0, 1}}}};
     std::vector<std::size_t> order(packing.size());
@@ -178,7 +178,7 @@ TEST(Seepage, DoesNotDependOnTheBasisOfTheCellOrTheOrderOfGrains) {
 }
 
 TEST(Seepage, WorksAfterAThirdOfTheGrainsWereRemoved) {
-    const Packing packing = test::reference_packing("packing2000");
+    const Packing packing = test::reference_spheres("packing2000");
     Packing eroded;
     eroded.h = packing.h;
     for (std::size_t g = 0; g < packing.size(); ++g) {

@@ -23,7 +23,7 @@ test::Packing coarse_part(const test::Packing& packing, double diameter) {
 }
 
 TEST(Constrictions, OfTheCoarseSkeletonAreThoseOfTheReference) {
-    const test::Packing packing = test::reference_packing("packing10k");
+    const test::Packing packing = test::reference_spheres("packing10k");
     for (const auto& [name, limit] :
          {std::pair{"constrictions10k_0.20", 0.20e-3}, {"constrictions10k_0.26", 0.26e-3}}) {
         const auto about = test::read_reference_json(std::string(name) + ".json");

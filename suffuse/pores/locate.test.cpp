@@ -12,7 +12,7 @@ namespace {
 
 TEST(PoreLocator, FindsTheTetrahedronOfAnyPoint) {
     const std::vector<test::Packing> packings = {
-        test::reference_packing("packing500"),
+        test::reference_spheres("packing500"),
         test::random_packing(from_columns({1, 0, 0}, {0.7, 0.8, 0}, {0, -0.5, 1}), 5, 0.1, 0.2, 2),
         test::simple_cubic(1, 0.5), test::random_packing(diagonal({4, 4, 0.5}), 100, 0.1, 0.2, 3)};
     std::mt19937 random(1);

@@ -22,7 +22,7 @@ double sum(const std::vector<double>& column) {
 }
 
 TEST(Network, VolumesAddUpToTheCellAndVoidsToThePorosity) {
-    const Packing packing = test::reference_packing("packing500");
+    const Packing packing = test::reference_spheres("packing500");
     const PoreNetwork network = build(packing);
     double solid = 0;
     for (const double r : packing.radius) {
@@ -109,7 +109,7 @@ TEST(Network, PoresOfCoincidentCentersAreOneBody) {
 }
 
 TEST(Network, SameBitsForAnyNumberOfThreads) {
-    const Packing packing = test::reference_packing("packing500");
+    const Packing packing = test::reference_spheres("packing500");
     const PoreNetwork one = build(packing);
     for (const int threads : {2, 4}) {
         set_thread_count(threads);

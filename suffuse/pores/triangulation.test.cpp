@@ -65,8 +65,8 @@ Mat3 sheared() {
 }
 
 TEST(Triangulation, HasAsManyTetrahedraAsTheReference) {
-    EXPECT_EQ(triangulate(test::reference_packing("packing500")).size(), 3045U);
-    const Triangulation t = triangulate(test::reference_packing("packing10k"));
+    EXPECT_EQ(triangulate(test::reference_spheres("packing500")).size(), 3045U);
+    const Triangulation t = triangulate(test::reference_spheres("packing10k"));
     EXPECT_EQ(t.size(), 61147U);
     EXPECT_TRUE(t.hidden.empty());
     EXPECT_EQ(t.jitter, 0);
@@ -120,7 +120,7 @@ TEST(Triangulation, SameWhereverTheGrainsAreInTheirPeriods) {
 
 TEST(Triangulation, SameInAnyNumberOfPartsAndThreads) {
     const std::vector<Packing> packings = {
-        test::reference_packing("packing2000"), test::random_packing(sheared(), 400, 0.02, 0.08, 13),
+        test::reference_spheres("packing2000"), test::random_packing(sheared(), 400, 0.02, 0.08, 13),
         test::random_packing(diagonal({3, 1, 0.4}), 200, 0.03, 0.1, 14), test::face_centered(4, 0.3),
         test::simple_cubic(5, 1e-4)};
     for (const Packing& packing : packings) {

@@ -22,7 +22,7 @@ struct Packing {
 };
 
 /// `packing500`, `packing2000` or `packing10k` of the reference.
-inline Packing reference_packing(const std::string& name) {
+inline Packing reference_spheres(const std::string& name) {
     Packing packing;
     const nlohmann::json about = read_reference_json(name + ".json");
     for (int a = 0; a < 3; ++a) {
