@@ -138,6 +138,31 @@ void add_packing_verbs(CLI::App& app, CommandLine& line) {
     out->add_option("--format", line.format, "csv, yade or xyz; by the file's ending unless given")->type_name("NAME");
 }
 
+void add_assess_verb(CLI::App& app, CommandLine& line) {
+    CLI::App* assess =
+        app.add_subcommand("assess", "internal stability of a soil from its grading, without simulation");
+    add_subject(
+        *assess, line, "FILE", "a grading: CSV with the columns d [mm], passing [%]; or a case, for all its soils"
+    );
+    assess->add_option("--fines", line.fines, "size below which grains count as fine; found on the curve unless given")
+        ->type_name("D");
+    assess->add_option("-i,--gradient", line.seepage_gradient, "hydraulic gradient of upward seepage")
+        ->type_name("I")
+        ->check(CLI::NonNegativeNumber);
+    assess->add_option("--relative-density", line.relative_density, "0 loosest, 1 densest; both unless given")
+        ->type_name("ID")
+        ->check(CLI::Range(0.0, 1.0));
+    assess->add_option("--porosity", line.porosity, "with -i; 0.40 unless given")
+        ->type_name("N")
+        ->check(CLI::Range(0.05, 0.95));
+    assess->add_option("--density", line.density, "of the grains, with -i; 2650kg/m^3 unless given")->type_name("RHO");
+    assess->add_option("--alpha", line.stress_share, "with -i: mean stress of the fines over that of the soil")
+        ->type_name("A")
+        ->check(CLI::Range(0.0, 1.0));
+    assess->add_flag("--coarse-fabric", line.coarse_fabric, "D60/D10 of the coarse part decides how far to look at F");
+    assess->add_option("-o,--output", line.output, "folder for a page, its figures and numbers")->type_name("DIR");
+}
+
 std::vector<std::string> names_of_verbs(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -273,6 +298,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     add_case_verbs(app, line);
     add_bench_verbs(app, line);
     add_packing_verbs(app, line);
+    add_assess_verb(app, line);
     parse(app, with_verb(words), line);
     if (!line.text.empty()) {
         return line;

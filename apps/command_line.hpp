@@ -40,6 +40,10 @@ struct CommandLine {
     std::int64_t steps = 2000;
     int replicate = 1;
     double gradient = 0.05;
+
+    std::string fines; ///< of `assess`: size below which grains are fine, with its unit
+    std::optional<double> seepage_gradient, relative_density, porosity, stress_share;
+    bool coarse_fabric = false; ///< uniformity of the coarse part alone
 };
 
 /// @throws UsageError.

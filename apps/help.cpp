@@ -30,6 +30,7 @@ constexpr std::array examples{
     Example{"schema", "suffuse schema > case-reference.md"},
     Example{"bench step", "suffuse bench step --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3 --json"},
     Example{"bench flow", "suffuse bench flow --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3"},
+    Example{"assess", "suffuse assess dyke.csv --fines 0.2mm -i 0.3 -o dyke-stability"},
     Example{"import", "suffuse import pack.txt --cell 0.004,0.004,0.004 -o packing.csv"},
     Example{"export", "suffuse export runs/dyke-0001/studies/erosion/initial -o initial.xyz"},
 };

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/page_folder.hpp"
 #include "apps/run_folder.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/terminal.hpp"
@@ -30,14 +31,6 @@ struct Job {
     std::string case_text;
     run::RunPlan plan;
 };
-
-/// Where tools/bootstrap.sh lets npm put the report's page: seen from the program, build/release/apps/suffuse.
-fs::path page_folder() {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    const fs::path page = program.parent_path().parent_path().parent_path() / "report-page";
-    return !error && fs::is_directory(page, error) ? page : fs::path();
-}
 
 void check_until(const casefile::Case& what, const std::string& until) {
     if (until.empty()) {

@@ -27,6 +27,7 @@ int figures_verb(const CommandLine& line, const Console& console);
 int bench_verb(const CommandLine& line, const Console& console);
 int import_verb(const CommandLine& line, const Console& console);
 int export_verb(const CommandLine& line, const Console& console);
+int assess_verb(const CommandLine& line, const Console& console);
 
 /// The case with its preset and overrides; its warnings are told.
 casefile::Case load_asked_case(const CommandLine& line, const Console& console);

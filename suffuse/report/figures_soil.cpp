@@ -2,13 +2,13 @@
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/quantile.hpp"
+#include "suffuse/report/size_axis.hpp"
 #include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 
 namespace suffuse::report {
@@ -52,95 +52,6 @@ struct Curves {
     }
 };
 
-/// Round sizes between `from` and `to` for a logarithmic axis, at least four where they exist.
-json log_ticks(double from, double to) {
-    for (const std::vector<double>& steps : {std::vector<double>{1}, {1, 2, 5}, {1, 1.5, 2, 3, 4, 5, 7}}) {
-        json ticks = json::array();
-        for (int decade = static_cast<int>(std::floor(std::log10(from))); std::pow(10.0, decade) <= to; ++decade) {
-            for (const double step : steps) {
-                // Read from text, so that 0.3 is 0.3 and not the nearest product.
-                const double tick = std::strtod(fmt::format("{}e{}", step, decade).c_str(), nullptr);
-                if (tick >= from && tick <= to) {
-                    ticks.push_back(tick);
-                }
-            }
-        }
-        if (ticks.size() >= 4 || steps.size() == 7) {
-            return ticks;
-        }
-    }
-    return json::array();
-}
-
-/// ISO 14688: where the classes of grain size begin [mm].
-struct SizeClass {
-    double from;
-    const char* name;
-};
-
-constexpr SizeClass size_classes[] = {{0.0001, "clay"},        {0.002, "fine silt"}, {0.0063, "medium silt"},
-                                      {0.02, "coarse silt"},   {0.063, "fine sand"}, {0.2, "medium sand"},
-                                      {0.63, "coarse sand"},   {2.0, "fine gravel"}, {6.3, "medium gravel"},
-                                      {20.0, "coarse gravel"}, {63.0, "cobbles"}};
-
-/// Class names and limits that the domain [mm] shows.
-json class_layers(double from, double to) {
-    json names = json::array(), limits = json::array();
-    for (std::size_t k = 0; k < std::size(size_classes); ++k) {
-        const double begin = std::max(from, size_classes[k].from);
-        const double end = std::min(to, k + 1 < std::size(size_classes) ? size_classes[k + 1].from : to);
-        if (begin >= end) {
-            continue;
-        }
-        if (begin > from) {
-            limits.push_back({{"limit", begin}});
-        }
-        if (end / begin > 1.25) {
-            names.push_back({{"middle", std::sqrt(begin * end)}, {"name", size_classes[k].name}});
-        }
-    }
-    json layers = json::array();
-    layers.push_back(
-        {{"data", {{"values", limits}}},
-         {"mark", {{"type", "rule"}, {"color", color::quiet}, {"strokeDash", {1, 3}}}},
-         {"encoding", {{"x", {{"field", "limit"}, {"type", "quantitative"}}}}}}
-    );
-    layers.push_back(
-        {{"data", {{"values", names}}},
-         {"mark", {{"type", "text"}, {"baseline", "bottom"}, {"dy", -4}, {"color", color::quiet}}},
-         {"encoding",
-          {{"x", {{"field", "middle"}, {"type", "quantitative"}}},
-           {"y", {{"value", 0}}},
-           {"text", {{"field", "name"}}}}}}
-    );
-    return layers;
-}
-
-/// The sizes that count as fine, shaded and named.
-json fines_layers(double from, double limit) {
-    const json data = {
-        {"values",
-         {{{"from", from},
-           {"to", limit},
-           {"middle", std::sqrt(from * limit)},
-           {"text", "fines, d < " + short_number(limit) + " mm"}}}}};
-    json layers = json::array();
-    layers.push_back(
-        {{"data", data},
-         {"mark", {{"type", "rect"}, {"color", color::fines}, {"opacity", 0.12}}},
-         {"encoding", {{"x", {{"field", "from"}, {"type", "quantitative"}}}, {"x2", {{"field", "to"}}}}}}
-    );
-    layers.push_back(
-        {{"data", data},
-         {"mark", {{"type", "text"}, {"baseline", "top"}, {"dy", 8}, {"color", color::ink}}},
-         {"encoding",
-          {{"x", {{"field", "middle"}, {"type", "quantitative"}}},
-           {"y", {{"value", 0}}},
-           {"text", {{"field", "text"}}}}}}
-    );
-    return layers;
-}
-
 json grading_chart(const Curves& curves, std::optional<double> finer_than, GradingAxis axis) {
     const auto [low, high] = std::minmax_element(curves.diameter.begin(), curves.diameter.end());
     const double from = *low / 1.15, to = *high * 1.15;
@@ -178,16 +89,7 @@ json grading_chart(const Curves& curves, std::optional<double> finer_than, Gradi
     return {
         {"width", 560},
         {"height", 300},
-        {"encoding",
-         {{"x",
-           {{"type", "quantitative"},
-            {"title", "grain diameter d [mm]"},
-            {"axis", {{"values", log_ticks(from, to)}, {"format", "~g"}, {"labelOverlap", "greedy"}}},
-            {"scale",
-             {{"type", "log"},
-              {"domain", {from, to}},
-              {"nice", false},
-              {"reverse", axis == GradingAxis::Reversed}}}}}}},
+        {"encoding", {{"x", size_axis(from, to, axis == GradingAxis::Reversed)}}},
         {"layer", layers}};
 }
 

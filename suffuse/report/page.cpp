@@ -224,6 +224,18 @@ std::string figure_block(const Figure& figure, const ReportData& report) {
     return out + "</details>\n</div>\n</figure>\n";
 }
 
+std::string section_tables(const ReportData& report, const std::string& name) {
+    std::string out;
+    for (const PageTable& table : report.tables) {
+        if (table.section == name) {
+            out += "<h3>" + escaped(table.title) + "</h3>\n";
+            out += table.note.empty() ? "" : "<p>" + typeset(table.note) + "</p>\n";
+            out += html_table(table.header, table.rows, table.numeric, "page-table");
+        }
+    }
+    return out;
+}
+
 std::string stage_table(const std::vector<StageRow>& stages) {
     const auto number = [](double value, const char* format) {
         return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string("–");
@@ -314,25 +326,29 @@ const char* const no_script_sentence =
 std::string render(const ReportData& report, const std::optional<PageScript>& script) {
     std::string sections = answer_section(report), links = "<a href=\"#answer\">Answer</a>\n";
     for (const char* name : figure_sections) {
+        const std::string tables = section_tables(report, name);
         std::string figures;
         for (const Figure& figure : report.figures) {
             if (figure.section == name) {
                 figures += figure_block(figure, report);
             }
         }
-        if (figures.empty()) {
+        if (figures.empty() && tables.empty()) {
             continue;
         }
-        sections += section(name, "<div class=\"figures\">\n" + figures + "</div>\n");
+        sections += section(name, tables + "<div class=\"figures\">\n" + figures + "</div>\n");
         links += fmt::format("<a href=\"#{}\">{}</a>\n", anchor(name), name);
     }
     if (!report.scene.states.empty()) {
         sections += section("In 3D", scene_section(report.scene, script.has_value()));
         links += "<a href=\"#in-3d\">In 3D</a>\n";
     }
-    sections += section("Quality", stage_table(report.stages) + conventions);
+    if (!report.stages.empty()) {
+        sections += section("Quality", stage_table(report.stages) + conventions);
+        links += "<a href=\"#quality\">Quality</a>\n";
+    }
     sections += provenance_section(report, script);
-    links += "<a href=\"#quality\">Quality</a>\n<a href=\"#provenance\">Provenance</a>\n";
+    links += "<a href=\"#provenance\">Provenance</a>\n";
     std::string page = head(report, script);
     page +=
         "<body>\n<a class=\"skip\" href=\"#answer\">Skip to the answer</a>\n<header>\n<p class=\"quiet\">suffuse · " +

@@ -5,6 +5,7 @@
 
 #include "suffuse/report/figure.hpp"
 #include "suffuse/report/findings.hpp"
+#include "suffuse/report/page_table.hpp"
 #include "suffuse/report/scene.hpp"
 
 #include <cstdint>
@@ -50,6 +51,8 @@ struct ReportData {
     std::vector<Finding> findings;
     std::vector<std::string> warnings;
     std::vector<AssumedValue> assumed;
+    /// Each stands before the figures of its section.
+    std::vector<PageTable> tables;
     std::vector<Figure> figures; ///< in the order in which they are shown
     Scene scene;                 ///< without states: no section "In 3D"
     std::vector<StageRow> stages;

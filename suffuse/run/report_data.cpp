@@ -8,6 +8,7 @@
 #include "suffuse/report/figure_options.hpp"
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/headlines.hpp"
+#include "suffuse/report/stability_view.hpp"
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/measured_points.hpp"
@@ -121,6 +122,26 @@ draw_figures(const casefile::Case& what, const std::filesystem::path& folder, co
     }
     add(report::triaxial_response(story.responses), figures);
     return figures;
+}
+
+/// Internal stability of the eroded soil by its grading, ahead of the figures of the section "Soils".
+void show_stability(const casefile::Case& what, const ErosionStory& story, report::ReportData& data) {
+    if (story.eroded == nullptr || !story.eroded->variant->soil) {
+        return;
+    }
+    const grains::Soil& soil = *story.eroded->variant->soil;
+    const grains::Grading asked = grains::asked_grading(soil);
+    stability::AssessSpec spec;
+    // A limit with all of the soil on one side is warned of when the case is read; the criteria need both.
+    if (soil.finer_than && grains::passing(asked, *soil.finer_than) > 0 &&
+        grains::passing(asked, *soil.finer_than) < 1) {
+        spec.finer_than = soil.finer_than;
+    }
+    const stability::Assessment assessment = stability::assess(asked, spec);
+    data.tables.push_back(report::stability_table(assessment));
+    const auto axis = what.report.reversed_size_axis ? report::GradingAxis::Reversed : report::GradingAxis::LeftToRight;
+    data.figures.push_back(report::stability_grading(assessment, axis));
+    data.figures.push_back(report::stability_shape(assessment));
 }
 
 std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
@@ -291,6 +312,7 @@ report::ReportData describe_run(
     data.warnings.insert(data.warnings.end(), warnings.begin(), warnings.end());
     data.assumed = assumed_values(folder);
     data.figures = draw_figures(what, folder, story);
+    show_stability(what, story, data);
     heed_wishes(what.report, data);
     data.scene = describe_scene(folder, stages, story.eroded);
     for (const FinishedStage& stage : stages) {

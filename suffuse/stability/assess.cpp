@@ -65,7 +65,8 @@ std::string names_with(const std::vector<Criterion>& criteria, Verdict verdict) 
     std::string names;
     for (const Criterion& criterion : criteria) {
         if (criterion.verified && criterion.verdict == verdict) {
-            names += (names.empty() ? "" : ", ") + criterion.name;
+            names += names.empty() ? "" : ", ";
+            names += criterion.name;
         }
     }
     return names;
@@ -159,8 +160,9 @@ std::string summary(const std::vector<Criterion>& criteria) {
     const auto add = [&](int count, Verdict verdict) {
         if (count > 0) {
             text += fmt::format(
-                "{}{} of {} {} ({})", text.empty() ? "" : ", ", count, counted, verdict_word(verdict),
-                names_with(criteria, verdict)
+                "{}{} ({})",
+                text.empty() ? fmt::format("{} of {} criteria say ", count, counted) : fmt::format(", {} ", count),
+                verdict_word(verdict), names_with(criteria, verdict)
             );
         }
     };

@@ -54,7 +54,7 @@ const char* verdict_word(Verdict verdict);
 /// ">= 1", "<= 4", "2.05 to 3.57"; empty where there is no limit.
 std::string limit_text(const Criterion& criterion);
 
-/// "4 of 7 criteria say unstable (Kezdi 1979, ...), 2 stable (...); ...".
+/// "4 of 6 criteria say unstable (Kezdi 1979, ...), 2 stable (...); cannot say: ...".
 std::string summary(const std::vector<Criterion>& criteria);
 
 } // namespace suffuse::stability

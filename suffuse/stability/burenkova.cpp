@@ -86,7 +86,7 @@ Criterion wan_fell(const Grading& grading, const std::optional<FineFraction>& fi
                               : 3.875 * log_whole - 3.591 * slopes.coarse + 2.436;
     Criterion criterion;
     criterion.id = "wan-fell-logistic";
-    criterion.name = "Wan and Fell, logistic";
+    criterion.name = "Wan and Fell (logistic)";
     criterion.measure = "P(unstable)";
     criterion.value = 1 / (1 + std::exp(-z));
     criterion.limit = 0.5;
@@ -109,7 +109,7 @@ Criterion wan_fell_alternative(const Grading& grading, const std::optional<FineF
     const double fine = 15 / std::log10(grains::size_at(grading, 0.20) / grains::size_at(grading, 0.05));
     Criterion criterion;
     criterion.id = "wan-fell-alternative";
-    criterion.name = "Wan and Fell, slopes";
+    criterion.name = "Wan and Fell (slopes)";
     criterion.measure = "30/log(d90/d60)";
     criterion.value = coarse;
     criterion.limit = 70;

@@ -13,7 +13,7 @@ constexpr double water_density = 1000; // [kg/m3]
 /// Number i, limit i_c, and what is left of it.
 Criterion against(const Seepage& seepage, double critical) {
     Criterion criterion;
-    criterion.measure = "i";
+    criterion.measure = "gradient i";
     criterion.value = seepage.gradient;
     criterion.limit = critical;
     criterion.sense = Sense::AtMost;

@@ -1,0 +1,125 @@
+// suffuse assess, as a user calls it.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/temp_folder.hpp"
+#include <cstdlib>
+#include <fstream>
+#include <sys/wait.h>
+
+namespace suffuse {
+namespace {
+
+using test::read_all;
+using test::TempFolder;
+
+const char* const gravel = "# two sizes, nothing between\nd [mm],passing [%]\n0.15,0\n0.3,25\n1,25\n2,100\n";
+
+class Assess : public testing::Test {
+protected:
+    void SetUp() override { std::ofstream(folder / "dyke.csv") << gravel; }
+
+    /// Exit code of the program with these arguments; what it says is in `out` and `error`.
+    int call(const std::string& arguments) {
+        const std::string command = "cd '" + folder.path().string() + "' && '" SUFFUSE_PROGRAM "' assess " + arguments +
+                                    " > out.txt 2> error.txt";
+        const int status = std::system(command.c_str());
+        out = read_all(folder / "out.txt");
+        error = read_all(folder / "error.txt");
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    void expect_out(const std::string& part) const {
+        EXPECT_NE(out.find(part), std::string::npos) << "\"" << part << "\" is not in:\n" << out;
+    }
+
+    TempFolder folder;
+    std::string out, error;
+};
+
+TEST_F(Assess, SaysNumberLimitAndVerdictOfEachCriterion) {
+    EXPECT_EQ(call("dyke.csv"), 0);
+    expect_out("gap at 0.3-1 mm");
+    expect_out("fines 25 % below 0.3 mm (fine end of the gap)");
+    for (const char* line :
+         {"Kenney and Lau 1985      (H/F)min 0.357             >= 1.3        unstable",
+          "Chang and Zhang 2013     gap ratio Gr 3.33          <= 3          unstable",
+          "Sherard 1979             D15c/d85f 4.1              <= 5          stable", "unverified", "unstable ("}) {
+        expect_out(line);
+    }
+    EXPECT_NE(error.find("suffuse new"), std::string::npos);
+    EXPECT_EQ(out.find("seepage"), std::string::npos);
+}
+
+TEST_F(Assess, WithAGradientSaysWhatMarginIsLeft) {
+    EXPECT_EQ(call("dyke.csv -i 0.33"), 0);
+    expect_out("upward seepage, i = 0.33; porosity 0.4, grains 2650 kg/m3");
+    expect_out("margin 0.66, 3 times the gradient");
+    expect_out("they hold if it is at least 0.333");
+    EXPECT_EQ(call("dyke.csv -i 0.33 --alpha 0.5 --porosity 0.3 --density 2.6g/cm^3 --json"), 0);
+    const auto gradients = nlohmann::json::parse(out)["soils"][0]["gradients"];
+    EXPECT_NEAR(gradients[0]["limit"].get<double>(), 1.6 * 0.7, 1e-12);
+    EXPECT_NEAR(gradients[1]["limit"].get<double>(), 0.5 * 1.6 * 0.7, 1e-12);
+    EXPECT_EQ(gradients[1]["verdict"], "stable");
+}
+
+TEST_F(Assess, JsonHasTheKeysOfTheFormatsPage) {
+    EXPECT_EQ(call("dyke.csv --fines 0.3mm --relative-density 0.7 --json"), 0);
+    const auto soil = nlohmann::json::parse(out)["soils"][0];
+    EXPECT_EQ(soil["soil"], "dyke.csv");
+    EXPECT_NEAR(soil["gap"]["to"].get<double>(), 1e-3, 1e-15);
+    EXPECT_EQ(soil["fine_fraction"]["basis"], "as asked");
+    EXPECT_EQ(soil["criteria"].size(), 10U);
+    EXPECT_EQ(soil["criteria"][1]["id"], "kenney-lau-1986");
+    EXPECT_EQ(soil["criteria"][1]["verdict"], "unstable");
+    EXPECT_EQ(soil["criteria"][1]["sense"], "at-least");
+    EXPECT_EQ(soil["criteria"][9]["verified"], false);
+    EXPECT_EQ(soil["tally"]["unverified"], 3);
+    for (const char* key : {"sizes", "uniformity", "finer_limit", "constrictions", "summary", "seepage", "gradients"}) {
+        EXPECT_TRUE(soil.contains(key)) << key;
+    }
+}
+
+TEST_F(Assess, WritesAPageWithFiguresAndNumbers) {
+    EXPECT_EQ(call("dyke.csv -o pages/dyke"), 0);
+    expect_out("pages/dyke/report.html");
+    const std::string page = read_all(folder / "pages/dyke/report.html");
+    EXPECT_NE(page.find("Internal stability of dyke.csv"), std::string::npos);
+    EXPECT_NE(page.find("Kenney and Lau 1985"), std::string::npos);
+    EXPECT_EQ(page.find("id=\"quality\""), std::string::npos);
+    for (const char* file : {"own-stability-grading", "own-stability-shape"}) {
+        const auto chart =
+            nlohmann::json::parse(read_all(folder / "pages/dyke/figures" / (std::string(file) + ".vl.json")));
+        EXPECT_GT(chart["data"]["values"].size(), 5U);
+        EXPECT_NE(read_all(folder / "pages/dyke/figures" / (std::string(file) + ".csv")), "");
+    }
+    EXPECT_EQ(nlohmann::json::parse(read_all(folder / "pages/dyke/assessment.json"))["soil"], "dyke.csv");
+}
+
+TEST_F(Assess, TakesTheSoilsOfACase) {
+    EXPECT_EQ(call(SUFFUSE_SOURCE_DIR "/examples/fontainebleau-2016/case.toml --json"), 0);
+    const auto soils = nlohmann::json::parse(out)["soils"];
+    ASSERT_EQ(soils.size(), 1U);
+    EXPECT_NEAR(soils[0]["fine_fraction"]["finer_than"].get<double>(), 0.26e-3, 1e-15);
+    EXPECT_EQ(soils[0]["tally"]["unstable"], 0);
+}
+
+TEST_F(Assess, BadInputIsNamedWithItsPlace) {
+    std::ofstream(folder / "bad.csv") << "d [mm],passing [%]\n0.1,0\n0.2,70\n0.3,60\n0.4,120\n";
+    EXPECT_EQ(call("bad.csv"), 3);
+    EXPECT_NE(error.find("bad.csv:5:5"), std::string::npos) << error;
+    EXPECT_EQ(call("nowhere.csv"), 74);
+    EXPECT_EQ(call("dyke.csv --fines 0.3"), 2);
+    EXPECT_NE(error.find("0.3mm"), std::string::npos) << error;
+    EXPECT_EQ(call("dyke.csv --fines 5mm"), 3);
+    EXPECT_NE(error.find("between 0.15 and 2 mm"), std::string::npos) << error;
+    EXPECT_EQ(call("dyke.csv --relative-density 70"), 2);
+    EXPECT_EQ(call("dyke.csv -i -1"), 2);
+    EXPECT_EQ(call("dyke.csv --porosity 0.3"), 2);
+    EXPECT_NE(error.find("-i"), std::string::npos) << error;
+    EXPECT_EQ(call(SUFFUSE_SOURCE_DIR "/examples/replay/case.toml"), 3);
+}
+
+} // namespace
+} // namespace suffuse
