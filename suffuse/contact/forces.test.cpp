@@ -132,6 +132,7 @@ Result press(Sample& s) {
     grains::to_rows(s.grains, rows);
     plan_sums(s.contacts, s.grains.size(), result.plan);
     result.sums.resize(result.plan.rows());
+    surround(result.plan, s.h, s.image_velocity, 2e-4, dt, result.around);
     result.force_branch =
         compute_forces(rows, result.plan, result.around, resolve_law(s.material), s.contacts, result.sums).force_branch;
     return result;
