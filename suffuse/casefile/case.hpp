@@ -95,6 +95,7 @@ struct Case {
     std::string preset = "standard"; ///< in force; "standard" = the case as written
     grains::Material material;
     double damping = 0.2; ///< local, non-viscous [-]
+    dem::Mode mode = dem::Mode::Reference;
     dem::BalanceSpec balance;
     flow::Fluid fluid;
     std::map<std::string, grains::Soil> soils;

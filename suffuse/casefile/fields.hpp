@@ -13,6 +13,7 @@ void top_fields(V& v, Case& c) {
     v.field("title", c.title);
     v.field("paper", c.paper);
     v.field("seed", c.seed);
+    v.choice("mode", c.mode, names::mode);
 }
 
 template <class V>

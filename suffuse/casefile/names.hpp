@@ -27,6 +27,9 @@ inline constexpr std::array constrictions_of = {Word<Of>{Of::Coarse, "coarse"}};
 inline constexpr std::array hold = {Word<bool>{true, "coarse"}, Word<bool>{false, "none"}};
 inline constexpr std::array axis = {Word<int>{0, "x"}, Word<int>{1, "y"}, Word<int>{2, "z"}};
 
+inline constexpr std::array mode = {
+    Word<dem::Mode>{dem::Mode::Reference, "reference"}, Word<dem::Mode>{dem::Mode::Fast, "fast"}};
+
 inline constexpr std::array servo_kind = {
     Word<cell::ServoKind>{cell::ServoKind::Secant, "secant"},
     Word<cell::ServoKind>{cell::ServoKind::Inertial, "inertial"}};

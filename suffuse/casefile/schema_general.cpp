@@ -19,6 +19,11 @@ std::vector<Key> top_rows() {
             "", "seed", count_from_zero,
             "Seed of all random numbers: the same seed gives the same results, bit for bit."
         ),
+        choice(
+            "", "mode", names::words_of(names::mode),
+            "Precision of the steps: reference = double throughout; fast = contact law and memory in single precision. "
+            "Probes and relaxation are always of reference mode."
+        ),
         text(
             "", "preset", "Preset in force unless the command line names another; \"standard\" is the case as written."
         ),

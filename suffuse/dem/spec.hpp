@@ -1,5 +1,5 @@
 #pragma once
-// When a stage counts as settled, and a fixed number of steps.
+// The precision of the step, when a stage counts as settled, and a fixed number of steps.
 
 #include "suffuse/cell/servo.hpp"
 
@@ -7,6 +7,16 @@
 #include <limits>
 
 namespace suffuse::dem {
+
+/// In which precision the step works.
+enum class Mode {
+    Reference, ///< double throughout
+    Fast,      ///< contact memory and law in single precision; positions, overlaps, sums and motion in double
+};
+
+constexpr const char* name_of(Mode mode) {
+    return mode == Mode::Fast ? "fast" : "reference";
+}
 
 /// All three must hold for a state to count as settled.
 struct BalanceSpec {

@@ -4,22 +4,13 @@
 #include "suffuse/cell/servo.hpp"
 #include "suffuse/contact/forces.hpp"
 #include "suffuse/dem/neighborhood.hpp"
+#include "suffuse/dem/spec.hpp"
 #include "suffuse/dem/world.hpp"
 #include "suffuse/grains/load.hpp"
 
 #include <vector>
 
 namespace suffuse::dem {
-
-/// In which precision the step works.
-enum class Mode {
-    Reference, ///< double throughout
-    Fast,      ///< contact memory and law in single precision; positions, overlaps, sums and motion in double
-};
-
-constexpr const char* name_of(Mode mode) {
-    return mode == Mode::Fast ? "fast" : "reference";
-}
 
 /// What was decided before the step; constant during it.
 struct StepPlan {

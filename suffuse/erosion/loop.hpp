@@ -18,7 +18,9 @@ struct Surroundings {
     flow::Fluid fluid;
     dem::BalanceSpec balance;
     double damping = 0.2; ///< local [-]
-    Pulse pulse;          ///< may throw Interrupted: the world is then as it was before the pass
+    dem::Mode mode =
+        dem::Mode::Reference; ///< of the new equilibrium; relaxation and probe are always of reference mode
+    Pulse pulse;              ///< may throw Interrupted: the world is then as it was before the pass
 };
 
 /// One pass from an equilibrium; appends to `result` and returns whether the procedure should go on.

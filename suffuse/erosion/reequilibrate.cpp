@@ -79,6 +79,7 @@ reequilibrate(dem::World& world, double dt, const ErosionResult& so_far, const S
     dem::StepPlan plan;
     plan.dt = dt;
     plan.damping = around.damping;
+    plan.mode = around.mode;
     plan.loading = dem::constant_volume();
 
     pass.porosity_after_removal = dem::porosity(world);

@@ -124,7 +124,7 @@ nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions&
         {"seed", what.seed},
         {"preset", what.preset},
         {"case_hash", fmt::format("{:016x}", hash.value())},
-        {"mode", "reference"}, // double precision throughout, the reference's order of operations
+        {"mode", dem::name_of(what.mode)},
         {"preparation", "faithful"},
         {"command", options.command},
         {"finished", now_utc()},

@@ -106,7 +106,7 @@ PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& st
 
 bool path_burst(
     dem::World& world, dem::StepCaches& caches, const TriaxialSpec& spec, const dem::BalanceSpec& balance,
-    double damping, PathState& state
+    double damping, dem::Mode mode, PathState& state
 ) {
     if (spec.time_step <= 0 && state.steps % time_step_interval == 0) {
         state.time_step = dem::stable_time_step(world);
@@ -115,6 +115,7 @@ bool path_burst(
     dem::StepPlan plan;
     plan.dt = state.time_step;
     plan.damping = damping;
+    plan.mode = mode;
     plan.loading = settling ? final_loading(spec, state) : loading_of(spec, state);
     const bool settled = dem::settle_burst(world, caches, plan, balance, state.balance);
     state.steps += dem::burst_steps;

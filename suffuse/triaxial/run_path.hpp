@@ -43,7 +43,7 @@ PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& st
 /// One burst of steps; appends a row when the strain has grown by the interval asked. @return whether the test is over.
 bool path_burst(
     dem::World& world, dem::StepCaches& caches, const TriaxialSpec& spec, const dem::BalanceSpec& balance,
-    double damping, PathState& state
+    double damping, dem::Mode mode, PathState& state
 );
 
 /// Peak strength, stiffness and dilatancy of a curve.
