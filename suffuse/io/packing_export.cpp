@@ -1,11 +1,84 @@
 #include "suffuse/io/packing_export.hpp"
 
+#include "suffuse/dem/inspect.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/csv_writer.hpp"
+#include "suffuse/io/vtk_writer.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
+#include <numeric>
+#include <utility>
+
 namespace suffuse::io {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, PackingFormat>, 6> format_names{{
+    {"csv", PackingFormat::Csv},
+    {"yade", PackingFormat::Yade},
+    {"xyz", PackingFormat::ExtendedXyz},
+    {"lammps", PackingFormat::LammpsData},
+    {"dump", PackingFormat::LammpsDump},
+    {"vtp", PackingFormat::Vtp},
+}};
+
+constexpr std::array<std::pair<std::string_view, PackingFormat>, 9> format_endings{{
+    {".csv", PackingFormat::Csv},
+    {".txt", PackingFormat::Yade},
+    {".xyz", PackingFormat::ExtendedXyz},
+    {".extxyz", PackingFormat::ExtendedXyz},
+    {".data", PackingFormat::LammpsData},
+    {".lmp", PackingFormat::LammpsData},
+    {".dump", PackingFormat::LammpsDump},
+    {".lammpstrj", PackingFormat::LammpsDump},
+    {".vtp", PackingFormat::Vtp},
+}};
+
+template <class Table>
+std::optional<PackingFormat> look_up(const Table& table, std::string_view word) {
+    for (const auto& [name, format] : table) {
+        if (name == word) {
+            return format;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::vector<std::string> packing_format_names() {
+    std::vector<std::string> names;
+    for (const auto& [name, format] : format_names) {
+        names.emplace_back(name);
+    }
+    return names;
+}
+
+std::optional<PackingFormat> packing_format_of_name(std::string_view name) {
+    return look_up(format_names, name);
+}
+
+std::optional<PackingFormat> packing_format_of_file(const std::filesystem::path& path) {
+    return look_up(format_endings, path.extension().string());
+}
+
+void export_packing(const std::filesystem::path& path, const dem::World& world, PackingFormat format) {
+    switch (format) {
+    case PackingFormat::Csv:
+        return export_csv(path, world.grains);
+    case PackingFormat::Yade:
+        return export_yade(path, world.grains);
+    case PackingFormat::ExtendedXyz:
+        return export_extended_xyz(path, world.grains, world.cell);
+    case PackingFormat::LammpsData:
+        return export_lammps_data(path, world.grains, world.cell);
+    case PackingFormat::LammpsDump:
+        return export_lammps_dump(path, world);
+    case PackingFormat::Vtp:
+        return export_vtp(path, world);
+    }
+}
 
 void export_csv(const std::filesystem::path& path, const grains::Grains& grains) {
     CsvWriter table(path, "x,y,z,r,vx,vy,vz,wx,wy,wz");
@@ -31,17 +104,37 @@ void export_extended_xyz(const std::filesystem::path& path, const grains::Grains
     AtomicFile file(path);
     file.write(fmt::format(
         "{}\nLattice=\"{} {} {} {} {} {} {} {} {}\" "
-        "Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3:id:I:1:fine:I:1 pbc=\"T T T\"\n",
+        "Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3:angular_velocity:R:3:id:I:1:fine:I:1 pbc=\"T T T\"\n",
         grains.size(), a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z
     ));
     for (std::size_t g = 0; g < grains.size(); ++g) {
-        const Vec3 x = cell::wrapped(cell.h, inverse_h, grains.position[g]), &v = grains.velocity[g];
+        const Vec3 x = cell::wrapped(cell.h, inverse_h, grains.position[g]), &v = grains.velocity[g],
+                   &w = grains.spin[g];
         file.write(fmt::format(
-            "{} {} {} {} {} {} {} {} {} {}\n", grains.fine[g] != 0 ? "fine" : "coarse", x.x, x.y, x.z, grains.radius[g],
-            v.x, v.y, v.z, grains.id[g], grains.fine[g]
+            "{} {} {} {} {} {} {} {} {} {} {} {} {}\n", grains.fine[g] != 0 ? "fine" : "coarse", x.x, x.y, x.z,
+            grains.radius[g], v.x, v.y, v.z, w.x, w.y, w.z, grains.id[g], grains.fine[g]
         ));
     }
     file.commit();
+}
+
+void export_vtp(const std::filesystem::path& path, const dem::World& world) {
+    const std::vector<int> coordination = dem::coordination(world);
+    const Vec3 a = world.cell.h.column(0), b = world.cell.h.column(1), c = world.cell.h.column(2);
+    VtkMesh mesh;
+    mesh.precise = true;
+    mesh.point = world.grains.position;
+    mesh.corner.resize(mesh.point.size());
+    std::iota(mesh.corner.begin(), mesh.corner.end(), 0);
+    mesh.point_data = {
+        VtkArray{"radius", 1, world.grains.radius},
+        VtkArray{"id", 1, world.grains.id},
+        VtkArray{"fine", 1, world.grains.fine},
+        VtkArray{"coordination", 1, std::vector<std::int64_t>(coordination.begin(), coordination.end())},
+        precise_vtk_vectors("velocity", world.grains.velocity),
+        precise_vtk_vectors("angular_velocity", world.grains.spin)};
+    mesh.field_data = {VtkArray{"cell", 9, std::vector<double>{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}}};
+    write_mesh(path, mesh);
 }
 
 } // namespace suffuse::io

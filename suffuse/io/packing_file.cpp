@@ -1,8 +1,11 @@
 #include "suffuse/io/packing_file.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/io/lammps_dump.hpp"
 #include "suffuse/io/lammps_file.hpp"
 #include "suffuse/io/text_file.hpp"
+#include "suffuse/io/vtp_file.hpp"
+#include "suffuse/io/xyz_file.hpp"
 #include "suffuse/neighbors/pairs.hpp"
 
 #include <fmt/format.h>
@@ -93,7 +96,8 @@ ImportedPacking parse_yade(const std::string& file, std::string_view text, doubl
         if (columns.empty()) {
             if (fields.size() < needed) {
                 reader.complain(fmt::format(
-                    "found {} fields, expected x y z r (or a CSV header x,y,z,r, or a LAMMPS data file)", fields.size()
+                    "found {} fields, expected x y z r (or a CSV header x,y,z,r, a LAMMPS, extended XYZ or VTK file)",
+                    fields.size()
                 ));
             }
             columns = {0, 1, 2, 3};
@@ -114,13 +118,27 @@ bool looks_like_csv(std::string_view text) {
     return reader.next() && reader.line().find(',') != std::string_view::npos;
 }
 
+ImportedPacking parse_any(const std::string& file, std::string_view text, double density) {
+    if (looks_like_vtp(text)) {
+        return parse_vtp(file, text, density);
+    }
+    if (looks_like_lammps_dump(text)) {
+        return parse_lammps_dump(file, text, density);
+    }
+    if (looks_like_extended_xyz(text)) {
+        return parse_extended_xyz(file, text, density);
+    }
+    if (looks_like_lammps(text)) { // before CSV: its title may hold a comma
+        return parse_lammps(file, text, density);
+    }
+    return looks_like_csv(text) ? parse_csv(file, text, density) : parse_yade(file, text, density);
+}
+
 } // namespace
 
 ImportedPacking read_packing(const std::filesystem::path& path, double density) {
     const std::string file = path.string(), text = read_text(path);
-    ImportedPacking packing = looks_like_csv(text)      ? parse_csv(file, text, density)
-                              : looks_like_lammps(text) ? parse_lammps(file, text, density)
-                                                        : parse_yade(file, text, density);
+    ImportedPacking packing = parse_any(file, text, density);
     if (packing.grains.size() == 0) {
         throw CaseError(fmt::format("{}: no grains found, expected at least one row below the header", file), file);
     }

@@ -1,6 +1,7 @@
 #pragma once
 // Packings brought from other programs: CSV with the columns x, y, z, r and optionally vx, vy, vz, wx, wy, wz; Yade's
-// `x y z r` text; LAMMPS data files of atom_style sphere. Plain or gzipped; lengths in m, velocities in m/s and rad/s.
+// `x y z r` text; LAMMPS data files of atom_style sphere and dumps; extended XYZ; VTK's .vtp. Plain or gzipped; lengths
+// in m, velocities in m/s and rad/s.
 
 #include "suffuse/cell/cell.hpp"
 #include "suffuse/grains/grains.hpp"

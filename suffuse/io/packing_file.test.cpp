@@ -225,8 +225,8 @@ TEST(PackingExport, ExtendedXyzHasTheCellAndAllColumns) {
     export_extended_xyz(folder / "p.xyz", grains, cell);
     EXPECT_EQ(
         test::read_all(folder / "p.xyz"),
-        "1\nLattice=\"1 0 0 0.5 1 0 0 0 1\" Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3:id:I:1:fine:I:1 "
-        "pbc=\"T T T\"\ncoarse 0.75 0.75 0.5 0.125 0 0 0 0 0\n"
+        "1\nLattice=\"1 0 0 0.5 1 0 0 0 1\" Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3:"
+        "angular_velocity:R:3:id:I:1:fine:I:1 pbc=\"T T T\"\ncoarse 0.75 0.75 0.5 0.125 0 0 0 0 0 0 0 0\n"
     );
 }
 

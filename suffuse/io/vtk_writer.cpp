@@ -18,6 +18,9 @@ constexpr std::string_view type_name() {
     if constexpr (std::is_same_v<T, float>) {
         return "Float32";
     }
+    if constexpr (std::is_same_v<T, double>) {
+        return "Float64";
+    }
     if constexpr (std::is_same_v<T, std::int64_t>) {
         return "Int64";
     }
@@ -40,7 +43,8 @@ public:
     void text(std::string_view line) { xml_.append(line); }
 
     /// Announces an array of `rows` rows; it must live until `save`.
-    void array(const VtkArray& a, std::size_t rows) {
+    /// @param further attributes of its tag
+    void array(const VtkArray& a, std::size_t rows, std::string_view further = "") {
         std::visit(
             [&](const auto& values) {
                 using T = typename std::remove_cvref_t<decltype(values)>::value_type;
@@ -50,9 +54,9 @@ public:
                 );
                 fmt::format_to(
                     std::back_inserter(xml_),
-                    "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
+                    "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"appended\" "
                     "offset=\"{}\"/>\n",
-                    type_name<T>(), a.name, a.components, offset_
+                    type_name<T>(), a.name, a.components, further, offset_
                 );
                 blocks_.push_back(bytes_of(values));
                 offset_ += sizeof(std::uint64_t) + blocks_.back().size();
@@ -109,6 +113,18 @@ void section(Document& file, std::string_view name, const std::vector<VtkArray>&
     file.text(fmt::format("</{}>\n", name));
 }
 
+template <class T>
+std::vector<T> flattened(const std::vector<Vec3>& values) {
+    std::vector<T> flat;
+    flat.reserve(3 * values.size());
+    for (const Vec3& v : values) {
+        for (int a = 0; a < 3; ++a) {
+            flat.push_back(static_cast<T>(v[a]));
+        }
+    }
+    return flat;
+}
+
 } // namespace
 
 VtkArray vtk_scalars(std::string name, const std::vector<double>& values) {
@@ -116,14 +132,11 @@ VtkArray vtk_scalars(std::string name, const std::vector<double>& values) {
 }
 
 VtkArray vtk_vectors(std::string name, const std::vector<Vec3>& values) {
-    std::vector<float> flat;
-    flat.reserve(3 * values.size());
-    for (const Vec3& v : values) {
-        for (int a = 0; a < 3; ++a) {
-            flat.push_back(static_cast<float>(v[a]));
-        }
-    }
-    return {std::move(name), 3, std::move(flat)};
+    return {std::move(name), 3, flattened<float>(values)};
+}
+
+VtkArray precise_vtk_vectors(std::string name, const std::vector<Vec3>& values) {
+    return {std::move(name), 3, flattened<double>(values)};
 }
 
 void write_mesh(const std::filesystem::path& path, const VtkMesh& mesh) {
@@ -133,17 +146,24 @@ void write_mesh(const std::filesystem::path& path, const VtkMesh& mesh) {
     expects(cells * corners == mesh.corner.size(), "the last cell has all its corners");
     constexpr std::uint8_t tetrahedron = 10; // VTK's number for it
 
-    const VtkArray position = vtk_vectors("position", mesh.point);
+    const VtkArray position = (mesh.precise ? precise_vtk_vectors : vtk_vectors)("position", mesh.point);
     const VtkArray connectivity{"connectivity", 1, mesh.corner}, ends{"offsets", 1, ends_of(cells, corners)};
     const VtkArray types{"types", 1, std::vector<std::uint8_t>(unstructured ? cells : 0, tetrahedron)};
 
     Document file;
     file.text(fmt::format(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"{}\" "
-        "header_type=\"UInt64\">\n<{}>\n"
-        "<Piece NumberOfPoints=\"{}\" ",
-        type, std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", type, points
+        "header_type=\"UInt64\">\n<{}>\n",
+        type, std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", type
     ));
+    if (!mesh.field_data.empty()) {
+        file.text("<FieldData>\n");
+        for (const VtkArray& a : mesh.field_data) {
+            file.array(a, 1, " NumberOfTuples=\"1\"");
+        }
+        file.text("</FieldData>\n");
+    }
+    file.text(fmt::format("<Piece NumberOfPoints=\"{}\" ", points));
     if (unstructured) {
         file.text(fmt::format("NumberOfCells=\"{}\">\n", cells));
     } else {

@@ -1,6 +1,6 @@
 #pragma once
 // VTK's XML files: points, cells and named arrays, the arrays as raw binary behind the XML [VTK file formats]. In
-// single precision: these files are for the eye, states are saved in HDF5.
+// single precision unless asked: most of these files are for the eye, states are saved in HDF5.
 
 #include "suffuse/base/vec3.hpp"
 
@@ -15,12 +15,17 @@ namespace suffuse::io {
 struct VtkArray {
     std::string name;
     int components = 1;
-    std::variant<std::vector<float>, std::vector<std::int64_t>, std::vector<std::uint32_t>, std::vector<std::uint8_t>>
+    std::variant<
+        std::vector<float>, std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint32_t>,
+        std::vector<std::uint8_t>>
         values; ///< row after row
 };
 
 VtkArray vtk_scalars(std::string name, const std::vector<double>& values);
 VtkArray vtk_vectors(std::string name, const std::vector<Vec3>& values);
+
+/// The same to the last bit.
+VtkArray precise_vtk_vectors(std::string name, const std::vector<Vec3>& values);
 
 enum class VtkCell { Vertex, Line, Tetrahedron };
 
@@ -30,6 +35,8 @@ struct VtkMesh {
     std::vector<Vec3> point;          ///< [m]
     std::vector<std::int64_t> corner; ///< rows of `point`
     std::vector<VtkArray> point_data, cell_data;
+    std::vector<VtkArray> field_data; ///< of the file as a whole: one row each
+    bool precise = false;             ///< points to the last bit
 };
 
 /// Vertices or lines as `.vtp`, tetrahedra as `.vtu`. Throws IoError, Bug where an array has not a row a point or cell.

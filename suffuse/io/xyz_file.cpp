@@ -1,0 +1,138 @@
+#include "suffuse/io/xyz_file.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/io/columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suffuse::io {
+namespace {
+
+/// The value of `key=` in the second line, without its quotes; empty where it is not there.
+std::string_view value_of(std::string_view line, std::string_view key) {
+    for (std::size_t at = line.find(key); at != std::string_view::npos; at = line.find(key, at + 1)) {
+        const std::size_t equals = at + key.size();
+        const bool is_word = at == 0 || line[at - 1] == ' ';
+        if (!is_word || equals >= line.size() || line[equals] != '=') {
+            continue;
+        }
+        std::string_view value = line.substr(equals + 1);
+        if (value.starts_with('"')) {
+            value.remove_prefix(1);
+            return value.substr(0, value.find('"'));
+        }
+        return value.substr(0, value.find(' '));
+    }
+    return {};
+}
+
+/// First field of each property, and how many there are.
+struct Layout {
+    std::vector<std::string_view> name; ///< one a field: "pos", "pos", "pos", "radius", ...
+
+    [[nodiscard]] std::optional<std::size_t> find(std::string_view wanted, std::size_t width) const {
+        const auto at = std::find(name.begin(), name.end(), wanted);
+        const auto count = static_cast<std::size_t>(std::count(name.begin(), name.end(), wanted));
+        return count == width ? std::optional<std::size_t>(at - name.begin()) : std::nullopt;
+    }
+};
+
+Layout read_layout(const LineReader& reader, std::string_view properties) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t colon = properties.find(':');
+        parts.push_back(properties.substr(0, colon));
+        if (colon == std::string_view::npos) {
+            break;
+        }
+        properties.remove_prefix(colon + 1);
+    }
+    Layout layout;
+    constexpr std::size_t most = 1000;
+    for (std::size_t k = 0; k + 2 < parts.size(); k += 3) {
+        const std::size_t width = to_count(reader, parts[k + 2], "Properties");
+        if (width > most) {
+            reader.complain(fmt::format("found a property of {} columns, expected fewer", width));
+        }
+        layout.name.insert(layout.name.end(), width, parts[k]);
+    }
+    return layout;
+}
+
+VectorColumns three_from(std::size_t first) {
+    return {first, first + 1, first + 2};
+}
+
+std::optional<cell::Cell> read_cell(const LineReader& reader, std::string_view lattice) {
+    if (lattice.empty()) {
+        return std::nullopt;
+    }
+    const auto numbers = split_at_blanks(lattice);
+    if (numbers.size() != 9) {
+        reader.complain(fmt::format("Lattice: found {} numbers, expected nine", numbers.size()));
+    }
+    Mat3 h;
+    for (std::size_t k = 0; k < 9; ++k) { // vector after vector
+        h(static_cast<int>(k % 3), static_cast<int>(k / 3)) = to_number(reader, numbers[k], "Lattice");
+    }
+    if (!(determinant(h) > 0)) {
+        reader.complain("Lattice: its vectors span no volume, expected three vectors, right-handed");
+    }
+    return cell::Cell{h, {}};
+}
+
+} // namespace
+
+bool looks_like_extended_xyz(std::string_view text) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) {
+        return false;
+    }
+    const std::string_view second = text.substr(end + 1, text.find('\n', end + 1) - end - 1);
+    return second.find("Properties=") != std::string_view::npos;
+}
+
+ImportedPacking parse_extended_xyz(const std::string& file, std::string_view text, double density) {
+    LineReader reader(file, text);
+    reader.next();
+    const std::size_t rows = to_count(reader, reader.line(), "number of particles");
+    reader.next();
+    const std::string head(reader.line());
+    const Layout layout = read_layout(reader, value_of(head, "Properties"));
+    const auto position = layout.find("pos", 3), radius = layout.find("radius", 1);
+    if (!position || !radius) {
+        reader.complain("Properties: expected pos:R:3 and radius:R:1 among them; OVITO writes both when it exports "
+                        "Position and Radius");
+    }
+    const auto velocity = layout.find("velo", 3), spin = layout.find("angular_velocity", 3),
+               fine = layout.find("fine", 1);
+    ImportedPacking packing;
+    packing.cell = read_cell(reader, value_of(head, "Lattice"));
+    Vec3 origin;
+    if (const auto given = split_at_blanks(value_of(head, "Origin")); given.size() == 3) {
+        origin = vector_in(reader, given, {0, 1, 2});
+    }
+    for (std::size_t row = 0; row < rows; ++row) {
+        if (!reader.next()) {
+            reader.complain(fmt::format("the file ends after {} particles, expected {}", row, rows));
+        }
+        const auto f = split_at_blanks(reader.line());
+        if (f.size() != layout.name.size()) {
+            reader.complain(fmt::format("found {} fields, expected {}", f.size(), layout.name.size()));
+        }
+        const Vec3 x = vector_in(reader, f, three_from(*position));
+        const auto g =
+            grains::add_grain(packing.grains, x - origin, positive_in(reader, f[*radius], "radius"), density);
+        packing.grains.velocity[g] = velocity ? vector_in(reader, f, three_from(*velocity)) : Vec3{};
+        packing.grains.spin[g] = spin ? vector_in(reader, f, three_from(*spin)) : Vec3{};
+        packing.grains.fine[g] = fine && to_number(reader, f[*fine], "fine") != 0 ? 1 : 0;
+    }
+    if (reader.next()) {
+        packing.warnings.push_back(fmt::format("{}:{}: only the first frame is read", file, reader.number()));
+    }
+    return packing;
+}
+
+} // namespace suffuse::io
