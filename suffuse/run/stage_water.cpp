@@ -168,7 +168,7 @@ void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
     const erosion::ProbeResult& first = work.findings.probes.front();
     const auto count = static_cast<std::int64_t>(work.findings.probes.size());
     work.time_step = first.time_step;
-    work.numbers["steps"] = first.relax_steps + 2 * count * (first.ramp + first.watch);
+    work.numbers["steps"] = first.relax_steps + (count + 1) * (first.ramp + first.watch); // one twin serves all
     work.grain_steps = work.numbers["steps"].get<std::int64_t>() * static_cast<std::int64_t>(work.world.grains.size());
 }
 
