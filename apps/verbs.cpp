@@ -19,10 +19,9 @@ int perform(const CommandLine& line, const Console& console) {
     };
 
     constexpr Verb verbs[] = {
-        {"run", run_verb},     {"resume", resume_verb}, {"report", report_verb},   {"new", new_verb},
-        {"check", check_verb}, {"plan", plan_verb},     {"explain", explain_verb}, {"schema", schema_verb},
-        {"bench", bench_verb}, {"import", import_verb}, {"export", export_verb},
-        {"assess", assess_verb},
+        {"run", run_verb},         {"resume", resume_verb}, {"report", report_verb},   {"new", new_verb},
+        {"check", check_verb},     {"plan", plan_verb},     {"explain", explain_verb}, {"schema", schema_verb},
+        {"bench", bench_verb},     {"import", import_verb}, {"export", export_verb},   {"assess", assess_verb},
         {"figures", figures_verb},
     };
     for (const Verb& verb : verbs) {

@@ -71,7 +71,15 @@ contact::Pressed press(World& world, StepCaches& caches, Mode mode, const contac
     return contact::compute_forces(caches.rows, sums, caches.around, law, world.contacts, caches.sums);
 }
 
-Mat3 one_step(World& world, StepCaches& caches, const StepPlan& plan, const contact::LawConstants& law) {
+/// Share of the load that acts in step `k` of a burst.
+double load_share(const StepPlan& plan, std::int64_t k) {
+    const std::int64_t step = plan.load_steps + k + 1;
+    return step < plan.load_ramp ? static_cast<double>(step) / static_cast<double>(plan.load_ramp) : 1.0;
+}
+
+Mat3 one_step(
+    World& world, StepCaches& caches, const StepPlan& plan, std::int64_t k, const contact::LawConstants& law
+) {
     cell::Cell& cell = world.cell;
     Neighborhood& neighborhood = caches.neighborhood;
 
@@ -108,7 +116,7 @@ Mat3 one_step(World& world, StepCaches& caches, const StepPlan& plan, const cont
         motion::plan_motion(plan.dt, plan.damping, plan.drag, cell.velocity_gradient, gradient);
     const Mat3 next_h = cell.h + plan.dt * ((motion.old_gradient + motion.change) * cell.h);
     caches.moved_too_far = move_grains(
-        motion, neighborhood.sum_plan(), plan.load, plan.load_share, neighborhood.mean_motion(next_h),
+        motion, neighborhood.sum_plan(), plan.load, load_share(plan, k), neighborhood.mean_motion(next_h),
         neighborhood.watch(), caches.rows, caches.sums
     );
     cell.velocity_gradient = gradient;
@@ -126,7 +134,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     take_memory(world, plan.mode, caches);
     StepReport report;
     for (std::int64_t k = 0; k < steps; ++k) {
-        report.stress = one_step(world, caches, plan, law);
+        report.stress = one_step(world, caches, plan, k, law);
     }
     give_back(caches, plan.mode, world);
     return report;

@@ -20,7 +20,8 @@ struct StepPlan {
     double drag = 0;      ///< viscous, for relaxation only [1/s]
     cell::Loading loading;
     const grains::GrainLoad* load = nullptr; ///< force on each grain from outside the skeleton
-    double load_share = 1;                   ///< of `load` that acts in this step [-]
+    std::int64_t load_ramp = 0;              ///< steps over which `load` grows from nothing; 0: acts at once
+    std::int64_t load_steps = 0;             ///< of the ramp that were done before
 };
 
 struct StepReport {

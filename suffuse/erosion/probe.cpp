@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace suffuse::erosion {
@@ -66,12 +67,15 @@ public:
     /// Goes on to the given step.
     void advance_to(std::int64_t last) {
         plan_.load = load_ ? &*load_ : nullptr;
-        for (; step_ < last; ++step_) {
-            sample_speeds();
-            plan_.load_share = std::min(1.0, static_cast<double>(step_ + 1) / static_cast<double>(spec_.ramp));
-            dem::step(world_, caches_, plan_);
-        }
+        plan_.load_ramp = spec_.ramp;
         sample_speeds();
+        while (step_ < last) {
+            const std::int64_t burst = std::min(last, next_sample()) - step_;
+            plan_.load_steps = step_;
+            dem::advance(world_, caches_, plan_, burst);
+            step_ += burst;
+            sample_speeds();
+        }
     }
 
     Motion finish() {
@@ -82,9 +86,14 @@ public:
     }
 
 private:
+    [[nodiscard]] std::int64_t next_sample() const {
+        return sample_ <= probe_samples ? spec_.ramp + sample_ * spec_.watch / probe_samples
+                                        : std::numeric_limits<std::int64_t>::max();
+    }
+
     /// At full force and after each tenth of the watch, the same again where it has been done.
     void sample_speeds() {
-        while (sample_ <= probe_samples && step_ == spec_.ramp + sample_ * spec_.watch / probe_samples) {
+        while (step_ == next_sample()) {
             for (std::size_t k = 0; k < fines_.size(); ++k) {
                 motion_.speed[k][static_cast<std::size_t>(sample_)] = norm(world_.grains.velocity[fines_[k]]);
             }
