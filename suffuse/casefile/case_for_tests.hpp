@@ -114,6 +114,8 @@ porosity = 0.7
 name = "initial"
 do = "compact"
 pressure = "100 kPa"
+protocol = "swift"
+start_porosity = 0.5
 prepare = { friction = "5 deg", adhesion = { normal = "1 MPa", shear = "2 MPa" } }
 void_ratio = 0.7
 void_ratio_tolerance = 0.001

@@ -69,6 +69,8 @@ const std::vector<Wrong> keys = {
     {"E203", 15, 2, 8, "unknown key `nonsense`", good_case + "[nonsense]\n"},
     {"E203", 16, 1, 9, "belongs in [fluid]", good_case + "[contact]\nviscosity = \"1 Pa*s\"\n"},
     {"E201", 2, 7, 4, "needs a grading", with_line(3, "")},
+    {"E207", 11, 1, 19, "`start_porosity`, and its protocol",
+     with_line(14, "pressure = \"100 kPa\"\nstart_porosity = 0.4")},
     {"E201", 11, 1, 19, "needs `pressure`", with_line(14, "")},
     {"E201", 5, 8, 3, "`particles`", with_line(7, "")},
     {"E201", 5, 8, 3, "needs `soil`", with_line(6, "")},

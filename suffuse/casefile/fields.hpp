@@ -86,6 +86,8 @@ void fields(V& v, packing::PackSpec& s) {
 template <class V>
 void fields(V& v, packing::CompactSpec& s) {
     v.field("pressure", s.pressure);
+    v.choice("protocol", s.protocol, names::protocol);
+    v.field("start_porosity", s.start_porosity);
     v.table("prepare", [&](auto& p) {
         p.field("friction", s.prepare.friction);
         p.table("adhesion", [&](auto& a) {
@@ -97,6 +99,7 @@ void fields(V& v, packing::CompactSpec& s) {
     v.field("void_ratio_tolerance", s.void_ratio_tolerance);
     v.field("max_rate", s.max_rate);
     v.time_step(s.time_step);
+    check_start(v, s);
 }
 
 template <class V>

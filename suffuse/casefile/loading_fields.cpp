@@ -149,6 +149,9 @@ void cell_field(Reader& v, Mat3& h) {
 }
 
 void cell_field(Writer& v, const Mat3& h) {
+    if (h == Mat3{}) { // the packing file's own
+        return;
+    }
     const auto list = [](const Vec3& lengths) {
         const auto one = [](double length) { return make_node(Scalar(print_quantity(length, dimension::length))); };
         return make_array({one(lengths.x), one(lengths.y), one(lengths.z)});
@@ -246,5 +249,19 @@ void check_servo(Reader& v, const cell::ServoSpec& s) {
 }
 
 void check_servo(Writer&, const cell::ServoSpec&) {}
+
+void check_start(Reader& v, const packing::CompactSpec& s) {
+    if (s.start_porosity && s.protocol != packing::Protocol::Swift) {
+        v.error(
+            "E207", v.place(),
+            fmt::format(
+                "{} gives `start_porosity`, and its protocol is \"{}\"", v.title(), packing::name_of(s.protocol)
+            ),
+            "add protocol = \"swift\", or give the porosity to the stage that packs"
+        );
+    }
+}
+
+void check_start(Writer&, const packing::CompactSpec&) {}
 
 } // namespace suffuse::casefile

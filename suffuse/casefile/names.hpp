@@ -34,6 +34,11 @@ inline constexpr std::array servo_kind = {
     Word<cell::ServoKind>{cell::ServoKind::Secant, "secant"},
     Word<cell::ServoKind>{cell::ServoKind::Inertial, "inertial"}};
 
+inline constexpr std::array protocol = {
+    Word<packing::Protocol>{packing::Protocol::Faithful, "faithful"},
+    Word<packing::Protocol>{packing::Protocol::Swift, "swift"},
+    Word<packing::Protocol>{packing::Protocol::Slow, "slow"}};
+
 inline constexpr std::array triaxial_path = {
     Word<triaxial::Path>{triaxial::Path::Drained, "drained"},
     Word<triaxial::Path>{triaxial::Path::ConstantMean, "constant-mean"},

@@ -178,6 +178,16 @@ std::vector<Key> preparation_rows() {
             required(quantity(
                 "stage.compact", "pressure", dimension::pressure, above_zero, "Isotropic stress to reach and settle at."
             )),
+            choice(
+                "stage.compact", "protocol", names::words_of(names::protocol),
+                "faithful: the reference's fabric in fewer steps; swift: the quickest, best with `void_ratio`, more "
+                "contacts at the same void ratio; slow: the reference's own rates, time step and servo."
+            ),
+            ratio(
+                "stage.compact", "start_porosity", {0.2, 1, false, true},
+                "Protocol swift: porosity to which the cloud is pushed together without forces before the first step; "
+                "without it as far as overlaps clear easily."
+            ),
             table("stage.compact", "prepare", "How contacts behave during compaction only."),
             quantity(
                 "stage.compact.prepare", "friction", dimension::angle, friction_range,
@@ -197,12 +207,12 @@ std::vector<Key> preparation_rows() {
             ),
             ratio(
                 "stage.compact", "void_ratio", {0.1, 5, false, false},
-                "Void ratio to meet, by searching the friction during compaction."
+                "Void ratio to meet: faithful searches the friction during compaction, swift the porosity at its start."
             ),
             ratio("stage.compact", "void_ratio_tolerance", above_zero, "How closely it is met."),
             quantity(
                 "stage.compact", "max_rate", dimension::rate, above_zero,
-                "Largest strain rate while the cloud carries no load."
+                "Largest strain rate while the cloud carries no load; not for swift."
             ),
             time_step("stage.compact"),
         }

@@ -35,6 +35,10 @@ void loading_fields(Writer& v, const cell::Loading& loading);
 void check_servo(Reader& v, const cell::ServoSpec& s);
 void check_servo(Writer& v, const cell::ServoSpec& s);
 
+/// The start of a compaction is the protocol's: a user moves it for swift only.
+void check_start(Reader& v, const packing::CompactSpec& s);
+void check_start(Writer& v, const packing::CompactSpec& s);
+
 /// A ratio, "strict" or "loose".
 void inertial_number_field(Reader& v, double& value);
 void inertial_number_field(Writer& v, double value);

@@ -2,29 +2,22 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
-#include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/packing/overlaps.hpp"
+#include "suffuse/packing/pace.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suffuse::packing {
 namespace {
 
-// Share of the pressure below which the strain rate may be this share of the largest [reference, section 4: 250, 50, 20
-// 1/s].
-constexpr double loose_load = 0.02, half_load = 0.5;
-constexpr double half_load_rate = 0.2, full_load_rate = 0.08;
 constexpr std::int64_t time_step_interval = 1000; // steps between two looks at the stable time step
-constexpr std::int64_t most_steps = 3'000'000;
+constexpr std::int64_t most_steps = 3'000'000, most_swift_steps = 60'000;
+constexpr std::int64_t most_relax_steps = 1500;
+constexpr double relaxed_load = 0.1;      // share of the pressure that overlaps left by geometry may still cause
 constexpr double least_void_ratio = 0.05; // spheres overlap beyond any meaning before this
-
-double rate_cap(const CompactSpec& spec, double pressure) {
-    if (pressure < loose_load * spec.pressure) {
-        return spec.max_rate;
-    }
-    return (pressure < half_load * spec.pressure ? half_load_rate : full_load_rate) * spec.max_rate;
-}
 
 /// Removes what the preparation lent: friction goes to its final value, bonds are cut.
 void take_final_parameters(dem::World& world, const grains::Material& final_material) {
@@ -37,11 +30,71 @@ void take_final_parameters(dem::World& world, const grains::Material& final_mate
 [[noreturn]] void report_out_of_reach(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
     throw StateError(fmt::format(
         "the pressure {:.4g} kPa is out of reach: after {} steps the sample carries {:.4g} kPa at the void ratio "
-        "{:.3f}, "
-        "unbalanced force {:.1e}; lower the pressure, raise contact.modulus, or give [balance] more room",
+        "{:.3f}, unbalanced force {:.1e}; lower the pressure, raise contact.modulus, {}",
         spec.pressure / 1e3, state.steps, dem::mean_stress(state.balance.stress) / 1e3, dem::void_ratio(world),
-        state.balance.equilibrium.unbalanced_force
+        state.balance.equilibrium.unbalanced_force,
+        spec.protocol == Protocol::Swift ? "start denser (start_porosity), or take protocol = \"faithful\""
+                                         : "or give [balance] more room"
     ));
+}
+
+/// Brings the cloud to where the first step is made.
+void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state) {
+    const bool swift = spec.protocol == Protocol::Swift;
+    const std::optional<double> start = spec.start_porosity;
+    if (start && *start < dem::porosity(world)) {
+        const bool clear = bring_to_porosity(world, *start);
+        if (!clear && !swift) {
+            throw StateError(fmt::format(
+                "start_porosity {:.3f} is denser than grains can be pushed together without overlaps; give a larger "
+                "one",
+                *start
+            ));
+        }
+        state.phase = clear ? CompactState::Phase::Compact : CompactState::Phase::Relax;
+    } else if (!start && swift) {
+        bring_near_touching(world);
+    }
+    state.start_porosity = dem::porosity(world);
+}
+
+/// What a burst has to show for its phase to end.
+dem::BalanceSpec goal_of(const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state) {
+    dem::BalanceSpec goal = balance;
+    if (spec.protocol == Protocol::Swift && state.phase != CompactState::Phase::Prove) {
+        goal.patience = dem::burst_steps; // patience is for the state that is handed on
+    }
+    return goal;
+}
+
+/// The next phase, and what changes with it.
+void go_on(dem::World& world, dem::StepCaches& caches, const CompactSpec& spec, CompactState& state) {
+    using Phase = CompactState::Phase;
+    state.balance.balanced_steps = 0;
+    if (state.phase == Phase::Compact) {
+        state.void_ratio_compacted = dem::void_ratio(world);
+        take_final_parameters(world, state.material);
+        state.phase = Phase::Settle;
+        return;
+    }
+    if (state.phase == Phase::Settle && state.inertia_scaled) {
+        scale_inertia(world, false);
+        state.inertia_scaled = false;
+        caches = {}; // they may hold copies of what has changed
+        state.time_step = choose_time_step(world, spec);
+        state.phase = Phase::Prove;
+        return;
+    }
+    state.phase = Phase::Done;
+}
+
+/// Frictionless relaxation of what geometry left: ends when little load is left, or when it has had its time.
+void end_relaxation(dem::World& world, const CompactSpec& spec, CompactState& state) {
+    const bool relaxed = dem::mean_stress(state.balance.stress) < relaxed_load * spec.pressure;
+    if (relaxed || state.steps >= most_relax_steps) {
+        world.material.friction = spec.prepare.friction.value_or(state.material.friction);
+        state.phase = CompactState::Phase::Compact;
+    }
 }
 
 } // namespace
@@ -54,7 +107,20 @@ CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double
     world.material.friction = prepare.friction.value_or(world.material.friction);
     world.material.adhesion_normal = prepare.adhesion_normal.value_or(world.material.adhesion_normal);
     world.material.adhesion_shear = prepare.adhesion_shear.value_or(world.material.adhesion_shear);
+    go_to_start(world, spec, state);
+    if (state.phase == CompactState::Phase::Relax) {
+        world.material.friction = 0;
+    }
+    if (spec.protocol == Protocol::Swift) {
+        scale_inertia(world, true);
+        state.inertia_scaled = true;
+    }
     return state;
+}
+
+bool misses_void_ratio(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
+    return spec.void_ratio && state.phase == CompactState::Phase::Prove && state.balance.balanced_steps == 0 &&
+           std::abs(dem::void_ratio(world) - *spec.void_ratio) > spec.void_ratio_tolerance;
 }
 
 bool compact_burst(
@@ -62,30 +128,22 @@ bool compact_burst(
     CompactState& state
 ) {
     if (state.steps % time_step_interval == 0) {
-        state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(world);
+        state.time_step = choose_time_step(world, spec);
     }
-    dem::StepPlan plan;
-    plan.dt = state.time_step;
-    plan.damping = state.damping;
-    plan.loading = dem::isotropic_stress(spec.pressure);
-    plan.loading.servo.max_rate = rate_cap(spec, dem::mean_stress(state.balance.stress));
-    const bool settled = dem::settle_burst(world, caches, plan, balance, state.balance);
+    const Pace pace = choose_pace(world, spec, balance, state);
+    const bool settled =
+        dem::settle_burst(world, caches, pace.plan, goal_of(spec, balance, state), state.balance) && !pace.holding;
     state.steps += dem::burst_steps;
-    if (state.steps > most_steps || dem::void_ratio(world) < least_void_ratio) {
+    const std::int64_t limit = spec.protocol == Protocol::Swift ? most_swift_steps : most_steps;
+    if (state.steps > limit || dem::void_ratio(world) < least_void_ratio) {
         report_out_of_reach(world, spec, state);
     }
-    if (!settled) {
-        return false;
+    if (state.phase == CompactState::Phase::Relax) {
+        end_relaxation(world, spec, state);
+    } else if (settled) {
+        go_on(world, caches, spec, state);
     }
-    state.balance.balanced_steps = 0;
-    if (state.phase == CompactState::Phase::Compact) {
-        state.void_ratio_compacted = dem::void_ratio(world);
-        take_final_parameters(world, state.material);
-        state.phase = CompactState::Phase::Settle;
-        return false;
-    }
-    state.phase = CompactState::Phase::Done;
-    return true;
+    return state.phase == CompactState::Phase::Done;
 }
 
 } // namespace suffuse::packing

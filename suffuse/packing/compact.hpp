@@ -1,6 +1,8 @@
 #pragma once
-// Isotropic compaction of a cloud to a pressure, as the reference does it (its section 4): under a lowered friction or
-// with adhesion, strain rate capped in three steps as the load builds up; then the final parameters, and settling.
+// Isotropic compaction of a cloud to a pressure: under a lowered friction or with adhesion, then with the final
+// parameters until settled. Three protocols (spec.hpp): `slow` is the reference's own (its section 4: strain rate
+// capped in three steps as the load builds up, inertial servo), `faithful` follows it with fewer steps, `swift` is the
+// quickest.
 
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/packing/spec.hpp"
@@ -11,19 +13,35 @@ namespace suffuse::packing {
 
 /// Where a compaction stands; part of what a checkpoint saves.
 struct CompactState {
-    enum class Phase : std::int32_t { Compact, Settle, Done };
+    enum class Phase : std::int32_t {
+        Relax,   ///< swift: overlaps that geometry left are pressed out, frictionless, at constant volume
+        Compact, ///< to the pressure, with the parameters of the preparation
+        Settle,  ///< until balanced, with the final parameters
+        Prove,   ///< with the grains' own inertia, for as long as [balance] asks
+        Done
+    };
 
     Phase phase = Phase::Compact;
     dem::BalanceState balance;
     double time_step = 0;            ///< of the bursts now [s]
     grains::Material material;       ///< with the final parameters
     double damping = 0.2;            ///< local [-]
+    double start_porosity = 0;       ///< when the first step was made [-]
+    bool inertia_scaled = false;     ///< the grains' moments of inertia are `inertia_factor` times their own
     std::int64_t steps = 0;          ///< in all
     double void_ratio_compacted = 0; ///< at the end of compaction, before the final parameters
 };
 
-/// Sets the parameters of the compaction; `world` is the cloud.
+/// Moments of inertia are this many times the grains' own until a sample of `swift` is balanced: the rolling
+/// springs then allow the time step that the normal springs do. A power of two: giving back is exact.
+inline constexpr double inertia_factor = 4;
+
+/// Sets the parameters of the compaction and brings the grains to its start; `world` is the cloud.
+/// @throws StateError when a start is asked for that is too dense for the protocol.
 CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double damping);
+
+/// Whether a balanced sample is known to miss the void ratio asked for, before it has proved its balance.
+bool misses_void_ratio(const dem::World& world, const CompactSpec& spec, const CompactState& state);
 
 /// One burst of steps. @return whether the sample is settled at the pressure with its final parameters.
 /// @throws StateError when the pressure is out of reach, with the void ratio and the pressure reached.

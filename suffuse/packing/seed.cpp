@@ -2,8 +2,8 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/random.hpp"
-#include "suffuse/neighbors/pairs.hpp"
 #include "suffuse/packing/insertion_grid.hpp"
+#include "suffuse/packing/overlaps.hpp"
 
 #include <fmt/format.h>
 
@@ -34,50 +34,6 @@ std::vector<Vec3> scatter(std::span<const double> radius, double edge, std::uint
         grid.insert(g, position[g]);
     }
     return position;
-}
-
-bool is_overlapping(const neighbors::Pair& pair, const Mat3& h, std::span<const Vec3> x, std::span<const double> r) {
-    const double sum = r[pair.first] + r[pair.second];
-    return norm2(x[pair.second] + cell::shift(h, pair.image) - x[pair.first]) < sum * sum;
-}
-
-/// Pushes overlapping pairs apart, one after another, the lighter grain moving further. @return whether any overlapped.
-bool push_apart(
-    std::span<const neighbors::Pair> pairs, const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position
-) {
-    constexpr double slack = 1e-3; // of the smaller radius: aiming at a gap ends in finitely many sweeps
-    bool moved = false;
-    for (const neighbors::Pair& pair : pairs) {
-        const auto i = pair.first, j = pair.second;
-        const double ri = radius[i], rj = radius[j];
-        const Vec3 branch = position[j] + cell::shift(h, pair.image) - position[i];
-        const double distance = norm(branch);
-        if (distance >= ri + rj) {
-            continue;
-        }
-        moved = true;
-        const Vec3 normal = distance > 0 ? branch / distance : Vec3{1, 0, 0};
-        const double push = ri + rj + slack * std::min(ri, rj) - distance;
-        const double vi = ri * ri * ri, vj = rj * rj * rj;
-        position[i] -= push * vj / (vi + vj) * normal;
-        position[j] += push * vi / (vi + vj) * normal;
-    }
-    return moved;
-}
-
-/// Relaxes until no pair overlaps. @return whether it got there.
-bool clear_overlaps(const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position) {
-    constexpr int most_rounds = 150, sweeps = 12; // the search for pairs is redone every round
-    const double margin = 0.2 * radius.back();
-    for (int round = 0; round < most_rounds; ++round) {
-        const std::vector<neighbors::Pair> pairs = neighbors::find_pairs(h, position, radius, margin);
-        if (std::ranges::none_of(pairs, [&](const auto& p) { return is_overlapping(p, h, position, radius); })) {
-            return true;
-        }
-        for (int sweep = 0; sweep < sweeps && push_apart(pairs, h, radius, position); ++sweep) {
-        }
-    }
-    return false;
 }
 
 double edge_at(std::span<const double> radius, double porosity) {

@@ -2,6 +2,7 @@
 // Preparation: a cloud of grains, and its compaction to a pressure and a density.
 
 #include <optional>
+#include <string_view>
 
 namespace suffuse::packing {
 
@@ -17,13 +18,27 @@ struct Prepare {
     std::optional<double> adhesion_shear;  ///< [Pa]
 };
 
+/// How a sample gets to its pressure: docs/theory/preparation.md says what each costs and how their fabrics differ.
+enum class Protocol {
+    Faithful, ///< the reference's rates under a servo that does not ring; the same fabric within the scatter of seeds
+    Swift,    ///< pushed together by geometry, then pressed over-damped: the quickest; more contacts, fewer rattlers
+    Slow      ///< the reference's own rates, time step and servo: what Faithful is measured against
+};
+
+/// The word of a case file and of results.
+constexpr std::string_view name_of(Protocol protocol) {
+    return protocol == Protocol::Faithful ? "faithful" : protocol == Protocol::Swift ? "swift" : "slow";
+}
+
 /// `do = "compact"`: isotropic compaction to a pressure, then settling with the final parameters.
 struct CompactSpec {
     double pressure = 0; ///< [Pa]
+    Protocol protocol = Protocol::Faithful;
+    std::optional<double> start_porosity; ///< Swift: to which the cloud is pushed together before the first step [-]
     Prepare prepare;
-    std::optional<double> void_ratio; ///< wanted void ratio, met by searching the friction during compaction [-]
+    std::optional<double> void_ratio; ///< wanted void ratio, met by searching the preparation [-]
     double void_ratio_tolerance = 0.002;
-    double max_rate = 250; ///< largest strain rate while the cloud carries no load [1/s]
+    double max_rate = 250; ///< largest strain rate while the cloud carries no load; not in Swift [1/s]
     double time_step = 0;  ///< [s]; 0 = computed from the contact network
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// A wanted void ratio, found by how easily the grains slide while they are compacted: from frictionless (densest) over
-// the final friction to adhesion (loosest).
+// A wanted void ratio. Slow and faithful find it by how easily the grains slide while they are compacted: from
+// frictionless (densest) over the final friction to adhesion (loosest). Swift finds it by the porosity at its start.
 
 #include "suffuse/grains/material.hpp"
 #include "suffuse/packing/spec.hpp"

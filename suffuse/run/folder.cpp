@@ -10,6 +10,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <ctime>
@@ -40,6 +41,22 @@ std::string processor() {
 
 std::string now_utc() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+/// The protocols of the case's compactions, in order, each once.
+std::string protocols_of(const casefile::Case& what) {
+    std::vector<std::string_view> names;
+    for (const casefile::Study& study : what.studies) {
+        for (const casefile::Variant& variant : study.variants) {
+            for (const casefile::Stage& stage : variant.stages) {
+                const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec);
+                if (compact != nullptr && std::ranges::count(names, packing::name_of(compact->protocol)) == 0) {
+                    names.push_back(packing::name_of(compact->protocol));
+                }
+            }
+        }
+    }
+    return names.empty() ? "imported" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 } // namespace
@@ -125,7 +142,7 @@ nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions&
         {"preset", what.preset},
         {"case_hash", fmt::format("{:016x}", hash.value())},
         {"mode", dem::name_of(what.mode)},
-        {"preparation", "faithful"},
+        {"preparation", protocols_of(what)},
         {"command", options.command},
         {"finished", now_utc()},
         {"wall_seconds", wall_seconds},

@@ -36,14 +36,15 @@ void mark_fines(const std::optional<grains::Soil>& soil, grains::Grains& grains)
     }
 }
 
-/// One compaction from the cloud on; it can be resumed between bursts unless it is a trial among several.
+/// One compaction from the cloud on; it can be resumed between bursts unless it is a trial among several. A trial ends
+/// as soon as it is seen to miss.
 void compact(StageWork& work, const packing::CompactSpec& spec, packing::CompactState state) {
     if (!spec.void_ratio) {
         work.control.save_with([&] { work.save_partial(state); });
     }
     dem::StepCaches caches;
     bool done = state.phase == packing::CompactState::Phase::Done;
-    while (!done) {
+    while (!done && !packing::misses_void_ratio(work.world, spec, state)) {
         done = packing::compact_burst(work.world, caches, spec, work.what.balance, state);
         work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
         work.history.record(work.world);
@@ -52,6 +53,8 @@ void compact(StageWork& work, const packing::CompactSpec& spec, packing::Compact
     }
     work.control.save_with(nullptr);
     work.time_step = state.time_step;
+    work.numbers["protocol"] = packing::name_of(spec.protocol);
+    work.numbers["start_porosity"] = state.start_porosity;
     work.numbers["steps"] = state.steps;
     work.numbers["void_ratio_compacted"] = state.void_ratio_compacted;
 }

@@ -1,0 +1,110 @@
+#include "suffuse/packing/pace.hpp"
+
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/relax.hpp"
+#include "suffuse/dem/stable_dt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::packing {
+namespace {
+
+// Share of the pressure below which the strain rate may be this share of the largest [reference, section 4: 250, 50, 20
+// 1/s].
+constexpr double loose_load = 0.02, half_load = 0.5;
+constexpr double half_load_rate = 0.2, full_load_rate = 0.08;
+
+// Swift: no further strain while the unbalanced force is above this; largest strain rate as an inertial number, which
+// stays below what counts as quasi-static with the grains' own mass; response of the servo in steps.
+constexpr double restless = 0.05, first_touch = 0.01;
+constexpr double largest_inertial_number = 5e-3;
+constexpr double swift_response = 30;
+
+constexpr double p_wave_share = 0.3; // of the P-wave time of the smallest grain [reference, section 1.6]
+
+double rate_cap(const CompactSpec& spec, double pressure) {
+    if (pressure < loose_load * spec.pressure) {
+        return spec.max_rate;
+    }
+    return (pressure < half_load * spec.pressure ? half_load_rate : full_load_rate) * spec.max_rate;
+}
+
+/// Strain rate of an inertial number at the pressure [1/s]: I = rate d sqrt(density/pressure), d the mean diameter.
+double swift_rate(const dem::World& world, double pressure) {
+    double diameter = 0;
+    for (const double r : world.grains.radius) {
+        diameter += 2 * r;
+    }
+    diameter /= static_cast<double>(world.grains.size());
+    return largest_inertial_number * std::sqrt(pressure / world.material.density) / diameter;
+}
+
+/// The reference's servo; a mass of twice that of the grains over the edge of the cell is stable [kg/m].
+cell::ServoSpec inertial_servo(const dem::World& world) {
+    double mass = 0;
+    for (const double m : world.grains.mass) {
+        mass += m;
+    }
+    cell::ServoSpec servo;
+    servo.kind = cell::ServoKind::Inertial;
+    servo.mass = 2 * mass / std::cbrt(cell::volume(world.cell));
+    return servo;
+}
+
+Pace swift_pace(
+    const dem::World& world, const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state,
+    dem::StepPlan plan
+) {
+    const double unbalance = state.balance.equilibrium.unbalanced_force;
+    const bool at_rest = unbalance <= std::max(restless, balance.unbalanced_force);
+    const bool carries = dem::mean_stress(state.balance.stress) > first_touch * spec.pressure;
+    const bool holding = state.phase == CompactState::Phase::Relax || (carries && !at_rest);
+    plan.drag = dem::slowest_mode_drag(world.grains.size(), plan.dt);
+    if (holding) {
+        plan.loading = dem::constant_volume();
+    }
+    plan.loading.servo.max_rate = swift_rate(world, spec.pressure);
+    plan.loading.servo.response = swift_response;
+    return {plan, holding};
+}
+
+} // namespace
+
+Pace choose_pace(
+    const dem::World& world, const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state
+) {
+    dem::StepPlan plan;
+    plan.dt = state.time_step;
+    plan.damping = state.damping;
+    plan.loading = dem::isotropic_stress(spec.pressure);
+    const bool proving = state.phase == CompactState::Phase::Prove;
+    if (spec.protocol == Protocol::Swift && !proving) {
+        return swift_pace(world, spec, balance, state, plan);
+    }
+    const double pressure = dem::mean_stress(state.balance.stress);
+    if (spec.protocol == Protocol::Slow) {
+        plan.loading.servo = inertial_servo(world);
+    }
+    plan.loading.servo.max_rate = rate_cap(spec, pressure);
+    return {plan, false};
+}
+
+double choose_time_step(const dem::World& world, const CompactSpec& spec) {
+    if (spec.time_step > 0) {
+        return spec.time_step;
+    }
+    if (spec.protocol != Protocol::Slow) {
+        return dem::stable_time_step(world);
+    }
+    const double smallest = *std::min_element(world.grains.radius.begin(), world.grains.radius.end());
+    return p_wave_share * smallest * std::sqrt(world.material.density / world.material.modulus);
+}
+
+void scale_inertia(dem::World& world, bool up) {
+    for (double& inertia : world.grains.inertia) {
+        inertia = up ? inertia * inertia_factor : inertia / inertia_factor;
+    }
+}
+
+} // namespace suffuse::packing

@@ -1,0 +1,23 @@
+#pragma once
+// How a protocol drives one burst of a compaction: time step, strain rate, servo and drag, all from the state alone.
+
+#include "suffuse/packing/compact.hpp"
+
+namespace suffuse::packing {
+
+struct Pace {
+    dem::StepPlan plan;
+    bool holding = false; ///< swift: the volume is held until the grains have come to rest against each other
+};
+
+Pace choose_pace(
+    const dem::World& world, const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state
+);
+
+/// The time step that the protocol asks for now [s].
+double choose_time_step(const dem::World& world, const CompactSpec& spec);
+
+/// Multiplies (or divides) the moments of inertia by `inertia_factor`: exact both ways.
+void scale_inertia(dem::World& world, bool up);
+
+} // namespace suffuse::packing

@@ -1,0 +1,138 @@
+// The quick protocols of preparation on 500 grains: what was asked is met, what was lent is given back, and neither
+// threads nor a stop half-way change a bit.
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/packing/compact.hpp"
+#include "suffuse/packing/seed.hpp"
+#include "suffuse/packing/target_density.hpp"
+#include "suffuse/run/result_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace suffuse::packing {
+namespace {
+
+constexpr double pressure = 1e5; // [Pa]
+
+dem::World cloud() {
+    grains::Soil soil;
+    soil.whole = grains::Grading{{0.15e-3, 0.21e-3, 0.30e-3}, {0, 0.5, 1}, "three points"};
+    soil.grading_tolerance = 0.1;
+    const Cloud made = make_cloud(grains::sample_soil(soil, 500), PackSpec{}, 2600, 5);
+    dem::World world;
+    world.cell = made.cell;
+    world.reference_h = made.cell.h;
+    world.grains = made.grains;
+    return world;
+}
+
+CompactSpec spec_of(Protocol protocol) {
+    CompactSpec spec;
+    spec.pressure = pressure;
+    spec.protocol = protocol;
+    return spec;
+}
+
+struct Prepared {
+    dem::World world;
+    CompactState state;
+};
+
+/// `stop_after` bursts the state goes through JSON and the caches are new, as after Ctrl-C and resume.
+Prepared prepare(const CompactSpec& spec, int stop_after = -1) {
+    Prepared result;
+    result.world = cloud();
+    auto caches = std::make_unique<dem::StepCaches>();
+    result.state = begin_compaction(result.world, spec, 0.2);
+    for (int bursts = 0; !compact_burst(result.world, *caches, spec, {}, result.state); ++bursts) {
+        if (misses_void_ratio(result.world, spec, result.state)) {
+            break;
+        }
+        if (bursts == stop_after) {
+            result.state = nlohmann::json::parse(nlohmann::json(result.state).dump()).get<CompactState>();
+            caches = std::make_unique<dem::StepCaches>();
+        }
+    }
+    return result;
+}
+
+class Protocols : public testing::TestWithParam<Protocol> {
+protected:
+    static CompactSpec spec() {
+        CompactSpec spec = spec_of(GetParam());
+        if (GetParam() == Protocol::Swift) {
+            spec.start_porosity = 0.40;
+        } else {
+            spec.prepare.friction = radians(10);
+        }
+        return spec;
+    }
+
+    void TearDown() override { set_thread_count(1); }
+};
+
+TEST_P(Protocols, EndBalancedAtThePressureAndGiveBackWhatWasLent) {
+    const dem::World start = cloud();
+    const Prepared sample = prepare(spec());
+    RecordProperty("steps", std::to_string(sample.state.steps));
+    RecordProperty("void_ratio", std::to_string(dem::void_ratio(sample.world)));
+    for (int a = 0; a < 3; ++a) {
+        EXPECT_NEAR(sample.state.balance.stress(a, a), pressure, 5e-3 * pressure);
+    }
+    EXPECT_LE(sample.state.balance.equilibrium.unbalanced_force, 1e-3);
+    EXPECT_EQ(sample.world.grains.mass, start.grains.mass);
+    EXPECT_EQ(sample.world.grains.inertia, start.grains.inertia);
+    EXPECT_EQ(sample.world.material.friction, start.material.friction);
+    EXPECT_FALSE(sample.state.inertia_scaled);
+}
+
+TEST_P(Protocols, HaveTheSameBitsForAnyThreadsAndAfterAStopAnywhere) {
+    const std::uint64_t hash = dem::state_hash(prepare(spec()).world);
+    for (const int bursts : {0, 3, 7}) {
+        set_thread_count(bursts + 2);
+        EXPECT_EQ(dem::state_hash(prepare(spec(), bursts).world), hash) << bursts;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Preparation, Protocols, testing::Values(Protocol::Swift, Protocol::Faithful));
+
+TEST(Swift, MeetsAVoidRatioInAFewThousandSteps) {
+    for (const double wanted : {0.60, 0.68}) {
+        CompactSpec spec = spec_of(Protocol::Swift);
+        spec.void_ratio = wanted;
+        std::int64_t steps = 0;
+        dem::World world;
+        search_void_ratio(spec, {}, [&](const CompactSpec& trial) {
+            const Prepared sample = prepare(trial);
+            steps += sample.state.steps;
+            world = sample.world;
+            return dem::void_ratio(world);
+        });
+        EXPECT_NEAR(dem::void_ratio(world), wanted, spec.void_ratio_tolerance);
+        EXPECT_LE(steps, 3000) << wanted;
+    }
+}
+
+TEST(Swift, SaysWhatItReachesWhenAVoidRatioIsOutOfReach) {
+    const auto message_of = [](double wanted) -> std::string {
+        CompactSpec spec = spec_of(Protocol::Swift);
+        spec.void_ratio = wanted;
+        try {
+            search_void_ratio(spec, {}, [](const CompactSpec&) { return 0.55; }); // whatever the start
+        } catch (const StateError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_NE(message_of(0.45).find("0.5500"), std::string::npos) << message_of(0.45);
+    EXPECT_NE(message_of(0.45).find("prepare.friction"), std::string::npos);
+    EXPECT_NE(message_of(0.80).find("faithful"), std::string::npos);
+    EXPECT_NE(message_of(2.00).find("starts at porosities"), std::string::npos);
+}
+
+} // namespace
+} // namespace suffuse::packing
