@@ -129,7 +129,9 @@ test("force chains, cut and a drag each change the picture", async () => {
   const cut = await pixels(page);
   assert.ok(cut.share < plain.share, `${cut.share} after the cut, ${plain.share} before`);
   await choose(fresh);
-  const box = await page.locator(".picture").boundingBox();
+  const picture = page.locator(".picture");
+  await picture.scrollIntoViewIfNeeded(); // the mouse reaches only what the window shows
+  const box = await picture.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2 + 30, { steps: 3 });
