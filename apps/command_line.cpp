@@ -5,7 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "apps/completions.hpp"
 #include "apps/help.hpp"
+#include "apps/man_page.hpp"
 #include <algorithm>
 
 namespace suffuse::apps {
@@ -13,6 +15,11 @@ namespace {
 
 const std::string case_text = "the case file";
 const std::string folder_text = "the folder of a run";
+const std::string packing_text =
+    "grains: CSV with x,y,z,r in meters, Yade's text, LAMMPS data or dump, extended XYZ, .vtp";
+const std::string cell_text =
+    "edges of its cell in meters, or nine numbers, its matrix by rows; the file's own unless given";
+const std::string format_text = "csv, yade, xyz, lammps, dump or vtp; by the file's ending unless given";
 
 void add_everywhere(CLI::App& app, CommandLine& line) {
     app.add_flag("-q,--quiet", line.quiet, "say nothing but results and errors");
@@ -40,8 +47,16 @@ void add_threads(CLI::App& verb, CommandLine& line) {
         ->check(CLI::Range(1, 1024));
 }
 
+void add_cache(CLI::App& verb, CommandLine& line) {
+    CLI::Option* cache = verb.add_option(
+        "--cache", line.cache, "folder where stages are kept and found again; suffuse-cache beside the run unless given"
+    );
+    cache->type_name("DIR");
+    verb.add_flag("--no-cache", line.no_cache, "compute every stage, and keep none")->excludes(cache);
+}
+
 void add_limits(CLI::App& verb, CommandLine& line) {
-    verb.add_option("--until", line.until, "stop after this stage")->type_name("STAGE");
+    verb.add_option("--until", line.until, "end each sample with this stage")->type_name("STAGE");
     verb.add_option("--time-limit", line.time_limit, "save and stop after this wall time, as in 90min or 2h")
         ->type_name("TIME");
 }
@@ -53,12 +68,17 @@ void add_run_verbs(CLI::App& app, CommandLine& line) {
     run->add_option("-o,--output", line.output, "folder of the run; runs/NAME-0001 and so on unless given")
         ->type_name("DIR");
     add_case_changes(*run, line);
+    add_cache(*run, line);
     add_limits(*run, line);
 
     CLI::App* resume = app.add_subcommand("resume", "go on with a run that was stopped, to the same bits");
     add_subject(*resume, line, "DIR", folder_text);
     add_threads(*resume, line);
+    add_cache(*resume, line);
     add_limits(*resume, line);
+
+    resume->add_option("--sample", line.sample, "this sample alone, beside others; as in fines/fc=20/rep=1")
+        ->type_name("NAME");
 
     CLI::App* report = app.add_subcommand("report", "write the report of a run again, without computing");
     add_subject(*report, line, "DIR", folder_text);
@@ -75,6 +95,41 @@ void add_run_verbs(CLI::App& app, CommandLine& line) {
         ->allow_extra_args(false);
     figures->add_option("-o,--output", line.output, "folder for the files; the run's figures/ unless given")
         ->type_name("DIR");
+
+    CLI::App* watch = app.add_subcommand("watch", "follow a run from another terminal, or tell how it ended");
+    add_subject(*watch, line, "DIR", folder_text);
+}
+
+void add_sweep_verb(CLI::App& app, CommandLine& line) {
+    CLI::App* sweep = app.add_subcommand("sweep", "run the samples of a case as tasks of a cluster, and gather them");
+    CLI::Option* subject =
+        sweep->add_option("CASE", line.subject, "the case file, or the folder of a run whose rest is to be run");
+    CLI::Option* emit =
+        sweep->add_option("--emit", line.emit, "write the tasks: slurm, or parallel (GNU parallel, sh)");
+    emit->type_name("FORM")->check(CLI::IsMember({"slurm", "parallel"}))->needs(subject);
+    CLI::Option* collect = sweep->add_option("--collect", line.collect, "gather what the tasks left in the folder DIR");
+    collect->type_name("DIR")->excludes(emit)->excludes(subject);
+    sweep->add_option("-o,--output", line.output, "folder of the run; runs/NAME-0001 and so on unless given")
+        ->type_name("DIR");
+    sweep->add_option("-j,--threads", line.threads, "threads of each task, 1 unless given")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    sweep
+        ->add_option(
+            "--time-limit", line.time_limit, "wall time of each task, as in 2h; what is not done goes on later"
+        )
+        ->type_name("TIME");
+    add_case_changes(*sweep, line);
+    add_cache(*sweep, line);
+}
+
+void add_cache_verb(CLI::App& app, CommandLine& line) {
+    CLI::App* cache = app.add_subcommand("cache", "what the cache of stages holds; limit or empty it");
+    cache->add_option("DIR", line.subject, "folder of the cache; runs/suffuse-cache unless given");
+    CLI::Option* limit =
+        cache->add_option("--limit", line.cache_limit, "most that it may hold from now on, in GB; 10 at first");
+    limit->type_name("GB")->check(CLI::NonNegativeNumber);
+    cache->add_flag("--clear", line.clear, "drop all that it holds")->excludes(limit);
 }
 
 void add_case_verbs(CLI::App& app, CommandLine& line) {
@@ -90,6 +145,7 @@ void add_case_verbs(CLI::App& app, CommandLine& line) {
     add_subject(*plan, line, "CASE", case_text);
     add_threads(*plan, line);
     add_case_changes(*plan, line);
+    add_cache(*plan, line);
 
     CLI::App* explain = app.add_subcommand("explain", "one screen on a key, an error code, or the conventions");
     add_subject(*explain, line, "WORD", "as in contact.modulus, E310, conventions");
@@ -98,12 +154,8 @@ void add_case_verbs(CLI::App& app, CommandLine& line) {
 }
 
 void add_packing_options(CLI::App& verb, CommandLine& line) {
-    verb.add_option("--packing", line.packing, "grains: x,y,z,r in meters, Yade's text, or a LAMMPS data file")
-        ->type_name("FILE")
-        ->required();
-    verb.add_option("--cell", line.cell, "edges of the periodic cell in meters, or nine numbers, its matrix by rows")
-        ->type_name("LX,LY,LZ")
-        ->required();
+    verb.add_option("--packing", line.packing, packing_text)->type_name("FILE")->required();
+    verb.add_option("--cell", line.cell, cell_text)->type_name("LX,LY,LZ");
 }
 
 void add_bench_verbs(CLI::App& app, CommandLine& line) {
@@ -126,16 +178,16 @@ void add_bench_verbs(CLI::App& app, CommandLine& line) {
 }
 
 void add_packing_verbs(CLI::App& app, CommandLine& line) {
-    CLI::App* import = app.add_subcommand("import", "look at a packing from elsewhere, and write it as CSV");
-    add_subject(*import, line, "FILE", "grains: x,y,z,r in meters, Yade's text, or a LAMMPS data file");
-    import->add_option("--cell", line.cell, "edges of its cell in meters, or nine numbers, its matrix by rows")
-        ->type_name("LX,LY,LZ");
-    import->add_option("-o,--output", line.output, "CSV file to write")->type_name("FILE");
+    CLI::App* import = app.add_subcommand("import", "look at a packing from elsewhere, and write it in another format");
+    add_subject(*import, line, "FILE", packing_text);
+    import->add_option("--cell", line.cell, cell_text)->type_name("LX,LY,LZ");
+    import->add_option("-o,--output", line.output, "file to write")->type_name("FILE");
+    import->add_option("--format", line.format, format_text)->type_name("NAME");
 
     CLI::App* out = app.add_subcommand("export", "write the grains of a stage for other programs");
     add_subject(*out, line, "STATE", "a stage's state.h5, or the stage's folder");
     out->add_option("-o,--output", line.output, "file to write")->type_name("FILE")->required();
-    out->add_option("--format", line.format, "csv, yade or xyz; by the file's ending unless given")->type_name("NAME");
+    out->add_option("--format", line.format, format_text)->type_name("NAME");
 }
 
 void add_assess_verb(CLI::App& app, CommandLine& line) {
@@ -161,6 +213,12 @@ void add_assess_verb(CLI::App& app, CommandLine& line) {
         ->check(CLI::Range(0.0, 1.0));
     assess->add_flag("--coarse-fabric", line.coarse_fabric, "D60/D10 of the coarse part decides how far to look at F");
     assess->add_option("-o,--output", line.output, "folder for a page, its figures and numbers")->type_name("DIR");
+}
+
+void add_shell_verbs(CLI::App& app, CommandLine& line) {
+    CLI::App* completions = app.add_subcommand("completions", "a script by which a shell completes verbs and flags");
+    add_subject(*completions, line, "SHELL", "bash, zsh or fish");
+    app.add_subcommand("man", "the man page, in roff");
 }
 
 std::vector<std::string> names_of_verbs(const CLI::App& app) {
@@ -295,10 +353,13 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     app.set_version_flag("--version", std::string(), "which program this is");
     add_everywhere(app, line);
     add_run_verbs(app, line);
+    add_sweep_verb(app, line);
+    add_cache_verb(app, line);
     add_case_verbs(app, line);
     add_bench_verbs(app, line);
     add_packing_verbs(app, line);
     add_assess_verb(app, line);
+    add_shell_verbs(app, line);
     parse(app, with_verb(words), line);
     if (!line.text.empty()) {
         return line;
@@ -311,7 +372,18 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     if (line.verb == "bench" && line.bench.empty()) {
         throw UsageError("bench what? suffuse bench step, or suffuse bench flow; suffuse bench --help says more");
     }
+    if (line.verb == "sweep" && line.emit.empty() && line.collect.empty()) {
+        throw UsageError(
+            "sweep: --emit slurm or --emit parallel with a case, or --collect DIR; suffuse run CASE runs all "
+            "samples on this machine"
+        );
+    }
     line.color = color_of(line.color_word);
+    if (line.verb == "completions" || line.verb == "man") { // the table of verbs is here, and all there is to say
+        const std::vector<VerbRow> table = command_table(app);
+        line.text = line.verb == "man" ? man_page(table) : completions_for(line.subject, table);
+        line.verb.clear();
+    }
     return line;
 }
 

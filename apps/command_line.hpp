@@ -33,8 +33,15 @@ struct CommandLine {
     std::string until;                  ///< stage
     std::string time_limit;             ///< with its unit
     int threads = 0;                    ///< 0: all cores
-    std::string from;                   ///< template of `new`
-    std::string bench;                  ///< "step" or "flow"
+    std::string cache;                  ///< folder of the cache of stages
+    bool no_cache = false;
+    std::string sample;                ///< of `resume`: this one alone
+    std::string emit;                  ///< of `sweep`: slurm or parallel
+    std::string collect;               ///< of `sweep`: folder of a run
+    std::optional<double> cache_limit; ///< [GB]
+    bool clear = false;                ///< the cache
+    std::string from;                  ///< template of `new`
+    std::string bench;                 ///< "step" or "flow"
     std::string packing, cell, time_step, density, format;
     std::vector<std::string> figures; ///< of `figures`: numbers or names
     std::int64_t steps = 2000;

@@ -35,6 +35,8 @@ public:
 
     [[nodiscard]] bool is_quiet() const { return quiet_; }
 
+    [[nodiscard]] bool is_verbose() const { return verbose_; }
+
     [[nodiscard]] bool has_color() const { return color_; } ///< on standard error
 
 private:

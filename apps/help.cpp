@@ -17,12 +17,15 @@ struct Example {
 };
 
 constexpr std::array examples{
+    Example{"run", "suffuse run dyke/case.toml --preset quick --set study.erosion.particles=4000 -o runs/small"},
     Example{
-        "run", "suffuse run examples/fontainebleau-2016/case.toml --preset quick\n"
-               "suffuse run dyke/case.toml --set study.erosion.particles=4000 -o runs/small"},
+        "sweep", "suffuse sweep dyke/case.toml --emit slurm -o runs/dyke && sbatch runs/dyke/sweep.sbatch\n"
+                 "suffuse sweep --collect runs/dyke"},
+    Example{"cache", "suffuse cache runs/suffuse-cache --limit 50"},
     Example{"resume", "suffuse resume runs/dyke-0001 --time-limit 2h"},
     Example{"report", "suffuse report runs/dyke-0001"},
     Example{"figures", "suffuse figures runs/dyke-0001 --format pdf --figure 9 --figure own-rules -o manuscript"},
+    Example{"watch", "suffuse watch runs/dyke-0001"},
     Example{"new", "suffuse new my-dyke --from fontainebleau-2016"},
     Example{"check", "suffuse check my-dyke/case.toml"},
     Example{"plan", "suffuse plan my-dyke/case.toml --preset paper"},
@@ -31,8 +34,10 @@ constexpr std::array examples{
     Example{"bench step", "suffuse bench step --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3 --json"},
     Example{"bench flow", "suffuse bench flow --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3"},
     Example{"assess", "suffuse assess dyke.csv --fines 0.2mm -i 0.3 -o dyke-stability"},
-    Example{"import", "suffuse import pack.txt --cell 0.004,0.004,0.004 -o packing.csv"},
+    Example{"import", "suffuse import pack.txt --cell 0.004,0.004,0.004 -o packing.xyz"},
     Example{"export", "suffuse export runs/dyke-0001/studies/erosion/initial -o initial.xyz"},
+    Example{"completions", "suffuse completions bash > ~/.local/share/bash-completion/completions/suffuse"},
+    Example{"man", "suffuse man > suffuse.1 && man ./suffuse.1"},
 };
 
 constexpr std::string_view exit_codes =
@@ -67,6 +72,19 @@ std::string flags_of(const CLI::App& app, bool positional) {
 
 } // namespace
 
+std::string_view example_of(std::string_view path) {
+    for (const Example& example : examples) {
+        if (example.verb == path) {
+            return example.text;
+        }
+    }
+    return {};
+}
+
+std::string_view exit_codes_text() {
+    return exit_codes;
+}
+
 std::string path_of(const CLI::App& verb) {
     const CLI::App* above = verb.get_parent();
     const bool is_top = above == nullptr || above->get_parent() == nullptr;
@@ -78,7 +96,7 @@ std::string overview(const CLI::App& app) {
                        "  suffuse new my-dyke --from fontainebleau-2016\n"
                        "  suffuse run my-dyke/case.toml\n\nverbs\n";
     for (const CLI::App* verb : verbs_of(app)) {
-        text += fmt::format("  {:10} {}\n", verb->get_name(), verb->get_description());
+        text += fmt::format("  {:12} {}\n", verb->get_name(), verb->get_description());
     }
     text += "\neverywhere\n" + flags_of(app, false);
     text += "\nsuffuse VERB --help says more; suffuse FILE.toml runs that case\n\n";
@@ -103,10 +121,8 @@ std::string help_on(const CLI::App& verb) {
     }
     text += "\neverywhere\n" +
             flags_of(*(verb.get_parent()->get_parent() ? verb.get_parent()->get_parent() : verb.get_parent()), false);
-    for (const Example& example : examples) {
-        if (example.verb == path) {
-            text += fmt::format("\nexample\n{}\n", example.text);
-        }
+    if (const std::string_view example = example_of(path); !example.empty()) {
+        text += fmt::format("\nexample\n{}\n", example);
     }
     return text;
 }

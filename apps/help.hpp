@@ -2,6 +2,7 @@
 // What --help says: short, with an example, made from the flags themselves.
 
 #include <string>
+#include <string_view>
 
 namespace CLI {
 class App;
@@ -19,5 +20,10 @@ std::string help_on(const CLI::App& verb);
 std::string path_of(const CLI::App& verb);
 
 std::string version_text();
+
+/// How a verb may be called; empty where there is no example of it.
+std::string_view example_of(std::string_view path);
+
+std::string_view exit_codes_text();
 
 } // namespace suffuse::apps

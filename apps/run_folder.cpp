@@ -62,6 +62,21 @@ fs::path make_run_folder(const fs::path& case_file) {
     }
 }
 
+fs::path cache_beside(const fs::path& folder) {
+    fs::path plain = (folder / "").lexically_normal().parent_path();
+    if (plain.empty() || plain.filename() == ".." || plain.filename() == ".") {
+        plain = (fs::absolute(folder) / "").lexically_normal().parent_path();
+    }
+    return plain.parent_path() / "suffuse-cache";
+}
+
+fs::path cache_folder(const CommandLine& line, const fs::path& usual) {
+    if (line.no_cache) {
+        return {};
+    }
+    return line.cache.empty() ? usual : fs::absolute(line.cache).lexically_normal();
+}
+
 void take_run_folder(const fs::path& folder) {
     if (fs::exists(folder) && !fs::is_directory(folder)) {
         throw UsageError(fmt::format("{} is a file; -o wants a folder", shown(folder.string())));
@@ -77,9 +92,11 @@ void take_run_folder(const fs::path& folder) {
 }
 
 void keep_asked(const fs::path& folder, const AskedRun& asked) {
-    run::write_json(
-        folder / options_file, {{"case", asked.case_file}, {"preset", asked.preset}, {"overrides", asked.overrides}}
-    );
+    nlohmann::json kept{{"case", asked.case_file}, {"preset", asked.preset}, {"overrides", asked.overrides}};
+    if (asked.cache) {
+        kept["cache"] = *asked.cache;
+    }
+    run::write_json(folder / options_file, kept);
 }
 
 AskedRun read_asked(const fs::path& folder) {
@@ -87,15 +104,30 @@ AskedRun read_asked(const fs::path& folder) {
         throw UsageError(fmt::format("{} holds no run that could be resumed", shown(folder.string())));
     }
     const nlohmann::json asked = run::read_json(folder / options_file);
-    return {asked.value("case", ""), asked.value("preset", ""), asked.value("overrides", std::vector<std::string>{})};
+    AskedRun read{
+        asked.value("case", ""), asked.value("preset", ""), asked.value("overrides", std::vector<std::string>{}), {}};
+    if (asked.contains("cache")) {
+        read.cache = asked.at("cache").get<std::string>();
+    }
+    return read;
 }
 
-FolderLock::FolderLock(const fs::path& folder)
+bool is_at_work(const fs::path& folder) {
+    const int descriptor = open((folder / ".lock").c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) {
+        return false;
+    }
+    const bool is_free = flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+    close(descriptor);
+    return !is_free;
+}
+
+FolderLock::FolderLock(const fs::path& folder, Kind kind)
     : descriptor_(open((folder / ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
     if (descriptor_ < 0) {
         throw IoError(fmt::format("{}: cannot be written: {}", folder.string(), std::strerror(errno)));
     }
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    if (flock(descriptor_, (kind == Kind::Shared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         close(descriptor_);
         throw UsageError(fmt::format("another suffuse is at work in {}", shown(folder.string())));
     }

@@ -4,6 +4,7 @@
 
 #include "apps/command_line.hpp"
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,14 @@ struct AskedRun {
     std::string case_file; ///< absolute
     std::string preset;
     std::vector<std::string> overrides;
+    std::optional<std::string> cache; ///< its folder, empty for none; nothing where the usual one was taken
 };
+
+/// Where stages are kept for a run in `folder`: in suffuse-cache beside it, shared by all runs there.
+std::filesystem::path cache_beside(const std::filesystem::path& folder);
+
+/// What the command line says of the cache, or `usual` where it says nothing; empty: none.
+std::filesystem::path cache_folder(const CommandLine& line, const std::filesystem::path& usual);
 
 /// Makes runs/NAME-0001, or the next free number; NAME is the folder of the case.
 std::filesystem::path make_run_folder(const std::filesystem::path& case_file);
@@ -27,10 +35,16 @@ void keep_asked(const std::filesystem::path& folder, const AskedRun& asked);
 /// @throws UsageError where no run began in `folder`.
 AskedRun read_asked(const std::filesystem::path& folder);
 
+/// Whether a suffuse works in the folder now.
+bool is_at_work(const std::filesystem::path& folder);
+
 /// Holds the folder for this program. @throws UsageError where another one works in it.
 class FolderLock {
 public:
-    explicit FolderLock(const std::filesystem::path& folder);
+    /// Shared: together with other programs that share it, each of which holds a folder in it for itself.
+    enum class Kind { Alone, Shared };
+
+    explicit FolderLock(const std::filesystem::path& folder, Kind kind = Kind::Alone);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;

@@ -15,7 +15,8 @@ using run::Range;
 
 constexpr std::chrono::milliseconds redraw_interval{100};
 constexpr std::chrono::seconds report_interval{30};
-constexpr std::size_t label_width = 14, longest_bar = 28, shortest_bar = 8;
+constexpr std::size_t label_width = 9, longest_bar = 28, shortest_bar = 8;
+constexpr std::size_t most_samples_shown = 4;
 
 struct ShownNumber {
     std::string_view key, label;
@@ -68,6 +69,40 @@ std::string doing(const Progress& progress) {
     return fmt::format("{}, step {}", part, count_text(progress.steps));
 }
 
+std::string samples_text(const Progress& latest) {
+    if (latest.samples < 2) {
+        return "";
+    }
+    const std::string failed = latest.samples_failed > 0 ? fmt::format(", {} FAILED", latest.samples_failed) : "";
+    return fmt::format("samples {}/{}{}", latest.samples_done, latest.samples, failed);
+}
+
+/// The only sample that runs: what it does, and its numbers below.
+void add_one(const Progress& progress, std::vector<std::string>& lines) {
+    const std::string rate = progress.particle_steps_per_second > 0
+                                 ? fmt::format("  {:.2g} grain-steps/s", progress.particle_steps_per_second)
+                                 : "";
+    lines.push_back(labelled("now", fmt::format("{}: {}{}", place_of(progress), doing(progress), rate)));
+    if (const std::string state = state_text(progress.state); !state.empty()) {
+        lines.push_back(labelled("state", state));
+    }
+}
+
+/// Several samples: a line for each, and one for those that find no room.
+void add_several(const Running& running, std::vector<std::string>& lines) {
+    std::size_t shown = 0;
+    for (const auto& [number, progress] : running) {
+        if (shown == most_samples_shown) {
+            lines.push_back(labelled("", fmt::format("and {} more", running.size() - shown)));
+            return;
+        }
+        const std::string label = shown++ == 0 ? "now" : "";
+        lines.push_back(
+            labelled(label, fmt::format("{}: {}  {}", place_of(progress), doing(progress), state_text(progress.state)))
+        );
+    }
+}
+
 } // namespace
 
 std::string state_text(const nlohmann::json& state) {
@@ -83,21 +118,22 @@ std::string state_text(const nlohmann::json& state) {
     return text;
 }
 
-std::vector<std::string>
-progress_lines(const Progress& progress, const Range& left, const std::string& hint, std::size_t width, bool utf8) {
-    const int done = progress.stage_number - (progress.stage_finished ? 0 : 1);
-    const double share = progress.stages > 0 ? static_cast<double>(done) / progress.stages : 0;
+std::vector<std::string> progress_lines(
+    const Progress& latest, const Running& running, const Range& left, const std::string& hint, std::size_t width,
+    bool utf8
+) {
+    const double share = latest.stages > 0 ? static_cast<double>(latest.stages_done) / latest.stages : 0;
     const std::size_t cells = std::clamp(width / 3, shortest_bar, longest_bar);
-    const std::string rate = progress.particle_steps_per_second > 0
-                                 ? fmt::format("  {:.2g} grain-steps/s", progress.particle_steps_per_second)
-                                 : "";
-    std::vector<std::string> lines{
-        labelled("stages", fmt::format("{} {}/{}", bar(share, cells, utf8), done, progress.stages)),
-        labelled("now", fmt::format("{}: {}{}", place_of(progress), doing(progress), rate)),
-        labelled("left", fmt::format("{:16} {}", duration_range_text(left), hint))};
-    if (const std::string state = state_text(progress.state); !state.empty()) {
-        lines.insert(lines.begin() + 2, labelled("state", state));
+    std::vector<std::string> lines{labelled(
+        "stages",
+        fmt::format("{} {}/{}   {}", bar(share, cells, utf8), latest.stages_done, latest.stages, samples_text(latest))
+    )};
+    if (running.size() == 1) {
+        add_one(running.begin()->second, lines);
+    } else {
+        add_several(running, lines);
     }
+    lines.push_back(labelled("left", fmt::format("{:16} {}", duration_range_text(left), hint)));
     for (std::string& line : lines) {
         line = clipped(line, width > 1 ? width - 1 : 1); // the last column would make some terminals begin a new line
     }
@@ -105,26 +141,53 @@ progress_lines(const Progress& progress, const Range& left, const std::string& h
 }
 
 std::string progress_line(const Progress& progress, const Range& left) {
-    const std::string at = fmt::format("{}/{} {}", progress.stage_number, progress.stages, place_of(progress));
+    if (!progress.failure.empty()) {
+        return fmt::format("{} FAILED: {}", place_of(progress), progress.failure);
+    }
+    const std::string at = fmt::format("{}/{} {}", progress.stages_done, progress.stages, place_of(progress));
     const std::string state = state_text(progress.state);
-    const std::string what =
-        progress.stage_finished ? fmt::format("done in {}", duration_text(progress.stage_seconds)) : doing(progress);
-    const bool is_last = progress.stage_finished && progress.stage_number == progress.stages;
+    const bool is_last = progress.stages_done == progress.stages;
     const std::string rest = is_last ? "" : fmt::format("  {} left", duration_range_text(left));
-    return fmt::format("{:32} {}{}{}{}", at, what, state.empty() ? "" : "  ", state, rest);
+    const std::string how = progress.from_cache ? "from the cache" : "done in " + duration_text(progress.stage_seconds);
+    return fmt::format("{:32} {}{}{}{}", at, how, state.empty() ? "" : "  ", state, rest);
+}
+
+std::string progress_line(const Progress& latest, const Running& running, const Range& left) {
+    std::string text = fmt::format("{}/{} ", latest.stages_done, latest.stages);
+    std::size_t shown = 0;
+    for (const auto& [number, progress] : running) {
+        if (shown == most_samples_shown) {
+            text += fmt::format("; and {} more", running.size() - shown);
+            break;
+        }
+        text += fmt::format("{}{}: {}", shown++ == 0 ? "" : "; ", place_of(progress), doing(progress));
+    }
+    if (running.size() == 1) {
+        text += "  " + state_text(running.begin()->second.state);
+    }
+    const std::string samples = samples_text(latest);
+    return fmt::format("{}  {}{}{} left", text, samples, samples.empty() ? "" : "  ", duration_range_text(left));
 }
 
 void ProgressView::show(const Progress& progress) {
     if (screen_.quiet) {
         return;
     }
-    if (progress.stage_finished) {
-        left_.learn(progress);
+    left_.see(progress);
+    if (progress.sample_ended) {
+        running_.erase(progress.sample);
+    } else {
+        running_[progress.sample] = progress;
+    }
+    const bool has_failed = !progress.failure.empty();
+    if (has_failed) { // not to be drawn over
+        clear();
+        screen_.write(progress_line(progress, left_.left()) + "\n");
     }
     const auto now = Clock::now();
     const bool is_first = shown_ == Clock::time_point{};
     if (screen_.redraws) {
-        if (!progress.stage_finished && !is_first && now - shown_ < redraw_interval) {
+        if (!progress.stage_finished && !has_failed && !is_first && now - shown_ < redraw_interval) {
             return;
         }
         redraw(progress);
@@ -139,8 +202,8 @@ void ProgressView::show(const Progress& progress) {
     shown_ = now;
 }
 
-void ProgressView::redraw(const Progress& progress) {
-    const auto lines = progress_lines(progress, left_.left(progress), hint_, screen_.width(), screen_.utf8);
+void ProgressView::redraw(const Progress& latest) {
+    const auto lines = progress_lines(latest, running_, left_.left(), hint_, screen_.width(), screen_.utf8);
     std::string text = drawn_ > 0 ? fmt::format("\x1b[{}A", drawn_) : "";
     for (const std::string& line : lines) {
         text += "\r\x1b[K" + line + "\n";
@@ -152,8 +215,9 @@ void ProgressView::redraw(const Progress& progress) {
     drawn_ = lines.size();
 }
 
-void ProgressView::report(const Progress& progress) {
-    screen_.write(progress_line(progress, left_.left(progress)) + "\n");
+void ProgressView::report(const Progress& latest) {
+    const Range left = left_.left();
+    screen_.write((latest.stage_finished ? progress_line(latest, left) : progress_line(latest, running_, left)) + "\n");
 }
 
 void ProgressView::clear() {

@@ -1,9 +1,11 @@
 #include "apps/terminal.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "apps/wording.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace suffuse::apps {
 namespace {
@@ -13,8 +15,11 @@ run::Progress somewhere() {
     progress.study = "fines-sweep/fc=20/rep=1";
     progress.stage = "shear";
     progress.verb = "triaxial";
+    progress.sample = 1;
+    progress.samples = 1;
     progress.stage_number = 2;
     progress.stages = 3;
+    progress.stages_done = 1;
     progress.part = "shear";
     progress.steps = 12'345;
     progress.stage_seconds = 60;
@@ -23,11 +28,23 @@ run::Progress somewhere() {
     return progress;
 }
 
+/// So many samples at the same place.
+Running several(int samples) {
+    Running running;
+    for (int k = 1; k <= samples; ++k) {
+        running[k] = somewhere();
+        running[k].sample = k;
+        running[k].study = fmt::format("fines-sweep/fc={}", k);
+    }
+    return running;
+}
+
 /// Three stages, 100 to 200 s each.
 run::RunPlan three_stages() {
     run::RunPlan plan;
     plan.stages.resize(3);
     for (run::StageEstimate& stage : plan.stages) {
+        stage.study = "one";
         stage.seconds = {100, 200};
     }
     return plan;
@@ -50,19 +67,22 @@ public:
 
 TEST(Terminal, NoLineIsWiderThanTheTerminal) {
     for (const std::size_t width : {1U, 10U, 40U, 80U, 200U}) {
-        const auto lines =
-            progress_lines(somewhere(), {60, 120}, "Ctrl-C saves; suffuse resume runs/x-0001", width, true);
-        EXPECT_GE(lines.size(), 3U);
-        EXPECT_LE(lines.size(), 6U);
-        for (const std::string& line : lines) {
-            EXPECT_LE(columns_of(line), width) << line;
+        for (const int samples : {1, 2, 64}) {
+            const auto lines = progress_lines(
+                somewhere(), several(samples), {60, 120}, "Ctrl-C saves; suffuse resume runs/x-0001", width, true
+            );
+            EXPECT_GE(lines.size(), 3U);
+            EXPECT_LE(lines.size(), 7U);
+            for (const std::string& line : lines) {
+                EXPECT_LE(columns_of(line), width) << line;
+            }
         }
     }
 }
 
 TEST(Terminal, AWideOneShowsEverythingThatMatters) {
     std::string text;
-    for (const std::string& line : progress_lines(somewhere(), {60, 120}, "the hint", 200, true)) {
+    for (const std::string& line : progress_lines(somewhere(), {{1, somewhere()}}, {60, 120}, "the hint", 200, true)) {
         text += line + "\n";
     }
     for (const std::string part :
@@ -73,7 +93,7 @@ TEST(Terminal, AWideOneShowsEverythingThatMatters) {
 }
 
 TEST(Terminal, WithoutUtf8EverythingIsAscii) {
-    for (const std::string& line : progress_lines(somewhere(), {60, 120}, "hint", 80, false)) {
+    for (const std::string& line : progress_lines(somewhere(), several(3), {60, 120}, "hint", 80, false)) {
         EXPECT_TRUE(std::all_of(line.begin(), line.end(), [](char c) { return c >= 0x20 && c < 0x7f; })) << line;
     }
 }
@@ -102,6 +122,7 @@ TEST(Terminal, APipeGetsOneLineAtAStagesEndWithoutControlCharacters) {
     EXPECT_EQ(seen.lines(), 0);
     run::Progress end = somewhere();
     end.stage_finished = true;
+    end.stages_done = 2;
     seen.view.show(end);
     EXPECT_EQ(seen.lines(), 1);
     EXPECT_EQ(seen.text.find('\x1b'), std::string::npos);
@@ -117,39 +138,90 @@ TEST(Terminal, QuietSaysNothing) {
     EXPECT_EQ(seen.text, "");
 }
 
+TEST(Terminal, ShowsALineForEachSampleThatRunsAndOneForTheRest) {
+    run::Progress latest = somewhere();
+    latest.samples = 26;
+    latest.samples_done = 5;
+    latest.samples_failed = 1;
+    std::string text;
+    for (const std::string& line : progress_lines(latest, several(6), {60, 120}, "hint", 200, true)) {
+        text += line + "\n";
+    }
+    for (const std::string part :
+         {"samples 5/26, 1 FAILED", "fines-sweep/fc=1/shear: shear, step 12,345  e 0.671", "fines-sweep/fc=4/shear",
+          "and 2 more"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+    }
+    EXPECT_EQ(text.find("fc=5"), std::string::npos);
+}
+
+TEST(Terminal, AFailureIsToldAtOnceAndStaysOnTheScreen) {
+    for (const bool redraws : {true, false}) {
+        Written seen(redraws);
+        seen.view.show(somewhere());
+        run::Progress failed = somewhere();
+        failed.sample_ended = true;
+        failed.failure = "the stress is out of reach";
+        seen.view.show(failed);
+        seen.view.clear();
+        const std::size_t at = seen.text.find("rep=1/shear FAILED: the stress is out of reach\n");
+        ASSERT_NE(at, std::string::npos) << seen.text;
+        EXPECT_EQ(seen.text.find("\x1b[5A", at), std::string::npos) << "drawn over";
+    }
+}
+
+/// A stage of the first plan, or its end.
+run::Progress at_stage(int number, double seconds, bool is_finished) {
+    run::Progress progress;
+    progress.study = "one";
+    progress.sample = progress.samples = 1;
+    progress.stage_number = number;
+    progress.stages = 3;
+    progress.stage_seconds = seconds;
+    progress.stage_finished = is_finished;
+    return progress;
+}
+
 TEST(TimeLeft, IsThePlanAtTheStartAndNothingAtTheEnd) {
     TimeLeft left(three_stages());
-    run::Progress progress;
-    progress.stage_number = 1;
-    progress.stages = 3;
-    EXPECT_DOUBLE_EQ(left.left(progress).least, 300);
-    EXPECT_DOUBLE_EQ(left.left(progress).most, 600);
-    progress.stage_number = 3;
-    progress.stage_finished = true;
-    EXPECT_DOUBLE_EQ(left.left(progress).most, 0);
+    EXPECT_DOUBLE_EQ(left.left().least, 300);
+    EXPECT_DOUBLE_EQ(left.left().most, 600);
+    for (const int number : {1, 2, 3}) {
+        left.see(at_stage(number, 100, true));
+    }
+    EXPECT_DOUBLE_EQ(left.left().most, 0);
 }
 
 TEST(TimeLeft, LearnsThatTheMachineIsSlowerThanPlanned) {
     TimeLeft left(three_stages());
-    run::Progress first;
-    first.stage_number = 1;
-    first.stages = 3;
-    first.stage_finished = true;
-    first.stage_seconds = 2 * std::sqrt(100.0 * 200.0); // twice the middle of its range
-    left.learn(first);
+    left.see(at_stage(1, 2 * std::sqrt(100.0 * 200.0), true)); // twice the middle of its range
     // Two stages are left, at nearly twice their price: the plan still weighs as much as five seconds of experience.
-    EXPECT_NEAR(left.left(first).least, 2 * 200, 0.05 * 400);
-    EXPECT_NEAR(left.left(first).most, 2 * 400, 0.05 * 800);
+    EXPECT_NEAR(left.left().least, 2 * 200, 0.05 * 400);
+    EXPECT_NEAR(left.left().most, 2 * 400, 0.05 * 800);
 }
 
 TEST(TimeLeft, AStageBeyondItsRangeStillTakesTime) {
-    const TimeLeft left(three_stages());
-    run::Progress late;
-    late.stage_number = 3;
-    late.stages = 3;
-    late.stage_seconds = 300; // of 100 to 200
-    EXPECT_DOUBLE_EQ(left.left(late).least, 0);
-    EXPECT_DOUBLE_EQ(left.left(late).most, 150);
+    run::RunPlan last = three_stages();
+    last.stages[0].seconds = last.stages[1].seconds = {};
+    TimeLeft left(last);
+    left.see(at_stage(3, 300, false)); // of 100 to 200
+    EXPECT_DOUBLE_EQ(left.left().least, 0);
+    EXPECT_DOUBLE_EQ(left.left().most, 150);
+}
+
+TEST(TimeLeft, IsSharedAmongSamplesButNoLessThanTheLongest) {
+    run::RunPlan plan = three_stages();
+    plan.speed.at_once = 2;
+    plan.stages[2].study = "two";
+    EXPECT_DOUBLE_EQ(TimeLeft(plan).left().most, 400); // the two stages of "one"; "two" runs beside them
+    plan.stages[1].study = "three";
+    EXPECT_DOUBLE_EQ(TimeLeft(plan).left().most, 300); // three samples in two rows, if they could be cut
+    TimeLeft left(plan);
+    run::Progress failed = at_stage(1, 10, false);
+    failed.sample_ended = true;
+    failed.failure = "why";
+    left.see(failed);
+    EXPECT_DOUBLE_EQ(left.left().most, 200); // what it left undone will not be done
 }
 
 } // namespace

@@ -14,38 +14,44 @@ double middle(const run::Range& range) {
 
 } // namespace
 
-const run::StageEstimate* TimeLeft::stage_of(const run::Progress& progress) const {
-    const auto row = static_cast<std::size_t>(progress.stage_number - 1);
-    return progress.stage_number >= 1 && row < plan_.stages.size() ? &plan_.stages[row] : nullptr;
-}
-
 double TimeLeft::correction() const {
     return (taken_ + trust) / (expected_ + trust);
 }
 
-void TimeLeft::learn(const run::Progress& progress) {
-    if (const run::StageEstimate* stage = stage_of(progress)) {
-        taken_ += progress.stage_seconds;
-        expected_ += middle(stage->seconds);
+void TimeLeft::see(const run::Progress& progress) {
+    const auto row = static_cast<Row>(progress.stage_number - 1);
+    const bool is_known = progress.stage_number >= 1 && row < plan_.stages.size();
+    if (progress.sample_ended) { // what a failed sample leaves undone will not be done
+        for (Row k = 0; k < plan_.stages.size(); ++k) {
+            if (plan_.stages[k].study == progress.study) {
+                plan_.stages[k].seconds = {};
+                running_.erase(k);
+            }
+        }
+    } else if (is_known && progress.stage_finished) {
+        if (!progress.from_cache) {
+            taken_ += progress.stage_seconds;
+            expected_ += middle(plan_.stages[row].seconds);
+        }
+        plan_.stages[row].seconds = {};
+        running_.erase(row);
+    } else if (is_known) {
+        running_[row] = progress.stage_seconds;
     }
 }
 
-run::Range TimeLeft::left(const run::Progress& progress) const {
-    const double factor = correction(), gone = progress.stage_finished ? 0 : progress.stage_seconds;
-    run::Range left;
-    for (std::size_t row = 0; row < plan_.stages.size(); ++row) {
-        const auto number = static_cast<int>(row) + 1;
-        run::Range stage{factor * plan_.stages[row].seconds.least, factor * plan_.stages[row].seconds.most};
-        if (number < progress.stage_number || (number == progress.stage_number && progress.stage_finished)) {
-            continue;
-        }
-        if (number == progress.stage_number) {
-            // A stage beyond its range has as yet shown no end: up to half of what it took may follow.
-            stage = {std::max(stage.least - gone, 0.0), std::max(stage.most - gone, 0.5 * gone)};
-        }
-        left += stage;
+run::Range TimeLeft::left() const {
+    const double factor = correction();
+    std::vector<run::StageEstimate> stages = plan_.stages;
+    for (run::StageEstimate& stage : stages) {
+        stage.seconds = {factor * stage.seconds.least, factor * stage.seconds.most};
     }
-    return left;
+    for (const auto& [row, gone] : running_) {
+        // A stage beyond its range has as yet shown no end: up to half of what it took may follow.
+        run::Range& rest = stages[row].seconds;
+        rest = {std::max(rest.least - gone, 0.0), std::max(rest.most - gone, 0.5 * gone)};
+    }
+    return run::side_by_side(stages, plan_.speed.at_once);
 }
 
 } // namespace suffuse::apps

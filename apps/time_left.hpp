@@ -1,8 +1,11 @@
 #pragma once
-// How long a run will still take: the plan's ranges, corrected by what the finished stages took against them.
+// How long a run will still take: the plan's ranges, corrected by what the finished stages took against them, and
+// shared among the samples that run side by side.
 
 #include "suffuse/run/plan.hpp"
 #include "suffuse/run/runner.hpp"
+
+#include <map>
 
 namespace suffuse::apps {
 
@@ -10,19 +13,20 @@ class TimeLeft {
 public:
     explicit TimeLeft(run::RunPlan plan) : plan_(std::move(plan)) {}
 
-    /// Learns from a stage that is done.
-    void learn(const run::Progress& progress);
+    /// Learns where a sample is, and from a stage that is done.
+    void see(const run::Progress& progress);
 
-    /// From where the run is now [s].
-    [[nodiscard]] run::Range left(const run::Progress& progress) const;
+    /// From what was seen last [s].
+    [[nodiscard]] run::Range left() const;
 
 private:
-    [[nodiscard]] const run::StageEstimate* stage_of(const run::Progress& progress) const;
+    using Row = std::size_t;
 
     /// Wall time over the middle of the plan's range, of the stages that are done [-].
     [[nodiscard]] double correction() const;
 
     run::RunPlan plan_;
+    std::map<Row, double> running_;   ///< stage -> seconds that it took so far
     double taken_ = 0, expected_ = 0; ///< by the stages that are done [s]
 };
 

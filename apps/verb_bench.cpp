@@ -28,7 +28,7 @@ std::string lines_of(const nlohmann::json& json, const std::string& prefix = "")
 } // namespace
 
 int bench_verb(const CommandLine& line, const Console& console) {
-    const run::BenchPacking packing{line.packing, cell_of(line.cell), line.replicate};
+    const run::BenchPacking packing{line.packing, line.cell.empty() ? Mat3{} : cell_of(line.cell), line.replicate};
     nlohmann::json result;
     set_threads(line.threads);
     if (line.bench == "step") {

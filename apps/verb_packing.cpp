@@ -7,6 +7,7 @@
 #include "suffuse/io/packing_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/exit_code.hpp"
 #include "apps/verbs.hpp"
@@ -28,6 +29,8 @@ describe(const io::ImportedPacking& read, const std::optional<cell::Cell>& cell,
     nlohmann::json json = {
         {"file", file}, {"grains", read.grains.size()}, {"radius", {*least, *most}}, {"warnings", read.warnings}};
     if (cell) {
+        const Mat3& h = cell->h; // rows of the matrix whose columns are the cell vectors
+        json["cell"] = {{h(0, 0), h(0, 1), h(0, 2)}, {h(1, 0), h(1, 1), h(1, 2)}, {h(2, 0), h(2, 1), h(2, 2)}};
         const double solid = grains::solid_volume(read.grains), volume = cell::volume(*cell);
         json["porosity"] = 1 - solid / volume;
         json["void_ratio"] = volume / solid - 1;
@@ -51,24 +54,31 @@ std::string sentence(const nlohmann::json& about) {
     return text;
 }
 
-std::string format_of(const CommandLine& line) {
-    const std::vector<std::string> formats{"csv", "yade", "xyz"};
-    std::string format = line.format;
-    if (format.empty()) {
-        const std::string ending = fs::path(line.output).extension().string();
-        format = ending == ".csv" ? "csv" : ending == ".txt" ? "yade" : ending == ".xyz" ? "xyz" : "";
-        if (format.empty()) {
-            throw UsageError(
-                fmt::format("{} does not say its format; give --format csv, yade or xyz", shown(line.output))
-            );
-        }
+/// Of what is written: as asked, or by the file's ending.
+io::PackingFormat format_of(const CommandLine& line) {
+    const std::vector<std::string> names = io::packing_format_names();
+    const auto format =
+        line.format.empty() ? io::packing_format_of_file(line.output) : io::packing_format_of_name(line.format);
+    if (format) {
+        return *format;
     }
-    if (std::find(formats.begin(), formats.end(), format) == formats.end()) {
-        throw UsageError(
-            fmt::format("unknown format {}{}; there are csv, yade, xyz", shown(format), near_hint(format, formats))
-        );
+    if (line.format.empty()) {
+        throw UsageError(fmt::format(
+            "{} does not say its format by its ending; give --format, one of {}", shown(line.output),
+            fmt::join(names, ", ")
+        ));
     }
-    return format;
+    throw UsageError(fmt::format(
+        "unknown format {}{}; there are {}", shown(line.format), near_hint(line.format, names), fmt::join(names, ", ")
+    ));
+}
+
+/// The grains that were read, as far as they are known: enough to write them in any format.
+dem::World world_of(const io::ImportedPacking& read, const std::optional<cell::Cell>& cell) {
+    dem::World world;
+    world.grains = read.grains;
+    world.cell = cell.value_or(cell::Cell{});
+    return world;
 }
 
 } // namespace
@@ -84,7 +94,14 @@ int import_verb(const CommandLine& line, const Console& console) {
         console.talk("warning: " + warning);
     }
     if (!line.output.empty()) {
-        io::export_csv(line.output, read.grains);
+        const io::PackingFormat format = format_of(line);
+        if (!cell && format != io::PackingFormat::Csv && format != io::PackingFormat::Yade) {
+            throw UsageError(fmt::format(
+                "{} carries no cell, and {} is written with one; give --cell LX,LY,LZ", shown(line.subject),
+                shown(line.output)
+            ));
+        }
+        io::export_packing(line.output, world_of(read, cell), format);
         about["written"] = line.output;
     }
     console.result(sentence(about));
@@ -96,20 +113,14 @@ int import_verb(const CommandLine& line, const Console& console) {
 }
 
 int export_verb(const CommandLine& line, const Console& console) {
-    const std::string format = format_of(line);
+    const io::PackingFormat format = format_of(line);
     const fs::path given = line.subject;
     const fs::path state = fs::is_directory(given) ? given / "state.h5" : given;
     dem::World world = io::load_world(state).world;
     dem::sort_by_id(world);
-    if (format == "csv") {
-        io::export_csv(line.output, world.grains);
-    } else if (format == "yade") {
-        io::export_yade(line.output, world.grains);
-    } else {
-        io::export_extended_xyz(line.output, world.grains, world.cell);
-    }
+    io::export_packing(line.output, world, format);
     console.result(fmt::format("{}: {} grains", line.output, count_text(std::ssize(world.grains.radius))));
-    console.document(json_text({{"written", line.output}, {"format", format}, {"grains", world.grains.size()}}));
+    console.document(json_text({{"written", line.output}, {"grains", world.grains.size()}}));
     return Done;
 }
 

@@ -1,8 +1,11 @@
 // plan: what a case would cost.
 
+#include "suffuse/run/samples.hpp"
+
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/run_folder.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
@@ -34,6 +37,10 @@ std::vector<std::string> shortages(const run::RunPlan& plan) {
     return found;
 }
 
+std::string source_of(const run::StageEstimate& stage) {
+    return stage.is_cached ? "in the cache" : stage.basis;
+}
+
 std::string table_of(const run::RunPlan& plan) {
     std::size_t width = 20;
     for (const run::StageEstimate& stage : plan.stages) {
@@ -45,10 +52,93 @@ std::string table_of(const run::RunPlan& plan) {
     for (const run::StageEstimate& stage : plan.stages) {
         text += fmt::format(
             "{:{}}{:10}{:>8}  {:>16}  {:>12}  {}\n", stage.study + "/" + stage.stage, width, stage.verb,
-            count_text(stage.grains), steps_text(stage.steps), duration_range_text(stage.seconds), stage.basis
+            count_text(stage.grains), steps_text(stage.steps), duration_range_text(stage.seconds), source_of(stage)
         );
     }
     return text;
+}
+
+/// One row of the matrix: a sample, all its stages together.
+struct SampleRow {
+    std::string name;
+    std::uint64_t seed = 0;
+    std::int64_t grains = 0;
+    run::Range steps, seconds;
+    double memory = 0, disk = 0;
+    int stages = 0, cached = 0;
+};
+
+std::vector<SampleRow> rows_of(const casefile::Case& what, const run::RunPlan& plan) {
+    std::vector<SampleRow> rows;
+    for (const run::Sample& sample : run::list_samples(what)) {
+        SampleRow row{sample.variant->folder, sample.variant->seed, 0, {}, {}, 0, 0, sample.stages, 0};
+        for (int k = 0; k < sample.stages; ++k) {
+            const run::StageEstimate& stage = plan.stages.at(static_cast<std::size_t>(sample.first_stage - 1 + k));
+            row.grains = std::max(row.grains, stage.grains);
+            row.steps += stage.steps;
+            row.seconds += stage.seconds;
+            row.memory = std::max(row.memory, stage.memory);
+            row.disk += stage.disk;
+            row.cached += stage.is_cached ? 1 : 0;
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::string matrix_of(const std::vector<SampleRow>& rows) {
+    std::size_t width = 12;
+    for (const SampleRow& row : rows) {
+        width = std::max(width, row.name.size() + 2);
+    }
+    std::string text = fmt::format(
+        "{:{}}{:>8}  {:>16}  {:>12}  {:>8}  {:>8}  {:>10}\n", "sample", width, "grains", "steps", "time", "memory",
+        "disk", "in cache"
+    );
+    for (const SampleRow& row : rows) {
+        text += fmt::format(
+            "{:{}}{:>8}  {:>16}  {:>12}  {:>8}  {:>8}  {:>10}\n", row.name, width, count_text(row.grains),
+            steps_text(row.steps), duration_range_text(row.seconds), size_text(row.memory), size_text(row.disk),
+            row.cached == 0 ? "" : fmt::format("{}/{}", row.cached, row.stages)
+        );
+    }
+    return text;
+}
+
+nlohmann::json rows_json(const std::vector<SampleRow>& rows) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const SampleRow& row : rows) {
+        list.push_back(
+            {{"sample", row.name},
+             {"seed", row.seed},
+             {"grains", row.grains},
+             {"steps", {row.steps.least, row.steps.most}},
+             {"seconds", {row.seconds.least, row.seconds.most}},
+             {"memory", row.memory},
+             {"disk", row.disk},
+             {"stages", row.stages},
+             {"cached", row.cached}}
+        );
+    }
+    return list;
+}
+
+/// What a plan cannot know yet: samples that the results will ask for.
+void tell_refinements(const casefile::Case& what, const Console& console) {
+    for (const casefile::Study& study : what.studies) {
+        if (!study.refine) {
+            continue;
+        }
+        const auto sweep = std::find_if(study.sweep.begin(), study.sweep.end(), [&](const casefile::Sweep& s) {
+            return s.key == study.refine->key;
+        });
+        const std::size_t curves = study.refine->at.size() * study.variants.size() / sweep->values.size();
+        console.talk(fmt::format(
+            "refine adds up to {} to study {}, around the {} of {}",
+            plural(static_cast<std::ptrdiff_t>(2 * static_cast<std::size_t>(study.refine->add) * curves), "sample"),
+            study.name, study.refine->maximum ? "maximum" : "minimum", study.refine->of
+        ));
+    }
 }
 
 } // namespace
@@ -56,18 +146,40 @@ std::string table_of(const run::RunPlan& plan) {
 int plan_verb(const CommandLine& line, const Console& console) {
     const casefile::Case what = load_asked_case(line, console);
     set_threads(line.threads);
-    const run::RunPlan plan = run::plan_run(what, run::measure_speed(run::largest_sample(what)));
+    run::RunPlan plan = plan_case(what, run::samples_at_once(what));
+    const std::filesystem::path cache = cache_folder(line, cache_beside("runs/new"));
+    run::leave_out_done(plan, what, {}, run::StageCache(cache));
+    const std::vector<SampleRow> rows = rows_of(what, plan);
     const std::vector<std::string> warnings = shortages(plan);
     for (const std::string& warning : warnings) {
         console.talk("warning: " + warning);
     }
-    console.result(table_of(plan));
+    if (rows.size() > 1) {
+        console.result(matrix_of(rows));
+        console.detail(table_of(plan));
+    } else {
+        console.result(table_of(plan));
+    }
     console.result(fmt::format("{}\n", plan_sentence(plan)));
     console.talk(fmt::format(
         "priced at {:.2g} grain-steps/s, measured now with {} on {} grains", plan.speed.particle_steps_per_second,
         plural(plan.speed.threads, "thread"), count_text(plan.speed.grains)
     ));
+    const auto cached =
+        std::count_if(plan.stages.begin(), plan.stages.end(), [](const auto& s) { return s.is_cached; });
+    if (plan.speed.at_once > 1) {
+        console.talk(fmt::format(
+            "{} samples at a time, {} each{}", plan.speed.at_once, plural(plan.speed.threads, "thread"),
+            console.is_verbose() ? "" : "; -v lists their stages"
+        ));
+    }
+    tell_refinements(what, console);
+    if (cached > 0) {
+        console.talk(fmt::format("{} are in {}: they take no time", plural(cached, "stage"), cache.string()));
+    }
     nlohmann::json json = plan;
+    json["samples"] = rows_json(rows);
+    json["cache"] = cache.string();
     json["case"] = line.subject;
     json["preset"] = what.preset;
     json["warnings"] = warnings;

@@ -2,13 +2,18 @@
 
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/casefile/read_text.hpp"
+#include "suffuse/run/refine.hpp"
 #include "suffuse/run/runner.hpp"
+#include "suffuse/run/samples.hpp"
+#include "suffuse/run/stage_cache.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/failures.hpp"
 #include "apps/page_folder.hpp"
+#include "apps/progress_file.hpp"
 #include "apps/run_folder.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/terminal.hpp"
@@ -18,6 +23,9 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace suffuse::apps {
 namespace {
@@ -29,6 +37,7 @@ struct Job {
     casefile::Case what;
     fs::path folder;
     std::string case_text;
+    fs::path cache; ///< empty: none
     run::RunPlan plan;
 };
 
@@ -61,19 +70,45 @@ double limit_of(const std::string& text) {
     return limit;
 }
 
-/// The plan without what the folder holds already, or what comes after the stage asked for as the last.
-run::RunPlan plan_rest(const casefile::Case& what, const fs::path& folder, const std::string& until) {
-    run::RunPlan plan = run::plan_run(what, run::measure_speed(run::largest_sample(what)));
-    plan.steps = plan.seconds = {};
-    bool is_over = false;
-    for (run::StageEstimate& stage : plan.stages) {
-        if (is_over || fs::exists(folder / "studies" / stage.study / stage.stage / "stage.json")) {
-            stage.steps = stage.seconds = {};
-        }
-        is_over = is_over || stage.stage == until;
-        plan.steps += stage.steps;
-        plan.seconds += stage.seconds;
+/// Folder of the sample that is asked for alone. @throws UsageError where there is no such sample.
+std::optional<fs::path> check_sample(const casefile::Case& what, const fs::path& folder, const std::string& name) {
+    if (name.empty()) {
+        return std::nullopt;
     }
+    std::vector<std::string> names;
+    for (const run::Sample& sample : run::list_samples(what)) {
+        names.push_back(sample.variant->folder);
+    }
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+        throw UsageError(fmt::format(
+            "--sample {}: the run has no such sample{}; suffuse plan lists them", shown(name), near_hint(name, names)
+        ));
+    }
+    fs::create_directories(folder / "studies" / name);
+    return folder / "studies" / name;
+}
+
+/// The plan without what the folder or the cache holds, what comes after the stage asked for as the last, and other
+/// samples than the one asked for alone.
+run::RunPlan plan_rest(
+    const casefile::Case& what, const fs::path& folder, const fs::path& cache, const std::string& until,
+    const std::string& only = {}
+) {
+    run::RunPlan plan = plan_case(what, only.empty() ? run::samples_at_once(what) : 1);
+    std::set<std::pair<std::string, std::string>> asked; // sample and stage
+    for (const run::Sample& sample : run::list_samples(what, until)) {
+        const bool is_asked = only.empty() || sample.variant->folder == only;
+        for (int row = 0; is_asked && row < sample.stages; ++row) {
+            asked.emplace(sample.variant->folder, sample.variant->stages[static_cast<std::size_t>(row)].name);
+        }
+    }
+    for (run::StageEstimate& stage : plan.stages) {
+        if (!asked.contains({stage.study, stage.stage})) {
+            stage.steps = stage.seconds = {};
+            stage.memory = stage.disk = 0;
+        }
+    }
+    run::leave_out_done(plan, what, folder, run::StageCache(cache));
     return plan;
 }
 
@@ -139,6 +174,8 @@ Ending ending_of(run::Outcome outcome) {
         return {"done", Done};
     case run::Outcome::DoneWithFlaws:
         return {"done with flaws", Flawed};
+    case run::Outcome::SomeFailed:
+        return {"failed in part", Failed};
     case run::Outcome::Stopped:
         return {"stopped", signal_exit_code()};
     case run::Outcome::TimeLimit:
@@ -147,14 +184,30 @@ Ending ending_of(run::Outcome outcome) {
     throw Bug("an outcome without a name");
 }
 
-int tell_end(const Job& job, const run::RunReport& report, double seconds, const Console& console) {
-    const auto [word, code] = ending_of(report.outcome);
-    const bool is_done = code == Done || code == Flawed;
-    if (is_done) {
+bool is_resumable(run::Outcome outcome) {
+    return outcome == run::Outcome::Stopped || outcome == run::Outcome::TimeLimit;
+}
+
+int tell_end(
+    const Job& job, const CommandLine& line, const run::RunReport& report, double seconds, const Console& console
+) {
+    const auto [word, usual_code] = ending_of(report.outcome);
+    const bool has_failed = report.outcome == run::Outcome::SomeFailed;
+    const int code = has_failed ? code_of(report.failures) : usual_code;
+    if (!line.sample.empty() && !is_resumable(report.outcome)) {
+        console.result(fmt::format(
+            "{}: {} in {}; suffuse sweep --collect {} gathers", line.sample, word, duration_text(seconds),
+            job.folder.string()
+        ));
+    } else if (has_failed || code == Done || code == Flawed) {
         tell_results(report, fmt::format("{} in {}", word, duration_text(seconds)), console);
     } else {
         console.talk(fmt::format("{} after {}", word, duration_text(seconds)));
-        console.result(fmt::format("resume with: suffuse resume {}", job.folder.string()));
+        const std::string sample = line.sample.empty() ? "" : " --sample " + line.sample;
+        console.result(fmt::format("resume with: suffuse resume {}{}", job.folder.string(), sample));
+    }
+    if (!report.failures.empty()) {
+        tell_failures(report.failures, std::ssize(run::list_samples(job.what)), job.folder, console);
     }
     console.document(json_text(
         {{"outcome", word},
@@ -164,6 +217,7 @@ int tell_end(const Job& job, const run::RunReport& report, double seconds, const
          {"wall_seconds", seconds},
          {"warnings", report.warnings},
          {"flaws", report.flaws},
+         {"failures", failures_json(report.failures)},
          {"findings", report.findings}}
     ));
     return code;
@@ -173,36 +227,50 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
     run::RunOptions options;
     options.folder = job.folder;
     options.until = line.until;
+    options.sample = line.sample;
     options.time_limit = limit_of(line.time_limit);
     options.stop = &stop_flag();
+    options.cache = job.cache;
     options.page_folder = page_folder();
     options.case_text = job.case_text;
     options.command = line.typed;
     ProgressView view(
         standard_error(console), job.plan, "Ctrl-C saves and stops; suffuse resume " + job.folder.string()
     );
+    ProgressFile published(line.sample.empty() ? job.folder : job.folder / "studies" / line.sample, job.plan);
     bool told_stop = false;
     options.on_progress = [&](const run::Progress& progress) {
         if (stop_flag() && !std::exchange(told_stop, true)) {
             view.begin_anew();
         } // the signal's message stands below
         view.show(progress);
+        published.show(progress);
     };
     const auto start = std::chrono::steady_clock::now();
     const run::RunReport report = run::run_case(job.what, options);
     view.clear();
     return tell_end(
-        job, report, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), console
+        job, line, report, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), console
     );
 }
 
 void tell_plan(const Job& job, const std::string& verb, const Console& console) {
     console.talk(fmt::format(
-        "case  {}   preset {}   seed {}   {}", job.what.title.empty() ? "without a title" : job.what.title,
-        job.what.preset, job.what.seed, plural(thread_count(), "thread")
+        "case  {}   preset {}   seed {}   {}{}", job.what.title.empty() ? "without a title" : job.what.title,
+        job.what.preset, job.what.seed, plural(thread_count(), "thread"),
+        job.plan.speed.at_once > 1 ? fmt::format("   {} samples at once", job.plan.speed.at_once) : ""
     ));
     console.talk(fmt::format("plan  {}", plan_sentence(job.plan)));
     console.talk(fmt::format("{:5} {}", verb, job.folder.string()));
+    const auto cached = std::count_if(job.plan.stages.begin(), job.plan.stages.end(), [](const auto& stage) {
+        return stage.is_cached;
+    });
+    if (cached > 0) {
+        console.talk(fmt::format(
+            "cache {}   holds {} of the {}; --no-cache computes all", job.cache.string(), cached,
+            plural(std::ssize(job.plan.stages), "stage")
+        ));
+    }
 }
 
 /// What a larger preset would cost, and where to go from here.
@@ -226,7 +294,8 @@ int run_verb(const CommandLine& line, const Console& console) {
     check_until(job.what, line.until);
     job.case_text = casefile::read_whole_file(line.subject);
     set_threads(line.threads);
-    job.plan = plan_rest(job.what, line.output, line.until);
+    job.cache = cache_folder(line, cache_beside(line.output.empty() ? "runs/new" : line.output));
+    job.plan = plan_rest(job.what, line.output, job.cache, line.until);
     if (line.output.empty()) {
         job.folder = make_run_folder(line.subject);
     } else {
@@ -235,7 +304,11 @@ int run_verb(const CommandLine& line, const Console& console) {
     }
     const FolderLock lock(job.folder);
     if (!fs::exists(job.folder / "run_options.json")) {
-        keep_asked(job.folder, {fs::absolute(line.subject).string(), line.preset, line.overrides});
+        const bool is_asked = line.no_cache || !line.cache.empty();
+        keep_asked(
+            job.folder, {fs::absolute(line.subject).string(), line.preset, line.overrides,
+                         is_asked ? std::optional(job.cache.string()) : std::nullopt}
+        );
     }
     tell_plan(job, "into", console);
     const int code = conduct(job, line, console);
@@ -252,8 +325,13 @@ int resume_verb(const CommandLine& line, const Console& console) {
     const fs::path resolved = folder / "case.resolved.toml";
     Job job;
     job.folder = folder;
+    fs::path usual_cache = cache_beside(folder);
+    if (fs::exists(folder / "run_options.json")) {
+        usual_cache = read_asked(folder).cache.value_or(usual_cache.string());
+    }
+    job.cache = cache_folder(line, usual_cache);
     if (fs::exists(resolved)) {
-        job.what = casefile::load_case(resolved.string()).value;
+        job.what = run::load_run(folder);
     } else { // stopped before it really began
         const AskedRun asked = read_asked(folder);
         job.what = casefile::load_case(asked.case_file, {asked.preset, asked.overrides}).value;
@@ -261,8 +339,10 @@ int resume_verb(const CommandLine& line, const Console& console) {
     }
     check_until(job.what, line.until);
     set_threads(line.threads);
-    const FolderLock lock(folder);
-    job.plan = plan_rest(job.what, folder, line.until);
+    const auto own = check_sample(job.what, folder, line.sample);
+    const FolderLock lock(folder, own ? FolderLock::Kind::Shared : FolderLock::Kind::Alone);
+    const std::optional<FolderLock> own_lock = own ? std::optional<FolderLock>(std::in_place, *own) : std::nullopt;
+    job.plan = plan_rest(job.what, folder, job.cache, line.until, line.sample);
     tell_plan(job, "in", console);
     return conduct(job, line, console);
 }
@@ -276,7 +356,7 @@ int report_verb(const CommandLine& line, const Console& console) {
          {"flaws", report.flaws},
          {"findings", report.findings}}
     ));
-    return report.flaws.empty() ? Done : Flawed;
+    return ending_of(report.outcome).code;
 }
 
 } // namespace suffuse::apps

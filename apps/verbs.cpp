@@ -19,10 +19,10 @@ int perform(const CommandLine& line, const Console& console) {
     };
 
     constexpr Verb verbs[] = {
-        {"run", run_verb},         {"resume", resume_verb}, {"report", report_verb},   {"new", new_verb},
-        {"check", check_verb},     {"plan", plan_verb},     {"explain", explain_verb}, {"schema", schema_verb},
-        {"bench", bench_verb},     {"import", import_verb}, {"export", export_verb},   {"assess", assess_verb},
-        {"figures", figures_verb},
+        {"sweep", sweep_verb},     {"cache", cache_verb},     {"run", run_verb},     {"resume", resume_verb},
+        {"report", report_verb},   {"new", new_verb},         {"check", check_verb}, {"plan", plan_verb},
+        {"explain", explain_verb}, {"schema", schema_verb},   {"bench", bench_verb}, {"import", import_verb},
+        {"export", export_verb},   {"figures", figures_verb}, {"watch", watch_verb}, {"assess", assess_verb},
     };
     for (const Verb& verb : verbs) {
         if (verb.name == line.verb) {
@@ -43,6 +43,11 @@ casefile::Case load_asked_case(const CommandLine& line, const Console& console) 
 void set_threads(int asked) {
     const auto cores = static_cast<int>(std::thread::hardware_concurrency());
     set_thread_count(asked > 0 ? asked : std::max(cores, 1));
+}
+
+run::RunPlan plan_case(const casefile::Case& what, int at_once) {
+    constexpr double window = 0.3; // [s]
+    return run::plan_run(what, run::measure_speed(run::largest_sample(what), window, at_once));
 }
 
 std::string plan_sentence(const run::RunPlan& plan) {

@@ -15,6 +15,8 @@ namespace suffuse::apps {
 /// Does what the command line says. @throws UsageError, and the errors of the library.
 int perform(const CommandLine& line, const Console& console);
 
+int sweep_verb(const CommandLine& line, const Console& console);
+int cache_verb(const CommandLine& line, const Console& console);
 int new_verb(const CommandLine& line, const Console& console);
 int check_verb(const CommandLine& line, const Console& console);
 int explain_verb(const CommandLine& line, const Console& console);
@@ -24,6 +26,7 @@ int run_verb(const CommandLine& line, const Console& console);
 int resume_verb(const CommandLine& line, const Console& console);
 int report_verb(const CommandLine& line, const Console& console);
 int figures_verb(const CommandLine& line, const Console& console);
+int watch_verb(const CommandLine& line, const Console& console);
 int bench_verb(const CommandLine& line, const Console& console);
 int import_verb(const CommandLine& line, const Console& console);
 int export_verb(const CommandLine& line, const Console& console);
@@ -34,6 +37,10 @@ casefile::Case load_asked_case(const CommandLine& line, const Console& console);
 
 /// Sets the number of threads: as asked, or one for each core.
 void set_threads(int asked);
+
+/// What the case will cost with the threads that were set, priced by a measurement.
+/// @param at_once samples that run side by side
+run::RunPlan plan_case(const casefile::Case& what, int at_once);
 
 /// "2 studies, 12 stages, 2.1e6 steps: 3-5 min, 410 MB memory, 180 MB disk".
 std::string plan_sentence(const run::RunPlan& plan);

@@ -56,12 +56,22 @@ struct Variant {
     std::vector<Stage> stages;
 };
 
+/// Values that are added to a sweep when its own have been run: on both sides of the extreme of a measured curve.
+struct Refine {
+    std::string key;             ///< that is swept
+    bool maximum = false;        ///< where the curve is highest, instead of lowest
+    std::string of;              ///< a number of stage.json, its mean over the replicates
+    std::vector<std::string> at; ///< stages; each has its own curve
+    int add = 1;                 ///< values between the extreme and each of its neighbors, evenly spaced
+};
+
 struct Study {
     std::string name;
     std::string soil;           ///< name of a soil of the case; empty where the grains are imported
     std::int64_t particles = 0; ///< 0 where the grains are imported
     std::vector<Sweep> sweep;
     int replicates = 1;
+    std::optional<Refine> refine;
     std::vector<Stage> stages;     ///< as written, sweeps not applied
     std::vector<Variant> variants; ///< at least one
 };

@@ -14,15 +14,27 @@
 
 namespace suffuse::casefile::testing {
 
-/// A folder of its own for a test, with the data files that cases ask for.
+/// A folder of this process with the data files that cases ask for; goes with the process.
+struct DataFolder {
+    std::string path = ::testing::TempDir() + "suffuse_casefile_" + std::to_string(::getpid());
+
+    DataFolder() {
+        std::filesystem::create_directories(path + "/data");
+        std::ofstream(path + "/data/sand.csv") << "d [mm],passing [%]\n0.1,0\n0.2,50\n0.4,100\n";
+        std::ofstream(path + "/data/silt.csv") << "d [mm],passing [%]\n0.05,0\n0.06,100\n";
+        std::ofstream(path + "/data/points.csv") << "x,y\n";
+        std::ofstream(path + "/packing.csv") << "x,y,z,r\n0,0,0,1e-3\n";
+    }
+
+    DataFolder(const DataFolder&) = delete;
+    DataFolder& operator=(const DataFolder&) = delete;
+
+    ~DataFolder() { std::filesystem::remove_all(path); }
+};
+
 inline std::string data_folder() {
-    const std::string folder = ::testing::TempDir() + "suffuse_casefile_" + std::to_string(::getpid());
-    std::filesystem::create_directories(folder + "/data");
-    std::ofstream(folder + "/data/sand.csv") << "d [mm],passing [%]\n0.1,0\n0.2,50\n0.4,100\n";
-    std::ofstream(folder + "/data/silt.csv") << "d [mm],passing [%]\n0.05,0\n0.06,100\n";
-    std::ofstream(folder + "/data/points.csv") << "x,y\n";
-    std::ofstream(folder + "/packing.csv") << "x,y,z,r\n0,0,0,1e-3\n";
-    return folder;
+    static const DataFolder folder;
+    return folder.path;
 }
 
 /// What loading finds, errors and warnings; empty where all is well.
@@ -105,6 +117,7 @@ fines = "kenney-lau"
 soil = "two"
 particles = 200_000
 sweep = { fines_content = ["10 %", 0.2], "stage.initial.pressure" = ["50 kPa", "100 kPa"] }
+refine = { key = "fines_content", around = "minimum", of = "void_ratio", at = ["initial"], add = 2 }
 replicates = 2
 [[study.main.stage]]
 name = "cloud"

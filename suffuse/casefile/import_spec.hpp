@@ -9,7 +9,7 @@ namespace suffuse::casefile {
 
 struct ImportSpec {
     std::string path;         ///< of the packing file, absolute
-    Mat3 cell = {};           ///< columns are the cell vectors [m]
+    Mat3 cell = {};           ///< columns are the cell vectors [m]; zeros: the file's own
     double max_overlap = 0.1; ///< largest overlap that is accepted / radius of the smaller grain [-]
     std::string place;        ///< where the case asks for it, "case.toml:31:11", for messages
 };

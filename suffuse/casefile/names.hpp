@@ -65,6 +65,7 @@ inline constexpr std::array snapshots = {
     Word<Snapshots::When>{Snapshots::When::PerStage, "per-stage"},
     Word<Snapshots::When>{Snapshots::When::Never, "none"}};
 
+inline constexpr std::array extreme = {Word<bool>{false, "minimum"}, Word<bool>{true, "maximum"}};
 inline constexpr std::array size_axis = {Word<bool>{false, "left-to-right"}, Word<bool>{true, "reversed"}};
 inline constexpr std::array dilation = {Word<bool>{false, "down"}, Word<bool>{true, "up"}};
 inline constexpr std::array language = {Word<std::string_view>{"en", "en"}};

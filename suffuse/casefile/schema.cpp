@@ -55,6 +55,7 @@ std::vector<Key> make_schema() {
     Case defaults;
     defaults.soils["name"] = {};
     Study study;
+    study.refine.emplace();
     for (std::size_t verb = 0; verb < names::verbs.size(); ++verb) {
         study.stages.emplace_back().spec = default_spec(verb);
     }

@@ -144,6 +144,18 @@ std::vector<Key> soil_and_study_rows() {
             "One copy of the study per value; lists multiply. KEY is `particles`, a key of the soil, or "
             "\"stage.NAME.KEY\"."
         ),
+        table(
+            "study.*", "refine",
+            "Adds values to a sweep when its own have been run, on both sides of the extreme of a measured curve."
+        ),
+        required(text("study.*.refine", "key", "The key of `sweep` that is refined.")),
+        choice("study.*.refine", "around", names::words_of(names::extreme), "Where the curve is lowest, or highest."),
+        required(text(
+            "study.*.refine", "of",
+            "A number of stage.json, as in void_ratio or contact_share.LS; its mean over the replicates is the curve."
+        )),
+        required(list_of(text("study.*.refine", "at", "Stages whose curves are looked at, each by itself."))),
+        count("study.*.refine", "add", {1, 100, false, false}, "Values between the extreme and each of its neighbors."),
         count("study.*", "replicates", {1, 10'000, false, false}, "Copies of the study with different seeds."),
         other("study.*", "stage", "[[study.NAME.stage]]", "What is done, one stage after the other."),
     };

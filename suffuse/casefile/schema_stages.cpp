@@ -164,12 +164,13 @@ std::vector<Key> preparation_rows() {
         {
             required(text(
                 "stage.import", "packing",
-                "File of grains: CSV with columns x, y, z, r, Yade's `x y z r` text, or a LAMMPS data file."
+                "File of grains: CSV with columns x, y, z, r, Yade's `x y z r` text, LAMMPS data or dump, extended "
+                "XYZ, .vtp."
             )),
-            required(other(
+            other(
                 "stage.import", "cell", "three lengths, or a 3 x 3 matrix whose columns are the cell vectors",
-                "The periodic cell."
-            )),
+                "The periodic cell; needed unless the file carries it, as LAMMPS, extended XYZ and our .vtp files do."
+            ),
             ratio(
                 "stage.import", "max_overlap", {0, 2, true, false},
                 "Largest overlap that is accepted / radius of the smaller grain."

@@ -4,6 +4,7 @@
 #include "suffuse/casefile/fields.hpp"
 #include "suffuse/casefile/overrides.hpp"
 #include "suffuse/casefile/physics_checks.hpp"
+#include "suffuse/casefile/refine.hpp"
 #include "suffuse/casefile/soil_fields.hpp"
 #include "suffuse/casefile/variants.hpp"
 
@@ -190,11 +191,55 @@ std::vector<Stage> read_stages(ReadContext& context, Reader& v) {
     return stages;
 }
 
+template <class V>
+void fields(V& v, Refine& refine) {
+    v.field("key", refine.key);
+    v.choice("around", refine.maximum, names::extreme);
+    v.field("of", refine.of);
+    v.field("at", refine.at);
+    v.field("add", refine.add);
+}
+
+void check_refine(ReadContext& context, const Study& study, const std::string& path) {
+    if (!study.refine) {
+        return;
+    }
+    const Refine& refine = *study.refine;
+    const auto sweep =
+        std::find_if(study.sweep.begin(), study.sweep.end(), [&](const Sweep& s) { return s.key == refine.key; });
+    if (sweep == study.sweep.end()) {
+        context.problems.error(
+            "E406", context.places[path + ".refine.key"], fmt::format("`{}` is not swept", refine.key),
+            "name a key of `sweep`"
+        );
+    } else if (!std::all_of(sweep->values.begin(), sweep->values.end(), size_of_value)) {
+        context.problems.error(
+            "E406", context.places[path + ".refine.key"],
+            fmt::format("the sweep over `{}` cannot be refined", refine.key),
+            "its values are quantities or numbers, not words"
+        );
+    }
+    for (const std::string& name : refine.at) {
+        if (row_of(study.stages, name) < 0) {
+            std::vector<std::string> names;
+            for (const Stage& stage : study.stages) {
+                names.push_back(stage.name);
+            }
+            context.problems.error(
+                "E401", context.places[path + ".refine.at"],
+                fmt::format("`refine` looks at \"{}\", which is no stage of this study", name),
+                fmt::format("known are {}", fmt::join(names, ", "))
+            );
+        }
+    }
+}
+
 /// The study and its soil as one variant has them.
 void read_body(ReadContext& context, const StudySurroundings& around, Reader& v, Study& study) {
     v.field("soil", study.soil);
     v.field("particles", study.particles);
     sweep_field(v, "sweep", study.sweep);
+    v.table("refine", study.refine, [](Reader& inner, Refine& refine) { fields(inner, refine); });
     v.field("replicates", study.replicates);
     study.stages = read_stages(context, v);
     v.finish();
@@ -299,6 +344,7 @@ Study read_study(ReadContext& context, const StudySurroundings& around, const No
     check_name(context, "study", entry.key, entry.place);
     Reader v(context, entry.value, entry.place, {"study.*"}, "study." + entry.key);
     read_body(context, around, v, study);
+    check_refine(context, study, v.path());
     const auto count = count_variants(study);
     if (count > most_variants) {
         v.error(
@@ -332,6 +378,8 @@ Node write_study(const Study& study) {
         v.field("particles", study.particles);
     }
     sweep_field(v, "sweep", study.sweep);
+    std::optional<Refine> refine = study.refine;
+    v.table("refine", refine, [](Writer& inner, Refine& value) { fields(inner, value); });
     v.field("replicates", study.replicates);
     std::vector<Node> stages;
     for (const Stage& stage : study.stages) {

@@ -21,15 +21,19 @@ dem::World load_bench_packing(const BenchPacking& packing) {
     }
     dem::World world;
     const io::ImportedPacking read = io::read_packing(packing.file, world.material.density);
-    const cell::Cell one{packing.cell, {}};
+    const bool is_given = !(packing.cell == Mat3{});
+    if (!is_given && !read.cell) {
+        throw CaseError(fmt::format("{}: carries no cell; give --cell LX,LY,LZ", packing.file.string()));
+    }
+    const cell::Cell one{is_given ? packing.cell : read.cell->h, {}};
     io::check_overlaps(read.grains, one, most_overlap, packing.file.string());
     const int n = packing.replicate;
-    world.cell.h = static_cast<double>(n) * packing.cell;
+    world.cell.h = static_cast<double>(n) * one.h;
     world.reference_h = world.cell.h;
     for (int a = 0; a < n; ++a) {
         for (int b = 0; b < n; ++b) {
             for (int c = 0; c < n; ++c) {
-                const Vec3 shift = cell::shift(packing.cell, {a, b, c});
+                const Vec3 shift = cell::shift(one.h, {a, b, c});
                 for (std::size_t g = 0; g < read.grains.size(); ++g) {
                     add_grain(
                         world.grains, read.grains.position[g] + shift, read.grains.radius[g], world.material.density

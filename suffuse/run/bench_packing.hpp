@@ -10,7 +10,7 @@ namespace suffuse::run {
 
 struct BenchPacking {
     std::filesystem::path file;
-    Mat3 cell{};       ///< columns are the cell vectors [m]
+    Mat3 cell{};       ///< columns are the cell vectors [m]; zeros: the file's own
     int replicate = 1; ///< copies along each axis: n^3 times the grains
 };
 

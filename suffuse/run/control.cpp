@@ -32,35 +32,27 @@ void Control::begin(Progress where) {
     beat("", 0);
 }
 
-bool Control::out_of_time() const {
-    return run_seconds() > options_.time_limit;
-}
-
 void Control::beat(std::string_view part, long long steps, const dem::World* world) {
-    if (options_.on_progress && seconds_since(shown_) > show_interval) {
+    if (overview_.is_watched() && seconds_since(shown_) > show_interval) {
         shown_ = Clock::now();
         progress_.part = part;
         progress_.steps = steps;
         progress_.stage_seconds = stage_seconds();
-        progress_.run_seconds = run_seconds();
         if (world != nullptr) {
             progress_.state = state_to_show(*world);
             progress_.particle_steps_per_second = static_cast<double>(steps) *
                                                   static_cast<double>(world->grains.size()) /
                                                   std::max(progress_.stage_seconds, 1e-9);
         }
-        options_.on_progress(progress_);
+        overview_.show(progress_);
     }
-    const bool stop = options_.stop != nullptr && options_.stop->load();
-    if (save_ && (stop || out_of_time() || seconds_since(saved_) > checkpoint_interval_)) {
+    const bool stop = overview_.should_stop();
+    if (save_ && (stop || seconds_since(saved_) > checkpoint_interval_)) {
         save_();
         saved_ = Clock::now();
     }
     if (stop) {
-        throw Interrupted("stopped");
-    }
-    if (out_of_time()) {
-        throw Interrupted("time limit");
+        throw Interrupted("asked to stop, or out of time");
     }
 }
 
@@ -69,14 +61,10 @@ Pulse Control::pulse() {
 }
 
 void Control::finish(nlohmann::json numbers) {
-    if (!options_.on_progress) {
-        return;
-    }
     progress_.state = std::move(numbers);
     progress_.stage_seconds = stage_seconds();
-    progress_.run_seconds = run_seconds();
     progress_.stage_finished = true;
-    options_.on_progress(progress_);
+    overview_.show(progress_);
 }
 
 } // namespace suffuse::run

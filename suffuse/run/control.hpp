@@ -1,9 +1,9 @@
 #pragma once
-// The pulse of a run: shows progress, saves what is needed to go on, and ends the work when asked to.
+// The pulse of one sample: shows progress, saves what is needed to go on, and ends the work when asked to.
 
 #include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/world.hpp"
-#include "suffuse/run/runner.hpp"
+#include "suffuse/run/overview.hpp"
 
 #include <chrono>
 #include <functional>
@@ -12,8 +12,8 @@ namespace suffuse::run {
 
 class Control {
 public:
-    Control(const RunOptions& options, double checkpoint_interval)
-        : options_(options), checkpoint_interval_(checkpoint_interval) {}
+    Control(Overview& overview, double checkpoint_interval)
+        : overview_(overview), checkpoint_interval_(checkpoint_interval) {}
 
     /// Begins a stage: what to show.
     void begin(Progress where);
@@ -29,10 +29,6 @@ public:
 
     void finish(nlohmann::json numbers);
 
-    [[nodiscard]] bool out_of_time() const;
-
-    [[nodiscard]] double run_seconds() const { return seconds_since(run_start_); }
-
     [[nodiscard]] double stage_seconds() const { return seconds_since(stage_start_); }
 
 private:
@@ -42,9 +38,9 @@ private:
         return std::chrono::duration<double>(Clock::now() - then).count();
     }
 
-    const RunOptions& options_;
+    Overview& overview_;
     double checkpoint_interval_; ///< [s]
-    Clock::time_point run_start_ = Clock::now(), stage_start_ = run_start_, saved_ = run_start_, shown_ = run_start_;
+    Clock::time_point stage_start_ = Clock::now(), saved_ = stage_start_, shown_ = stage_start_;
     Progress progress_;
     std::function<void()> save_;
 };

@@ -6,6 +6,7 @@
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/run/samples.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -117,6 +118,32 @@ void open_folder(const std::filesystem::path& run, const casefile::Case& what, c
         io::write_file(run / "case.toml", case_text);
     }
     io::write_file(kept, resolved);
+}
+
+void keep_failure(const std::filesystem::path& run, const FailedSample& failure) {
+    const std::filesystem::path folder = run / "studies" / failure.sample / failure.stage;
+    std::filesystem::create_directories(folder);
+    write_json(
+        folder / failure_file, {{"sample", failure.sample},
+                                {"stage", failure.stage},
+                                {"kind", failure.kind},
+                                {"message", failure.message},
+                                {"at", now_utc()}}
+    );
+}
+
+std::vector<FailedSample> read_failures(const std::filesystem::path& run, const casefile::Case& what) {
+    std::vector<FailedSample> failures;
+    for (const Sample& sample : list_samples(what)) {
+        for (const casefile::Stage& stage : sample.variant->stages) {
+            const std::filesystem::path file = stage_folder(run, *sample.variant, stage) / failure_file;
+            if (std::filesystem::exists(file)) {
+                const nlohmann::json kept = read_json(file);
+                failures.push_back({kept.at("sample"), kept.at("stage"), kept.at("kind"), kept.at("message")});
+            }
+        }
+    }
+    return failures;
 }
 
 void log_event(const std::filesystem::path& run, nlohmann::json event) {

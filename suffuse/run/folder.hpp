@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace suffuse::run {
 
@@ -24,6 +25,14 @@ void write_cbor(const std::filesystem::path& path, const nlohmann::json& json);
 /// Makes the folder ready for this case: fresh, or one that the same case began.
 /// @throws CaseError when the folder belongs to another case, IoError when it cannot be written.
 void open_folder(const std::filesystem::path& run, const casefile::Case& what, const std::string& case_text);
+
+/// What the folder of a stage that failed holds instead of its numbers, until it is run again.
+inline constexpr const char* failure_file = "failed.json";
+
+void keep_failure(const std::filesystem::path& run, const FailedSample& failure);
+
+/// The failures that the folder holds, in the order of the samples.
+std::vector<FailedSample> read_failures(const std::filesystem::path& run, const casefile::Case& what);
 
 /// Appends one event to events.jsonl.
 void log_event(const std::filesystem::path& run, nlohmann::json event);

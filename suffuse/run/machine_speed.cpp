@@ -10,6 +10,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace suffuse::run {
 namespace {
@@ -41,11 +43,8 @@ dem::World made_up_packing(int edge) {
     return world;
 }
 
-} // namespace
-
-MachineSpeed measure_speed(std::int64_t grains, double seconds) {
-    const auto wanted = static_cast<double>(std::clamp<std::int64_t>(grains, 500, 50'000));
-    dem::World world = made_up_packing(static_cast<int>(std::lround(std::cbrt(wanted))));
+/// Steps per second of one packing, the middle one of several windows: it shrugs off what else the machine does.
+double steps_per_second(dem::World world, double seconds) {
     dem::sort_along_curve(world);
     dem::StepPlan plan;
     dem::StepCaches caches;
@@ -53,7 +52,7 @@ MachineSpeed measure_speed(std::int64_t grains, double seconds) {
     for (std::int64_t k = 0; k < warm_up; ++k) {
         dem::step(world, caches, plan);
     }
-    std::array<double, windows> rates{}; // steps per second; the middle one shrugs off what else the machine does
+    std::array<double, windows> rates{};
     for (double& rate : rates) {
         const auto start = std::chrono::steady_clock::now();
         double spent = 0;
@@ -67,8 +66,23 @@ MachineSpeed measure_speed(std::int64_t grains, double seconds) {
         rate = static_cast<double>(steps) / spent;
     }
     std::nth_element(rates.begin(), rates.begin() + windows / 2, rates.end());
-    const auto count = static_cast<double>(world.grains.size());
-    return {rates[windows / 2] * count, static_cast<std::int64_t>(world.grains.size()), thread_count()};
+    return rates[windows / 2];
+}
+
+} // namespace
+
+MachineSpeed measure_speed(std::int64_t grains, double seconds, int at_once) {
+    const auto wanted = static_cast<double>(std::clamp<std::int64_t>(grains, 500, 50'000));
+    const dem::World world = made_up_packing(static_cast<int>(std::lround(std::cbrt(wanted))));
+    std::vector<double> rates(static_cast<std::size_t>(std::max(at_once, 1)));
+    MachineSpeed speed;
+    speed.at_once = static_cast<int>(rates.size());
+    speed.threads = std::max(1, thread_count() / speed.at_once);
+    speed.grains = static_cast<std::int64_t>(world.grains.size());
+    run_side_by_side(rates.size(), speed.at_once, [&](std::size_t k) { rates[k] = steps_per_second(world, seconds); });
+    const double sum = std::accumulate(rates.begin(), rates.end(), 0.0);
+    speed.particle_steps_per_second = sum / speed.at_once * static_cast<double>(speed.grains);
+    return speed;
 }
 
 } // namespace suffuse::run

@@ -7,12 +7,14 @@
 namespace suffuse::run {
 
 struct MachineSpeed {
-    double particle_steps_per_second = 0;
-    std::int64_t grains = 0; ///< of the packing that was stepped
-    int threads = 1;
+    double particle_steps_per_second = 0; ///< of one sample
+    std::int64_t grains = 0;              ///< of the packing that was stepped
+    int threads = 1;                      ///< of one sample
+    int at_once = 1;                      ///< samples that run side by side
 };
 
-/// Steps about `grains` grains (between 500 and 50,000 are taken) for about `seconds` of wall time.
-MachineSpeed measure_speed(std::int64_t grains, double seconds = 0.3);
+/// Steps about `grains` grains (between 500 and 50,000 are taken) for about `seconds` of wall time, in `at_once`
+/// packings side by side, as a run of so many samples does.
+MachineSpeed measure_speed(std::int64_t grains, double seconds = 0.3, int at_once = 1);
 
 } // namespace suffuse::run

@@ -1,16 +1,20 @@
 #include "suffuse/run/plan.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/packing_file.hpp"
+#include "suffuse/run/imported_cell.hpp"
+#include "suffuse/run/samples.hpp"
 #include "suffuse/stats/gradation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace suffuse::run {
@@ -239,15 +243,44 @@ void plan_variant(const casefile::Case& what, const casefile::Variant& variant, 
         estimate.memory = work.memory_a_grain * static_cast<double>(ends[k].grains);
         estimate.disk = disk_of(what.output, stage, k + 1 == variant.stages.size(), ends[k].grains);
         estimate.basis = work.basis;
-        plan.steps += estimate.steps;
-        plan.seconds += estimate.seconds;
-        plan.memory = std::max(plan.memory, process_memory + estimate.memory);
-        plan.disk += estimate.disk;
         plan.stages.push_back(std::move(estimate));
     }
 }
 
+/// The greediest stages of as many samples as run at once.
+double memory_of(const RunPlan& plan) {
+    std::map<std::string, double> of_sample;
+    for (const StageEstimate& stage : plan.stages) {
+        double& most = of_sample[stage.study];
+        most = std::max(most, stage.memory);
+    }
+    std::vector<double> samples;
+    for (const auto& [name, memory] : of_sample) {
+        samples.push_back(memory);
+    }
+    std::sort(samples.rbegin(), samples.rend());
+    samples.resize(std::min(samples.size(), static_cast<std::size_t>(plan.speed.at_once)));
+    return std::accumulate(samples.begin(), samples.end(), process_memory);
+}
+
 } // namespace
+
+int samples_at_once(const casefile::Case& what) {
+    return std::clamp(static_cast<int>(list_samples(what).size()), 1, thread_count());
+}
+
+Range side_by_side(const std::vector<StageEstimate>& stages, int at_once) {
+    Range sum, longest;
+    std::map<std::string, Range> of_sample;
+    for (const StageEstimate& stage : stages) {
+        sum += stage.seconds;
+        of_sample[stage.study] += stage.seconds;
+    }
+    for (const auto& [name, seconds] : of_sample) {
+        longest = {std::max(longest.least, seconds.least), std::max(longest.most, seconds.most)};
+    }
+    return {std::max(sum.least / at_once, longest.least), std::max(sum.most / at_once, longest.most)};
+}
 
 std::int64_t largest_sample(const casefile::Case& what) {
     std::int64_t most = 0;
@@ -260,6 +293,7 @@ std::int64_t largest_sample(const casefile::Case& what) {
                     continue;
                 }
                 const auto read = io::read_packing(import->path, what.material.density);
+                imported_cell(*import, read); // a missing one is told before anything runs
                 most = std::max(most, static_cast<std::int64_t>(read.grains.size()));
             }
         }
@@ -272,13 +306,24 @@ RunPlan plan_run(const casefile::Case& what, const MachineSpeed& speed) {
     RunPlan plan;
     plan.speed = speed;
     plan.studies = static_cast<int>(what.studies.size());
-    plan.disk = page_disk;
     for (const casefile::Study& study : what.studies) {
         for (const casefile::Variant& variant : study.variants) {
             plan_variant(what, variant, plan);
         }
     }
+    sum_up(plan);
     return plan;
+}
+
+void sum_up(RunPlan& plan) {
+    plan.steps = {};
+    plan.disk = page_disk;
+    for (const StageEstimate& stage : plan.stages) {
+        plan.steps += stage.steps;
+        plan.disk += stage.disk;
+    }
+    plan.seconds = side_by_side(plan.stages, plan.speed.at_once);
+    plan.memory = memory_of(plan);
 }
 
 } // namespace suffuse::run

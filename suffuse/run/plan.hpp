@@ -5,10 +5,12 @@
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/run/machine_speed.hpp"
+#include "suffuse/run/stage_cache.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -25,10 +27,12 @@ struct StageEstimate {
     std::string stage, verb;
     std::int64_t grains = 0; ///< at most: what erosion takes is not known beforehand
     Range steps;
-    Range seconds;     ///< wall time [s]
-    double memory = 0; ///< while it runs, beyond the process itself [B]
-    double disk = 0;   ///< that it leaves [B]
-    std::string basis; ///< where the steps come from, in words
+    Range seconds;          ///< wall time [s]
+    double memory = 0;      ///< while it runs, beyond the process itself [B]
+    double disk = 0;        ///< that it leaves [B]
+    std::string basis;      ///< where the steps come from, in words
+    bool is_done = false;   ///< the run folder holds it
+    bool is_cached = false; ///< the cache holds it
 };
 
 struct RunPlan {
@@ -36,16 +40,32 @@ struct RunPlan {
     std::vector<StageEstimate> stages; ///< in the order in which they run
     int studies = 0;
     Range steps;
-    Range seconds;     ///< wall time [s]
-    double memory = 0; ///< of the greediest stage, the process included [B]
+    Range seconds;     ///< wall time, `speed.at_once` samples side by side [s]
+    double memory = 0; ///< of the greediest stages that can run at once, the process included [B]
     double disk = 0;   ///< of all stages [B]
 };
+
+/// Samples of the case that run side by side: as many as there are, or as there are threads.
+int samples_at_once(const casefile::Case& what);
+
+/// How long stages take when each sample's run one after the other, and `at_once` samples side by side: their sum,
+/// shared, but no less than the longest sample [s].
+Range side_by_side(const std::vector<StageEstimate>& stages, int at_once);
 
 /// The most grains that a stage of the case holds. @throws as plan_run.
 std::int64_t largest_sample(const casefile::Case& what);
 
 /// @throws IoError, CaseError where a packing cannot be read or a soil cannot be sampled.
 RunPlan plan_run(const casefile::Case& what, const MachineSpeed& speed);
+
+/// Takes out of the plan what needs no computing: stages that the folder of the run holds (empty: there is none yet),
+/// and those that the cache holds.
+void leave_out_done(
+    RunPlan& plan, const casefile::Case& what, const std::filesystem::path& folder, const StageCache& cache
+);
+
+/// Sums up the plan's stages again.
+void sum_up(RunPlan& plan);
 
 void to_json(nlohmann::json& json, const RunPlan& plan);
 

@@ -18,6 +18,8 @@ nlohmann::json stage_json(const StageEstimate& stage) {
         {"memory", stage.memory},
         {"disk", stage.disk},
         {"basis", stage.basis},
+        {"done", stage.is_done},
+        {"cached", stage.is_cached},
     };
 }
 
@@ -29,10 +31,15 @@ void to_json(nlohmann::json& json, const RunPlan& plan) {
         stages.push_back(stage_json(stage));
     }
     json = {
-        {"studies", plan.studies},         {"stages", stages},
-        {"steps", range_json(plan.steps)}, {"seconds", range_json(plan.seconds)},
-        {"memory", plan.memory},           {"disk", plan.disk},
-        {"threads", plan.speed.threads},   {"particle_steps_per_second", plan.speed.particle_steps_per_second},
+        {"studies", plan.studies},
+        {"stages", stages},
+        {"steps", range_json(plan.steps)},
+        {"seconds", range_json(plan.seconds)},
+        {"memory", plan.memory},
+        {"disk", plan.disk},
+        {"threads", plan.speed.threads},
+        {"samples_at_once", plan.speed.at_once},
+        {"particle_steps_per_second", plan.speed.particle_steps_per_second},
     };
 }
 

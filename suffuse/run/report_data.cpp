@@ -10,6 +10,7 @@
 #include "suffuse/report/headlines.hpp"
 #include "suffuse/report/stability_view.hpp"
 #include "suffuse/report/words.hpp"
+#include "suffuse/run/findings_by_seed.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/measured_points.hpp"
 #include "suffuse/run/scene_data.hpp"
@@ -304,9 +305,7 @@ report::ReportData describe_run(
     data.title = what.title;
     data.run = folder.filename().string();
     data.answer = answer(story, stages);
-    if (story.eroded != nullptr || !story.probes.empty()) {
-        data.findings = report::judge_erosion(story.probes, story.erosion);
-    }
+    data.findings = judge_erosion_by_seed(stages);
     data.headlines = report::erosion_headlines(story.erosion, data.findings);
     data.warnings = flaws;
     data.warnings.insert(data.warnings.end(), warnings.begin(), warnings.end());

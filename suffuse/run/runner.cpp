@@ -1,249 +1,180 @@
 #include "suffuse/run/runner.hpp"
 
 #include "suffuse/base/error.hpp"
-#include "suffuse/io/checkpoint.hpp"
-#include "suffuse/io/packing_export.hpp"
-#include "suffuse/io/tables.hpp"
-#include "suffuse/io/vtk.hpp"
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/run/folder.hpp"
-#include "suffuse/run/measure.hpp"
-#include "suffuse/run/result_json.hpp"
-#include "suffuse/run/stage_work.hpp"
+#include "suffuse/run/refine.hpp"
+#include "suffuse/run/sample_run.hpp"
 #include "suffuse/run/summary.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <map>
+#include <mutex>
+#include <new>
+#include <set>
 
 namespace suffuse::run {
 namespace {
 
-using nlohmann::json;
-
-// Of the smaller radius. Hard shearing presses single fines far into their neighbors at this stiffness; beyond a fifth
-// the linear law is no model of a contact any more.
-constexpr double notable_overlap = 0.1, largest_good_overlap = 0.2;
-
-bool writes(const casefile::OutputSpec& output, std::string_view format) {
-    return std::find(output.formats.begin(), output.formats.end(), format) != output.formats.end();
-}
-
-/// Runs the stages of a run one after the other; what is finished lies in the folder.
+/// The samples of a run side by side; what is finished lies in the folder.
 class Runner {
 public:
     Runner(const casefile::Case& what, const RunOptions& options)
-        : what_(what), options_(options), control_(options, what.output.checkpoint) {
-        for (const casefile::Study& study : what.studies) {
-            for (const casefile::Variant& variant : study.variants) {
-                stages_ += static_cast<int>(variant.stages.size());
-            }
-        }
-    }
+        : listed_(what), what_(with_refinements(what, options.folder)), options_(options),
+          samples_(asked_samples(what_, options)),
+          overview_(options, stages_of(samples_), static_cast<int>(samples_.size())) {}
 
     RunReport run() {
-        open_folder(options_.folder, what_, options_.case_text);
-        log_event(options_.folder, {{"event", "run begins"}, {"command", options_.command}});
-        RunReport report;
-        try {
-            run_studies(report);
-        } catch (const Interrupted&) {
-            report.outcome = control_.out_of_time() ? Outcome::TimeLimit : Outcome::Stopped;
+        if (!options_.sample.empty()) {
+            return run_one();
         }
-        write_json(options_.folder / "provenance.json", describe_provenance(what_, options_, control_.run_seconds()));
+        overview_.tell({{"event", "run begins"}, {"command", options_.command}});
+        run_samples();
+        refine();
+        RunReport report;
+        write_json(options_.folder / "provenance.json", describe_provenance(what_, options_, overview_.run_seconds()));
         const Summary summary = summarize_run(what_, options_.folder, options_.page_folder);
         report.report = summary.report;
         report.warnings = summary.warnings;
         report.flaws = summary.flaws;
         report.findings = summary.findings;
-        if (report.outcome == Outcome::Done && !report.flaws.empty()) {
-            report.outcome = Outcome::DoneWithFlaws;
-        }
-        log_event(options_.folder, {{"event", "run ends"}, {"wall_seconds", control_.run_seconds()}});
+        report.failures = summary.failures;
+        report.outcome = outcome(report);
+        overview_.tell({{"event", "run ends"}, {"wall_seconds", overview_.run_seconds()}});
         return report;
     }
 
 private:
-    void run_studies(RunReport&) {
-        for (const casefile::Study& study : what_.studies) {
-            for (const casefile::Variant& variant : study.variants) {
-                if (!run_variant(variant)) {
-                    return;
-                }
-            }
+    static std::vector<Sample> asked_samples(const casefile::Case& what, const RunOptions& options) {
+        std::vector<Sample> samples = list_samples(what, options.until);
+        if (!options.sample.empty()) {
+            std::erase_if(samples, [&](const Sample& s) { return s.variant->folder != options.sample; });
         }
+        return samples;
     }
 
-    /// @return false when the stage asked for as the last is done.
-    bool run_variant(const casefile::Variant& variant) {
-        for (const casefile::Stage& stage : variant.stages) {
-            ++stage_number_;
-            const std::filesystem::path folder = stage_folder(options_.folder, variant, stage);
-            if (!std::filesystem::exists(folder / "stage.json")) {
-                run_stage(variant, stage, folder);
-            }
-            if (stage.name == options_.until) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    void
-    run_stage(const casefile::Variant& variant, const casefile::Stage& stage, const std::filesystem::path& folder) {
+    /// One sample, beside other programs that run the others: what concerns the whole run is left to who gathers.
+    RunReport run_one() {
+        const std::filesystem::path folder = options_.folder / "studies" / options_.sample;
         std::filesystem::create_directories(folder);
-        const bool imported = starts_from_import(variant, stage);
-        const bool last = &stage == &variant.stages.back();
-        StageWork work{
-            what_,
-            variant,
-            stage,
-            folder,
-            imported || last || writes(what_.output, "csv"),
-            control_,
-            start_of(variant, stage),
-            History(stage.record_every.value_or(what_.output.histories_every)),
-            json::object(),
-            {},
-            {},
-            {},
-            0,
-            0,
-            0,
-            {}};
-        if (std::filesystem::exists(folder / "partial.h5")) {
-            take_up(work);
+        overview_.tell({{"event", "sample begins"}, {"command", options_.command}});
+        run_samples();
+        write_json(folder / "provenance.json", describe_provenance(what_, options_, overview_.run_seconds()));
+        overview_.tell({{"event", "sample ends"}, {"wall_seconds", overview_.run_seconds()}});
+        RunReport report;
+        for (FailedSample& failure : read_failures(options_.folder, what_)) {
+            if (failure.sample == options_.sample) {
+                report.failures.push_back(std::move(failure));
+            }
         }
-        Progress where;
-        where.study = variant.folder;
-        where.stage = stage.name;
-        where.verb = casefile::verb_of(stage.spec);
-        where.stage_number = stage_number_;
-        where.stages = stages_;
-        control_.begin(std::move(where));
+        report.outcome = outcome(report);
+        return report;
+    }
+
+    /// Runs what the results so far ask for.
+    void refine() {
+        const bool is_whole = options_.until.empty() && !interrupted_;
+        const std::vector<Refinement> found =
+            is_whole ? find_refinements(what_, options_.folder) : std::vector<Refinement>{};
+        if (found.empty()) {
+            return;
+        }
+        keep_refinements(options_.folder, found);
+        for (const Refinement& one : found) {
+            overview_.tell({{"event", "refined"}, {"study", one.study}, {"reason", one.reason}});
+        }
+        std::set<std::string> known;
+        for (const Sample& sample : samples_) {
+            known.insert(sample.variant->folder);
+        }
+        what_ = with_refinements(listed_, options_.folder);
+        samples_ = list_samples(what_);
+        std::erase_if(samples_, [&](const Sample& sample) { return known.contains(sample.variant->folder); });
+        overview_.add(stages_of(samples_), static_cast<int>(samples_.size()));
+        run_samples();
+    }
+
+    static int stages_of(const std::vector<Sample>& samples) {
+        int stages = 0;
+        for (const Sample& sample : samples) {
+            stages += sample.stages;
+        }
+        return stages;
+    }
+
+    /// Those that are complete take no time, and no thread from the others.
+    void run_samples() {
+        std::vector<Sample> left;
+        for (const Sample& sample : samples_) {
+            if (is_complete(sample, options_.folder)) {
+                run_sample(sample);
+            } else {
+                left.push_back(sample);
+            }
+        }
+        run_side_by_side(left.size(), thread_count(), [&](std::size_t k) { run_sample(left[k]); });
+    }
+
+    void run_sample(const Sample& sample) {
+        if (overview_.should_stop()) {
+            interrupted_ = true;
+            return;
+        }
+        SampleRun run(what_, options_, sample, overview_);
         try {
-            do_stage(work);
+            run.run();
+            overview_.end_sample(run.place());
         } catch (const Interrupted&) {
-            log_event(options_.folder, {{"event", "stage interrupted"}, {"stage", stage_name(variant, stage)}});
-            throw;
+            interrupted_ = true;
+        } catch (const CaseError& error) {
+            fail(run, "case", error.what());
+        } catch (const IoError& error) {
+            fail(run, "io", error.what());
+        } catch (const std::filesystem::filesystem_error& error) {
+            fail(run, "io", error.what());
         } catch (const Error& error) {
-            log_event(
-                options_.folder,
-                {{"event", "stage fails"}, {"stage", stage_name(variant, stage)}, {"what", error.what()}}
-            );
+            fail(run, "run", error.what());
+        } catch (const std::bad_alloc&) {
+            fail(run, "memory", "out of memory; suffuse plan CASE tells how much a case needs");
+        } catch (...) {
+            overview_.break_off();
             throw;
         }
-        finish(work);
     }
 
-    static void take_up(StageWork& work) {
-        io::Checkpoint partial = io::load_world(work.folder / "partial.h5");
-        const json saved = json::parse(partial.attributes.at("stage"));
-        work.world = std::move(partial.world);
-        work.history.restore(saved.at("history"));
-        work.grain_steps = saved.at("grain_steps");
-        work.earlier_seconds = saved.at("seconds");
-        work.resumed = saved.at("state");
+    void fail(const SampleRun& run, const std::string& kind, const std::string& message) {
+        Progress last = run.place();
+        try {
+            keep_failure(options_.folder, {last.study, last.stage, kind, message});
+        } catch (...) { // no place for any sample's results
+            overview_.break_off();
+            throw;
+        }
+        last.failure = message;
+        overview_.end_sample(std::move(last));
     }
 
-    static bool starts_from_import(const casefile::Variant& variant, const casefile::Stage& stage) {
-        const casefile::Stage* origin = &stage;
-        while (origin->parent >= 0) {
-            origin = &variant.stages[static_cast<std::size_t>(origin->parent)];
+    [[nodiscard]] Outcome outcome(const RunReport& report) const {
+        if (interrupted_) {
+            return overview_.out_of_time() ? Outcome::TimeLimit : Outcome::Stopped;
         }
-        return std::holds_alternative<casefile::ImportSpec>(origin->spec);
+        if (!report.failures.empty()) {
+            return Outcome::SomeFailed;
+        }
+        return report.flaws.empty() ? Outcome::Done : Outcome::DoneWithFlaws;
     }
 
-    dem::World start_of(const casefile::Variant& variant, const casefile::Stage& stage) const {
-        dem::World world;
-        if (stage.parent >= 0) {
-            const casefile::Stage& parent = variant.stages[static_cast<std::size_t>(stage.parent)];
-            world = io::load_world(stage_folder(options_.folder, variant, parent) / "state.h5").world;
-        }
-        world.material = what_.material;
-        world.seed = variant.seed;
-        world.reference_h = world.cell.h;
-        return world;
-    }
-
-    static std::string stage_name(const casefile::Variant& variant, const casefile::Stage& stage) {
-        return variant.folder + "/" + stage.name;
-    }
-
-    /// Everything a stage leaves behind; stage.json last, as the sign that the stage is complete.
-    void finish(StageWork& work) {
-        const dem::World& world = work.world;
-        json numbers = measure_state(world);
-        numbers["steps"] = 0;
-        numbers.update(work.numbers);
-        const double seconds = work.seconds();
-        numbers["stage"] = work.stage.name;
-        numbers["verb"] = casefile::verb_of(work.stage.spec);
-        numbers["time_step"] = work.time_step;
-        numbers["wall_seconds"] = seconds;
-        numbers["particle_steps_per_second"] = seconds > 0 ? static_cast<double>(work.grain_steps) / seconds : 0.0;
-        numbers["inertial_number_max"] = work.history.largest_inertial_number();
-        if (const double overlap = numbers["max_overlap_ratio"]; overlap > notable_overlap) {
-            (overlap > largest_good_overlap ? work.flaws : work.warnings)
-                .push_back(fmt::format(
-                    "{}: the largest overlap is {:.1f} % of the smaller radius; a higher contact.modulus or a lower "
-                    "pressure makes it "
-                    "smaller",
-                    stage_name(work.variant, work.stage), 100 * overlap
-                ));
-        }
-        numbers["warnings"] = work.warnings;
-        numbers["flaws"] = work.flaws;
-
-        io::save_world(work.folder / "state.h5", world, {{"stage", stage_name(work.variant, work.stage)}});
-        work.history.write_csv(work.folder / "history.csv");
-        if (work.write_tables) {
-            io::write_grains_csv(work.folder / "grains.csv", world);
-            io::write_contacts_csv(work.folder / "contacts.csv", world);
-        }
-        if (writes(what_.output, "vtp")) {
-            io::write_grains_vtp(work.folder / "grains.vtp", world);
-            io::write_contacts_vtp(work.folder / "contacts.vtp", world);
-            io::write_cell_vtp(work.folder / "cell.vtp", world.cell);
-        }
-        if (writes(what_.output, "xyz")) {
-            io::export_extended_xyz(work.folder / "grains.xyz", world.grains, world.cell);
-        }
-        save_findings(work);
-        write_json(work.folder / "stage.json", numbers);
-        std::filesystem::remove(work.folder / "partial.h5");
-        log_event(
-            options_.folder,
-            {{"event", "stage done"}, {"stage", stage_name(work.variant, work.stage)}, {"wall_seconds", seconds}}
-        );
-        control_.finish(numbers);
-    }
-
-    static void save_findings(const StageWork& work) {
-        json results = json::object();
-        if (!work.findings.probes.empty()) {
-            results["probes"] = work.findings.probes;
-        }
-        if (work.findings.erosion) {
-            results["erosion"] = *work.findings.erosion;
-        }
-        if (!work.findings.curve.empty()) {
-            results["curve"] = work.findings.curve;
-        }
-        if (!results.empty()) {
-            write_cbor(work.folder / "results.cbor", results);
-        }
-    }
-
-    const casefile::Case& what_;
+    const casefile::Case& listed_; ///< as asked
+    casefile::Case what_;          ///< with what was refined
     const RunOptions& options_;
-    Control control_;
-    int stage_number_ = 0, stages_ = 0;
+    std::vector<Sample> samples_;
+    Overview overview_;
+    std::atomic<bool> interrupted_{false};
 };
 
 } // namespace
 
 RunReport run_case(const casefile::Case& what, const RunOptions& options) {
+    open_folder(options.folder, what, options.case_text);
     return Runner(what, options).run();
 }
 

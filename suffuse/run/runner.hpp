@@ -1,6 +1,7 @@
 #pragma once
-// From a case to a run folder: every study's variants, stage after stage, each stage's numbers and state on disk as
-// soon as it is done. Running again in the same folder goes on where it stopped, to the same bits.
+// From a case to a run folder: the samples of every study, as many side by side as there are threads, each stage's
+// numbers and state on disk as soon as it is done. Running again in the same folder goes on where it stopped, to the
+// same bits. A sample that fails is reported and does not stop the others.
 
 #include "suffuse/casefile/case.hpp"
 
@@ -15,9 +16,11 @@
 
 namespace suffuse::run {
 
-/// Where a run is; handed out several times a second.
+/// Where one sample of a run is, and how much of the run is done; handed out several times a second, one call at a
+/// time.
 struct Progress {
-    std::string study; ///< folder of the variant
+    std::string study;           ///< folder of the sample
+    int sample = 0, samples = 0; ///< over the whole run, 1-based
     std::string stage, verb;
     int stage_number = 0, stages = 0; ///< over the whole run, 1-based
     std::string part;                 ///< "relax", "probe", "servo", ...
@@ -26,39 +29,59 @@ struct Progress {
     double particle_steps_per_second = 0;
     nlohmann::json state; ///< numbers worth showing now: void_ratio, mean_stress, unbalanced_force, ...
     bool stage_finished = false;
+    bool from_cache = false;   ///< the finished stage was not computed again
+    bool sample_ended = false; ///< nothing more will come from this sample
+    std::string failure;       ///< why it failed; empty where it did not
+    // Of the whole run, what an earlier run in this folder did included.
+    int stages_done = 0, samples_done = 0, samples_failed = 0;
 };
 
 struct RunOptions {
     std::filesystem::path folder; ///< of the run; made if absent
-    std::string until;            ///< stop after this stage (of any study); empty: all
+    std::string until;            ///< each sample ends with its stage of this name; empty: all stages
+    std::string sample; ///< run this one alone (its folder below studies/), beside other programs that run the others;
+                        ///< what they leave is gathered by rebuild_report. Empty: all samples
     double time_limit =
-        std::numeric_limits<double>::infinity(); ///< wall seconds after which the state is saved and the run stops
-    const std::atomic<bool>* stop = nullptr;     ///< set by a signal handler: save and stop at the next burst
-    std::function<void(const Progress&)> on_progress;
-    std::filesystem::path page_folder; ///< the built page of the report; empty: plain report
-    std::string case_text;             ///< the case file as given, copied into the folder
-    std::string command;               ///< as typed, for the provenance
+        std::numeric_limits<double>::infinity();      ///< wall seconds after which the state is saved and the run stops
+    const std::atomic<bool>* stop = nullptr;          ///< set by a signal handler: save and stop at the next burst
+    std::function<void(const Progress&)> on_progress; ///< called by the threads of the samples, one at a time
+    std::filesystem::path cache;                      ///< of finished stages (stage_cache.hpp); empty: none
+    std::filesystem::path page_folder;                ///< the built page of the report; empty: plain report
+    std::string case_text;                            ///< the case file as given, copied into the folder
+    std::string command;                              ///< as typed, for the provenance
 };
 
 enum class Outcome {
     Done,
     DoneWithFlaws, ///< ran, but a quality bar was missed; the results say which
+    SomeFailed,    ///< the samples in `failures` failed; the others ran
     Stopped,       ///< by `stop`
     TimeLimit,
 };
 
+/// A sample that could not be run to its end.
+struct FailedSample {
+    std::string sample;  ///< its folder below studies/
+    std::string stage;   ///< where it failed
+    std::string kind;    ///< "run", "case", "io" or "memory"
+    std::string message; ///< what went wrong and what to do
+};
+
 struct RunReport {
     Outcome outcome = Outcome::Done;
+    std::vector<FailedSample> failures;
     std::filesystem::path report; ///< report.html
     std::vector<std::string> warnings, flaws;
     nlohmann::json findings; ///< as in summary.json
 };
 
-/// Runs a case. Stages that the folder already holds, for the same resolved case, are taken as they are.
-/// @throws Error and its children, with the stage named; what was finished stays in the folder.
+/// Runs a case. Stages that the folder already holds, for the same resolved case, are taken as they are. Samples run
+/// side by side, as many as there are threads; results do not depend on how many.
+/// @throws CaseError where the folder holds another case, IoError where it cannot be written.
 RunReport run_case(const casefile::Case& what, const RunOptions& options);
 
-/// Writes summary.json, figures and report.html again from what the run folder holds, without computing.
+/// Writes summary.json, figures and report.html from what the run folder holds, without computing. Where samples were
+/// run one by one, this gathers them.
 RunReport rebuild_report(const std::filesystem::path& folder, const std::filesystem::path& page_folder);
 
 } // namespace suffuse::run

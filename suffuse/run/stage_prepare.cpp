@@ -9,6 +9,7 @@
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/target_density.hpp"
+#include "suffuse/run/imported_cell.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
 
@@ -63,7 +64,7 @@ void compact(StageWork& work, const packing::CompactSpec& spec, packing::Compact
 
 void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     io::ImportedPacking packing = io::read_packing(spec.path, work.what.material.density);
-    work.world.cell.h = spec.cell;
+    work.world.cell.h = imported_cell(spec, packing);
     work.world.grains = std::move(packing.grains);
     const double overlap = io::check_overlaps(work.world.grains, work.world.cell, spec.max_overlap, spec.path);
     mark_fines(work.variant.soil, work.world.grains);
@@ -71,6 +72,10 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     work.numbers["imported"] = true;
     work.numbers["imported_overlap_ratio"] = overlap;
     work.warnings = std::move(packing.warnings);
+    if (packing.cell && !(packing.cell->h == work.world.cell.h)) {
+        work.warnings.push_back(fmt::format("{}: the case's cell is taken, not that of {}", work.stage.name, spec.path)
+        );
+    }
     work.warnings.push_back(fmt::format(
         "{}: an imported packing carries no contact memory: its shear forces and moments start at zero; settle it "
         "where that "

@@ -6,10 +6,16 @@
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/report/page.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/refine.hpp"
 #include "suffuse/run/report_data.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/runner.hpp"
+#include "suffuse/run/sample_run.hpp"
+#include "suffuse/run/study_curves.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 
 namespace suffuse::run {
@@ -47,6 +53,44 @@ std::vector<FinishedStage> read_stages(const casefile::Case& what, const std::fi
     return stages;
 }
 
+json failures_json(const std::vector<FailedSample>& failures) {
+    json list = json::array();
+    for (const FailedSample& failure : failures) {
+        list.push_back(
+            {{"sample", failure.sample}, {"stage", failure.stage}, {"kind", failure.kind}, {"message", failure.message}}
+        );
+    }
+    return list;
+}
+
+/// What the page's reader must know first: what is missing.
+std::vector<std::string> with_failures(std::vector<std::string> flaws, const std::vector<FailedSample>& failures) {
+    for (const FailedSample& failure : failures) {
+        flaws.push_back(fmt::format("{} failed in stage {}: {}", failure.sample, failure.stage, failure.message));
+    }
+    return flaws;
+}
+
+/// How many samples there are, and how many of them reached their end.
+json count_samples(const casefile::Case& what, const std::filesystem::path& folder, std::size_t failed) {
+    const std::vector<Sample> samples = list_samples(what);
+    const auto done =
+        std::count_if(samples.begin(), samples.end(), [&](const Sample& s) { return is_complete(s, folder); });
+    return {{"total", samples.size()}, {"done", done}, {"failed", failed}};
+}
+
+/// Of samples that were run one by one, beside each other: the wall time of the one that took longest [s].
+double longest_sample(const casefile::Case& what, const std::filesystem::path& folder) {
+    double longest = 0;
+    for (const Sample& sample : list_samples(what)) {
+        const std::filesystem::path own = folder / "studies" / sample.variant->folder / "provenance.json";
+        if (std::filesystem::exists(own)) {
+            longest = std::max(longest, read_json(own).at("wall_seconds").get<double>());
+        }
+    }
+    return longest;
+}
+
 json findings_json(const std::vector<report::Finding>& findings) {
     json list = json::array();
     for (const report::Finding& finding : findings) {
@@ -82,7 +126,10 @@ Summary summarize_run(
         append(stage.numbers.at("warnings"), summary.warnings);
         append(stage.numbers.at("flaws"), summary.flaws);
     }
-    const report::ReportData data = describe_run(what, folder, stages, provenance, summary.warnings, summary.flaws);
+    summary.failures = read_failures(folder, what);
+    const report::ReportData data = describe_run(
+        what, folder, stages, provenance, summary.warnings, with_failures(summary.flaws, summary.failures)
+    );
     summary.findings = findings_json(data.findings);
     write_json(
         folder / "summary.json", {{"schema", 1},
@@ -96,18 +143,27 @@ Summary summarize_run(
                                   {"warnings", summary.warnings},
                                   {"flaws", summary.flaws},
                                   {"findings", summary.findings},
-                                  {"stages", by_name}}
+                                  {"samples", count_samples(what, folder, summary.failures.size())},
+                                  {"failures", failures_json(summary.failures)},
+                                  {"stages", by_name},
+                                  {"studies", curves_json(trace_curves(what, stages))}}
     );
     summary.report = report::write_report(folder, data, page_folder).file;
     return summary;
 }
 
 RunReport rebuild_report(const std::filesystem::path& folder, const std::filesystem::path& page_folder) {
-    const casefile::LoadedCase loaded = casefile::load_case((folder / "case.resolved.toml").string());
-    const Summary summary = summarize_run(loaded.value, folder, page_folder);
-    return {
-        summary.flaws.empty() ? Outcome::Done : Outcome::DoneWithFlaws, summary.report, summary.warnings, summary.flaws,
-        summary.findings};
+    const casefile::Case what = load_run(folder);
+    if (!std::filesystem::exists(folder / "provenance.json")) {
+        RunOptions options;
+        options.command = "suffuse sweep --collect " + folder.string();
+        write_json(folder / "provenance.json", describe_provenance(what, options, longest_sample(what, folder)));
+    }
+    const Summary summary = summarize_run(what, folder, page_folder);
+    const Outcome outcome = !summary.failures.empty() ? Outcome::SomeFailed
+                            : summary.flaws.empty()   ? Outcome::Done
+                                                      : Outcome::DoneWithFlaws;
+    return {outcome, summary.failures, summary.report, summary.warnings, summary.flaws, summary.findings};
 }
 
 } // namespace suffuse::run

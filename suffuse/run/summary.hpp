@@ -2,6 +2,7 @@
 // The end of a run: summary.json, figures and report, made from what the stages left in the folder.
 
 #include "suffuse/casefile/case.hpp"
+#include "suffuse/run/runner.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,7 @@ struct Summary {
     std::filesystem::path report; ///< report.html
     std::vector<std::string> warnings, flaws;
     nlohmann::json findings;
+    std::vector<FailedSample> failures;
 };
 
 /// Reads the finished stages of `folder`, writes summary.json, figures/ and report.html.

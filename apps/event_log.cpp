@@ -1,0 +1,43 @@
+#include "apps/event_log.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/command_line.hpp"
+#include "apps/wording.hpp"
+#include <fstream>
+
+namespace suffuse::apps {
+
+std::vector<nlohmann::json> EventLog::read_new() {
+    std::vector<nlohmann::json> events;
+    std::ifstream file(path_, std::ios::binary);
+    file.seekg(read_);
+    for (std::string line; std::getline(file, line) && !file.eof();) { // at the end of the file the line has no end yet
+        read_ += static_cast<std::streamoff>(line.size()) + 1;
+        nlohmann::json event = nlohmann::json::parse(line, nullptr, false);
+        if (event.is_object()) {
+            events.push_back(std::move(event));
+        }
+    }
+    return events;
+}
+
+std::string event_line(const nlohmann::json& event) {
+    const auto text = [&](const char* key) {
+        return event.contains(key) && event.at(key).is_string() ? event.at(key).get<std::string>() : std::string();
+    };
+    const std::string at = text("at"); // 2026-11-21T10:27:00Z
+    const std::string clock = at.size() == 20 ? at.substr(0, 10) + " " + at.substr(11, 8) : at;
+    std::string line = fmt::format("{}  {:17}", clock, text("event"));
+    for (const char* key : {"stage", "sample", "what", "message"}) {
+        if (const std::string value = text(key); !value.empty()) {
+            line += " " + shown(value);
+        }
+    }
+    if (event.contains("wall_seconds") && event.at("wall_seconds").is_number()) {
+        line += ", " + duration_text(event.at("wall_seconds"));
+    }
+    return line;
+}
+
+} // namespace suffuse::apps

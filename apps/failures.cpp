@@ -1,0 +1,41 @@
+#include "apps/failures.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/exit_code.hpp"
+#include "apps/wording.hpp"
+#include <algorithm>
+
+namespace suffuse::apps {
+
+int code_of(const std::vector<run::FailedSample>& failures) {
+    const std::string& kind = failures.front().kind;
+    const bool is_one_kind =
+        std::all_of(failures.begin(), failures.end(), [&](const auto& failure) { return failure.kind == kind; });
+    return !is_one_kind ? Failed : kind == "case" ? BadCase : kind == "io" ? InputOutput : Failed;
+}
+
+nlohmann::json failures_json(const std::vector<run::FailedSample>& failures) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const run::FailedSample& failure : failures) {
+        list.push_back(
+            {{"sample", failure.sample}, {"stage", failure.stage}, {"kind", failure.kind}, {"message", failure.message}}
+        );
+    }
+    return list;
+}
+
+void tell_failures(
+    const std::vector<run::FailedSample>& failures, std::int64_t samples, const std::filesystem::path& folder,
+    const Console& console
+) {
+    for (const run::FailedSample& failure : failures) {
+        console.error(fmt::format("{}, stage {}: {}", failure.sample, failure.stage, failure.message));
+    }
+    console.talk(fmt::format(
+        "{} of {} failed; the others are in the report. When the cause is mended: suffuse resume {}", failures.size(),
+        plural(samples, "sample"), folder.string()
+    ));
+}
+
+} // namespace suffuse::apps

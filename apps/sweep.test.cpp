@@ -1,0 +1,134 @@
+// Sweeps and the cache as a user calls them: tasks for other machines, run by a shell, and what is gathered from them.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/temp_folder.hpp"
+#include <cstdlib>
+#include <map>
+#include <sys/wait.h>
+
+namespace suffuse {
+namespace {
+
+using test::read_all;
+using test::TempFolder;
+
+const std::string text = R"(schema = 1
+[soil.sand]
+psd = { d = ["0.2 mm", "0.3 mm", "0.4 mm"], passing = ["0 %", "50 %", "100 %"] }
+[study.s]
+soil       = "sand"
+particles  = 200
+sweep      = { "stage.cloud.porosity" = [0.6, 0.65, 0.7] }
+refine     = { key = "stage.cloud.porosity", around = "minimum", of = "void_ratio", at = ["moved"], add = 1 }
+replicates = 1
+[[study.s.stage]]
+name     = "cloud"
+do       = "pack"
+porosity = 0.6
+[[study.s.stage]]
+name        = "moved"
+do          = "advance"
+steps       = 20
+time_step   = "1e-9 s"
+strain_rate = ["1 1/s", "0 1/s", "0 1/s"]
+)";
+
+class SweepVerb : public testing::Test {
+protected:
+    SweepVerb() { std::ofstream(folder / "case.toml") << text; }
+
+    /// Exit code of a command in the folder; what it says is in `out` and `error`.
+    int sh(const std::string& command) {
+        const std::string line = "cd '" + folder.path().string() + "' && ( " + command + " ) >out 2>error </dev/null";
+        const int status = std::system(line.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    int suffuse(const std::string& words) { return sh(std::string(SUFFUSE_PROGRAM) + " " + words); }
+
+    [[nodiscard]] std::string said() const { return read_all(folder / "out") + read_all(folder / "error"); }
+
+    [[nodiscard]] std::map<std::string, std::string> hashes(const std::string& run) const {
+        std::map<std::string, std::string> found;
+        const std::filesystem::path studies = folder / (run + "/studies");
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(studies)) {
+            if (entry.path().filename() == "stage.json") {
+                found[std::filesystem::relative(entry.path(), studies)] =
+                    nlohmann::json::parse(read_all(entry.path())).at("state_hash");
+            }
+        }
+        return found;
+    }
+
+    TempFolder folder;
+};
+
+TEST_F(SweepVerb, TasksRunByAShellEndWithTheBitsOfAPlainRun) {
+    ASSERT_EQ(suffuse("run case.toml -o whole --no-cache"), 0) << said();
+    const auto whole = hashes("whole");
+    ASSERT_EQ(whole.size(), 2U * 4) << "three values, and one between the lowest and its neighbor";
+
+    ASSERT_EQ(suffuse("sweep case.toml --emit parallel -o parts --no-cache"), 0) << said();
+    EXPECT_NE(said().find("3 tasks in parts"), std::string::npos) << said();
+    ASSERT_EQ(sh("head -n 1 parts/tasks.txt | sh"), 0) << said();
+    EXPECT_EQ(suffuse("sweep --collect parts"), 75) << said();
+    EXPECT_NE(said().find("1 of 3 samples done"), std::string::npos) << said();
+    ASSERT_EQ(sh("sh parts/tasks.txt"), 0) << said();
+    // With the last value the refinement is known, and there is one sample more.
+    EXPECT_EQ(suffuse("sweep --collect parts"), 75) << said();
+    EXPECT_NE(said().find("3 of 4 samples done"), std::string::npos) << said();
+    ASSERT_EQ(suffuse("sweep parts --emit parallel"), 0) << said();
+    ASSERT_EQ(sh("sh parts/tasks.txt"), 0) << said();
+    EXPECT_EQ(suffuse("sweep --collect parts"), 0) << said();
+    EXPECT_EQ(hashes("parts"), whole);
+    EXPECT_TRUE(std::filesystem::exists(folder / "parts/report.html"));
+    const auto summary = nlohmann::json::parse(read_all(folder / "parts/summary.json"));
+    EXPECT_EQ(summary.at("samples").at("done"), 4);
+    EXPECT_EQ(summary.at("studies").at("s").at("stages").at("moved").size(), 4U);
+}
+
+TEST_F(SweepVerb, SlurmGetsAJobArrayWithATaskForEachSample) {
+    ASSERT_EQ(suffuse("sweep case.toml --emit slurm -o array --time-limit 2h -j 2"), 0) << said();
+    const std::string script = read_all(folder / "array/sweep.sbatch");
+    for (const std::string part :
+         {"#!/bin/sh\n", "#SBATCH --array=1-3\n", "#SBATCH --cpus-per-task=2\n", "#SBATCH --time=121\n",
+          "#SBATCH --signal=B:TERM@60\n"}) {
+        EXPECT_NE(script.find(part), std::string::npos) << part << " in\n" << script;
+    }
+    EXPECT_EQ(sh("sh -n array/sweep.sbatch"), 0) << said();
+    // What Slurm does with it: one task.
+    EXPECT_EQ(sh("SLURM_ARRAY_TASK_ID=2 sh array/sweep.sbatch"), 0) << said();
+    EXPECT_EQ(hashes("array").size(), 2U);
+    EXPECT_EQ(suffuse("resume array --sample s/porosity=0.66"), 2);
+    EXPECT_NE(said().find("s/porosity=0.6"), std::string::npos) << said();
+    EXPECT_EQ(suffuse("sweep case.toml"), 2);
+}
+
+TEST_F(SweepVerb, ASecondRunTakesItsStagesFromTheCacheBesideIt) {
+    ASSERT_EQ(suffuse("run case.toml"), 0) << said();
+    ASSERT_TRUE(std::filesystem::exists(folder / "runs/suffuse-cache/cache.json"));
+    ASSERT_EQ(suffuse("plan case.toml --json"), 0) << said();
+    const auto plan = nlohmann::json::parse(read_all(folder / "out"));
+    ASSERT_EQ(plan.at("samples").size(), 3U);
+    EXPECT_EQ(plan.at("samples").at(0).at("cached"), 2);
+    EXPECT_EQ(plan.at("steps").at(1), 0);
+    ASSERT_EQ(suffuse("run case.toml"), 0) << said();
+    EXPECT_NE(said().find("holds 6 of the 6 stages"), std::string::npos) << said();
+    EXPECT_NE(said().find("from the cache"), std::string::npos) << said();
+    EXPECT_EQ(
+        hashes("runs/" + std::filesystem::relative(folder.path()).filename().string() + "-0002"),
+        hashes("runs/" + std::filesystem::relative(folder.path()).filename().string() + "-0001")
+    );
+    ASSERT_EQ(suffuse("run case.toml --no-cache -o fresh"), 0) << said();
+    EXPECT_EQ(said().find("from the cache"), std::string::npos) << said();
+    ASSERT_EQ(suffuse("cache"), 0) << said();
+    EXPECT_NE(said().find("8 stages"), std::string::npos) << said();
+    ASSERT_EQ(suffuse("cache --clear --json"), 0) << said();
+    EXPECT_EQ(nlohmann::json::parse(read_all(folder / "out")).at("dropped"), 8);
+    EXPECT_EQ(suffuse("cache nowhere"), 2);
+}
+
+} // namespace
+} // namespace suffuse

@@ -1,0 +1,218 @@
+// sweep: the samples of a case as tasks that any machine can run, and one run folder gathered from what they leave.
+
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/casefile/bind.hpp"
+#include "suffuse/casefile/read_text.hpp"
+#include "suffuse/io/atomic_file.hpp"
+#include "suffuse/run/folder.hpp"
+#include "suffuse/run/refine.hpp"
+#include "suffuse/run/sample_run.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/exit_code.hpp"
+#include "apps/failures.hpp"
+#include "apps/page_folder.hpp"
+#include "apps/run_folder.hpp"
+#include "apps/verbs.hpp"
+#include "apps/wording.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A word for a shell, whatever stands in it.
+std::string in_quotes(const std::string& word) {
+    std::string text = "'";
+    for (const char c : word) {
+        text += c == '\'' ? "'\\''" : std::string(1, c);
+    }
+    return text + "'";
+}
+
+struct Emitted {
+    casefile::Case what;
+    fs::path folder; ///< absolute: tasks run from anywhere
+    std::vector<run::Sample> left;
+};
+
+/// A new run folder for the case, or the one that is given.
+fs::path prepare_folder(const CommandLine& line, const Console& console, casefile::Case& what) {
+    if (fs::is_directory(line.subject)) {
+        const fs::path folder = line.subject;
+        if (!fs::exists(folder / "case.resolved.toml")) {
+            throw UsageError(fmt::format("{} holds no run", shown(line.subject)));
+        }
+        what = run::load_run(folder);
+        return folder;
+    }
+    what = load_asked_case(line, console);
+    fs::path folder = line.output;
+    if (folder.empty()) {
+        folder = make_run_folder(line.subject);
+    } else {
+        take_run_folder(folder);
+    }
+    if (!fs::exists(folder / "run_options.json")) {
+        const bool is_asked = line.no_cache || !line.cache.empty();
+        keep_asked(
+            folder, {fs::absolute(line.subject).string(), line.preset, line.overrides,
+                     is_asked ? std::optional(cache_folder(line, {}).string()) : std::nullopt}
+        );
+    }
+    run::open_folder(folder, what, casefile::read_whole_file(line.subject));
+    return folder;
+}
+
+/// One task, as a shell runs it.
+std::string task_text(const Emitted& emitted, const run::Sample& sample, const CommandLine& line) {
+    const std::string limit = line.time_limit.empty() ? "" : " --time-limit " + in_quotes(line.time_limit);
+    return fmt::format(
+        "{} resume {} --sample {} -j {}{}\n", in_quotes(fs::read_symlink("/proc/self/exe").string()),
+        in_quotes(emitted.folder.string()), in_quotes(sample.variant->folder), std::max(1, line.threads), limit
+    );
+}
+
+/// Memory for a task, with room for what a plan cannot know [MB].
+int memory_of_task(const casefile::Case& what) {
+    constexpr double room = 1.5, megabyte = 1e6;
+    const run::RunPlan plan = plan_case(what, 1);
+    return static_cast<int>(std::ceil(room * plan.memory / megabyte));
+}
+
+std::string slurm_text(const Emitted& emitted, const CommandLine& line) {
+    constexpr double warning = 60; // seconds before the end at which Slurm asks the task to save
+    std::string time;
+    if (!line.time_limit.empty()) {
+        const double limit = quantity_of(line.time_limit, dimension::time, "--time-limit", false);
+        time = fmt::format("#SBATCH --time={}\n", static_cast<int>(std::ceil((limit + warning) / 60)));
+    }
+    const std::string folder = emitted.folder.string();
+    return fmt::format(
+        "#!/bin/sh\n"
+        "# {} of a run of suffuse, one a task. Submit:  sbatch {}/sweep.sbatch\n"
+        "# A task that is stopped saves what it has; submitted again it goes on. Then:  suffuse sweep --collect {}\n"
+        "#SBATCH --job-name=suffuse-{}\n"
+        "#SBATCH --array=1-{}\n"
+        "#SBATCH --ntasks=1\n"
+        "#SBATCH --cpus-per-task={}\n"
+        "#SBATCH --mem={}M\n"
+        "#SBATCH --output={}/tasks/%a.txt\n"
+        "#SBATCH --signal=B:TERM@{:.0f}\n"
+        "{}"
+        "task=$(sed -n \"${{SLURM_ARRAY_TASK_ID}}p\" {})\n"
+        "eval \"exec $task\"\n",
+        plural(std::ssize(emitted.left), "sample"), folder, folder, emitted.folder.filename().string(),
+        emitted.left.size(), std::max(1, line.threads), memory_of_task(emitted.what), folder, warning, time,
+        in_quotes(folder + "/tasks.txt")
+    );
+}
+
+int emit(const CommandLine& line, const Console& console) {
+    if (!line.time_limit.empty()) {
+        quantity_of(
+            line.time_limit, dimension::time, "--time-limit", false
+        ); // wrong use is told before anything is made
+    }
+    Emitted emitted;
+    const fs::path folder = prepare_folder(line, console, emitted.what);
+    emitted.folder = fs::absolute(folder).lexically_normal();
+    std::string tasks;
+    for (const run::Sample& sample : run::list_samples(emitted.what)) {
+        if (!run::is_complete(sample, folder)) {
+            emitted.left.push_back(sample);
+            tasks += task_text(emitted, sample, line);
+        }
+    }
+    if (emitted.left.empty()) {
+        console.result(fmt::format("every sample is done; suffuse sweep --collect {}", folder.string()));
+        return Done;
+    }
+    io::write_file(folder / "tasks.txt", tasks);
+    fs::create_directories(folder / "tasks");
+    std::string how =
+        fmt::format("parallel < {0}/tasks.txt     (or one after the other: sh {0}/tasks.txt)", folder.string());
+    if (line.emit == "slurm") {
+        set_thread_count(std::max(1, line.threads));
+        io::write_file(folder / "sweep.sbatch", slurm_text(emitted, line));
+        how = fmt::format("sbatch {}/sweep.sbatch", folder.string());
+    }
+    console.result(fmt::format("{} in {}", plural(std::ssize(emitted.left), "task"), folder.string()));
+    console.talk("run:    " + how);
+    console.talk(fmt::format("gather: suffuse sweep --collect {}", folder.string()));
+    console.document(json_text(
+        {{"folder", folder.string()},
+         {"tasks", emitted.left.size()},
+         {"file", (folder / (line.emit == "slurm" ? "sweep.sbatch" : "tasks.txt")).string()}}
+    ));
+    return Done;
+}
+
+int collect(const CommandLine& line, const Console& console) {
+    const fs::path folder = line.collect;
+    if (!fs::exists(folder / "case.resolved.toml")) {
+        throw UsageError(fmt::format("{} holds no run", shown(line.collect)));
+    }
+    const FolderLock lock(folder);
+    const std::vector<run::Refinement> refined = run::find_refinements(run::load_run(folder), folder);
+    if (!refined.empty()) {
+        run::keep_refinements(folder, refined);
+    }
+    const casefile::Case what = run::load_run(folder);
+    const run::RunReport report = run::rebuild_report(folder, page_folder());
+    std::vector<std::string> unfinished;
+    const std::vector<run::Sample> samples = run::list_samples(what);
+    for (const run::Sample& sample : samples) {
+        const std::string& name = sample.variant->folder;
+        const bool has_failed = std::any_of(report.failures.begin(), report.failures.end(), [&](const auto& failure) {
+            return failure.sample == name;
+        });
+        if (!has_failed && !run::is_complete(sample, folder)) {
+            unfinished.push_back(name);
+        }
+    }
+    const auto done = samples.size() - unfinished.size() - report.failures.size();
+    console.result(
+        fmt::format("{} of {} done   {}", done, plural(std::ssize(samples), "sample"), report.report.string())
+    );
+    if (!report.failures.empty()) {
+        tell_failures(report.failures, std::ssize(samples), folder, console);
+    }
+    for (const std::string& name : unfinished) {
+        console.detail("not finished: " + name);
+    }
+    if (!unfinished.empty()) {
+        console.talk(fmt::format(
+            "{} not finished: suffuse sweep {} --emit slurm writes tasks for them, suffuse resume {} runs them here",
+            plural(std::ssize(unfinished), "sample"), folder.string(), folder.string()
+        ));
+    }
+    const int code = !report.failures.empty() ? code_of(report.failures)
+                     : !unfinished.empty()    ? OutOfTime
+                     : report.flaws.empty()   ? Done
+                                              : Flawed;
+    console.document(json_text(
+        {{"folder", folder.string()},
+         {"exit_code", code},
+         {"report", report.report.string()},
+         {"samples", samples.size()},
+         {"done", done},
+         {"unfinished", unfinished},
+         {"failures", failures_json(report.failures)},
+         {"warnings", report.warnings},
+         {"flaws", report.flaws},
+         {"findings", report.findings}}
+    ));
+    return code;
+}
+
+} // namespace
+
+int sweep_verb(const CommandLine& line, const Console& console) {
+    return line.collect.empty() ? emit(line, console) : collect(line, console);
+}
+
+} // namespace suffuse::apps

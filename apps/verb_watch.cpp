@@ -1,0 +1,153 @@
+// watch: a run followed from another terminal, through what its folder holds; or, when it is over, how it went.
+
+#include "suffuse/run/folder.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/event_log.hpp"
+#include "apps/exit_code.hpp"
+#include "apps/progress_file.hpp"
+#include "apps/run_folder.hpp"
+#include "apps/verbs.hpp"
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds look_interval{250};
+constexpr std::chrono::seconds silence{3}; // without news, the lock is looked at: a killed run says no goodbye
+
+/// The lines below the events, where they can be redrawn.
+class Footer {
+public:
+    explicit Footer(bool redraws) : redraws_(redraws) {}
+
+    void draw(const Published& published) {
+        if (!redraws_) {
+            return;
+        }
+        clear();
+        for (const std::string& line : progress_lines(
+                 published.latest, published.running, published.left, "Ctrl-C ends the watch, not the run",
+                 terminal_width(), speaks_utf8()
+             )) {
+            write(line + "\n");
+            ++lines_;
+        }
+    }
+
+    void clear() {
+        if (lines_ > 0) {
+            write(fmt::format("\x1b[{}A\r\x1b[J", lines_));
+        }
+        lines_ = 0;
+    }
+
+private:
+    static void write(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+    bool redraws_;
+    std::size_t lines_ = 0;
+};
+
+class Watch {
+public:
+    Watch(fs::path folder, const Console& console)
+        : folder_(std::move(folder)), console_(console), events_(folder_),
+          footer_(can_redraw() && !console.is_quiet() && !console.wants_json()) {}
+
+    /// @return the events, all of them, once the run is over or nobody works on it.
+    nlohmann::json follow() {
+        for (;;) {
+            const bool news = tell_events() || tell_progress();
+            if (is_over_) {
+                break;
+            }
+            if (news) {
+                last_news_ = Clock::now();
+            } else if (is_first_ || Clock::now() - last_news_ > silence) {
+                if (!is_at_work(folder_)) {
+                    tell_events(); // what it said between the look and its end
+                    break;
+                }
+                last_news_ = Clock::now();
+            }
+            is_first_ = false;
+            std::this_thread::sleep_for(look_interval);
+        }
+        footer_.clear();
+        return told_;
+    }
+
+    [[nodiscard]] bool is_over() const { return is_over_; }
+
+private:
+    bool tell_events() {
+        const std::vector<nlohmann::json> fresh = events_.read_new();
+        for (const nlohmann::json& event : fresh) {
+            footer_.clear();
+            console_.result(event_line(event));
+            is_over_ = event.value("event", "") == "run ends"; // unless it was taken up again
+            told_.push_back(event);
+        }
+        std::fflush(stdout);
+        return !fresh.empty();
+    }
+
+    bool tell_progress() {
+        std::error_code error;
+        const auto written = fs::last_write_time(folder_ / progress_file, error);
+        if (error || written == seen_) {
+            return false;
+        }
+        seen_ = written;
+        if (const auto published = read_progress(folder_)) {
+            footer_.draw(*published);
+        }
+        return true;
+    }
+
+    fs::path folder_;
+    const Console& console_;
+    EventLog events_;
+    Footer footer_;
+    nlohmann::json told_ = nlohmann::json::array();
+    fs::file_time_type seen_{};
+    Clock::time_point last_news_ = Clock::now();
+    bool is_over_ = false, is_first_ = true;
+};
+
+} // namespace
+
+int watch_verb(const CommandLine& line, const Console& console) {
+    const fs::path folder = line.subject;
+    if (!fs::exists(folder / "events.jsonl") && !is_at_work(folder)) {
+        throw UsageError(fmt::format(
+            "{} holds no run that has begun; suffuse watch wants the folder that suffuse run names", shown(line.subject)
+        ));
+    }
+    Watch watch(folder, console);
+    const nlohmann::json events = watch.follow();
+    const fs::path report = folder / "report.html";
+    const bool has_report = watch.is_over() && fs::exists(report);
+    if (has_report) {
+        console.result(report.string());
+    } else if (!watch.is_over()) {
+        console.result(fmt::format(
+            "nobody works on this run and it has not ended: it was killed; go on with suffuse resume {}",
+            shown(line.subject)
+        ));
+    }
+    console.document(
+        json_text({{"ended", watch.is_over()}, {"report", has_report ? report.string() : ""}, {"events", events}})
+    );
+    return watch.is_over() ? Done : Failed;
+}
+
+} // namespace suffuse::apps

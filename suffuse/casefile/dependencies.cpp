@@ -1,0 +1,59 @@
+#include "suffuse/casefile/dependencies.hpp"
+
+#include "suffuse/casefile/fields.hpp"
+#include "suffuse/casefile/soil_fields.hpp"
+#include "suffuse/casefile/study_fields.hpp"
+
+namespace suffuse::casefile {
+namespace {
+
+template <class Spec>
+bool is(const Stage& stage) {
+    return std::holds_alternative<Spec>(stage.spec);
+}
+
+/// The stage without what has no part in its result.
+Stage nameless(Stage stage) {
+    stage.name.clear();
+    stage.from.clear();
+    stage.only.clear();
+    stage.restore = false;
+    if (auto* import = std::get_if<ImportSpec>(&stage.spec)) {
+        import->path.clear();
+    }
+    return stage;
+}
+
+} // namespace
+
+std::string dependencies_of(const Case& c, const Variant& variant, const Stage& stage) {
+    Case copy = c;
+    const auto write = [](const std::string& pattern, auto body) {
+        Writer v({pattern});
+        body(v);
+        return v.node();
+    };
+    Node root = write("", [&](Writer& v) {
+        v.field("seed", variant.seed);
+        v.choice("mode", copy.mode, names::mode);
+    });
+    if (is<packing::PackSpec>(stage)) {
+        root.set("particles", make_node(Scalar(variant.particles)));
+    }
+    root.set("grain", write("grain", [&](Writer& v) { grain_fields(v, copy.material); }));
+    root.set("contact", write("contact", [&](Writer& v) { contact_fields(v, copy.material, copy.damping); }));
+    root.set("balance", write("balance", [&](Writer& v) { fields(v, copy.balance); }));
+    if (is<flow::FlowSpec>(stage) || is<erosion::DetachStageSpec>(stage) || is<erosion::ErodeSpec>(stage)) {
+        root.set("fluid", write("fluid", [&](Writer& v) { fields(v, copy.fluid); }));
+    }
+    const bool makes_sample = is<packing::PackSpec>(stage) || is<ImportSpec>(stage);
+    if (makes_sample && variant.soil) {
+        root.set("soil", write_soil(*variant.soil));
+    }
+    copy.output.checkpoint = OutputSpec{}.checkpoint; // when a state is saved on the way changes nothing
+    root.set("output", write("output", [&](Writer& v) { fields(v, copy.output); }));
+    root.set("stage", write_stage(nameless(stage)));
+    return print_file(root);
+}
+
+} // namespace suffuse::casefile

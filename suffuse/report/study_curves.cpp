@@ -1,0 +1,33 @@
+#include "suffuse/report/study_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::report {
+
+Scatter scatter_of(std::vector<double> of_seed) {
+    Scatter scatter;
+    double sum = 0;
+    for (const double value : of_seed) {
+        if (std::isfinite(value)) {
+            sum += value;
+            ++scatter.seeds;
+        }
+    }
+    scatter.mean = scatter.seeds > 0 ? sum / scatter.seeds : std::nan("");
+    double squares = 0;
+    for (const double value : of_seed) {
+        squares += std::isfinite(value) ? (value - scatter.mean) * (value - scatter.mean) : 0;
+    }
+    scatter.standard_deviation = scatter.seeds > 1 ? std::sqrt(squares / (scatter.seeds - 1)) : 0;
+    scatter.of_seed = std::move(of_seed);
+    return scatter;
+}
+
+const StageCurve* StudyCurves::find(const std::string& stage) const {
+    const auto found =
+        std::find_if(stages.begin(), stages.end(), [&](const StageCurve& c) { return c.stage == stage; });
+    return found == stages.end() ? nullptr : &*found;
+}
+
+} // namespace suffuse::report

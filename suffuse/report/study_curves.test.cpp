@@ -1,0 +1,21 @@
+#include "suffuse/report/study_curves.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace suffuse::report {
+namespace {
+
+TEST(StudyCurves, ScatterIsThatOfASampleAndLeavesOutMissingSeeds) {
+    const Scatter three = scatter_of({1, 2, 6, std::nan("")});
+    EXPECT_EQ(three.seeds, 3);
+    EXPECT_DOUBLE_EQ(three.mean, 3);
+    EXPECT_DOUBLE_EQ(three.standard_deviation, std::sqrt((4.0 + 1 + 9) / 2));
+    EXPECT_EQ(three.of_seed.size(), 4U) << "seeds keep their places";
+    EXPECT_EQ(scatter_of({5}).standard_deviation, 0);
+    EXPECT_TRUE(std::isnan(scatter_of({}).mean));
+}
+
+} // namespace
+} // namespace suffuse::report

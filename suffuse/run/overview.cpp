@@ -1,0 +1,33 @@
+#include "suffuse/run/overview.hpp"
+
+#include "suffuse/run/folder.hpp"
+
+namespace suffuse::run {
+
+void Overview::show(Progress progress) {
+    if (!options_.on_progress) {
+        return;
+    }
+    const std::lock_guard lock(mutex_);
+    progress.stages = stages_;
+    progress.samples = samples_;
+    progress.stages_done = stages_done_;
+    progress.samples_done = samples_done_;
+    progress.samples_failed = samples_failed_;
+    progress.run_seconds = run_seconds();
+    options_.on_progress(progress);
+}
+
+void Overview::tell(nlohmann::json event) const {
+    log_event(
+        options_.sample.empty() ? options_.folder : options_.folder / "studies" / options_.sample, std::move(event)
+    );
+}
+
+void Overview::end_sample(Progress last) {
+    ++(last.failure.empty() ? samples_done_ : samples_failed_);
+    last.sample_ended = true;
+    show(std::move(last));
+}
+
+} // namespace suffuse::run

@@ -1,0 +1,59 @@
+#pragma once
+// What the samples of a run share while they run side by side: when the run began, whether it should stop, how many
+// stages are done, and the one line to whoever watches. Every function may be called by any thread.
+
+#include "suffuse/run/runner.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+namespace suffuse::run {
+
+class Overview {
+public:
+    Overview(const RunOptions& options, int stages, int samples)
+        : options_(options), stages_(stages), samples_(samples) {}
+
+    /// Hands `progress` on with the counts of the whole run; one call at a time.
+    void show(Progress progress);
+
+    /// Whether anybody watches.
+    [[nodiscard]] bool is_watched() const { return static_cast<bool>(options_.on_progress); }
+
+    /// Appends to the events of the run; a sample that is run alone has its own.
+    void tell(nlohmann::json event) const;
+
+    /// Further samples, when those before have ended.
+    void add(int stages, int samples) {
+        stages_ += stages;
+        samples_ += samples;
+    }
+
+    void count_stage() { ++stages_done_; }
+
+    void end_sample(Progress last);
+
+    /// Every sample saves and stops at its next burst: something is broken that is no sample's own failure.
+    void break_off() { broken_ = true; }
+
+    [[nodiscard]] bool should_stop() const {
+        return broken_ || (options_.stop != nullptr && options_.stop->load()) || out_of_time();
+    }
+
+    [[nodiscard]] bool out_of_time() const { return run_seconds() > options_.time_limit; }
+
+    [[nodiscard]] double run_seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    const RunOptions& options_;
+    std::atomic<int> stages_, samples_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::atomic<int> stages_done_{0}, samples_done_{0}, samples_failed_{0};
+    std::atomic<bool> broken_{false};
+    std::mutex mutex_;
+};
+
+} // namespace suffuse::run

@@ -1,0 +1,248 @@
+#include "suffuse/run/sample_run.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/io/checkpoint.hpp"
+#include "suffuse/io/packing_export.hpp"
+#include "suffuse/io/tables.hpp"
+#include "suffuse/io/vtk.hpp"
+#include "suffuse/run/folder.hpp"
+#include "suffuse/run/measure.hpp"
+#include "suffuse/run/result_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suffuse::run {
+namespace {
+
+using nlohmann::json;
+
+// Of the smaller radius. Hard shearing presses single fines far into their neighbors at this stiffness; beyond a fifth
+// the linear law is no model of a contact any more.
+constexpr double notable_overlap = 0.1, largest_good_overlap = 0.2;
+
+bool writes(const casefile::OutputSpec& output, std::string_view format) {
+    return std::find(output.formats.begin(), output.formats.end(), format) != output.formats.end();
+}
+
+std::string stage_name(const casefile::Variant& variant, const casefile::Stage& stage) {
+    return variant.folder + "/" + stage.name;
+}
+
+void take_up(StageWork& work) {
+    io::Checkpoint partial = io::load_world(work.folder / "partial.h5");
+    const json saved = json::parse(partial.attributes.at("stage"));
+    work.world = std::move(partial.world);
+    work.history.restore(saved.at("history"));
+    work.grain_steps = saved.at("grain_steps");
+    work.earlier_seconds = saved.at("seconds");
+    work.resumed = saved.at("state");
+}
+
+/// stage.json, but for what is said of the whole run.
+json describe_stage(StageWork& work) {
+    json numbers = measure_state(work.world);
+    numbers["steps"] = 0;
+    numbers.update(work.numbers);
+    const double seconds = work.seconds();
+    numbers["stage"] = work.stage.name;
+    numbers["verb"] = casefile::verb_of(work.stage.spec);
+    numbers["time_step"] = work.time_step;
+    numbers["wall_seconds"] = seconds;
+    numbers["particle_steps_per_second"] = seconds > 0 ? static_cast<double>(work.grain_steps) / seconds : 0.0;
+    numbers["inertial_number_max"] = work.history.largest_inertial_number();
+    if (const double overlap = numbers["max_overlap_ratio"]; overlap > notable_overlap) {
+        (overlap > largest_good_overlap ? work.flaws : work.warnings)
+            .push_back(fmt::format(
+                "{}: the largest overlap is {:.1f} % of the smaller radius; a higher contact.modulus or a lower "
+                "pressure makes it smaller",
+                stage_name(work.variant, work.stage), 100 * overlap
+            ));
+    }
+    numbers["end_state"] = describe_state(work.world);
+    numbers["warnings"] = work.warnings;
+    numbers["flaws"] = work.flaws;
+    return numbers;
+}
+
+void save_findings(const StageWork& work) {
+    json results = json::object();
+    if (!work.findings.probes.empty()) {
+        results["probes"] = work.findings.probes;
+    }
+    if (work.findings.erosion) {
+        results["erosion"] = *work.findings.erosion;
+    }
+    if (!work.findings.curve.empty()) {
+        results["curve"] = work.findings.curve;
+    }
+    if (!results.empty()) {
+        write_cbor(work.folder / "results.cbor", results);
+    }
+}
+
+void write_files(const StageWork& work, const casefile::OutputSpec& output) {
+    const dem::World& world = work.world;
+    io::save_world(work.folder / "state.h5", world, {{"stage", stage_name(work.variant, work.stage)}});
+    work.history.write_csv(work.folder / "history.csv");
+    if (work.write_tables) {
+        io::write_grains_csv(work.folder / "grains.csv", world);
+        io::write_contacts_csv(work.folder / "contacts.csv", world);
+    }
+    if (writes(output, "vtp")) {
+        io::write_grains_vtp(work.folder / "grains.vtp", world);
+        io::write_contacts_vtp(work.folder / "contacts.vtp", world);
+        io::write_cell_vtp(work.folder / "cell.vtp", world.cell);
+    }
+    if (writes(output, "xyz")) {
+        io::export_extended_xyz(work.folder / "grains.xyz", world.grains, world.cell);
+    }
+    save_findings(work);
+}
+
+} // namespace
+
+bool is_complete(const Sample& sample, const std::filesystem::path& run) {
+    const auto& stages = sample.variant->stages;
+    return std::all_of(stages.begin(), stages.begin() + sample.stages, [&](const casefile::Stage& stage) {
+        return std::filesystem::exists(stage_folder(run, *sample.variant, stage) / "stage.json");
+    });
+}
+
+Progress SampleRun::place() const {
+    Progress where;
+    where.study = sample_.variant->folder;
+    where.sample = sample_.number;
+    where.stage_number = sample_.first_stage;
+    if (stage_ != nullptr) {
+        where.stage = stage_->name;
+        where.verb = casefile::verb_of(stage_->spec);
+        where.stage_number += static_cast<int>(stage_ - sample_.variant->stages.data());
+    }
+    return where;
+}
+
+void SampleRun::run() {
+    for (int row = 0; row < sample_.stages; ++row) {
+        stage_ = &sample_.variant->stages[static_cast<std::size_t>(row)];
+        const std::filesystem::path folder = stage_folder(options_.folder, *sample_.variant, *stage_);
+        if (!std::filesystem::exists(folder / "stage.json")) {
+            run_stage(*stage_);
+        } else {
+            overview_.count_stage();
+        }
+    }
+}
+
+void SampleRun::run_stage(const casefile::Stage& stage) {
+    const std::filesystem::path folder = stage_folder(options_.folder, *sample_.variant, stage);
+    std::filesystem::create_directories(folder);
+    std::filesystem::remove(folder / failure_file);
+    dem::World start = start_of(stage);
+    std::string key;
+    if (!options_.cache.empty() && StageCache::keeps(stage)) {
+        const std::string state = stage.parent >= 0 ? describe_state(start) : "";
+        key = StageCache::key_of(what_, *sample_.variant, stage, state);
+        if (take_from_cache(stage, folder, key)) {
+            return;
+        }
+    }
+    StageWork work = begin_work(stage, folder, std::move(start));
+    control_.begin(place());
+    try {
+        do_stage(work);
+    } catch (const Interrupted&) {
+        tell("stage interrupted", stage);
+        throw;
+    } catch (const Error& error) {
+        tell("stage fails", stage, {{"what", error.what()}});
+        throw;
+    }
+    finish(work);
+    keep_in_cache(stage, folder, key);
+}
+
+bool SampleRun::take_from_cache(
+    const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key
+) {
+    if (!cache_.take(key, *sample_.variant, stage, folder)) {
+        return false;
+    }
+    std::filesystem::remove(folder / "partial.h5");
+    overview_.count_stage();
+    tell("stage taken from the cache", stage);
+    Progress taken = place();
+    taken.state = read_json(folder / "stage.json");
+    taken.stage_finished = taken.from_cache = true;
+    overview_.show(std::move(taken));
+    return true;
+}
+
+/// A cache that cannot be written costs time later, and no result now.
+void SampleRun::keep_in_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key)
+    const {
+    if (key.empty()) {
+        return;
+    }
+    try {
+        cache_.keep(key, folder);
+    } catch (const IoError& error) {
+        tell("stage not kept in the cache", stage, {{"what", error.what()}});
+    }
+}
+
+StageWork SampleRun::begin_work(const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start) {
+    StageWork work{
+        what_,
+        *sample_.variant,
+        stage,
+        folder,
+        leaves_tables(what_, *sample_.variant, stage),
+        control_,
+        std::move(start),
+        History(stage.record_every.value_or(what_.output.histories_every)),
+        json::object(),
+        {},
+        {},
+        {},
+        0,
+        0,
+        0,
+        {}};
+    if (std::filesystem::exists(folder / "partial.h5")) {
+        take_up(work);
+    }
+    return work;
+}
+
+dem::World SampleRun::start_of(const casefile::Stage& stage) const {
+    dem::World world;
+    if (stage.parent >= 0) {
+        const casefile::Stage& parent = sample_.variant->stages[static_cast<std::size_t>(stage.parent)];
+        world = io::load_world(stage_folder(options_.folder, *sample_.variant, parent) / "state.h5").world;
+    }
+    world.material = what_.material;
+    world.seed = sample_.variant->seed;
+    world.reference_h = world.cell.h;
+    return world;
+}
+
+/// Everything a stage leaves behind; stage.json last, as the sign that the stage is complete.
+void SampleRun::finish(StageWork& work) {
+    const json numbers = describe_stage(work);
+    write_files(work, what_.output);
+    write_json(work.folder / "stage.json", numbers);
+    std::filesystem::remove(work.folder / "partial.h5");
+    overview_.count_stage();
+    tell("stage done", work.stage, {{"wall_seconds", numbers["wall_seconds"]}});
+    control_.finish(numbers);
+}
+
+void SampleRun::tell(const std::string& event, const casefile::Stage& stage, json more) const {
+    more["event"] = event;
+    more["stage"] = stage_name(*sample_.variant, stage);
+    overview_.tell(std::move(more));
+}
+
+} // namespace suffuse::run

@@ -1,0 +1,27 @@
+#pragma once
+// The samples of a case: one for each study, set of sweep values and seed. Each is run on its own, in any order.
+
+#include "suffuse/casefile/case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace suffuse::run {
+
+struct Sample {
+    const casefile::Study* study = nullptr;
+    const casefile::Variant* variant = nullptr;
+    int number = 0;      ///< 1-based, over the whole run
+    int first_stage = 0; ///< number of its first stage, 1-based, over the whole run
+    int stages = 0;      ///< how many of its stages are to be run: all, or those up to the one asked for as the last
+};
+
+/// In the order of the file. With `until`, each sample ends with its stage of that name, and those without one are
+/// left out. The samples point into `what`.
+std::vector<Sample> list_samples(const casefile::Case& what, const std::string& until = {});
+
+/// Whether the stage leaves CSV tables of many rows: the last stage does, those of imported samples do, and others
+/// where [output] asks for it.
+bool leaves_tables(const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage);
+
+} // namespace suffuse::run

@@ -1,0 +1,269 @@
+#include "suffuse/run/stage_cache.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/state_hash.hpp"
+#include "suffuse/base/version.hpp"
+#include "suffuse/casefile/dependencies.hpp"
+#include "suffuse/run/folder.hpp"
+#include "suffuse/run/samples.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <dlfcn.h>
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+namespace suffuse::run {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int layout = 1; // of entries; a change of it makes all of them unknown
+const char* const entry_file = "entry.json";
+const char* const settings_file = "cache.json";
+
+std::string hash_of_file(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    StateHash hash;
+    hash.add(std::string_view(bytes));
+    return fmt::format("{:016x}, {} bytes", hash.value(), bytes.size());
+}
+
+/// The code that computes, whatever its version says: a program that was built anew may give other bits.
+const std::string& program() {
+    static const std::string text = [] {
+        Dl_info object{};
+        const bool is_found = dladdr(reinterpret_cast<const void*>(&StageCache::key_of), &object) != 0;
+        std::error_code error;
+        fs::path file = is_found && object.dli_fname != nullptr ? object.dli_fname : "";
+        if (!fs::exists(file, error)) {
+            file = "/proc/self/exe"; // a program that was found through PATH is known by its bare name
+        }
+        return fmt::format("{} {}, {}", version(), commit(), hash_of_file(file));
+    }();
+    return text;
+}
+
+/// An entry's folder without what is the entry's own.
+bool belongs_to_stage(const fs::directory_entry& file) {
+    const std::string name = file.path().filename();
+    return file.is_regular_file() && name != entry_file && name != "stage.json" && name != "partial.h5" &&
+           name != failure_file;
+}
+
+CacheEntry read_entry(const fs::path& folder, const json& entry) {
+    return {folder, entry.at("made_as"), entry.at("end_state"), entry.at("bytes"), entry.at("wall_seconds")};
+}
+
+std::optional<json> read_entry_file(const fs::path& folder) {
+    std::error_code error;
+    if (!fs::exists(folder / entry_file, error)) {
+        return std::nullopt;
+    }
+    try {
+        return read_json(folder / entry_file);
+    } catch (const IoError&) {
+        return std::nullopt; // damaged, or dropped by another program just now
+    }
+}
+
+/// Texts begin with the name of the stage, some with that of its study too.
+json renamed(json texts, const std::string& made_as, const std::string& name_now) {
+    const auto stage_of = [](const std::string& name) { return name.substr(name.rfind('/') + 1); };
+    for (json& item : texts) {
+        const std::string text = item;
+        for (const auto& [from, to] : {std::pair{made_as, name_now}, {stage_of(made_as), stage_of(name_now)}}) {
+            if (text.rfind(from + ": ", 0) == 0) {
+                item = to + text.substr(from.size());
+                break;
+            }
+        }
+    }
+    return texts;
+}
+
+} // namespace
+
+std::string describe_state(const dem::World& world) {
+    StateHash hash;
+    hash.add(dem::state_hash(world));
+    hash.add(world.clock.time);
+    hash.add(std::span(world.grains.id));
+    hash.add(std::span(world.grains.fine));
+    hash.add(std::span(world.grains.mass));
+    return fmt::format("{:016x}", hash.value());
+}
+
+std::string StageCache::key_of(
+    const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage,
+    const std::string& start_state
+) {
+    std::string text = fmt::format("# suffuse {}, cache layout {}\n", program(), layout);
+    text += start_state.empty() ? "# makes its own sample\n" : "# starts from the state " + start_state + "\n";
+    if (const auto* import = std::get_if<casefile::ImportSpec>(&stage.spec)) {
+        text += "# packing " + hash_of_file(import->path) + "\n";
+    }
+    text += leaves_tables(what, variant, stage) ? "# leaves tables\n" : "";
+    return text + casefile::dependencies_of(what, variant, stage);
+}
+
+bool StageCache::keeps(const casefile::Stage& stage) {
+    return !std::holds_alternative<casefile::ImportSpec>(stage.spec);
+}
+
+fs::path StageCache::place_of(const std::string& key) const {
+    StateHash hash;
+    hash.add(std::string_view(key));
+    return folder_ / fmt::format("{:016x}", hash.value());
+}
+
+std::optional<CacheEntry> StageCache::find(const std::string& key) const {
+    if (folder_.empty()) {
+        return std::nullopt;
+    }
+    const fs::path place = place_of(key);
+    const std::optional<json> entry = read_entry_file(place);
+    if (!entry || entry->at("depends_on") != key) {
+        return std::nullopt;
+    }
+    return read_entry(place, *entry);
+}
+
+bool StageCache::take(
+    const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage, const fs::path& stage_folder
+) const {
+    const std::optional<CacheEntry> entry = find(key);
+    if (!entry) {
+        return false;
+    }
+    try {
+        for (const fs::directory_entry& file : fs::directory_iterator(entry->folder)) {
+            if (belongs_to_stage(file)) {
+                fs::copy_file(file.path(), stage_folder / file.path().filename(), fs::copy_options::overwrite_existing);
+            }
+        }
+        json numbers = read_json(entry->folder / "stage.json");
+        const std::string name_now = variant.folder + "/" + stage.name;
+        numbers["stage"] = stage.name;
+        numbers["from_cache"] = true;
+        for (const char* const list : {"warnings", "flaws"}) {
+            numbers[list] = renamed(numbers.at(list), entry->made_as, name_now);
+        }
+        fs::last_write_time(entry->folder, fs::file_time_type::clock::now());
+        write_json(stage_folder / "stage.json", numbers);
+        return true;
+    } catch (const fs::filesystem_error&) { // another program dropped it meanwhile: computed instead
+    } catch (const IoError&) {
+    }
+    return false;
+}
+
+void StageCache::keep(const std::string& key, const fs::path& stage_folder) const {
+    if (folder_.empty() || fs::exists(place_of(key))) {
+        return;
+    }
+    static std::atomic<int> count{0};
+    const fs::path making = folder_ / fmt::format("new-{}-{}", getpid(), ++count);
+    try {
+        fs::create_directories(making);
+        if (!fs::exists(folder_ / settings_file)) {
+            set_limit(usual_limit);
+        }
+        const json numbers = read_json(stage_folder / "stage.json");
+        std::uintmax_t bytes = 0;
+        for (const fs::directory_entry& file : fs::directory_iterator(stage_folder)) {
+            if (belongs_to_stage(file)) {
+                fs::copy_file(file.path(), making / file.path().filename());
+                bytes += file.file_size();
+            }
+        }
+        write_json(making / "stage.json", numbers);
+        // studies/STUDY[/sweep values]/STAGE
+        std::string made_as;
+        for (fs::path part = stage_folder; part.filename() != "studies" && part.has_relative_path();
+             part = part.parent_path()) {
+            made_as = part.filename().string() + (made_as.empty() ? "" : "/" + made_as);
+        }
+        write_json(
+            making / entry_file, {{"made_as", made_as},
+                                  {"end_state", numbers.at("end_state")},
+                                  {"bytes", bytes},
+                                  {"wall_seconds", numbers.at("wall_seconds")},
+                                  {"depends_on", key}}
+        );
+        std::error_code error;
+        fs::rename(making, place_of(key), error);
+        if (error) { // another sample was first, with the same bits
+            fs::remove_all(making, error);
+        }
+    } catch (const fs::filesystem_error& problem) {
+        std::error_code error;
+        fs::remove_all(making, error);
+        throw IoError(fmt::format("{}: {}", folder_.string(), problem.code().message()));
+    } catch (...) {
+        std::error_code error;
+        fs::remove_all(making, error);
+        throw;
+    }
+    shrink(limit());
+}
+
+std::vector<CacheEntry> StageCache::entries() const {
+    std::vector<std::pair<fs::file_time_type, CacheEntry>> found;
+    std::error_code error;
+    for (const fs::directory_entry& place : fs::directory_iterator(folder_, error)) {
+        const std::optional<json> entry = place.is_directory(error) ? read_entry_file(place.path()) : std::nullopt;
+        const bool is_being_made = place.path().filename().string().rfind("new-", 0) == 0;
+        if (entry && !is_being_made) {
+            found.emplace_back(fs::last_write_time(place.path(), error), read_entry(place.path(), *entry));
+        }
+    }
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+        return a.first != b.first ? a.first > b.first : a.second.folder < b.second.folder;
+    });
+    std::vector<CacheEntry> list;
+    for (auto& [time, entry] : found) {
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+std::int64_t StageCache::limit() const {
+    std::error_code error;
+    return fs::exists(folder_ / settings_file, error)
+               ? read_json(folder_ / settings_file).value("limit_bytes", usual_limit)
+               : usual_limit;
+}
+
+void StageCache::set_limit(std::int64_t bytes) const {
+    fs::create_directories(folder_);
+    write_json(
+        folder_ / settings_file,
+        {{"about", "stages that suffuse computed, each with all that it depends on; may be deleted at any time"},
+         {"limit_bytes", bytes}}
+    );
+}
+
+int StageCache::shrink(std::int64_t bytes) const {
+    int dropped = 0;
+    std::int64_t held = 0;
+    for (const CacheEntry& entry : entries()) {
+        held += entry.bytes;
+        if (held <= bytes) {
+            continue;
+        }
+        std::error_code error;
+        fs::remove_all(entry.folder, error);
+        held -= entry.bytes;
+        ++dropped;
+    }
+    return dropped;
+}
+
+} // namespace suffuse::run

@@ -1,0 +1,76 @@
+#pragma once
+// Finished stages, kept by all that they depend on: the program, the stage with its settings, the seed, and the state
+// that it starts from. A folder that people can look at, limit and delete: each entry is the folder of a stage and
+// `entry.json`, which says in words what it depends on. Several programs may use one cache at a time.
+
+#include "suffuse/casefile/case.hpp"
+#include "suffuse/dem/world.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace suffuse::run {
+
+/// Hash of everything that a later stage can take from a state: beyond the next step also the grains' class and mass,
+/// the clock, and the order of the rows.
+std::string describe_state(const dem::World& world);
+
+struct CacheEntry {
+    std::filesystem::path folder;
+    std::string made_as;   ///< "STUDY/STAGE" of the run that made it
+    std::string end_state; ///< of describe_state
+    std::int64_t bytes = 0;
+    double wall_seconds = 0; ///< that it took
+};
+
+class StageCache {
+public:
+    static constexpr std::int64_t usual_limit = 10'000'000'000; ///< [B]
+
+    /// An empty path is a cache that holds nothing and keeps nothing.
+    explicit StageCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// What the stage depends on, in words.
+    /// @param start_state describe_state of the state that it starts from; empty where it makes its own
+    [[nodiscard]] static std::string key_of(
+        const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage,
+        const std::string& start_state
+    );
+
+    /// Whether results of this stage are kept; reading a packing again costs no more than copying it.
+    [[nodiscard]] static bool keeps(const casefile::Stage& stage);
+
+    [[nodiscard]] std::optional<CacheEntry> find(const std::string& key) const;
+
+    /// Puts the files of the entry into the folder of a stage, under that stage's name; false where there is no such
+    /// entry, or none any more.
+    bool take(
+        const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage,
+        const std::filesystem::path& stage_folder
+    ) const;
+
+    /// Keeps a finished stage, then drops entries that were not used for the longest time until the limit is met.
+    /// @throws IoError where the cache cannot be written; it is as before then.
+    void keep(const std::string& key, const std::filesystem::path& stage_folder) const;
+
+    /// All entries, those used last first.
+    [[nodiscard]] std::vector<CacheEntry> entries() const;
+
+    /// [B]
+    [[nodiscard]] std::int64_t limit() const;
+    void set_limit(std::int64_t bytes) const;
+
+    /// Drops entries until the rest takes at most so many bytes; returns how many went.
+    int shrink(std::int64_t bytes) const;
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+private:
+    [[nodiscard]] std::filesystem::path place_of(const std::string& key) const;
+
+    std::filesystem::path folder_;
+};
+
+} // namespace suffuse::run

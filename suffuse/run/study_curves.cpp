@@ -1,0 +1,168 @@
+#include "suffuse/run/study_curves.hpp"
+
+#include "suffuse/base/units.hpp"
+#include "suffuse/casefile/node.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace suffuse::run {
+namespace {
+
+using nlohmann::json;
+using report::SweepPoint;
+
+/// A sweep value in SI; not a number for words and flags.
+double size_of(const casefile::Scalar& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) {
+        try {
+            return parse_quantity(*text).value;
+        } catch (const UnitError&) {
+            return std::nan("");
+        }
+    }
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+        return static_cast<double>(*integer);
+    }
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr ? *number : std::nan("");
+}
+
+std::string written(const casefile::Scalar& value) {
+    const auto* text = std::get_if<std::string>(&value);
+    return text != nullptr ? *text : casefile::print_value(casefile::make_node(value));
+}
+
+/// All numbers of a stage, those of inner objects by joined names. Lists are no single numbers.
+void collect_numbers(const json& from, const std::string& prefix, std::map<std::string, double>& numbers) {
+    for (const auto& [key, value] : from.items()) {
+        if (value.is_number()) {
+            numbers[prefix + key] = value.get<double>();
+        } else if (value.is_object()) {
+            collect_numbers(value, prefix + key + ".", numbers);
+        }
+    }
+}
+
+/// The samples of one stage at one set of values.
+struct Gathered {
+    SweepPoint point;
+    std::vector<std::map<std::string, double>> of_seed;
+};
+
+SweepPoint summed_up(Gathered gathered) {
+    std::set<std::string> names;
+    for (const auto& numbers : gathered.of_seed) {
+        for (const auto& [name, value] : numbers) {
+            names.insert(name);
+        }
+    }
+    for (const std::string& name : names) {
+        std::vector<double> values;
+        for (const auto& numbers : gathered.of_seed) {
+            const auto found = numbers.find(name);
+            values.push_back(found == numbers.end() ? std::nan("") : found->second);
+        }
+        gathered.point.number[name] = report::scatter_of(std::move(values));
+    }
+    return std::move(gathered.point);
+}
+
+bool comes_before(const SweepPoint& a, const SweepPoint& b) {
+    for (std::size_t k = 0; k < a.value.size(); ++k) {
+        const bool is_word_a = std::isnan(a.value[k]), is_word_b = std::isnan(b.value[k]);
+        if (is_word_a != is_word_b) {
+            return is_word_b;
+        }
+        if (!is_word_a && a.value[k] != b.value[k]) {
+            return a.value[k] < b.value[k];
+        }
+        if (is_word_a && a.written[k] != b.written[k]) {
+            return a.written[k] < b.written[k];
+        }
+    }
+    return false;
+}
+
+SweepPoint point_of(const casefile::Study& study, const casefile::Variant& variant) {
+    SweepPoint point;
+    for (const casefile::Sweep& sweep : study.sweep) {
+        const casefile::Scalar& value = variant.values.at(sweep.key);
+        point.value.push_back(size_of(value));
+        point.written.push_back(written(value));
+    }
+    return point;
+}
+
+report::StageCurve
+trace_stage(const casefile::Study& study, const std::string& name, const std::vector<FinishedStage>& stages) {
+    std::vector<Gathered> gathered;
+    for (const FinishedStage& stage : stages) {
+        if (stage.study != &study || stage.stage->name != name) {
+            continue;
+        }
+        SweepPoint point = point_of(study, *stage.variant);
+        auto place = std::find_if(gathered.begin(), gathered.end(), [&](const Gathered& other) {
+            return other.point.written == point.written;
+        });
+        if (place == gathered.end()) {
+            place = gathered.insert(gathered.end(), {std::move(point), {}});
+        }
+        place->point.seed.push_back(stage.variant->seed);
+        collect_numbers(stage.numbers, "", place->of_seed.emplace_back());
+    }
+    report::StageCurve curve{name, {}};
+    for (Gathered& one : gathered) {
+        curve.points.push_back(summed_up(std::move(one)));
+    }
+    std::stable_sort(curve.points.begin(), curve.points.end(), comes_before);
+    return curve;
+}
+
+json point_json(const report::StudyCurves& study, const SweepPoint& point) {
+    json values = json::object(), numbers = json::object();
+    for (std::size_t k = 0; k < study.keys.size(); ++k) {
+        values[study.keys[k]] = std::isnan(point.value[k]) ? json(point.written[k]) : json(point.value[k]);
+    }
+    for (const auto& [name, scatter] : point.number) {
+        numbers[name] = {
+            {"mean", scatter.mean}, {"standard_deviation", scatter.standard_deviation}, {"of_seed", scatter.of_seed}};
+    }
+    return {{"values", values}, {"seeds", point.seed}, {"numbers", numbers}};
+}
+
+} // namespace
+
+std::vector<report::StudyCurves> trace_curves(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
+    std::vector<report::StudyCurves> studies;
+    for (const casefile::Study& study : what.studies) {
+        report::StudyCurves curves{study.name, {}, study.replicates, {}};
+        for (const casefile::Sweep& sweep : study.sweep) {
+            curves.keys.push_back(sweep.key);
+        }
+        for (const casefile::Stage& stage : study.stages) {
+            curves.stages.push_back(trace_stage(study, stage.name, stages));
+        }
+        studies.push_back(std::move(curves));
+    }
+    return studies;
+}
+
+json curves_json(const std::vector<report::StudyCurves>& studies) {
+    json all = json::object();
+    for (const report::StudyCurves& study : studies) {
+        json stages = json::object();
+        for (const report::StageCurve& curve : study.stages) {
+            json points = json::array();
+            for (const SweepPoint& point : curve.points) {
+                points.push_back(point_json(study, point));
+            }
+            stages[curve.stage] = points;
+        }
+        all[study.study] = {{"swept", study.keys}, {"replicates", study.replicates}, {"stages", stages}};
+    }
+    return all;
+}
+
+} // namespace suffuse::run

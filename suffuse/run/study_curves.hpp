@@ -1,0 +1,15 @@
+#pragma once
+// From finished stages to curves over the sweep of their study.
+
+#include "suffuse/report/study_curves.hpp"
+#include "suffuse/run/report_data.hpp"
+
+namespace suffuse::run {
+
+/// One for each study, over all its samples that are there; points in the order of their values, numbers before words.
+std::vector<report::StudyCurves> trace_curves(const casefile::Case& what, const std::vector<FinishedStage>& stages);
+
+/// As in summary.json: study -> keys, replicates, stages -> points.
+nlohmann::json curves_json(const std::vector<report::StudyCurves>& studies);
+
+} // namespace suffuse::run
