@@ -1,0 +1,136 @@
+// Case files: read, checked, priced; and the words of the schema.
+
+#include "suffuse/casefile/bind.hpp"
+#include "suffuse/casefile/explain.hpp"
+#include "suffuse/casefile/load_case.hpp"
+#include "suffuse/casefile/read_text.hpp"
+#include "suffuse/casefile/schema.hpp"
+#include "suffuse/run/plan.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/verbs.hpp"
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/case_handle.hpp"
+#include "python/bindings/convert.hpp"
+#include "python/bindings/work.hpp"
+#include <filesystem>
+
+namespace suffuse::python {
+namespace {
+
+using casefile::Diagnostic;
+using casefile::Key;
+
+void bind_diagnostic(py::module_& m) {
+    py::class_<Diagnostic>(m, "Diagnostic", "One thing that is wrong with a case, or doubtful, with its place.")
+        .def_readonly("code", &Diagnostic::code, "As in \"E203\"; suffuse.explain knows it.")
+        .def_readonly("file", &Diagnostic::file)
+        .def_readonly("line", &Diagnostic::line)
+        .def_readonly("column", &Diagnostic::column)
+        .def_readonly("message", &Diagnostic::message)
+        .def_readonly("help", &Diagnostic::help, "One thing to do.")
+        .def_readonly("is_warning", &Diagnostic::is_warning)
+        .def("__str__", [](const Diagnostic& problem) { return casefile::render({problem}); })
+        .def("__repr__", [](const Diagnostic& problem) {
+            return fmt::format("<{} {}:{}: {}>", problem.code, problem.file, problem.line, problem.message);
+        });
+}
+
+CaseHandle load(const std::filesystem::path& path, const std::string& preset, const std::vector<std::string>& changes) {
+    CaseHandle made;
+    made.path = path;
+    made.text = casefile::read_whole_file(path.string());
+    made.options = {preset, changes};
+    made.loaded = casefile::load_case(path.string(), made.options);
+    return made;
+}
+
+py::list stages_of(const CaseHandle& self) {
+    py::list list;
+    for (const casefile::Study& study : self.loaded.value.studies) {
+        for (const casefile::Variant& variant : study.variants) {
+            for (const casefile::Stage& stage : variant.stages) {
+                list.append(variant.folder + "/" + stage.name);
+            }
+        }
+    }
+    return list;
+}
+
+void bind_case(py::module_& m) {
+    py::class_<CaseHandle>(m, "CaseFile", "A case that was read and checked.")
+        .def_static(
+            "load", &load, py::arg("path"), py::arg("preset") = "", py::arg("changes") = std::vector<std::string>{}
+        )
+        .def_property_readonly("path", [](const CaseHandle& self) { return self.path; })
+        .def_property_readonly("text", [](const CaseHandle& self) { return self.text; })
+        .def_property_readonly("title", [](const CaseHandle& self) { return self.loaded.value.title; })
+        .def_property_readonly("seed", [](const CaseHandle& self) { return self.loaded.value.seed; })
+        .def_property_readonly("preset", [](const CaseHandle& self) { return self.loaded.value.preset; })
+        .def_property_readonly("warnings", [](const CaseHandle& self) { return self.loaded.warnings; })
+        .def_property_readonly("material", [](const CaseHandle& self) { return self.loaded.value.material; })
+        .def_property_readonly("balance", [](const CaseHandle& self) { return self.loaded.value.balance; })
+        .def_property_readonly("fluid", [](const CaseHandle& self) { return self.loaded.value.fluid; })
+        .def_property_readonly("damping", [](const CaseHandle& self) { return self.loaded.value.damping; })
+        .def_property_readonly("stages", &stages_of)
+        .def_property_readonly(
+            "resolved", [](const CaseHandle& self) { return casefile::resolved_toml(self.loaded.value); },
+            "The case with every default and unit spelled out, as TOML."
+        )
+        .def("plan", [](const CaseHandle& self) {
+            run::RunPlan plan;
+            {
+                const Working working;
+                plan = run::plan_run(self.loaded.value, run::measure_speed(run::largest_sample(self.loaded.value)));
+            }
+            nlohmann::json json = plan;
+            json["text"] = apps::plan_sentence(plan);
+            return to_python(json);
+        });
+}
+
+void bind_schema(py::module_& m) {
+    py::class_<Key>(m, "Key", "A key that a case may have.")
+        .def_readonly("table", &Key::table)
+        .def_readonly("name", &Key::name)
+        .def_readonly("text", &Key::text, "What it means.")
+        .def_readonly("default", &Key::default_text, "As it would be written; empty where there is none.")
+        .def_readonly("required", &Key::is_required)
+        .def_readonly("choices", &Key::choices)
+        .def_property_readonly("place", &casefile::key_place)
+        .def_property_readonly("value", &casefile::value_text, "What may be written.")
+        .def("__repr__", [](const Key& key) { return fmt::format("<{}: {}>", casefile::key_place(key), key.text); });
+    m.def(
+        "schema", [] { return casefile::schema(); }, "Every key that a case may have."
+    );
+    m.def(
+        "explain",
+        [](const std::string& word) {
+            const auto text = casefile::explain(word);
+            if (!text) {
+                const auto nearest = casefile::nearest_topic(word);
+                throw CaseError(fmt::format(
+                    "nothing is known about {}; {}", word,
+                    nearest ? "a similar word: " + *nearest : "suffuse.schema() lists all keys of a case"
+                ));
+            }
+            return *text;
+        },
+        py::arg("word"), "One screen on a key of a case, a code of an error, or \"conventions\"."
+    );
+}
+
+} // namespace
+
+void bind_cases(py::module_& m) {
+    bind_diagnostic(m);
+    bind_case(m);
+    bind_schema(m);
+    m.def(
+        "quantity", [](const std::string& text) { return parse_quantity(text).value; }, py::arg("text"),
+        "\"100 kPa\" -> 100000.0: a quantity in SI."
+    );
+}
+
+} // namespace suffuse::python

@@ -1,0 +1,71 @@
+// Packings from and for other programs.
+
+#include "suffuse/dem/order.hpp"
+#include "suffuse/io/packing_export.hpp"
+#include "suffuse/io/packing_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/convert.hpp"
+#include "python/bindings/work.hpp"
+#include "python/bindings/world_handle.hpp"
+
+namespace suffuse::python {
+namespace {
+
+py::tuple read_packing(const std::filesystem::path& path, const py::object& cell, const grains::Material& material) {
+    std::optional<Mat3> own;
+    if (!cell.is_none()) {
+        own = cell_of(cell);
+    }
+    io::ImportedPacking packing;
+    {
+        const Working working;
+        packing = io::read_packing(path, material.density);
+    }
+    if (!own && !packing.cell) {
+        throw CaseError(
+            path.string() + ": carries no cell; give cell=(LX, LY, LZ) in meters, or its 3 x 3 matrix", path.string()
+        );
+    }
+    dem::World world;
+    world.cell.h = world.reference_h = own ? *own : packing.cell->h;
+    world.grains = std::move(packing.grains);
+    world.material = material;
+    return py::make_tuple(std::make_shared<WorldHandle>(std::move(world)), packing.warnings);
+}
+
+} // namespace
+
+void bind_files(py::module_& m) {
+    m.def(
+        "write_packing",
+        [](const std::filesystem::path& path, const WorldHandle& w, const std::string& name) {
+            const auto format = name.empty() ? io::packing_format_of_file(path) : io::packing_format_of_name(name);
+            if (!format) {
+                throw CaseError(fmt::format(
+                    "{}: which format? give format=, one of {}", path.string(),
+                    fmt::join(io::packing_format_names(), ", ")
+                ));
+            }
+            const Working working;
+            dem::World world = w.world();
+            dem::sort_by_id(world);
+            io::export_packing(path, world, *format);
+        },
+        py::arg("path"), py::arg("world"), py::arg("format")
+    );
+    m.def("read_packing", &read_packing, py::arg("path"), py::arg("cell"), py::arg("material"));
+    m.def(
+        "largest_overlap",
+        [](const WorldHandle& w) {
+            const Working working;
+            return io::check_overlaps(w.world().grains, w.world().cell, 2, "packing");
+        },
+        "Largest overlap of two grains / the smaller radius [-]."
+    );
+}
+
+} // namespace suffuse::python

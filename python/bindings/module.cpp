@@ -1,0 +1,38 @@
+// suffuse._core: see bindings.hpp.
+
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/base/version.hpp"
+
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/work.hpp"
+#include <algorithm>
+#include <thread>
+
+PYBIND11_MODULE(_core, m) {
+    namespace py = pybind11;
+    using namespace suffuse;
+
+    m.doc() = "The compiled half of suffuse; import suffuse instead.";
+    m.attr("__version__") = version();
+    m.def("commit", &commit, "Short hash of the source that this module was built from.");
+    m.def("compiler", &compiler);
+    m.def("threads", &thread_count, "Number of threads that long work uses.");
+    m.def(
+        "set_threads",
+        [](int threads) {
+            const python::Working working;
+            const int cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
+            set_thread_count(threads > 0 ? threads : cores);
+        },
+        py::arg("threads") = 0, "Sets the number of threads; 0: one for each core. Results do not depend on it."
+    );
+    python::bind_errors(m);
+    python::bind_settings(m);
+    python::bind_world(m);
+    python::bind_steps(m);
+    python::bind_water(m);
+    python::bind_files(m);
+    python::bind_cases(m);
+    python::bind_runs(m);
+    set_thread_count(std::max(static_cast<int>(std::thread::hardware_concurrency()), 1));
+}

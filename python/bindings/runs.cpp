@@ -1,0 +1,217 @@
+// Cases that run, from Python: as the verbs run and resume do it, in the same folders, under the same lock.
+
+#include "suffuse/run/folder.hpp"
+#include "suffuse/run/runner.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/run_folder.hpp"
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/case_handle.hpp"
+#include "python/bindings/convert.hpp"
+#include "python/bindings/work.hpp"
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+#include <thread>
+#include <utility>
+
+namespace suffuse::python {
+namespace {
+
+namespace fs = std::filesystem;
+
+py::dict describe(const run::Progress& progress) {
+    py::dict dict;
+    dict["study"] = progress.study;
+    dict["stage"] = progress.stage;
+    dict["verb"] = progress.verb;
+    dict["part"] = progress.part;
+    dict["stage_number"] = progress.stage_number;
+    dict["stages"] = progress.stages;
+    dict["steps"] = progress.steps;
+    dict["stage_seconds"] = progress.stage_seconds;
+    dict["run_seconds"] = progress.run_seconds;
+    dict["particle_steps_per_second"] = progress.particle_steps_per_second;
+    dict["state"] = to_python(progress.state);
+    dict["stage_finished"] = progress.stage_finished;
+    return dict;
+}
+
+/// Carries what the run says from its thread to the interpreter's: signals reach that one only.
+class Mailbox {
+public:
+    void post(const run::Progress& progress) {
+        const std::lock_guard guard(mutex_);
+        letters_.push_back(progress);
+    }
+
+    void close() {
+        const std::lock_guard guard(mutex_);
+        closed_ = true;
+        news_.notify_one();
+    }
+
+    /// What came in, after a tenth of a second or when the run has ended.
+    std::deque<run::Progress> fetch(bool& closed) {
+        std::unique_lock guard(mutex_);
+        news_.wait_for(guard, std::chrono::milliseconds(100), [this] { return closed_; });
+        closed = closed_;
+        return std::exchange(letters_, {});
+    }
+
+private:
+    std::mutex mutex_;
+    std::condition_variable news_;
+    std::deque<run::Progress> letters_;
+    bool closed_ = false;
+};
+
+/// Ctrl-C, or an exception of the caller's function, asks the run to save and stop; it is raised when that is done.
+class Listener {
+public:
+    explicit Listener(py::object on_progress) : on_progress_(std::move(on_progress)) {}
+
+    void hear(const std::deque<run::Progress>& letters) {
+        const py::gil_scoped_acquire interpreter;
+        if (stop) {
+            return;
+        }
+        try {
+            if (PyErr_CheckSignals() != 0) {
+                throw py::error_already_set();
+            }
+            for (const run::Progress& progress : letters) {
+                if (!on_progress_.is_none()) {
+                    on_progress_(describe(progress));
+                }
+            }
+        } catch (const py::error_already_set&) {
+            raised_ = std::current_exception();
+            stop = true;
+        }
+    }
+
+    void raise_what_was_raised() const {
+        if (raised_) {
+            std::rethrow_exception(raised_);
+        }
+    }
+
+    std::atomic<bool> stop{false};
+
+private:
+    py::object on_progress_;
+    std::exception_ptr raised_;
+};
+
+/// Runs on a thread of its own; this one listens to the user meanwhile.
+run::RunReport run_and_listen(const casefile::Case& what, run::RunOptions options, Listener& listener) {
+    const py::gil_scoped_release released;
+    run::RunReport report;
+    std::exception_ptr failure;
+    Mailbox mailbox;
+    options.stop = &listener.stop;
+    options.on_progress = [&](const run::Progress& progress) { mailbox.post(progress); };
+    std::thread worker([&] {
+        try {
+            const Turn turn;
+            const apps::FolderLock lock(options.folder);
+            report = run::run_case(what, options);
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        mailbox.close();
+    });
+    for (bool closed = false; !closed;) {
+        listener.hear(mailbox.fetch(closed));
+    }
+    worker.join();
+    if (failure) {
+        std::rethrow_exception(failure);
+    }
+    return report;
+}
+
+std::string_view word_of(run::Outcome outcome) {
+    switch (outcome) {
+    case run::Outcome::Done:
+        return "done";
+    case run::Outcome::DoneWithFlaws:
+        return "done with flaws";
+    case run::Outcome::SomeFailed:
+        return "failed in part";
+    case run::Outcome::Stopped:
+        return "stopped";
+    case run::Outcome::TimeLimit:
+        return "time limit";
+    default:
+        return "some samples failed";
+    }
+}
+
+py::tuple conduct(
+    const CaseHandle& what, const fs::path& folder, const std::string& until, const py::object& time_limit,
+    const fs::path& page_folder, const py::object& on_progress
+) {
+    run::RunOptions options;
+    options.folder = folder;
+    options.until = until;
+    options.page_folder = page_folder;
+    options.case_text = what.text;
+    options.command = "suffuse.Case.run() in Python";
+    if (const auto limit = optional_quantity(time_limit, dimension::time, "time_limit")) {
+        options.time_limit = *limit;
+    }
+    Listener listener(on_progress);
+    const run::RunReport report = run_and_listen(what.loaded.value, std::move(options), listener);
+    listener.raise_what_was_raised();
+    return py::make_tuple(word_of(report.outcome), report.report);
+}
+
+} // namespace
+
+void bind_runs(py::module_& m) {
+    m.def(
+        "new_run_folder",
+        [](const CaseHandle& what, const std::optional<fs::path>& wanted) {
+            fs::path folder;
+            if (wanted) {
+                folder = *wanted;
+                apps::take_run_folder(folder);
+            } else {
+                folder = apps::make_run_folder(what.path);
+            }
+            if (!fs::exists(folder / "run_options.json")) {
+                apps::keep_asked(
+                    folder, {fs::absolute(what.path).string(), what.options.preset, what.options.overrides}
+                );
+            }
+            return folder;
+        },
+        py::arg("case"), py::arg("wanted")
+    );
+    m.def("asked_run", [](const fs::path& folder) {
+        const apps::AskedRun asked = apps::read_asked(folder);
+        return py::make_tuple(asked.case_file, asked.preset, asked.overrides);
+    });
+    m.def(
+        "conduct", &conduct, py::arg("case"), py::arg("folder"), py::arg("until"), py::arg("time_limit"),
+        py::arg("page_folder"), py::arg("on_progress")
+    );
+    m.def(
+        "read_cbor", [](const fs::path& path) { return to_python(run::read_cbor(path)); }, py::arg("path"),
+        "What a stage keeps in results.cbor."
+    );
+    m.def("rebuild_report", [](const fs::path& folder, const fs::path& page_folder) {
+        const Working working;
+        return run::rebuild_report(folder, page_folder).report;
+    });
+}
+
+} // namespace suffuse::python

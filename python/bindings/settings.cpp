@@ -1,0 +1,187 @@
+// Material, fluid, balance and loading: the same Specs as a case file's, with the same words.
+
+#include "suffuse/casefile/schema.hpp"
+#include "suffuse/cell/servo.hpp"
+#include "suffuse/dem/spec.hpp"
+#include "suffuse/flow/fluid.hpp"
+#include "suffuse/grains/material.hpp"
+
+#include <fmt/format.h>
+
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/convert.hpp"
+#include "python/bindings/key_doc.hpp"
+
+namespace suffuse::python {
+namespace {
+
+using casefile::Key;
+
+/// A field that a key of the case sets: a number in SI, or a text with its unit; documented by the schema.
+template <class Spec>
+void quantity_field(py::class_<Spec>& type, const char* table, const char* name, double Spec::*field) {
+    const Key& key = key_of(table, name);
+    type.def_property(
+        name, [field](const Spec& spec) { return spec.*field; },
+        [field, name, dimension = key.dimension](Spec& spec, const py::object& value) {
+            spec.*field = quantity_of(value, dimension, name);
+        },
+        key_doc(key).c_str()
+    );
+}
+
+/// Keyword arguments as assignments, so that they are checked and named alike.
+template <class Spec>
+auto from_keywords() {
+    return [](const py::kwargs& given) {
+        py::object made = py::cast(Spec{});
+        for (const auto& [name, value] : given) {
+            if (!py::hasattr(made, name)) {
+                throw py::type_error(fmt::format("there is no field {}", py::str(name).cast<std::string>()));
+            }
+            py::setattr(made, name, value);
+        }
+        return made.cast<Spec>();
+    };
+}
+
+template <class Spec>
+void add_repr(py::class_<Spec>& type, std::vector<std::string> fields) {
+    type.def("__repr__", [fields = std::move(fields)](const py::object& self) {
+        std::string text;
+        for (const std::string& field : fields) {
+            text += fmt::format(
+                "{}{}={}", text.empty() ? "" : ", ", field, py::repr(self.attr(field.c_str())).cast<std::string>()
+            );
+        }
+        return fmt::format("{}({})", py::type::of(self).attr("__name__").cast<std::string>(), text);
+    });
+}
+
+void bind_material(py::module_& m) {
+    using grains::Material;
+    py::class_<Material> type(m, "Material", "The constants of the contact law; keywords set fields.");
+    type.def(py::init(from_keywords<Material>()));
+    quantity_field(type, "grain", "density", &Material::density);
+    quantity_field(type, "contact", "modulus", &Material::modulus);
+    quantity_field(type, "contact", "shear_ratio", &Material::shear_ratio);
+    quantity_field(type, "contact", "friction", &Material::friction);
+    quantity_field(type, "contact", "rolling_stiffness", &Material::rolling_stiffness);
+    quantity_field(type, "contact", "rolling_friction", &Material::rolling_friction);
+    quantity_field(type, "contact", "twisting_stiffness", &Material::twisting_stiffness);
+    quantity_field(type, "contact", "twisting_friction", &Material::twisting_friction);
+    for (const auto& [name, field] :
+         {std::pair{"normal", &Material::adhesion_normal}, {"shear", &Material::adhesion_shear}}) {
+        const Key& key = key_of("contact.adhesion", name);
+        type.def_property(
+            fmt::format("adhesion_{}", name).c_str(),
+            [field = field](const Material& material) { return material.*field; },
+            [field = field](Material& material, const py::object& value) {
+                material.*field = quantity_of(value, dimension::pressure, "adhesion");
+            },
+            key_doc(key).c_str()
+        );
+    }
+    add_repr(
+        type, {"density", "modulus", "shear_ratio", "friction", "rolling_stiffness", "rolling_friction",
+               "twisting_stiffness", "twisting_friction", "adhesion_normal", "adhesion_shear"}
+    );
+}
+
+void bind_fluid(py::module_& m) {
+    using flow::Fluid;
+    py::class_<Fluid> type(m, "Fluid", "The pore fluid; keywords set fields.");
+    type.def(py::init(from_keywords<Fluid>()));
+    quantity_field(type, "fluid", "density", &Fluid::density);
+    quantity_field(type, "fluid", "viscosity", &Fluid::viscosity);
+    add_repr(type, {"density", "viscosity"});
+}
+
+void bind_balance(py::module_& m) {
+    using dem::BalanceSpec;
+    py::class_<BalanceSpec> type(m, "Balance", "When a state counts as settled; keywords set fields.");
+    type.def(py::init(from_keywords<BalanceSpec>()));
+    quantity_field(type, "balance", "unbalanced_force", &BalanceSpec::unbalanced_force);
+    quantity_field(type, "balance", "stress_error", &BalanceSpec::stress_error);
+    type.def_readwrite("patience", &BalanceSpec::patience, key_doc(key_of("balance", "patience")).c_str());
+    add_repr(type, {"unbalanced_force", "stress_error", "patience"});
+}
+
+/// One value for all axes, or three of them; None where the other way of control has the axis.
+void take_axes(const py::object& given, cell::Control control, cell::Loading& loading) {
+    if (given.is_none()) {
+        return;
+    }
+    const bool is_stress = control == cell::Control::Stress;
+    const std::string_view what = is_stress ? "stress" : "strain_rate";
+    const Dimension dimension = is_stress ? dimension::pressure : dimension::rate;
+    const bool is_one = py::isinstance<py::str>(given) || !py::hasattr(given, "__len__");
+    const auto parts = is_one ? py::make_tuple(given, given, given) : py::tuple(given);
+    if (parts.size() != 3) {
+        throw CaseError(fmt::format("{}: expected one value or three, found {}", what, parts.size()));
+    }
+    for (std::size_t a = 0; a < 3; ++a) {
+        if (!parts[a].is_none()) {
+            loading.axis[a] = {control, quantity_of(parts[a], dimension, what)};
+        }
+    }
+}
+
+cell::Loading make_loading(
+    const py::object& stress, const py::object& strain_rate, const py::object& velocity_gradient,
+    const py::object& max_rate
+) {
+    cell::Loading loading;
+    if (!velocity_gradient.is_none()) {
+        if (!stress.is_none() || !strain_rate.is_none()) {
+            throw CaseError("loading: velocity_gradient stands instead of stress and strain_rate, not beside them");
+        }
+        loading.velocity_gradient = matrix_of(velocity_gradient, dimension::rate, "velocity_gradient");
+    }
+    take_axes(strain_rate, cell::Control::StrainRate, loading);
+    take_axes(stress, cell::Control::Stress, loading);
+    if (const auto rate = optional_quantity(max_rate, dimension::rate, "max_rate")) {
+        loading.servo.max_rate = *rate;
+    }
+    return loading;
+}
+
+void bind_loading(py::module_& m) {
+    const std::string doc = fmt::format(
+        "What drives the cell, per axis; one value serves all three, and None leaves an axis to the other argument. An "
+        "axis with neither stays as it is.\n\nstress: {}\nstrain_rate: {}\nvelocity_gradient: {}\nmax_rate: largest "
+        "strain rate of an axis under stress control [1/s]; 50 unless given.",
+        key_doc(key_of("stage.advance", "stress")), key_doc(key_of("stage.advance", "strain_rate")),
+        key_doc(key_of("stage.advance", "velocity_gradient"))
+    );
+    py::class_<cell::Loading>(m, "Loading", doc.c_str())
+        .def(
+            py::init(&make_loading), py::arg("stress") = py::none(), py::arg("strain_rate") = py::none(), py::kw_only(),
+            py::arg("velocity_gradient") = py::none(), py::arg("max_rate") = py::none()
+        )
+        .def("__repr__", [](const cell::Loading& loading) {
+            if (loading.velocity_gradient) {
+                return std::string("Loading(velocity_gradient=...)");
+            }
+            std::string text;
+            for (const cell::AxisControl& axis : loading.axis) {
+                const bool is_stress = axis.control == cell::Control::Stress;
+                text += fmt::format(
+                    "{}{} {}", text.empty() ? "" : ", ", is_stress ? "stress" : "strain rate",
+                    print_quantity(axis.value, is_stress ? dimension::pressure : dimension::rate)
+                );
+            }
+            return fmt::format("Loading({})", text);
+        });
+}
+
+} // namespace
+
+void bind_settings(py::module_& m) {
+    bind_material(m);
+    bind_fluid(m);
+    bind_balance(m);
+    bind_loading(m);
+}
+
+} // namespace suffuse::python

@@ -1,0 +1,343 @@
+// What moves a world: steps under a loading and under forces, settling, relaxing, compaction, triaxial tests.
+
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/order.hpp"
+#include "suffuse/dem/relax.hpp"
+#include "suffuse/dem/settle.hpp"
+#include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/packing/compact.hpp"
+#include "suffuse/packing/seed.hpp"
+#include "suffuse/run/result_json.hpp"
+#include "suffuse/triaxial/run_path.hpp"
+
+#include <fmt/format.h>
+
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/convert.hpp"
+#include "python/bindings/key_doc.hpp"
+#include "python/bindings/views.hpp"
+#include "python/bindings/work.hpp"
+#include "python/bindings/world_handle.hpp"
+#include <algorithm>
+
+namespace suffuse::python {
+namespace {
+
+using Handle = std::shared_ptr<WorldHandle>;
+
+constexpr std::int64_t time_step_interval = 2000; // steps after which a computed time step is computed again
+constexpr const char* usual_mode = "reference";
+constexpr double usual_damping = 0.2; // local, non-viscous; [contact] damping of a case
+
+dem::Mode mode_of(const std::string& word) {
+    for (const dem::Mode mode : {dem::Mode::Reference, dem::Mode::Fast}) {
+        if (word == dem::name_of(mode)) {
+            return mode;
+        }
+    }
+    throw CaseError(fmt::format("mode: found \"{}\", expected reference or fast", word));
+}
+
+/// What the caller of a step asked for.
+struct Asked {
+    dem::StepPlan plan;
+    bool computed = true; ///< the time step
+    grains::GrainLoad load;
+};
+
+std::shared_ptr<Asked> read_asked(
+    const WorldHandle& w, const cell::Loading& loading, const py::object& time_step, double damping,
+    const py::object& force, const std::string& mode
+) {
+    auto asked = std::make_shared<Asked>();
+    asked->plan.mode = mode_of(mode);
+    asked->plan.loading = loading;
+    asked->plan.damping = damping;
+    if (const auto dt = optional_quantity(time_step, dimension::time, "time_step")) {
+        if (!(*dt > 0)) {
+            throw CaseError(fmt::format("time_step: found {} s, expected a positive one", *dt));
+        }
+        asked->plan.dt = *dt;
+        asked->computed = false;
+    }
+    if (!force.is_none()) {
+        asked->load.force = vectors_of(force, "force", w.world().grains.size());
+        asked->plan.load = &asked->load;
+    }
+    return asked;
+}
+
+void renew_time_step(Asked& asked, const dem::World& world, std::int64_t done) {
+    if (asked.computed && done % time_step_interval == 0) {
+        asked.plan.dt = dem::stable_time_step(world);
+    }
+}
+
+py::array_t<double> step(
+    WorldHandle& w, std::int64_t steps, const cell::Loading& loading, const py::object& time_step, double damping,
+    const py::object& force, const std::string& mode, const py::object& on_progress
+) {
+    const auto asked = read_asked(w, loading, time_step, damping, force, mode);
+    dem::StepReport report;
+    Attention attention(on_progress);
+    {
+        const Working working;
+        dem::StepCaches& caches = w.caches();
+        for (std::int64_t done = 0; done < steps;) {
+            renew_time_step(*asked, w.world(), done);
+            const std::int64_t burst =
+                std::min({steps - done, dem::burst_steps, time_step_interval - done % time_step_interval});
+            report = dem::advance(w.world(), caches, asked->plan, burst);
+            done += burst;
+            w.remember_place(); // before an exception may end the work
+            attention.beat("step", done);
+        }
+    }
+    return to_array(report.stress);
+}
+
+py::object settle(
+    WorldHandle& w, const cell::Loading& loading, const dem::BalanceSpec& balance, const py::object& time_step,
+    double damping, std::int64_t max_steps, const py::object& force, const std::string& mode,
+    const py::object& on_progress
+) {
+    const auto asked = read_asked(w, loading, time_step, damping, force, mode);
+    dem::BalanceState state;
+    Attention attention(on_progress);
+    {
+        const Working working;
+        for (bool settled = false; !settled;) {
+            renew_time_step(*asked, w.world(), state.steps);
+            asked->plan.drag = dem::slowest_mode_drag(w.world().grains.size(), asked->plan.dt);
+            settled = dem::settle_burst(w.world(), w.caches(), asked->plan, balance, state);
+            w.remember_place();
+            if (!settled && state.steps >= max_steps) {
+                throw StateError(fmt::format(
+                    "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted "
+                    "{:.2e}); lower the stress, or give the balance more room",
+                    state.steps, state.equilibrium.unbalanced_force, balance.unbalanced_force,
+                    dem::stress_error(loading, state.stress), balance.stress_error
+                ));
+            }
+            attention.beat("settle", state.steps);
+        }
+    }
+    return to_python(nlohmann::json(state));
+}
+
+py::object relax(
+    WorldHandle& w, double wanted, const py::object& time_step, double damping, std::int64_t max_steps,
+    const py::object& on_progress
+) {
+    const auto asked = read_asked(w, {}, time_step, damping, py::none(), usual_mode);
+    Attention attention(on_progress);
+    dem::RelaxReport report;
+    {
+        const Working working;
+        renew_time_step(*asked, w.world(), 0);
+        report = dem::relax(
+            w.world(), w.caches(), asked->plan.dt, damping, wanted, max_steps,
+            [&](std::string_view part, long long steps) {
+                w.remember_place();
+                attention.beat(part, steps);
+            }
+        );
+        w.remember_place();
+    }
+    py::dict dict;
+    dict["unbalanced_force"] = report.unbalanced_force;
+    dict["steps"] = report.steps;
+    dict["reached_floor"] = report.reached_floor;
+    return std::move(dict);
+}
+
+/// Begins with the rows along the curve, as the stages of a run do.
+dem::World& begin(WorldHandle& w) {
+    dem::World& world = w.world_for_new_rows();
+    dem::sort_along_curve(world);
+    return world;
+}
+
+py::object compact(
+    WorldHandle& w, const py::object& pressure, const py::object& friction, const py::object& adhesion_normal,
+    const dem::BalanceSpec& balance, double damping, const py::object& on_progress
+) {
+    packing::CompactSpec spec;
+    spec.pressure = quantity_of(pressure, dimension::pressure, "pressure");
+    spec.prepare.friction = optional_quantity(friction, dimension::angle, "friction");
+    spec.prepare.adhesion_normal = optional_quantity(adhesion_normal, dimension::pressure, "adhesion_normal");
+    if (!(spec.pressure > 0)) {
+        throw CaseError(fmt::format("pressure: found {} Pa, expected a positive one", spec.pressure));
+    }
+    packing::CompactState state;
+    Attention attention(on_progress);
+    dem::World& world = begin(w);
+    {
+        const Working working;
+        state = packing::begin_compaction(world, spec, damping);
+        for (bool done = false; !done;) {
+            done = packing::compact_burst(world, w.caches(), spec, balance, state);
+            w.remember_place();
+            attention.beat("compact", state.steps);
+        }
+    }
+    py::dict dict;
+    dict["steps"] = state.steps;
+    dict["void_ratio_compacted"] = state.void_ratio_compacted;
+    return std::move(dict);
+}
+
+triaxial::Path path_of(const std::string& word) {
+    if (word == "drained") {
+        return triaxial::Path::Drained;
+    }
+    if (word == "constant-mean") {
+        return triaxial::Path::ConstantMean;
+    }
+    if (word == "undrained") {
+        return triaxial::Path::Undrained;
+    }
+    throw CaseError(fmt::format("path: found \"{}\", expected drained, constant-mean or undrained", word));
+}
+
+py::object run_triaxial(
+    WorldHandle& w, const py::object& strain, const std::string& path, const py::object& inertial_number,
+    const py::object& time_step, int rows, double damping, const std::string& mode, const py::object& on_progress
+) {
+    const dem::Mode asked_mode = mode_of(mode);
+    triaxial::TriaxialSpec spec;
+    spec.strain = quantity_of(strain, dimension::none, "strain");
+    spec.path = path_of(path);
+    spec.inertial_number = quantity_of(inertial_number, dimension::none, "inertial_number");
+    spec.time_step = optional_quantity(time_step, dimension::time, "time_step").value_or(0);
+    spec.rows = rows;
+    triaxial::PathState state;
+    Attention attention(on_progress);
+    dem::World& world = begin(w);
+    {
+        const Working working;
+        const double dt = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(world);
+        state = triaxial::begin_path(world, spec, dem::mean_stress_tensor(world), dt);
+        for (bool over = false; !over;) {
+            over = triaxial::path_burst(world, w.caches(), spec, {}, damping, asked_mode, state);
+            w.remember_place();
+            attention.beat("shear", state.steps);
+        }
+    }
+    const nlohmann::json result{
+        {"curve", state.rows},
+        {"response", triaxial::summarize(state.rows)},
+        {"steps", state.steps},
+        {"strain_rate", state.strain_rate},
+        {"median_diameter", state.median_diameter}};
+    return to_python(result);
+}
+
+Handle make_cloud(
+    const py::object& radius, const py::object& porosity, const py::object& fine, const grains::Material& material,
+    std::uint64_t seed
+) {
+    const std::vector<double> radii = numbers_of(radius, "radius");
+    std::vector<std::uint8_t> fines(radii.size(), 0);
+    if (!fine.is_none()) {
+        const std::vector<double> claims = numbers_of(fine, "fine", radii.size());
+        std::transform(claims.begin(), claims.end(), fines.begin(), [](double v) { return v != 0 ? 1 : 0; });
+    }
+    std::vector<std::size_t> order(radii.size());
+    for (std::size_t g = 0; g < order.size(); ++g) {
+        order[g] = g;
+        if (!(radii[g] > 0)) {
+            throw CaseError(fmt::format("radius: found {} at grain {}, expected a positive one", radii[g], g));
+        }
+    }
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return radii[a] > radii[b]; });
+    grains::SampledGrains sample;
+    for (const std::size_t g : order) {
+        sample.radius.push_back(radii[g]);
+        sample.fine.push_back(fines[g]);
+    }
+    packing::PackSpec spec;
+    spec.porosity = quantity_of(porosity, dimension::none, "porosity");
+    const Working working;
+    packing::Cloud cloud = packing::make_cloud(sample, spec, material.density, seed);
+    dem::World world;
+    world.cell = cloud.cell;
+    world.reference_h = cloud.cell.h;
+    world.grains = std::move(cloud.grains);
+    world.material = material;
+    world.seed = seed;
+    return std::make_shared<WorldHandle>(std::move(world));
+}
+
+std::string with_keys(std::string doc, std::initializer_list<std::pair<const char*, const char*>> keys) {
+    for (const auto& [table, name] : keys) {
+        doc += fmt::format("\n{}: {}", name, key_doc(key_of(table, name)));
+    }
+    return doc;
+}
+
+} // namespace
+
+void bind_steps(py::module_& m) {
+    auto type = py::reinterpret_borrow<py::class_<WorldHandle, Handle>>(m.attr("World"));
+    const std::string common =
+        "\ntime_step: computed from the contact network, and again every 2000 steps, unless given"
+        "\ndamping: " +
+        key_doc(key_of("contact", "damping")) +
+        "\nforce: n x 3, on each grain from outside the skeleton [N]"
+        "\nmode: \"reference\", or \"fast\": contact law and memory in single precision"
+        "\non_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work";
+    type.def(
+        "step", &step, py::arg("steps"), py::arg("loading") = cell::Loading{}, py::kw_only(),
+        py::arg("time_step") = py::none(), py::arg("damping") = usual_damping, py::arg("force") = py::none(),
+        py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
+        ("Advances by `steps` under `loading`, at constant volume unless given; returns the stress of the last step "
+         "[Pa].\n" +
+         common)
+            .c_str()
+    );
+    type.def(
+        "settle", &settle, py::arg("loading") = cell::Loading{}, py::kw_only(), py::arg("balance") = dem::BalanceSpec{},
+        py::arg("time_step") = py::none(), py::arg("damping") = usual_damping,
+        py::arg("max_steps") = dem::SettleSpec{}.max_steps, py::arg("force") = py::none(), py::arg("mode") = usual_mode,
+        py::arg("on_progress") = py::none(),
+        ("Steps until balanced, at constant volume or under the stresses of `loading`; a drag kills the slow modes, as "
+         "in a stage that does \"settle\". Returns what was reached.\n" +
+         common)
+            .c_str()
+    );
+    type.def(
+        "relax", &relax, py::arg("wanted") = 1e-8, py::kw_only(), py::arg("time_step") = py::none(),
+        py::arg("damping") = usual_damping, py::arg("max_steps") = 400'000, py::arg("on_progress") = py::none(),
+        ("Relaxes at constant volume until the unbalanced force is below `wanted`, or falls no more.\n" + common)
+            .c_str()
+    );
+    type.def(
+        "compact", &compact, py::arg("pressure"), py::kw_only(), py::arg("friction") = py::none(),
+        py::arg("adhesion_normal") = py::none(), py::arg("balance") = dem::BalanceSpec{},
+        py::arg("damping") = usual_damping, py::arg("on_progress") = py::none(),
+        with_keys(
+            "Compacts a cloud isotropically, then settles it with the final material, as a stage that does "
+            "\"compact\".\n",
+            {{"stage.compact", "pressure"}, {"stage.compact.prepare", "friction"}}
+        ).c_str()
+    );
+    type.def(
+        "triaxial", &run_triaxial, py::arg("strain") = triaxial::TriaxialSpec{}.strain, py::kw_only(),
+        py::arg("path") = "drained", py::arg("inertial_number") = triaxial::TriaxialSpec{}.inertial_number,
+        py::arg("time_step") = py::none(), py::arg("rows") = triaxial::TriaxialSpec{}.rows,
+        py::arg("damping") = usual_damping, py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
+        with_keys(
+            "Compresses along z, as a stage that does \"triaxial\"; returns `curve`, a list of rows, `response`, "
+            "`steps`, `strain_rate` and `median_diameter`.\n",
+            {{"stage.triaxial", "strain"}, {"stage.triaxial", "path"}, {"stage.triaxial", "inertial_number"}}
+        ).c_str()
+    );
+    m.def(
+        "make_cloud", &make_cloud, py::arg("radius"), py::arg("porosity") = packing::PackSpec{}.porosity, py::kw_only(),
+        py::arg("fine") = py::none(), py::arg("material") = grains::Material{}, py::arg("seed") = 0,
+        "Grains of the given radii [m] placed at random in a periodic cube, none overlapping; the same for one seed."
+    );
+}
+
+} // namespace suffuse::python

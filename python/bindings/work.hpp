@@ -1,0 +1,60 @@
+#pragma once
+// Long work from Python: the interpreter is released, one computation runs at a time (all share one pool of threads),
+// and Ctrl-C or an exception of the caller's progress function ends it between two bursts of steps.
+
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <pybind11/pybind11.h>
+#include <string_view>
+
+namespace suffuse::python {
+
+/// While it lives, this thread alone computes. What it calls may compute again.
+class Turn {
+public:
+    Turn() : lock_(mutex()) {}
+
+private:
+    static std::recursive_mutex& mutex() {
+        static std::recursive_mutex one;
+        return one;
+    }
+
+    std::lock_guard<std::recursive_mutex> lock_;
+};
+
+/// Likewise, with the interpreter released.
+class Working {
+    pybind11::gil_scoped_release released_; // first: another thread that computes may want the interpreter
+    Turn turn_;
+};
+
+/// Looks at Ctrl-C and tells the caller how far the work is, at most ten times a second.
+class Attention {
+public:
+    explicit Attention(pybind11::object on_progress) : on_progress_(std::move(on_progress)) {}
+
+    /// Called between bursts while Working. @throws pybind11::error_already_set: KeyboardInterrupt, or what the
+    /// caller's function raised.
+    void beat(std::string_view part, long long steps) {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last_ < std::chrono::milliseconds(100)) {
+            return;
+        }
+        last_ = now;
+        const pybind11::gil_scoped_acquire interpreter;
+        if (PyErr_CheckSignals() != 0) {
+            throw pybind11::error_already_set();
+        }
+        if (!on_progress_.is_none()) {
+            on_progress_(part, steps);
+        }
+    }
+
+private:
+    pybind11::object on_progress_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+} // namespace suffuse::python

@@ -1,0 +1,363 @@
+// World, its grains and contacts: a state that is looked at, changed by hand, saved and loaded.
+
+#include "suffuse/dem/equilibrium.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/order.hpp"
+#include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/io/checkpoint.hpp"
+#include "suffuse/run/measure.hpp"
+#include "suffuse/stats/gradation.hpp"
+
+#include <fmt/format.h>
+
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/convert.hpp"
+#include "python/bindings/views.hpp"
+#include "python/bindings/work.hpp"
+#include "python/bindings/world_handle.hpp"
+#include <algorithm>
+
+namespace suffuse::python {
+namespace {
+
+using Handle = std::shared_ptr<WorldHandle>;
+
+/// The touching contacts at the last step; a picture of them, which later steps do not change.
+struct ContactTable {
+    std::vector<dem::ContactView> rows;
+};
+
+using Contacts = std::shared_ptr<ContactTable>;
+
+std::vector<std::uint8_t> claims_of(const py::object& given, std::size_t rows, std::string_view what) {
+    std::vector<std::uint8_t> claims(rows, 0);
+    if (!given.is_none()) {
+        const std::vector<double> values = numbers_of(given, what, rows);
+        std::transform(values.begin(), values.end(), claims.begin(), [](double v) { return v != 0 ? 1 : 0; });
+    }
+    return claims;
+}
+
+Handle make_world(
+    const py::object& cell, const py::object& position, const py::object& radius, const py::object& velocity,
+    const py::object& spin, const py::object& fine, const grains::Material& material, std::uint64_t seed
+) {
+    dem::World world;
+    world.cell.h = world.reference_h = cell_of(cell);
+    world.material = material;
+    world.seed = seed;
+    const std::vector<Vec3> x = vectors_of(position, "position");
+    const std::vector<double> r = numbers_of(radius, "radius", x.size());
+    for (std::size_t g = 0; g < x.size(); ++g) {
+        if (!(r[g] > 0)) {
+            throw CaseError(fmt::format("radius: found {} at grain {}, expected a positive one", r[g], g));
+        }
+        grains::add_grain(world.grains, x[g], r[g], material.density);
+    }
+    if (!velocity.is_none()) {
+        world.grains.velocity = vectors_of(velocity, "velocity", x.size());
+    }
+    if (!spin.is_none()) {
+        world.grains.spin = vectors_of(spin, "spin", x.size());
+    }
+    world.grains.fine = claims_of(fine, x.size(), "fine");
+    return std::make_shared<WorldHandle>(std::move(world));
+}
+
+/// Rows as numbers, or a row of truth values for each grain.
+std::vector<std::uint32_t> rows_of(const py::object& given, std::size_t grains) {
+    const auto array = py::array(given);
+    std::vector<std::uint32_t> rows;
+    if (array.dtype().kind() == 'b') {
+        const std::vector<std::uint8_t> leaves = claims_of(given, grains, "rows to remove");
+        for (std::uint32_t g = 0; g < grains; ++g) {
+            if (leaves[g] != 0) {
+                rows.push_back(g);
+            }
+        }
+        return rows;
+    }
+    for (const double value : numbers_of(given, "rows to remove")) {
+        if (value < 0 || value >= static_cast<double>(grains) || value != std::floor(value)) {
+            throw CaseError(fmt::format("rows to remove: found {}, expected rows from 0 to {}", value, grains - 1));
+        }
+        rows.push_back(static_cast<std::uint32_t>(value));
+    }
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+}
+
+py::dict describe(const dem::Equilibrium& balance) {
+    py::dict dict;
+    dict["unbalanced_force"] = balance.unbalanced_force;
+    dict["unbalanced_force_all"] = balance.unbalanced_force_all;
+    dict["mean_contact_force"] = balance.mean_contact_force;
+    dict["kinetic_energy"] = balance.kinetic_energy;
+    dict["max_overlap_ratio"] = balance.max_overlap_ratio;
+    dict["contacts"] = balance.contacts;
+    dict["rattlers"] = balance.rattlers;
+    return dict;
+}
+
+// ---- contacts
+
+void add_contact_vectors(
+    py::class_<ContactTable, Contacts>& type, const char* name, Vec3 dem::ContactView::*field, const char* doc
+) {
+    type.def_property_readonly(
+        name,
+        [field](const Contacts& table) {
+            const double* first = table->rows.empty() ? nullptr : &(table->rows.front().*field).x;
+            return look_at(first, table->rows.size(), 3, sizeof(dem::ContactView), hold(table));
+        },
+        doc
+    );
+}
+
+template <class T>
+void add_contact_column(
+    py::class_<ContactTable, Contacts>& type, const char* name, T dem::ContactView::*field, const char* doc
+) {
+    type.def_property_readonly(
+        name,
+        [field](const Contacts& table) {
+            const T* first = table->rows.empty() ? nullptr : &(table->rows.front().*field);
+            return look_at(first, table->rows.size(), 0, sizeof(dem::ContactView), hold(table));
+        },
+        doc
+    );
+}
+
+void bind_contacts(py::module_& m) {
+    using dem::ContactView;
+    py::class_<ContactTable, Contacts> type(
+        m, "Contacts", "The touching contacts as the last step left them, a row each. Later steps do not change them."
+    );
+    type.def("__len__", [](const ContactTable& table) { return table.rows.size(); });
+    add_contact_column(type, "i", &ContactView::i, "Row of the first grain.");
+    add_contact_column(type, "j", &ContactView::j, "Row of the second grain.");
+    add_contact_column(type, "overlap", &ContactView::overlap, "[m]");
+    add_contact_vectors(type, "normal", &ContactView::normal, "From the first grain to the second [-].");
+    add_contact_vectors(type, "normal_force", &ContactView::normal_force, "On the first grain [N].");
+    add_contact_vectors(type, "shear_force", &ContactView::shear_force, "On the first grain [N].");
+    add_contact_vectors(type, "moment", &ContactView::moment, "Bending and twisting, on the first grain [N m].");
+    type.def_property_readonly(
+        "image",
+        [](const Contacts& table) {
+            static_assert(sizeof(cell::Image) == 3 * sizeof(std::int32_t));
+            const std::int32_t* first = table->rows.empty() ? nullptr : &table->rows.front().image.a;
+            return look_at(first, table->rows.size(), 3, sizeof(ContactView), hold(table));
+        },
+        "Periods by which the second grain is moved: it is met at position[j] + cell @ image."
+    );
+    type.def_property_readonly(
+        "compression",
+        [](const ContactTable& table) {
+            py::array_t<double> values(static_cast<py::ssize_t>(table.rows.size()));
+            double* out = values.mutable_data();
+            for (const ContactView& c : table.rows) {
+                *out++ = -dot(c.normal_force, c.normal);
+            }
+            return values;
+        },
+        "Normal force, compression positive [N]; a new array."
+    );
+}
+
+// ---- grains
+
+void bind_grains(py::module_& m) {
+    py::class_<GrainTable> type(
+        m, "Grains",
+        "The grain table: NumPy arrays that look into the world without copying. They follow it as it steps, and keep "
+        "it alive; when grains are removed or reordered, arrays taken before keep the rows of before."
+    );
+    type.def("__len__", [](const GrainTable& table) { return table.handle->world().grains.size(); });
+    bind_grain_columns(type);
+    type.def_property_readonly(
+        "diameter",
+        [](const GrainTable& table) {
+            const std::vector<double>& radius = table.handle->world().grains.radius;
+            py::array_t<double> values(static_cast<py::ssize_t>(radius.size()));
+            std::transform(radius.begin(), radius.end(), values.mutable_data(), [](double r) { return 2 * r; });
+            return values;
+        },
+        "[m]; a new array."
+    );
+    type.def_property_readonly(
+        "coordination",
+        [](const GrainTable& table) {
+            const std::vector<int> counts = dem::coordination(table.handle->world());
+            return py::array_t<int>(static_cast<py::ssize_t>(counts.size()), counts.data());
+        },
+        "Number of touching contacts; a new array."
+    );
+}
+
+// ---- world
+
+void bind_cell(py::class_<WorldHandle, Handle>& type) {
+    type.def_property(
+        "cell", [](const WorldHandle& w) { return to_array(w.world().cell.h); },
+        [](WorldHandle& w, const py::object& value) { w.world().cell.h = cell_of(value); },
+        "The periodic cell: columns are its vectors [m]. Grains do not move when it is set."
+    );
+    type.def_property(
+        "reference_cell", [](const WorldHandle& w) { return to_array(w.world().reference_h); },
+        [](WorldHandle& w, const py::object& value) { w.world().reference_h = cell_of(value); },
+        "The cell at which the strain counts as zero [m]."
+    );
+    type.def_property(
+        "velocity_gradient", [](const WorldHandle& w) { return to_array(w.world().cell.velocity_gradient); },
+        [](WorldHandle& w, const py::object& value) {
+            w.world().cell.velocity_gradient = matrix_of(value, dimension::rate, "velocity_gradient");
+        },
+        "dv/dx of the cell, extension positive [1/s]."
+    );
+}
+
+void bind_measures(py::class_<WorldHandle, Handle>& type) {
+    type.def_property_readonly(
+        "stress", [](const WorldHandle& w) { return to_array(dem::mean_stress_tensor(w.world())); },
+        "3 x 3, compression positive [Pa]."
+    );
+    type.def_property_readonly(
+        "mean_stress", [](const WorldHandle& w) { return dem::mean_stress(dem::mean_stress_tensor(w.world())); }, "[Pa]"
+    );
+    type.def_property_readonly(
+        "deviator_stress",
+        [](const WorldHandle& w) { return dem::deviator_stress(dem::mean_stress_tensor(w.world())); }, "sqrt(3 J2) [Pa]"
+    );
+    type.def_property_readonly(
+        "strain", [](const WorldHandle& w) { return to_array(dem::strain(w.world())); },
+        "Logarithmic, along the axes since reference_cell, compression positive [-]."
+    );
+    type.def_property_readonly(
+        "void_ratio", [](const WorldHandle& w) { return dem::void_ratio(w.world()); }, "Voids / solid [-]."
+    );
+    type.def_property_readonly(
+        "porosity", [](const WorldHandle& w) { return dem::porosity(w.world()); }, "[-]"
+    );
+    type.def_property_readonly(
+        "balance", [](const WorldHandle& w) { return describe(dem::measure_equilibrium(w.world())); },
+        "How near the state is to equilibrium: unbalanced_force, kinetic_energy [J], max_overlap_ratio, contacts, ..."
+    );
+    type.def(
+        "measure", [](const WorldHandle& w) { return to_python(run::measure_state(w.world())); },
+        "The numbers of a state as in stage.json: void ratio, stress, coordination, fines, hash, ..."
+    );
+    type.def_property_readonly(
+        "hash", [](const WorldHandle& w) { return dem::state_hash(w.world()); },
+        "Of all that the next step depends on; the same for any storage order."
+    );
+    type.def(
+        "gradation",
+        [](const WorldHandle& w) {
+            const stats::Gradation curve = stats::measure_gradation(w.world().grains);
+            const auto rows = static_cast<py::ssize_t>(curve.diameter.size());
+            return py::make_tuple(
+                py::array_t<double>(rows, curve.diameter.data()), py::array_t<double>(rows, curve.passing.data())
+            );
+        },
+        "Diameters [m], ascending, and the share by mass of the grains up to each [-]."
+    );
+    type.def(
+        "stable_time_step",
+        [](const WorldHandle& w, double safety) {
+            const Working working;
+            return dem::stable_time_step(w.world(), safety);
+        },
+        py::arg("safety") = dem::default_step_safety, "From the stiffest mode of the contact network [s]."
+    );
+}
+
+void bind_changes(py::class_<WorldHandle, Handle>& type) {
+    type.def(
+        "remove",
+        [](WorldHandle& w, const py::object& given) {
+            const std::vector<std::uint32_t> rows = rows_of(given, w.world().grains.size());
+            dem::remove_grains(w.world_for_new_rows(), rows);
+            return rows.size();
+        },
+        py::arg("rows"),
+        "Takes grains out, with their contacts: rows by number, or a truth value for each grain. Returns how many."
+    );
+    type.def(
+        "sort",
+        [](WorldHandle& w, const std::string& by) {
+            if (by != "curve" && by != "id") {
+                throw CaseError(fmt::format("sort: found \"{}\", expected \"curve\" or \"id\"", by));
+            }
+            (by == "id" ? dem::sort_by_id : dem::sort_along_curve)(w.world_for_new_rows());
+        },
+        py::arg("by") = "curve",
+        "Stores the grains along a space-filling curve (the step is then fastest), or by \"id\". No result changes."
+    );
+    const auto copy = [](const WorldHandle& w) { return std::make_shared<WorldHandle>(w.world()); };
+    type.def("copy", copy, "An independent world.");
+    type.def("__copy__", copy);
+    type.def(
+        "__deepcopy__", [copy](const WorldHandle& w, const py::dict&) { return copy(w); }, py::arg("memo")
+    );
+    type.def(
+        "save",
+        [](const WorldHandle& w, const std::filesystem::path& path) {
+            const Working working;
+            io::save_world(path, w.world());
+        },
+        py::arg("path"), "Saves the state to the last bit, as a stage's state.h5."
+    );
+    type.def_static(
+        "load",
+        [](const std::filesystem::path& path) {
+            const Working working;
+            return std::make_shared<WorldHandle>(io::load_world(path).world);
+        },
+        py::arg("path"), "Loads a state.h5."
+    );
+}
+
+} // namespace
+
+void bind_world(py::module_& m) {
+    bind_contacts(m);
+    bind_grains(m);
+    py::class_<WorldHandle, Handle> type(
+        m, "World",
+        "Grains in a periodic cell, with contacts and their memory: a state that steps.\n\n"
+        "cell: three edges, or a 3 x 3 matrix whose columns are the cell vectors [m]\nposition: n x 3 [m]\n"
+        "radius: n [m]\nvelocity, spin: n x 3 [m/s], [rad/s]\nfine: n truth values"
+    );
+    type.def(
+        py::init(&make_world), py::arg("cell"), py::arg("position"), py::arg("radius"), py::kw_only(),
+        py::arg("velocity") = py::none(), py::arg("spin") = py::none(), py::arg("fine") = py::none(),
+        py::arg("material") = grains::Material{}, py::arg("seed") = 0
+    );
+    type.def_property_readonly("grains", [](const Handle& w) { return GrainTable{w}; });
+    type.def_property_readonly("contacts", [](const WorldHandle& w) {
+        return std::make_shared<ContactTable>(ContactTable{dem::inspect_contacts(w.world())});
+    });
+    type.def_property(
+        "material", [](WorldHandle& w) -> grains::Material& { return w.world().material; },
+        [](WorldHandle& w, const grains::Material& material) { w.world().material = material; },
+        py::return_value_policy::reference_internal, "Constants of the contact law; fields may be set."
+    );
+    type.def_property_readonly("step_number", [](const WorldHandle& w) { return w.world().clock.step; });
+    type.def_property_readonly(
+        "time", [](const WorldHandle& w) { return w.world().clock.time; }, "[s]"
+    );
+    type.def_property_readonly("seed", [](const WorldHandle& w) { return w.world().seed; });
+    type.def("__len__", [](const WorldHandle& w) { return w.world().grains.size(); });
+    type.def("__repr__", [](const WorldHandle& w) {
+        return fmt::format(
+            "<suffuse.World: {} grains, void ratio {:.4f}, mean stress {:.4g} kPa>", w.world().grains.size(),
+            dem::void_ratio(w.world()), dem::mean_stress(dem::mean_stress_tensor(w.world())) / 1e3
+        );
+    });
+    bind_cell(type);
+    bind_measures(type);
+    bind_changes(type);
+}
+
+} // namespace suffuse::python

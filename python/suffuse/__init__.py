@@ -1,0 +1,59 @@
+"""suffuse: internal erosion of soils, grain by grain, from a grading curve to a report.
+
+    import suffuse
+
+    case = suffuse.Case("examples/replay/case.toml")     # read and checked; raises CaseProblems with places
+    print(case.plan())                                   # what it will cost
+    run = case.run(on_progress=suffuse.print_progress)   # Ctrl-C saves; run.resume() goes on
+    state = run["replay/settled"].world                  # grains and contacts as NumPy arrays
+
+    world = suffuse.read_packing("packing.txt", cell=(4e-3, 4e-3, 4e-3))
+    water = suffuse.seep(world, gradient=0.05, direction="x")
+
+SI everywhere; a quantity may also be a text with its unit, as in "100 kPa". Compression is positive. The words are those
+of the case file: suffuse.explain("contact.modulus").
+"""
+
+from suffuse import _core
+from suffuse._core import (
+    Balance,
+    Bug,
+    CaseError,
+    CaseProblems,
+    Constrictions,
+    Contacts,
+    Diagnostic,
+    Error,
+    Fluid,
+    GeometryError,
+    Grains,
+    Interrupted,
+    IoError,
+    Key,
+    Loading,
+    Material,
+    PoreNetwork,
+    Seepage,
+    SolverError,
+    StateError,
+    UnitError,
+    UsageError,
+    World,
+    __version__,
+    commit,
+    compiler,
+    constrictions,
+    explain,
+    largest_overlap,
+    make_cloud,
+    quantity,
+    schema,
+    seep,
+    set_threads,
+    threads,
+)
+from suffuse.case import Case, Plan, print_progress
+from suffuse.packing import read_packing, write_packing
+from suffuse.run import Figure, Run, Stage
+
+__all__ = [name for name in dir() if not name.startswith("_") and name not in ("case", "packing", "run")]

@@ -1,0 +1,24 @@
+"""Packings from and for other programs."""
+
+import warnings
+
+from suffuse import _core
+
+
+def read_packing(path, cell=None, material=None):
+    """A World of the grains in a file, whichever of the formats it is: CSV with x,y,z,r, Yade's text, LAMMPS data and
+    dump, extended XYZ, VTK's .vtp; plain or gzipped.
+
+    cell: three edges or a 3 x 3 matrix whose columns are the cell vectors [m]; the file's own unless given.
+    What the file says beyond that is warned of. An imported packing carries no contact memory: settle it first.
+    """
+    world, remarks = _core.read_packing(path, cell, material or _core.Material())
+    for remark in remarks:
+        warnings.warn(remark, stacklevel=2)
+    return world
+
+
+def write_packing(path, world, format=None):
+    """Writes the grains of a World for other programs: csv, yade, xyz, lammps, dump, vtp; by the file's ending unless
+    `format` is given."""
+    _core.write_packing(path, world, format or "")

@@ -1,0 +1,210 @@
+"""Runs: what a run folder holds, as numbers and arrays."""
+
+import csv
+import functools
+import json
+import pathlib
+
+import numpy
+
+from suffuse import _core
+from suffuse.case import Case, page_folder
+
+
+def _read_table(path):
+    """A CSV of numbers, and perhaps words, as a structured array; lines that begin with # are remarks."""
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    names, rows = rows[0], rows[1:]
+    columns = []
+    for column in zip(*rows) if rows else [()] * len(names):
+        try:
+            columns.append(numpy.array([float(cell) if cell else numpy.nan for cell in column]))
+        except ValueError:
+            columns.append(numpy.array(column, dtype=str))
+    table = numpy.empty(len(rows), [(name, column.dtype) for name, column in zip(names, columns)])
+    for name, column in zip(names, columns):
+        table[name] = column
+    return table
+
+
+def _read_json(path):
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise _core.IoError(f"{path}: cannot be read; is this a run folder?") from error
+
+
+class Stage:
+    """A finished stage: its numbers, its state, its tables."""
+
+    def __init__(self, folder, name):
+        self.folder, self.name = folder, name
+
+    @functools.cached_property
+    def numbers(self):
+        """stage.json: void_ratio, mean_stress, steps, wall_seconds, ..."""
+        return _read_json(self.folder / "stage.json")
+
+    def __getitem__(self, key):
+        return self.numbers[key]
+
+    @functools.cached_property
+    def world(self):
+        """The state at the end of the stage: a World."""
+        return _core.World.load(self.folder / "state.h5")
+
+    @property
+    def grains(self):
+        return self.world.grains
+
+    @property
+    def contacts(self):
+        return self.world.contacts
+
+    @functools.cached_property
+    def history(self):
+        """history.csv as a structured array: step, time, strain_1, stress_1, void_ratio, ..."""
+        return self.table("history.csv")
+
+    def table(self, name):
+        """A CSV table of the stage ("throats.csv", "constrictions.csv") as a structured array."""
+        return _read_table(self.folder / name)
+
+    @functools.cached_property
+    def results(self):
+        """What the report draws from the stage: `curve` of a triaxial test, `probes`, `erosion`."""
+        path = self.folder / "results.cbor"
+        return _core.read_cbor(path) if path.exists() else {}
+
+    @property
+    def curve(self):
+        """The stress-strain curve of a triaxial test as a structured array of its numbers, or None."""
+        rows = self.results.get("curve")
+        if not rows:
+            return None
+        names = [name for name, value in rows[0].items() if isinstance(value, (int, float))]
+        return numpy.array([tuple(row[name] for name in names) for row in rows], [(name, float) for name in names])
+
+    @property
+    def passes(self):
+        """The passes of an erosion: a list of dictionaries, as in stage.json."""
+        return self.numbers.get("passes", [])
+
+    def __repr__(self):
+        return f"<suffuse.Stage {self.name}: {self.numbers.get('verb')}>"
+
+
+class Figure:
+    """A figure of the report: its data and its Vega-Lite specification."""
+
+    def __init__(self, folder, name):
+        self.name, self._folder = name, folder
+
+    @functools.cached_property
+    def data(self):
+        """A structured array, a column a variable; names carry the unit."""
+        return _read_table(self._folder / f"{self.name}.csv")
+
+    @functools.cached_property
+    def specification(self):
+        """Vega-Lite, with its data: for notebooks (altair, JupyterLab) and editors; None where there is a drawing."""
+        path = self._folder / f"{self.name}.vl.json"
+        return _read_json(path) if path.exists() else None
+
+    def _repr_mimebundle_(self, include=None, exclude=None):
+        if self.specification is None:
+            return {"text/plain": repr(self)}
+        return {"application/vnd.vegalite.v5+json": self.specification, "text/plain": repr(self)}
+
+    def __repr__(self):
+        return f"<suffuse.Figure {self.name}>"
+
+
+class Run:
+    """A run folder. run["STUDY/STAGE"] is a finished stage; run.figure(9) a figure of the report.
+
+    outcome: "done", "done with flaws" or "time limit", where this session ran it
+    """
+
+    def __init__(self, folder, outcome=None):
+        self.folder, self.outcome = pathlib.Path(folder), outcome
+        if not (self.folder / "case.resolved.toml").exists() and not (self.folder / "run_options.json").exists():
+            raise _core.IoError(f"{self.folder}: holds no run; runs are made by Case.run() or suffuse run")
+
+    @property
+    def summary(self):
+        """summary.json: title, seed, warnings, findings, stages."""
+        return _read_json(self.folder / "summary.json")
+
+    @property
+    def provenance(self):
+        return _read_json(self.folder / "provenance.json")
+
+    @property
+    def findings(self):
+        """The paper's findings: id, claim, paper, ours, met."""
+        return self.summary["findings"]
+
+    @property
+    def events(self):
+        """events.jsonl: what happened when."""
+        path = self.folder / "events.jsonl"
+        return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()] if path.exists() else []
+
+    @property
+    def report(self):
+        """The path of report.html."""
+        return self.folder / "report.html"
+
+    @property
+    def stages(self):
+        """Names of the finished stages, "STUDY/STAGE", in the order in which they were finished."""
+        root = self.folder / "studies"
+        done = sorted(root.rglob("stage.json"), key=lambda path: (path.stat().st_mtime_ns, str(path)))
+        return [path.parent.relative_to(root).as_posix() for path in done]
+
+    def __getitem__(self, name):
+        folder = self.folder / "studies" / name
+        if not (folder / "stage.json").exists():
+            raise KeyError(f"{name}: not a finished stage of this run; there are {', '.join(self.stages)}")
+        return Stage(folder, name)
+
+    def __iter__(self):
+        return iter(self.stages)
+
+    def __len__(self):
+        return len(self.stages)
+
+    @property
+    def figures(self):
+        """Names of the figures."""
+        return sorted(path.stem for path in (self.folder / "figures").glob("*.csv"))
+
+    def figure(self, which):
+        """A figure by its number in the paper (9) or its name ("own-rules")."""
+        name = f"fig{which:02d}" if isinstance(which, int) else which
+        if name not in self.figures:
+            raise KeyError(f"{name}: this run has no such figure; there are {', '.join(self.figures)}")
+        return Figure(self.folder / "figures", name)
+
+    def resume(self, until="", time_limit=None, on_progress=None):
+        """Goes on with a run that was stopped, to the same bits; arguments as of Case.run."""
+        resolved = self.folder / "case.resolved.toml"
+        if resolved.exists():
+            case = _core.CaseFile.load(resolved, "", [])
+        else:  # stopped before it really began
+            case = _core.CaseFile.load(*_core.asked_run(self.folder))
+        self.outcome, _ = _core.conduct(case, self.folder, until, time_limit, page_folder(), on_progress)
+        return self
+
+    def rebuild_report(self):
+        """Writes summary.json, figures and report.html again, without computing."""
+        return _core.rebuild_report(self.folder, page_folder())
+
+    def case(self):
+        """The case of this run, with every default spelled out."""
+        return Case(self.folder / "case.resolved.toml")
+
+    def __repr__(self):
+        return f"<suffuse.Run {str(self.folder)!r}: {len(self.stages)} stages done>"

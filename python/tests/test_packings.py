@@ -1,0 +1,53 @@
+"""Packings from and for other programs, to the bit where the format carries it."""
+
+import warnings
+
+import numpy
+import pytest
+
+import suffuse
+
+
+@pytest.mark.parametrize("name", ["p.csv", "p.txt", "p.xyz", "p.data", "p.dump", "p.vtp"])
+def test_a_packing_goes_out_and_comes_back(settled, tmp_path, name):
+    settled.sort("id")
+    # One format brings grains home into the cell: begin there, so that all carry the same.
+    settled.grains.position = (numpy.linalg.solve(settled.cell, settled.grains.position.T) % 1).T @ settled.cell.T
+    suffuse.write_packing(tmp_path / name, settled)
+    carries_cell = name not in ("p.csv", "p.txt")
+    back = suffuse.read_packing(tmp_path / name, cell=None if carries_cell else settled.cell)
+    assert (back.cell == settled.cell).all() and (back.grains.radius == settled.grains.radius).all()
+    assert (back.grains.position == settled.grains.position).all()
+    if name != "p.txt":
+        assert (back.grains.velocity == settled.grains.velocity).all()
+        assert (back.grains.spin == settled.grains.spin).all()
+
+
+def test_what_is_not_used_is_warned_of(tmp_path):
+    (tmp_path / "p.csv").write_text("x,y,z,r,color\n0.5,0.5,0.5,0.1,1\n")
+    with pytest.warns(UserWarning, match='column "color" ignored'):
+        suffuse.read_packing(tmp_path / "p.csv", cell=(1, 1, 1))
+
+
+def test_a_file_without_a_cell_asks_for_it(tmp_path):
+    (tmp_path / "p.csv").write_text("x,y,z,r\n0.5,0.5,0.5,0.1\n")
+    with pytest.raises(suffuse.CaseError, match="carries no cell; give cell="):
+        suffuse.read_packing(tmp_path / "p.csv")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert len(suffuse.read_packing(tmp_path / "p.csv", cell=("1 m", 1, "100 cm"))) == 1
+
+
+def test_an_unknown_format_names_those_there_are(settled, tmp_path):
+    with pytest.raises(suffuse.CaseError, match="csv, yade, xyz, lammps, dump, vtp"):
+        suffuse.write_packing(tmp_path / "p.pdf", settled)
+
+
+def test_a_cloud_is_the_same_for_a_seed_and_can_be_compacted():
+    radius = numpy.full(200, 1e-4)
+    cloud = suffuse.make_cloud(radius, porosity=0.65, seed=3)
+    assert cloud.porosity == pytest.approx(0.65, rel=1e-9) and suffuse.largest_overlap(cloud) == 0
+    assert suffuse.make_cloud(radius, porosity=0.65, seed=3).hash == cloud.hash
+    assert suffuse.make_cloud(radius, porosity=0.65, seed=4).hash != cloud.hash
+    cloud.compact("100 kPa", friction="5 deg")
+    assert cloud.mean_stress == pytest.approx(100e3, rel=5e-3) and cloud.void_ratio < 0.8

@@ -1,0 +1,134 @@
+"""Cases and runs: the same bits, words and folders as the program's."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+
+import numpy
+import pytest
+
+import suffuse
+
+PROGRAM = os.environ["SUFFUSE_PROGRAM"]
+
+
+def test_a_case_is_read_checked_and_priced(small_case):
+    case = suffuse.Case(small_case, changes={"contact.modulus": "300 MPa"})
+    assert case.title == "Replay of an imported packing" and case.material.modulus == 300e6
+    assert case.stages == ["replay/start", "replay/settled", "replay/compressed", "replay/seep"]
+    plan = case.plan()
+    assert len(plan["stages"]) == 4 and plan["steps"][0] >= 200 and "4 stages" in str(plan)
+    assert "[contact]" in case.resolved
+
+
+def test_all_that_is_wrong_is_told_at_once_with_places(small_case):
+    small_case.write_text(small_case.read_text().replace("friction", "frction").replace('"100 kPa"', "100"))
+    with pytest.raises(suffuse.CaseProblems) as raised:
+        suffuse.Case(small_case)
+    problems = raised.value.problems
+    assert len(problems) >= 2 and all(problem.line > 0 and problem.code for problem in problems)
+    told = subprocess.run([PROGRAM, "check", small_case], capture_output=True, text=True, check=False)
+    assert str(raised.value).strip() in told.stderr  # the same words as the program's
+    assert suffuse.explain(problems[0].code)
+
+
+def test_a_run_is_that_of_the_program(small_case, tmp_path):
+    told = []
+    run = suffuse.Case(small_case).run(tmp_path / "ours", on_progress=told.append)
+    assert run.outcome == "done" and [p["stage"] for p in told if p["stage_finished"]][-1] == "seep"
+    subprocess.run(
+        [PROGRAM, "run", small_case, "-o", tmp_path / "theirs", "-q"], check=True, capture_output=True
+    )
+    theirs = suffuse.Run(tmp_path / "theirs")
+    assert run.stages == theirs.stages == ["replay/start", "replay/settled", "replay/compressed", "replay/seep"]
+    for name in run:
+        assert run[name]["state_hash"] == theirs[name]["state_hash"]
+    stage = run["replay/compressed"]
+    assert format(stage.world.hash, "016x") == stage["state_hash"]
+    assert stage.world.measure()["void_ratio"] == stage["void_ratio"]
+    assert stage.history["step"][-1] == stage.world.step_number and len(stage.history) >= 3
+    assert stage.table("grains.csv")["r"].sum() == pytest.approx(stage.grains.radius.sum(), rel=1e-12)
+    assert run.summary["title"] and run.report.exists() and run.events[-1]["event"] == "run ends"
+    for name in run.figures:
+        assert len(run.figure(name).data.dtype.names) > 1
+    with pytest.raises(KeyError, match="not a finished stage"):
+        run["replay/nothing"]
+
+
+def test_by_hand_and_by_case_are_the_same_bits(small_case, tmp_path):
+    case = suffuse.Case(small_case)
+    run = case.run(tmp_path / "run")
+    by_hand = run["replay/settled"].world
+    by_hand.reference_cell = by_hand.cell
+    loading = suffuse.Loading(strain_rate=("10 1/s", None, None), stress=(None, "100 kPa", "100 kPa"))
+    by_hand.step(200, loading, time_step="4.1e-8 s", damping=case.damping)
+    theirs = run["replay/compressed"].world
+    assert (by_hand.grains.position == theirs.grains.position).all() and (by_hand.cell == theirs.cell).all()
+
+
+def test_an_exception_of_the_progress_function_saves_and_stops(small_case, tmp_path):
+    def stop(progress):
+        if progress["stage"] == "settled":
+            raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        suffuse.Case(small_case).run(tmp_path / "run", on_progress=stop)
+    run = suffuse.Run(tmp_path / "run").resume()
+    whole = suffuse.Case(small_case).run(tmp_path / "whole")
+    assert run["replay/seep"]["state_hash"] == whole["replay/seep"]["state_hash"]
+
+
+def test_control_c_saves_and_resuming_gives_the_same_bits(small_case, tmp_path):
+    text = small_case.read_text().replace("200\n", "20_000\n", 1).replace("steps       = 200", "steps       = 20_000")
+    small_case.write_text(text)
+    script = (
+        "import os, signal, sys, threading, suffuse\n"
+        "def press(progress):\n"
+        "    if progress['stage'] == 'compressed' and progress['steps'] > 0:\n"
+        "        os.kill(os.getpid(), signal.SIGINT)\n"
+        "try:\n"
+        "    suffuse.Case(sys.argv[1]).run(sys.argv[2], on_progress=press)\n"
+        "except KeyboardInterrupt:\n"
+        "    sys.exit(42)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script, small_case, tmp_path / "run"], check=False)
+    assert done.returncode == 42
+    stage = tmp_path / "run" / "studies" / "replay" / "compressed"
+    assert (stage / "partial.h5").exists() and not (stage / "stage.json").exists()
+    run = suffuse.Run(tmp_path / "run").resume()
+    whole = suffuse.Case(small_case).run(tmp_path / "whole")
+    assert run["replay/seep"]["state_hash"] == whole["replay/seep"]["state_hash"]
+
+
+def test_until_and_time_limit(small_case, tmp_path):
+    run = suffuse.Case(small_case).run(tmp_path / "run", until="settled")
+    assert run.stages == ["replay/start", "replay/settled"]
+    assert suffuse.Case(small_case).run(tmp_path / "run", time_limit=1e-9).outcome == "time limit"
+    with pytest.raises(suffuse.UnitError):
+        suffuse.Case(small_case).run(tmp_path / "run", time_limit="3 kPa")
+
+
+def test_a_folder_that_is_taken_is_refused(small_case, tmp_path):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "letter.txt").write_text("dear")
+    with pytest.raises(suffuse.UsageError, match="holds no run"):
+        suffuse.Case(small_case).run(tmp_path / "mine")
+    with pytest.raises(suffuse.IoError, match="holds no run"):
+        suffuse.Run(tmp_path / "mine")
+
+
+def test_a_triaxial_test_leaves_its_curve(small_case, tmp_path):
+    text = small_case.read_text()
+    head = text[: text.index('[[study.replay.stage]]\nname        = "compressed"')]
+    small_case.write_text(head + '[[study.replay.stage]]\nname = "shear"\ndo = "triaxial"\nstrain = "0.5 %"\n'
+                                 'inertial_number = 5e-3\n')
+    run = suffuse.Case(small_case).run(tmp_path / "run")
+    curve = run["replay/shear"].curve
+    assert curve["axial_strain"][-1] >= 0.005 and curve["deviator_stress"].max() > 10e3
+    world = run["replay/settled"].world
+    world.reference_cell = world.cell
+    again = world.triaxial("0.5 %", inertial_number=5e-3)
+    assert [row["deviator_stress"] for row in again["curve"]] == curve["deviator_stress"].tolist()

@@ -1,0 +1,82 @@
+"""Pore networks and flow, on worlds and on packings brought as arrays."""
+
+import gc
+
+import numpy
+import pytest
+
+import suffuse
+
+
+def test_pores_fill_the_cell_and_their_voids_the_porosity(packing):
+    network = suffuse.PoreNetwork(packing)
+    volume = numpy.linalg.det(packing.cell)
+    assert network.pore_volume.sum() == pytest.approx(volume, rel=1e-12)  # rounding of 13,000 terms
+    # Overlaps of a settled packing, 3e-4 of the radius, are counted in both grains of a contact.
+    assert network.void_volume.sum() / volume == pytest.approx(packing.porosity, rel=1e-4)
+    assert network.side.shape == (network.throats, 2) and network.pore_grain.shape == (network.pores, 4)
+    assert network.throats == 2 * network.pores  # four facets a tetrahedron, each shared by two
+
+
+def test_columns_of_a_network_outlive_it(packing):
+    radius = suffuse.PoreNetwork(packing).inscribed_radius
+    gc.collect()
+    assert not radius.flags.owndata and not radius.flags.writeable and (radius < packing.grains.radius.max()).all()
+
+
+def test_corners_of_a_pore_with_their_images_have_its_volume(packing):
+    network = suffuse.PoreNetwork(packing)
+    corners = packing.grains.position[network.pore_grain] + network.pore_grain_image @ packing.cell.T
+    edges = corners[:, 1:] - corners[:, :1]
+    assert numpy.abs(numpy.linalg.det(edges)) / 6 == pytest.approx(network.pore_volume, rel=1e-9)
+
+
+def test_flow_takes_arrays_or_a_world_and_balances_its_forces(packing):
+    water = suffuse.seep(packing, gradient=0.05, direction="x", tensor=True)
+    same = suffuse.seep(packing.cell, packing.grains.position, packing.grains.radius, gradient=0.05, direction="x")
+    assert same.permeability == water.permeability and (same.grain_force == water.grain_force).all()
+    volume = numpy.linalg.det(packing.cell)
+    assert water.pressure_gradient == pytest.approx([-0.05 * 1000 * 9.81, 0, 0])
+    assert water.grain_force.sum(axis=0) == pytest.approx(-volume * water.pressure_gradient, abs=1e-9 * volume * 490)
+    assert water.tensor[0, 0] == pytest.approx(water.permeability, rel=1e-9)
+    # Darcy's law closes the loop: v = -k/mu grad p.
+    assert water.mean_velocity[0] == pytest.approx(water.permeability / 1e-3 * 0.05 * 1000 * 9.81, rel=1e-9)
+    flux = numpy.zeros(water.network.pores)
+    numpy.add.at(flux, water.network.side[:, 0], water.flux)
+    numpy.add.at(flux, water.network.side[:, 1], -water.flux)
+    assert numpy.abs(flux).max() < 1e-9 * numpy.abs(water.flux).max()  # what flows in flows out
+
+
+def test_flow_is_linear_in_gradient_and_viscosity(packing):
+    one = suffuse.seep(packing, gradient=0.01)
+    ten = suffuse.seep(packing, gradient="10 %", fluid=suffuse.Fluid(viscosity="2 mPa*s"))
+    assert ten.permeability == pytest.approx(one.permeability, rel=1e-9)
+    assert ten.grain_force == pytest.approx(10 * one.grain_force, rel=1e-6, abs=1e-18)
+    assert ten.mean_velocity[2] == pytest.approx(5 * one.mean_velocity[2], rel=1e-9)
+
+
+def test_constrictions_of_equal_spheres_in_a_cubic_lattice():
+    # Face-centered cubic, slightly apart: every facet of three touching grains has the gap 2 (2/sqrt(3) - 1) r.
+    edge, r = 1.0, 0.5 / numpy.sqrt(2)
+    lattice = numpy.array([[0, 0, 0], [0.5, 0.5, 0], [0.5, 0, 0.5], [0, 0.5, 0.5]])
+    cells = numpy.array([[i, j, k] for i in range(3) for j in range(3) for k in range(3)])
+    position = (cells[:, None] + lattice[None]).reshape(-1, 3) * edge
+    found = suffuse.constrictions((3 * edge,) * 3, position, numpy.full(len(position), r))
+    assert found.diameter.min() == pytest.approx(2 * r * (2 / numpy.sqrt(3) - 1), rel=1e-6)
+    assert found.mean == pytest.approx(found.diameter.mean(), rel=1e-12)
+
+
+def test_coarse_constrictions_are_wider(settled):
+    settled.grains.fine = settled.grains.diameter < numpy.quantile(settled.grains.diameter, 0.3)
+    assert suffuse.constrictions(settled, of="coarse").mean > suffuse.constrictions(settled).mean
+    with pytest.raises(suffuse.CaseError, match="need a World"):
+        suffuse.constrictions((1, 1, 1), [[0, 0, 0]], [0.1], of="coarse")
+
+
+def test_bad_geometry_and_bad_words_are_errors(packing):
+    with pytest.raises(suffuse.CaseError, match="direction"):
+        suffuse.seep(packing, gradient=1, direction="up")
+    with pytest.raises(suffuse.Error):
+        suffuse.PoreNetwork((1, 1, 1), [[0.5, 0.5, 0.5]], [2.0])
+    with pytest.raises(suffuse.CaseError, match="a packing is a World"):
+        suffuse.PoreNetwork((1, 1, 1))

@@ -1,0 +1,208 @@
+"""Worlds: views that never dangle, steps that meet closed forms."""
+
+import gc
+import pathlib
+
+import numpy
+import pytest
+
+import suffuse
+
+
+def test_columns_are_looked_at_without_a_copy(packing):
+    x = packing.grains.position
+    assert x.shape == (500, 3) and x.dtype == float and not x.flags.owndata
+    assert packing.grains.position.__array_interface__["data"] == x.__array_interface__["data"]
+    x[7] = [1e-3, 2e-3, 3e-3]
+    assert packing.grains.position[7].tolist() == [1e-3, 2e-3, 3e-3]
+
+
+def test_what_follows_from_others_cannot_be_written(packing):
+    for name in ("radius", "mass", "inertia", "id", "force", "torque"):
+        with pytest.raises(ValueError):
+            getattr(packing.grains, name)[0] = 1
+        with pytest.raises(AttributeError):
+            setattr(packing.grains, name, 1)
+    packing.grains.velocity = [1, 2, 3]
+    assert (packing.grains.velocity == [1, 2, 3]).all()
+
+
+def test_a_view_outlives_its_world(packing):
+    x = packing.grains.position
+    before = x.copy()
+    gone = packing
+    del packing
+    del gone
+    gc.collect()
+    numpy.zeros(500 * 3 * 100)  # would reuse freed memory
+    assert (x == before).all()
+
+
+def test_views_stay_where_they_are_while_the_world_steps(settled):
+    x, v = settled.grains.position, settled.grains.velocity
+    place, before = x.__array_interface__["data"], x.copy()
+    settled.step(500, suffuse.Loading(strain_rate=(0, 0, "50 1/s")))
+    assert settled.grains.position.__array_interface__["data"] == place
+    assert (x != before).any() and (x == settled.grains.position).all() and (v == settled.grains.velocity).all()
+
+
+def test_views_keep_the_rows_of_before_when_grains_leave(settled):
+    x, r, ids = settled.grains.position, settled.grains.radius, settled.grains.id
+    before = x.copy(), r.copy(), ids.copy()
+    leave = numpy.arange(0, 500, 10)
+    assert settled.remove(leave) == 50
+    assert len(settled) == 450 and len(settled.grains) == 450 and len(x) == 500
+    assert set(settled.grains.id) == set(numpy.delete(ids, leave))
+    settled.step(100)
+    for view, kept in zip((x, r, ids), before):
+        assert (view == kept).all()
+
+
+def test_views_survive_sorting(settled):
+    x = settled.grains.position
+    before, state = x.copy(), settled.hash
+    settled.sort("id")
+    assert (x == before).all() and settled.hash == state
+    assert (numpy.diff(settled.grains.id.astype(int)) > 0).all()
+
+
+def test_contacts_are_a_picture_that_steps_do_not_change(settled):
+    contacts = settled.contacts
+    overlap, kept = contacts.overlap, contacts.overlap.copy()
+    del contacts
+    settled.step(200, suffuse.Loading(strain_rate=(0, 0, "100 1/s")))
+    gc.collect()
+    assert (overlap == kept).all() and not overlap.flags.writeable
+
+
+def test_contacts_carry_the_stress(settled):
+    c, g = settled.contacts, settled.grains
+    branch = g.position[c.j] + c.image @ settled.cell.T - g.position[c.i]
+    # Love's formula: the sum of force (x) branch over the volume; forces act on grain i, so compression is positive.
+    stress = -numpy.einsum("ca,cb->ab", c.normal_force + c.shear_force, branch) / numpy.linalg.det(settled.cell)
+    assert numpy.allclose(stress, settled.stress, rtol=0, atol=1e-9 * settled.mean_stress)  # another order of the sum
+    assert settled.mean_stress == pytest.approx(100e3, rel=5e-3)  # what the balance allows
+    assert c.compression == pytest.approx(numpy.linalg.norm(c.normal_force, axis=1), rel=1e-12)  # rounding
+
+
+def test_the_force_of_two_grains_is_that_of_the_law(two_grains):
+    two_grains.step(1, time_step=1e-12, damping=0)
+    c = two_grains.contacts
+    # kn = 2 E r r/(r + r) = E r; the overlap is 0.01 r.
+    assert c.compression[0] == pytest.approx(356e6 * 1e-3 * 0.01e-3, rel=1e-9)
+    assert two_grains.grains.force[0] == pytest.approx(c.normal_force[0])
+
+
+def test_a_force_from_outside_accelerates(two_grains):
+    apart = suffuse.World((10e-3,) * 3, [[2e-3] * 3, [8e-3] * 3], [1e-3, 1e-3])
+    force = numpy.array([[1e-3, 0, 0], [0, 0, 0]])
+    apart.step(100, time_step=1e-6, damping=0, force=force)
+    assert apart.grains.velocity[0, 0] == pytest.approx(1e-3 / apart.grains.mass[0] * 1e-4, rel=1e-12)
+    assert (apart.grains.velocity[1] == 0).all()
+    apart.grains.held[0] = True
+    before = apart.grains.velocity[0].copy()
+    apart.step(100, time_step=1e-6, damping=0, force=force)
+    assert (apart.grains.velocity[0] == before).all()
+
+
+def test_grains_that_were_moved_by_hand_are_found(two_grains):
+    two_grains.step(10, time_step=1e-9)
+    assert len(two_grains.contacts) == 1
+    two_grains.grains.position[1] = [8.9e-3, 8.9e-3, 8.9e-3]
+    two_grains.grains.position[0] = [8.9e-3 - 1.995e-3, 8.9e-3, 8.9e-3]
+    two_grains.step(1, time_step=1e-9)
+    assert two_grains.contacts.overlap[0] == pytest.approx(0.005e-3, rel=1e-6)
+
+
+def test_steps_do_not_depend_on_how_they_are_cut(settled):
+    other = settled.copy()
+    loading = suffuse.Loading(strain_rate=(0, 0, "20 1/s"))
+    settled.step(300, loading, time_step="4e-8 s")
+    for _ in range(30):
+        other.step(10, loading, time_step=4e-8)
+    assert other.hash == settled.hash
+
+
+def test_a_saved_world_comes_back_to_the_bit(settled, tmp_path):
+    settled.save(tmp_path / "state.h5")
+    back = suffuse.World.load(tmp_path / "state.h5")
+    assert back.hash == settled.hash and back.void_ratio == settled.void_ratio
+    for world in (back, settled):
+        world.step(100, time_step=4e-8)
+    assert back.hash == settled.hash
+
+
+def test_threads_change_no_bit(settled):
+    other, threads = settled.copy(), suffuse.threads()
+    try:
+        suffuse.set_threads(1)
+        settled.step(200, time_step=4e-8)
+        suffuse.set_threads(3)
+        other.step(200, time_step=4e-8)
+    finally:
+        suffuse.set_threads(threads)
+    assert settled.hash == other.hash
+
+
+def test_two_threads_of_python_may_compute_at_once(settled):
+    from concurrent.futures import ThreadPoolExecutor
+
+    worlds = [settled.copy() for _ in range(3)]
+    with ThreadPoolExecutor(3) as pool:
+        list(pool.map(lambda world: world.step(200, time_step=4e-8), worlds))
+    assert len({world.hash for world in worlds}) == 1
+
+
+def test_progress_is_told_and_may_end_the_work(settled):
+    told = []
+
+    class Enough(Exception):
+        pass
+
+    def tell(part, steps):
+        told.append((part, steps))
+        raise Enough
+
+    with pytest.raises(Enough):
+        settled.step(10**9, on_progress=tell)
+    assert told[0][0] == "step" and told[0][1] > 0
+    settled.step(10)  # the world goes on from where it was
+
+
+def test_fields_are_documented_by_the_schema():
+    keys = {(key.table, key.name): key for key in suffuse.schema()}
+    for table, owner, names in (
+        ("contact", suffuse.Material, ("modulus", "shear_ratio", "friction", "rolling_friction")),
+        ("balance", suffuse.Balance, ("unbalanced_force", "stress_error", "patience")),
+        ("fluid", suffuse.Fluid, ("density", "viscosity")),
+    ):
+        for name in names:
+            assert keys[table, name].text in getattr(owner, name).__doc__
+            assert keys[table, name].default in getattr(owner, name).__doc__
+    assert keys["stage.flow", "gradient"].text in suffuse.seep.__doc__
+
+
+def test_quantities_may_be_texts_with_units():
+    material = suffuse.Material(modulus="100 MPa", friction="30 deg", density=2650)
+    assert material.modulus == 1e8 and material.density == 2650
+    assert material.friction == pytest.approx(numpy.radians(30), rel=1e-15)
+    assert suffuse.quantity("0.26 mm") == 2.6e-4
+    with pytest.raises(suffuse.UnitError, match="modulus \"100 mm\".*"):
+        material.modulus = "100 mm"
+    with pytest.raises(TypeError, match="no field modulos"):
+        suffuse.Material(modulos=1)
+
+
+def test_errors_have_the_words_and_the_numbers():
+    with pytest.raises(suffuse.CaseError, match="position: found 2 x 2, expected n x 3 numbers"):
+        suffuse.World((1, 1, 1), [[1, 2], [3, 4]], [1, 1])
+    with pytest.raises(suffuse.CaseError, match="radius: found -1"):
+        suffuse.World((1, 1, 1), [[0, 0, 0]], [-1])
+    with pytest.raises(suffuse.CaseError, match="span no volume"):
+        suffuse.World((1, 0, 1), [[0, 0, 0]], [0.1])
+    with pytest.raises(suffuse.IoError) as raised:
+        suffuse.World.load(pathlib.Path("nowhere") / "state.h5")
+    assert isinstance(raised.value, OSError) and isinstance(raised.value, suffuse.Error)
+    assert issubclass(suffuse.CaseError, ValueError) and issubclass(suffuse.CaseProblems, suffuse.CaseError)
+
+
