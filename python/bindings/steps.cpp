@@ -148,7 +148,7 @@ py::object relax(
     dict["unbalanced_force"] = report.unbalanced_force;
     dict["steps"] = report.steps;
     dict["reached_floor"] = report.reached_floor;
-    return std::move(dict);
+    return dict;
 }
 
 /// Begins with the rows along the curve, as the stages of a run do.
@@ -184,7 +184,7 @@ py::object compact(
     py::dict dict;
     dict["steps"] = state.steps;
     dict["void_ratio_compacted"] = state.void_ratio_compacted;
-    return std::move(dict);
+    return dict;
 }
 
 triaxial::Path path_of(const std::string& word) {

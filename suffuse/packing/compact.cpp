@@ -99,10 +99,11 @@ void end_relaxation(dem::World& world, const CompactSpec& spec, CompactState& st
 
 } // namespace
 
-CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double damping) {
+CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double damping, dem::Mode mode) {
     CompactState state;
     state.material = world.material;
     state.damping = damping;
+    state.mode = mode;
     const Prepare& prepare = spec.prepare;
     world.material.friction = prepare.friction.value_or(world.material.friction);
     world.material.adhesion_normal = prepare.adhesion_normal.value_or(world.material.adhesion_normal);

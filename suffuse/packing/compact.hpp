@@ -23,9 +23,10 @@ struct CompactState {
 
     Phase phase = Phase::Compact;
     dem::BalanceState balance;
-    double time_step = 0;            ///< of the bursts now [s]
-    grains::Material material;       ///< with the final parameters
-    double damping = 0.2;            ///< local [-]
+    double time_step = 0;      ///< of the bursts now [s]
+    grains::Material material; ///< with the final parameters
+    double damping = 0.2;      ///< local [-]
+    dem::Mode mode = dem::Mode::Reference;
     double start_porosity = 0;       ///< when the first step was made [-]
     bool inertia_scaled = false;     ///< the grains' moments of inertia are `inertia_factor` times their own
     std::int64_t steps = 0;          ///< in all
@@ -38,7 +39,8 @@ inline constexpr double inertia_factor = 4;
 
 /// Sets the parameters of the compaction and brings the grains to its start; `world` is the cloud.
 /// @throws StateError when a start is asked for that is too dense for the protocol.
-CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double damping);
+CompactState
+begin_compaction(dem::World& world, const CompactSpec& spec, double damping, dem::Mode mode = dem::Mode::Reference);
 
 /// Whether a balanced sample is known to miss the void ratio asked for, before it has proved its balance.
 bool misses_void_ratio(const dem::World& world, const CompactSpec& spec, const CompactState& state);

@@ -75,6 +75,7 @@ Pace choose_pace(
     const dem::World& world, const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state
 ) {
     dem::StepPlan plan;
+    plan.mode = state.mode;
     plan.dt = state.time_step;
     plan.damping = state.damping;
     plan.loading = dem::isotropic_stress(spec.pressure);

@@ -44,7 +44,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibr
 
 namespace packing {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    CompactState, phase, balance, time_step, material, damping, start_porosity, inertia_scaled, steps,
+    CompactState, phase, balance, time_step, material, damping, mode, start_porosity, inertia_scaled, steps,
     void_ratio_compacted
 )
 } // namespace packing

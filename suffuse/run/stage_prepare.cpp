@@ -109,14 +109,15 @@ void do_compact(StageWork& work, const packing::CompactSpec& spec) {
         const dem::World cloud = work.world;
         const auto reach = [&](const packing::CompactSpec& trial) {
             work.world = cloud;
-            compact(work, trial, packing::begin_compaction(work.world, trial, work.what.damping));
+            compact(work, trial, packing::begin_compaction(work.world, trial, work.what.damping, work.what.mode));
             return dem::void_ratio(work.world);
         };
         const packing::FoundDensity found = packing::search_void_ratio(spec, work.world.material, reach);
         work.numbers["preparation_friction"] = found.spec.prepare.friction.value_or(work.what.material.friction);
         work.numbers["preparation_trials"] = found.trials;
     } else if (work.resumed.is_null()) {
-        const packing::CompactState start = packing::begin_compaction(work.world, spec, work.what.damping);
+        const packing::CompactState start =
+            packing::begin_compaction(work.world, spec, work.what.damping, work.what.mode);
         compact(work, spec, start);
     } else {
         compact(work, spec, work.resumed.get<packing::CompactState>());

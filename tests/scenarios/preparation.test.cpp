@@ -43,11 +43,11 @@ struct Prepared {
 };
 
 /// `stop_after` bursts the state goes through JSON and the caches are new, as after Ctrl-C and resume.
-Prepared prepare(const CompactSpec& spec, int stop_after = -1) {
+Prepared prepare(const CompactSpec& spec, int stop_after = -1, dem::Mode mode = dem::Mode::Reference) {
     Prepared result;
     result.world = cloud();
     auto caches = std::make_unique<dem::StepCaches>();
-    result.state = begin_compaction(result.world, spec, 0.2);
+    result.state = begin_compaction(result.world, spec, 0.2, mode);
     for (int bursts = 0; !compact_burst(result.world, *caches, spec, {}, result.state); ++bursts) {
         if (misses_void_ratio(result.world, spec, result.state)) {
             break;
@@ -60,11 +60,14 @@ Prepared prepare(const CompactSpec& spec, int stop_after = -1) {
     return result;
 }
 
-class Protocols : public testing::TestWithParam<Protocol> {
+class Protocols : public testing::TestWithParam<std::tuple<Protocol, dem::Mode>> {
 protected:
+    static Prepared prepared(int stop_after = -1) { return prepare(spec(), stop_after, std::get<1>(GetParam())); }
+
     static CompactSpec spec() {
-        CompactSpec spec = spec_of(GetParam());
-        if (GetParam() == Protocol::Swift) {
+        const Protocol protocol = std::get<0>(GetParam());
+        CompactSpec spec = spec_of(protocol);
+        if (protocol == Protocol::Swift) {
             spec.start_porosity = 0.40;
         } else {
             spec.prepare.friction = radians(10);
@@ -77,7 +80,7 @@ protected:
 
 TEST_P(Protocols, EndBalancedAtThePressureAndGiveBackWhatWasLent) {
     const dem::World start = cloud();
-    const Prepared sample = prepare(spec());
+    const Prepared sample = prepared();
     RecordProperty("steps", std::to_string(sample.state.steps));
     RecordProperty("void_ratio", std::to_string(dem::void_ratio(sample.world)));
     for (int a = 0; a < 3; ++a) {
@@ -91,14 +94,29 @@ TEST_P(Protocols, EndBalancedAtThePressureAndGiveBackWhatWasLent) {
 }
 
 TEST_P(Protocols, HaveTheSameBitsForAnyThreadsAndAfterAStopAnywhere) {
-    const std::uint64_t hash = dem::state_hash(prepare(spec()).world);
+    const std::uint64_t hash = dem::state_hash(prepared().world);
     for (const int bursts : {0, 3, 7}) {
         set_thread_count(bursts + 2);
-        EXPECT_EQ(dem::state_hash(prepare(spec(), bursts).world), hash) << bursts;
+        EXPECT_EQ(dem::state_hash(prepared(bursts).world), hash) << bursts;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Preparation, Protocols, testing::Values(Protocol::Swift, Protocol::Faithful));
+INSTANTIATE_TEST_SUITE_P(
+    Preparation, Protocols,
+    testing::Combine(
+        testing::Values(Protocol::Swift, Protocol::Faithful), testing::Values(dem::Mode::Reference, dem::Mode::Fast)
+    ),
+    [](const auto& given) {
+        return std::string(name_of(std::get<0>(given.param))) + "_" + dem::name_of(std::get<1>(given.param));
+    }
+);
+
+TEST(Preparation, InFastModeTakeAnotherPathToTheSameState) {
+    const CompactSpec spec = spec_of(Protocol::Faithful);
+    const Prepared exact = prepare(spec), fast = prepare(spec, -1, dem::Mode::Fast);
+    EXPECT_NE(dem::state_hash(fast.world), dem::state_hash(exact.world));
+    EXPECT_NEAR(dem::void_ratio(fast.world), dem::void_ratio(exact.world), 0.01); // 500 grains scatter by that much
+}
 
 TEST(Swift, MeetsAVoidRatioInAFewThousandSteps) {
     for (const double wanted : {0.60, 0.68}) {
