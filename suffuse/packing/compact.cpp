@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace suffuse::packing {
 namespace {
@@ -16,13 +17,19 @@ namespace {
 constexpr std::int64_t time_step_interval = 1000; // steps between two looks at the stable time step
 constexpr std::int64_t most_steps = 3'000'000, most_swift_steps = 60'000;
 constexpr std::int64_t most_relax_steps = 1500;
+constexpr double open_porosity = 0.50;    // far from touching: here `faithful` makes its first step
 constexpr double relaxed_load = 0.1;      // share of the pressure that overlaps left by geometry may still cause
 constexpr double least_void_ratio = 0.05; // spheres overlap beyond any meaning before this
+
+/// Grains that adhere keep the places at which they met, so their way matters.
+bool adheres(const grains::Material& material) {
+    return material.adhesion_normal > 0 || material.adhesion_shear > 0;
+}
 
 /// Removes what the preparation lent: friction goes to its final value, bonds are cut.
 void take_final_parameters(dem::World& world, const grains::Material& final_material) {
     world.material = final_material;
-    if (final_material.adhesion_normal <= 0 && final_material.adhesion_shear <= 0) {
+    if (!adheres(final_material)) {
         std::fill(world.contacts.bonded.begin(), world.contacts.bonded.end(), std::uint8_t{0});
     }
 }
@@ -36,6 +43,14 @@ void take_final_parameters(dem::World& world, const grains::Material& final_mate
         spec.protocol == Protocol::Swift ? "start denser (start_porosity), or take protocol = \"faithful\""
                                          : "or give [balance] more room"
     ));
+}
+
+/// Spares the steps in which a cloud is a gas: no sample remembers them, unless its grains adhere.
+void leave_out_gas(dem::World& world) {
+    dem::World closer = world;
+    if (bring_to_porosity(closer, open_porosity)) {
+        world = std::move(closer);
+    }
 }
 
 /// Brings the cloud to where the first step is made.
@@ -54,6 +69,8 @@ void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state
         state.phase = clear ? CompactState::Phase::Compact : CompactState::Phase::Relax;
     } else if (!start && swift) {
         bring_near_touching(world);
+    } else if (!start && spec.protocol == Protocol::Faithful && !adheres(world.material) && dem::porosity(world) > open_porosity) {
+        leave_out_gas(world);
     }
     state.start_porosity = dem::porosity(world);
 }
@@ -67,6 +84,21 @@ dem::BalanceSpec goal_of(const CompactSpec& spec, const dem::BalanceSpec& balanc
     return goal;
 }
 
+/// `faithful`: once the load is nearly there, what is left is a search for balance, and rotation may be slower.
+bool may_scale_inertia(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
+    return spec.protocol == Protocol::Faithful && spec.time_step <= 0 && !state.inertia_scaled &&
+           state.phase == CompactState::Phase::Compact && !adheres(world.material) && is_loaded(spec, state);
+}
+
+void set_inertia(
+    dem::World& world, dem::StepCaches& caches, const CompactSpec& spec, CompactState& state, bool scaled
+) {
+    scale_inertia(world, scaled);
+    state.inertia_scaled = scaled;
+    caches = {}; // they hold copies of what has changed
+    state.time_step = choose_time_step(world, spec);
+}
+
 /// The next phase, and what changes with it.
 void go_on(dem::World& world, dem::StepCaches& caches, const CompactSpec& spec, CompactState& state) {
     using Phase = CompactState::Phase;
@@ -78,10 +110,7 @@ void go_on(dem::World& world, dem::StepCaches& caches, const CompactSpec& spec, 
         return;
     }
     if (state.phase == Phase::Settle && state.inertia_scaled) {
-        scale_inertia(world, false);
-        state.inertia_scaled = false;
-        caches = {}; // they may hold copies of what has changed
-        state.time_step = choose_time_step(world, spec);
+        set_inertia(world, caches, spec, state, false);
         state.phase = Phase::Prove;
         return;
     }
@@ -143,6 +172,8 @@ bool compact_burst(
         end_relaxation(world, spec, state);
     } else if (settled) {
         go_on(world, caches, spec, state);
+    } else if (may_scale_inertia(world, spec, state)) {
+        set_inertia(world, caches, spec, state, true);
     }
     return state.phase == CompactState::Phase::Done;
 }

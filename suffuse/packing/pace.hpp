@@ -14,6 +14,9 @@ Pace choose_pace(
     const dem::World& world, const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state
 );
 
+/// Whether the sample carries nearly all of the pressure.
+bool is_loaded(const CompactSpec& spec, const CompactState& state);
+
 /// The time step that the protocol asks for now [s].
 double choose_time_step(const dem::World& world, const CompactSpec& spec);
 

@@ -113,8 +113,7 @@ RC_GTEST_PROP(Assess, ScalingAllSizesChangesNoDimensionlessNumber, ()) {
          {"kenney-lau-1985", "kenney-lau-1986", "li-fannin-2008", "kezdi-1979", "sherard-1979", "burenkova-1993",
           "indraratna-2011"}) {
         const Criterion &a = of(one, id), &b = of(other, id);
-        // Rings of equal void area come in any order, which shifts percentiles by parts of a step.
-        const double tolerance = a.id == "indraratna-2011" ? 1e-5 : 1e-9;
+        const double tolerance = a.id == "indraratna-2011" ? 1e-6 : 1e-9; // areas are searched for to 1e-7
         RC_ASSERT(std::abs(*a.value - *b.value) <= tolerance * (1 + std::abs(*a.value)));
         if (a.id != "burenkova-1993") { // whose tests end at 100 mm
             RC_ASSERT(a.verdict == b.verdict);

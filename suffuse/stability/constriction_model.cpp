@@ -127,8 +127,15 @@ double loose_constriction(double d1, double d2, double d3, double d4) {
 
 SizeDistribution::SizeDistribution(std::vector<std::pair<double, double>> sizes_and_shares) {
     std::ranges::sort(sizes_and_shares);
+    // Sizes that differ by rounding alone are one: in which order they come must not shift a percentile.
+    constexpr double same = 1e-7;
     double total = 0;
-    for (const auto& [size, share] : sizes_and_shares) {
+    for (auto next = sizes_and_shares.begin(); next != sizes_and_shares.end();) {
+        const double size = next->first;
+        double share = 0;
+        for (; next != sizes_and_shares.end() && next->first <= size * (1 + same); ++next) {
+            share += next->second;
+        }
         size_.push_back(size);
         share_.push_back(total + share / 2);
         total += share;
