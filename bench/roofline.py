@@ -22,8 +22,8 @@ FEATURES = "+avx512f,+avx512vl,+avx512dq,+avx512bw,+avx512cd,+fma,+bmi,+bmi2,+lz
 def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--object", required=True, type=pathlib.Path, help="object file or archive")
-    parser.add_argument("--symbol", required=True, help="part of the function's demangled name, as press_plain")
-    parser.add_argument("--items", type=int, help="items an iteration works on; by default the doubles of the widest register")
+    parser.add_argument("--symbol", required=True, help="regular expression in the function's demangled name, as press_plain")
+    parser.add_argument("--items", type=int, help="items an iteration works on; by default what the widest registers hold")
     parser.add_argument("--clock", type=float, default=4.0, help="GHz, to turn cycles into nanoseconds")
     parser.add_argument("--mca", default="llvm-mca-14")
     parser.add_argument("--cpu", action="append", help="model of llvm-mca instead of those known for the clone")
@@ -40,13 +40,13 @@ def output_of(command, text=None):
 
 
 def functions(object_file, symbol):
-    """Name -> rows (address, instruction) of the functions whose demangled name has `symbol` in it."""
+    """Name -> rows (address, instruction) of the functions whose demangled name has the expression `symbol` in it."""
     found, rows = {}, None
     for line in output_of(["objdump", "-d", "-C", "--no-show-raw-insn", object_file]).splitlines():
         begins = re.match(r"[0-9a-f]+ <(.*)>:$", line)
         if begins:
             name = begins.group(1)
-            wanted = symbol in name and "resolver" not in name and ".cold" not in name
+            wanted = re.search(symbol, name) and "resolver" not in name and ".cold" not in name
             rows = found.setdefault(name, []) if wanted else None
         instruction = re.match(r"\s*([0-9a-f]+):\s+(.*)$", line)
         if rows is not None and instruction:
@@ -70,6 +70,16 @@ def hot_loops(rows, least):
     inner = [a for a in loops if not any(b != a and a[0] <= b[0] and b[1] <= a[1] for b in loops)]
     bodies = [[text for _, text in rows[begin : end + 1]] for begin, end in inner]
     return [body for body in bodies if sum(map(is_vector, body)) >= least]
+
+
+def items_of(body):
+    """Items an iteration works on: the lanes of the widest register, of floats where the loop reckons with them or turns a
+    column of them into doubles or back. A loop that turns whole rows (four lanes of one item) does neither."""
+    doubles = 8 if any("%zmm" in text for text in body) else 4
+    all_of_it = "\n".join(body)
+    reckons = re.search(r"v(add|sub|mul|div|sqrt|fn?m\w+)ps\s.*%[yz]mm", all_of_it)
+    turns = re.search(r"vcvt(pd2ps|ps2pd)", all_of_it) and re.search(r"vpaddq|vsqrtpd", all_of_it)
+    return 2 * doubles if reckons or turns else doubles
 
 
 def as_assembly(body):
@@ -103,7 +113,7 @@ def busiest_port(answer):
 
 def print_row(options, title, cpu, body):
     assembly = as_assembly(body)
-    items = options.items or (8 if any("%zmm" in text for text in body) else 4)
+    items = options.items or items_of(body)
     answer = simulate(options, assembly, cpu)
     cycles = number(answer, "Total Cycles") / number(answer, "Iterations") / items
     pressure, port = busiest_port(answer)
