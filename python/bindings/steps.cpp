@@ -158,11 +158,24 @@ dem::World& begin(WorldHandle& w) {
     return world;
 }
 
+packing::Protocol protocol_of(const std::string& word) {
+    using packing::Protocol;
+    for (const Protocol protocol : {Protocol::Faithful, Protocol::Swift, Protocol::Slow}) {
+        if (word == packing::name_of(protocol)) {
+            return protocol;
+        }
+    }
+    throw CaseError(fmt::format("protocol: found \"{}\", expected faithful, swift or slow", word));
+}
+
 py::object compact(
     WorldHandle& w, const py::object& pressure, const py::object& friction, const py::object& adhesion_normal,
-    const dem::BalanceSpec& balance, double damping, const py::object& on_progress
+    const std::string& protocol, const py::object& max_rate, const dem::BalanceSpec& balance, double damping,
+    const py::object& on_progress
 ) {
     packing::CompactSpec spec;
+    spec.protocol = protocol_of(protocol);
+    spec.max_rate = optional_quantity(max_rate, dimension::rate, "max_rate").value_or(spec.max_rate);
     spec.pressure = quantity_of(pressure, dimension::pressure, "pressure");
     spec.prepare.friction = optional_quantity(friction, dimension::angle, "friction");
     spec.prepare.adhesion_normal = optional_quantity(adhesion_normal, dimension::pressure, "adhesion_normal");
@@ -314,12 +327,17 @@ void bind_steps(py::module_& m) {
     );
     type.def(
         "compact", &compact, py::arg("pressure"), py::kw_only(), py::arg("friction") = py::none(),
-        py::arg("adhesion_normal") = py::none(), py::arg("balance") = dem::BalanceSpec{},
-        py::arg("damping") = usual_damping, py::arg("on_progress") = py::none(),
+        py::arg("adhesion_normal") = py::none(),
+        py::arg("protocol") = std::string(name_of(packing::Protocol::Faithful)), py::arg("max_rate") = py::none(),
+        py::arg("balance") = dem::BalanceSpec{}, py::arg("damping") = usual_damping,
+        py::arg("on_progress") = py::none(),
         with_keys(
             "Compacts a cloud isotropically, then settles it with the final material, as a stage that does "
             "\"compact\".\n",
-            {{"stage.compact", "pressure"}, {"stage.compact.prepare", "friction"}}
+            {{"stage.compact", "pressure"},
+             {"stage.compact.prepare", "friction"},
+             {"stage.compact", "protocol"},
+             {"stage.compact", "max_rate"}}
         ).c_str()
     );
     type.def(

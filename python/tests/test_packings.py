@@ -51,3 +51,16 @@ def test_a_cloud_is_the_same_for_a_seed_and_can_be_compacted():
     assert suffuse.make_cloud(radius, porosity=0.65, seed=4).hash != cloud.hash
     cloud.compact("100 kPa", friction="5 deg")
     assert cloud.mean_stress == pytest.approx(100e3, rel=5e-3) and cloud.void_ratio < 0.8
+    assert cloud.measure()["stiffness_to_pressure"] == pytest.approx(cloud.material.modulus / 2 / cloud.mean_stress)
+
+
+def test_a_protocol_is_chosen_by_its_name():
+    steps = {}
+    for protocol in ("faithful", "swift"):
+        cloud = suffuse.make_cloud(numpy.full(200, 1e-4), porosity=0.65, seed=3)
+        steps[protocol] = cloud.compact("100 kPa", protocol=protocol)["steps"]
+    assert steps["swift"] < steps["faithful"] / 2
+    with pytest.raises(suffuse.CaseError, match="faithful, swift or slow"):
+        cloud.compact("100 kPa", protocol="quick")
+    slow = suffuse.make_cloud(numpy.full(200, 1e-4), porosity=0.65, seed=3)
+    assert slow.compact("100 kPa", max_rate="100 1/s")["steps"] > steps["faithful"]

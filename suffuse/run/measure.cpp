@@ -3,6 +3,7 @@
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/run/result_json.hpp"
+#include "suffuse/stats/backbone.hpp"
 #include "suffuse/stats/coordination.hpp"
 #include "suffuse/stats/fines.hpp"
 
@@ -35,6 +36,8 @@ void add_fines(const dem::World& world, nlohmann::json& numbers) {
 nlohmann::json measure_state(const dem::World& world) {
     const dem::Equilibrium balance = dem::measure_equilibrium(world);
     const Mat3 stress = dem::mean_stress_tensor(world);
+    const stats::Coordination coordination = stats::measure_coordination(world);
+    const stats::Backbone backbone = stats::measure_backbone(world, stats::least_contacts(world.material));
     nlohmann::json numbers{
         {"grains", world.grains.size()},
         {"contacts", balance.contacts},
@@ -44,9 +47,12 @@ nlohmann::json measure_state(const dem::World& world) {
         {"deviator_stress", dem::deviator_stress(stress)},
         {"void_ratio", dem::void_ratio(world)},
         {"porosity", dem::porosity(world)},
-        {"coordination", stats::measure_coordination(world).mean},
-        {"mechanical_coordination", stats::measure_coordination(world).mechanical},
+        {"coordination", coordination.mean},
+        {"mechanical_coordination", coordination.mechanical},
+        {"backbone_coordination", backbone.coordination},
         {"rattlers", balance.rattlers},
+        {"backbone_rattlers", backbone.rattlers},
+        {"stiffness_to_pressure", stats::stiffness_to_pressure(world)},
         {"unbalanced_force", balance.unbalanced_force},
         {"unbalanced_force_yade", balance.unbalanced_force_all},
         {"max_overlap_ratio", balance.max_overlap_ratio},

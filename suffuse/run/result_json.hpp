@@ -50,9 +50,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 } // namespace packing
 
 namespace triaxial {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // curves of earlier runs lack some
     PathRow, axial_strain, volumetric_strain, stress, mean_stress, deviator_stress, void_ratio, coordination,
-    unbalanced_force, inertial_number
+    mechanical_coordination, unbalanced_force, inertial_number
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     PathState, phase, start_h, start_stress, strain_rate, median_diameter, time_step, balance, steps, rows

@@ -2,6 +2,7 @@
 
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/stats/coordination.hpp"
 #include "suffuse/stats/gradation.hpp"
 
 #include <algorithm>
@@ -79,8 +80,9 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
     row.mean_stress = dem::mean_stress(stress);
     row.deviator_stress = deviator(stress, spec.axis);
     row.void_ratio = dem::void_ratio(world);
-    row.coordination =
-        2 * static_cast<double>(state.balance.equilibrium.contacts) / static_cast<double>(world.grains.size());
+    const stats::Coordination coordination = stats::measure_coordination(world);
+    row.coordination = coordination.mean;
+    row.mechanical_coordination = coordination.mechanical;
     row.unbalanced_force = state.balance.equilibrium.unbalanced_force;
     const double rate = std::abs(world.cell.velocity_gradient(spec.axis, spec.axis));
     row.inertial_number =

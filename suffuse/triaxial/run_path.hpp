@@ -11,15 +11,16 @@ namespace suffuse::triaxial {
 
 /// One row of the stress-strain curve.
 struct PathRow {
-    double axial_strain = 0;      ///< logarithmic, since the start of the test [-]
-    double volumetric_strain = 0; ///< compression positive [-]
-    Mat3 stress;                  ///< [Pa]
-    double mean_stress = 0;       ///< p [Pa]
-    double deviator_stress = 0;   ///< q = axial minus mean lateral stress [Pa]
-    double void_ratio = 0;        ///< [-]
-    double coordination = 0;      ///< contacts per grain, twice the number over the grains [-]
-    double unbalanced_force = 0;  ///< [-]
-    double inertial_number = 0;   ///< [-]
+    double axial_strain = 0;            ///< logarithmic, since the start of the test [-]
+    double volumetric_strain = 0;       ///< compression positive [-]
+    Mat3 stress;                        ///< [Pa]
+    double mean_stress = 0;             ///< p [Pa]
+    double deviator_stress = 0;         ///< q = axial minus mean lateral stress [Pa]
+    double void_ratio = 0;              ///< [-]
+    double coordination = 0;            ///< contacts per grain, twice the number over the grains [-]
+    double mechanical_coordination = 0; ///< the same without rattlers [-]
+    double unbalanced_force = 0;        ///< [-]
+    double inertial_number = 0;         ///< [-]
 };
 
 /// Where a test stands; part of what a checkpoint saves, with `rows`.

@@ -4,6 +4,7 @@
 #include "suffuse/dem/relax.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/stats/coordination.hpp"
 #include "suffuse/triaxial/run_path.hpp"
 
 #include <gtest/gtest.h>
@@ -106,6 +107,10 @@ TEST(Triaxial, ADrainedPathHoldsTheLateralStressWithinTwoPercent) {
     EXPECT_GT(response.peak_deviator, 2.0e5);
     EXPECT_LT(response.peak_deviator, 5.0e5);
     EXPECT_NEAR(state.rows.back().axial_strain, 0.02, 1e-3);
+    const stats::Coordination contacts = stats::measure_coordination(s.world);
+    EXPECT_DOUBLE_EQ(state.rows.back().coordination, contacts.mean);
+    EXPECT_DOUBLE_EQ(state.rows.back().mechanical_coordination, contacts.mechanical);
+    EXPECT_GT(contacts.mechanical, contacts.mean); // there are rattlers
 }
 
 TEST(Triaxial, AnUndrainedPathKeepsTheVolume) {
