@@ -14,8 +14,14 @@ struct Motions {
     std::vector<Vec3> turn;
 };
 
+/// Grains without friction that do not spin never will: their springs along and about the contact do nothing.
+bool only_normal_springs_act(const World& world) {
+    return world.material.friction == 0 && world.material.adhesion_shear <= 0 &&
+           std::ranges::all_of(world.grains.spin, [](const Vec3& spin) { return norm2(spin) == 0; });
+}
+
 /// `out` = K `in`: forces and torques that the springs of all touching contacts oppose to the motions.
-void apply_stiffness(const World& world, const Motions& in, Motions& out) {
+void apply_stiffness(const World& world, double shear_ratio, const Motions& in, Motions& out) {
     const contact::Contacts& contacts = world.contacts;
     const grains::Material& material = world.material;
     std::fill(out.shift.begin(), out.shift.end(), Vec3{});
@@ -26,7 +32,7 @@ void apply_stiffness(const World& world, const Motions& in, Motions& out) {
         }
         const std::uint32_t i = contacts.first[c], j = contacts.second[c];
         const double r1 = world.grains.radius[i], r2 = world.grains.radius[j];
-        const double kn = contact::normal_stiffness(material, r1, r2), ks = material.shear_ratio * kn;
+        const double kn = contact::normal_stiffness(material, r1, r2), ks = shear_ratio * kn;
         const Vec3 n = contacts.normal[c];
         const Vec3 apart = in.shift[j] - in.shift[i];
         const double opening = dot(n, apart);
@@ -54,9 +60,10 @@ double highest_frequency(const World& world, int iterations) {
         x.shift[g] = {std::sin(phase), std::cos(1.3 * phase), std::sin(2.1 * phase)};
         x.turn[g] = (1 / grains.radius[g]) * Vec3{std::cos(phase), std::sin(1.9 * phase), std::cos(2.3 * phase)};
     }
+    const double shear_ratio = only_normal_springs_act(world) ? 0 : world.material.shear_ratio;
     double square = 0;
     for (int k = 0; k < iterations; ++k) {
-        apply_stiffness(world, x, force);
+        apply_stiffness(world, shear_ratio, x, force);
         double energy = 0, inertia = 0;
         for (std::size_t g = 0; g < grains.size(); ++g) {
             energy += dot(x.shift[g], force.shift[g]) + dot(x.turn[g], force.turn[g]);
@@ -86,7 +93,7 @@ double stable_time_step(const World& world, double safety) {
     const double mass = m.density * sphere_volume(smallest), k = m.modulus * smallest;
     const double rolling =
         2 * m.shear_ratio * k / mass * (std::max(m.rolling_stiffness, m.twisting_stiffness) + 1) / 0.4;
-    const double pair = std::sqrt(std::max(2 * k / mass, rolling));
+    const double pair = std::sqrt(std::max(2 * k / mass, only_normal_springs_act(world) ? 0 : rolling));
     return safety * 2 / std::max(pair, highest_frequency(world));
 }
 

@@ -51,6 +51,18 @@ TEST(HighestFrequency, OfAPairIsThatOfItsStiffestMode) {
     }
 }
 
+TEST(HighestFrequency, OfFrictionlessGrainsIsThatOfNormalSpringsUnlessTheySpin) {
+    World world = pair_of(0.42, 7.5, 2);
+    world.material.friction = 0;
+    const double normal = std::sqrt(2 * stiffness(world) / world.grains.mass[0]);
+    const double rolling = std::sqrt(5 * 7.5 * 0.42 * stiffness(world) / world.grains.mass[0]);
+    EXPECT_NEAR(highest_frequency(world, 400) / normal, 1, 1e-6);
+    EXPECT_GT(stable_time_step(world, 1), 0.99 * 2 / normal);
+    world.grains.spin[1] = {0, 1e-9, 0};
+    EXPECT_NEAR(highest_frequency(world, 400) / rolling, 1, 1e-6);
+    EXPECT_LT(stable_time_step(world, 1), 1.05 * 2 / rolling);
+}
+
 /// A row of equal grains across the whole cell, touching across its faces.
 World chain(int count) {
     grains::Material material;

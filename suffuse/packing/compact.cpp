@@ -106,6 +106,7 @@ void go_on(dem::World& world, dem::StepCaches& caches, const CompactSpec& spec, 
     if (state.phase == Phase::Compact) {
         state.void_ratio_compacted = dem::void_ratio(world);
         take_final_parameters(world, state.material);
+        state.time_step = choose_time_step(world, spec); // springs that had nothing to do may act now
         state.phase = Phase::Settle;
         return;
     }
@@ -122,6 +123,7 @@ void end_relaxation(dem::World& world, const CompactSpec& spec, CompactState& st
     const bool relaxed = dem::mean_stress(state.balance.stress) < relaxed_load * spec.pressure;
     if (relaxed || state.steps >= most_relax_steps) {
         world.material.friction = spec.prepare.friction.value_or(state.material.friction);
+        state.time_step = choose_time_step(world, spec);
         state.phase = CompactState::Phase::Compact;
     }
 }
