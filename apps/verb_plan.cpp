@@ -66,12 +66,15 @@ struct SampleRow {
     run::Range steps, seconds;
     double memory = 0, disk = 0;
     int stages = 0, cached = 0;
+    std::int64_t coarse = 0;
+    std::optional<double> fines_content; ///< that the sample drawn really has [-]
+    std::string sized_by;                ///< rule of `sample_size`
 };
 
 std::vector<SampleRow> rows_of(const casefile::Case& what, const run::RunPlan& plan) {
     std::vector<SampleRow> rows;
     for (const run::Sample& sample : run::list_samples(what)) {
-        SampleRow row{sample.variant->folder, sample.variant->seed, 0, {}, {}, 0, 0, sample.stages, 0};
+        SampleRow row{sample.variant->folder, sample.variant->seed, 0, {}, {}, 0, 0, sample.stages, 0, 0, {}, ""};
         for (int k = 0; k < sample.stages; ++k) {
             const run::StageEstimate& stage = plan.stages.at(static_cast<std::size_t>(sample.first_stage - 1 + k));
             row.grains = std::max(row.grains, stage.grains);
@@ -80,6 +83,11 @@ std::vector<SampleRow> rows_of(const casefile::Case& what, const run::RunPlan& p
             row.memory = std::max(row.memory, stage.memory);
             row.disk += stage.disk;
             row.cached += stage.is_cached ? 1 : 0;
+            if (stage.fines_content) {
+                row.coarse = stage.coarse;
+                row.fines_content = stage.fines_content;
+                row.sized_by = stage.sized_by;
+            }
         }
         rows.push_back(std::move(row));
     }
@@ -91,16 +99,24 @@ std::string matrix_of(const std::vector<SampleRow>& rows) {
     for (const SampleRow& row : rows) {
         width = std::max(width, row.name.size() + 2);
     }
+    // Only where the grains of a study are counted by rules: what they came to.
+    const bool shows_rules =
+        std::any_of(rows.begin(), rows.end(), [](const SampleRow& row) { return !row.sized_by.empty(); });
     std::string text = fmt::format(
-        "{:{}}{:>8}  {:>16}  {:>12}  {:>8}  {:>8}  {:>10}\n", "sample", width, "grains", "steps", "time", "memory",
-        "disk", "in cache"
+        "{:{}}{:>8}  {:>16}  {:>12}  {:>8}  {:>8}  {:>10}{}\n", "sample", width, "grains", "steps", "time", "memory",
+        "disk", "in cache", shows_rules ? "    coarse  fines by mass  sized by" : ""
     );
     for (const SampleRow& row : rows) {
         text += fmt::format(
-            "{:{}}{:>8}  {:>16}  {:>12}  {:>8}  {:>8}  {:>10}\n", row.name, width, count_text(row.grains),
+            "{:{}}{:>8}  {:>16}  {:>12}  {:>8}  {:>8}  {:>10}", row.name, width, count_text(row.grains),
             steps_text(row.steps), duration_range_text(row.seconds), size_text(row.memory), size_text(row.disk),
             row.cached == 0 ? "" : fmt::format("{}/{}", row.cached, row.stages)
         );
+        if (shows_rules && row.fines_content) {
+            text +=
+                fmt::format("  {:>8}  {:>11.2f} %  {}", count_text(row.coarse), 100 * *row.fines_content, row.sized_by);
+        }
+        text += "\n";
     }
     return text;
 }
@@ -119,6 +135,11 @@ nlohmann::json rows_json(const std::vector<SampleRow>& rows) {
              {"stages", row.stages},
              {"cached", row.cached}}
         );
+        if (row.fines_content) {
+            list.back()["coarse_grains"] = row.coarse;
+            list.back()["fines_content"] = *row.fines_content;
+            list.back()["sized_by"] = row.sized_by.empty() ? "particles" : row.sized_by;
+        }
     }
     return list;
 }

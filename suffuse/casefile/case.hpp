@@ -8,6 +8,7 @@
 #include "suffuse/erosion/spec.hpp"
 #include "suffuse/flow/fluid.hpp"
 #include "suffuse/grains/material.hpp"
+#include "suffuse/grains/sample_size.hpp"
 #include "suffuse/grains/soil.hpp"
 #include "suffuse/packing/spec.hpp"
 #include "suffuse/triaxial/spec.hpp"
@@ -23,7 +24,7 @@ namespace suffuse::casefile {
 
 using StageSpec = std::variant<
     ImportSpec, packing::PackSpec, packing::CompactSpec, dem::SettleSpec, triaxial::TriaxialSpec, dem::AdvanceSpec,
-    flow::FlowSpec, erosion::DetachStageSpec, erosion::ErodeSpec>;
+    flow::FlowSpec, erosion::DetachStageSpec, erosion::ErodeSpec, erosion::RemoveSpec>;
 
 /// A value as it stands in the case file: a quantity stays a text with its unit.
 using Scalar = std::variant<bool, std::int64_t, double, std::string>;
@@ -53,6 +54,7 @@ struct Variant {
     std::uint64_t seed = 0;
     std::optional<grains::Soil> soil;
     std::int64_t particles = 0;
+    std::optional<grains::SizedBy> sized_by; ///< the rule that decided on `particles`, where the study has rules
     std::vector<Stage> stages;
 };
 
@@ -68,7 +70,8 @@ struct Refine {
 struct Study {
     std::string name;
     std::string soil;           ///< name of a soil of the case; empty where the grains are imported
-    std::int64_t particles = 0; ///< 0 where the grains are imported
+    std::int64_t particles = 0; ///< 0 where the grains are imported, or `sample_size` decides for each variant
+    std::optional<grains::SampleSizeSpec> sample_size;
     std::vector<Sweep> sweep;
     int replicates = 1;
     std::optional<Refine> refine;

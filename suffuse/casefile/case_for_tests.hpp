@@ -171,6 +171,12 @@ deviator_stress = "50 kPa"
 stress_ratio = 0.5
 inertial_number = "strict"
 rows = 100
+[[study.main.stage]]
+name = "emptied"
+from = "initial"
+do = "remove"
+grains = "inactive-fines"
+max_strain = "10 %"
 [study.other]
 soil = "whole"
 [[study.other.stage]]
@@ -203,6 +209,17 @@ do = "flow"
 gradient = 0.05
 direction = "x"
 tensor = true
+[study.sized]
+soil = "two"
+sample_size = { coarse_grains = 2_000, cell_width = 12, at_least = 3_000 }
+[[study.sized.stage]]
+name = "cloud"
+do = "pack"
+[[study.sized.stage]]
+name = "initial"
+do = "compact"
+pressure = "100 kPa"
+intergranular_void_ratio = 0.8
 [output]
 formats = ["csv", "vtp"]
 snapshots = { every = "1 %" }

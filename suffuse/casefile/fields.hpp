@@ -96,10 +96,12 @@ void fields(V& v, packing::CompactSpec& s) {
         });
     });
     v.field("void_ratio", s.void_ratio);
+    v.field("intergranular_void_ratio", s.intergranular_void_ratio);
     v.field("void_ratio_tolerance", s.void_ratio_tolerance);
     v.field("max_rate", s.max_rate);
     v.time_step(s.time_step);
     check_start(v, s);
+    check_void_ratio(v, s);
 }
 
 template <class V>
@@ -196,6 +198,12 @@ void fields(V& v, erosion::ErodeSpec& s) {
     });
     auto then = names::Then::Settle;
     v.choice("then", then, names::then);
+}
+
+template <class V>
+void fields(V& v, erosion::RemoveSpec& s) {
+    v.choice("grains", s.grains, names::removed_fines);
+    v.field("max_strain", s.max_strain);
 }
 
 /// What every stage has besides its own keys; `name` and `do` are read before, for they say which keys these are.

@@ -45,7 +45,7 @@ TEST(LoadCase, EveryValueReachesItsSpecInSi) {
     ASSERT_TRUE(c.soils.at("two").fines);
     EXPECT_EQ(c.soils.at("two").fines->diameter, (std::vector<double>{5e-5, 6e-5}));
     EXPECT_EQ(c.soils.at("whole").whole->passing, (std::vector<double>{0, 0.5, 1}));
-    EXPECT_EQ(c.studies.size(), 2U);
+    EXPECT_EQ(c.studies.size(), 3U);
     const auto& compact = spec_of<packing::CompactSpec>(c, "main", "initial");
     EXPECT_EQ(compact.prepare.friction, radians(5));
     EXPECT_EQ(compact.prepare.adhesion_shear, 2e6);

@@ -264,4 +264,16 @@ void check_start(Reader& v, const packing::CompactSpec& s) {
 
 void check_start(Writer&, const packing::CompactSpec&) {}
 
+void check_void_ratio(Reader& v, const packing::CompactSpec& s) {
+    if (s.void_ratio && s.intergranular_void_ratio) {
+        v.error(
+            "E207", v.place(),
+            fmt::format("{} asks for a `void_ratio` and for an `intergranular_void_ratio`", v.title()),
+            "keep one of them: with the fines content each gives the other"
+        );
+    }
+}
+
+void check_void_ratio(Writer&, const packing::CompactSpec&) {}
+
 } // namespace suffuse::casefile

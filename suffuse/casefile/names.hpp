@@ -61,6 +61,11 @@ inline constexpr std::array constriction_size = {
     Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::WidestPath, "widest-path"},
     Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::None, "none"}};
 
+inline constexpr std::array removed_fines = {
+    Word<erosion::RemovedFines>{erosion::RemovedFines::All, "fines"},
+    Word<erosion::RemovedFines>{erosion::RemovedFines::Inactive, "inactive-fines"},
+    Word<erosion::RemovedFines>{erosion::RemovedFines::Active, "active-fines"}};
+
 inline constexpr std::array snapshots = {
     Word<Snapshots::When>{Snapshots::When::PerStage, "per-stage"},
     Word<Snapshots::When>{Snapshots::When::Never, "none"}};
@@ -71,8 +76,8 @@ inline constexpr std::array dilation = {Word<bool>{false, "down"}, Word<bool>{tr
 inline constexpr std::array language = {Word<std::string_view>{"en", "en"}};
 
 /// In the order of StageSpec.
-inline constexpr std::array<std::string_view, 9> verbs = {"import",  "pack", "compact", "settle", "triaxial",
-                                                          "advance", "flow", "detach",  "erode"};
+inline constexpr std::array<std::string_view, 10> verbs = {"import",  "pack", "compact", "settle", "triaxial",
+                                                           "advance", "flow", "detach",  "erode",  "remove"};
 
 inline constexpr std::array<std::string_view, 14> measures = {
     "void-ratios",  "active-fines",      "contact-classes", "strong-contacts", "stress-strain",

@@ -72,6 +72,13 @@ void apply_preset_key(Node& root, const Node::Entry& entry) {
                 set(study, key);
             }
         });
+    } else if (key == "coarse_grains" || key == "at_least") {
+        for_each_study(root, [&](Node& study) {
+            Node::Entry* size = study.find("sample_size");
+            if (size != nullptr && size->value.is_table()) {
+                set(size->value, key);
+            }
+        });
     } else if (key == "replicates") {
         for_each_study(root, [&](Node& study) { set(study, key); });
     } else if (key == "fines_content") {

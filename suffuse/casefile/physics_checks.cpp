@@ -200,6 +200,8 @@ void check_stage(Checks& checks, const Stage& stage) {
     } else if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec)) {
         checks.check_gradient(stage, "gradient", erode->gradient);
         checks.check_fines(stage);
+    } else if (std::holds_alternative<erosion::RemoveSpec>(stage.spec)) {
+        checks.check_fines(stage);
     }
 }
 

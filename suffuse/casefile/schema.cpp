@@ -56,6 +56,7 @@ std::vector<Key> make_schema() {
     defaults.soils["name"] = {};
     Study study;
     study.refine.emplace();
+    study.sample_size.emplace();
     for (std::size_t verb = 0; verb < names::verbs.size(); ++verb) {
         study.stages.emplace_back().spec = default_spec(verb);
     }

@@ -89,6 +89,10 @@ std::vector<Key> preset_rows() {
     inertial.form = "a ratio above 0, or \"strict\" (1e-4), or \"loose\" (1e-3)";
     return {
         count("presets.*", "particles", from_one, "Replaces `particles` of every study that packs its own grains."),
+        count(
+            "presets.*", "coarse_grains", from_one, "Replaces it in `sample_size` of every study that has such a table."
+        ),
+        count("presets.*", "at_least", from_one, "Replaces it in `sample_size` of every study that has such a table."),
         count("presets.*", "replicates", from_one, "Replaces `replicates` of every study."),
         inertial,
         list_of(ratio("presets.*", "fines_content", share, "Replaces the list of every sweep over `fines_content`.")),
@@ -139,6 +143,20 @@ std::vector<Key> soil_and_study_rows() {
         ),
         text("study.*", "soil", "Name of a [soil.NAME]: what is packed, or which imported grains are fine."),
         count("study.*", "particles", {1, 2e9, false, false}, "Number of grains."),
+        table(
+            "study.*", "sample_size",
+            "Instead of `particles`, for soils of two fractions: enough coarse grains or a cell wide enough, whichever "
+            "takes fewer grains. `suffuse plan` says which."
+        ),
+        count(
+            "study.*.sample_size", "coarse_grains", {1, 2e9, false, false},
+            "At least so many coarse grains; of a soil of fines alone, so many fines."
+        ),
+        ratio(
+            "study.*.sample_size", "cell_width", above_zero,
+            "Or a cell so many median coarse diameters wide, at a porosity of 0.4."
+        ),
+        count("study.*.sample_size", "at_least", {1, 2e9, false, false}, "But never fewer grains of both fractions."),
         other(
             "study.*", "sweep", "{ KEY = [values] }",
             "One copy of the study per value; lists multiply. KEY is `particles`, a key of the soil, or "

@@ -210,7 +210,12 @@ std::vector<Key> preparation_rows() {
                 "stage.compact", "void_ratio", {0.1, 5, false, false},
                 "Void ratio to meet: faithful searches the friction during compaction, swift the porosity at its start."
             ),
-            ratio("stage.compact", "void_ratio_tolerance", above_zero, "How closely it is met."),
+            ratio(
+                "stage.compact", "intergranular_void_ratio", {0.1, 50, false, false},
+                "Instead: the void ratio with all fines counted as voids, e_g. The void ratio to meet follows from it "
+                "and from the sample's fines content FC: e = e_g (1 - FC) - FC."
+            ),
+            ratio("stage.compact", "void_ratio_tolerance", above_zero, "How closely the void ratio is met."),
             quantity(
                 "stage.compact", "max_rate", dimension::rate, above_zero,
                 "Largest strain rate while the cloud carries no load; not for swift."
@@ -267,6 +272,16 @@ std::vector<Key> erosion_rows() {
             choice(
                 "stage.erode", "then", names::words_of(names::then),
                 "What follows an extraction: steps without fluid until [balance] holds."
+            ),
+            choice(
+                "stage.remove", "grains", names::words_of(names::removed_fines),
+                "What is taken out at once, without water: all fines, those with fewer than two contacts, or those "
+                "with "
+                "at least two. The rest comes to rest at constant volume, then under the stresses held before."
+            ),
+            ratio(
+                "stage.remove", "max_strain", {0, 2, true, false},
+                "Strain of an axis beyond which the skeleton counts as failed; the stage then ends as it is."
             ),
         }
     );

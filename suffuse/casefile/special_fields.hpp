@@ -39,6 +39,10 @@ void check_servo(Writer& v, const cell::ServoSpec& s);
 void check_start(Reader& v, const packing::CompactSpec& s);
 void check_start(Writer& v, const packing::CompactSpec& s);
 
+/// One void ratio is asked for at most.
+void check_void_ratio(Reader& v, const packing::CompactSpec& s);
+void check_void_ratio(Writer& v, const packing::CompactSpec& s);
+
 /// A ratio, "strict" or "loose".
 void inertial_number_field(Reader& v, double& value);
 void inertial_number_field(Writer& v, double value);

@@ -61,10 +61,10 @@ TEST(Studies, SweepsMultiplyAndReplicatesHaveTheirOwnSeeds) {
 
 TEST(Studies, OnlyRunsAStageForItsValues) {
     const Study study = load(full_case).studies[0];
-    EXPECT_EQ(study.variants[0].stages.size(), 5U);
-    EXPECT_EQ(study.variants[4].stages.size(), 4U);
+    EXPECT_EQ(study.variants[0].stages.size(), 6U);
+    EXPECT_EQ(study.variants[4].stages.size(), 5U);
     EXPECT_EQ(study.variants[4].stages[2].name, "erosion");
-    EXPECT_EQ(parents(study.variants[4]), (std::vector<int>{-1, 0, 1, 2}));
+    EXPECT_EQ(parents(study.variants[4]), (std::vector<int>{-1, 0, 1, 2, 1}));
 }
 
 TEST(Studies, AStudyWithoutSweepHasOneVariant) {
@@ -72,6 +72,47 @@ TEST(Studies, AStudyWithoutSweepHasOneVariant) {
     EXPECT_EQ(folders(c.studies[0]), (std::vector<std::string>{"one"}));
     EXPECT_EQ(c.studies[0].variants[0].particles, 20'000);
     ASSERT_TRUE(c.studies[0].variants[0].soil);
+}
+
+const std::string with_size = R"(schema = 1
+[soil.two]
+coarse = { psd = "data/sand.csv" }
+fines = { psd = "data/silt.csv" }
+fines_content = "20 %"
+grading_tolerance = "10 %"
+[study.one]
+soil = "two"
+sample_size = { coarse_grains = 3_000, cell_width = 100 }
+sweep = { fines_content = ["10 %", "40 %"] }
+[[study.one.stage]]
+name = "cloud"
+do = "pack"
+)";
+
+TEST(Studies, SampleSizeGivesEachVariantItsOwnNumberOfGrains) {
+    const Study study = load(with_size).studies[0];
+    EXPECT_EQ(study.particles, 0);
+    ASSERT_EQ(study.variants.size(), 2U);
+    for (const Variant& variant : study.variants) {
+        EXPECT_EQ(variant.particles, grains::size_sample(*variant.soil, {3000, 100, 2000}).particles);
+        EXPECT_EQ(variant.sized_by, grains::SizedBy::CoarseGrains);
+    }
+    EXPECT_GT(study.variants[1].particles, study.variants[0].particles);
+    const Study few = load(with_size + "[presets.few]\ncoarse_grains = 1000\nat_least = 10\n", {"few", {}}).studies[0];
+    // Of 3,000 and of 1,000 coarse grains, each with its fines: rounded to whole grains.
+    EXPECT_LE(std::abs(3 * few.variants[0].particles - study.variants[0].particles), 3);
+}
+
+TEST(Studies, SampleSizeStandsInPlaceOfParticlesAndNeedsTwoFractions) {
+    std::string both = with_size;
+    both.replace(both.find("sample_size"), 0, "particles = 100\n");
+    EXPECT_NE(find_problem(problems_of(both), "E207").message.find("both"), std::string::npos);
+    std::string one = good_case;
+    one.replace(one.find("particles = 20000"), 17, "sample_size = { coarse_grains = 200 }");
+    EXPECT_NE(find_problem(problems_of(one), "E207").message.find("one grading"), std::string::npos);
+    std::string none = good_case;
+    none.replace(none.find("particles = 20000"), 17, "");
+    EXPECT_NE(find_problem(problems_of(none), "E201").help.find("sample_size"), std::string::npos);
 }
 
 const std::string with_presets = good_case + stage("probe", "detach") + stage("erosion", "erode") +

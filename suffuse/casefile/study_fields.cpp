@@ -200,6 +200,37 @@ void fields(V& v, Refine& refine) {
     v.field("add", refine.add);
 }
 
+template <class V>
+void fields(V& v, grains::SampleSizeSpec& size) {
+    v.field("coarse_grains", size.coarse_grains);
+    v.field("cell_width", size.cell_width);
+    v.field("at_least", size.at_least);
+}
+
+/// A study that packs has one of `particles` and `sample_size`, the latter with a soil of two fractions.
+void check_size_keys(Reader& v, const StudySurroundings& around, const Study& study, bool packs) {
+    if (v.has("particles") && v.has("sample_size")) {
+        v.error(
+            "E207", v.context().places[v.path() + ".sample_size"],
+            fmt::format("{} has both `particles` and `sample_size`", v.title()), "keep one of them"
+        );
+    } else if (packs && !v.has("particles") && !v.has("sample_size")) {
+        v.error(
+            "E201", v.place(), fmt::format("{} packs grains and needs `particles`", v.title()),
+            "the number of grains, as in particles = 10_000; or, for a soil of two fractions, sample_size = "
+            "{ coarse_grains = 200 }"
+        );
+    }
+    const auto soil = around.settings.soils.find(study.soil);
+    if (study.sample_size && soil != around.settings.soils.end() && soil->second.whole) {
+        v.error(
+            "E207", v.context().places[v.path() + ".sample_size"],
+            fmt::format("`sample_size` counts coarse grains, and soil \"{}\" has one grading for all", study.soil),
+            "give `particles`, or a soil with `coarse`, `fines` and `fines_content`"
+        );
+    }
+}
+
 void check_refine(ReadContext& context, const Study& study, const std::string& path) {
     if (!study.refine) {
         return;
@@ -238,6 +269,7 @@ void check_refine(ReadContext& context, const Study& study, const std::string& p
 void read_body(ReadContext& context, const StudySurroundings& around, Reader& v, Study& study) {
     v.field("soil", study.soil);
     v.field("particles", study.particles);
+    v.table("sample_size", study.sample_size, [](Reader& inner, grains::SampleSizeSpec& s) { fields(inner, s); });
     sweep_field(v, "sweep", study.sweep);
     v.table("refine", study.refine, [](Reader& inner, Refine& refine) { fields(inner, refine); });
     v.field("replicates", study.replicates);
@@ -254,24 +286,16 @@ void read_body(ReadContext& context, const StudySurroundings& around, Reader& v,
                           : fmt::format("known are {}", fmt::join(known, ", "))
         );
     }
-    for (const Stage& stage : study.stages) {
-        if (!std::holds_alternative<packing::PackSpec>(stage.spec)) {
-            continue;
-        }
-        if (study.soil.empty()) {
-            v.error(
-                "E201", v.place(), fmt::format("{} packs grains and needs `soil`", v.title()),
-                "the name of a [soil.NAME] table"
-            );
-        }
-        if (!v.has("particles")) {
-            v.error(
-                "E201", v.place(), fmt::format("{} packs grains and needs `particles`", v.title()),
-                "the number of grains, as in particles = 10_000"
-            );
-        }
-        break;
+    const bool packs = std::any_of(study.stages.begin(), study.stages.end(), [](const Stage& stage) {
+        return std::holds_alternative<packing::PackSpec>(stage.spec);
+    });
+    if (packs && study.soil.empty()) {
+        v.error(
+            "E201", v.place(), fmt::format("{} packs grains and needs `soil`", v.title()),
+            "the name of a [soil.NAME] table"
+        );
     }
+    check_size_keys(v, around, study, packs);
 }
 
 /// One copy of the study: the tree with its sweep values set, read again.
@@ -310,6 +334,11 @@ void read_variant(
         variant.soil = read_soil(context, *soil_node, soil_entry->place, "soil." + soil_entry->key);
     }
     variant.particles = copy.particles;
+    if (copy.sample_size && variant.soil && variant.soil->coarse && variant.soil->fines) {
+        const grains::SampleSize size = grains::size_sample(*variant.soil, *copy.sample_size);
+        variant.particles = size.particles;
+        variant.sized_by = size.rule;
+    }
     variant.stages = chosen_stages(copy.stages, variant.values);
     check_physics(context, around.settings, study, variant);
     study.variants.push_back(std::move(variant));
@@ -377,6 +406,8 @@ Node write_study(const Study& study) {
     if (study.particles > 0) {
         v.field("particles", study.particles);
     }
+    std::optional<grains::SampleSizeSpec> size = study.sample_size;
+    v.table("sample_size", size, [](Writer& inner, grains::SampleSizeSpec& value) { fields(inner, value); });
     sweep_field(v, "sweep", study.sweep);
     std::optional<Refine> refine = study.refine;
     v.table("refine", refine, [](Writer& inner, Refine& value) { fields(inner, value); });

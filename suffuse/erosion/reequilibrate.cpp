@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -72,8 +73,19 @@ void describe_before(const dem::World& world, PassResult& pass) {
     pass.porosity_before = dem::porosity(world);
 }
 
-std::vector<PathRow>
-reequilibrate(dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass) {
+Vec3 edge_strains(const Mat3& start_h, const Mat3& h) {
+    Vec3 strain;
+    for (int a = 0; a < 3; ++a) {
+        strain[a] = -std::log(h(a, a) / start_h(a, a));
+    }
+    return strain;
+}
+
+std::vector<PathRow> reequilibrate(
+    dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass,
+    double most_strain
+) {
+    const Mat3 start_h = world.cell.h;
     PathRecorder recorder(world, so_far, pass);
     dem::StepCaches caches;
     dem::StepPlan plan;
@@ -116,10 +128,19 @@ reequilibrate(dem::World& world, double dt, const ErosionResult& so_far, const S
     const auto servo_started = std::chrono::steady_clock::now();
     plan.loading = held_loading(world, pass.stress_before);
     plan.loading.servo.max_rate = resettling_rate;
+    const auto has_failed = [&] {
+        const Vec3 strain = edge_strains(start_h, world.cell.h);
+        return std::max({std::abs(strain.x), std::abs(strain.y), std::abs(strain.z)}) > most_strain;
+    };
     const dem::BalanceState settled = run_phase("servo", most_steps_under_stress, [&](const auto& state) {
-        return state.balanced_steps >= around.balance.patience;
+        return state.balanced_steps >= around.balance.patience || has_failed();
     });
-    if (settled.balanced_steps < around.balance.patience) {
+    if (has_failed()) {
+        pass.verdict = fmt::format(
+            "the skeleton fails: it does not carry its stresses any more and strained by more than {:.3g} %",
+            100 * most_strain
+        );
+    } else if (settled.balanced_steps < around.balance.patience) {
         throw StateError(fmt::format(
             "pass {}: the eroded skeleton does not come to rest under its stresses within {} steps: unbalanced force "
             "{:.1e}, "

@@ -4,13 +4,22 @@
 
 #include "suffuse/erosion/loop.hpp"
 
+#include <limits>
+
 namespace suffuse::erosion {
 
 /// Fills in what the pass starts from.
 void describe_before(const dem::World& world, PassResult& pass);
 
 /// Runs both phases, fills in what they did, and returns the path from the first step after the removal on.
-std::vector<PathRow>
-reequilibrate(dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass);
+/// @param most_strain of an axis: a skeleton that strains further has failed, is left there, and the pass's verdict
+/// says so; without it a skeleton that finds no rest is an error (StateError)
+std::vector<PathRow> reequilibrate(
+    dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass,
+    double most_strain = std::numeric_limits<double>::infinity()
+);
+
+/// Logarithmic strain of each edge of the cell since it was `start_h`, compression positive [-].
+Vec3 edge_strains(const Mat3& start_h, const Mat3& h);
 
 } // namespace suffuse::erosion

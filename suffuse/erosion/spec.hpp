@@ -70,4 +70,13 @@ struct ErodeSpec {
     bool until_nothing_leaves = false; ///< go on beyond `passes`
 };
 
+/// Which fines a removal takes; active ones have at least two contacts.
+enum class RemovedFines { All, Inactive, Active };
+
+/// `do = "remove"`: fines are taken out at once, without water, and the rest finds a new equilibrium.
+struct RemoveSpec {
+    RemovedFines grains = RemovedFines::All;
+    double max_strain = 0.2; ///< of an axis, beyond which the skeleton counts as failed and is left as it is [-]
+};
+
 } // namespace suffuse::erosion

@@ -1,5 +1,6 @@
 #include "suffuse/grains/sampling.hpp"
 
+#include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/grains/grading.hpp"
 
@@ -239,6 +240,10 @@ double largest_difference(std::span<const double> radius, const Grading& grading
         below += step;
     }
     return largest;
+}
+
+double grains_per_volume(const Grading& grading) {
+    return 6 / pi * NumberCurve(grading).total();
 }
 
 double grains_needed(const Grading& grading, double tolerance) {

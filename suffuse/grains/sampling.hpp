@@ -34,6 +34,9 @@ std::vector<double> sample_curve(std::span<const double> radius, std::span<const
 /// Largest difference of percent passing between a sample and a curve, over all sizes, as a fraction [-].
 double largest_difference(std::span<const double> radius, const Grading& grading);
 
+/// Number of grains in one m3 of solid that follows `grading` [1/m3].
+double grains_per_volume(const Grading& grading);
+
 /// Estimate of the least number of grains that follow `grading` within `tolerance`.
 double grains_needed(const Grading& grading, double tolerance);
 

@@ -37,6 +37,8 @@ struct CompactSpec {
     std::optional<double> start_porosity; ///< Swift: to which the cloud is pushed together before the first step [-]
     Prepare prepare;
     std::optional<double> void_ratio; ///< wanted void ratio, met by searching the preparation [-]
+    /// Instead: wanted void ratio with the fines counted as voids; `void_ratio` follows with the fines content [-].
+    std::optional<double> intergranular_void_ratio;
     double void_ratio_tolerance = 0.002;
     double max_rate = 250; ///< largest strain rate while the cloud carries no load; not in Swift [1/s]
     double time_step = 0;  ///< [s]; 0 = computed from the contact network

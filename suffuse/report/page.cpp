@@ -23,7 +23,7 @@ using nlohmann::json;
 using Remarks = std::vector<std::pair<std::string, std::string>>;
 
 constexpr std::size_t most_rows_shown = 60; ///< of a figure's numbers; its CSV has them all
-const std::array<const char*, 4> figure_sections = {"Soils", "Tests", "Water", "Erosion"};
+const std::array<const char*, 5> figure_sections = {"Soils", "Fines and structure", "Tests", "Water", "Erosion"};
 
 /// What report/build.sh leaves: the script, its hash for the content policy, the notices of what is bundled in it.
 struct PageScript {

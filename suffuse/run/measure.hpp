@@ -7,7 +7,10 @@
 
 namespace suffuse::run {
 
-/// Grains, contacts, cell, stress, density, coordination, balance, hash; with fines in the sample also what they do.
-nlohmann::json measure_state(const dem::World& world);
+/// Grains, contacts, cell, stress, density, coordination, fabric, forces, balance, hash; with fines in the sample also
+/// what they do.
+/// @param has_fractions the soil has a coarse and a fine part, also where this sample has one of them only: the ends of
+/// a sweep over the fines content belong to its curves
+nlohmann::json measure_state(const dem::World& world, bool has_fractions = false);
 
 } // namespace suffuse::run

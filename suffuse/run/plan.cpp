@@ -55,6 +55,8 @@ struct Sample {
     double porosity = settled_porosity;
     double density = 2600;
     double pair_time_step = 0; ///< stable for one pair of the smallest grains [s]
+    std::int64_t coarse = 0;
+    std::optional<double> fines_content; ///< of a sample that was drawn [-]
 };
 
 struct Work {
@@ -105,29 +107,39 @@ public:
             throw Bug("a stage that packs without a soil");
         }
         const auto count = static_cast<int>(variant_.particles);
+        const grains::SampledGrains drawn = grains::sample_soil(*variant_.soil, count);
         grains::Grains grains;
-        for (const double r : grains::sample_soil(*variant_.soil, count).radius) {
+        for (const double r : drawn.radius) {
             add_grain(grains, {}, r, case_.material.density);
         }
         sample_ = describe(grains, case_.material);
         sample_.porosity = spec.porosity;
-        return {{}, static_cast<double>(count) * cloud_seconds, grain_memory, "no steps"};
+        sample_.coarse = std::count(drawn.fine.begin(), drawn.fine.end(), std::uint8_t{0});
+        sample_.fines_content = drawn.fines_content;
+        return {
+            {},
+            static_cast<double>(count) * cloud_seconds,
+            grain_memory,
+            fmt::format(
+                "no steps; {} coarse grains, fines content {:.2f} %", sample_.coarse, 100 * drawn.fines_content
+            )};
     }
 
     Work operator()(const packing::CompactSpec& spec) {
         const double dt = spec.time_step > 0 ? spec.time_step : loose_time_step * sample_.pair_time_step;
+        const bool asks = spec.void_ratio || spec.intergranular_void_ratio;
         const double end = spec.void_ratio ? *spec.void_ratio / (1 + *spec.void_ratio) : settled_porosity;
         const double start = std::min(sample_.porosity, spec.start_porosity.value_or(1));
         const double strain = std::max(0.02, std::log((1 - end) / (1 - start)) / 3);
         sample_.porosity = end;
         sample_.pressure = spec.pressure;
         if (spec.protocol == packing::Protocol::Swift) {
-            const Range trials = spec.void_ratio ? Range{1, 3} : Range{1, 1};
+            const Range trials = asks ? Range{1, 3} : Range{1, 1};
             return {
                 trials * swift_steps + waited({}), trials * (static_cast<double>(sample_.grains) * geometry_seconds),
                 grain_memory, "swift: pushed together, then pressed; contacts per grain some 0.6 above faithful's"};
         }
-        const double trials = spec.void_ratio ? 4 : 1; // the search for a void ratio repeats the compaction
+        const double trials = asks ? 4 : 1; // the search for a void ratio repeats the compaction
         return {
             trials * (strain / spec.max_rate / dt * compaction_share + 2 * waited({})),
             {},
@@ -191,6 +203,10 @@ public:
             fmt::format("{} passes: relaxation, probe with its twin, two new equilibria", spec.passes)};
     }
 
+    Work operator()(const erosion::RemoveSpec&) const {
+        return {waited(constant_volume) + waited(servo), {}, 2 * grain_memory, "two new equilibria"};
+    }
+
 private:
     [[nodiscard]] double settled_dt() const { return settled_time_step * sample_.pair_time_step; }
 
@@ -243,6 +259,11 @@ void plan_variant(const casefile::Case& what, const casefile::Variant& variant, 
         estimate.memory = work.memory_a_grain * static_cast<double>(ends[k].grains);
         estimate.disk = disk_of(what.output, stage, k + 1 == variant.stages.size(), ends[k].grains);
         estimate.basis = work.basis;
+        if (std::holds_alternative<packing::PackSpec>(stage.spec)) {
+            estimate.coarse = ends[k].coarse;
+            estimate.fines_content = ends[k].fines_content;
+            estimate.sized_by = variant.sized_by ? grains::name_of(*variant.sized_by) : "";
+        }
         plan.stages.push_back(std::move(estimate));
     }
 }

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,12 +28,15 @@ struct StageEstimate {
     std::string stage, verb;
     std::int64_t grains = 0; ///< at most: what erosion takes is not known beforehand
     Range steps;
-    Range seconds;          ///< wall time [s]
-    double memory = 0;      ///< while it runs, beyond the process itself [B]
-    double disk = 0;        ///< that it leaves [B]
-    std::string basis;      ///< where the steps come from, in words
-    bool is_done = false;   ///< the run folder holds it
-    bool is_cached = false; ///< the cache holds it
+    Range seconds;                       ///< wall time [s]
+    double memory = 0;                   ///< while it runs, beyond the process itself [B]
+    double disk = 0;                     ///< that it leaves [B]
+    std::string basis;                   ///< where the steps come from, in words
+    std::int64_t coarse = 0;             ///< of `grains`, where the stage draws them
+    std::optional<double> fines_content; ///< that the sample really has, by mass, where the stage draws it [-]
+    std::string sized_by;                ///< the rule of `sample_size` that decided; empty: `particles`
+    bool is_done = false;                ///< the run folder holds it
+    bool is_cached = false;              ///< the cache holds it
 };
 
 struct RunPlan {

@@ -8,7 +8,7 @@ nlohmann::json range_json(const Range& range) {
 }
 
 nlohmann::json stage_json(const StageEstimate& stage) {
-    return {
+    nlohmann::json json = {
         {"study", stage.study},
         {"stage", stage.stage},
         {"verb", stage.verb},
@@ -21,6 +21,12 @@ nlohmann::json stage_json(const StageEstimate& stage) {
         {"done", stage.is_done},
         {"cached", stage.is_cached},
     };
+    if (stage.fines_content) {
+        json["fines_content"] = *stage.fines_content;
+        json["coarse_grains"] = stage.coarse;
+        json["sized_by"] = stage.sized_by.empty() ? "particles" : stage.sized_by;
+    }
+    return json;
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include "suffuse/report/stability_view.hpp"
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/findings_by_seed.hpp"
+#include "suffuse/run/fines_findings.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/measured_points.hpp"
 #include "suffuse/run/scene_data.hpp"
@@ -305,7 +306,17 @@ report::ReportData describe_run(
     data.title = what.title;
     data.run = folder.filename().string();
     data.answer = answer(story, stages);
-    data.findings = judge_erosion_by_seed(stages);
+    const std::optional<FinesResults> fines = gather_fines(what, stages);
+    if (const std::string sentence = thresholds_sentence(fines); !sentence.empty()) {
+        data.answer.insert(data.answer.begin(), sentence);
+    }
+    data.findings = judge_fines_of(fines);
+    for (report::Finding& finding : judge_erosion_by_seed(stages)) {
+        data.findings.push_back(std::move(finding));
+    }
+    if (auto table = thresholds_table(fines)) {
+        data.tables.push_back(std::move(*table));
+    }
     data.headlines = report::erosion_headlines(story.erosion, data.findings);
     data.warnings = flaws;
     data.warnings.insert(data.warnings.end(), warnings.begin(), warnings.end());

@@ -40,9 +40,13 @@ void take_up(StageWork& work) {
     work.resumed = saved.at("state");
 }
 
+bool has_fractions(const casefile::Variant& variant) {
+    return variant.soil && (variant.soil->fines || variant.soil->finer_than || variant.soil->kenney_lau);
+}
+
 /// stage.json, but for what is said of the whole run.
 json describe_stage(StageWork& work) {
-    json numbers = measure_state(work.world);
+    json numbers = measure_state(work.world, has_fractions(work.variant));
     numbers["steps"] = 0;
     numbers.update(work.numbers);
     const double seconds = work.seconds();

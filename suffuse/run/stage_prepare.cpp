@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
+#include "suffuse/erosion/extraction.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/packing_file.hpp"
@@ -35,6 +36,24 @@ void mark_fines(const std::optional<grains::Soil>& soil, grains::Grains& grains)
     for (std::size_t g = 0; g < grains.size(); ++g) {
         grains.fine[g] = 2 * grains.radius[g] < *limit ? 1 : 0;
     }
+}
+
+/// Turns a wanted intergranular void ratio into the void ratio of this sample: e = e_g (1 - FC) - FC.
+packing::CompactSpec with_void_ratio(packing::CompactSpec spec, const grains::Grains& grains) {
+    if (!spec.intergranular_void_ratio) {
+        return spec;
+    }
+    const double content = erosion::fines_content(grains), wanted = *spec.intergranular_void_ratio;
+    spec.void_ratio = wanted * (1 - content) - content;
+    if (!(*spec.void_ratio > 0)) {
+        throw StateError(fmt::format(
+            "an intergranular void ratio of {:.4g} leaves no room for the fines: at a fines content of {:.4g} % the "
+            "void "
+            "ratio would be {:.4g}; ask for more than {:.4g}",
+            wanted, 100 * content, *spec.void_ratio, content / (1 - content)
+        ));
+    }
+    return spec;
 }
 
 /// One compaction from the cloud on; it can be resumed between bursts unless it is a trial among several. A trial ends
@@ -101,7 +120,8 @@ void do_pack(StageWork& work, const packing::PackSpec& spec) {
     }
 }
 
-void do_compact(StageWork& work, const packing::CompactSpec& spec) {
+void do_compact(StageWork& work, const packing::CompactSpec& asked) {
+    const packing::CompactSpec spec = with_void_ratio(asked, work.world.grains);
     if (work.resumed.is_null()) {
         dem::sort_along_curve(work.world);
     }

@@ -31,6 +31,8 @@ void do_stage(StageWork& work) {
         void operator()(const erosion::DetachStageSpec& spec) const { do_detach(work, spec); }
 
         void operator()(const erosion::ErodeSpec& spec) const { do_erode(work, spec); }
+
+        void operator()(const erosion::RemoveSpec& spec) const { do_remove(work, spec); }
     };
 
     std::visit(Verb{work}, work.stage.spec);

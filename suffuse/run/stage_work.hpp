@@ -60,5 +60,6 @@ void do_advance(StageWork& work, const dem::AdvanceSpec& spec);
 void do_flow(StageWork& work, const flow::FlowSpec& spec);
 void do_detach(StageWork& work, const erosion::DetachStageSpec& spec);
 void do_erode(StageWork& work, const erosion::ErodeSpec& spec);
+void do_remove(StageWork& work, const erosion::RemoveSpec& spec);
 
 } // namespace suffuse::run

@@ -5,6 +5,7 @@
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/report/page.hpp"
+#include "suffuse/run/fines_findings.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/refine.hpp"
 #include "suffuse/run/report_data.hpp"
@@ -143,6 +144,7 @@ Summary summarize_run(
                                   {"warnings", summary.warnings},
                                   {"flaws", summary.flaws},
                                   {"findings", summary.findings},
+                                  {"thresholds", thresholds_json(gather_fines(what, stages))},
                                   {"samples", count_samples(what, folder, summary.failures.size())},
                                   {"failures", failures_json(summary.failures)},
                                   {"stages", by_name},

@@ -1,0 +1,110 @@
+#include "suffuse/erosion/removal.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/settle.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.hpp"
+#include <cmath>
+
+namespace suffuse::erosion {
+namespace {
+
+constexpr double r = 0.5e-3;     // of the coarse grains [m]
+constexpr double overlap = 2e-6; // between them [m]
+constexpr double edge = 2 * r - overlap;
+
+/// A simple cubic lattice of coarse grains, a fine one of `fine_radius` in the middle of each void, under the stress
+/// that this lattice has, which the servo is to hold.
+dem::World lattice(double fine_radius) {
+    constexpr int cells = 4;
+    dem::World world;
+    world.cell.h = cells * edge * identity();
+    for (int a = 0; a < cells; ++a) {
+        for (int b = 0; b < cells; ++b) {
+            for (int c = 0; c < cells; ++c) {
+                const Vec3 corner = edge * Vec3{double(a), double(b), double(c)};
+                add_grain(world.grains, corner, r, 2600);
+                add_grain(world.grains, corner + 0.5 * edge * Vec3{1, 1, 1}, fine_radius, 2600);
+                world.grains.fine[world.grains.size() - 1] = 1;
+            }
+        }
+    }
+    dem::StepCaches caches;
+    dem::StepPlan plan;
+    plan.dt = 1e-9;
+    plan.loading = dem::constant_volume();
+    dem::step(world, caches, plan); // finds the contacts
+    const double p = dem::mean_stress(dem::mean_stress_tensor(world));
+    world.servo.held_stress = {p, p, p};
+    return world;
+}
+
+/// Of the coarse lattice alone: force E r x overlap on each edge squared [Pa].
+double coarse_stress(const dem::World& world, double spacing) {
+    return world.material.modulus * r * (2 * r - spacing) / (spacing * spacing);
+}
+
+TEST(Removal, OfFinesThatLieLooseChangesNothing) {
+    dem::World world = lattice(0.3e-3); // the void takes 0.366 mm
+    const double p = dem::mean_stress(dem::mean_stress_tensor(world));
+    EXPECT_NEAR(p, coarse_stress(world, edge), 1e-9 * p); // rounding of positions of 4 mm against overlaps of 2 um
+    const RemovalResult result = remove_fines(world, {}, {});
+    const PassResult& pass = result.erosion.passes.at(0);
+    EXPECT_EQ(pass.removed, 64);
+    EXPECT_EQ(world.grains.size(), 64U);
+    EXPECT_NEAR(result.removed_share, std::pow(0.3, 3) / (std::pow(0.3, 3) + std::pow(0.5, 3)), 1e-12);
+    EXPECT_NEAR(dem::mean_stress(pass.stress_constant_volume) / p, 1, 1e-9);
+    // The servo follows the rounding of the stress: less than a millionth of the lattice's elastic strain.
+    EXPECT_LE(std::abs(pass.volumetric_strain), 1e-6 * 3 * overlap / edge);
+    EXPECT_EQ(pass.verdict, "");
+}
+
+TEST(Removal, OfFinesThatCarryLoadLeavesTheStressOfTheCoarseLatticeAndThenItsStrain) {
+    const double fine_radius = std::sqrt(0.75) * edge - r + 1e-6; // presses 1 um into its eight neighbors
+    dem::World world = lattice(fine_radius);
+    const double before = world.servo.held_stress.x;
+    const double left = coarse_stress(world, edge);
+    ASSERT_GT(before, 1.2 * left);
+    const RemovalResult result = remove_fines(world, {}, {});
+    const PassResult& pass = result.erosion.passes.at(0);
+    EXPECT_NEAR(dem::mean_stress(pass.stress_constant_volume) / left, 1, 1e-9);
+    // Under the servo the spacing s falls until E r (2r - s)/s^2 is the stress before: s from the quadratic equation.
+    const double k = world.material.modulus * r;
+    const double spacing = (-k + std::sqrt(k * k + 8 * before * k * r)) / (2 * before);
+    EXPECT_NEAR(pass.volumetric_strain, -3 * std::log(spacing / edge), 0.005 * 3 * overlap / edge * before / left);
+    EXPECT_NEAR(result.strain.x, pass.volumetric_strain / 3, 1e-9);
+}
+
+TEST(Removal, TakesTheClassAskedFor) {
+    const dem::World pressed = lattice(std::sqrt(0.75) * edge - r + 1e-6), loose = lattice(0.3e-3);
+    EXPECT_EQ(fines_to_remove(pressed, RemovedFines::Active).size(), 64U);
+    EXPECT_EQ(fines_to_remove(pressed, RemovedFines::Inactive).size(), 0U);
+    EXPECT_EQ(fines_to_remove(loose, RemovedFines::Active).size(), 0U);
+    EXPECT_EQ(fines_to_remove(loose, RemovedFines::Inactive).size(), 64U);
+    EXPECT_EQ(fines_to_remove(loose, RemovedFines::All).size(), 64U);
+}
+
+TEST(Removal, ASkeletonThatStrainsTooFarHasFailedAndTheStageEnds) {
+    const double fine_radius = std::sqrt(0.75) * edge - r + 1e-6;
+    dem::World world = lattice(fine_radius);
+    RemoveSpec spec;
+    spec.max_strain = 1e-6; // less than the lattice needs
+    const RemovalResult result = remove_fines(world, spec, {});
+    EXPECT_NE(result.erosion.passes.at(0).verdict.find("fails"), std::string::npos);
+    EXPECT_EQ(world.grains.size(), 64U);
+}
+
+TEST(Removal, OfASampleOfFinesAloneIsRefused) {
+    dem::World world = lattice(0.3e-3);
+    for (auto& fine : world.grains.fine) {
+        fine = 1;
+    }
+    EXPECT_THROW(remove_fines(world, {}, {}), StateError);
+    EXPECT_EQ(world.grains.size(), 128U);
+}
+
+} // namespace
+} // namespace suffuse::erosion

@@ -1,0 +1,210 @@
+#include "suffuse/run/fines_findings.hpp"
+
+#include "suffuse/report/words.hpp"
+#include "suffuse/run/study_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suffuse::run {
+namespace {
+
+using nlohmann::json;
+
+const char* const fines_key = "fines_content";
+
+const packing::CompactSpec* compaction_of(const casefile::Stage& stage) {
+    return std::get_if<packing::CompactSpec>(&stage.spec);
+}
+
+bool is_dense(const casefile::Stage& stage, double friction) {
+    const packing::CompactSpec* spec = compaction_of(stage);
+    return spec != nullptr && spec->prepare.friction && *spec->prepare.friction < friction;
+}
+
+bool is_loose(const casefile::Stage& stage) {
+    const packing::CompactSpec* spec = compaction_of(stage);
+    return spec != nullptr && spec->prepare.adhesion_normal.value_or(0) > 0;
+}
+
+template <class Is>
+std::string first_stage(const casefile::Study& study, Is is) {
+    const auto found = std::find_if(study.stages.begin(), study.stages.end(), is);
+    return found == study.stages.end() ? "" : found->name;
+}
+
+/// The stages of a study that hold its loose and its dense state.
+void find_states(const casefile::Case& what, const casefile::Study& study, FinesResults& found) {
+    const auto dense = [&](const casefile::Stage& stage) { return is_dense(stage, what.material.friction); };
+    found.study = study.name;
+    found.dense_stage = first_stage(study, dense);
+    found.loose_stage = first_stage(study, is_loose);
+    if (found.loose_stage.empty()) {
+        found.loose_stage = first_stage(study, [&](const casefile::Stage& stage) {
+            return compaction_of(stage) != nullptr && !dense(stage);
+        });
+    }
+}
+
+std::optional<double> peak_of(const FinishedStage& stage) {
+    return stage.numbers.contains("response")
+               ? std::optional(stage.numbers.at("response").at("peak_deviator").get<double>())
+               : std::nullopt;
+}
+
+/// Drained compression to an end, from the state that a stage left.
+std::optional<double> peak_from(const std::vector<FinishedStage>& stages, const casefile::Variant* variant, int row) {
+    for (const FinishedStage& stage : stages) {
+        if (stage.variant != variant || stage.stage->parent != row) {
+            continue;
+        }
+        const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
+        if (spec != nullptr && spec->path == triaxial::Path::Drained && !spec->deviator_stress && !spec->stress_ratio) {
+            return peak_of(stage);
+        }
+    }
+    return std::nullopt;
+}
+
+/// Peak strength with all fines: from the state before the removal, or from one that this came from.
+std::optional<double> peak_before(
+    const std::vector<FinishedStage>& stages, const casefile::Variant* variant, const casefile::Stage& removal
+) {
+    for (int row = removal.parent; row >= 0; row = variant->stages[static_cast<std::size_t>(row)].parent) {
+        if (const std::optional<double> peak = peak_from(stages, variant, row)) {
+            return peak;
+        }
+    }
+    return std::nullopt;
+}
+
+report::Removal describe_removal(const std::vector<FinishedStage>& stages, const FinishedStage& stage) {
+    const json& n = stage.numbers;
+    report::Removal removal;
+    removal.fines_content = stage.variant->soil && stage.variant->soil->fines
+                                ? stage.variant->soil->fines_content
+                                : n.at("removed_mass_share").get<double>();
+    removal.seed = stage.variant->seed;
+    removal.stress_ratio = n.at("stress_ratio_before");
+    removal.removed_share = n.at("removed_mass_share");
+    removal.strain = n.at("largest_strain");
+    removal.stress_loss = n.at("stress_loss");
+    removal.failed = n.at("failed");
+    const int row = static_cast<int>(stage.stage - stage.variant->stages.data());
+    removal.peak_after = peak_from(stages, stage.variant, row);
+    removal.peak_before = peak_before(stages, stage.variant, *stage.stage);
+    return removal;
+}
+
+} // namespace
+
+std::optional<FinesResults> gather_fines(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
+    FinesResults found;
+    const auto study = std::find_if(what.studies.begin(), what.studies.end(), [](const casefile::Study& each) {
+        return each.sweep.size() == 1 && each.sweep.front().key == fines_key && each.sweep.front().values.size() > 2;
+    });
+    if (study != what.studies.end()) {
+        find_states(what, *study, found);
+        for (const report::StudyCurves& curves : trace_curves(what, stages)) {
+            if (curves.study != found.study) {
+                continue;
+            }
+            for (const report::StageCurve& curve : curves.stages) {
+                if (curve.stage == found.loose_stage) {
+                    found.loose = curve;
+                } else if (curve.stage == found.dense_stage) {
+                    found.dense = curve;
+                }
+            }
+        }
+        if (!found.loose.points.empty()) {
+            found.thresholds =
+                report::find_thresholds(found.loose, found.dense.points.empty() ? nullptr : &found.dense);
+        }
+    }
+    for (const FinishedStage& stage : stages) {
+        const auto* spec = std::get_if<erosion::RemoveSpec>(&stage.stage->spec);
+        if (spec != nullptr && spec->grains == erosion::RemovedFines::All) {
+            found.removals.push_back(describe_removal(stages, stage));
+        }
+    }
+    return found.loose.points.empty() && found.removals.empty() ? std::nullopt : std::optional(std::move(found));
+}
+
+std::vector<report::Finding> judge_fines_of(const std::optional<FinesResults>& results) {
+    if (!results) {
+        return {};
+    }
+    return report::judge_fines(
+        results->loose.points.empty() ? nullptr : &results->loose,
+        results->dense.points.empty() ? nullptr : &results->dense, results->removals
+    );
+}
+
+json thresholds_json(const std::optional<FinesResults>& results) {
+    json list = json::array();
+    if (!results) {
+        return list;
+    }
+    for (const report::ContentThreshold& threshold : results->thresholds) {
+        list.push_back(
+            {{"study", results->study},
+             {"name", threshold.name},
+             {"from", threshold.from},
+             {"of_seed", threshold.at.of_seed},
+             {"mean", threshold.at.mean},
+             {"standard_deviation", threshold.at.standard_deviation}}
+        );
+    }
+    return list;
+}
+
+std::string thresholds_sentence(const std::optional<FinesResults>& results) {
+    if (!results || results->thresholds.empty()) {
+        return "";
+    }
+    const auto told = [](const report::ContentThreshold& threshold) {
+        const report::Scatter& at = threshold.at;
+        return at.seeds == 0   ? std::string("none")
+               : at.seeds == 1 ? fmt::format("{:.0f} %", 100 * at.mean)
+                               : fmt::format("{:.1f} ± {:.1f} %", 100 * at.mean, 100 * at.standard_deviation);
+    };
+    const auto& list = results->thresholds;
+    std::string text = fmt::format(
+        "Of {} fines contents the loose void ratio is lowest at FC = {}", results->loose.points.size(),
+        told(list.front())
+    );
+    if (!results->dense.points.empty()) {
+        text += fmt::format(", the dense one at {}", told(list.at(list.size() - 3)));
+    }
+    return text + fmt::format(
+                      "; fines begin to carry load at {} by their number of contacts, at {} by the strong contacts.",
+                      told(list.at(list.size() - 2)), told(list.back())
+                  );
+}
+
+std::optional<report::PageTable> thresholds_table(const std::optional<FinesResults>& results) {
+    if (!results || results->thresholds.empty()) {
+        return std::nullopt;
+    }
+    report::PageTable table;
+    table.section = "Fines and structure";
+    table.title = "Thresholds of the fines content";
+    table.note =
+        "FC_threshold: vertex of the parabola through the lowest point of the curve and its neighbors. FC_active: "
+        "break of two straight lines through the rising part of the curve. Deviations are those of the seeds; "
+        "how far the points of the sweep lie apart comes on top.";
+    table.header = {"threshold", "read from", "fines content [%]", "deviation [%]", "seeds"};
+    table.numeric = {false, false, true, true, true};
+    for (const report::ContentThreshold& threshold : results->thresholds) {
+        const report::Scatter& at = threshold.at;
+        table.rows.push_back(
+            {threshold.name, threshold.from, at.seeds > 0 ? fmt::format("{:.1f}", 100 * at.mean) : "none",
+             at.seeds > 1 ? fmt::format("{:.1f}", 100 * at.standard_deviation) : "", fmt::format("{}", at.seeds)}
+        );
+    }
+    return table;
+}
+
+} // namespace suffuse::run

@@ -1,0 +1,149 @@
+// A study over the fines content, from the case to its numbers: the ends of the sweep, a wanted intergranular void
+// ratio, fines taken out at once, and what the summary says of it all.
+
+#include "suffuse/base/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_text.hpp"
+#include <algorithm>
+#include <atomic>
+#include <memory>
+
+namespace suffuse::test {
+namespace {
+
+using nlohmann::json;
+
+// Size ratio 2, so that a few hundred grains are a sample.
+const std::string study = R"(
+[soil.mix]
+coarse            = { psd = { d = ["0.28 mm", "0.32 mm"], passing = ["0 %", "100 %"] } }
+fines             = { psd = { d = ["0.14 mm", "0.16 mm"], passing = ["0 %", "100 %"] } }
+fines_content     = "0 %"
+grading_tolerance = "10 %"
+[study.s]
+soil        = "mix"
+sample_size = { coarse_grains = 60, cell_width = 10, at_least = 150 }
+sweep       = { fines_content = ["0 %", "30 %", "100 %"] }
+[[study.s.stage]]
+name     = "cloud"
+do       = "pack"
+porosity = 0.62
+[[study.s.stage]]
+name     = "loose"
+do       = "compact"
+pressure = "100 kPa"
+protocol = "swift"
+[[study.s.stage]]
+name     = "emptied"
+do       = "remove"
+only     = { fines_content = ["30 %"] }
+[[study.s.stage]]
+name                     = "asked"
+from                     = "cloud"
+do                       = "compact"
+pressure                 = "100 kPa"
+protocol                 = "swift"
+intergranular_void_ratio = 1.15
+void_ratio_tolerance     = 0.01
+only                     = { fines_content = ["30 %"] }
+)";
+
+json stage_of(const TempFolder& folder, const std::string& place) {
+    return run::read_json(folder / ("run/studies/s/" + place + "/stage.json"));
+}
+
+class FinesStudy : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        folder_ = std::make_unique<TempFolder>();
+        report_ = run_text(reference_constants + study, folder_->path());
+    }
+
+    static void TearDownTestSuite() { folder_.reset(); }
+
+    static std::unique_ptr<TempFolder> folder_;
+    static run::RunReport report_;
+};
+
+std::unique_ptr<TempFolder> FinesStudy::folder_;
+run::RunReport FinesStudy::report_;
+
+TEST_F(FinesStudy, ThePureSoilsHaveWhatTheDefinitionsSayAndNullWhereThereIsNothing) {
+    ASSERT_TRUE(report_.failures.empty()) << report_.failures.front().message;
+    const json sand = stage_of(*folder_, "fc=0/loose"), silt = stage_of(*folder_, "fc=100/loose");
+    EXPECT_EQ(sand.at("fines_content"), 0);
+    EXPECT_EQ(sand.at("intergranular_void_ratio"), sand.at("void_ratio"));
+    EXPECT_EQ(sand.at("equivalent_void_ratio"), sand.at("void_ratio"));
+    EXPECT_TRUE(sand.at("active_fines_fraction").is_null());
+    EXPECT_EQ(sand.at("contact_share").at("LL"), 1);
+    EXPECT_EQ(sand.at("alpha_coarse"), 1);
+    EXPECT_EQ(silt.at("fines_content"), 1);
+    EXPECT_TRUE(silt.at("intergranular_void_ratio").is_null()) << "infinite";
+    EXPECT_EQ(silt.at("strong_contact_share").at("SS"), 1);
+    EXPECT_TRUE(silt.at("coordination_by_class").at("coarse_fine").is_null());
+}
+
+TEST_F(FinesStudy, StressOfTheFractionsAddsUpToTheStress) {
+    const json mix = stage_of(*folder_, "fc=30/loose");
+    const double content = mix.at("fines_content");
+    const double sum =
+        content * mix.at("alpha_fines").get<double>() + (1 - content) * mix.at("alpha_coarse").get<double>();
+    EXPECT_NEAR(sum, 1, 1e-12); // an identity: rounding
+    EXPECT_NEAR(mix.at("fines_stress_share").get<double>(), content * mix.at("alpha_fines").get<double>(), 1e-12);
+    EXPECT_GT(mix.at("fabric").at("contact_anisotropy"), 0);
+    EXPECT_GT(mix.at("force_distribution").at("variation"), 0);
+}
+
+TEST_F(FinesStudy, AWantedIntergranularVoidRatioIsMet) {
+    // The tolerance is on e; e_g = (e + FC)/(1 - FC) widens it.
+    EXPECT_NEAR(stage_of(*folder_, "fc=30/asked").at("intergranular_void_ratio").get<double>(), 1.15, 0.01 / 0.68);
+}
+
+TEST_F(FinesStudy, RemovalLeavesTheCoarseGrainsUnderTheirStress) {
+    const json before = stage_of(*folder_, "fc=30/loose"), after = stage_of(*folder_, "fc=30/emptied");
+    EXPECT_EQ(after.at("grains").get<int>() + after.at("removed").get<int>(), before.at("grains").get<int>());
+    EXPECT_EQ(after.at("fines_content"), 0);
+    EXPECT_NEAR(after.at("removed_mass_share").get<double>(), before.at("fines_content").get<double>(), 1e-12);
+    EXPECT_NEAR(after.at("mean_stress").get<double>(), 100e3, 0.005 * 100e3); // [balance] stress_error
+    EXPECT_GT(after.at("stress_loss"), 0) << "fines carried some of it";
+    EXPECT_GT(after.at("volumetric_strain"), 0);
+    EXPECT_LT(after.at("stress_ratio_before"), 0.02);
+    EXPECT_FALSE(after.at("failed"));
+}
+
+TEST_F(FinesStudy, TheSummaryJudgesWhatThreeFinesContentsCanTell) {
+    const json summary = run::read_json(*folder_ / "run/summary.json");
+    std::vector<std::string> ids;
+    for (const json& finding : summary.at("findings")) {
+        ids.push_back(finding.at("id"));
+        if (finding.at("id") == "M3" || finding.at("id") == "M9") {
+            EXPECT_TRUE(finding.at("met").is_null()) << finding;
+        }
+    }
+    EXPECT_EQ(ids, (std::vector<std::string>{"M1", "M2", "M3", "M4", "M5", "M6", "M7", "M8", "M9"}));
+    EXPECT_EQ(summary.at("thresholds").at(0).at("name"), "FC_threshold");
+}
+
+TEST_F(FinesStudy, ARemovalThatIsStoppedEndsWithTheSameBits) {
+    const TempFolder broken;
+    std::atomic<bool> stop{false};
+    bool was_stopped = false;
+    run::RunOptions options;
+    options.stop = &stop;
+    options.on_progress = [&](const run::Progress& progress) {
+        const bool is_midway = progress.verb == "remove" && progress.steps > 0 && !progress.stage_finished;
+        if (is_midway && !was_stopped) {
+            stop = was_stopped = true;
+        }
+    };
+    run_text(reference_constants + study, broken.path(), options);
+    ASSERT_TRUE(was_stopped);
+    stop = false;
+    run_text(reference_constants + study, broken.path());
+    EXPECT_EQ(stage_of(broken, "fc=30/emptied").at("state_hash"), stage_of(*folder_, "fc=30/emptied").at("state_hash"));
+}
+
+} // namespace
+} // namespace suffuse::test
