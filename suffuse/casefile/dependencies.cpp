@@ -48,7 +48,9 @@ std::string dependencies_of(const Case& c, const Variant& variant, const Stage& 
     }
     const bool makes_sample = is<packing::PackSpec>(stage) || is<ImportSpec>(stage);
     if (makes_sample && variant.soil) {
-        root.set("soil", write_soil(*variant.soil));
+        Node soil; // with a name, as [soil.NAME]: a bare value right below [soil] would not be printed
+        soil.set("sample", write_soil(*variant.soil));
+        root.set("soil", std::move(soil));
     }
     copy.output.checkpoint = OutputSpec{}.checkpoint; // when a state is saved on the way changes nothing
     root.set("output", write("output", [&](Writer& v) { fields(v, copy.output); }));

@@ -1,0 +1,32 @@
+#include "suffuse/casefile/dependencies.hpp"
+
+#include "suffuse/casefile/case_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace suffuse;
+using namespace suffuse::casefile;
+using namespace suffuse::casefile::testing;
+
+/// What the cloud of the first variant of `full_case`'s study "main" depends on, after a change of its soil.
+template <class Change>
+std::string after(Change change) {
+    const Case c = load(full_case);
+    Variant variant = c.studies[0].variants[0];
+    change(*variant.soil);
+    return dependencies_of(c, variant, variant.stages[0]);
+}
+
+TEST(Dependencies, ASampleDependsOnEveryNumberOfItsSoil) {
+    const std::string as_it_is = after([](grains::Soil&) {});
+    EXPECT_EQ(after([](grains::Soil&) {}), as_it_is);
+    EXPECT_NE(after([](grains::Soil& soil) { soil.fines_content += 0.05; }), as_it_is);
+    EXPECT_NE(after([](grains::Soil& soil) { soil.grading_tolerance += 0.001; }), as_it_is);
+    EXPECT_NE(after([](grains::Soil& soil) { soil.report_kenney_lau = !soil.report_kenney_lau; }), as_it_is);
+    EXPECT_NE(after([](grains::Soil& soil) { soil.coarse->diameter.back() *= 1.1; }), as_it_is);
+    EXPECT_NE(after([](grains::Soil& soil) { soil.fines->passing.front() += 0.01; }), as_it_is);
+}
+
+} // namespace
