@@ -28,9 +28,24 @@ function fullRows(panels, most) {
   return most;
 }
 
+/** Legends whose names would not stand in the rows asked for get fewer columns. */
+function fitLegends(part, width) {
+  if (Array.isArray(part)) part.forEach((each) => fitLegends(each, width));
+  else if (part && typeof part === "object") {
+    const names = part.scale?.domain;
+    if (part.legend && Array.isArray(names) && names.every((name) => typeof name === "string")) {
+      const most = Math.max(1, Math.floor(width / (6.2 * Math.max(...names.map((name) => name.length)) + 36)));
+      if (names.length > most) part.legend.columns = most;
+      else delete part.legend.columns;
+    }
+    Object.values(part).forEach((each) => fitLegends(each, width));
+  }
+}
+
 /** The specification with widths that fill `width` pixels: panels in a row are dropped before they get too narrow. */
 export function fitted(chart, width) {
   const copy = structuredClone(chart);
+  fitLegends(copy, width - axisRoom);
   if (copy.facet) {
     const least = Math.min(copy.spec.width, 260);
     const fitting = Math.min(copy.columns, Math.floor((width - axisRoom) / (least + panelGap)));

@@ -22,8 +22,11 @@ function withWords(svg, { title, caption }) {
   return new XMLSerializer().serializeToString(root);
 }
 
+/** The drawing as it stands in the page, without the page's words, which it takes along as its own. */
 function drawing(figure) {
-  return document.querySelector(`[data-figure="${figure.id}"] .drawing svg`);
+  const copy = document.querySelector(`[data-figure="${figure.id}"] .drawing svg`).cloneNode(true);
+  for (const name of ["aria-labelledby", "aria-describedby"]) copy.removeAttribute(name);
+  return copy;
 }
 
 async function svgOf({ figure, chart }) {

@@ -4,6 +4,9 @@ import { createRequire } from "node:module";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
+// Only against a test that would never end: how long a machine takes is no matter of the page.
+export const patience = 300_000; // [ms]
+
 export const samples = process.env.SUFFUSE_SAMPLES;
 export const fromPage = createRequire(join(process.env.SUFFUSE_PAGE, "npm", "package.json"));
 
@@ -14,6 +17,7 @@ export async function launch(more = []) {
   try {
     return await chromium.launch({
       executablePath,
+      timeout: patience,
       args: ["--no-sandbox", ...(more.length ? more : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"])],
     });
   } catch (error) {
@@ -24,7 +28,10 @@ export async function launch(more = []) {
 
 /** A report opened and drawn, with all that it complained of or asked for. */
 export async function open(browser, run, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  // Scrolling at once: a place that is read while the page still glides is no place to click at.
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: "reduce", ...options });
+  context.setDefaultTimeout(patience);
+  context.setDefaultNavigationTimeout(patience);
   const page = await context.newPage();
   const heard = { requests: [], complaints: [] };
   page.on("request", (request) => heard.requests.push(request.url()));
@@ -52,7 +59,17 @@ export function csv(run, id) {
 
 /** Waits until the view in 3D has drawn what was asked of it last. */
 export async function settled(page) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await page.waitForFunction(() => !document.querySelector("[data-scene]").view.waiting);
+}
+
+/** Does `act`, whose input must make the view draw, and waits for a frame drawn after it. */
+export async function drawnAfter(page, act) {
+  const frames = () => page.evaluate(() => Number(document.querySelector(".picture").dataset.frames));
+  await settled(page);
+  const before = await frames();
+  await act();
+  await page.waitForFunction((count) => Number(document.querySelector(".picture").dataset.frames) > count, before);
+  await settled(page);
 }
 
 /** Share of the view's pixels that are not its paper, and the number of colors among a sample of them. */

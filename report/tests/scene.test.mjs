@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, open, pixels, samples, settled } from "./browser.mjs";
+import { drawnAfter, launch, open, pixels, samples, settled } from "./browser.mjs";
 import { grainAt } from "../src/scene/pick.js";
 import { roundLength } from "../src/scene/overlay.js";
 import { isSoftware, softwareLimit, thinned } from "../src/scene/thin.js";
@@ -34,7 +34,10 @@ test("nothing is drawn while nobody touches it", async () => {
   await settled(page);
   const frames = () => page.getAttribute(".picture", "data-frames");
   const before = await frames();
-  await page.waitForTimeout(400);
+  // As many frames of the browser as a view that draws without need would have used.
+  await page.evaluate(async () => {
+    for (let k = 0; k < 10; ++k) await new Promise((next) => requestAnimationFrame(next));
+  });
   assert.equal(await frames(), before);
 });
 
@@ -59,8 +62,7 @@ test("the slider over passes takes away exactly the grains that left, and the pi
   const before = await pixels(page);
   const slider = page.locator('[data-control="state"]');
   await slider.focus();
-  await page.keyboard.press("ArrowRight");
-  await settled(page);
+  await drawnAfter(page, () => page.keyboard.press("ArrowRight"));
   const { shown, left } = await page.evaluate(() => {
     const { view } = document.querySelector("[data-scene]");
     return { shown: view.rows.length, left: view.scene.leftIn.filter((pass) => pass === 1).length };
@@ -85,8 +87,7 @@ test("a click on a grain shows its card, and a neighbor on the card can be chose
     const { x, y } = view.seenAt(row);
     return { x: box.left + x, y: box.top + y, id: view.scene.id[row] };
   });
-  await page.mouse.click(target.x, target.y);
-  await settled(page);
+  await drawnAfter(page, () => page.mouse.click(target.x, target.y));
   const card = page.locator(".card");
   assert.match(await card.textContent(), new RegExp(`Grain ${target.id}, fine`));
   assert.match(await card.textContent(), /diameter d0\.2 mm/);
@@ -132,10 +133,15 @@ test("force chains, cut and a drag each change the picture", async () => {
   const picture = page.locator(".picture");
   await picture.scrollIntoViewIfNeeded(); // the mouse reaches only what the window shows
   const box = await picture.boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  await page.mouse.down();
-  await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2 + 30, { steps: 3 });
-  await page.mouse.up();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const hit = await page.evaluate(([px, py]) => document.elementFromPoint(px, py)?.tagName, [x, y]);
+  assert.equal(hit, "CANVAS", "the mouse is over the view");
+  await drawnAfter(page, async () => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 120, y + 30, { steps: 3 });
+    await page.mouse.up();
+  });
   assert.notEqual((await pixels(page)).print, plain.print);
 });
 
@@ -144,7 +150,7 @@ test("the keyboard turns, zooms, chooses and goes home", async () => {
   await page.locator(".picture").focus();
   await page.keyboard.press("Home");
   const home = await pixels(page);
-  await page.keyboard.press("ArrowLeft");
+  await drawnAfter(page, () => page.keyboard.press("ArrowLeft"));
   assert.notEqual((await pixels(page)).print, home.print);
   await page.keyboard.press("Home");
   await page.keyboard.press("+");

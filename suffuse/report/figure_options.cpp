@@ -21,12 +21,24 @@ bool has_column(const Table& table, const json& channel) {
     });
 }
 
-/// Rows that have both coordinates.
-json point_values(const Table& points, const std::string& x, const std::string& y) {
+/// The words of a column, or null where there is no such column of words.
+const std::vector<std::string>* words_of(const Table& points, const std::string& name) {
+    for (const Column& column : points.columns()) {
+        if (column.name == name) {
+            return std::get_if<std::vector<std::string>>(&column.values);
+        }
+    }
+    return nullptr;
+}
+
+/// Rows that have both coordinates, and belong into the panel where they name one.
+json point_values(const Table& points, const std::string& x, const std::string& y, const std::string& panel) {
     json values = json::array();
+    const std::vector<std::string>* panels = words_of(points, "panel");
     const std::vector<double>&xs = points.numbers(x), &ys = points.numbers(y);
     for (std::size_t row = 0; row < points.rows(); ++row) {
-        if (!std::isfinite(xs[row]) || !std::isfinite(ys[row])) {
+        const bool is_elsewhere = panels != nullptr && !panel.empty() && (*panels)[row] != panel;
+        if (!std::isfinite(xs[row]) || !std::isfinite(ys[row]) || is_elsewhere) {
             continue;
         }
         json point = {{x, xs[row]}, {y, ys[row]}};
@@ -40,15 +52,13 @@ json point_values(const Table& points, const std::string& x, const std::string& 
     return values;
 }
 
-json point_layer(const Table& points, const json& x, const json& y) {
+json point_layer(const Table& points, const json& x, const json& y, const std::string& panel) {
     json layer = {
-        {"data", {{"values", point_values(points, x["field"], y["field"])}}},
+        {"data", {{"values", point_values(points, x["field"], y["field"], panel)}}},
         {"mark", {{"type", "point"}, {"size", 45}, {"stroke", color::quiet}, {"strokeWidth", 1.5}, {"filled", false}}},
         {"encoding", {{"x", x}, {"y", y}}}};
-    for (const Column& column : points.columns()) {
-        if (column.name == "series" && std::holds_alternative<std::vector<std::string>>(column.values)) {
-            layer["encoding"]["shape"] = {{"field", "series"}, {"type", "nominal"}, {"title", nullptr}};
-        }
+    if (words_of(points, "series") != nullptr) {
+        layer["encoding"]["shape"] = {{"field", "series"}, {"type", "nominal"}, {"title", nullptr}};
     }
     return layer;
 }
@@ -62,7 +72,8 @@ bool lay_over_panel(json& panel, const Table& points) {
         if (!has_column(points, x) || !has_column(points, y)) {
             return false;
         }
-        panel["layer"] = {{{"mark", panel["mark"]}, {"encoding", encoding}}, point_layer(points, x, y)};
+        panel["layer"] = {
+            {{"mark", panel["mark"]}, {"encoding", encoding}}, point_layer(points, x, y, panel.value("name", ""))};
         panel.erase("mark");
         panel.erase("encoding");
         return true;
@@ -71,7 +82,7 @@ bool lay_over_panel(json& panel, const Table& points) {
         const json own = layer.value("encoding", none);
         const json x = own.value("x", encoding.value("x", none)), y = own.value("y", encoding.value("y", none));
         if (has_column(points, x) && has_column(points, y)) {
-            panel["layer"].push_back(point_layer(points, x, y));
+            panel["layer"].push_back(point_layer(points, x, y, panel.value("name", "")));
             return true;
         }
     }

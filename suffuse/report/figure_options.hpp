@@ -18,7 +18,7 @@ bool is_asked_for(const std::vector<std::string>& words, const Figure& figure);
 void draw_dilation_up(Figure& figure);
 
 /// Measured points: columns with the names and units of the figure's own table; a column `series` of words, where there
-/// is one, tells curves of points apart.
+/// is one, tells curves of points apart; a column `panel` says which panel of several they belong to.
 using Points = Table;
 
 /// Lays points over every panel whose two columns they have, as open markers, and names `source` in the caption.

@@ -1,6 +1,7 @@
 #include "suffuse/report/figure_options.hpp"
 
 #include "suffuse/report/figures.hpp"
+#include "suffuse/report/figures_fines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ TEST(FigureOptions, DilationUpTurnsTheAxisOfVolumetricStrainOnly) {
     const Table before = figure.table;
     draw_dilation_up(figure);
     EXPECT_EQ(figure.chart["vconcat"][1]["encoding"]["y"]["scale"]["reverse"], true);
-    EXPECT_FALSE(figure.chart["vconcat"][0]["encoding"]["y"].contains("scale"));
+    EXPECT_FALSE(figure.chart["vconcat"][0]["encoding"]["y"].dump().find("reverse") != std::string::npos);
     EXPECT_EQ(figure.table.numbers("volumetric_strain"), before.numbers("volumetric_strain"));
     Figure path = *stress_path(test::sample_erosion());
     draw_dilation_up(path);
@@ -66,6 +67,38 @@ TEST(FigureOptions, PointsWithoutTheFiguresColumnsAreLeftAway) {
     EXPECT_EQ(figure.chart, before);
     Figure drawing = *erosion_loop(test::sample_erosion());
     EXPECT_FALSE(lay_over(drawing, points, "points.csv"));
+}
+
+TEST(FigureOptions, PointsThatNameAPanelLieInThatPanelOnly) {
+    Figure figure = *void_ratios(test::sample_fines_study());
+    Points points;
+    points.add("fines_content", "%", {0, 20, 40});
+    points.add("void_ratio", "-", {0.8, 0.6, 0.7});
+    points.add("panel", {"a", "a", "b"});
+    ASSERT_TRUE(lay_over(figure, points, "laboratory.csv"));
+    const auto laid = [&](std::size_t panel) {
+        return figure.chart["vconcat"][panel]["layer"].back()["data"]["values"];
+    };
+    EXPECT_EQ(laid(0).size(), 2U);
+    ASSERT_EQ(laid(1).size(), 1U);
+    EXPECT_EQ(laid(1)[0]["fines_content"], 40);
+}
+
+TEST(FigureOptions, PointsLieOverEachOfTheFirstSixFigures) {
+    const FinesStudy study = test::sample_fines_study();
+    const std::vector<std::pair<Figure, std::pair<const char*, const char*>>> figures = {
+        {*mixture_gradings(test::sample_mixtures()), {"diameter", "passing"}},
+        {*loose_compression(test::sample_loose_tests()), {"axial_strain", "deviator_stress"}},
+        {*void_ratios(study), {"fines_content", "void_ratio"}},
+        {*active_fines(study), {"fines_content", "active_fines"}},
+        {*contact_classes(study), {"fines_content", "share_of_contacts"}},
+        {*strong_contacts(study), {"fines_content", "strong_share"}}};
+    for (auto [figure, columns] : figures) {
+        Points points;
+        points.add(columns.first, "", {0.1});
+        points.add(columns.second, "", {0.2});
+        EXPECT_TRUE(lay_over(figure, points, "laboratory.csv")) << figure.id;
+    }
 }
 
 TEST(FigureOptions, LayeredChartsGetOneLayerMore) {

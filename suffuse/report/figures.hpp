@@ -5,24 +5,13 @@
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/grains/soil.hpp"
 #include "suffuse/report/figure.hpp"
+#include "suffuse/report/responses.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace suffuse::report {
-
-/// One row of a triaxial test.
-struct StressStrainRow {
-    double axial_strain = 0, volumetric_strain = 0; ///< [-]
-    double deviator_stress = 0, mean_stress = 0;    ///< q, p [Pa]
-    double void_ratio = 0;                          ///< [-]
-};
-
-struct ResponseCurve {
-    std::string name; ///< "before erosion", "after pass 2"
-    std::vector<StressStrainRow> rows;
-};
 
 enum class GradingAxis { LeftToRight, Reversed };
 
@@ -68,8 +57,5 @@ std::optional<Figure> eroded_grading(
 
 /// Ours: permeability before erosion and after each pass.
 std::optional<Figure> permeability_by_pass(const erosion::ErosionResult& erosion);
-
-/// Ours: deviator stress and volumetric strain of drained triaxial tests, before and after erosion.
-std::optional<Figure> triaxial_response(const std::vector<ResponseCurve>& tests);
 
 } // namespace suffuse::report

@@ -88,8 +88,26 @@ TEST(Figures, TheSampleRunHasTheFiguresOfThePaperAndOurs) {
     }
     EXPECT_EQ(
         ids, (std::vector<std::string>{
-                 "fig08", "fig07", "fig09", "fig10", "fig11", "fig12", "fig13", "fig14", "own-rules",
-                 "own-constrictions", "own-eroded-grading", "own-permeability", "own-triaxial"})
+                 "fig01",
+                 "fig02",
+                 "fig03",
+                 "fig04",
+                 "fig05",
+                 "fig06",
+                 "own-paths",
+                 "fig08",
+                 "fig07",
+                 "fig09",
+                 "fig10",
+                 "fig11",
+                 "fig12",
+                 "fig13",
+                 "fig14",
+                 "own-rules",
+                 "own-constrictions",
+                 "own-eroded-grading",
+                 "own-permeability",
+                 "own-triaxial"})
     );
 }
 

@@ -16,6 +16,18 @@ using erosion::ErosionResult;
 using erosion::PassResult;
 using nlohmann::json;
 
+/// What is written beside each state: nothing where the next one lies on it, and names both.
+std::vector<std::string> labels(const std::vector<std::string>& state, const std::vector<double>& eroded) {
+    std::vector<std::string> shown = state;
+    for (std::size_t k = 0; k + 1 < state.size(); ++k) {
+        if (eroded[k + 1] - eroded[k] < 0.04 * eroded.back()) {
+            shown[k + 1] = shown[k] + (k == 0 ? ", after " : " and ") + pass_name(static_cast<int>(k) + 1);
+            shown[k].clear();
+        }
+    }
+    return shown;
+}
+
 } // namespace
 
 std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
@@ -50,6 +62,7 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
     const double highest = *std::max_element(permeability.begin(), permeability.end());
     const int decade = static_cast<int>(std::floor(std::log10(highest)));
     const double unit = std::pow(10.0, decade);
+    figure.table.add("label", labels(state, eroded));
     figure.table.add("state", std::move(state));
     figure.table.add("eroded_mass", "%", std::move(eroded));
     figure.table.add("permeability", "m2", std::move(permeability));
@@ -65,87 +78,13 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
                 {"field": "permeability", "title": "k [m²]", "format": ".4g"},
                 {"field": "eroded_mass", "title": "eroded mass [%]", "format": ".4g"}]}},
             {"mark": {"type": "text", "align": "left", "dx": 8, "dy": 14, "color": "#333333"},
-             "encoding": {"text": {"field": "state", "type": "nominal"}}}
+             "encoding": {"text": {"field": "label", "type": "nominal"}}}
         ]
     })json");
     figure.chart["transform"] = {{{"calculate", fmt::format("datum.permeability / {}", unit)}, {"as", "drawn"}}};
     figure.chart["encoding"]["y"]["title"] = "permeability k [" + power_of_ten(decade) + " m²]";
     figure.chart["encoding"]["y"]["scale"] = {{"domain", {0, 1.1 * highest / unit}}};
     figure.chart["encoding"]["x"]["scale"] = {{"domain", {0, 1.15 * figure.table.numbers("eroded_mass").back()}}};
-    return figure;
-}
-
-std::optional<Figure> triaxial_response(const std::vector<ResponseCurve>& tests) {
-    std::vector<std::string> name, order;
-    std::vector<double> axial, volumetric, deviator, mean, void_ratio;
-    std::string claim;
-    for (const ResponseCurve& test : tests) {
-        if (test.rows.empty()) {
-            continue;
-        }
-        order.push_back(test.name);
-        const auto peak = std::max_element(
-            test.rows.begin(), test.rows.end(),
-            [](const StressStrainRow& a, const StressStrainRow& b) { return a.deviator_stress < b.deviator_stress; }
-        );
-        claim += fmt::format(
-            "{}{}: highest q {} kPa at ε₁ = {} %", claim.empty() ? "" : "; ", test.name,
-            short_number(peak->deviator_stress / 1e3), short_number(100 * peak->axial_strain)
-        );
-        for (const StressStrainRow& row : test.rows) {
-            name.push_back(test.name);
-            axial.push_back(100 * row.axial_strain);
-            deviator.push_back(row.deviator_stress / 1e3);
-            mean.push_back(row.mean_stress / 1e3);
-            volumetric.push_back(100 * row.volumetric_strain);
-            void_ratio.push_back(row.void_ratio);
-        }
-    }
-    if (order.empty()) {
-        return std::nullopt;
-    }
-    Figure figure;
-    figure.id = "own-triaxial";
-    figure.section = "Tests";
-    figure.title = "Drained triaxial compression";
-    figure.caption = as_sentence(claim) + ". Contraction positive.";
-    figure.table.add("test", std::move(name));
-    figure.table.add("axial_strain", "%", std::move(axial));
-    figure.table.add("deviator_stress", "kPa", std::move(deviator));
-    figure.table.add("mean_stress", "kPa", std::move(mean));
-    figure.table.add("volumetric_strain", "%", std::move(volumetric));
-    figure.table.add("void_ratio", "-", std::move(void_ratio));
-    figure.chart = json::parse(R"json({
-        "vconcat": [
-            {"width": 560, "height": 240, "mark": {"type": "line"}, "encoding": {
-                "x": {"field": "axial_strain", "type": "quantitative", "axis": {"title": null, "labels": false, "ticks": false, "tickCount": 8}},
-                "y": {"field": "deviator_stress", "type": "quantitative", "title": "deviator stress q = σ₁ − σ₃ [kPa]"}}},
-            {"width": 560, "height": 160, "mark": {"type": "line"}, "encoding": {
-                "x": {"field": "axial_strain", "type": "quantitative", "title": "axial strain ε₁ [%]",
-                      "axis": {"tickCount": 8}},
-                "y": {"field": "volumetric_strain", "type": "quantitative", "title": "volumetric strain εᵥ [%]"}}}
-        ],
-        "spacing": 8,
-        "resolve": {"scale": {"x": "shared", "color": "shared", "strokeDash": "shared"}}
-    })json");
-    for (json& panel : figure.chart["vconcat"]) {
-        panel["encoding"]["color"] = {
-            {"field", "test"},
-            {"type", "nominal"},
-            {"title", nullptr},
-            {"scale", {{"domain", order}, {"range", color::sequence()}}}};
-        panel["encoding"]["strokeDash"] = {
-            {"field", "test"},
-            {"type", "nominal"},
-            {"title", nullptr},
-            {"scale", {{"domain", order}, {"range", json::parse("[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2]]")}}}};
-        panel["encoding"]["order"] = {{"field", "axial_strain"}};
-        panel["encoding"]["tooltip"] = json::parse(R"json([
-            {"field": "test", "title": "test"}, {"field": "axial_strain", "title": "ε₁ [%]", "format": ".3g"},
-            {"field": "deviator_stress", "title": "q [kPa]", "format": ".4g"},
-            {"field": "volumetric_strain", "title": "εᵥ [%]", "format": ".3g"},
-            {"field": "void_ratio", "title": "void ratio e", "format": ".4g"}])json");
-    }
     return figure;
 }
 

@@ -239,7 +239,7 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
     }
     Figure figure;
     figure.id = "own-constrictions";
-    figure.section = "Erosion";
+    figure.section = "Water";
     figure.title = "Constriction sizes of the coarse skeleton, and sizes of the fines";
     figure.caption =
         claim + ". Shares by number of facets and of grains; the upper hundredth is left out of the drawing.";

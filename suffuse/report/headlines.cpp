@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suffuse::report {
 
@@ -43,9 +44,11 @@ void add_passes(const ErosionResult& erosion, std::vector<Headline>& headlines) 
         return stress_loss(a) < stress_loss(b);
     });
     if (stress_loss(*worst) > -1) {
+        const double change = -100 * stress_loss(*worst);
         headlines.push_back(
-            {short_number(-100 * stress_loss(*worst), 2) + " %", "mean stress at constant volume",
-             fmt::format("after pass {}, the largest loss", worst->pass)}
+            {std::abs(change) < 0.01 ? "unchanged" : short_number(change, 2) + " %", "mean stress at constant volume",
+             std::abs(change) < 0.01 ? std::string("to 0.01 %, in all passes")
+                                     : fmt::format("after pass {}, the largest loss", worst->pass)}
         );
     }
 }

@@ -23,6 +23,14 @@ TEST(Headlines, SayMassPermeabilityStressAndFindings) {
     EXPECT_EQ(headlines[3].detail, "4 cannot be told from this run");
 }
 
+TEST(Headlines, AChangeThatIsNoiseIsNone) {
+    erosion::ErosionResult erosion = test::sample_erosion();
+    for (erosion::PassResult& pass : erosion.passes) {
+        pass.stress_constant_volume = (1 - 1e-9) * pass.stress_before;
+    }
+    EXPECT_EQ(erosion_headlines(erosion, {})[2].value, "unchanged");
+}
+
 TEST(Headlines, LeaveOutWhatTheRunCannotTell) {
     EXPECT_TRUE(erosion_headlines({}, {}).empty());
     erosion::ErosionResult erosion;

@@ -178,11 +178,23 @@ std::string answer_section(const ReportData& report) {
             rows.push_back({value.key, value.value, value.note});
         }
         out += fmt::format(
-            "<details><summary>{} values that the paper does not give: our choice</summary>\n", report.assumed.size()
+            "<details><summary>{} that the paper does not give: our choice</summary>\n",
+            report.assumed.size() == 1 ? "1 value" : fmt::format("{} values", report.assumed.size())
         );
         out += html_table({"key", "value", "remark"}, rows, {}, "assumed") + "</details>\n";
     }
     return section("Answer", out);
+}
+
+/// The drawing with the page's title and caption as its own.
+std::string described_by_page(std::string drawing, const std::string& id) {
+    const std::string opening = "<svg";
+    if (const std::size_t at = drawing.find(opening); at != std::string::npos) {
+        drawing.insert(
+            at + opening.size(), fmt::format(" aria-labelledby=\"{0}-title\" aria-describedby=\"{0}-caption\"", id)
+        );
+    }
+    return drawing;
 }
 
 std::string figure_block(const Figure& figure, const ReportData& report) {
@@ -197,7 +209,7 @@ std::string figure_block(const Figure& figure, const ReportData& report) {
     if (figure.drawing.empty()) {
         out += fmt::format("<div class=\"chart\" data-chart=\"{}\"></div>\n", id);
     } else {
-        out += "<div class=\"drawing\">" + figure.drawing + "</div>\n";
+        out += "<div class=\"drawing\">" + described_by_page(figure.drawing, id) + "</div>\n";
     }
     const std::string number = figure.id.starts_with("fig")
                                    ? "Figure " + std::to_string(std::atoi(figure.id.c_str() + 3)) + " of the paper. "
@@ -235,40 +247,6 @@ std::string section_tables(const ReportData& report, const std::string& name) {
     }
     return out;
 }
-
-std::string stage_table(const std::vector<StageRow>& stages) {
-    const auto number = [](double value, const char* format) {
-        return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string("–");
-    };
-    std::vector<std::vector<std::string>> rows;
-    for (const StageRow& stage : stages) {
-        rows.push_back(
-            {stage.name, grouped(stage.grains), number(stage.void_ratio, "{:.4f}"), number(stage.porosity, "{:.4f}"),
-             number(stage.coordination, "{:.3f}"), short_number(stage.mean_stress / 1e3, 4),
-             short_number(stage.deviator_stress / 1e3), short_number(stage.unbalanced_force, 2),
-             short_number(stage.max_overlap_ratio, 2), short_number(stage.inertial_number_max, 2), grouped(stage.steps),
-             number(stage.seconds, "{:.1f}")}
-        );
-    }
-    std::vector<bool> numeric(12, true);
-    numeric[0] = false;
-    return html_table(
-        {"stage", "grains", "void ratio e [-]", "porosity n [-]", "coordination Z [-]", "mean stress p [kPa]",
-         "deviator q [kPa]", "unbalanced force [-]", "largest overlap / r [-]", "inertial number [-]", "steps",
-         "time [s]"},
-        rows, numeric, "stages"
-    );
-}
-
-const char* const conventions = "<details><summary>Conventions</summary><p>Compression and contraction are positive. q "
-                                "= σ₁ − σ₃, p = (σ₁ + σ₂ + σ₃)/3, "
-                                "εᵥ = ε₁ + ε₂ + ε₃. Void ratio e = volume of voids over volume of solids, porosity n = "
-                                "e/(1 + e). Fines content is by mass. A "
-                                "grain is active when it has at least two contacts. The unbalanced force is the mean "
-                                "resultant over grains with at least "
-                                "two contacts, over the mean contact force. The hydraulic gradient i is without unit; "
-                                "it acts as the body force ρ g i.</p>"
-                                "</details>\n";
 
 std::string provenance_section(const ReportData& report, const std::optional<PageScript>& script) {
     std::vector<std::vector<std::string>> rows;
@@ -344,7 +322,7 @@ std::string render(const ReportData& report, const std::optional<PageScript>& sc
         links += "<a href=\"#in-3d\">In 3D</a>\n";
     }
     if (!report.stages.empty()) {
-        sections += section("Quality", stage_table(report.stages) + conventions);
+        sections += section("Quality", quality_section(report.stages));
         links += "<a href=\"#quality\">Quality</a>\n";
     }
     sections += provenance_section(report, script);

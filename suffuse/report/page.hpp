@@ -6,11 +6,10 @@
 #include "suffuse/report/figure.hpp"
 #include "suffuse/report/findings.hpp"
 #include "suffuse/report/page_table.hpp"
+#include "suffuse/report/quality.hpp"
 #include "suffuse/report/scene.hpp"
 
-#include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,20 +26,6 @@ struct Headline {
     std::string value;  ///< "13.5 %"
     std::string label;  ///< "of the mass eroded"
     std::string detail; ///< "in 2 passes at i = 0.05"; may be empty
-};
-
-/// One line of the stage table. What a stage does not know is not a number.
-struct StageRow {
-    std::string name;
-    std::int64_t grains = 0;
-    double void_ratio = 0, porosity = 0;                                   ///< [-]
-    double coordination = 0;                                               ///< mean contacts a grain [-]
-    double mean_stress = 0, deviator_stress = 0;                           ///< [Pa]
-    double unbalanced_force = 0;                                           ///< [-]
-    double max_overlap_ratio = std::numeric_limits<double>::quiet_NaN();   ///< [-]
-    double inertial_number_max = std::numeric_limits<double>::quiet_NaN(); ///< [-]
-    std::int64_t steps = 0;
-    double seconds = 0; ///< wall time [s]
 };
 
 struct ReportData {

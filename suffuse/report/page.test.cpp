@@ -52,7 +52,7 @@ TEST_F(Page, WithItsScriptCarriesTheDataAndTheHash) {
     const std::string begin = "id=\"report-data\">";
     const std::size_t from = page.find(begin) + begin.size();
     const auto data = nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
-    ASSERT_EQ(data["figures"].size(), 13U);
+    ASSERT_EQ(data["figures"].size(), 20U);
     for (const auto& figure : data["figures"]) {
         EXPECT_EQ(
             figure["csv"].get<std::string>(), read_all(folder / "figures" / (figure["id"].get<std::string>() + ".csv"))

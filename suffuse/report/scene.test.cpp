@@ -94,24 +94,20 @@ TEST(Scene, LaterStatesCountOnlyTheGrainsThatStayed) {
     EXPECT_GE(before.largest_force, before.mean_force);
 }
 
-TEST(Still, IsAPngWhosePixelsUncompress) {
-    const Scene scene = test::sample_scene();
-    const std::string png = still_picture(scene, scene.states[0], 120);
-    ASSERT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
-    std::size_t at = 8;
-    std::vector<std::uint8_t> rows(120 * 121);
-    std::string seen;
-    while (at < png.size()) {
-        const auto number = [&](std::size_t from) {
-            std::uint32_t value = 0;
-            for (std::size_t k = 0; k < 4; ++k) {
-                value = value << 8 | static_cast<std::uint8_t>(png[from + k]);
-            }
-            return value;
-        };
+/// Indices of a square PNG of one byte a pixel, row by row, each row behind the byte of its filter; checks every chunk.
+std::vector<std::uint8_t> unpacked(const std::string& png, std::size_t pixels, std::string& chunks) {
+    std::vector<std::uint8_t> rows(pixels * (pixels + 1));
+    const auto number = [&](std::size_t from) {
+        std::uint32_t value = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            value = value << 8 | static_cast<std::uint8_t>(png[from + k]);
+        }
+        return value;
+    };
+    for (std::size_t at = 8; at < png.size(); at += 12 + number(at)) {
         const std::uint32_t size = number(at);
         const std::string name = png.substr(at + 4, 4);
-        seen += name;
+        chunks += name;
         const auto* checked = reinterpret_cast<const Bytef*>(png.data() + at + 4);
         EXPECT_EQ(number(at + 8 + size), crc32(0, checked, size + 4)) << name;
         if (name == "IDAT") {
@@ -119,9 +115,17 @@ TEST(Still, IsAPngWhosePixelsUncompress) {
             EXPECT_EQ(uncompress(rows.data(), &length, checked + 4, size), Z_OK);
             EXPECT_EQ(length, rows.size());
         }
-        at += 12 + size;
     }
-    EXPECT_EQ(seen, "IHDRPLTEtRNSIDATIEND");
+    return rows;
+}
+
+TEST(Still, IsAPngWhosePixelsUncompress) {
+    const Scene scene = test::sample_scene();
+    const std::string png = still_picture(scene, scene.states[0], 120);
+    ASSERT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    std::string chunks;
+    const std::vector<std::uint8_t> rows = unpacked(png, 120, chunks);
+    EXPECT_EQ(chunks, "IHDRPLTEtRNSIDATIEND");
     const auto drawn = std::count_if(rows.begin(), rows.end(), [](std::uint8_t index) { return index != 0; });
     EXPECT_GT(drawn, 120 * 120 / 4);      // the cell fills the picture
     EXPECT_LT(drawn, 120 * 120 * 9 / 10); // and leaves its corners free
@@ -137,11 +141,44 @@ TEST(Still, OfOneGrainIsADiscOfItsSize) {
     scene.states[0].h = diagonal({8, 8, 8});
     scene.states[0].position = {{4, 4, 4}};
     scene.states[0].coordination = {0};
-    const int pixels = 400;
-    const std::string with = still_picture(scene, scene.states[0], pixels);
+    constexpr int pixels = 400;
+    constexpr std::uint8_t first_of_grains = 2; // after the ground and the outline
+    const auto disc = [&] {
+        struct {
+            int left = pixels, right = -1, top = pixels, bottom = -1, count = 0;
+        } seen;
+        std::string chunks;
+        const auto rows = unpacked(still_picture(scene, scene.states[0], pixels), pixels, chunks);
+        for (int row = 0; row < pixels; ++row) {
+            for (int column = 0; column < pixels; ++column) {
+                if (rows[static_cast<std::size_t>(row * (pixels + 1) + 1 + column)] >= first_of_grains) {
+                    seen.left = std::min(seen.left, column);
+                    seen.right = std::max(seen.right, column);
+                    seen.top = std::min(seen.top, row);
+                    seen.bottom = std::max(seen.bottom, row);
+                    ++seen.count;
+                }
+            }
+        }
+        return seen;
+    };
+    // Along the eye (1, -1.6, 0.9) the cube of side 8 reaches farthest to the side: 4 (1.6 + 1)/sqrt(1.6^2 + 1), and
+    // upward: 4 (|u1| + |u2| + |u3|) with u = (-0.9, 1.44, 3.56)/sqrt(0.9^2 + 1.44^2 + 3.56^2). The grain is beside it.
+    const double side = 4 * 2.6 / std::sqrt(3.56);
+    const double upward = 4 * (0.9 + 1.44 + 3.56) / std::sqrt(0.81 + 2.0736 + 12.6736);
+    const double radius = 0.5 * pixels / (1.01 * (std::max(side, upward) + 1));
+    const auto seen = disc();
+    // Pixels whose middle lies in the disc; the thin outline of the cell may cross it, but not at all of its ends.
+    EXPECT_NEAR(seen.right - seen.left + 1, 2 * radius, 1.01);
+    EXPECT_NEAR(seen.bottom - seen.top + 1, 2 * radius, 1.01);
+    EXPECT_NEAR(0.5 * (seen.left + seen.right + 1), 0.5 * pixels, 1);
+    EXPECT_NEAR(0.5 * (seen.top + seen.bottom + 1), 0.5 * pixels, 1);
+    const double area = 3.14159265 * radius * radius;
+    EXPECT_LT(seen.count, 1.02 * area);
+    EXPECT_GT(seen.count, 0.85 * area) << "three edges two pixels wide cross it at the most";
     scene.left_in = {1};
     scene.states[0].passes = 1;
-    EXPECT_NE(with, still_picture(scene, scene.states[0], pixels)); // gone after pass 1
+    EXPECT_EQ(disc().count, 0) << "gone after pass 1";
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 // The paper's findings on erosion from a study that was run with several seeds.
 
 #include "suffuse/report/findings.hpp"
-#include "suffuse/run/report_data.hpp"
+#include "suffuse/run/finished_stage.hpp"
 
 namespace suffuse::run {
 

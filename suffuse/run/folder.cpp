@@ -157,7 +157,8 @@ void log_event(const std::filesystem::path& run, nlohmann::json event) {
 
 nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions& options, double wall_seconds) {
     StateHash hash;
-    hash.add(casefile::resolved_toml(what));
+    const std::string resolved = casefile::resolved_toml(what);
+    hash.add(std::string_view(resolved)); // its characters, not where they lie
     return {
         {"program", "suffuse"},
         {"version", version()},

@@ -93,6 +93,7 @@ json measure_state(const dem::World& world, bool has_fractions) {
         {"unbalanced_force", balance.unbalanced_force},
         {"unbalanced_force_yade", balance.unbalanced_force_all},
         {"max_overlap_ratio", balance.max_overlap_ratio},
+        {"kinetic_energy", balance.kinetic_energy},
         {"state_hash", fmt::format("{:016x}", dem::state_hash(world))},
     };
     if (balance.contacts > 0) {

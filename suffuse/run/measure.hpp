@@ -7,6 +7,11 @@
 
 namespace suffuse::run {
 
+/// Overlap over the smaller radius [-] from which a stage is warned of, and beyond which its results are marked. Hard
+/// shearing presses single fines far into their neighbors at the usual stiffness; beyond a fifth the linear law is no
+/// model of a contact any more.
+inline constexpr double notable_overlap = 0.1, largest_good_overlap = 0.2;
+
 /// Grains, contacts, cell, stress, density, coordination, fabric, forces, balance, hash; with fines in the sample also
 /// what they do.
 /// @param has_fractions the soil has a coarse and a fine part, also where this sample has one of them only: the ends of

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <map>
 
 namespace suffuse::run {
 
@@ -22,15 +23,16 @@ report::Points read_points(const std::filesystem::path& path) {
         units.emplace_back(has_unit ? heading.substr(bracket + 2, heading.size() - bracket - 3) : "");
     }
     std::vector<std::vector<double>> numbers(names.size());
-    std::vector<std::string> series;
+    std::map<std::string, std::vector<std::string>> words; // of the columns that hold some
+    const auto holds_words = [](const std::string& name) { return name == "series" || name == "panel"; };
     while (reader.next()) {
         const std::vector<std::string_view> fields = io::split_at_commas(reader.line());
         if (fields.size() != names.size()) {
             reader.complain(fmt::format("{} fields, and the header has {}", fields.size(), names.size()));
         }
         for (std::size_t c = 0; c < fields.size(); ++c) {
-            if (names[c] == "series") {
-                series.emplace_back(fields[c]);
+            if (holds_words(names[c])) {
+                words[names[c]].emplace_back(fields[c]);
             } else {
                 numbers[c].push_back(
                     fields[c].empty() ? std::numeric_limits<double>::quiet_NaN()
@@ -41,8 +43,8 @@ report::Points read_points(const std::filesystem::path& path) {
     }
     report::Points points;
     for (std::size_t c = 0; c < names.size(); ++c) {
-        if (names[c] == "series") {
-            points.add(names[c], series);
+        if (holds_words(names[c])) {
+            points.add(names[c], words[names[c]]);
         } else {
             points.add(names[c], units[c], std::move(numbers[c]));
         }

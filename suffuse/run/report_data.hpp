@@ -3,7 +3,7 @@
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/report/page.hpp"
-#include "suffuse/run/stage_work.hpp"
+#include "suffuse/run/finished_stage.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -11,14 +11,6 @@
 #include <vector>
 
 namespace suffuse::run {
-
-struct FinishedStage {
-    const casefile::Study* study = nullptr;
-    const casefile::Variant* variant = nullptr;
-    const casefile::Stage* stage = nullptr;
-    nlohmann::json numbers; ///< stage.json
-    StageFindings findings;
-};
 
 report::ReportData describe_run(
     const casefile::Case& what, const std::filesystem::path& folder, const std::vector<FinishedStage>& stages,

@@ -18,10 +18,6 @@ namespace {
 
 using nlohmann::json;
 
-// Of the smaller radius. Hard shearing presses single fines far into their neighbors at this stiffness; beyond a fifth
-// the linear law is no model of a contact any more.
-constexpr double notable_overlap = 0.1, largest_good_overlap = 0.2;
-
 bool writes(const casefile::OutputSpec& output, std::string_view format) {
     return std::find(output.formats.begin(), output.formats.end(), format) != output.formats.end();
 }

@@ -3,7 +3,7 @@
 // an erosion, the stages that lead to the last one.
 
 #include "suffuse/report/scene.hpp"
-#include "suffuse/run/report_data.hpp"
+#include "suffuse/run/finished_stage.hpp"
 
 #include <filesystem>
 #include <vector>

@@ -149,6 +149,10 @@ std::vector<report::StudyCurves> trace_curves(const casefile::Case& what, const 
     return studies;
 }
 
+std::vector<std::string> sweep_values(const casefile::Study& study, const casefile::Variant& variant) {
+    return point_of(study, variant).written;
+}
+
 json curves_json(const std::vector<report::StudyCurves>& studies) {
     json all = json::object();
     for (const report::StudyCurves& study : studies) {

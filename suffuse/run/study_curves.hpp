@@ -2,12 +2,15 @@
 // From finished stages to curves over the sweep of their study.
 
 #include "suffuse/report/study_curves.hpp"
-#include "suffuse/run/report_data.hpp"
+#include "suffuse/run/finished_stage.hpp"
 
 namespace suffuse::run {
 
 /// One for each study, over all its samples that are there; points in the order of their values, numbers before words.
 std::vector<report::StudyCurves> trace_curves(const casefile::Case& what, const std::vector<FinishedStage>& stages);
+
+/// Values of the study's swept keys, as written in the case.
+std::vector<std::string> sweep_values(const casefile::Study& study, const casefile::Variant& variant);
 
 /// As in summary.json: study -> keys, replicates, stages -> points.
 nlohmann::json curves_json(const std::vector<report::StudyCurves>& studies);

@@ -11,6 +11,7 @@
 #include "suffuse/report/page.hpp"
 
 #include "tests/support/sample_scene.hpp"
+#include "tests/support/sample_study.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -197,11 +198,27 @@ inline report::ReportData sample_report(const std::string& title) {
         "The cell is 9.7 times as wide as the largest grain; ten is the least for a representative sample."};
     report.assumed = {
         {"contact.modulus", "356 MPa", "k_n = 2 E R1 R2 / (R1 + R2)"}, {"contact.friction", "37 deg", ""}};
+    const auto study = sample_fines_study();
     for (std::optional<Figure> figure :
-         {grading_curves(sample_grading(), sampled, 2.6e-4), erosion_loop(erosion), speed_by_gradient(probes),
-          speed_by_pass(erosion), eroded_mass(erosion), eroded_coordination(erosion), stress_path(erosion),
-          porosity_path(erosion), rules_compared(probes, erosion), constriction_sizes(erosion),
-          eroded_grading(sampled, erosion), permeability_by_pass(erosion),
+         {mixture_gradings(sample_mixtures()),
+          loose_compression(sample_loose_tests()),
+          void_ratios(study),
+          active_fines(study),
+          contact_classes(study),
+          strong_contacts(study),
+          test_paths(sample_loose_tests()),
+          grading_curves(sample_grading(), sampled, 2.6e-4),
+          erosion_loop(erosion),
+          speed_by_gradient(probes),
+          speed_by_pass(erosion),
+          eroded_mass(erosion),
+          eroded_coordination(erosion),
+          stress_path(erosion),
+          porosity_path(erosion),
+          rules_compared(probes, erosion),
+          constriction_sizes(erosion),
+          eroded_grading(sampled, erosion),
+          permeability_by_pass(erosion),
           triaxial_response(
               {sample_response("before erosion", 3.2e5, 0.06), sample_response("after pass 2", 2.5e5, 0.02)}
           )}) {
@@ -210,9 +227,37 @@ inline report::ReportData sample_report(const std::string& title) {
         }
     }
     report.stages = {
-        {"erosion/cloud", 1000, 1.86, 0.65, 0, 0, 0, 0, 0, 0, 0, 0.4},
-        {"erosion/initial", 1000, 0.672, 0.402, 3.32, 1e5, 300, 9e-4, 3e-3, 2e-4, 41200, 38.2},
-        {"erosion/erosion", 700, 0.95, 0.487, 4.1, 1e5, 500, 8e-4, 4e-3, 3e-4, 18200, 21.7}};
+        {"erosion/cloud", 1000, 1.86, 0.65, 0, 0, 0, {}, {}, {}, {}, std::nan(""), 0, 0, 0.4},
+        {"erosion/initial",
+         1000,
+         0.672,
+         0.402,
+         3.32,
+         1e5,
+         300,
+         {9e-4, 1e-3},
+         {4e-4, 5e-3},
+         {3e-3, 0.05},
+         {2e-4, 1e-3},
+         2e-9,
+         4.1e-8,
+         41200,
+         38.2},
+        {"erosion/erosion",
+         700,
+         0.95,
+         0.487,
+         4.1,
+         1e5,
+         500,
+         {2e-3, 1e-3},
+         {5e-4, 5e-3},
+         {4e-3, 0.05},
+         {3e-4, 1e-3},
+         4e-9,
+         4.1e-8,
+         18200,
+         21.7}};
     report.provenance = {
         {"version", "0.1.0"},
         {"commit", "0000000, synthetic"},

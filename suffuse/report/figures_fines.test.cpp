@@ -1,0 +1,187 @@
+#include "suffuse/report/figures_fines.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/sample_study.hpp"
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace suffuse::report {
+namespace {
+
+using nlohmann::json;
+
+const std::vector<std::string>& words(const Table& table, const std::string& name) {
+    for (const Column& column : table.columns()) {
+        if (column.name == name) {
+            return std::get<std::vector<std::string>>(column.values);
+        }
+    }
+    throw std::out_of_range(name);
+}
+
+/// Value of one row of a figure over the fines content.
+double value_at(const Figure& figure, const std::string& column, const std::string& quantity, double percent) {
+    const auto& quantities = words(figure.table, "quantity");
+    for (std::size_t row = 0; row < figure.table.rows(); ++row) {
+        if (quantities[row].starts_with(quantity) && figure.table.numbers("fines_content")[row] == percent) {
+            return figure.table.numbers(column)[row];
+        }
+    }
+    return std::nan("");
+}
+
+TEST(FinesFigures, VoidRatiosAreTheMeansOverTheSeedsWithTheirScatter) {
+    const FinesStudy study = test::sample_fines_study();
+    const Figure figure = *void_ratios(study);
+    EXPECT_EQ(figure.id, "fig03");
+    const SweepPoint& at_30 = study.loose.points[6];
+    EXPECT_DOUBLE_EQ(value_at(figure, "void_ratio", "e_g", 30), at_30.number.at("intergranular_void_ratio").mean);
+    EXPECT_DOUBLE_EQ(value_at(figure, "void_ratio", "e_eq", 30), at_30.number.at("equivalent_void_ratio").mean);
+    EXPECT_DOUBLE_EQ(value_at(figure, "void_ratio", "e_min", 30), study.dense.points[6].number.at("void_ratio").mean);
+    EXPECT_NEAR(value_at(figure, "standard_deviation", "e_g", 30), 0.01, 1e-12); // of 3 evenly spaced values
+    EXPECT_EQ(value_at(figure, "samples", "e_g", 30), 3);
+    EXPECT_NE(figure.caption.find("FC = 40 %"), std::string::npos) << figure.caption;
+    EXPECT_NE(figure.caption.find("FC = 25 %"), std::string::npos) << figure.caption;
+}
+
+TEST(FinesFigures, APureSoilHasWhatItsDefinitionSays) {
+    const FinesStudy study = test::sample_fines_study();
+    const Figure ratios = *void_ratios(study), classes = *contact_classes(study), strong = *strong_contacts(study);
+    const double e = study.loose.points[0].number.at("void_ratio").mean;
+    EXPECT_EQ(value_at(ratios, "void_ratio", "e_g", 0), e);
+    EXPECT_EQ(value_at(ratios, "void_ratio", "e_eq", 0), e);
+    EXPECT_TRUE(std::isnan(value_at(ratios, "void_ratio", "e_g", 100))) << "infinite, so not drawn";
+    EXPECT_EQ(value_at(classes, "share_of_contacts", "LL", 0), 100);
+    EXPECT_EQ(value_at(classes, "share_of_contacts", "SS", 100), 100);
+    EXPECT_EQ(value_at(strong, "strong_share", "LS", 0), 0);
+    EXPECT_TRUE(std::isnan(value_at(*active_fines(study), "active_fines", "b", 0))) << "no fines, no share of them";
+}
+
+TEST(FinesFigures, SharesOfContactsAddUpToAll) {
+    const Figure figure = *contact_classes(test::sample_fines_study());
+    std::map<double, double> sum;
+    for (std::size_t row = 0; row < figure.table.rows(); ++row) {
+        sum[figure.table.numbers("fines_content")[row]] += figure.table.numbers("share_of_contacts")[row];
+    }
+    EXPECT_EQ(sum.size(), 13U);
+    for (const auto& [fines, all] : sum) {
+        EXPECT_NEAR(all, 100, 1e-9) << fines; // rounding
+    }
+}
+
+TEST(FinesFigures, ThresholdsAreMarkedWithTheirRangeAndWithoutThemNothingIs) {
+    FinesStudy study = test::sample_fines_study();
+    const auto marks = [](const json& panel) {
+        json found = json::array();
+        for (const json& layer : panel["layer"]) {
+            if (layer.contains("data") && layer["data"]["values"][0].contains("threshold")) {
+                found = layer["data"]["values"];
+            }
+        }
+        return found;
+    };
+    const json shown = marks(void_ratios(study)->chart["vconcat"][0]);
+    ASSERT_EQ(shown.size(), 2U);
+    EXPECT_EQ(shown[1]["at"], 25);
+    EXPECT_EQ(shown[1]["from"], 20);
+    EXPECT_EQ(shown[1]["to"], 30);
+    EXPECT_NE(shown[0]["row"], shown[1]["row"]) << "names do not lie on each other";
+    EXPECT_EQ(marks(active_fines(study)->chart).size(), 1U);
+    study.density.clear();
+    study.activity.clear();
+    EXPECT_TRUE(marks(void_ratios(study)->chart["vconcat"][0]).empty());
+    EXPECT_TRUE(marks(strong_contacts(study)->chart).empty());
+}
+
+TEST(FinesFigures, AStudyThatMeasuredNothingMakesNone) {
+    const FinesStudy nothing;
+    EXPECT_FALSE(void_ratios(nothing) || active_fines(nothing) || contact_classes(nothing) || strong_contacts(nothing));
+    EXPECT_FALSE(mixture_gradings({}) || loose_compression({}) || test_paths({}));
+}
+
+TEST(FinesFigures, ASweepThatEndsEarlyEndsItsAxisEarly) {
+    FinesStudy study = test::sample_fines_study();
+    study.fines_content.resize(4);
+    study.loose.points.resize(4);
+    study.dense.points.clear();
+    const Figure figure = *void_ratios(study);
+    EXPECT_EQ(figure.chart["vconcat"][0]["encoding"]["x"]["scale"]["domain"], (json{0, 20}));
+    EXPECT_EQ(figure.caption.find("e_min"), std::string::npos);
+}
+
+TEST(MixtureFigure, HasALineForEachMixtureAndDotsForItsSample) {
+    const Figure figure = *mixture_gradings(test::sample_mixtures());
+    const auto& names = words(figure.table, "mixture");
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 13U);
+    const auto& passing = figure.table.numbers("passing");
+    EXPECT_NEAR(*std::max_element(passing.begin(), passing.end()), 100, 1e-12);
+    // The gap between the two fractions is flat at the fines content.
+    for (std::size_t row = 0; row < figure.table.rows(); ++row) {
+        const double d = figure.table.numbers("diameter")[row];
+        if (d > 0.13 && d < 0.19 && words(figure.table, "kind")[row] == "asked for") {
+            EXPECT_NEAR(passing[row], figure.table.numbers("fines_content")[row], 1e-9);
+        }
+    }
+    EXPECT_NE(figure.caption.find("0.5 %"), std::string::npos) << figure.caption; // 0.005 of the fines at FC = 100 %
+}
+
+TEST(MixtureFigure, ColorsOfTheTestedFinesContentsStayApart) {
+    const auto channels = [](const std::string& hex) {
+        return std::array<int, 3>{
+            std::stoi(hex.substr(1, 2), nullptr, 16), std::stoi(hex.substr(3, 2), nullptr, 16),
+            std::stoi(hex.substr(5, 2), nullptr, 16)};
+    };
+    for (const auto& [a, b] : {std::pair{0.0, 0.05}, {0.05, 0.1}, {0.1, 0.15}}) {
+        const auto first = channels(fines_color(a)), second = channels(fines_color(b));
+        int distance = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            distance += std::abs(first[c] - second[c]);
+        }
+        EXPECT_GT(distance, 40) << a;
+    }
+}
+
+TEST(AverageResponse, OfCurvesOnDifferentStrainsIsTheMeanOfTheirLines) {
+    std::vector<StressStrainRow> coarse, fine;
+    for (int k = 0; k <= 10; ++k) {
+        coarse.push_back({0.01 * k, 0, 1000.0 * k, 0, 0}); // q = 1e5 e1
+    }
+    for (int k = 0; k <= 33; ++k) {
+        fine.push_back({0.003 * k, 0, 900.0 * k, 0, 0}); // q = 3e5 e1, ends at 9.9 %
+    }
+    const ResponseCurve mean = average_response("m", {coarse, fine, {}});
+    EXPECT_EQ(mean.samples, 2);
+    ASSERT_EQ(mean.rows.size(), 10U) << "as far as both reach";
+    for (std::size_t k = 0; k < mean.rows.size(); ++k) {
+        EXPECT_NEAR(mean.rows[k].deviator_stress, 2e5 * mean.rows[k].axial_strain, 1e-9);
+        EXPECT_NEAR(mean.deviation[k].deviator_stress, std::sqrt(2.0) * 1e5 * mean.rows[k].axial_strain, 1e-9);
+    }
+    EXPECT_TRUE(average_response("one", {coarse}).deviation.empty());
+}
+
+TEST(ResponseFigures, BandsAreDrawnForReplicatesOnly) {
+    const Figure replicated = *loose_compression(test::sample_loose_tests());
+    EXPECT_TRUE(replicated.chart["vconcat"][0].contains("layer"));
+    EXPECT_NE(replicated.caption.find("Bands"), std::string::npos);
+    ResponseCurve alone = test::sample_loose_tests()[0];
+    alone.deviation.clear();
+    alone.samples = 1;
+    const Figure single = *loose_compression({alone});
+    EXPECT_FALSE(single.chart["vconcat"][0].contains("layer"));
+    EXPECT_EQ(single.caption.find("Bands"), std::string::npos);
+}
+
+TEST(ResponseFigures, LongTestsAreThinnedAndKeepTheirEnd) {
+    ResponseCurve test{"long", {}};
+    for (int k = 0; k <= 5000; ++k) {
+        test.rows.push_back({1e-5 * k, 0, 1.0 * k, 1, 1});
+    }
+    const Table table = triaxial_response({test})->table;
+    EXPECT_LE(table.rows(), 241U);
+    EXPECT_NEAR(table.numbers("axial_strain").back(), 5, 1e-12);
+}
+
+} // namespace
+} // namespace suffuse::report

@@ -1,0 +1,349 @@
+#include "suffuse/report/responses.hpp"
+
+#include "suffuse/report/fines_study.hpp"
+#include "suffuse/report/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace suffuse::report {
+
+namespace {
+
+using nlohmann::json;
+using Member = double StressStrainRow::*;
+
+constexpr std::array<Member, 5> members = {
+    &StressStrainRow::axial_strain, &StressStrainRow::volumetric_strain, &StressStrainRow::deviator_stress,
+    &StressStrainRow::mean_stress, &StressStrainRow::void_ratio};
+// Of a curve in a drawing; the run's own files hold them all.
+constexpr std::size_t most_rows = 240, most_path_rows = 100;
+
+/// Six digits are more than a line shows.
+double rounded(double value) {
+    return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
+/// The row at an axial strain within the range of `rows`, which it increases along.
+StressStrainRow row_at(const std::vector<StressStrainRow>& rows, double strain) {
+    const auto above = std::lower_bound(rows.begin(), rows.end(), strain, [](const StressStrainRow& row, double value) {
+        return row.axial_strain < value;
+    });
+    if (above == rows.begin() || above == rows.end()) {
+        return above == rows.end() ? rows.back() : rows.front();
+    }
+    const StressStrainRow &b = *above, &a = *(above - 1);
+    const double t = (strain - a.axial_strain) / (b.axial_strain - a.axial_strain);
+    StressStrainRow row;
+    for (const Member m : members) {
+        row.*m = a.*m + t * (b.*m - a.*m);
+    }
+    return row;
+}
+
+/// Every n-th row, and the last.
+std::vector<std::size_t> drawn_rows(std::size_t count, std::size_t most) {
+    const std::size_t every = std::max<std::size_t>(1, (count + most - 1) / most);
+    std::vector<std::size_t> rows;
+    for (std::size_t k = 0; k < count; k += every) {
+        rows.push_back(k);
+    }
+    if (!rows.empty() && rows.back() + 1 != count) {
+        rows.push_back(count - 1);
+    }
+    return rows;
+}
+
+const StressStrainRow& peak_of(const ResponseCurve& test) {
+    return *std::max_element(test.rows.begin(), test.rows.end(), [](const auto& a, const auto& b) {
+        return a.deviator_stress < b.deviator_stress;
+    });
+}
+
+Table response_table(const std::vector<ResponseCurve>& tests, std::size_t most) {
+    std::vector<std::string> name;
+    std::vector<double> axial, deviator, mean, volumetric, void_ratio, q_deviation, v_deviation, samples;
+    for (const ResponseCurve& test : tests) {
+        for (const std::size_t k : drawn_rows(test.rows.size(), most)) {
+            const StressStrainRow& row = test.rows[k];
+            const StressStrainRow spread = test.deviation.empty() ? StressStrainRow{} : test.deviation[k];
+            name.push_back(test.name);
+            axial.push_back(rounded(100 * row.axial_strain));
+            deviator.push_back(rounded(row.deviator_stress / 1e3));
+            q_deviation.push_back(rounded(spread.deviator_stress / 1e3));
+            mean.push_back(rounded(row.mean_stress / 1e3));
+            volumetric.push_back(rounded(100 * row.volumetric_strain));
+            v_deviation.push_back(rounded(100 * spread.volumetric_strain));
+            void_ratio.push_back(rounded(row.void_ratio));
+            samples.push_back(test.samples);
+        }
+    }
+    Table table;
+    table.add("test", std::move(name));
+    table.add("axial_strain", "%", std::move(axial));
+    table.add("deviator_stress", "kPa", std::move(deviator));
+    table.add("mean_stress", "kPa", std::move(mean));
+    table.add("volumetric_strain", "%", std::move(volumetric));
+    table.add("void_ratio", "-", std::move(void_ratio));
+    table.add("deviator_stress_deviation", "kPa", std::move(q_deviation));
+    table.add("volumetric_strain_deviation", "%", std::move(v_deviation));
+    table.add("samples", "", std::move(samples));
+    return table;
+}
+
+/// Names that stand in one row of a chart of the usual width.
+int legend_columns(const json& names) {
+    std::size_t longest = 1;
+    for (const json& name : names) {
+        longest = std::max(longest, name.get_ref<const std::string&>().size());
+    }
+    return std::max(1, static_cast<int>(560 / (6.2 * static_cast<double>(longest) + 36)));
+}
+
+/// Color and dashes by test; tests over a fines content have its color.
+void color_by_test(const std::vector<ResponseCurve>& tests, json& encoding) {
+    json names = json::array(), colors = json::array();
+    for (const ResponseCurve& test : tests) {
+        names.push_back(test.name);
+        const json& sequence = color::sequence();
+        colors.push_back(
+            std::isfinite(test.fines_content) ? json(fines_color(test.fines_content))
+                                              : sequence[colors.size() % sequence.size()]
+        );
+    }
+    encoding["color"] = {
+        {"field", "test"},
+        {"type", "nominal"},
+        {"title", nullptr},
+        {"scale", {{"domain", names}, {"range", colors}}},
+        {"legend", {{"symbolType", "stroke"}, {"symbolOpacity", 1}, {"columns", legend_columns(names)}}}};
+    encoding["strokeDash"] = {
+        {"field", "test"},
+        {"type", "nominal"},
+        {"title", nullptr},
+        {"scale", {{"domain", names}, {"range", json::parse("[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2]]")}}}};
+}
+
+/// Whether no test has a deviator stress below zero, but for a hundredth of the highest.
+bool starts_at_zero(const std::vector<ResponseCurve>& tests) {
+    double lowest = 0, highest = 0;
+    for (const ResponseCurve& test : tests) {
+        for (const StressStrainRow& row : test.rows) {
+            lowest = std::min(lowest, row.deviator_stress);
+            highest = std::max(highest, row.deviator_stress);
+        }
+    }
+    return lowest > -0.01 * highest;
+}
+
+/// One panel over the axial strain: lines, and below them bands of one standard deviation where there are some.
+json strain_panel(const std::vector<ResponseCurve>& tests, const std::string& value, const char* title, double height) {
+    const bool has_bands =
+        std::any_of(tests.begin(), tests.end(), [](const ResponseCurve& test) { return !test.deviation.empty(); });
+    json line = {{"mark", {{"type", "line"}}}, {"encoding", json::object()}};
+    json& encoding = line["encoding"];
+    encoding["x"] = {
+        {"field", "axial_strain"},
+        {"type", "quantitative"},
+        {"title", "axial strain ε₁ [%]"},
+        {"axis", {{"tickCount", 8}}},
+        {"scale", {{"nice", false}}}};
+    encoding["y"] = {{"field", value}, {"type", "quantitative"}, {"title", title}};
+    if (value == "deviator_stress" && starts_at_zero(tests)) {
+        encoding["y"]["scale"] = {
+            {"domainMin", 0}}; // what is left of q after settling is no reason for a tick below zero
+    }
+    color_by_test(tests, encoding);
+    encoding["order"] = {{"field", "axial_strain"}};
+    encoding["tooltip"] = json::parse(R"json([
+        {"field": "test", "title": "test"}, {"field": "axial_strain", "title": "ε₁ [%]", "format": ".3g"},
+        {"field": "deviator_stress", "title": "q [kPa]", "format": ".4g"},
+        {"field": "volumetric_strain", "title": "εᵥ [%]", "format": ".3g"},
+        {"field": "void_ratio", "title": "void ratio e", "format": ".4g"}])json");
+    if (!has_bands) {
+        line.update({{"width", 560}, {"height", height}});
+        return line;
+    }
+    json band = {
+        {"transform",
+         {{{"filter", "datum.samples > 1"}},
+          {{"calculate", fmt::format("datum.{0} - datum.{0}_deviation", value)}, {"as", "low"}},
+          {{"calculate", fmt::format("datum.{0} + datum.{0}_deviation", value)}, {"as", "high"}}}},
+        {"mark", {{"type", "area"}, {"opacity", 0.2}}},
+        {"encoding",
+         {{"x", encoding["x"]},
+          {"y", {{"field", "low"}, {"type", "quantitative"}, {"title", title}}},
+          {"y2", {{"field", "high"}}},
+          {"color", encoding["color"]}}}};
+    return {{"width", 560}, {"height", height}, {"layer", {line, band}}};
+}
+
+void hide_axis(json& panel) {
+    const auto hide = [](json& encoding) {
+        encoding["x"]["axis"] = {{"title", nullptr}, {"labels", false}, {"ticks", false}, {"tickCount", 8}};
+    };
+    if (panel.contains("layer")) {
+        for (json& layer : panel["layer"]) {
+            hide(layer["encoding"]);
+        }
+    } else {
+        hide(panel["encoding"]);
+    }
+}
+
+std::vector<ResponseCurve> with_rows(std::vector<ResponseCurve> tests) {
+    std::erase_if(tests, [](const ResponseCurve& test) { return test.rows.empty(); });
+    return tests;
+}
+
+std::string bands(const std::vector<ResponseCurve>& tests) {
+    int most = 1;
+    for (const ResponseCurve& test : tests) {
+        most = std::max(most, test.samples);
+    }
+    return most > 1 ? fmt::format(" Bands: one standard deviation over up to {} samples to each side.", most) : "";
+}
+
+Figure response_figure(const std::vector<ResponseCurve>& tests) {
+    Figure figure;
+    figure.section = "Tests";
+    json upper = strain_panel(tests, "deviator_stress", "deviator stress q = σ₁ − σ₃ [kPa]", 240);
+    hide_axis(upper);
+    figure.chart = {
+        {"vconcat", {upper, strain_panel(tests, "volumetric_strain", "volumetric strain εᵥ [%]", 160)}},
+        {"spacing", 8},
+        {"resolve", {{"scale", {{"x", "shared"}, {"color", "shared"}, {"strokeDash", "shared"}}}}}};
+    figure.table = response_table(tests, most_rows);
+    return figure;
+}
+
+} // namespace
+
+ResponseCurve average_response(const std::string& name, const std::vector<std::vector<StressStrainRow>>& of_sample) {
+    std::vector<std::vector<StressStrainRow>> tests = of_sample;
+    std::erase_if(tests, [](const auto& rows) { return rows.empty(); });
+    ResponseCurve mean{name, {}};
+    mean.samples = static_cast<int>(tests.size());
+    if (tests.empty()) {
+        return mean;
+    }
+    double reach = tests[0].back().axial_strain;
+    for (const auto& rows : tests) {
+        reach = std::min(reach, rows.back().axial_strain);
+    }
+    const double n = static_cast<double>(tests.size());
+    for (const StressStrainRow& at : tests[0]) {
+        if (at.axial_strain > reach) {
+            break;
+        }
+        StressStrainRow sum, squares;
+        for (const auto& rows : tests) {
+            const StressStrainRow row = row_at(rows, at.axial_strain);
+            for (const Member m : members) {
+                sum.*m += row.*m / n;
+            }
+        }
+        for (const auto& rows : tests) {
+            const StressStrainRow row = row_at(rows, at.axial_strain);
+            for (const Member m : members) {
+                squares.*m += (row.*m - sum.*m) * (row.*m - sum.*m);
+            }
+        }
+        mean.rows.push_back(sum);
+        if (tests.size() > 1) {
+            for (const Member m : members) {
+                squares.*m = std::sqrt(squares.*m / (n - 1));
+            }
+            mean.deviation.push_back(squares);
+        }
+    }
+    return mean;
+}
+
+std::optional<Figure> loose_compression(const std::vector<ResponseCurve>& all) {
+    const std::vector<ResponseCurve> tests = with_rows(all);
+    if (tests.empty()) {
+        return std::nullopt;
+    }
+    Figure figure = response_figure(tests);
+    figure.id = "fig02";
+    figure.title = "Drained compression of the loose samples";
+    std::string claim;
+    for (const ResponseCurve& test : tests) {
+        const StressStrainRow& peak = peak_of(test);
+        claim += fmt::format(
+            "{}{} kPa at {}", claim.empty() ? "Highest q: " : ", ", short_number(peak.deviator_stress / 1e3), test.name
+        );
+    }
+    figure.caption = claim + ". Contraction positive." + bands(tests);
+    return figure;
+}
+
+std::optional<Figure>
+triaxial_response(const std::vector<ResponseCurve>& all, const std::string& id, const std::string& title) {
+    const std::vector<ResponseCurve> tests = with_rows(all);
+    if (tests.empty()) {
+        return std::nullopt;
+    }
+    Figure figure = response_figure(tests);
+    figure.id = id;
+    figure.title = title;
+    std::string claim;
+    for (const ResponseCurve& test : tests) {
+        const StressStrainRow& peak = peak_of(test);
+        claim += fmt::format(
+            "{}{}: highest q {} kPa at ε₁ = {} %", claim.empty() ? "" : "; ", test.name,
+            short_number(peak.deviator_stress / 1e3), short_number(100 * peak.axial_strain)
+        );
+    }
+    figure.caption = as_sentence(claim) + ". Contraction positive." + bands(tests);
+    return figure;
+}
+
+std::optional<Figure> test_paths(const std::vector<ResponseCurve>& all) {
+    const std::vector<ResponseCurve> tests = with_rows(all);
+    if (tests.empty()) {
+        return std::nullopt;
+    }
+    Figure figure;
+    figure.id = "own-paths";
+    figure.section = "Tests";
+    figure.title = "Paths of stress and of state";
+    figure.caption = "Upper panel: deviator stress against mean stress. Lower panel: void ratio against the logarithm "
+                     "of the mean stress; tests that end in one critical state end on one line.";
+    figure.table = response_table(tests, most_path_rows);
+    figure.chart = json::parse(R"json({
+        "vconcat": [
+            {"width": 480, "height": 220, "mark": {"type": "line"}, "encoding": {
+                "x": {"field": "mean_stress", "type": "quantitative", "title": "mean stress p = (σ₁ + σ₂ + σ₃)/3 [kPa]", "scale": {"zero": false}},
+                "y": {"field": "deviator_stress", "type": "quantitative", "title": "deviator stress q [kPa]"}}},
+            {"width": 480, "height": 200, "mark": {"type": "line"}, "encoding": {
+                "x": {"field": "mean_stress", "type": "quantitative", "title": "mean stress p [kPa]",
+                      "scale": {"type": "log", "nice": false}},
+                "y": {"field": "void_ratio", "type": "quantitative", "title": "void ratio e [-]", "scale": {"zero": false}}}}
+        ],
+        "spacing": 16,
+        "resolve": {"scale": {"color": "shared", "strokeDash": "shared"}}
+    })json");
+    if (starts_at_zero(tests)) {
+        figure.chart["vconcat"][0]["encoding"]["y"]["scale"] = {{"domainMin", 0}};
+    }
+    for (json& panel : figure.chart["vconcat"]) {
+        color_by_test(tests, panel["encoding"]);
+        panel["encoding"]["order"] = {{"field", "axial_strain"}};
+        panel["encoding"]["tooltip"] = json::parse(R"json([
+            {"field": "test", "title": "test"}, {"field": "mean_stress", "title": "p [kPa]", "format": ".4g"},
+            {"field": "deviator_stress", "title": "q [kPa]", "format": ".4g"},
+            {"field": "void_ratio", "title": "void ratio e", "format": ".4g"},
+            {"field": "axial_strain", "title": "ε₁ [%]", "format": ".3g"}])json");
+    }
+    // Near zero a logarithm has nothing to say.
+    figure.chart["vconcat"][1]["transform"] = {{{"filter", "datum.mean_stress > 0"}}};
+    return figure;
+}
+
+} // namespace suffuse::report

@@ -1,0 +1,45 @@
+#pragma once
+// Stress-strain curves of triaxial tests, and the figures drawn from them: Figure 2 of the paper and our own. Inputs
+// are SI; tables and axes are in kPa and %. Compression and contraction positive.
+
+#include "suffuse/report/figure.hpp"
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::report {
+
+/// One row of a triaxial test.
+struct StressStrainRow {
+    double axial_strain = 0, volumetric_strain = 0; ///< [-]
+    double deviator_stress = 0, mean_stress = 0;    ///< q, p [Pa]
+    double void_ratio = 0;                          ///< [-]
+};
+
+/// A test, or the mean over tests of samples that differ in their seed only.
+struct ResponseCurve {
+    std::string name; ///< "before erosion", "FC 10 %"
+    std::vector<StressStrainRow> rows;
+    std::vector<StressStrainRow> deviation = {}; ///< standard deviation over the samples; empty for one
+    int samples = 1;
+    double fines_content = std::numeric_limits<double>::quiet_NaN(); ///< where that is swept: gives its color [-]
+};
+
+/// The mean over `of_sample`, at the axial strains of the first of them as far as all reach, linear between rows.
+ResponseCurve average_response(const std::string& name, const std::vector<std::vector<StressStrainRow>>& of_sample);
+
+/// Figure 2: drained compression of the loose samples, a curve for each fines content, with bands over the replicates.
+std::optional<Figure> loose_compression(const std::vector<ResponseCurve>& tests);
+
+/// Ours: the same for other tests; `id` is that of the figure.
+std::optional<Figure> triaxial_response(
+    const std::vector<ResponseCurve>& tests, const std::string& id = "own-triaxial",
+    const std::string& title = "Triaxial compression"
+);
+
+/// Ours: the way of each test through stresses, q over p, and through states, e over the logarithm of p.
+std::optional<Figure> test_paths(const std::vector<ResponseCurve>& tests);
+
+} // namespace suffuse::report

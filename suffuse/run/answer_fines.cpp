@@ -1,0 +1,172 @@
+// What a study over the fines content found, in sentences.
+#include "suffuse/report/words.hpp"
+#include "suffuse/run/report_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace suffuse::run {
+namespace {
+
+using report::FinesStudy;
+using report::number_of;
+using report::percent_name;
+using report::Scatter;
+using report::short_number;
+using report::StageCurve;
+
+struct Reading {
+    double fines_content = 0; ///< [-]
+    Scatter value;
+};
+
+/// The points of one number that were measured, or follow from their definition.
+std::vector<Reading> readings(const FinesStudy& study, const StageCurve& curve, const std::string& number) {
+    std::vector<Reading> all;
+    for (std::size_t k = 0; k < curve.points.size(); ++k) {
+        const Scatter value = number_of(curve.points[k], study.fines_content[k], number);
+        if (value.seeds > 0) {
+            all.push_back({study.fines_content[k], value});
+        }
+    }
+    return all;
+}
+
+bool is_less(const Reading& a, const Reading& b) {
+    return a.value.mean < b.value.mean;
+}
+
+std::string with_scatter(const Scatter& value, double factor = 1) {
+    const std::string mean = short_number(factor * value.mean);
+    return value.seeds > 1 ? mean + " ± " + short_number(factor * value.standard_deviation, 2) : mean;
+}
+
+std::optional<Reading> at(const std::vector<Reading>& all, double fines_content) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Reading& each) {
+        return std::abs(each.fines_content - fines_content) < 1e-9;
+    });
+    return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
+std::string asked(const FinesSweep& sweep) {
+    const FinesStudy& study = sweep.curves;
+    const auto pressure = readings(study, study.loose, "mean_stress");
+    const auto grains = readings(study, study.loose, "grains");
+    if (pressure.empty() || grains.empty()) {
+        return {};
+    }
+    const auto [fewest, most] = std::minmax_element(grains.begin(), grains.end(), is_less);
+    const int seeds = static_cast<int>(study.loose.points.front().seed.size());
+    const std::string count = fewest->value.mean == most->value.mean
+                                  ? report::grouped(std::llround(most->value.mean))
+                                  : report::grouped(std::llround(fewest->value.mean)) + " to " +
+                                        report::grouped(std::llround(most->value.mean));
+    return fmt::format(
+        "Asked: from which fines content on the fines of the soil “{}” carry load. {} mixtures of {} to {} fines, {} "
+        "{} "
+        "of each with {} grains, were brought to {} kPa{}.",
+        sweep.study->soil, study.fines_content.size(), percent_name(study.fines_content.front()),
+        percent_name(study.fines_content.back()), seeds, seeds == 1 ? "sample" : "samples", count,
+        short_number(pressure.front().value.mean / 1e3),
+        study.dense.points.empty() ? "" : fmt::format(" in the states “{}” and “{}”", sweep.loose, sweep.dense)
+    );
+}
+
+std::string density(const FinesStudy& study) {
+    const auto loose = readings(study, study.loose, "void_ratio"), dense = readings(study, study.dense, "void_ratio");
+    if (loose.size() < 2) {
+        return {};
+    }
+    const Reading least = *std::min_element(loose.begin(), loose.end(), is_less);
+    std::string text = fmt::format(
+        "The void ratio of the loose state falls from {} at FC = {} to its least, {}, at FC = {}",
+        with_scatter(loose.front().value), percent_name(loose.front().fines_content), with_scatter(least.value),
+        percent_name(least.fines_content)
+    );
+    if (dense.size() > 1) {
+        const Reading densest = *std::min_element(dense.begin(), dense.end(), is_less);
+        text += fmt::format(
+            "; the densest state has its least, e_min = {}, at FC = {}", with_scatter(densest.value),
+            percent_name(densest.fines_content)
+        );
+    }
+    return text + ".";
+}
+
+std::string structure(const FinesStudy& study) {
+    const auto active = readings(study, study.loose, "active_fines_fraction");
+    const auto e_g = readings(study, study.loose, "intergranular_void_ratio");
+    std::string text;
+    for (const Reading& each : active) {
+        if (each.value.mean > 0.5) {
+            const auto before = at(active, 0.15) ? at(active, 0.15) : active.front();
+            text = fmt::format(
+                "Of the volume of the fines {} % is active at FC = {}, and more than half of it from FC = {} on",
+                with_scatter(before->value, 100), percent_name(before->fines_content), percent_name(each.fines_content)
+            );
+            break;
+        }
+    }
+    const auto pure = at(e_g, 0), mixed = at(e_g, 0.2);
+    if (pure && mixed && pure->value.mean > 0) {
+        text += fmt::format(
+            "{} intergranular void ratio at FC = 20 % is {} % {} that of the sand alone",
+            text.empty() ? "The" : "; the", short_number(100 * std::abs(mixed->value.mean / pure->value.mean - 1), 2),
+            mixed->value.mean >= pure->value.mean ? "above" : "below"
+        );
+    }
+    return text.empty() ? text : text + ".";
+}
+
+std::string contacts(const FinesStudy& study) {
+    const auto mixed = readings(study, study.loose, "contact_share.LS"),
+               strong = readings(study, study.loose, "strong_contact_share.LS");
+    if (mixed.size() < 2 || strong.size() < 2) {
+        return {};
+    }
+    const Reading most = *std::max_element(mixed.begin(), mixed.end(), is_less);
+    const Reading strongest = *std::max_element(strong.begin(), strong.end(), is_less);
+    return fmt::format(
+        "Contacts between large and small grains are most frequent at FC = {} ({} % of all), among the strong ones at "
+        "FC "
+        "= {} ({} %).",
+        percent_name(most.fines_content), with_scatter(most.value, 100), percent_name(strongest.fines_content),
+        with_scatter(strongest.value, 100)
+    );
+}
+
+std::string strength(const FinesSweep& sweep) {
+    const casefile::Stage* test = loose_test(sweep);
+    const report::StageCurve curve = test == nullptr ? report::StageCurve{} : sweep_points(sweep, test->name);
+    std::vector<Reading> peaks;
+    for (const report::SweepPoint& point : curve.points) {
+        const auto found = point.number.find("response.peak_deviator");
+        if (found != point.number.end() && found->second.seeds > 0) {
+            peaks.push_back({point.value[sweep.key], found->second});
+        }
+    }
+    if (peaks.size() < 2) {
+        return {};
+    }
+    return fmt::format(
+        "In drained compression of the loose samples the highest deviator stress is {} kPa at FC = {} and {} kPa at FC "
+        "= "
+        "{}.",
+        with_scatter(peaks.front().value, 1e-3), percent_name(peaks.front().fines_content),
+        with_scatter(peaks.back().value, 1e-3), percent_name(peaks.back().fines_content)
+    );
+}
+
+} // namespace
+
+std::vector<std::string> answer_of_fines(const FinesSweep& sweep) {
+    std::vector<std::string> sentences = {
+        asked(sweep), density(sweep.curves), structure(sweep.curves), contacts(sweep.curves), strength(sweep)};
+    std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
+    return sentences;
+}
+
+} // namespace suffuse::run

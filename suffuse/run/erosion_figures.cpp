@@ -1,0 +1,96 @@
+#include "suffuse/run/erosion_figures.hpp"
+
+#include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/sampling.hpp"
+#include "suffuse/io/checkpoint.hpp"
+#include "suffuse/report/figures.hpp"
+#include "suffuse/report/stability_view.hpp"
+#include "suffuse/run/folder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::run {
+namespace {
+
+/// The sample before erosion: the state of the stage that the erosion starts from.
+std::vector<double> radii_before(const std::filesystem::path& folder, const FinishedStage& eroded) {
+    if (eroded.stage->parent < 0) {
+        return {};
+    }
+    const casefile::Stage& parent = eroded.variant->stages[static_cast<std::size_t>(eroded.stage->parent)];
+    return io::load_world(stage_folder(folder, *eroded.variant, parent) / "state.h5").world.grains.radius;
+}
+
+void add(std::optional<report::Figure> figure, std::vector<report::Figure>& figures) {
+    if (figure) {
+        figures.push_back(std::move(*figure));
+    }
+}
+
+} // namespace
+
+/// The sample's own grading at the sizes of the curve asked for, and at many between.
+grains::Grading sampled_grading(const std::vector<double>& radius) {
+    const auto [least, most] = std::minmax_element(radius.begin(), radius.end());
+    grains::Grading grading;
+    constexpr int points = 60;
+    for (int k = 0; k <= points; ++k) {
+        grading.diameter.push_back(
+            2 * *least * std::pow(*most / *least, static_cast<double>(k) / points) * (1 + 1e-12 * k)
+        );
+    }
+    grading.passing = grains::sample_curve(radius, grading.diameter);
+    return grading;
+}
+
+std::vector<report::Figure>
+draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, const ErosionStory& story) {
+    std::vector<report::Figure> figures;
+    const auto axis = what.report.reversed_size_axis ? report::GradingAxis::Reversed : report::GradingAxis::LeftToRight;
+    if (story.eroded != nullptr) {
+        add(report::erosion_loop(story.erosion), figures);
+        const std::vector<double> radius = radii_before(folder, *story.eroded);
+        const auto& soil = story.eroded->variant->soil;
+        if (!radius.empty()) {
+            const grains::Grading sampled = sampled_grading(radius);
+            if (soil) {
+                add(report::grading_curves(grains::asked_grading(*soil), sampled, soil->finer_than, axis), figures);
+            }
+            add(report::speed_by_gradient(story.probes), figures);
+            add(report::speed_by_pass(story.erosion), figures);
+            add(report::eroded_mass(story.erosion), figures);
+            add(report::eroded_coordination(story.erosion), figures);
+            add(report::stress_path(story.erosion), figures);
+            add(report::porosity_path(story.erosion), figures);
+            add(report::rules_compared(story.probes, story.erosion), figures);
+            add(report::constriction_sizes(story.erosion), figures);
+            add(report::eroded_grading(sampled, story.erosion, axis), figures);
+            add(report::permeability_by_pass(story.erosion), figures);
+        }
+    } else {
+        add(report::speed_by_gradient(story.probes), figures);
+    }
+    return figures;
+}
+
+void show_stability(const casefile::Case& what, const ErosionStory& story, report::ReportData& data) {
+    if (story.eroded == nullptr || !story.eroded->variant->soil) {
+        return;
+    }
+    const grains::Soil& soil = *story.eroded->variant->soil;
+    const grains::Grading asked = grains::asked_grading(soil);
+    stability::AssessSpec spec;
+    // A limit with all of the soil on one side is warned of when the case is read; the criteria need both.
+    if (soil.finer_than && grains::passing(asked, *soil.finer_than) > 0 &&
+        grains::passing(asked, *soil.finer_than) < 1) {
+        spec.finer_than = soil.finer_than;
+    }
+    const stability::Assessment assessment = stability::assess(asked, spec);
+    data.tables.push_back(report::stability_table(assessment));
+    const auto axis = what.report.reversed_size_axis ? report::GradingAxis::Reversed : report::GradingAxis::LeftToRight;
+    data.figures.push_back(report::stability_grading(assessment, axis));
+    data.figures.push_back(report::stability_shape(assessment));
+}
+
+} // namespace suffuse::run

@@ -1,0 +1,22 @@
+#pragma once
+// The figures of an erosion, and what the soil's grading alone says of it.
+
+#include "suffuse/report/page.hpp"
+#include "suffuse/run/erosion_story.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace suffuse::run {
+
+/// Figures 7 to 14 and our own, as far as the run has what they show.
+std::vector<report::Figure>
+draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, const ErosionStory& story);
+
+/// Internal stability of the eroded soil by its grading, for the section "Soils".
+void show_stability(const casefile::Case& what, const ErosionStory& story, report::ReportData& data);
+
+/// A sample's grading at sizes evenly spaced on the logarithmic axis.
+grains::Grading sampled_grading(const std::vector<double>& radius);
+
+} // namespace suffuse::run

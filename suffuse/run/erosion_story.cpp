@@ -1,0 +1,24 @@
+#include "suffuse/run/erosion_story.hpp"
+
+namespace suffuse::run {
+
+ErosionStory find_story(const std::vector<FinishedStage>& stages) {
+    ErosionStory story;
+    for (const FinishedStage& stage : stages) {
+        if (story.eroded == nullptr && stage.findings.erosion) {
+            story.eroded = &stage;
+            story.erosion = *stage.findings.erosion;
+        }
+    }
+    for (const FinishedStage& stage : stages) {
+        if (story.eroded != nullptr && stage.study != story.eroded->study) {
+            continue;
+        }
+        if (story.probes.empty()) {
+            story.probes = stage.findings.probes;
+        }
+    }
+    return story;
+}
+
+} // namespace suffuse::run

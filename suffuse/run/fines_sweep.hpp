@@ -1,0 +1,32 @@
+#pragma once
+// Which study of a case is one over the fines content of its soil, and what its loose and densest states are.
+
+#include "suffuse/report/fines_study.hpp"
+#include "suffuse/run/finished_stage.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::run {
+
+struct FinesSweep {
+    const casefile::Study* study = nullptr;
+    std::string loose, dense;   ///< names of stages; `dense` may be empty
+    std::size_t key = 0;        ///< which of the swept keys is the fines content
+    report::StudyCurves traced; ///< all of the study
+    report::FinesStudy curves;  ///< of the loose and the densest state
+};
+
+/// Of the studies that sweep the fines content, the one with the most points. Loose is its first compaction with
+/// adhesion, or else its first compaction; densest is the compaction at the lowest friction. Where other keys are swept
+/// too, their first values count. Nothing where there is no such study.
+std::optional<FinesSweep> find_fines_sweep(const casefile::Case& what, const std::vector<FinishedStage>& stages);
+
+/// The points of a stage over the fines content alone.
+report::StageCurve sweep_points(const FinesSweep& sweep, const std::string& stage);
+
+/// The first drained test that starts from the loose state: Figure 2. Null where there is none.
+const casefile::Stage* loose_test(const FinesSweep& sweep);
+
+} // namespace suffuse::run

@@ -1,0 +1,19 @@
+#pragma once
+// A stage that a run has finished, read back from its folder.
+
+#include "suffuse/casefile/case.hpp"
+#include "suffuse/run/stage_work.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace suffuse::run {
+
+struct FinishedStage {
+    const casefile::Study* study = nullptr;
+    const casefile::Variant* variant = nullptr;
+    const casefile::Stage* stage = nullptr;
+    nlohmann::json numbers; ///< stage.json
+    StageFindings findings;
+};
+
+} // namespace suffuse::run

@@ -1,0 +1,119 @@
+// What a run found, in sentences with its numbers.
+#include "suffuse/run/report_answer.hpp"
+
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/report/findings.hpp"
+#include "suffuse/report/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::run {
+namespace {
+
+using nlohmann::json;
+
+/// "12.3 %", or that there is nothing to tell: below a hundredth of a percent a change is noise of the balance.
+std::string percent_or_none(double percent) {
+    return std::abs(percent) < 0.01 ? "less than 0.01 %" : report::short_number(percent) + " %";
+}
+
+std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
+    std::string text;
+    for (const erosion::PassResult& pass : erosion.passes) {
+        const double before = dem::mean_stress(pass.stress_before);
+        const double loss = before > 0 ? 100 * (1 - dem::mean_stress(pass.stress_constant_volume) / before) : 0;
+        text += fmt::format(
+            "Pass {}: {} of {} detachable fines left, {:.2f} % of the initial mass; porosity {:.4f} to {:.4f}, "
+            "permeability "
+            "{} to {} m²; at constant volume the skeleton lost {} of its mean stress, and resettling strained it by "
+            "{}. ",
+            pass.pass, report::grouped(pass.removed), report::grouped(pass.detachable),
+            pass.eroded_mass_percent_of_initial, pass.porosity_before, pass.porosity_after,
+            report::short_number(pass.permeability_before), report::short_number(pass.permeability_after),
+            percent_or_none(loss), percent_or_none(100 * pass.volumetric_strain)
+        );
+    }
+    return text;
+}
+
+std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
+    const report::Detached first = report::count_detached(probes.front());
+    std::string text = fmt::format("Of {} fines ", report::grouped(first.yes + first.no));
+    for (std::size_t k = 0; k < probes.size(); ++k) {
+        const std::int64_t yes = report::count_detached(probes[k]).yes;
+        text += fmt::format(
+            "{}{} at the gradient i = {:g}",
+            k == 0                   ? ""
+            : k + 1 == probes.size() ? " and "
+                                     : ", ",
+            yes == 0 ? "none" : report::grouped(yes), probes[k].gradient
+        );
+    }
+    return text + " are detachable.";
+}
+
+/// Of the tests outside sweeps.
+std::string answer_to_tests(const std::vector<FinishedStage>& stages) {
+    std::string text;
+    for (const FinishedStage& stage : stages) {
+        if (!stage.numbers.contains("response") || !stage.study->sweep.empty()) {
+            continue;
+        }
+        const json& response = stage.numbers.at("response");
+        text += fmt::format(
+            "{}{} kPa at {} % axial strain in {}",
+            text.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
+            report::short_number(response.at("peak_deviator").get<double>() / 1e3, 4),
+            report::short_number(100 * response.at("peak_strain").get<double>(), 2), stage.stage->name
+        );
+    }
+    return text.empty() ? text : text + ".";
+}
+
+} // namespace
+
+std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std::vector<FinishedStage>& stages) {
+    std::vector<std::string> sentences;
+    if (!story.erosion.passes.empty() && !story.erosion.passes.front().probe.id.empty()) {
+        const std::size_t passes = story.erosion.passes.size();
+        sentences.push_back(fmt::format(
+            "Asked: which fines of the soil “{}” a gradient of i = {:g} detaches, and what {} {} of their removal {} "
+            "to "
+            "stress, volume and permeability.",
+            story.eroded->study->soil, story.erosion.passes.front().probe.gradient, passes,
+            passes == 1 ? "pass" : "passes", passes == 1 ? "does" : "do"
+        ));
+    }
+    if (story.eroded != nullptr) {
+        const std::size_t parent = static_cast<std::size_t>(std::max(0, story.eroded->stage->parent));
+        const std::string start = story.eroded->variant->stages[parent].name;
+        for (const FinishedStage& stage : stages) {
+            if (stage.variant != story.eroded->variant || stage.stage->name != start) {
+                continue;
+            }
+            sentences.push_back(fmt::format(
+                "{} grains carry {:.4g} kPa at void ratio {:.3f} (porosity {:.3f}, {:.2f} contacts a grain, {} "
+                "rattlers).",
+                report::grouped(stage.numbers.at("grains").get<std::int64_t>()),
+                stage.numbers.at("mean_stress").get<double>() / 1e3, stage.numbers.at("void_ratio").get<double>(),
+                stage.numbers.at("porosity").get<double>(), stage.numbers.at("coordination").get<double>(),
+                report::grouped(stage.numbers.at("rattlers").get<std::int64_t>())
+            ));
+        }
+    }
+    if (!story.probes.empty()) {
+        sentences.push_back(answer_to_probes(story.probes));
+    }
+    if (!story.erosion.passes.empty()) {
+        sentences.push_back(answer_to_erosion(story.erosion));
+    }
+    if (std::string tests = answer_to_tests(stages); !tests.empty()) {
+        sentences.push_back(std::move(tests));
+    }
+    return sentences;
+}
+
+} // namespace suffuse::run

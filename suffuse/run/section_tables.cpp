@@ -1,0 +1,166 @@
+#include "suffuse/run/section_tables.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/io/checkpoint.hpp"
+#include "suffuse/report/fines_study.hpp"
+#include "suffuse/report/words.hpp"
+#include "suffuse/run/folder.hpp"
+#include "suffuse/run/scene_data.hpp"
+#include "suffuse/run/study_curves.hpp"
+
+#include <fmt/format.h>
+
+namespace suffuse::run {
+namespace {
+
+using report::short_number;
+
+/// Mean, and the standard deviation where there are several samples.
+std::string cell(const report::SweepPoint& point, const std::string& number, double factor, int digits = 3) {
+    const auto found = point.number.find(number);
+    if (found == point.number.end() || found->second.seeds == 0) {
+        return "–";
+    }
+    const report::Scatter& value = found->second;
+    const std::string mean = short_number(factor * value.mean, digits);
+    return value.seeds > 1 ? mean + " ± " + short_number(factor * value.standard_deviation, 2) : mean;
+}
+
+std::string
+name_of(const report::StudyCurves& study, const report::StageCurve& stage, const report::SweepPoint& point) {
+    std::string name = study.study + ", " + stage.stage;
+    for (std::size_t k = 0; k < study.keys.size(); ++k) {
+        const std::string& key = study.keys[k];
+        name += key == "fines_content" ? ", FC " + report::percent_name(point.value[k])
+                                       : ", " + key.substr(key.rfind('.') + 1) + " " + point.written[k];
+    }
+    return name;
+}
+
+/// A row of the table on water.
+std::vector<std::string> water_row(const std::string& state, double permeability, double porosity, double by_formula) {
+    return {
+        state, fmt::format("{:.4f}", porosity), short_number(permeability), short_number(by_formula),
+        short_number(permeability / by_formula, 2)};
+}
+
+std::vector<double> radii_in(const std::filesystem::path& state) {
+    return std::filesystem::exists(state) ? io::load_world(state).world.grains.radius : std::vector<double>{};
+}
+
+void add_flows(
+    const std::filesystem::path& folder, const std::vector<FinishedStage>& stages,
+    std::vector<std::vector<std::string>>& rows
+) {
+    for (const FinishedStage& stage : stages) {
+        const char* key = stage.numbers.contains("permeability_along") ? "permeability_along" : "permeability";
+        if (!stage.numbers.contains(key) || !stage.numbers[key].is_number()) {
+            continue;
+        }
+        const double porosity = stage.numbers.at("porosity");
+        const std::filesystem::path state = stage_folder(folder, *stage.variant, *stage.stage) / "state.h5";
+        rows.push_back(water_row(
+            stage.variant->folder + "/" + stage.stage->name, stage.numbers[key], porosity,
+            kozeny_carman(radii_in(state), porosity)
+        ));
+    }
+}
+
+void add_passes(
+    const std::filesystem::path& folder, const ErosionStory& story, std::vector<std::vector<std::string>>& rows
+) {
+    if (story.eroded == nullptr || story.eroded->stage->parent < 0) {
+        return;
+    }
+    const casefile::Variant& variant = *story.eroded->variant;
+    const casefile::Stage& parent = variant.stages[static_cast<std::size_t>(story.eroded->stage->parent)];
+    const std::filesystem::path place = stage_folder(folder, variant, *story.eroded->stage);
+    const auto& passes = story.erosion.passes;
+    for (std::size_t k = 0; k < passes.size(); ++k) {
+        const std::filesystem::path after =
+            k + 1 == passes.size() ? place / "state.h5" : pass_file(place, static_cast<int>(k) + 1);
+        if (k == 0 && passes[k].permeability_before > 0) {
+            const auto before = radii_in(stage_folder(folder, variant, parent) / "state.h5");
+            rows.push_back(water_row(
+                "before erosion", passes[k].permeability_before, passes[k].porosity_before,
+                kozeny_carman(before, passes[k].porosity_before)
+            ));
+        }
+        if (passes[k].permeability_after > 0) {
+            rows.push_back(water_row(
+                fmt::format("after pass {}", passes[k].pass), passes[k].permeability_after, passes[k].porosity_after,
+                kozeny_carman(radii_in(after), passes[k].porosity_after)
+            ));
+        }
+    }
+}
+
+} // namespace
+
+double kozeny_carman(const std::vector<double>& radius, double porosity) {
+    double cubes = 0, squares = 0;
+    for (const double r : radius) {
+        cubes += r * r * r;
+        squares += r * r;
+    }
+    const double d = squares > 0 ? 2 * cubes / squares : 0, solid = 1 - porosity;
+    return porosity * porosity * porosity * d * d / (180 * solid * solid);
+}
+
+std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
+    report::PageTable table;
+    table.section = "Tests";
+    table.title = "Strength and deformation";
+    table.note =
+        "E50 is the secant stiffness at half the highest deviator stress, dilatancy the largest −dεᵥ/dε₁ after the "
+        "first percent. Contraction positive.";
+    table.header = {
+        "test",
+        "samples",
+        "highest q [kPa]",
+        "at ε₁ [%]",
+        "friction angle φ there [°]",
+        "q at the end [kPa]",
+        "E50 [MPa]",
+        "dilatancy [-]",
+        "εᵥ at the end [%]",
+        "largest inertial number [-]"};
+    table.numeric.assign(table.header.size(), true);
+    table.numeric[0] = false;
+    for (const report::StudyCurves& study : trace_curves(what, stages)) {
+        for (const report::StageCurve& stage : study.stages) {
+            for (const report::SweepPoint& point : stage.points) {
+                const auto peak = point.number.find("response.peak_deviator");
+                if (peak == point.number.end() || peak->second.seeds == 0) {
+                    continue;
+                }
+                table.rows.push_back(
+                    {name_of(study, stage, point), std::to_string(peak->second.seeds),
+                     cell(point, "response.peak_deviator", 1e-3, 4), cell(point, "response.peak_strain", 100),
+                     cell(point, "response.friction_angle", 180 / pi), cell(point, "response.final_deviator", 1e-3, 4),
+                     cell(point, "response.stiffness", 1e-6), cell(point, "response.dilatancy", 1),
+                     cell(point, "response.final_volumetric_strain", 100), cell(point, "inertial_number_max", 1, 2)}
+                );
+            }
+        }
+    }
+    return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
+}
+
+std::optional<report::PageTable> tabulate_water(
+    const std::filesystem::path& folder, const std::vector<FinishedStage>& stages, const ErosionStory& story
+) {
+    report::PageTable table;
+    table.section = "Water";
+    table.title = "Permeability";
+    table.note =
+        "From the flow through the pores, along the gradient. Beside it Kozeny and Carman's for spheres of the "
+        "sample's Sauter diameter d, k = n³ d²/(180 (1 − n)²).";
+    table.header = {"state", "porosity n [-]", "permeability k [m²]", "by Kozeny and Carman [m²]", "ratio [-]"};
+    table.numeric = {false, true, true, true, true};
+    add_flows(folder, stages, table.rows);
+    add_passes(folder, story, table.rows);
+    return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
+}
+
+} // namespace suffuse::run

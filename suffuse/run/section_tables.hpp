@@ -1,0 +1,25 @@
+#pragma once
+// The tables at the head of the report's sections on tests and on water.
+
+#include "suffuse/report/page_table.hpp"
+#include "suffuse/run/erosion_story.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace suffuse::run {
+
+/// Strength and deformation of every triaxial test, over its replicates; nothing without a test.
+std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages);
+
+/// Permeability of every state whose flow was solved, beside Kozeny and Carman's for spheres of the sample's Sauter
+/// diameter, k = n^3 d^2/(180 (1 - n)^2) [Carman 1937]; nothing where there was no flow.
+std::optional<report::PageTable> tabulate_water(
+    const std::filesystem::path& folder, const std::vector<FinishedStage>& stages, const ErosionStory& story
+);
+
+/// k by Kozeny and Carman [m2] of spheres with these radii [m] at a porosity [-].
+double kozeny_carman(const std::vector<double>& radius, double porosity);
+
+} // namespace suffuse::run

@@ -1,0 +1,199 @@
+#include "suffuse/run/study_figures.hpp"
+
+#include "suffuse/grains/sampling.hpp"
+#include "suffuse/io/checkpoint.hpp"
+#include "suffuse/report/figures_fines.hpp"
+#include "suffuse/run/erosion_figures.hpp"
+#include "suffuse/run/folder.hpp"
+#include "suffuse/run/study_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace suffuse::run {
+namespace {
+
+using Rows = std::vector<report::StressStrainRow>;
+
+constexpr std::size_t most_paths = 16; ///< tests drawn in one figure of paths
+
+void add(std::optional<report::Figure> figure, std::vector<report::Figure>& figures) {
+    if (figure) {
+        figures.push_back(std::move(*figure));
+    }
+}
+
+/// The test of one stage at one set of values, over its seeds.
+struct Test {
+    const casefile::Study* study = nullptr;
+    const casefile::Stage* stage = nullptr;
+    std::vector<std::string> written; ///< of the swept keys
+    report::ResponseCurve curve;
+};
+
+Rows rows_of(const std::vector<triaxial::PathRow>& curve) {
+    Rows rows;
+    for (const triaxial::PathRow& row : curve) {
+        rows.push_back({row.axial_strain, row.volumetric_strain, row.deviator_stress, row.mean_stress, row.void_ratio});
+    }
+    return rows;
+}
+
+/// "FC 10 %", "gradient 0.1"; empty without a sweep.
+std::string values_name(const casefile::Study& study, const report::SweepPoint& point) {
+    std::string name;
+    for (std::size_t k = 0; k < study.sweep.size(); ++k) {
+        const std::string& key = study.sweep[k].key;
+        name += name.empty() ? "" : ", ";
+        name += key == "fines_content" ? "FC " + report::percent_name(point.value[k])
+                                       : key.substr(key.rfind('.') + 1) + " " + point.written[k];
+    }
+    return name;
+}
+
+/// All tests of the run, in the order of stages and of sweep values.
+std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
+    std::vector<Test> tests;
+    const std::vector<report::StudyCurves> traced = trace_curves(what, stages);
+    for (std::size_t s = 0; s < traced.size(); ++s) {
+        const casefile::Study& study = what.studies[s];
+        for (std::size_t k = 0; k < study.stages.size(); ++k) {
+            for (const report::SweepPoint& point : traced[s].stages[k].points) {
+                std::vector<Rows> of_seed;
+                for (const FinishedStage& stage : stages) {
+                    if (stage.study == &study && stage.stage->name == study.stages[k].name &&
+                        !stage.findings.curve.empty() && sweep_values(study, *stage.variant) == point.written) {
+                        of_seed.push_back(rows_of(stage.findings.curve));
+                    }
+                }
+                if (of_seed.empty()) {
+                    continue;
+                }
+                const std::string values = values_name(study, point);
+                Test test{&study, &study.stages[k], point.written, report::average_response(values, of_seed)};
+                for (std::size_t key = 0; key < study.sweep.size(); ++key) {
+                    if (study.sweep[key].key == "fines_content") {
+                        test.curve.fines_content = point.value[key];
+                    }
+                }
+                tests.push_back(std::move(test));
+            }
+        }
+    }
+    return tests;
+}
+
+std::string kind_of_test(const casefile::Stage& stage) {
+    const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.spec);
+    if (spec == nullptr) {
+        return "Compression";
+    }
+    return spec->path == triaxial::Path::Drained        ? "Drained compression"
+           : spec->path == triaxial::Path::ConstantMean ? "Compression at constant mean stress"
+                                                        : "Undrained compression";
+}
+
+/// As names of figures are: lower-case letters, digits and hyphens.
+std::string figure_name(std::string name) {
+    for (char& letter : name) {
+        const bool is_upper = letter >= 'A' && letter <= 'Z';
+        const bool keeps = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || is_upper;
+        letter = is_upper ? static_cast<char>(letter - 'A' + 'a') : keeps ? letter : '-';
+    }
+    return name;
+}
+
+/// A figure for each swept test, and one for all others together.
+void draw_tests(
+    const casefile::Case& what, const std::vector<Test>& tests, const casefile::Stage* shown,
+    std::vector<report::Figure>& figures
+) {
+    std::vector<report::ResponseCurve> single, all;
+    std::vector<const casefile::Stage*> drawn;
+    for (const Test& test : tests) {
+        const bool is_swept = !test.study->sweep.empty();
+        report::ResponseCurve named = test.curve;
+        const std::string study = what.studies.size() > 1 ? test.study->name + ", " : "";
+        named.name = is_swept ? test.curve.name + ", " + test.stage->name : study + test.stage->name;
+        all.push_back(named);
+        if (!is_swept) {
+            single.push_back(std::move(named));
+            continue;
+        }
+        if (test.stage == shown || std::find(drawn.begin(), drawn.end(), test.stage) != drawn.end()) {
+            continue;
+        }
+        drawn.push_back(test.stage);
+        std::vector<report::ResponseCurve> of_stage;
+        for (const Test& other : tests) {
+            if (other.stage == test.stage) {
+                of_stage.push_back(other.curve);
+            }
+        }
+        add(report::triaxial_response(
+                of_stage, figure_name("own-triaxial-" + test.study->name + "-" + test.stage->name),
+                fmt::format("{}: {}, stage {}", kind_of_test(*test.stage), test.study->name, test.stage->name)
+            ),
+            figures);
+    }
+    add(report::triaxial_response(single), figures);
+    all.resize(std::min(all.size(), most_paths));
+    add(report::test_paths(all), figures);
+}
+
+/// What is mixed at each fines content, and the first sample's own grading.
+std::vector<report::Mixture> describe_mixtures(
+    const std::filesystem::path& folder, const FinesSweep& sweep, const std::vector<FinishedStage>& stages
+) {
+    std::vector<report::Mixture> mixtures;
+    for (const double fines_content : sweep.curves.fines_content) {
+        const auto stage = std::find_if(stages.begin(), stages.end(), [&](const FinishedStage& each) {
+            return each.study == sweep.study && each.stage->name == sweep.loose && each.variant->soil &&
+                   each.variant->soil->fines_content == fines_content;
+        });
+        if (stage == stages.end() || !stage->variant->soil->coarse) {
+            continue;
+        }
+        const std::filesystem::path state = stage_folder(folder, *stage->variant, *stage->stage) / "state.h5";
+        report::Mixture mixture{fines_content, grains::asked_grading(*stage->variant->soil), {}};
+        if (std::filesystem::exists(state)) {
+            mixture.sampled = sampled_grading(io::load_world(state).world.grains.radius);
+        }
+        mixtures.push_back(std::move(mixture));
+    }
+    return mixtures;
+}
+
+} // namespace
+
+std::vector<report::Figure> draw_study(
+    const casefile::Case& what, const std::filesystem::path& folder, const std::vector<FinishedStage>& stages,
+    const FinesSweep* sweep
+) {
+    std::vector<report::Figure> figures;
+    const std::vector<Test> tests = gather_tests(what, stages);
+    const casefile::Stage* shown = nullptr;
+    if (sweep != nullptr) {
+        const auto axis =
+            what.report.reversed_size_axis ? report::GradingAxis::Reversed : report::GradingAxis::LeftToRight;
+        add(report::mixture_gradings(describe_mixtures(folder, *sweep, stages), axis), figures);
+        shown = loose_test(*sweep);
+        std::vector<report::ResponseCurve> loose;
+        for (const Test& test : tests) {
+            if (test.stage == shown) {
+                loose.push_back(test.curve);
+            }
+        }
+        add(report::loose_compression(loose), figures);
+        add(report::void_ratios(sweep->curves), figures);
+        add(report::active_fines(sweep->curves), figures);
+        add(report::contact_classes(sweep->curves), figures);
+        add(report::strong_contacts(sweep->curves), figures);
+    }
+    draw_tests(what, tests, shown, figures);
+    return figures;
+}
+
+} // namespace suffuse::run

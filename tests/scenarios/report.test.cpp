@@ -1,0 +1,174 @@
+// The report of whole runs: Figures 1 to 6 from a small study over the fines content, and the same files from the same
+// case.
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_text.hpp"
+#include <algorithm>
+#include <map>
+#include <regex>
+
+namespace suffuse::test {
+namespace {
+
+using nlohmann::json;
+
+// Size ratio 2, so that a few hundred grains are a sample.
+const std::string fines_sweep = R"(
+[soil.mixture]
+coarse            = { psd = { d = ["0.28 mm", "0.32 mm"], passing = ["0 %", "100 %"] } }
+fines             = { psd = { d = ["0.14 mm", "0.16 mm"], passing = ["0 %", "100 %"] } }
+fines_content     = "0 %"
+grading_tolerance = "10 %"
+[study.s]
+soil       = "mixture"
+particles  = 250
+sweep      = { fines_content = ["0 %", "20 %", "100 %"] }
+replicates = 2
+[[study.s.stage]]
+name     = "cloud"
+do       = "pack"
+porosity = 0.62
+[[study.s.stage]]
+name     = "loose"
+do       = "compact"
+protocol = "swift"
+pressure = "100 kPa" #~
+prepare  = { adhesion = { normal = "1 MPa", shear = "1 MPa" } }
+[[study.s.stage]]
+name     = "dense"
+from     = "cloud"
+do       = "compact"
+protocol = "swift"
+pressure = "100 kPa"
+prepare  = { friction = "10 deg" }
+[[study.s.stage]]
+name   = "Shear_dense"
+do     = "triaxial"
+strain = "1 %"
+only   = { fines_content = ["20 %"] }
+[[study.s.stage]]
+name   = "shear"
+from   = "loose"
+do     = "triaxial"
+strain = "1 %"
+only   = { fines_content = ["0 %", "20 %"] }
+)";
+
+/// Rows of a figure's CSV, by column name without unit.
+std::vector<std::map<std::string, std::string>> rows_of(const std::filesystem::path& csv) {
+    std::ifstream file(csv);
+    std::vector<std::string> names;
+    std::vector<std::map<std::string, std::string>> rows;
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with('#')) {
+            continue;
+        }
+        std::vector<std::string> fields;
+        std::stringstream all(line);
+        for (std::string field; std::getline(all, field, ',');) {
+            fields.push_back(field);
+        }
+        fields.resize(std::max(fields.size(), names.size()));
+        if (names.empty()) {
+            for (const std::string& heading : fields) {
+                names.push_back(heading.substr(0, heading.find(" [")));
+            }
+            continue;
+        }
+        auto& row = rows.emplace_back();
+        for (std::size_t c = 0; c < names.size(); ++c) {
+            row[names[c]] = fields[c];
+        }
+    }
+    return rows;
+}
+
+TEST(StudyReport, FiguresOneToSixHoldTheNumbersOfTheStages) {
+    const TempFolder folder;
+    run::RunOptions options;
+    options.case_text = reference_constants + fines_sweep;
+    run_text(options.case_text, folder.path(), options);
+    const std::filesystem::path figures = folder / "run/figures";
+    for (const char* id : {"fig01", "fig02", "fig03", "fig04", "fig05", "fig06", "own-triaxial-s-shear-dense"}) {
+        EXPECT_TRUE(std::filesystem::exists(figures / (std::string(id) + ".vl.json"))) << id;
+    }
+    double e_g = 0, e_min = 0, active = 0, mixed = 0, strong = 0;
+    for (const int seed : {1, 2}) {
+        const std::string sample = fmt::format("fc=20/rep={}/", seed);
+        const json loose = stage_of(folder.path(), sample + "loose");
+        e_g += loose.at("intergranular_void_ratio").get<double>() / 2;
+        e_min += stage_of(folder.path(), sample + "dense").at("void_ratio").get<double>() / 2;
+        active += loose.at("active_fines_fraction").get<double>() / 2;
+        mixed += loose.at("contact_share").at("LS").get<double>() / 2;
+        strong += loose.at("strong_contact_share").at("LS").get<double>() / 2;
+    }
+    const auto shown = [&](const char* id, const char* column, const char* quantity) {
+        for (const auto& row : rows_of(figures / (std::string(id) + ".csv"))) {
+            if (row.at("fines_content") == "20" && row.at("quantity").find(quantity) != std::string::npos) {
+                EXPECT_EQ(row.at("samples"), "2");
+                return std::stod(row.at(column));
+            }
+        }
+        return std::nan("");
+    };
+    EXPECT_NEAR(shown("fig03", "void_ratio", "e_g"), e_g, 1e-12); // rounding, here and below
+    EXPECT_NEAR(shown("fig03", "void_ratio", "e_min"), e_min, 1e-12);
+    EXPECT_NEAR(shown("fig04", "active_fines", "b"), active, 1e-12);
+    EXPECT_NEAR(shown("fig05", "share_of_contacts", "LS"), 100 * mixed, 1e-10);
+    EXPECT_NEAR(shown("fig06", "strong_share", "LS"), 100 * strong, 1e-10);
+    std::map<std::string, double> last_strain;
+    for (const auto& row : rows_of(figures / "fig02.csv")) {
+        last_strain[row.at("test")] = std::stod(row.at("axial_strain"));
+    }
+    ASSERT_EQ(last_strain.size(), 2U) << "fines contents that were sheared";
+    for (const auto& [test, strain] : last_strain) {
+        EXPECT_NEAR(strain, 1, 0.05) << test; // rows stand up to a burst of steps apart
+    }
+    const std::string page = read_all(folder / "run/report.html");
+    for (const char* words :
+         {"id=\"fines-and-structure\"", "Asked: from which fines content", "study.s, stage loose: pressure",
+          "Strength and deformation", "How quiet each stage is"}) {
+        EXPECT_NE(page.find(words), std::string::npos) << words;
+    }
+}
+
+/// What may differ between two runs of one case: times, and where the run lies.
+std::string without_times(std::string text) {
+    for (const char* section : {"quality", "provenance"}) {
+        const std::size_t begin = text.find(std::string("<section id=\"") + section + "\"");
+        if (begin != std::string::npos) {
+            text.erase(begin, text.find("</section>", begin) - begin);
+        }
+    }
+    static const std::regex times("# (wall_seconds|finished|command)[^\n]*");
+    return std::regex_replace(text, times, "# time");
+}
+
+TEST(StudyReport, TwoRunsOfOneCaseDifferInTimesOnly) {
+    const TempFolder first, second;
+    for (const TempFolder* folder : {&first, &second}) {
+        run::RunOptions options;
+        options.folder = *folder / "run";
+        run::run_case(casefile::load_case_text(reference_constants + fines_sweep, "case.toml", "/").value, options);
+    }
+    std::size_t compared = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(first / "run/figures")) {
+        const std::filesystem::path other = second / "run/figures" / entry.path().filename();
+        EXPECT_EQ(without_times(read_all(entry.path())), without_times(read_all(other))) << other.filename();
+        ++compared;
+    }
+    EXPECT_GE(compared, 12U);
+    const auto page = [](const TempFolder& folder) {
+        const std::string own = folder.path().string();
+        std::string html = without_times(read_all(folder / "run/report.html"));
+        for (std::size_t at = html.find(own); at != std::string::npos; at = html.find(own)) {
+            html.erase(at, own.size());
+        }
+        return html;
+    };
+    EXPECT_EQ(page(first), page(second));
+}
+
+} // namespace
+} // namespace suffuse::test
