@@ -178,9 +178,12 @@ std::string thresholds_sentence(const std::optional<FinesResults>& results) {
     if (!results->dense.points.empty()) {
         text += fmt::format(", the dense one at {}", told(list.at(list.size() - 3)));
     }
+    const auto begins = [&](const report::ContentThreshold& threshold) {
+        return threshold.at.seeds == 0 ? std::string("show no onset") : "begin to rise at " + told(threshold);
+    };
     return text + fmt::format(
-                      "; fines begin to carry load at {} by their number of contacts, at {} by the strong contacts.",
-                      told(list.at(list.size() - 2)), told(list.back())
+                      "; active fines {}, strong contacts between coarse and fine grains {}.",
+                      begins(list.at(list.size() - 2)), begins(list.back())
                   );
 }
 
