@@ -22,6 +22,10 @@ void set_domain(json& chart, double most) {
         json& encoding = layer["encoding"];
         if (encoding.contains("y") && !encoding["y"].contains("scale")) {
             encoding["y"]["scale"] = {{"domain", {0, most}}, {"nice", false}};
+            encoding["y"]["axis"] = {{"values", json::array()}}; // room above a hundred percent is not for numbers
+            for (int tick = 0; tick <= std::min(100.0, most); tick += most > 50 ? 20 : 10) {
+                encoding["y"]["axis"]["values"].push_back(tick);
+            }
         }
     }
 }

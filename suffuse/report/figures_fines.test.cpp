@@ -101,6 +101,26 @@ TEST(FinesFigures, AStudyThatMeasuredNothingMakesNone) {
     EXPECT_FALSE(mixture_gradings({}) || loose_compression({}) || test_paths({}));
 }
 
+TEST(FinesFigures, OneSampleAPointHasNoBarsAndSharesEndAtAHundredPercent) {
+    FinesStudy study = test::sample_fines_study();
+    const std::size_t with_bars = strong_contacts(study)->chart["layer"].size();
+    for (SweepPoint& point : study.loose.points) {
+        point.seed.resize(1);
+        for (auto& [name, scatter] : point.number) {
+            scatter = scatter_of({scatter.mean});
+        }
+        point.number["strong_contact_share.LS"] = scatter_of({0.7});
+    }
+    const Figure figure = *strong_contacts(study);
+    EXPECT_EQ(figure.chart["layer"].size() + 3, with_bars);
+    EXPECT_EQ(figure.chart.dump().find("\"low\""), std::string::npos);
+    for (const json& layer : figure.chart["layer"]) {
+        if (layer["encoding"].contains("y") && layer["encoding"]["y"].value("field", "") == "strong_share") {
+            EXPECT_EQ(layer["encoding"]["y"]["axis"]["values"].back(), 100);
+        }
+    }
+}
+
 TEST(FinesFigures, ASweepThatEndsEarlyEndsItsAxisEarly) {
     FinesStudy study = test::sample_fines_study();
     study.fines_content.resize(4);

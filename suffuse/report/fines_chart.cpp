@@ -121,6 +121,11 @@ json fines_panel(
         names.push_back(line.name);
         colors.push_back(line.color);
     }
+    const bool has_bars = std::any_of(lines.begin(), lines.end(), [](const FinesLine& line) {
+        return std::any_of(line.curve->points.begin(), line.curve->points.end(), [](const SweepPoint& point) {
+            return point.seed.size() > 1;
+        });
+    });
     const json of_panel = {{{"filter", fmt::format("datum.panel == '{}'", panel)}}};
     for (json& layer : drawn) {
         json& y = layer["encoding"]["y"];
@@ -162,7 +167,10 @@ json fines_panel(
         {{"field", "standard_deviation"}, {"title", "standard deviation"}, {"format", ".2g"}},
         {{"field", "samples"}, {"title", "samples"}}};
     for (json& layer : drawn) {
-        chart["layer"].push_back(std::move(layer));
+        const std::string field = layer["encoding"]["y"]["field"];
+        if (has_bars || (field != "low" && field != "high")) { // a scale over no numbers is complained of
+            chart["layer"].push_back(std::move(layer));
+        }
     }
     return chart;
 }
