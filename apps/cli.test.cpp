@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <sstream>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -123,6 +124,20 @@ TEST_F(Cli, EveryVerbHasAHelpOfOneScreen) {
     }
 }
 
+TEST_F(Cli, EveryVerbHasItsSectionInTheDocumentation) {
+    const std::string page = test::read_all(SUFFUSE_SOURCE_DIR "/docs/verbs.md");
+    const std::string overview = say({}).out;
+    std::istringstream lines(overview.substr(overview.find("verbs\n") + 6));
+    int verbs = 0;
+    for (std::string line; std::getline(lines, line) && line.starts_with("  "); ++verbs) {
+        const std::string verb = line.substr(2, line.find(' ', 2) - 2);
+        const std::size_t at = page.find("`" + verb + "`");
+        ASSERT_NE(at, std::string::npos) << verb;
+        EXPECT_EQ(page.compare(page.rfind('\n', at) + 1, 4, "### "), 0) << verb << " has no section";
+    }
+    EXPECT_GE(verbs, 18);
+}
+
 TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
     struct Wrong {
         std::vector<std::string> words;
@@ -134,6 +149,7 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
              {{"run", "case.toml", "--presett", "quick"}, "--preset"},
              {{"bench", "stpe"}, "step"},
              {{"bench"}, "bench what?"},
+             {{"bench", "step", "--packing", "p.csv", "--mode", "quick"}, "reference"},
              {{"run"}, "CASE"},
              {{"run", "a.toml", "b.toml"}, "b.toml"},
              {{"run", "a.toml", "-j", "0"}, "threads"},
@@ -153,6 +169,23 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
         EXPECT_EQ(said.out, "");
         expect_in(wrong.part, said.error);
     }
+}
+
+TEST_F(Cli, ExplainsKeysCodesFiguresAndCriteria) {
+    for (const auto& [word, part] : std::vector<std::pair<std::string, std::string>>{
+             {"contact.modulus", "356 MPa"},
+             {"E310", "unit"},
+             {"conventions", "compression positive"},
+             {"figure-9", "`detach` stage"},
+             {"9", "Figure 9"},
+             {"own-rules", "agree"},
+             {"kezdi-1979", "<= 4"}}) {
+        const Said said = say({"explain", word});
+        EXPECT_EQ(said.code, 0) << word;
+        expect_in(part, said.out);
+        EXPECT_LE(std::count(said.out.begin(), said.out.end(), '\n'), 24) << word;
+    }
+    expect_in("figure-12", say({"explain", "figur-12"}).error);
 }
 
 TEST_F(Cli, HostileWordsAreAnsweredAndShownHarmless) {
@@ -471,6 +504,13 @@ TEST_F(Cli, BenchSpeaksTheNamesThatScriptsRelyOn) {
           "contact_steps_per_second", "ns_per_contact", "rebuilds", "candidates_per_contact", "state_hash"}) {
         EXPECT_TRUE(step.json().contains(name)) << name;
     }
+    EXPECT_EQ(step.json().at("mode"), "reference");
+    const Said fast = say(
+        {"bench", "step", "--packing", "soil/packing.csv", "--cell", cell, "--steps", "50", "--mode", "fast", "--json"}
+    );
+    ASSERT_EQ(fast.code, 0) << fast.error;
+    EXPECT_EQ(fast.json().at("mode"), "fast");
+    EXPECT_NE(fast.json().at("state_hash"), step.json().at("state_hash")); // single precision has been at work
     const Said flow = say({"bench", "flow", "--packing", "soil/packing.csv", "--cell", cell, "--json"});
     ASSERT_EQ(flow.code, 0) << flow.error;
     for (const char* name : {"triangulate", "conductance", "solve", "forces"}) {

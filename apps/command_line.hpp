@@ -42,6 +42,7 @@ struct CommandLine {
     bool clear = false;                ///< the cache
     std::string from;                  ///< template of `new`
     std::string bench;                 ///< "step" or "flow"
+    std::string mode = "reference";    ///< of `bench step`
     std::string packing, cell, time_step, density, format;
     std::vector<std::string> figures; ///< of `figures`: numbers or names
     std::int64_t steps = 2000;

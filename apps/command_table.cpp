@@ -1,29 +1,16 @@
 #include "apps/command_table.hpp"
 
-#include "suffuse/casefile/explain.hpp"
-#include "suffuse/casefile/schema.hpp"
 #include "suffuse/io/packing_export.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include "apps/explain_word.hpp"
 #include "apps/help.hpp"
 #include "apps/templates.hpp"
 #include <algorithm>
 
 namespace suffuse::apps {
 namespace {
-
-/// Keys as `explain` and `--set` take them, and the codes.
-std::vector<std::string> topics() {
-    std::vector<std::string> words = casefile::codes();
-    for (const casefile::Key& key : casefile::schema()) {
-        words.push_back(key.name);
-    }
-    words.emplace_back("conventions");
-    std::sort(words.begin(), words.end());
-    words.erase(std::unique(words.begin(), words.end()), words.end());
-    return words;
-}
 
 std::vector<std::string> template_words() {
     std::vector<std::string> words;
@@ -70,7 +57,7 @@ std::vector<std::string> words_for(const std::string& name, const std::string& t
     if (name == "SHELL") {
         return {"bash", "zsh", "fish"};
     }
-    return name == "WORD" ? topics() : std::vector<std::string>{};
+    return name == "WORD" ? explained_words() : std::vector<std::string>{};
 }
 
 Values kind_of(const std::string& placeholder) {

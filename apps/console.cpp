@@ -50,12 +50,14 @@ void Console::document(std::string_view json) const {
 
 void Console::talk(std::string_view text) const {
     if (!quiet_) {
+        std::fflush(stdout); // in a file that takes both, lines stand in the order in which they were said
         write_line(stderr, text);
     }
 }
 
 void Console::detail(std::string_view text) const {
     if (verbose_ && !quiet_) {
+        std::fflush(stdout);
         write_line(stderr, text);
     }
 }

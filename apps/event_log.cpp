@@ -28,16 +28,17 @@ std::string event_line(const nlohmann::json& event) {
     };
     const std::string at = text("at"); // 2026-11-21T10:27:00Z
     const std::string clock = at.size() == 20 ? at.substr(0, 10) + " " + at.substr(11, 8) : at;
-    std::string line = fmt::format("{}  {:17}", clock, text("event"));
-    for (const char* key : {"stage", "sample", "what", "message"}) {
+    std::string rest;
+    for (const char* key : {"stage", "sample", "outcome", "what", "message"}) {
         if (const std::string value = text(key); !value.empty()) {
-            line += " " + shown(value);
+            rest += (rest.empty() ? "" : " ") + shown(value);
         }
     }
     if (event.contains("wall_seconds") && event.at("wall_seconds").is_number()) {
-        line += ", " + duration_text(event.at("wall_seconds"));
+        rest += (rest.empty() ? "" : ", ") + duration_text(event.at("wall_seconds"));
     }
-    return line;
+    return rest.empty() ? fmt::format("{}  {}", clock, text("event"))
+                        : fmt::format("{}  {:17} {}", clock, text("event"), rest);
 }
 
 } // namespace suffuse::apps

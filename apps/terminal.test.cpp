@@ -200,6 +200,23 @@ TEST(TimeLeft, LearnsThatTheMachineIsSlowerThanPlanned) {
     EXPECT_NEAR(left.left().most, 2 * 400, 0.05 * 800);
 }
 
+TEST(TimeLeft, HeedsThePaceOfTheStageThatRunsAsLongAsNoneIsDone) {
+    run::RunPlan plan = three_stages();
+    for (run::StageEstimate& stage : plan.stages) {
+        stage.grains = 1000;
+        stage.steps = {1000, 2000}; // priced at 10,000 grain-steps a second
+    }
+    TimeLeft left(plan);
+    run::Progress slow = at_stage(1, 10, false);
+    slow.particle_steps_per_second = 5000;
+    left.see(slow);
+    EXPECT_NEAR(left.left().least, 2 * 300 - 10, 1e-9);
+    slow.stage_seconds = 1; // too early to tell
+    TimeLeft early(plan);
+    early.see(slow);
+    EXPECT_NEAR(early.left().least, 300 - 1, 1e-9);
+}
+
 TEST(TimeLeft, AStageBeyondItsRangeStillTakesTime) {
     run::RunPlan last = three_stages();
     last.stages[0].seconds = last.stages[1].seconds = {};

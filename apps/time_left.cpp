@@ -1,21 +1,18 @@
 #include "apps/time_left.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace suffuse::apps {
 namespace {
 
-constexpr double trust = 5; // seconds of experience that weigh as much as the plan
-
-double middle(const run::Range& range) {
-    return std::sqrt(std::max(range.least, 0.01) * std::max(range.most, 0.01));
-}
+constexpr double trust = 5;     // seconds of experience that weigh as much as the plan
+constexpr double steady = 2;    // [s] into a stage from which on its pace means something
+constexpr double moment = 0.01; // [s] what counts as no time
 
 } // namespace
 
 double TimeLeft::correction() const {
-    return (taken_ + trust) / (expected_ + trust);
+    return (taken_ + trust * pace_) / (expected_ + trust);
 }
 
 void TimeLeft::see(const run::Progress& progress) {
@@ -31,12 +28,17 @@ void TimeLeft::see(const run::Progress& progress) {
     } else if (is_known && progress.stage_finished) {
         if (!progress.from_cache) {
             taken_ += progress.stage_seconds;
-            expected_ += middle(plan_.stages[row].seconds);
+            expected_ += middle(plan_.stages[row].seconds, moment);
         }
         plan_.stages[row].seconds = {};
         running_.erase(row);
     } else if (is_known) {
         running_[row] = progress.stage_seconds;
+        const run::StageEstimate& plan = plan_.stages[row];
+        const double priced = middle(plan.steps) * static_cast<double>(plan.grains) / middle(plan.seconds, moment);
+        if (priced > 0 && progress.particle_steps_per_second > 0 && progress.stage_seconds > steady) {
+            pace_ = priced / progress.particle_steps_per_second;
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// How long a run will still take: the plan's ranges, corrected by what the finished stages took against them, and
-// shared among the samples that run side by side.
+// How long a run will still take: the plan's ranges, corrected by what the finished stages took against them and, as
+// long as there are few of these, by the pace of the one that runs; shared among the samples that run side by side.
 
 #include "suffuse/run/plan.hpp"
 #include "suffuse/run/runner.hpp"
@@ -27,6 +27,7 @@ private:
 
     run::RunPlan plan_;
     std::map<Row, double> running_;   ///< stage -> seconds that it took so far
+    double pace_ = 1;                 ///< priced speed of the stage that runs over its own [-]
     double taken_ = 0, expected_ = 0; ///< by the stages that are done [s]
 };
 

@@ -35,6 +35,7 @@ int bench_verb(const CommandLine& line, const Console& console) {
         run::BenchStepSpec spec;
         spec.packing = packing;
         spec.steps = line.steps;
+        spec.mode = line.mode == dem::name_of(dem::Mode::Fast) ? dem::Mode::Fast : dem::Mode::Reference;
         if (!line.time_step.empty()) {
             spec.time_step = quantity_of(line.time_step, dimension::time, "--time-step", true);
         }

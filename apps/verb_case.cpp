@@ -1,6 +1,5 @@
 // new, check, explain, schema: a case before it is run.
 
-#include "suffuse/casefile/explain.hpp"
 #include "suffuse/casefile/schema.hpp"
 #include "suffuse/io/atomic_file.hpp"
 
@@ -8,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/explain_word.hpp"
 #include "apps/templates.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
@@ -112,17 +112,9 @@ int check_verb(const CommandLine& line, const Console& console) {
 }
 
 int explain_verb(const CommandLine& line, const Console& console) {
-    const std::optional<std::string> text = casefile::explain(line.subject);
-    if (!text) {
-        const auto nearest = casefile::nearest_topic(line.subject);
-        throw UsageError(fmt::format(
-            "nothing is known about {}; {}", shown(line.subject),
-            nearest ? fmt::format("a similar word: suffuse explain {}", *nearest)
-                    : "suffuse schema lists all keys of a case"
-        ));
-    }
-    console.result(*text);
-    console.document(json_text({{"topic", line.subject}, {"text", *text}}));
+    const std::string text = explain_word(line.subject);
+    console.result(text);
+    console.document(json_text({{"topic", line.subject}, {"text", text}}));
     return Done;
 }
 

@@ -1,192 +1,22 @@
-// figures: the figures of a run as files for a manuscript. SVG by Vega in Node, PNG and PDF from it by rsvg-convert.
-
-#include "suffuse/base/error.hpp"
+// figures: the figures of a run as files for a manuscript.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "apps/draw_figures.hpp"
 #include "apps/exit_code.hpp"
-#include "apps/other_program.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <unistd.h>
 
 namespace suffuse::apps {
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr const char* specification_ending = ".vl.json";
-constexpr const char* png_zoom = "3"; ///< about 290 dots an inch at a figure's own size
-
-/// A figure of the run, either a specification to be drawn or a drawing.
-struct Source {
-    std::string id;
-    fs::path file;
-    bool is_drawing = false;
-};
-
-/// A folder of our own that is gone at the end.
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        std::string name = (fs::temp_directory_path() / "suffuse-figures-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) {
-            throw IoError(fmt::format("cannot make a folder in {}", fs::temp_directory_path().string()));
-        }
-        path_ = name;
-    }
-
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
-
-std::vector<Source> sources_in(const fs::path& run) {
-    const fs::path folder = run / "figures";
-    std::error_code error;
-    std::vector<Source> sources;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-        const std::string name = entry.path().filename().string();
-        if (name.ends_with(specification_ending)) {
-            sources.push_back({name.substr(0, name.size() - std::string(specification_ending).size()), entry.path()});
-        } else if (name.ends_with(".svg") && !fs::exists(folder / (entry.path().stem().string() + specification_ending))) {
-            sources.push_back({entry.path().stem().string(), entry.path(), true});
-        }
-    }
-    if (error || sources.empty()) {
-        throw IoError(fmt::format(
-            "{}: holds no figures; give the folder of a run, or write them with suffuse report {}", folder.string(),
-            shown(run.string())
-        ));
-    }
-    std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) { return a.id < b.id; });
-    return sources;
-}
-
-/// "9", "fig9", "figure-9" -> "fig09"; others as they are.
-std::string id_of(const std::string& word) {
-    std::string rest = word;
-    for (const std::string_view front : {"figure-", "figure", "fig"}) {
-        if (rest.starts_with(front)) {
-            rest.erase(0, front.size());
-            break;
-        }
-    }
-    const bool is_number =
-        !rest.empty() && rest.size() <= 3 && rest.find_first_not_of("0123456789") == std::string::npos;
-    return is_number ? fmt::format("fig{:02}", std::stoi(rest)) : word;
-}
-
-std::vector<Source> chosen(const std::vector<Source>& all, const std::vector<std::string>& wanted) {
-    if (wanted.empty()) {
-        return all;
-    }
-    std::vector<std::string> ids;
-    for (const Source& source : all) {
-        ids.push_back(source.id);
-    }
-    std::vector<Source> some;
-    for (const std::string& word : wanted) {
-        const auto found = std::find(ids.begin(), ids.end(), id_of(word));
-        if (found == ids.end()) {
-            throw UsageError(fmt::format(
-                "--figure {}: this run has no such figure{}; it has {}", shown(word), near_hint(id_of(word), ids),
-                fmt::join(ids, ", ")
-            ));
-        }
-        some.push_back(all[static_cast<std::size_t>(found - ids.begin())]);
-    }
-    return some;
-}
-
-/// What draws specifications. @throws IoError saying what to install.
-fs::path drawing_program() {
-    if (!is_installed("node")) {
-        throw IoError("node is missing, which draws the figures; install Node 18 or newer (Debian: nodejs)");
-    }
-    const fs::path page = page_folder();
-    if (page.empty() || !fs::exists(page / "figures.mjs")) {
-        throw IoError("the program that draws the figures was not built: let npm reach its registry and call ./run or "
-                      "report/build.sh build/report-page once more");
-    }
-    return page / "figures.mjs";
-}
-
-/// Every figure as SVG in `folder`.
-void draw_svg(const std::vector<Source>& sources, const fs::path& folder) {
-    std::vector<std::string> words = {"node", "", folder.string()};
-    for (const Source& source : sources) {
-        if (!source.is_drawing) {
-            words.push_back(source.file.string());
-        } else if (const fs::path copy = folder / source.file.filename(); copy != source.file) {
-            std::error_code error;
-            fs::copy_file(source.file, copy, fs::copy_options::overwrite_existing, error);
-            if (error && !fs::equivalent(source.file, copy, error)) {
-                throw IoError(fmt::format("cannot write {}: {}", copy.string(), error.message()));
-            }
-        }
-    }
-    if (words.size() == 3) {
-        return;
-    }
-    words[1] = drawing_program().string();
-    if (const ProgramEnd end = run_program(words); end.code != 0) {
-        throw IoError(fmt::format("node could not draw the figures: {}", end.complaint));
-    }
-}
-
-void convert(const fs::path& svg, const fs::path& to, const std::string& format) {
-    std::vector<std::string> words = {"rsvg-convert", "--format", format, "--output", to.string()};
-    if (format == "png") {
-        words.insert(words.end(), {"--zoom", png_zoom, "--background-color", "white"});
-    }
-    words.push_back(svg.string());
-    if (const ProgramEnd end = run_program(words); end.code != 0) {
-        throw IoError(fmt::format("rsvg-convert could not write {}: {}", to.string(), end.complaint));
-    }
-}
-
-} // namespace
 
 int figures_verb(const CommandLine& line, const Console& console) {
+    const std::filesystem::path run = line.subject;
+    const std::filesystem::path folder = line.output.empty() ? run / "figures" : std::filesystem::path(line.output);
     const std::string format = line.format.empty() ? "svg" : line.format;
-    const std::vector<Source> sources = chosen(sources_in(line.subject), line.figures);
-    if (format != "svg" && !is_installed("rsvg-convert")) {
-        throw IoError(fmt::format(
-            "rsvg-convert is missing, which makes {} from SVG; install it (Debian: librsvg2-bin), or ask for --format "
-            "svg",
-            format
-        ));
-    }
-    const fs::path folder = line.output.empty() ? fs::path(line.subject) / "figures" : fs::path(line.output);
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw IoError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
-    }
-    const ScratchFolder scratch;
-    const fs::path drawn = format == "svg" ? folder : scratch.path();
-    draw_svg(sources, drawn);
     std::vector<std::string> written;
-    for (const Source& source : sources) {
-        const fs::path file = folder / (source.id + "." + format);
-        if (format != "svg") {
-            convert(drawn / (source.id + ".svg"), file, format);
-        }
+    for (const std::filesystem::path& file : draw_figures(run, line.figures, format, folder, page_folder())) {
         written.push_back(file.string());
         console.result(file.string());
     }

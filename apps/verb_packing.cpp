@@ -39,11 +39,15 @@ describe(const io::ImportedPacking& read, const std::optional<cell::Cell>& cell,
     return json;
 }
 
+/// To four digits.
+std::string length_text(double length) {
+    return print_quantity(std::stod(fmt::format("{:.4g}", length)), dimension::length);
+}
+
 std::string sentence(const nlohmann::json& about) {
     std::string text = fmt::format(
         "{}: {} grains, d {} to {}", about["file"].get<std::string>(), count_text(about["grains"]),
-        print_quantity(2 * about["radius"][0].get<double>(), dimension::length),
-        print_quantity(2 * about["radius"][1].get<double>(), dimension::length)
+        length_text(2 * about["radius"][0].get<double>()), length_text(2 * about["radius"][1].get<double>())
     );
     if (about.contains("void_ratio")) {
         text += fmt::format(

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/casefile/read_text.hpp"
+#include "suffuse/run/plan_record.hpp"
 #include "suffuse/run/refine.hpp"
 #include "suffuse/run/runner.hpp"
 #include "suffuse/run/samples.hpp"
@@ -11,9 +12,9 @@
 #include <fmt/ranges.h>
 
 #include "apps/exit_code.hpp"
-#include "apps/failures.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/progress_file.hpp"
+#include "apps/run_ending.hpp"
 #include "apps/run_folder.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/terminal.hpp"
@@ -118,111 +119,6 @@ Screen standard_error(const Console& console) {
             }};
 }
 
-std::string findings_text(const nlohmann::json& findings) {
-    std::vector<std::string> not_met, unknown;
-    for (const nlohmann::json& finding : findings) {
-        const nlohmann::json& met = finding.at("met");
-        if (!met.is_null() && met.get<bool>()) {
-            continue;
-        }
-        (met.is_null() ? unknown : not_met).push_back(finding.at("id"));
-    }
-    const std::size_t met = findings.size() - not_met.size() - unknown.size();
-    std::string text = fmt::format("paper's findings: {} of {} met", met, findings.size());
-    if (!not_met.empty()) {
-        text += fmt::format("; not met: {}", fmt::join(not_met, ", "));
-    }
-    if (!unknown.empty()) {
-        text += fmt::format("; cannot tell: {}", fmt::join(unknown, ", "));
-    }
-    return text;
-}
-
-std::string report_text(const fs::path& report) {
-    std::error_code error;
-    const auto bytes = fs::file_size(report, error);
-    if (error) {
-        return "no report";
-    }
-    return fmt::format("{}   ({}, opens offline)", report.string(), size_text(static_cast<double>(bytes)));
-}
-
-void tell_results(const run::RunReport& report, const std::string& headline, const Console& console) {
-    for (const std::string& warning : report.warnings) {
-        console.detail("warning: " + warning);
-    }
-    for (const std::string& flaw : report.flaws) {
-        console.talk("flaw: " + flaw);
-    }
-    console.result(fmt::format("{}   {}", headline, report_text(report.report)));
-    if (!report.warnings.empty()) {
-        console.talk(fmt::format("{}, listed in the report", plural(std::ssize(report.warnings), "warning")));
-    }
-    if (!report.findings.empty()) {
-        console.result(findings_text(report.findings));
-    }
-}
-
-struct Ending {
-    std::string_view word;
-    int code;
-};
-
-Ending ending_of(run::Outcome outcome) {
-    switch (outcome) {
-    case run::Outcome::Done:
-        return {"done", Done};
-    case run::Outcome::DoneWithFlaws:
-        return {"done with flaws", Flawed};
-    case run::Outcome::SomeFailed:
-        return {"failed in part", Failed};
-    case run::Outcome::Stopped:
-        return {"stopped", signal_exit_code()};
-    case run::Outcome::TimeLimit:
-        return {"time limit reached", OutOfTime};
-    }
-    throw Bug("an outcome without a name");
-}
-
-bool is_resumable(run::Outcome outcome) {
-    return outcome == run::Outcome::Stopped || outcome == run::Outcome::TimeLimit;
-}
-
-int tell_end(
-    const Job& job, const CommandLine& line, const run::RunReport& report, double seconds, const Console& console
-) {
-    const auto [word, usual_code] = ending_of(report.outcome);
-    const bool has_failed = report.outcome == run::Outcome::SomeFailed;
-    const int code = has_failed ? code_of(report.failures) : usual_code;
-    if (!line.sample.empty() && !is_resumable(report.outcome)) {
-        console.result(fmt::format(
-            "{}: {} in {}; suffuse sweep --collect {} gathers", line.sample, word, duration_text(seconds),
-            job.folder.string()
-        ));
-    } else if (has_failed || code == Done || code == Flawed) {
-        tell_results(report, fmt::format("{} in {}", word, duration_text(seconds)), console);
-    } else {
-        console.talk(fmt::format("{} after {}", word, duration_text(seconds)));
-        const std::string sample = line.sample.empty() ? "" : " --sample " + line.sample;
-        console.result(fmt::format("resume with: suffuse resume {}{}", job.folder.string(), sample));
-    }
-    if (!report.failures.empty()) {
-        tell_failures(report.failures, std::ssize(run::list_samples(job.what)), job.folder, console);
-    }
-    console.document(json_text(
-        {{"outcome", word},
-         {"exit_code", code},
-         {"folder", job.folder.string()},
-         {"report", report.report.string()},
-         {"wall_seconds", seconds},
-         {"warnings", report.warnings},
-         {"flaws", report.flaws},
-         {"failures", failures_json(report.failures)},
-         {"findings", report.findings}}
-    ));
-    return code;
-}
-
 int conduct(Job job, const CommandLine& line, const Console& console) {
     run::RunOptions options;
     options.folder = job.folder;
@@ -246,12 +142,14 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
         view.show(progress);
         published.show(progress);
     };
+    if (line.sample.empty()) { // a sample beside others knows the price of its own stages only
+        run::keep_plan(job.folder, job.plan);
+    }
     const auto start = std::chrono::steady_clock::now();
     const run::RunReport report = run::run_case(job.what, options);
     view.clear();
-    return tell_end(
-        job, line, report, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), console
-    );
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return tell_end({job.folder, line.sample, std::ssize(run::list_samples(job.what)), seconds}, report, console);
 }
 
 void tell_plan(const Job& job, const std::string& verb, const Console& console) {
@@ -356,7 +254,7 @@ int report_verb(const CommandLine& line, const Console& console) {
          {"flaws", report.flaws},
          {"findings", report.findings}}
     ));
-    return ending_of(report.outcome).code;
+    return exit_code_of(report.outcome);
 }
 
 } // namespace suffuse::apps

@@ -87,6 +87,11 @@ public:
 
     [[nodiscard]] bool is_over() const { return is_over_; }
 
+    /// Whether the run saved itself and would go on.
+    [[nodiscard]] bool is_resumable() const {
+        return outcome_ == run::word_of(run::Outcome::Stopped) || outcome_ == run::word_of(run::Outcome::TimeLimit);
+    }
+
 private:
     bool tell_events() {
         const std::vector<nlohmann::json> fresh = events_.read_new();
@@ -94,6 +99,7 @@ private:
             footer_.clear();
             console_.result(event_line(event));
             is_over_ = event.value("event", "") == "run ends"; // unless it was taken up again
+            outcome_ = is_over_ ? event.value("outcome", "") : "";
             told_.push_back(event);
         }
         std::fflush(stdout);
@@ -121,6 +127,7 @@ private:
     fs::file_time_type seen_{};
     Clock::time_point last_news_ = Clock::now();
     bool is_over_ = false, is_first_ = true;
+    std::string outcome_; ///< of a run that is over
 };
 
 } // namespace
@@ -135,8 +142,10 @@ int watch_verb(const CommandLine& line, const Console& console) {
     Watch watch(folder, console);
     const nlohmann::json events = watch.follow();
     const fs::path report = folder / "report.html";
-    const bool has_report = watch.is_over() && fs::exists(report);
-    if (has_report) {
+    const bool has_report = watch.is_over() && !watch.is_resumable() && fs::exists(report);
+    if (watch.is_resumable()) {
+        console.result(fmt::format("resume with: suffuse resume {}", shown(line.subject)));
+    } else if (has_report) {
         console.result(report.string());
     } else if (!watch.is_over()) {
         console.result(fmt::format(

@@ -47,7 +47,7 @@ void set_threads(int asked) {
 
 run::RunPlan plan_case(const casefile::Case& what, int at_once) {
     constexpr double window = 0.3; // [s]
-    return run::plan_run(what, run::measure_speed(run::largest_sample(what), window, at_once));
+    return run::plan_run(what, run::measure_speed(run::largest_sample(what), what.mode, window, at_once));
 }
 
 std::string plan_sentence(const run::RunPlan& plan) {

@@ -76,6 +76,11 @@ TEST(EventLog, GivesEachEventOnceAndWaitsForTheEndOfALine) {
     ASSERT_EQ(events.size(), 1U);
     EXPECT_EQ(event_line(events[0]), "  stage done        replay/start, 0.2 s");
     EXPECT_TRUE(log.read_new().empty());
+    EXPECT_EQ(event_line({{"event", "run begins"}}), "  run begins");
+    EXPECT_EQ(
+        event_line({{"event", "run ends"}, {"outcome", "stopped"}, {"wall_seconds", 3.0}}),
+        "  run ends          stopped, 3.0 s"
+    );
 }
 
 TEST(EventLog, HostileWordsDoNotMoveTheCursor) {

@@ -83,7 +83,7 @@ def main():
     complaints, files = check(root.resolve())
     if not files:
         sys.exit(f"{root}: no C++ file found")
-    print(f"{files} files, {len(complaints)} includes against the layers of tools/layers.txt", *complaints, sep="\n")
+    print(f"{files} files, {len(complaints)} complaints against the layers of tools/layers.txt", *complaints, sep="\n")
     sys.exit(1 if complaints else 0)
 
 

@@ -3,13 +3,12 @@
 
     read_a_run.py [FOLDER OF A RUN [OUTPUT]]
 
-Without a folder, the replay example is run first, which takes a second. With matplotlib a PNG is drawn, else the
+Without a folder, the replay example is run first, into runs/, which takes a second. With matplotlib a PNG is drawn, else the
 numbers are written as CSV.
 """
 
 import pathlib
 import sys
-import tempfile
 
 import numpy
 
@@ -20,7 +19,7 @@ if len(sys.argv) > 1:
 else:
     case = suffuse.Case(pathlib.Path(__file__).parents[1] / "replay" / "case.toml")
     print(case.plan())
-    run = case.run(pathlib.Path(tempfile.mkdtemp()) / "replay", on_progress=suffuse.print_progress)
+    run = case.run(on_progress=suffuse.print_progress)
 output = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "read_a_run.png")
 
 for name in run:

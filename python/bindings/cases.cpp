@@ -1,7 +1,6 @@
 // Case files: read, checked, priced; and the words of the schema.
 
 #include "suffuse/casefile/bind.hpp"
-#include "suffuse/casefile/explain.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/casefile/read_text.hpp"
 #include "suffuse/casefile/schema.hpp"
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/explain_word.hpp"
 #include "apps/verbs.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/case_handle.hpp"
@@ -82,7 +82,7 @@ void bind_case(py::module_& m) {
             run::RunPlan plan;
             {
                 const Working working;
-                plan = run::plan_run(self.loaded.value, run::measure_speed(run::largest_sample(self.loaded.value)));
+                plan = apps::plan_case(self.loaded.value, run::samples_at_once(self.loaded.value));
             }
             nlohmann::json json = plan;
             json["text"] = apps::plan_sentence(plan);
@@ -105,19 +105,8 @@ void bind_schema(py::module_& m) {
         "schema", [] { return casefile::schema(); }, "Every key that a case may have."
     );
     m.def(
-        "explain",
-        [](const std::string& word) {
-            const auto text = casefile::explain(word);
-            if (!text) {
-                const auto nearest = casefile::nearest_topic(word);
-                throw CaseError(fmt::format(
-                    "nothing is known about {}; {}", word,
-                    nearest ? "a similar word: " + *nearest : "suffuse.schema() lists all keys of a case"
-                ));
-            }
-            return *text;
-        },
-        py::arg("word"), "One screen on a key of a case, a code of an error, or \"conventions\"."
+        "explain", &apps::explain_word, py::arg("word"),
+        "One screen on a key of a case, a code of an error, a figure, a criterion of stability, or \"conventions\"."
     );
 }
 

@@ -32,6 +32,7 @@ PYBIND11_MODULE(_core, m) {
     python::bind_steps(m);
     python::bind_water(m);
     python::bind_files(m);
+    python::bind_stability(m);
     python::bind_cases(m);
     python::bind_runs(m);
     set_thread_count(std::max(static_cast<int>(std::thread::hardware_concurrency()), 1));

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/draw_figures.hpp"
 #include "apps/run_folder.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/case_handle.hpp"
@@ -138,23 +139,6 @@ run::RunReport run_and_listen(const casefile::Case& what, run::RunOptions option
     return report;
 }
 
-std::string_view word_of(run::Outcome outcome) {
-    switch (outcome) {
-    case run::Outcome::Done:
-        return "done";
-    case run::Outcome::DoneWithFlaws:
-        return "done with flaws";
-    case run::Outcome::SomeFailed:
-        return "failed in part";
-    case run::Outcome::Stopped:
-        return "stopped";
-    case run::Outcome::TimeLimit:
-        return "time limit";
-    default:
-        return "some samples failed";
-    }
-}
-
 py::tuple conduct(
     const CaseHandle& what, const fs::path& folder, const std::string& until, const py::object& time_limit,
     const fs::path& page_folder, const py::object& on_progress
@@ -171,7 +155,7 @@ py::tuple conduct(
     Listener listener(on_progress);
     const run::RunReport report = run_and_listen(what.loaded.value, std::move(options), listener);
     listener.raise_what_was_raised();
-    return py::make_tuple(word_of(report.outcome), report.report);
+    return py::make_tuple(run::word_of(report.outcome), report.report);
 }
 
 } // namespace
@@ -208,6 +192,10 @@ void bind_runs(py::module_& m) {
         "read_cbor", [](const fs::path& path) { return to_python(run::read_cbor(path)); }, py::arg("path"),
         "What a stage keeps in results.cbor."
     );
+    m.def("draw_figure", [](const fs::path& run, const std::string& which, const fs::path& file, const fs::path& page) {
+        const Working working;
+        apps::draw_figure(run, which, file, page);
+    });
     m.def("rebuild_report", [](const fs::path& folder, const fs::path& page_folder) {
         const Working working;
         return run::rebuild_report(folder, page_folder).report;

@@ -7,6 +7,8 @@
     run = case.run(on_progress=suffuse.print_progress)   # Ctrl-C saves; run.resume() goes on
     state = run["replay/settled"].world                  # grains and contacts as NumPy arrays
 
+    print(suffuse.assess("dyke.csv", gradient=0.3))      # internal stability, by the grading alone
+
     world = suffuse.read_packing("packing.txt", cell=(4e-3, 4e-3, 4e-3))
     water = suffuse.seep(world, gradient=0.05, direction="x")
 
@@ -55,5 +57,6 @@ from suffuse._core import (
 from suffuse.case import Case, Plan, print_progress
 from suffuse.packing import read_packing, write_packing
 from suffuse.run import Figure, Run, Stage
+from suffuse.stability import Assessment, assess
 
-__all__ = [name for name in dir() if not name.startswith("_") and name not in ("case", "packing", "run")]
+__all__ = [name for name in dir() if not name.startswith("_") and name not in ("case", "packing", "run", "stability")]

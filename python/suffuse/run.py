@@ -49,6 +49,15 @@ class Stage:
     def __getitem__(self, key):
         return self.numbers[key]
 
+    def __getattr__(self, name):
+        """A number of stage.json: stage.void_ratio is stage["void_ratio"]."""
+        if name.startswith("_") or name not in self.numbers:
+            raise AttributeError(f"{self.name}: no {name} among its numbers: {', '.join(sorted(self.numbers))}")
+        return self.numbers[name]
+
+    def __dir__(self):
+        return sorted(set(super().__dir__()) | set(self.numbers))
+
     @functools.cached_property
     def world(self):
         """The state at the end of the stage: a World."""
@@ -112,6 +121,12 @@ class Figure:
         path = self._folder / f"{self.name}.vl.json"
         return _read_json(path) if path.exists() else None
 
+    def save(self, path):
+        """Draws the figure as path says: .svg, .png or .pdf. Needs Node, and rsvg-convert for the latter two."""
+        path = pathlib.Path(path)
+        _core.draw_figure(self._folder.parent, self.name, path, page_folder())
+        return path
+
     def _repr_mimebundle_(self, include=None, exclude=None):
         if self.specification is None:
             return {"text/plain": repr(self)}
@@ -124,7 +139,7 @@ class Figure:
 class Run:
     """A run folder. run["STUDY/STAGE"] is a finished stage; run.figure(9) a figure of the report.
 
-    outcome: "done", "done with flaws" or "time limit", where this session ran it
+    outcome: "done", "done with flaws" or "time limit reached", where this session ran it
     """
 
     def __init__(self, folder, outcome=None):

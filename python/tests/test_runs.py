@@ -54,6 +54,11 @@ def test_a_run_is_that_of_the_program(small_case, tmp_path):
     assert run.summary["title"] and run.report.exists() and run.events[-1]["event"] == "run ends"
     for name in run.figures:
         assert len(run.figure(name).data.dtype.names) > 1
+    with pytest.raises(suffuse.UsageError, match=".svg, .png or .pdf"):
+        suffuse.Figure(run.folder / "figures", "fig09").save(tmp_path / "figure.gif")
+    assert stage.void_ratio == stage["void_ratio"] and "void_ratio" in dir(stage)
+    with pytest.raises(AttributeError, match="no void_ration"):
+        stage.void_ration
     with pytest.raises(KeyError, match="not a finished stage"):
         run["replay/nothing"]
 
@@ -106,7 +111,7 @@ def test_control_c_saves_and_resuming_gives_the_same_bits(small_case, tmp_path):
 def test_until_and_time_limit(small_case, tmp_path):
     run = suffuse.Case(small_case).run(tmp_path / "run", until="settled")
     assert run.stages == ["replay/start", "replay/settled"]
-    assert suffuse.Case(small_case).run(tmp_path / "run", time_limit=1e-9).outcome == "time limit"
+    assert suffuse.Case(small_case).run(tmp_path / "run", time_limit=1e-9).outcome == "time limit reached"
     with pytest.raises(suffuse.UnitError):
         suffuse.Case(small_case).run(tmp_path / "run", time_limit="3 kPa")
 

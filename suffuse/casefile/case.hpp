@@ -95,9 +95,8 @@ struct OutputSpec {
 
 struct ReportSpec {
     std::vector<std::string> figures = {"paper", "own"};
-    bool reversed_size_axis = false; ///< large grains on the left
-    bool dilation_up = false;        ///< how volumetric strain is drawn; its sign does not change
-    std::string language = "en";
+    bool reversed_size_axis = false;            ///< large grains on the left
+    bool dilation_up = false;                   ///< how volumetric strain is drawn; its sign does not change
     std::map<std::string, std::string> overlay; ///< figure -> CSV of measured points
 };
 

@@ -229,7 +229,6 @@ histories = { every = 50 }
 figures = ["own", "figure-9"]
 psd_axis = "reversed"
 dilation = "up"
-language = "en"
 overlay = { figure-2 = "data/points.csv" }
 )";
 

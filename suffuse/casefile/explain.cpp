@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace suffuse::casefile {
@@ -33,6 +34,7 @@ constexpr std::array code_table = {
         "A number where a text is needed, a value where a list is needed, and the like."},
     Code{"E206", "unknown word", "The key has a fixed list of words, and this is none of them."},
     Code{"E207", "keys contradict each other", "Two keys exclude each other, or one is needed because of another."},
+    Code{"W208", "a key of earlier versions", "The key means nothing any more; the rest of the case is read."},
     Code{
         "E209", "bad name",
         "Names of studies, soils, stages and presets become folders: letters, digits, - and _, at most 64."},
@@ -80,6 +82,11 @@ constexpr std::array code_table = {
         "Grains are drawn from the grading before the first step: the limit of the fines must lie within the curve, "
         "Kenney and Lau's split must exist where it is asked for, and there must be enough grains to follow the curve "
         "within `grading_tolerance`."},
+    Code{
+        "W607", "few fines, or few coarse grains",
+        "Below 100 fine or 50 coarse grains, shares of what leaves and the constrictions of the skeleton are the "
+        "chance of "
+        "one sample: take more grains, or several seeds."},
     Code{
         "W605", "nothing or everything is fine",
         "Without fines nothing can leave; without coarse grains there is no skeleton."},
@@ -143,13 +150,15 @@ std::optional<std::string> explain(std::string_view what) {
     return text.empty() ? std::nullopt : std::optional(text);
 }
 
-std::optional<std::string> nearest_topic(std::string_view what) {
-    std::vector<std::string> known = codes();
-    known.emplace_back("conventions");
+std::vector<std::string> topics() {
+    std::vector<std::string> words = codes();
+    words.emplace_back("conventions");
     for (const Key& key : schema()) {
-        known.push_back(key.name);
+        words.push_back(key.name);
     }
-    return nearest_word(what, known);
+    std::sort(words.begin(), words.end());
+    words.erase(std::unique(words.begin(), words.end()), words.end());
+    return words;
 }
 
 } // namespace suffuse::casefile

@@ -11,8 +11,8 @@ namespace suffuse::casefile {
 /// Text for a key ("watch", "contact.modulus"), a code ("E310") or "conventions"; empty where nothing is known.
 std::optional<std::string> explain(std::string_view what);
 
-/// What the program could have meant, for a word that `explain` does not know.
-std::optional<std::string> nearest_topic(std::string_view what);
+/// All words that `explain` knows by their own name, sorted.
+std::vector<std::string> topics();
 
 /// All codes, in order.
 std::vector<std::string> codes();

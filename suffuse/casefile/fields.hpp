@@ -65,9 +65,6 @@ void fields(V& v, ReportSpec& s) {
     v.field("figures", s.figures);
     v.choice("psd_axis", s.reversed_size_axis, names::size_axis);
     v.choice("dilation", s.dilation_up, names::dilation);
-    std::string_view language = s.language;
-    v.choice("language", language, names::language);
-    s.language = std::string(language);
     overlay_field(v, s.overlay);
 }
 

@@ -95,6 +95,14 @@ TEST(LoadCase, EveryValueReachesItsSpecInSi) {
     EXPECT_EQ(c.report.overlay.size(), 1U);
 }
 
+TEST(LoadCase, AKeyOfEarlierVersionsIsAWarningSoThatOldRunsAreStillRead) {
+    const LoadedCase loaded = load_case_text(good_case + "[report]\nlanguage = \"en\"\n", "case.toml", data_folder());
+    const Diagnostic warning = find_problem(loaded.warnings, "W208");
+    EXPECT_TRUE(warning.is_warning);
+    EXPECT_EQ(warning.line, 16);
+    EXPECT_EQ(resolved_toml(loaded.value).find("language"), std::string::npos);
+}
+
 TEST(LoadCase, WrittenBackWithAllDefaultsItIsTheSameCase) {
     const std::string once = resolved_toml(load(full_case));
     const std::string twice = resolved_toml(load_case_text(once, "resolved.toml", "/nowhere").value);

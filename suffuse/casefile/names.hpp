@@ -73,7 +73,6 @@ inline constexpr std::array snapshots = {
 inline constexpr std::array extreme = {Word<bool>{false, "minimum"}, Word<bool>{true, "maximum"}};
 inline constexpr std::array size_axis = {Word<bool>{false, "left-to-right"}, Word<bool>{true, "reversed"}};
 inline constexpr std::array dilation = {Word<bool>{false, "down"}, Word<bool>{true, "up"}};
-inline constexpr std::array language = {Word<std::string_view>{"en", "en"}};
 
 /// In the order of StageSpec.
 inline constexpr std::array<std::string_view, 10> verbs = {"import",  "pack", "compact", "settle", "triaxial",

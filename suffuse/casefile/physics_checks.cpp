@@ -19,6 +19,7 @@ constexpr double settled_porosity = 0.4; ///< of sands at some 100 kPa
 constexpr double contacts_per_grain = 4; ///< of the grains that carry load
 constexpr double narrow_cell = 10;       ///< cell width / largest grain below which results depend on it [-]
 constexpr double narrowest_cell = 3;     ///< below which a grain meets its own image's neighbors [-]
+constexpr std::ptrdiff_t few_fines = 100, few_coarse = 50;
 constexpr double large_overlap = 0.02;   ///< of the radius: doubtful [-]
 constexpr double largest_overlap = 0.05; ///< of the radius: the contact law no longer describes grains [-]
 
@@ -147,9 +148,35 @@ public:
             return;
         }
         try {
-            grains::sample_soil(*variant_.soil, static_cast<int>(variant_.particles));
+            check_counts(grains::sample_soil(*variant_.soil, static_cast<int>(variant_.particles)));
         } catch (const CaseError& problem) {
             context_.problems.error("E606", place_of("particles"), problem.what(), "suffuse explain E606");
+        }
+    }
+
+    /// What leaves are shares of the fines, held back by the coarse: few of either say little.
+    void check_counts(const grains::SampledGrains& sample) {
+        const bool erodes = std::any_of(variant_.stages.begin(), variant_.stages.end(), [](const Stage& stage) {
+            return std::holds_alternative<erosion::DetachStageSpec>(stage.spec) ||
+                   std::holds_alternative<erosion::ErodeSpec>(stage.spec);
+        });
+        const auto fines = std::count(sample.fine.begin(), sample.fine.end(), std::uint8_t{1});
+        const auto coarse = std::ssize(sample.fine) - fines;
+        if (!erodes || fines == 0 || coarse == 0) { // where there are none, W605 says so
+            return;
+        }
+        if (fines < few_fines || coarse < few_coarse) {
+            context_.problems.warning(
+                "W607", place_of("particles"),
+                fmt::format(
+                    "{} fine grains between {} coarse ones{}: what leaves is then chance, more than soil", fines,
+                    coarse, variant_.values.empty() ? "" : fmt::format(" ({})", variant_.folder)
+                ),
+                fmt::format(
+                    "take more grains, until there are at least {} fine and {} coarse, or several seeds (`replicates`)",
+                    few_fines, few_coarse
+                )
+            );
         }
     }
 

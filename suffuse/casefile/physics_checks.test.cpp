@@ -86,6 +86,18 @@ TEST(PhysicsChecks, ErosionNeedsFines) {
     EXPECT_TRUE(find_problem(problems_of(two + erode), "W605").is_warning);
 }
 
+TEST(PhysicsChecks, FewFinesOrFewCoarseGrainsAreDoubtful) {
+    const std::string erode = "[[study.one.stage]]\nname = \"x\"\ndo = \"erode\"\n";
+    // Of 20,000 grains from 0.1 to 0.4 mm, linear in log size, those below 0.1001 mm are a handful by number.
+    const std::string few = replaced(good_case, "0.15 mm", "0.1001 mm");
+    EXPECT_EQ(find_problem(problems_of(few), "W607").code, ""); // nothing is to leave
+    const Diagnostic found = find_problem(problems_of(few + erode), "W607");
+    EXPECT_TRUE(found.is_warning) << found.message;
+    EXPECT_EQ(found.line, 7);
+    EXPECT_TRUE(find_problem(problems_of(replaced(good_case, "0.15 mm", "0.39 mm") + erode), "W607").is_warning);
+    EXPECT_EQ(problems_of(good_case + erode).size(), 0U);
+}
+
 TEST(PhysicsChecks, GrainsThatCannotBeDrawnAreReportedBeforeTheRun) {
     const Diagnostic outside = find_problem(problems_of(replaced(good_case, "0.15 mm", "1 mm")), "E606");
     EXPECT_EQ(outside.line, 7);

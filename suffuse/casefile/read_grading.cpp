@@ -211,10 +211,36 @@ bool check_order(const std::vector<GradingPoint>& points, Problems& problems) {
     return is_good;
 }
 
+/// From nothing to everything, sizes rising.
+bool check_ends(const std::vector<GradingPoint>& points, Problems& problems) {
+    if (points.front().passing != 0) {
+        problems.error(
+            "E504", points.front().passing_place,
+            fmt::format(
+                "the curve starts at {} passing {}", in_percent(points.front().passing), in_mm(points.front().diameter)
+            ),
+            "add the size that nothing passes (0 %): the smallest grains that you want to model"
+        );
+        return false;
+    }
+    if (points.back().passing != 1) {
+        problems.error(
+            "E504", points.back().passing_place,
+            fmt::format(
+                "the curve ends at {} passing {}", in_percent(points.back().passing), in_mm(points.back().diameter)
+            ),
+            "add the size that everything passes (100 %)"
+        );
+        return false;
+    }
+    return true;
+}
+
 } // namespace
 
-std::optional<grains::Grading>
-make_grading(std::vector<GradingPoint> points, const std::string& origin, const Place& whole, Problems& problems) {
+std::optional<grains::Grading> make_grading(
+    std::vector<GradingPoint> points, const std::string& origin, const Place& whole, Problems& problems, CurveEnds ends
+) {
     if (points.size() < 2) {
         problems.error(
             "E505", whole,
@@ -236,24 +262,7 @@ make_grading(std::vector<GradingPoint> points, const std::string& origin, const 
     if (!check_order(points, problems)) {
         return std::nullopt;
     }
-    if (points.front().passing != 0) {
-        problems.error(
-            "E504", points.front().passing_place,
-            fmt::format(
-                "the curve starts at {} passing {}", in_percent(points.front().passing), in_mm(points.front().diameter)
-            ),
-            "add the size that nothing passes (0 %): the smallest grains that you want to model"
-        );
-        return std::nullopt;
-    }
-    if (points.back().passing != 1) {
-        problems.error(
-            "E504", points.back().passing_place,
-            fmt::format(
-                "the curve ends at {} passing {}", in_percent(points.back().passing), in_mm(points.back().diameter)
-            ),
-            "add the size that everything passes (100 %)"
-        );
+    if (ends == CurveEnds::Closed && !check_ends(points, problems)) {
         return std::nullopt;
     }
     grains::Grading grading;
@@ -265,7 +274,8 @@ make_grading(std::vector<GradingPoint> points, const std::string& origin, const 
     return grading;
 }
 
-std::optional<grains::Grading> parse_grading(const std::shared_ptr<const Source>& source, Problems& problems) {
+std::optional<grains::Grading>
+parse_grading(const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends) {
     const Place whole{source, 0, 0, 1};
     if (!check_encoding(source, problems)) {
         return std::nullopt;
@@ -303,12 +313,12 @@ std::optional<grains::Grading> parse_grading(const std::shared_ptr<const Source>
     if (!is_good) {
         return std::nullopt;
     }
-    return make_grading(std::move(points), source->name, whole, problems);
+    return make_grading(std::move(points), source->name, whole, problems, ends);
 }
 
-grains::Grading read_grading(const std::string& path) {
+grains::Grading read_grading(const std::string& path, CurveEnds ends) {
     Problems problems;
-    const auto grading = parse_grading(std::make_shared<Source>(Source{path, read_whole_file(path)}), problems);
+    const auto grading = parse_grading(std::make_shared<Source>(Source{path, read_whole_file(path)}), problems, ends);
     if (!grading) {
         throw CaseProblems(problems.sorted());
     }

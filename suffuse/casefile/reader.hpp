@@ -130,6 +130,7 @@ private:
     [[nodiscard]] std::string join(std::string_view key) const;
     [[nodiscard]] bool in_range(const Key& key, double value, const Node& node);
     void unknown_key(const Node::Entry& entry);
+    bool is_retired(const Node::Entry& entry);
 
     ReadContext& context_;
     const Node& node_;

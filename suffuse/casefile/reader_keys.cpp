@@ -6,7 +6,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
+
 namespace suffuse::casefile {
+
+namespace {
+
+/// A key of earlier versions: cases and run folders that have it are still read.
+struct RetiredKey {
+    std::string_view table, key, reason;
+};
+
+constexpr std::array retired_keys = {
+    RetiredKey{"report", "language", "reports are in English; take the line out"},
+};
+
+} // namespace
 
 Reader::Reader(
     ReadContext& context, const Node& table, Place place, std::vector<std::string> patterns, std::string path
@@ -91,9 +106,22 @@ void Reader::unknown_key(const Node::Entry& entry) {
     );
 }
 
+bool Reader::is_retired(const Node::Entry& entry) {
+    for (const RetiredKey& retired : retired_keys) {
+        if (retired.table == patterns_.front() && retired.key == entry.key) {
+            context_.problems.warning(
+                "W208", entry.place, fmt::format("`{}` in {} has no effect any more", entry.key, title()),
+                std::string(retired.reason)
+            );
+            return true;
+        }
+    }
+    return false;
+}
+
 void Reader::finish() {
     for (const Node::Entry& entry : node_.entries) {
-        if (std::find(taken_.begin(), taken_.end(), entry.key) == taken_.end()) {
+        if (std::find(taken_.begin(), taken_.end(), entry.key) == taken_.end() && !is_retired(entry)) {
             unknown_key(entry);
         }
     }

@@ -74,10 +74,12 @@ TEST(Explain, KnowsKeysCodesAndConventions) {
     EXPECT_NE(explain("conventions")->find("compression positive"), std::string::npos);
     EXPECT_FALSE(explain("modulos"));
     EXPECT_FALSE(explain(""));
-    EXPECT_EQ(nearest_topic("modulos"), "modulus");
 }
 
 TEST(Explain, EveryHintInAMessageLeadsSomewhere) {
+    for (const std::string& word : topics()) {
+        EXPECT_TRUE(explain(word)) << word;
+    }
     for (const Key& key : schema()) {
         EXPECT_TRUE(explain(key.name)) << key.name;
     }

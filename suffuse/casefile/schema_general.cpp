@@ -14,7 +14,7 @@ std::vector<Key> top_rows() {
     return {
         required(count("", "schema", {1, 1, false, false}, "Version of this format.")),
         text("", "title", "Title of the report."),
-        text("", "paper", "Paper that the case follows, for the report."),
+        text("", "paper", "Paper that the case follows; the report and every figure name it."),
         count(
             "", "seed", count_from_zero,
             "Seed of all random numbers: the same seed gives the same results, bit for bit."
@@ -187,10 +187,10 @@ std::vector<Key> output_rows() {
         )),
         other(
             "output", "snapshots", "\"per-stage\", \"none\", or { every = \"1 %\" }",
-            "When pictures of the state are written: at the end of each stage, never, or also every so much axial "
-            "strain."
+            "When pictures of the state (vtp, xyz) are written: at the end of each stage, never, or also each time the "
+            "largest strain of a stage passes a multiple."
         ),
-        ratio("output.snapshots", "every", open_share, "Axial strain between two snapshots."),
+        ratio("output.snapshots", "every", open_share, "Strain between two snapshots."),
         quantity("output", "checkpoint", dimension::time, above_zero, "Wall-clock time between checkpoints."),
         table("output", "histories", "How often histories are sampled."),
         count("output.histories", "every", from_one, "Steps between two rows, where a stage's `record` does not say."),
@@ -205,7 +205,6 @@ std::vector<Key> output_rows() {
             "report", "dilation", names::words_of(names::dilation),
             "Which way dilation is drawn; compression stays positive in all numbers."
         ),
-        choice("report", "language", names::words_of(names::language), "Language of the report."),
         other(
             "report", "overlay", "{ figure-2 = \"data/points.csv\" }",
             "CSV files of measured points to draw as markers."

@@ -17,7 +17,6 @@ namespace {
 constexpr std::int64_t time_step_interval = 1000; // steps between two looks at the stable time step
 constexpr std::int64_t most_steps = 3'000'000, most_swift_steps = 60'000;
 constexpr std::int64_t most_relax_steps = 1500;
-constexpr double open_porosity = 0.50;    // far from touching: here `faithful` makes its first step
 constexpr double relaxed_load = 0.1;      // share of the pressure that overlaps left by geometry may still cause
 constexpr double least_void_ratio = 0.05; // spheres overlap beyond any meaning before this
 

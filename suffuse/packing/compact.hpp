@@ -11,6 +11,9 @@
 
 namespace suffuse::packing {
 
+/// Far from touching: here `faithful` makes its first step, unless grains adhere [-].
+inline constexpr double open_porosity = 0.50;
+
 /// Where a compaction stands; part of what a checkpoint saves.
 struct CompactState {
     enum class Phase : std::int32_t {

@@ -109,8 +109,11 @@ double choose_time_step(const dem::World& world, const CompactSpec& spec) {
     if (spec.protocol != Protocol::Slow) {
         return dem::stable_time_step(world);
     }
-    const double smallest = *std::min_element(world.grains.radius.begin(), world.grains.radius.end());
-    return p_wave_share * smallest * std::sqrt(world.material.density / world.material.modulus);
+    return slow_time_step(*std::min_element(world.grains.radius.begin(), world.grains.radius.end()), world.material);
+}
+
+double slow_time_step(double smallest, const grains::Material& material) {
+    return p_wave_share * smallest * std::sqrt(material.density / material.modulus);
 }
 
 void scale_inertia(dem::World& world, bool up) {

@@ -20,6 +20,9 @@ bool is_loaded(const CompactSpec& spec, const CompactState& state);
 /// The time step that the protocol asks for now [s].
 double choose_time_step(const dem::World& world, const CompactSpec& spec);
 
+/// The reference's: a share of the P-wave time of the smallest grain, of radius `smallest` [m] [s].
+double slow_time_step(double smallest, const grains::Material& material);
+
 /// Multiplies (or divides) the moments of inertia by `inertia_factor`: exact both ways.
 void scale_inertia(dem::World& world, bool up);
 

@@ -27,6 +27,7 @@ nlohmann::json state_to_show(const dem::World& world) {
 void Control::begin(Progress where) {
     progress_ = std::move(where);
     save_ = nullptr;
+    rate_first_step_ = -1;
     stage_start_ = saved_ = Clock::now();
     shown_ = Clock::time_point{};
     beat("", 0);
@@ -40,9 +41,7 @@ void Control::beat(std::string_view part, long long steps, const dem::World* wor
         progress_.stage_seconds = stage_seconds();
         if (world != nullptr) {
             progress_.state = state_to_show(*world);
-            progress_.particle_steps_per_second = static_cast<double>(steps) *
-                                                  static_cast<double>(world->grains.size()) /
-                                                  std::max(progress_.stage_seconds, 1e-9);
+            progress_.particle_steps_per_second = rate(steps, world->grains.size());
         }
         overview_.show(progress_);
     }
@@ -54,6 +53,16 @@ void Control::beat(std::string_view part, long long steps, const dem::World* wor
     if (stop) {
         throw Interrupted("asked to stop, or out of time");
     }
+}
+
+/// Grain steps per second since steps were first told; a search that begins anew counts anew.
+double Control::rate(long long steps, std::size_t grains) {
+    if (rate_first_step_ < 0 || steps < rate_first_step_) {
+        rate_first_step_ = steps;
+        rate_start_ = Clock::now();
+    }
+    const double seconds = seconds_since(rate_start_);
+    return seconds > 0 ? static_cast<double>(steps - rate_first_step_) * static_cast<double>(grains) / seconds : 0;
 }
 
 Pulse Control::pulse() {

@@ -40,7 +40,11 @@ private:
 
     Overview& overview_;
     double checkpoint_interval_; ///< [s]
+    [[nodiscard]] double rate(long long steps, std::size_t grains);
+
     Clock::time_point stage_start_ = Clock::now(), saved_ = stage_start_, shown_ = stage_start_;
+    Clock::time_point rate_start_;  ///< when steps were first told
+    long long rate_first_step_ = 0; ///< how many they were: a stage that was resumed does not begin at 0
     Progress progress_;
     std::function<void()> save_;
 };

@@ -159,7 +159,7 @@ nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions&
     StateHash hash;
     const std::string resolved = casefile::resolved_toml(what);
     hash.add(std::string_view(resolved)); // its characters, not where they lie
-    return {
+    nlohmann::json provenance = {
         {"program", "suffuse"},
         {"version", version()},
         {"commit", commit()},
@@ -175,6 +175,10 @@ nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions&
         {"finished", now_utc()},
         {"wall_seconds", wall_seconds},
     };
+    if (!what.paper.empty()) {
+        provenance["paper"] = what.paper;
+    }
+    return provenance;
 }
 
 } // namespace suffuse::run

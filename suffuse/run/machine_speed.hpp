@@ -2,6 +2,8 @@
 // How fast this machine advances grains, measured in a fraction of a second on a made-up packing: a jittered cubic
 // lattice with about as many contacts a grain as a settled sand, stepped by the same code as a run.
 
+#include "suffuse/dem/spec.hpp"
+
 #include <cstdint>
 
 namespace suffuse::run {
@@ -15,6 +17,6 @@ struct MachineSpeed {
 
 /// Steps about `grains` grains (between 500 and 50,000 are taken) for about `seconds` of wall time, in `at_once`
 /// packings side by side, as a run of so many samples does.
-MachineSpeed measure_speed(std::int64_t grains, double seconds = 0.3, int at_once = 1);
+MachineSpeed measure_speed(std::int64_t grains, dem::Mode mode, double seconds = 0.3, int at_once = 1);
 
 } // namespace suffuse::run

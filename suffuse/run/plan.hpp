@@ -1,10 +1,10 @@
 #pragma once
-// What a case will cost before it is run: steps, time, memory and disk of every stage, always as a range. Strain-driven
-// steps follow from the strain, the inertial number and the time step; relaxations are ranges seen on samples of 500 to
-// 10,000 grains; time is priced by measure_speed.
+// What a case will cost before it is run: steps, time, memory and disk of every stage, always as a range; time is
+// priced by measure_speed.
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/run/machine_speed.hpp"
+#include "suffuse/run/range.hpp"
 #include "suffuse/run/stage_cache.hpp"
 
 #include <nlohmann/json.hpp>
@@ -16,12 +16,6 @@
 #include <vector>
 
 namespace suffuse::run {
-
-struct Range {
-    double least = 0, most = 0;
-
-    Range& operator+=(const Range& other) { return least += other.least, most += other.most, *this; }
-};
 
 struct StageEstimate {
     std::string study; ///< folder of the variant, as in Progress

@@ -2,12 +2,16 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/run/plan_record.hpp"
 #include "suffuse/run/runner.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/temp_folder.hpp"
+#include <fstream>
+#include <map>
+#include <sstream>
 
 namespace suffuse::run {
 namespace {
@@ -82,14 +86,47 @@ TEST(Plan, AStrainDrivenTestWithAGivenTimeStepIsExact) {
     EXPECT_NEAR(plan("4", "1e-3", "2e-8").least, 2 * steps.least, 1e-9 * steps.least);
 }
 
-TEST(Plan, AProbeIsPaidTwiceForItsTwinAndOnceForEachGradientOrPass) {
+TEST(Plan, AProbeIsPaidForEachGradientOrPassAndOnceMoreForItsTwin) {
     const auto steps = [](const std::string& stage, const std::vector<std::string>& overrides) {
         return stage_named(plan_run(fontainebleau(overrides), a_machine), stage).steps;
     };
     const Range probe = steps("probe", {}), longer = steps("probe", {"study.erosion.stage.probe.watch=2000"});
-    EXPECT_EQ(longer.least - probe.least, 4 * 2 * 1000); // four gradients
+    EXPECT_EQ(longer.least - probe.least, (4 + 1) * 1000); // four gradients share a twin
     const Range erosion = steps("erosion", {}), slower = steps("erosion", {"study.erosion.stage.erosion.watch=2000"});
     EXPECT_EQ(slower.most - erosion.most, 2 * 2 * 1000); // two passes
+}
+
+TEST(Plan, ACompactionPaysForItsProtocolAndForTheSearchOfADensity) {
+    const auto steps = [](const std::vector<std::string>& overrides) {
+        return stage_named(plan_run(fontainebleau(overrides), a_machine), "initial").steps;
+    };
+    const std::string initial = "study.erosion.stage.initial.";
+    const Range faithful = steps({});
+    EXPECT_LT(steps({initial + "protocol=swift"}).most, faithful.least);
+    EXPECT_GT(steps({initial + "void_ratio=0.68"}).least, 1.5 * faithful.least); // at least both ends of the scale
+    EXPECT_GT(
+        steps({initial + "prepare.adhesion={normal=\"1 MPa\", shear=\"1 MPa\"}"}).least, 1.5 * faithful.least
+    ); // its gas
+    // Sixteen dense seeds (validation/slow_seeds.csv) took 40,700 to 54,850 steps.
+    const Range slow = steps({initial + "protocol=slow"});
+    EXPECT_LT(slow.least, 40'700);
+    EXPECT_GT(slow.most, 54'850);
+}
+
+TEST(Plan, AStressIsReachedInAStrainThatGrowsWithIt) {
+    const auto steps = [](const std::string& ratio) {
+        return stage_named(
+                   plan_run(fontainebleau({"study.erosion.stage.deviatoric.stress_ratio=" + ratio}), a_machine),
+                   "deviatoric"
+        )
+            .steps;
+    };
+    EXPECT_GT(steps("0.9").least, steps("0.3").least);
+    // Samples of 10,000 grains took 1,700 steps to q/p = 0.25 and 4,000 to 1.0 (examples/second-erosion).
+    EXPECT_LT(steps("0.25").least, 1'700);
+    EXPECT_GT(steps("0.25").most, 1'700);
+    EXPECT_LT(steps("1.0").least, 4'000);
+    EXPECT_GT(steps("1.0").most, 4'000);
 }
 
 TEST(Plan, ItsSumsAreThoseOfItsStages) {
@@ -134,6 +171,56 @@ TEST(Plan, ARunOfTheReplayLiesWithinItsRanges) {
     }
 }
 
+/// A stage of a recorded run: its case as on the command line, the machine's speed then, what the stage took.
+struct Recorded {
+    std::string what, preset, overrides, threads, speed, stage;
+    double steps = 0, seconds = 0;
+};
+
+std::vector<Recorded> read_recorded(const std::string& file) {
+    std::ifstream in(file);
+    std::vector<Recorded> rows;
+    for (std::string line; std::getline(in, line);) {
+        if (line.empty() || line[0] == '#' || line.starts_with("case,")) {
+            continue;
+        }
+        std::istringstream cells(line);
+        Recorded row;
+        std::string steps, seconds;
+        for (std::string* cell :
+             {&row.what, &row.preset, &row.overrides, &row.threads, &row.speed, &row.stage, &steps, &seconds}) {
+            std::getline(cells, *cell, ',');
+        }
+        row.steps = std::stod(steps), row.seconds = std::stod(seconds);
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+TEST(Plan, RecordedRunsTookWhatItSaysWithinAQuarterInTheMedian) {
+    std::map<std::string, RunPlan> plans;
+    std::vector<StageOutcome> outcomes;
+    for (const Recorded& row : read_recorded(source + "/tests/reference/planned_runs.csv")) {
+        const std::string key = row.what + " " + row.preset + " " + row.overrides + " " + row.speed;
+        if (!plans.contains(key)) {
+            std::vector<std::string> overrides;
+            std::istringstream words(row.overrides);
+            for (std::string word; std::getline(words, word, ';');) {
+                overrides.push_back(word);
+            }
+            const casefile::Case what = casefile::load_case(source + "/" + row.what, {row.preset, overrides}).value;
+            plans[key] = plan_run(what, {std::stod(row.speed), 10'000, std::stoi(row.threads)});
+        }
+        const StageEstimate& estimate = stage_named(plans.at(key), row.stage);
+        outcomes.push_back({estimate.steps, estimate.seconds, row.steps, row.seconds});
+    }
+    ASSERT_GE(outcomes.size(), 20U);
+    const auto error = measure_plan_error(outcomes);
+    ASSERT_TRUE(error);
+    EXPECT_LT(error->of_steps, 0.25);
+    EXPECT_LT(error->of_seconds, 0.25);
+}
+
 TEST(Plan, AMissingPackingIsNamed) {
     casefile::Case what = replay_and("do = \"settle\"\npressure = \"200 kPa\"");
     std::get<casefile::ImportSpec>(what.studies[0].variants[0].stages[0].spec).path = "/nowhere/packing.csv";
@@ -146,7 +233,7 @@ TEST(Plan, AMissingPackingIsNamed) {
 }
 
 TEST(MachineSpeed, IsMeasuredOnAboutAsManyGrainsAsAsked) {
-    const MachineSpeed speed = measure_speed(1000, 0.02);
+    const MachineSpeed speed = measure_speed(1000, dem::Mode::Reference, 0.02);
     EXPECT_EQ(speed.grains, 1000);                   // 10 x 10 x 10
     EXPECT_GT(speed.particle_steps_per_second, 1e3); // any machine, also under a sanitizer
     EXPECT_LT(speed.particle_steps_per_second, 1e12);

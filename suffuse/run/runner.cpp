@@ -39,7 +39,9 @@ public:
         report.findings = summary.findings;
         report.failures = summary.failures;
         report.outcome = outcome(report);
-        overview_.tell({{"event", "run ends"}, {"wall_seconds", overview_.run_seconds()}});
+        overview_.tell(
+            {{"event", "run ends"}, {"outcome", word_of(report.outcome)}, {"wall_seconds", overview_.run_seconds()}}
+        );
         return report;
     }
 

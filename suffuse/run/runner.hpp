@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace suffuse::run {
@@ -58,6 +59,28 @@ enum class Outcome {
     Stopped,       ///< by `stop`
     TimeLimit,
 };
+
+/// "done", "stopped": as events and documents say it.
+constexpr std::string_view word_of(Outcome outcome) {
+    switch (outcome) {
+    case Outcome::Done:
+        return "done";
+    case Outcome::DoneWithFlaws:
+        return "done with flaws";
+    case Outcome::SomeFailed:
+        return "failed in part";
+    case Outcome::Stopped:
+        return "stopped";
+    case Outcome::TimeLimit:
+        break;
+    }
+    return "time limit reached";
+}
+
+/// Whether the run would go on where it was left.
+constexpr bool is_resumable(Outcome outcome) {
+    return outcome == Outcome::Stopped || outcome == Outcome::TimeLimit;
+}
 
 /// A sample that could not be run to its end.
 struct FailedSample {

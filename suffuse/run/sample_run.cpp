@@ -2,7 +2,6 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/io/checkpoint.hpp"
-#include "suffuse/io/packing_export.hpp"
 #include "suffuse/io/tables.hpp"
 #include "suffuse/io/vtk.hpp"
 #include "suffuse/run/folder.hpp"
@@ -30,6 +29,7 @@ void take_up(StageWork& work) {
     io::Checkpoint partial = io::load_world(work.folder / "partial.h5");
     const json saved = json::parse(partial.attributes.at("stage"));
     work.world = std::move(partial.world);
+    work.pictures = StrainPictures(work.what.output, work.folder, work.world);
     work.history.restore(saved.at("history"));
     work.grain_steps = saved.at("grain_steps");
     work.earlier_seconds = saved.at("seconds");
@@ -82,6 +82,14 @@ void save_findings(const StageWork& work) {
     }
 }
 
+void write_pictures(const StageWork& work, const casefile::OutputSpec& output) {
+    write_grain_pictures(work.folder, "grains", work.world, output.formats);
+    if (writes(output, "vtp")) {
+        io::write_contacts_vtp(work.folder / "contacts.vtp", work.world);
+        io::write_cell_vtp(work.folder / "cell.vtp", work.world.cell);
+    }
+}
+
 void write_files(const StageWork& work, const casefile::OutputSpec& output) {
     const dem::World& world = work.world;
     io::save_world(work.folder / "state.h5", world, {{"stage", stage_name(work.variant, work.stage)}});
@@ -90,13 +98,8 @@ void write_files(const StageWork& work, const casefile::OutputSpec& output) {
         io::write_grains_csv(work.folder / "grains.csv", world);
         io::write_contacts_csv(work.folder / "contacts.csv", world);
     }
-    if (writes(output, "vtp")) {
-        io::write_grains_vtp(work.folder / "grains.vtp", world);
-        io::write_contacts_vtp(work.folder / "contacts.vtp", world);
-        io::write_cell_vtp(work.folder / "cell.vtp", world.cell);
-    }
-    if (writes(output, "xyz")) {
-        io::export_extended_xyz(work.folder / "grains.xyz", world.grains, world.cell);
+    if (output.snapshots.when != casefile::Snapshots::When::Never) {
+        write_pictures(work, output);
     }
     save_findings(work);
 }
@@ -193,6 +196,7 @@ void SampleRun::keep_in_cache(const casefile::Stage& stage, const std::filesyste
 }
 
 StageWork SampleRun::begin_work(const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start) {
+    StrainPictures pictures(what_.output, folder, start);
     StageWork work{
         what_,
         *sample_.variant,
@@ -202,6 +206,7 @@ StageWork SampleRun::begin_work(const casefile::Stage& stage, const std::filesys
         control_,
         std::move(start),
         History(stage.record_every.value_or(what_.output.histories_every)),
+        std::move(pictures),
         json::object(),
         {},
         {},

@@ -62,7 +62,7 @@ void do_settle(StageWork& work, const dem::SettleSpec& spec) {
         plan.drag = dem::slowest_mode_drag(work.world.grains.size(), work.time_step);
         settled = dem::settle_burst(work.world, caches, plan, work.what.balance, state);
         work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
-        work.history.record(work.world);
+        work.note_state();
         if (!settled && state.steps >= spec.max_steps) {
             throw StateError(fmt::format(
                 "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted "
@@ -98,7 +98,7 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
         over =
             triaxial::path_burst(work.world, caches, spec, work.what.balance, work.what.damping, work.what.mode, state);
         work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
-        work.history.record(work.world);
+        work.note_state();
         if (!over) {
             work.control.beat("shear", state.steps, &work.world);
         }
@@ -149,7 +149,7 @@ void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {
         dem::advance(work.world, caches, plan, burst);
         done += burst;
         work.grain_steps += burst * static_cast<std::int64_t>(work.world.grains.size());
-        work.history.record(work.world);
+        work.note_state();
         if (done < spec.steps) {
             work.control.beat("advance", done, &work.world);
         }

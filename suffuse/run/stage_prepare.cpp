@@ -67,7 +67,7 @@ void compact(StageWork& work, const packing::CompactSpec& spec, packing::Compact
     while (!done && !packing::misses_void_ratio(work.world, spec, state)) {
         done = packing::compact_burst(work.world, caches, spec, work.what.balance, state);
         work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
-        work.history.record(work.world);
+        work.note_state();
         const bool settling = state.phase != packing::CompactState::Phase::Compact;
         work.control.beat(settling ? "settle" : "compact", state.steps, &work.world);
     }
@@ -129,6 +129,7 @@ void do_compact(StageWork& work, const packing::CompactSpec& asked) {
         const dem::World cloud = work.world;
         const auto reach = [&](const packing::CompactSpec& trial) {
             work.world = cloud;
+            work.pictures.begin_anew(cloud);
             compact(work, trial, packing::begin_compaction(work.world, trial, work.what.damping, work.what.mode));
             return dem::void_ratio(work.world);
         };

@@ -10,6 +10,11 @@ void StageWork::save_partial(const nlohmann::json& state) const {
     io::save_world(folder / "partial.h5", world, {{"stage", all.dump()}});
 }
 
+void StageWork::note_state() {
+    history.record(world);
+    pictures.see(world);
+}
+
 void do_stage(StageWork& work) {
     struct Verb {
         StageWork& work;
@@ -37,6 +42,7 @@ void do_stage(StageWork& work) {
 
     std::visit(Verb{work}, work.stage.spec);
     work.control.save_with(nullptr);
+    work.pictures.finish();
 }
 
 } // namespace suffuse::run

@@ -6,6 +6,7 @@
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/run/control.hpp"
 #include "suffuse/run/history.hpp"
+#include "suffuse/run/strain_pictures.hpp"
 #include "suffuse/triaxial/run_path.hpp"
 
 #include <filesystem>
@@ -31,6 +32,7 @@ struct StageWork {
 
     dem::World world;
     History history;
+    StrainPictures pictures;
     nlohmann::json numbers = nlohmann::json::object(); ///< of stage.json, beyond those of every state
     StageFindings findings;
     std::vector<std::string> warnings, flaws;
@@ -38,6 +40,9 @@ struct StageWork {
     std::int64_t grain_steps = 0; ///< grains x steps, for the rate
 
     double earlier_seconds = 0; ///< wall time before the stage was taken up again [s]
+
+    /// The state after a burst: a row of the history and a picture, where they are due.
+    void note_state();
 
     /// Wall time of the stage, over all its parts [s].
     [[nodiscard]] double seconds() const { return earlier_seconds + control.stage_seconds(); }

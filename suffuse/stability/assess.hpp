@@ -35,7 +35,13 @@ struct Assessment {
     std::vector<Criterion> criteria;  ///< of the grading
     std::vector<Criterion> gradients; ///< of the seepage; empty where there is none
     FinesBesideConstrictions constrictions;
+    bool has_constrictions = true; ///< false: they depend on what was not measured
+
+    /// Mass below the finest and above the coarsest size that was measured [-]: open_curve.hpp.
+    double missing_fine = 0, missing_coarse = 0;
 };
+
+inline constexpr std::size_t kenney_lau_1986_row = 1; ///< among the criteria
 
 /// @throws CaseError for a curve that is none, a size asked for outside of it, or a number out of its range.
 Assessment assess(const grains::Grading& grading, const AssessSpec& spec = {});

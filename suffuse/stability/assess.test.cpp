@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/stability/criterion_guide.hpp"
 #include "suffuse/stability/gradings_for_tests.hpp"
 
 #include <gtest/gtest.h>
@@ -158,6 +159,24 @@ TEST(SkemptonBrogan, NeedsTheStressShareOfTheFinesWhereTheSoilIsUnstable) {
     const Criterion known = skempton_brogan({.gradient = 0.3, .stress_share = 0.18}, Verdict::Unstable);
     EXPECT_NEAR(*known.limit, 0.18 * 0.99, 1e-12);
     EXPECT_EQ(known.verdict, Verdict::Unstable);
+}
+
+TEST(Assess, EveryCriterionIsExplainedWithItsSource) {
+    AssessSpec spec;
+    spec.seepage = Seepage{};
+    const Assessment found = assess(testing::power_law(0.5), spec);
+    std::vector<std::string> ids;
+    for (const auto& list : {found.criteria, found.gradients}) {
+        for (const Criterion& criterion : list) {
+            ids.push_back(criterion.id);
+            const auto text = explain_criterion(criterion.id);
+            ASSERT_TRUE(text) << criterion.id;
+            EXPECT_NE(text->find(criterion.source), std::string::npos) << *text;
+            EXPECT_EQ(text->find("unverified") == std::string::npos, criterion.verified) << *text;
+        }
+    }
+    EXPECT_EQ(ids, criterion_ids());
+    EXPECT_FALSE(explain_criterion("kenney"));
 }
 
 } // namespace

@@ -1,0 +1,24 @@
+#pragma once
+// What the criteria of internal stability say of a soil, as lines for a terminal and as JSON for programs; the names of
+// the JSON are a promise (docs/formats.md).
+
+#include "suffuse/stability/assess.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace suffuse::apps {
+
+struct AssessedSoil {
+    std::string name;             ///< as shown: the file, and the soil where a case has it
+    std::filesystem::path folder; ///< below -o, where there are several
+    stability::Assessment assessment;
+};
+
+nlohmann::json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec);
+
+std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec);
+
+} // namespace suffuse::apps

@@ -1,0 +1,136 @@
+#include "apps/run_ending.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/run/plan_record.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/exit_code.hpp"
+#include "apps/failures.hpp"
+#include "apps/stop_signal.hpp"
+#include "apps/verbs.hpp"
+#include "apps/wording.hpp"
+#include <optional>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string findings_text(const nlohmann::json& findings) {
+    std::vector<std::string> not_met, unknown;
+    for (const nlohmann::json& finding : findings) {
+        const nlohmann::json& met = finding.at("met");
+        if (!met.is_null() && met.get<bool>()) {
+            continue;
+        }
+        (met.is_null() ? unknown : not_met).push_back(finding.at("id"));
+    }
+    const std::size_t met = findings.size() - not_met.size() - unknown.size();
+    std::string text = fmt::format("paper's findings: {} of {} met", met, findings.size());
+    if (!not_met.empty()) {
+        text += fmt::format("; not met: {}", fmt::join(not_met, ", "));
+    }
+    if (!unknown.empty()) {
+        text += fmt::format("; cannot tell: {}", fmt::join(unknown, ", "));
+    }
+    return text;
+}
+
+std::string report_text(const fs::path& report) {
+    std::error_code error;
+    const auto bytes = fs::file_size(report, error);
+    if (error) {
+        return "no report";
+    }
+    return fmt::format("{}   ({}, opens offline)", report.string(), size_text(static_cast<double>(bytes)));
+}
+
+/// "plan  13-53 s for what took 27 s: 4 % off its middle; stages 12 % off in the median".
+std::string plan_error_text(const run::PlanError& error) {
+    const std::string stages = error.stages < 2
+                                   ? ""
+                                   : fmt::format(
+                                         "; its {} {:.0f} % off in the median, their steps {:.0f} %",
+                                         plural(error.stages, "stage"), 100 * error.of_seconds, 100 * error.of_steps
+                                     );
+    return fmt::format(
+        "plan  {} for what took {}: {:.0f} % off its middle{}", duration_range_text(error.planned_seconds),
+        duration_text(error.seconds), 100 * error.of_all_seconds, stages
+    );
+}
+
+} // namespace
+
+void tell_results(const run::RunReport& report, const std::string& headline, const Console& console) {
+    for (const std::string& warning : report.warnings) {
+        console.detail("warning: " + warning);
+    }
+    for (const std::string& flaw : report.flaws) {
+        console.talk("flaw: " + flaw);
+    }
+    console.result(fmt::format("{}   {}", headline, report_text(report.report)));
+    if (!report.warnings.empty()) {
+        console.talk(fmt::format("{}, listed in the report", plural(std::ssize(report.warnings), "warning")));
+    }
+    if (!report.findings.empty()) {
+        console.result(findings_text(report.findings));
+    }
+}
+
+int exit_code_of(run::Outcome outcome) {
+    switch (outcome) {
+    case run::Outcome::Done:
+        return Done;
+    case run::Outcome::DoneWithFlaws:
+        return Flawed;
+    case run::Outcome::SomeFailed:
+        return Failed;
+    case run::Outcome::Stopped:
+        return signal_exit_code();
+    case run::Outcome::TimeLimit:
+        return OutOfTime;
+    }
+    throw Bug("an outcome without an exit code");
+}
+
+int tell_end(const EndedRun& ended, const run::RunReport& report, const Console& console) {
+    const std::string_view word = run::word_of(report.outcome);
+    const bool has_failed = report.outcome == run::Outcome::SomeFailed;
+    const int code = has_failed ? code_of(report.failures) : exit_code_of(report.outcome);
+    if (!ended.sample.empty() && !run::is_resumable(report.outcome)) {
+        console.result(fmt::format(
+            "{}: {} in {}; suffuse sweep --collect {} gathers", ended.sample, word, duration_text(ended.seconds),
+            ended.folder.string()
+        ));
+    } else if (has_failed || code == Done || code == Flawed) {
+        tell_results(report, fmt::format("{} in {}", word, duration_text(ended.seconds)), console);
+    } else {
+        console.talk(fmt::format("{} after {}", word, duration_text(ended.seconds)));
+        const std::string sample = ended.sample.empty() ? "" : " --sample " + ended.sample;
+        console.result(fmt::format("resume with: suffuse resume {}{}", ended.folder.string(), sample));
+    }
+    const std::optional<run::PlanError> plan_error =
+        ended.sample.empty() ? run::record_outcome(ended.folder) : std::nullopt;
+    if (plan_error && !run::is_resumable(report.outcome)) {
+        console.talk(plan_error_text(*plan_error));
+    }
+    if (!report.failures.empty()) {
+        tell_failures(report.failures, ended.samples, ended.folder, console);
+    }
+    console.document(json_text(
+        {{"outcome", word},
+         {"exit_code", code},
+         {"folder", ended.folder.string()},
+         {"report", report.report.string()},
+         {"wall_seconds", ended.seconds},
+         {"warnings", report.warnings},
+         {"flaws", report.flaws},
+         {"failures", failures_json(report.failures)},
+         {"findings", report.findings}}
+    ));
+    return code;
+}
+
+} // namespace suffuse::apps

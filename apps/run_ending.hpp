@@ -1,0 +1,28 @@
+#pragma once
+// What a run says at its end: how it went, where the report is, what the paper's findings came to, how far off the plan
+// was, how to go on.
+
+#include "suffuse/run/runner.hpp"
+
+#include "apps/console.hpp"
+#include <filesystem>
+#include <string>
+
+namespace suffuse::apps {
+
+struct EndedRun {
+    std::filesystem::path folder;
+    std::string sample;         ///< that was run alone; empty: all
+    std::ptrdiff_t samples = 0; ///< of the case
+    double seconds = 0;         ///< wall time [s]
+};
+
+/// Report, warnings, flaws and findings, after a headline.
+void tell_results(const run::RunReport& report, const std::string& headline, const Console& console);
+
+int exit_code_of(run::Outcome outcome);
+
+/// All of it. @return the exit code
+int tell_end(const EndedRun& ended, const run::RunReport& report, const Console& console);
+
+} // namespace suffuse::apps

@@ -1,0 +1,97 @@
+// Internal stability of a soil by its grading.
+
+#include "suffuse/base/units.hpp"
+#include "suffuse/casefile/read_grading.hpp"
+#include "suffuse/stability/open_curve.hpp"
+#include "suffuse/stats/gradation.hpp"
+
+#include "apps/assessed_soil.hpp"
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/convert.hpp"
+#include "python/bindings/work.hpp"
+#include "python/bindings/world_handle.hpp"
+
+namespace suffuse::python {
+namespace {
+
+std::optional<stability::Seepage>
+seepage_of(const py::object& gradient, const py::object& porosity, const py::object& density, const py::object& alpha) {
+    if (gradient.is_none()) {
+        if (!porosity.is_none() || !density.is_none() || !alpha.is_none()) {
+            throw CaseError("porosity, density and alpha go with a gradient: give gradient= too");
+        }
+        return std::nullopt;
+    }
+    stability::Seepage seepage;
+    seepage.gradient = quantity_of(gradient, dimension::none, "gradient");
+    seepage.porosity = optional_quantity(porosity, dimension::none, "porosity").value_or(seepage.porosity);
+    seepage.grain_density = optional_quantity(density, dimension::density, "density").value_or(seepage.grain_density);
+    seepage.stress_share = optional_quantity(alpha, dimension::none, "alpha");
+    return seepage;
+}
+
+/// A packing's own curve, from nothing at its smallest grain on.
+grains::Grading grading_of(const grains::Grains& grains) {
+    const stats::Gradation own = stats::measure_gradation(grains);
+    if (own.diameter.empty()) {
+        throw CaseError("a World without grains has no grading");
+    }
+    constexpr double just_below = 1 - 1e-6;
+    grains::Grading grading;
+    grading.diameter = {own.diameter.front() * just_below};
+    grading.passing = {0};
+    grading.diameter.insert(grading.diameter.end(), own.diameter.begin(), own.diameter.end());
+    grading.passing.insert(grading.passing.end(), own.passing.begin(), own.passing.end());
+    grading.passing.back() = 1; // whatever the sum was rounded to
+    return grading;
+}
+
+/// A World, a file, or (sizes, shares finer).
+apps::AssessedSoil soil_of(const py::object& what) {
+    apps::AssessedSoil soil;
+    if (py::isinstance<WorldHandle>(what)) {
+        soil.name = "a packing";
+        soil.assessment.grading = grading_of(what.cast<const WorldHandle&>().world().grains);
+    } else if (py::isinstance<py::tuple>(what) || py::isinstance<py::list>(what)) {
+        const auto pair = what.cast<py::sequence>();
+        if (py::len(pair) != 2) {
+            throw CaseError("a grading is a file, a World, or a pair (sizes in meters, shares finer by mass)");
+        }
+        soil.name = "a grading";
+        soil.assessment.grading.diameter = numbers_of(pair[0], "sizes");
+        soil.assessment.grading.passing = numbers_of(pair[1], "shares finer", soil.assessment.grading.diameter.size());
+    } else {
+        const auto path = what.cast<std::filesystem::path>();
+        soil.name = path.string();
+        soil.assessment.grading = casefile::read_grading(path.string(), casefile::CurveEnds::MayBeOpen);
+    }
+    return soil;
+}
+
+py::object assess(
+    const py::object& grading, const py::object& finer_than, const py::object& relative_density, bool coarse_fabric,
+    const py::object& gradient, const py::object& porosity, const py::object& density, const py::object& alpha
+) {
+    stability::AssessSpec spec;
+    spec.finer_than = optional_quantity(finer_than, dimension::length, "finer_than");
+    spec.relative_density = optional_quantity(relative_density, dimension::none, "relative_density");
+    spec.fabric = coarse_fabric ? stability::PrimaryFabric::Coarse : stability::PrimaryFabric::Soil;
+    spec.seepage = seepage_of(gradient, porosity, density, alpha);
+    apps::AssessedSoil soil = soil_of(grading);
+    soil.assessment = stability::assess_measured(soil.assessment.grading, spec);
+    nlohmann::json told = apps::soil_json(soil, spec);
+    told["text"] = apps::text_of(soil, spec);
+    return to_python(told);
+}
+
+} // namespace
+
+void bind_stability(py::module_& m) {
+    m.def(
+        "assess", &assess, py::arg("grading"), py::kw_only(), py::arg("finer_than") = py::none(),
+        py::arg("relative_density") = py::none(), py::arg("coarse_fabric") = false, py::arg("gradient") = py::none(),
+        py::arg("porosity") = py::none(), py::arg("density") = py::none(), py::arg("alpha") = py::none()
+    );
+}
+
+} // namespace suffuse::python

@@ -1,0 +1,38 @@
+"""Internal stability of a soil by its grading alone, without simulation."""
+
+import pathlib
+
+from suffuse import _core
+
+
+class Assessment(dict):
+    """What `suffuse assess --json` says of one soil; printed, what it says in the terminal."""
+
+    def verdict(self, criterion):
+        """"stable", "transition", "unstable" or "cannot say", by the criterion of this id: "kezdi-1979"."""
+        for one in self["criteria"] + self["gradients"]:
+            if one["id"] == criterion:
+                return one["verdict"]
+        raise KeyError(f"{criterion}: no such criterion; suffuse.explain knows them by their ids")
+
+    def __str__(self):
+        return self["text"]
+
+    def __repr__(self):
+        return f"<suffuse.Assessment of {self['soil']}: {self['summary']}>"
+
+
+def assess(grading, **settings):
+    """An Assessment of a grading: a CSV file, a World, or a pair (sizes [m], shares finer by mass), rising.
+
+    finer_than: size below which grains count as fine; found on the curve unless given
+    relative_density: 0 loosest, 1 densest; both unless given
+    coarse_fabric: D60/D10 of the coarse part decides how far to look at F
+    gradient: hydraulic gradient of upward seepage; with it porosity, density (of the grains), alpha (mean stress of the
+        fines over that of the soil)
+
+    Criteria that need what the curve does not reach cannot say.
+    """
+    if isinstance(grading, str):
+        grading = pathlib.Path(grading)
+    return Assessment(_core.assess(grading, **settings))

@@ -1,0 +1,65 @@
+"""assess: what the criteria say of a file, a packing, a pair of arrays."""
+
+import json
+import os
+import subprocess
+
+import numpy
+import pytest
+
+import suffuse
+
+PROGRAM = os.environ["SUFFUSE_PROGRAM"]
+GAP_GRADED = "d [mm],passing [%]\n0.02,0\n0.1,9\n0.3,21\n1,24\n2,31\n8,66\n31.5,100\n"
+
+
+@pytest.fixture
+def dyke(tmp_path):
+    path = tmp_path / "dyke.csv"
+    path.write_text(GAP_GRADED)
+    return path
+
+
+def test_says_what_the_program_says(dyke):
+    ours = suffuse.assess(dyke, gradient=0.3)
+    told = subprocess.run(
+        [PROGRAM, "assess", dyke, "-i", "0.3", "--json"], check=True, capture_output=True, text=True
+    ).stdout
+    theirs = json.loads(told)["soils"][0]
+    assert {key: ours[key] for key in theirs} == theirs
+    assert ours.verdict("kenney-lau-1986") == "unstable" and ours.verdict("terzaghi") == "stable"
+    assert "Kezdi" in str(ours)
+    with pytest.raises(KeyError):
+        ours.verdict("kezdi")
+
+
+def test_takes_arrays_and_texts_with_units(dyke):
+    size = numpy.array([0.02, 0.1, 0.3, 1, 2, 8, 31.5]) * 1e-3
+    finer = numpy.array([0, 0.09, 0.21, 0.24, 0.31, 0.66, 1])
+    ours, theirs = suffuse.assess((size, finer), finer_than="0.3 mm"), suffuse.assess(dyke, finer_than=0.3e-3)
+    for mine, other in zip(ours["criteria"], theirs["criteria"]):
+        assert mine["verdict"] == other["verdict"] and mine["value"] == pytest.approx(other["value"], rel=1e-9)
+
+
+def test_a_packing_of_nearly_equal_grains_is_stable(packing):
+    found = suffuse.assess(packing)
+    assert found["tally"]["unstable"] == 0 and found["tally"]["stable"] >= 4
+    size = numpy.sort(packing.grains.diameter)
+    finer = numpy.cumsum(size**3) / numpy.sum(size**3)  # by mass
+    assert found["sizes"]["d50"] == pytest.approx(numpy.interp(0.5, finer, size), rel=2e-3)  # within one grain
+
+
+def test_an_open_curve_is_judged_where_it_can_be(dyke):
+    dyke.write_text(GAP_GRADED.replace("0.02,0\n", ""))
+    found = suffuse.assess(dyke)
+    assert found["missing_fine"] == 0.09 and found["sizes"]["d5"] is None
+    assert found.verdict("kezdi-1979") == "unstable"
+
+
+def test_wrong_use_is_named(dyke):
+    with pytest.raises(suffuse.CaseError, match="gradient"):
+        suffuse.assess(dyke, porosity=0.4)
+    with pytest.raises(suffuse.CaseError, match="pair"):
+        suffuse.assess(([1], [2], [3]))
+    with pytest.raises(suffuse.Error):
+        suffuse.assess((numpy.array([1e-3, 2e-3]), numpy.array([0.5, 0.2])))

@@ -1,0 +1,115 @@
+#include "suffuse/run/plan_record.hpp"
+
+#include "suffuse/run/folder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::run {
+namespace {
+
+using nlohmann::json;
+
+constexpr double least_timed = 0.2; // [s]
+
+const std::filesystem::path plan_file = "plan.json";
+
+Range range_of(const json& pair) {
+    return {pair.at(0), pair.at(1)};
+}
+
+bool is_priced(const json& stage) {
+    return range_of(stage.at("seconds")).most > 0;
+}
+
+double error_of(const Range& planned, double truth) {
+    return std::abs(middle(planned) / truth - 1);
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) {
+        return 0;
+    }
+    const auto half = values.begin() + std::ssize(values) / 2;
+    std::nth_element(values.begin(), half, values.end());
+    const double upper = *half;
+    return values.size() % 2 == 1 ? upper : 0.5 * (upper + *std::max_element(values.begin(), half));
+}
+
+} // namespace
+
+void keep_plan(const std::filesystem::path& run, const RunPlan& plan) {
+    json kept = plan;
+    if (std::filesystem::exists(run / plan_file)) {
+        const json earlier = read_json(run / plan_file);
+        for (json& stage : kept.at("stages")) {
+            for (const json& known : earlier.at("stages")) {
+                if (known.at("study") == stage.at("study") && known.at("stage") == stage.at("stage") &&
+                    is_priced(known)) {
+                    stage = known;
+                }
+            }
+        }
+    }
+    write_json(run / plan_file, kept);
+}
+
+std::optional<PlanError> measure_plan_error(const std::vector<StageOutcome>& outcomes) {
+    PlanError found;
+    std::vector<double> steps, seconds;
+    for (const StageOutcome& stage : outcomes) {
+        if (stage.steps > 0) {
+            steps.push_back(error_of(stage.planned_steps, stage.steps));
+        }
+        if (stage.seconds < least_timed) {
+            continue;
+        }
+        seconds.push_back(error_of(stage.planned_seconds, stage.seconds));
+        found.planned_seconds += stage.planned_seconds;
+        found.seconds += stage.seconds;
+    }
+    if (seconds.empty()) {
+        return std::nullopt;
+    }
+    found.stages = static_cast<int>(seconds.size());
+    found.of_steps = median(std::move(steps));
+    found.of_seconds = median(std::move(seconds));
+    found.of_all_seconds = error_of(found.planned_seconds, found.seconds);
+    return found;
+}
+
+std::optional<PlanError> record_outcome(const std::filesystem::path& run) {
+    if (!std::filesystem::exists(run / plan_file)) {
+        return std::nullopt;
+    }
+    json plan = read_json(run / plan_file);
+    std::vector<StageOutcome> outcomes;
+    for (json& stage : plan.at("stages")) {
+        const std::filesystem::path numbers = run / "studies" / stage.at("study").get<std::string>() /
+                                              stage.at("stage").get<std::string>() / "stage.json";
+        if (!is_priced(stage) || !std::filesystem::exists(numbers)) {
+            continue;
+        }
+        const json taken = read_json(numbers);
+        stage["steps_taken"] = taken.at("steps");
+        stage["seconds_taken"] = taken.at("wall_seconds");
+        outcomes.push_back(
+            {range_of(stage.at("steps")), range_of(stage.at("seconds")), stage.at("steps_taken"),
+             stage.at("seconds_taken")}
+        );
+    }
+    const std::optional<PlanError> error = measure_plan_error(outcomes);
+    if (error) {
+        plan["error"] = {
+            {"stages", error->stages},
+            {"median_of_steps", error->of_steps},
+            {"median_of_seconds", error->of_seconds},
+            {"seconds_planned", {error->planned_seconds.least, error->planned_seconds.most}},
+            {"seconds_taken", error->seconds},
+            {"of_all_seconds", error->of_all_seconds}};
+    }
+    write_json(run / plan_file, plan);
+    return error;
+}
+
+} // namespace suffuse::run

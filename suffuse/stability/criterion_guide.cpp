@@ -1,0 +1,94 @@
+#include "suffuse/stability/criterion_guide.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace suffuse::stability {
+namespace {
+
+struct Guide {
+    std::string_view id, name, asks, limit, source;
+};
+
+constexpr std::array guides = {
+    Guide{
+        "kenney-lau-1985", "Kenney and Lau 1985",
+        "The least H/F up to F_max, with F(d) the mass finer than d and H(d) = F(4d) - F(d): are there enough grains "
+        "up to "
+        "four times as large to hold those of size d? F_max is 20 % where d60/d10 > 3, else 30 %.",
+        "stable where H/F >= 1.3", "KenneyLau1985"},
+    Guide{
+        "kenney-lau-1986", "Kenney and Lau 1986", "As kenney-lau-1985, with the limit of their later discussion.",
+        "stable where H/F >= 1", "KenneyLau1986"},
+    Guide{
+        "li-fannin-2008", "Li and Fannin 2008",
+        "The least H/min(F, 15 %): Kenney and Lau's criterion below F = 15 %, Kezdi's above.", "stable where >= 1",
+        "LiFannin2008"},
+    Guide{
+        "kezdi-1979", "Kezdi 1979",
+        "The soil split at every size in turn: the largest D15 of the coarse part over d85 of the fine part.",
+        "stable where <= 4", "Kezdi1979"},
+    Guide{
+        "burenkova-1993", "Burenkova 1993",
+        "h' = d90/d60 against h\" = d90/d15. Cannot say for grains above 100 mm or d60/d10 above 200.",
+        "stable where 0.76 log h\" + 1 <= h' <= 1.86 log h\" + 1", "Burenkova1993"},
+    Guide{
+        "wan-fell-logistic", "Wan and Fell 2008, logistic form",
+        "The probability of instability from h' and h\", for sand-gravel and silt-sand-gravel. Cannot say without "
+        "gravel, "
+        "above 10 % clay, and where its form was not fitted.",
+        "stable where P <= 50 %: that limit is ours, the authors give the probability", "WanFell2008"},
+    Guide{
+        "chang-zhang-2013", "Chang and Zhang 2013",
+        "By the mass P finer than 0.063 mm: without a gap the least H/F, with a gap its width.",
+        "no gap: stable above P = 20 %; H/F > 1 below 5 %; > 4/3 - P/15 (P in %) between", "ChangZhang2013"},
+    Guide{
+        "sherard-1979", "Sherard 1979 (unverified)", "D15 of the coarse part over d85 of the fine part, at the split.",
+        "stable where <= 5; the limit was not read in a source and is not counted", "Sherard1979"},
+    Guide{
+        "wan-fell-alternative", "Wan and Fell 2008, slopes (unverified)",
+        "Slopes of the curve: 30/log(d90/d60) and 15/log(d20/d5).",
+        "stable where the first is below 70 or the second above 22; not read in a source and not counted",
+        "WanFell2008"},
+    Guide{
+        "indraratna-2011", "Indraratna et al. 2011 (unverified)",
+        "The constriction that 35 % of those of the coarse part undercut (Dc35, from the grading and a relative "
+        "density) "
+        "over d85 of the fine part by surface area.",
+        "stable where <= 1; not read in a source and not counted", "Indraratna2011"},
+    Guide{
+        "terzaghi", "Terzaghi's critical gradient",
+        "Upward seepage carries the weight of the whole soil at i_c = (G_s - 1)(1 - n). Asked with -i.",
+        "safe where i is below it", "Terzaghi1939"},
+    Guide{
+        "skempton-brogan-1994", "Skempton and Brogan 1994",
+        "Upward seepage carries the fines alone at alpha i_c, where alpha is the share of the mean effective stress "
+        "that "
+        "they carry (--alpha); 1 where Kenney and Lau 1986 say stable. Asked with -i.",
+        "safe where i is below it", "SkemptonBrogan1994"},
+};
+
+} // namespace
+
+std::optional<std::string> explain_criterion(std::string_view id) {
+    for (const Guide& guide : guides) {
+        if (guide.id == id) {
+            return fmt::format(
+                "{}\n  {}\n  limit    {}\n  source   {} in docs/references.bib; docs/theory/internal-stability.md\n",
+                guide.name, guide.asks, guide.limit, guide.source
+            );
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string> criterion_ids() {
+    std::vector<std::string> ids;
+    for (const Guide& guide : guides) {
+        ids.emplace_back(guide.id);
+    }
+    return ids;
+}
+
+} // namespace suffuse::stability

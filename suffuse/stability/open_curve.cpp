@@ -1,0 +1,145 @@
+#include "suffuse/stability/open_curve.hpp"
+
+#include "suffuse/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace suffuse::stability {
+
+using grains::Grading;
+
+namespace {
+
+constexpr double sharp = 1e-3; // of a size: as good as a step, and still a curve that rises by more than rounding
+constexpr double fine_reach = 100, coarse_reach = 4; // how much finer, and coarser, the missing grains may be
+constexpr double alike = 1e-3;                       // of a number that two completions share but for the steps' width
+
+std::vector<Grading> complete_fine_end(const Grading& measured) {
+    if (measured.passing.front() <= 0) {
+        return {measured};
+    }
+    const double size = measured.diameter.front(), missing = measured.passing.front(), finest = size / fine_reach;
+    const auto begun_with = [&](std::vector<double> sizes, std::vector<double> passing) {
+        Grading grading = measured;
+        grading.diameter.insert(grading.diameter.begin(), sizes.begin(), sizes.end());
+        grading.passing.insert(grading.passing.begin(), passing.begin(), passing.end());
+        return grading;
+    };
+    return {
+        begun_with({size * (1 - sharp)}, {0}), begun_with({finest}, {0}),
+        begun_with({finest * (1 - sharp), finest}, {0, missing})};
+}
+
+std::vector<Grading> complete_coarse_end(const Grading& measured) {
+    if (measured.passing.back() >= 1) {
+        return {measured};
+    }
+    const double size = measured.diameter.back(), passing = measured.passing.back(), coarsest = coarse_reach * size;
+    const auto ended_with = [&](std::vector<double> sizes, std::vector<double> shares) {
+        Grading grading = measured;
+        grading.diameter.insert(grading.diameter.end(), sizes.begin(), sizes.end());
+        grading.passing.insert(grading.passing.end(), shares.begin(), shares.end());
+        return grading;
+    };
+    return {
+        ended_with({size * (1 + sharp)}, {1}), ended_with({coarsest}, {1}),
+        ended_with({coarsest, coarsest * (1 + sharp)}, {passing, 1})};
+}
+
+bool same(const std::optional<double>& a, const std::optional<double>& b) {
+    if (!a || !b) {
+        return !a && !b;
+    }
+    return *a == *b || std::abs(*a - *b) <= alike * std::abs(*a);
+}
+
+std::string missing_text(const Grading& measured) {
+    std::string text;
+    if (const double fine = measured.passing.front(); fine > 0) {
+        text = fmt::format("the {:.3g} % below {:.3g} mm", 100 * fine, 1e3 * measured.diameter.front());
+    }
+    if (const double coarse = 1 - measured.passing.back(); coarse > 0) {
+        text += fmt::format(
+            "{}the {:.3g} % above {:.3g} mm", text.empty() ? "" : " and ", 100 * coarse, 1e3 * measured.diameter.back()
+        );
+    }
+    return text;
+}
+
+/// What one criterion says of all completions.
+Criterion agree(const std::vector<Assessment>& completed, std::size_t which, const std::string& missing) {
+    Criterion criterion = completed.front().criteria[which];
+    bool same_verdict = true, same_value = true;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const Assessment& other : completed) {
+        if (const auto& value = other.criteria[which].value) {
+            least = std::min(least, *value), most = std::max(most, *value);
+        }
+        same_verdict = same_verdict && other.criteria[which].verdict == criterion.verdict;
+        same_value = same_value && same(other.criteria[which].value, criterion.value);
+    }
+    if (same_value && same_verdict) {
+        return criterion;
+    }
+    criterion.value.reset(), criterion.diameter.reset();
+    if (same_verdict && criterion.verdict != Verdict::CannotSay) {
+        criterion.remark = fmt::format("{:.3g} to {:.3g}, as {} may look", least, most, missing);
+        return criterion;
+    }
+    criterion.verdict = Verdict::CannotSay;
+    criterion.remark = "needs " + missing + ", which the curve does not resolve";
+    return criterion;
+}
+
+} // namespace
+
+bool is_open(const Grading& measured) {
+    return !measured.passing.empty() && (measured.passing.front() > 0 || measured.passing.back() < 1);
+}
+
+std::vector<Grading> complete_ends(const Grading& measured) {
+    std::vector<Grading> completed;
+    for (const Grading& begun : complete_fine_end(measured)) {
+        for (Grading& whole : complete_coarse_end(begun)) {
+            completed.push_back(std::move(whole));
+        }
+    }
+    return completed;
+}
+
+Assessment assess_measured(const Grading& measured, const AssessSpec& spec) {
+    if (!is_open(measured)) {
+        return assess(measured, spec);
+    }
+    std::vector<Assessment> completed;
+    for (const Grading& grading : complete_ends(measured)) {
+        completed.push_back(assess(grading, spec));
+    }
+    Assessment found = completed.front();
+    found.missing_fine = measured.passing.front();
+    found.missing_coarse = 1 - measured.passing.back();
+    const std::string missing = missing_text(measured);
+    for (std::size_t k = 0; k < found.criteria.size(); ++k) {
+        found.criteria[k] = agree(completed, k, missing);
+    }
+    for (const Assessment& other : completed) {
+        const bool same_fines = other.fines && found.fines && same(other.fines->finer_than, found.fines->finer_than);
+        if (!same_fines) {
+            found.fines.reset();
+        }
+        found.has_constrictions = found.has_constrictions &&
+                                  same(other.constrictions.densest_d35, found.constrictions.densest_d35) &&
+                                  same(other.constrictions.densest_passes, found.constrictions.densest_passes) &&
+                                  same(other.constrictions.loosest_passes, found.constrictions.loosest_passes);
+    }
+    if (spec.seepage) {
+        found.gradients[1] = skempton_brogan(*spec.seepage, found.criteria[kenney_lau_1986_row].verdict);
+    }
+    return found;
+}
+
+} // namespace suffuse::stability

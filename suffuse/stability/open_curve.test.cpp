@@ -1,0 +1,92 @@
+#include "suffuse/stability/open_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace suffuse::stability {
+namespace {
+
+using grains::Grading;
+
+/// A sandy gravel, gap-graded, from 0.1 to 40 mm.
+const Grading whole{
+    {0.1e-3, 0.2e-3, 0.5e-3, 1e-3, 5e-3, 10e-3, 20e-3, 40e-3}, {0, 0.08, 0.16, 0.25, 0.27, 0.5, 0.8, 1}, ""};
+
+Grading measured_from(std::size_t first, std::size_t end = whole.diameter.size()) {
+    Grading part = whole;
+    part.diameter = {
+        whole.diameter.begin() + static_cast<std::ptrdiff_t>(first),
+        whole.diameter.begin() + static_cast<std::ptrdiff_t>(end)};
+    part.passing = {
+        whole.passing.begin() + static_cast<std::ptrdiff_t>(first),
+        whole.passing.begin() + static_cast<std::ptrdiff_t>(end)};
+    return part;
+}
+
+const Criterion& one(const Assessment& assessment, const std::string& id) {
+    return *std::ranges::find(assessment.criteria, id, &Criterion::id);
+}
+
+TEST(OpenCurve, AClosedOneIsAssessedAsItIs) {
+    EXPECT_FALSE(is_open(whole));
+    EXPECT_EQ(complete_ends(whole).size(), 1U);
+    const Assessment a = assess(whole), b = assess_measured(whole);
+    for (std::size_t k = 0; k < a.criteria.size(); ++k) {
+        EXPECT_EQ(a.criteria[k].verdict, b.criteria[k].verdict) << a.criteria[k].id;
+        EXPECT_EQ(a.criteria[k].value, b.criteria[k].value);
+        EXPECT_EQ(a.criteria[k].id == "kenney-lau-1986", k == kenney_lau_1986_row);
+    }
+}
+
+TEST(OpenCurve, WhatDoesNotNeedTheMissingEndIsJudgedAsOnTheWholeCurve) {
+    const Grading open = measured_from(1); // begins at 8 %
+    ASSERT_TRUE(is_open(open));
+    EXPECT_EQ(complete_ends(open).size(), 3U);
+    const Assessment found = assess_measured(open), full = assess(whole);
+    EXPECT_DOUBLE_EQ(found.missing_fine, 0.08);
+    EXPECT_DOUBLE_EQ(found.missing_coarse, 0);
+    // Burenkova reads d15, d60, d90, all measured.
+    EXPECT_EQ(one(found, "burenkova-1993").verdict, one(full, "burenkova-1993").verdict);
+    EXPECT_NEAR(*one(found, "burenkova-1993").value, *one(full, "burenkova-1993").value, 1e-12);
+    // The gap from 1 to 5 mm makes H < 15 % at 1 mm, F = 25 %: unstable by Kezdi whatever lies below 0.2 mm.
+    EXPECT_EQ(one(full, "kezdi-1979").verdict, Verdict::Unstable);
+    EXPECT_EQ(one(found, "kezdi-1979").verdict, Verdict::Unstable);
+}
+
+TEST(OpenCurve, ACriterionThatLooksAtTheMissingEndCannotSay) {
+    // A steep sand, stable by all; measured from 12 % on, its fines could be anything.
+    const Grading sand{{0.2e-3, 0.4e-3, 0.8e-3}, {0.12, 0.6, 1}, ""};
+    const Assessment found = assess_measured(sand);
+    const Criterion& kenney = one(found, "kenney-lau-1986");
+    EXPECT_EQ(kenney.verdict, Verdict::CannotSay);
+    EXPECT_FALSE(kenney.value);
+    EXPECT_NE(kenney.remark.find("12 % below 0.2 mm"), std::string::npos) << kenney.remark;
+    EXPECT_FALSE(found.has_constrictions); // surface area is mostly that of the finest
+}
+
+TEST(OpenCurve, NoCompletionThatWasTriedContradictsAVerdict) {
+    // Verdicts on the open curve hold for the real one, of which it is a part.
+    for (const std::size_t first : {0U, 1U, 2U, 3U}) {
+        for (const std::size_t end : {8U, 7U, 6U}) {
+            const Assessment found = assess_measured(measured_from(first, end)), full = assess(whole);
+            for (std::size_t k = 0; k < found.criteria.size(); ++k) {
+                if (found.criteria[k].verdict != Verdict::CannotSay) {
+                    EXPECT_EQ(found.criteria[k].verdict, full.criteria[k].verdict)
+                        << found.criteria[k].id << " from " << first << " to " << end;
+                }
+            }
+        }
+    }
+}
+
+TEST(OpenCurve, TheGradientOfTheFinesHeedsWhatTheCurveCannotTell) {
+    AssessSpec spec;
+    spec.seepage = Seepage{};
+    const Assessment found = assess_measured({{0.2e-3, 0.4e-3, 0.8e-3}, {0.12, 0.6, 1}, ""}, spec);
+    ASSERT_EQ(found.gradients.size(), 2U);
+    EXPECT_EQ(found.gradients[1].verdict, Verdict::CannotSay);
+}
+
+} // namespace
+} // namespace suffuse::stability
