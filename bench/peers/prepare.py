@@ -29,7 +29,7 @@ def read_arguments():
 def measure_ours(options):
     folder = options.output.with_suffix("") / "run"
     shutil.rmtree(folder, ignore_errors=True)
-    command = [options.program, "run", CASE, "--threads", options.threads, "--output", folder, "--quiet"]
+    command = [options.program, "run", CASE, "--threads", options.threads, "--output", folder, "--quiet", "--no-cache"]
     command += [word for change in options.set for word in ("--set", change)]
     _, wall, processor = harness.run_alone(command)
     stage = json.loads((folder / "studies" / "preparation" / "sample" / "stage.json").read_text())
