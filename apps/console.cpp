@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 
+#include "apps/wording.hpp"
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -24,11 +25,25 @@ bool wants_color(Color color) {
     return environment("NO_COLOR").empty() && can_redraw();
 }
 
-void write_line(std::FILE* stream, std::string_view text) {
+/// Columns of the terminal behind the stream; 0 where there is none.
+std::size_t width_of(int stream) {
+    winsize size{};
+    return isatty(stream) == 1 && ioctl(stream, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+/// As it is, in lines that end.
+void write_whole(std::FILE* stream, std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stream);
     if (text.empty() || text.back() != '\n') {
         std::fputc('\n', stream);
     }
+}
+
+/// Folded to the terminal, where there is one.
+void write_line(std::FILE* stream, std::string_view text) {
+    constexpr std::size_t least = 40; // below it, folding makes things worse
+    const std::size_t width = width_of(fileno(stream));
+    write_whole(stream, width >= least ? folded(text, width) : std::string(text));
 }
 
 } // namespace
@@ -44,7 +59,7 @@ void Console::result(std::string_view text) const {
 
 void Console::document(std::string_view json) const {
     if (json_) {
-        write_line(stdout, json);
+        write_whole(stdout, json);
     }
 }
 
@@ -63,10 +78,8 @@ void Console::detail(std::string_view text) const {
 }
 
 void Console::error(std::string_view text, bool rendered) const {
-    if (!rendered) {
-        std::fputs(color_ ? "\x1b[1;31merror\x1b[0m: " : "error: ", stderr);
-    }
-    write_line(stderr, text);
+    const std::string_view word = rendered ? "" : color_ ? "\x1b[1;31merror\x1b[0m: " : "error: ";
+    write_line(stderr, std::string(word).append(text));
 }
 
 void Console::finish() const {
@@ -94,11 +107,8 @@ bool speaks_utf8() {
 
 std::size_t terminal_width() {
     constexpr std::size_t usual = 80;
-    winsize size{};
-    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) {
-        return usual;
-    }
-    return size.ws_col;
+    const std::size_t width = width_of(STDERR_FILENO);
+    return width > 0 ? width : usual;
 }
 
 } // namespace suffuse::apps

@@ -41,9 +41,10 @@ constexpr std::array examples{
 };
 
 constexpr std::string_view exit_codes =
-    "exit codes  0 done, 1 failed while running, 2 wrong use, 3 errors in the case or its data,\n"
-    "            4 ran but missed a quality bar, 70 a defect of suffuse, 74 cannot read or write,\n"
-    "            75 time limit reached, 130 and 143 stopped by a signal; the last three can be resumed\n";
+    "exit codes  0 done, 1 failed while running, 2 wrong use, 3 errors in the case\n"
+    "            or its data, 4 ran but missed a quality bar, 70 a defect of\n"
+    "            suffuse, 74 cannot read or write, 75 time limit reached, 130 and\n"
+    "            143 stopped by a signal; the last three can be resumed\n";
 
 std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App*) { return true; });
@@ -92,7 +93,7 @@ std::string path_of(const CLI::App& verb) {
 }
 
 std::string overview(const CLI::App& app) {
-    std::string text = "suffuse: internal erosion of soils, grain by grain, from a grading curve to a report\n\n"
+    std::string text = "suffuse: internal erosion of soils, grain by grain, from grading to report\n\n"
                        "  suffuse new my-dyke --from fontainebleau-2016\n"
                        "  suffuse run my-dyke/case.toml\n\nverbs\n";
     for (const CLI::App* verb : verbs_of(app)) {

@@ -78,11 +78,12 @@ std::string samples_text(const Progress& latest) {
 }
 
 /// The only sample that runs: what it does, and its numbers below.
-void add_one(const Progress& progress, std::vector<std::string>& lines) {
+void add_one(const Progress& progress, std::size_t width, std::vector<std::string>& lines) {
     const std::string rate = progress.particle_steps_per_second > 0
                                  ? fmt::format("  {:.2g} grain-steps/s", progress.particle_steps_per_second)
                                  : "";
-    lines.push_back(labelled("now", fmt::format("{}: {}{}", place_of(progress), doing(progress), rate)));
+    lines.push_back(labelled("now", fmt::format("{}: {}", place_of(progress), doing(progress))));
+    lines.back() += columns_of(lines.back()) + columns_of(rate) < width ? rate : "";
     if (const std::string state = state_text(progress.state); !state.empty()) {
         lines.push_back(labelled("state", state));
     }
@@ -129,11 +130,15 @@ std::vector<std::string> progress_lines(
         fmt::format("{} {}/{}   {}", bar(share, cells, utf8), latest.stages_done, latest.stages, samples_text(latest))
     )};
     if (running.size() == 1) {
-        add_one(running.begin()->second, lines);
+        add_one(running.begin()->second, width, lines);
     } else {
         add_several(running, lines);
     }
     lines.push_back(labelled("left", fmt::format("{:16} {}", duration_range_text(left), hint)));
+    if (columns_of(lines.back()) >= width) { // then what matters of the hint
+        lines.back() =
+            labelled("left", fmt::format("{:16} {}", duration_range_text(left), hint.substr(0, hint.find(';'))));
+    }
     for (std::string& line : lines) {
         line = clipped(line, width > 1 ? width - 1 : 1); // the last column would make some terminals begin a new line
     }

@@ -182,6 +182,22 @@ run::Progress at_stage(int number, double seconds, bool is_finished) {
     return progress;
 }
 
+TEST(Terminal, ANarrowTerminalGetsWholeWords) {
+    const auto lines = [](std::size_t width) {
+        std::string text;
+        for (const std::string& line : progress_lines(
+                 somewhere(), {{1, somewhere()}}, {60, 120}, "Ctrl-C saves; suffuse resume runs/dyke-0001", width, true
+             )) {
+            text += line + "\n";
+        }
+        return text;
+    };
+    EXPECT_NE(lines(120).find("Ctrl-C saves; suffuse resume runs/dyke-0001\n"), std::string::npos);
+    EXPECT_NE(lines(120).find("grain-steps/s\n"), std::string::npos);
+    EXPECT_NE(lines(50).find("Ctrl-C saves\n"), std::string::npos); // the rest of the hint comes with Ctrl-C
+    EXPECT_EQ(lines(50).find("grain-"), std::string::npos);
+}
+
 TEST(TimeLeft, IsThePlanAtTheStartAndNothingAtTheEnd) {
     TimeLeft left(three_stages());
     EXPECT_DOUBLE_EQ(left.left().least, 300);

@@ -41,21 +41,36 @@ std::string source_of(const run::StageEstimate& stage) {
     return stage.is_cached ? "in the cache" : stage.basis;
 }
 
-std::string table_of(const run::RunPlan& plan) {
-    std::size_t width = 20;
-    for (const run::StageEstimate& stage : plan.stages) {
-        width = std::max(width, stage.study.size() + stage.stage.size() + 3);
+using Row = std::vector<std::string>;
+
+/// Columns as wide as what is in them: the first `words` of them to the left, the others to the right; the last one,
+/// which says why, as it comes.
+std::string aligned(const std::vector<Row>& rows, std::size_t words) {
+    std::vector<std::size_t> width(rows.front().size(), 0);
+    for (const Row& row : rows) {
+        for (std::size_t k = 0; k + 1 < row.size(); ++k) {
+            width[k] = std::max(width[k], columns_of(row[k]));
+        }
     }
-    std::string text = fmt::format(
-        "{:{}}{:10}{:>8}  {:>16}  {:>12}  {}\n", "stage", width, "verb", "grains", "steps", "time", "basis"
-    );
-    for (const run::StageEstimate& stage : plan.stages) {
-        text += fmt::format(
-            "{:{}}{:10}{:>8}  {:>16}  {:>12}  {}\n", stage.study + "/" + stage.stage, width, stage.verb,
-            count_text(stage.grains), steps_text(stage.steps), duration_range_text(stage.seconds), source_of(stage)
-        );
+    std::string text;
+    for (const Row& row : rows) {
+        for (std::size_t k = 0; k + 1 < row.size(); ++k) {
+            text += k < words ? fmt::format("{:{}}  ", row[k], width[k]) : fmt::format("{:>{}}  ", row[k], width[k]);
+        }
+        text += row.back() + "\n";
     }
     return text;
+}
+
+std::string table_of(const run::RunPlan& plan) {
+    std::vector<Row> rows{{"stage", "verb", "grains", "steps", "time", "basis"}};
+    for (const run::StageEstimate& stage : plan.stages) {
+        rows.push_back(
+            {stage.study + "/" + stage.stage, stage.verb, count_text(stage.grains), steps_text(stage.steps),
+             duration_range_text(stage.seconds), source_of(stage)}
+        );
+    }
+    return aligned(rows, 2);
 }
 
 /// One row of the matrix: a sample, all its stages together.

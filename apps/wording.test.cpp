@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <sstream>
+#include <vector>
+
 namespace suffuse::apps {
 namespace {
 
@@ -43,6 +47,43 @@ TEST(Wording, ClippingCountsCharactersAndNeverCutsOne) {
     EXPECT_EQ(clipped(text, 2), "a\u2588");
     EXPECT_EQ(clipped(text, 9), text);
     EXPECT_EQ(clipped(text, 0), "");
+    EXPECT_EQ(columns_of("\x1b[1;31merror\x1b[0m: x"), 8U);
+    EXPECT_EQ(clipped("\x1b[1merror\x1b[0m", 5), "\x1b[1merror\x1b[0m");
+}
+
+TEST(Wording, LongLinesGoOnBelowTheirLastColumn) {
+    EXPECT_EQ(folded("one two three\nfour\n", 80), "one two three\nfour\n");
+    EXPECT_EQ(
+        folded("  plan    what a case would cost in time", 26),
+        "  plan    what a case\n          would cost in\n          time"
+    );
+    EXPECT_EQ(folded("warning: one two three", 14), "warning: one\n    two three");
+    EXPECT_EQ(folded("a-word-that-is-longer-than-a-line", 10), "a-word-that-is-longer-than-a-line");
+    EXPECT_EQ(folded("", 10), "");
+    EXPECT_EQ(folded("  prose of a screen", 12), "  prose of a\n  screen");
+    EXPECT_EQ(folded("initial  compact  2-10 s  from a porosity", 32), "initial  compact  2-10 s\n    from a porosity");
+}
+
+TEST(Wording, FoldingLosesNoWordAndKeepsToTheWidth) {
+    const std::string text = "erosion/probe   detach  10,000   relaxation, 4 gradients \u2588\u2588 and a twin";
+    const auto words = [](const std::string& from) {
+        std::istringstream in(from);
+        return std::vector<std::string>(std::istream_iterator<std::string>(in), {});
+    };
+    for (std::size_t columns = 28; columns < 70; ++columns) {
+        const std::string lines = folded(text, columns);
+        EXPECT_EQ(words(lines), words(text));
+        std::istringstream in(lines);
+        for (std::string line; std::getline(in, line);) {
+            EXPECT_LE(columns_of(line), columns) << line;
+        }
+    }
+}
+
+TEST(Wording, SourceUnderItsCaretAndCommandsKeepTheirLines) {
+    for (const char* line : {"48 | particles = 10_000 # many", "suffuse resume runs/fontainebleau-2016-0001"}) {
+        EXPECT_EQ(folded(line, 12), line);
+    }
 }
 
 } // namespace

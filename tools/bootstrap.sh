@@ -22,6 +22,7 @@ have() { command -v "$1" >/dev/null 2>&1; }
 step() {
     text=$1 log=$logs/$2 begin=$(date +%s)
     shift 2
+    [ ! -t 2 ] || printf 'suffuse: %s ...\r' "$text" >&2
     "$@" >"$log" 2>&1 </dev/null || {
         status=$?
         tail -n 40 "$log" >&2

@@ -49,9 +49,9 @@ constexpr std::array guides = {
         "The grading asked for and that of the grains drawn; what counts as fine is shaded.", "a `pack` stage"},
     Guide{
         "fig09", "speed of the fines by gradient",
-        "Speed of the fines while the water's force grows and then stays, a panel a gradient: bands hold the middle 90 "
-        "% "
-        "of the grains that the rule calls detachable and of those that stay, lines are single grains, the fastest and "
+        "Speed of the fines while the water's force grows and then stays, a panel a gradient: bands hold the middle "
+        "80 % of the grains that the rule calls detachable and of those that stay, lines are single grains, the "
+        "fastest and "
         "slowest among them. One group keeps accelerating, the other deforms with its contacts.",
         "a `detach` stage"},
     Guide{"fig10", "speed of the fines by pass", "As Figure 9, a panel a pass of the erosion.", "an `erode` stage"},
