@@ -47,7 +47,13 @@ void set_threads(int asked) {
 
 run::RunPlan plan_case(const casefile::Case& what, int at_once) {
     constexpr double window = 0.3; // [s]
-    return run::plan_run(what, run::measure_speed(run::largest_sample(what), what.mode, window, at_once));
+    const std::int64_t grains = run::largest_sample(what);
+    run::MachineSpeed speed = run::measure_speed(grains, what.mode, window, at_once);
+    if (what.mode != dem::Mode::Reference) { // relaxations and probes keep to it
+        const run::MachineSpeed reference = run::measure_speed(grains, dem::Mode::Reference, window, at_once);
+        speed.in_reference_mode = reference.particle_steps_per_second;
+    }
+    return run::plan_run(what, speed);
 }
 
 std::string plan_sentence(const run::RunPlan& plan) {

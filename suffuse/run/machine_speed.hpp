@@ -13,6 +13,11 @@ struct MachineSpeed {
     std::int64_t grains = 0;              ///< of the packing that was stepped
     int threads = 1;                      ///< of one sample
     int at_once = 1;                      ///< samples that run side by side
+    double in_reference_mode = 0;         ///< the same in reference mode, where the case's is another; 0: it is not
+
+    [[nodiscard]] double reference_speed() const {
+        return in_reference_mode > 0 ? in_reference_mode : particle_steps_per_second;
+    }
 };
 
 /// Steps about `grains` grains (between 500 and 50,000 are taken) for about `seconds` of wall time, in `at_once`

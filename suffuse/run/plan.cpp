@@ -41,15 +41,15 @@ void plan_variant(const casefile::Case& what, const casefile::Variant& variant, 
         estimate.study = variant.folder;
         estimate.stage = stage.name;
         estimate.verb = casefile::verb_of(stage.spec);
-        estimate.grains = ends[k].grains;
-        estimate.steps = price.steps;
-        estimate.seconds = seconds_of(price, static_cast<double>(ends[k].grains), plan.speed);
-        estimate.memory = price.memory_a_grain * static_cast<double>(ends[k].grains);
-        estimate.disk = disk_of(what.output, stage, k + 1 == variant.stages.size(), ends[k].grains);
+        estimate.grains = std::llround(count(ends[k]));
+        estimate.steps = price.steps + price.reference_steps;
+        estimate.seconds = seconds_of(price, plan.speed);
+        estimate.memory = price.memory_a_grain * count(ends[k]);
+        estimate.disk = disk_of(what.output, stage, k + 1 == variant.stages.size(), estimate.grains);
         estimate.basis = price.basis;
         if (std::holds_alternative<packing::PackSpec>(stage.spec)) {
-            estimate.coarse = ends[k].coarse;
-            estimate.fines_content = ends[k].fines_content;
+            estimate.coarse = std::llround(ends[k].coarse.grains);
+            estimate.fines_content = fines_content(ends[k]);
             estimate.sized_by = variant.sized_by ? grains::name_of(*variant.sized_by) : "";
         }
         plan.stages.push_back(std::move(estimate));

@@ -46,6 +46,7 @@ void to_json(nlohmann::json& json, const RunPlan& plan) {
         {"threads", plan.speed.threads},
         {"samples_at_once", plan.speed.at_once},
         {"particle_steps_per_second", plan.speed.particle_steps_per_second},
+        {"reference_steps_per_second", plan.speed.reference_speed()},
     };
 }
 

@@ -91,7 +91,7 @@ std::optional<PlanError> record_outcome(const std::filesystem::path& run) {
             continue;
         }
         const json taken = read_json(numbers);
-        stage["steps_taken"] = taken.at("steps");
+        stage["steps_taken"] = taken.value("steps_of_trials", taken.at("steps").get<std::int64_t>());
         stage["seconds_taken"] = taken.at("wall_seconds");
         outcomes.push_back(
             {range_of(stage.at("steps")), range_of(stage.at("seconds")), stage.at("steps_taken"),

@@ -1,13 +1,13 @@
 #include "suffuse/run/price_stage.hpp"
 
 #include "suffuse/base/error.hpp"
-#include "suffuse/dem/stable_dt.hpp"
-#include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/packing_file.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/pace.hpp"
-#include "suffuse/stats/gradation.hpp"
+#include "suffuse/run/imported_cell.hpp"
+#include "suffuse/run/mark_fines.hpp"
+#include "suffuse/run/preparation_price.hpp"
 
 #include <fmt/format.h>
 
@@ -19,44 +19,43 @@ namespace suffuse::run {
 namespace {
 
 // Steps, beside the `patience` that comes on top where a balance is waited for.
-constexpr Range settling{500, 6'000};    // a packing from elsewhere
-constexpr Range loaded_share{2.4, 7.5};  // of the steps that the strain takes at the largest rate
-constexpr Range ringing_share{3.5, 7.5}; // the same under the servo of `slow`
+constexpr Range settling{500, 6'000};                                 // a packing from elsewhere
 constexpr Range swift_start{2'500, 9'000}, swift_density{300, 1'500}; // from near touching; from an asked density
-constexpr Range first_relaxation{700, 3'000}, next_relaxation{200, 1'200};
-constexpr Range rest_at_volume{100, 8'000}, rest_under_stress{100, 15'000}; // after many grains were taken at once
+constexpr Range first_relaxation{600, 4'500}, next_relaxation{50, 1'200};
+constexpr Range rest_after_removal{1'500, 8'000}; // after many grains were taken at once
 constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
-constexpr double stiffest = 0.25, softest = 0.07; // deviator stress over axial strain, over the contact modulus [-]
-constexpr Range trials_for_a_density{2, 6};       // compactions until an asked void ratio is met
-constexpr int endless = 5;                        // passes that "until nothing leaves" may add to those asked
-constexpr Range left_by_erosion{0.6, 1};          // of the grains
+constexpr Range trials_for_a_density{2, 6}; // compactions until an asked void ratio is met
+constexpr int endless = 5;                  // passes that "until nothing leaves" may add to those asked
+constexpr Range slow_collapse{0.55, 1.1};   // of the steps in which the largest rate would close what removal opened
+constexpr double resettling_rate = 20;      // erosion/reequilibrate.cpp [1/s]
+constexpr double swept_rattlers = 0.65;     // of the fines without load, at least this share leaves with an erosion
 
-// The time step of a settled packing over that of one pair of its smallest grains; how far off it is, as a factor on
-// the steps.
-constexpr double settled_time_step = 0.41, loose_time_step = 0.6;
-constexpr Range time_step_error{0.78, 1.25};
+// Axial strain until a stress: of samples that carry it elastically, deviator stress over strain, over the contact
+// modulus; of loose ones, that yield, strain = this x eta/(limit - eta) with eta = q/p [-].
+constexpr double stiffest = 0.25, softest = 0.07, yielding_coordination = 4;
+constexpr double loose_limit = 0.85, least_distance = 0.05;
+constexpr Range loose_strain{0.002, 0.02};
 
-// What the made-up packing of measure_speed leaves out: searches while grains fly, looks at the balance, recording,
-// files, other work of the machine.
+// How far off the time step is, as a factor on the steps; a loose sample at constant volume loses its contacts and
+// steps faster.
+constexpr Range time_step_error{0.85, 1.2}, liquefied{0.5, 1.1};
+
+// What the made-up packing of measure_speed leaves out: recording, files, other work of the machine.
 constexpr Range price_error{0.75, 1.35};
-constexpr Range cloud_seconds{2e-6, 3e-5};    // a grain
+constexpr Range searching{0.25, 0.55};        // work of a step, a grain, while grains fly
+constexpr Range cloud_seconds{1e-6, 1.5e-5};  // a grain
 constexpr Range geometry_seconds{1e-5, 6e-5}; // a grain: pushing a cloud together
 constexpr Range flow_seconds{1e-5, 6e-5};     // a grain, one direction
 
-constexpr double settled_porosity = 0.4;
 constexpr double grain_memory = 1000, flow_memory = 5000; // [B], a grain
 
-PricedSample describe(const grains::Grains& grains, const grains::Material& material) {
-    PricedSample sample;
-    sample.grains = static_cast<std::int64_t>(grains.size());
-    sample.smallest = *std::min_element(grains.radius.begin(), grains.radius.end());
-    sample.median = stats::size_at(stats::measure_gradation(grains), 0.5);
-    sample.density = material.density;
-    dem::World smallest; // a world without contacts: the bound is that of a pair of its smallest grains
-    smallest.material = material;
-    add_grain(smallest.grains, {}, sample.smallest, material.density);
-    sample.pair_time_step = dem::stable_time_step(smallest);
-    return sample;
+const Range& preparation_steps(std::string_view kind) {
+    for (const PreparationPrice& price : preparation_prices) {
+        if (price.kind == kind) {
+            return price.steps;
+        }
+    }
+    throw Bug(fmt::format("no price of the preparation {}", kind));
 }
 
 /// One stage: what it takes, and what it makes of the sample.
@@ -66,60 +65,76 @@ public:
         : case_(what), variant_(variant), sample_(sample) {}
 
     StagePrice operator()(const casefile::ImportSpec& spec) {
-        sample_ = describe(io::read_packing(spec.path, case_.material.density).grains, case_.material);
-        return {{}, {0, 0.1}, grain_memory, "read from a file"};
+        io::ImportedPacking packing = io::read_packing(spec.path, case_.material.density);
+        mark_fines(variant_.soil, packing.grains);
+        const double volume = std::abs(determinant(imported_cell(spec, packing)));
+        sample_ = describe(packing.grains);
+        double solid = 0;
+        for (const double r : packing.grains.radius) {
+            solid += sphere_volume(r);
+        }
+        take_state(sample_, state_at(sample_, solid / volume));
+        return {.seconds = {0, 0.1}, .memory_a_grain = grain_memory, .basis = "read from a file"};
     }
 
     StagePrice operator()(const packing::PackSpec& spec) {
         if (!variant_.soil) {
             throw Bug("a stage that packs without a soil");
         }
-        const auto count = static_cast<int>(variant_.particles);
-        const grains::SampledGrains drawn = grains::sample_soil(*variant_.soil, count);
+        const auto asked = static_cast<int>(variant_.particles);
+        const grains::SampledGrains drawn = grains::sample_soil(*variant_.soil, asked);
         grains::Grains grains;
-        for (const double r : drawn.radius) {
-            add_grain(grains, {}, r, case_.material.density);
+        for (std::size_t g = 0; g < drawn.radius.size(); ++g) {
+            add_grain(grains, {}, drawn.radius[g], case_.material.density);
+            grains.fine[g] = drawn.fine[g];
         }
-        sample_ = describe(grains, case_.material);
-        sample_.porosity = spec.porosity;
-        sample_.coarse = std::count(drawn.fine.begin(), drawn.fine.end(), std::uint8_t{0});
-        sample_.fines_content = drawn.fines_content;
+        sample_ = describe(grains);
+        sample_.solid_fraction = 1 - spec.porosity;
         return {
-            {},
-            static_cast<double>(count) * cloud_seconds,
-            grain_memory,
-            fmt::format(
-                "no steps; {} coarse grains, fines content {:.2f} %", sample_.coarse, 100 * drawn.fines_content
+            .seconds = count(sample_) * cloud_seconds,
+            .memory_a_grain = grain_memory,
+            .basis = fmt::format(
+                "no steps; {:.0f} coarse grains, fines content {:.2f} %", sample_.coarse.grains,
+                100 * drawn.fines_content
             )};
     }
 
     StagePrice operator()(const packing::CompactSpec& spec) {
         const bool asks = spec.void_ratio || spec.intergranular_void_ratio;
-        const double end = spec.void_ratio ? *spec.void_ratio / (1 + *spec.void_ratio) : settled_porosity;
-        const double cloud = sample_.porosity;
+        const double cloud = 1 - sample_.solid_fraction;
         const double start =
             std::min(cloud, spec.start_porosity.value_or(leaves_out_gas(spec) ? packing::open_porosity : 1));
-        const Range pushing = start < cloud ? static_cast<double>(sample_.grains) * geometry_seconds : Range{};
-        sample_.porosity = end;
+        const Range pushing = start < cloud ? count(sample_) * geometry_seconds : Range{};
+        const double gas_time_step = compaction_time_step(spec, loose_time_step(sample_, case_.material));
+        const packing::EqualGrains state = asks ? state_at(sample_, solid_fraction_asked(spec))
+                                                : packing::equal_grains(friction_of(spec), adheres(spec));
+        take_state(sample_, state);
         sample_.pressure = spec.pressure;
+        const Range searches = count(sample_) * searching;
         if (spec.protocol == packing::Protocol::Swift) {
             const Range trials = asks ? Range{1, 3} : Range{1, 1};
             return {
-                trials * ((asks ? swift_density : swift_start) + waited({})),
-                trials * (static_cast<double>(sample_.grains) * geometry_seconds), grain_memory,
-                "swift: pushed together, then pressed; contacts per grain some 0.6 above faithful's"};
+                .steps = trials * ((asks ? swift_density : swift_start) + waited({})),
+                .seconds = trials * (count(sample_) * geometry_seconds),
+                .memory_a_grain = grain_memory,
+                .basis = "swift: pushed together, then pressed; contacts per grain some 0.6 above faithful's",
+                .more_work = searches};
         }
         const Range trials = asks ? trials_for_a_density : Range{1, 1};
-        const double open = std::min(start, packing::open_porosity); // from here on grains carry load now and then
-        const double a_strain = 1 / (spec.max_rate * compaction_time_step(spec));
-        const double gas = a_strain * strain_between(start, open), loaded = a_strain * strain_between(open, end);
-        const Range share = spec.protocol == packing::Protocol::Slow ? ringing_share : loaded_share;
+        const double end = 1 - sample_.solid_fraction;
+        const double open = adheres(spec) ? start : std::min(start, packing::open_porosity);
+        const double time_step = compaction_time_step(spec, settled_time_step(sample_, case_.material));
+        const double gas = strain_between(start, open) / (spec.max_rate * gas_time_step);
+        const double loaded = strain_between(open, end) / (spec.max_rate * time_step);
         return {
-            trials * (Range{gas, gas} + loaded * share + waited({})), trials * pushing, grain_memory,
-            fmt::format(
-                "{}: from a porosity of {:.2f} at {:.3g} 1/s and slower, then settling",
-                packing::name_of(spec.protocol), start, spec.max_rate
-            )};
+            .steps = trials * (Range{gas, gas} + loaded * preparation_steps(kind_of(spec)) + 2 * waited({})),
+            .seconds = trials * pushing,
+            .memory_a_grain = grain_memory,
+            .basis = fmt::format(
+                "{}: from a porosity of {:.2f} to some {:.2f} at {:.3g} 1/s and slower, then settling", kind_of(spec),
+                start, end, spec.max_rate
+            ),
+            .more_work = searches};
     }
 
     StagePrice operator()(const dem::SettleSpec& spec) {
@@ -128,81 +143,124 @@ public:
                 sample_.pressure = axis.value;
             }
         }
-        return {waited(settling), {}, grain_memory, "until balanced"};
+        return {.steps = waited(settling), .memory_a_grain = grain_memory, .basis = "until balanced"};
     }
 
     StagePrice operator()(const dem::AdvanceSpec& spec) {
         const auto steps = static_cast<double>(spec.steps);
-        return {{steps, steps}, {}, grain_memory, "as asked"};
+        return {.steps = {steps, steps}, .memory_a_grain = grain_memory, .basis = "as asked"};
     }
 
     StagePrice operator()(const triaxial::TriaxialSpec& spec) {
-        const double rate = spec.inertial_number * std::sqrt(sample_.pressure / sample_.density) / sample_.median;
-        const double dt = spec.time_step > 0 ? spec.time_step : settled_dt();
+        const double rate =
+            spec.inertial_number * std::sqrt(sample_.pressure / case_.material.density) / sample_.median;
+        const bool is_loose = sample_.coordination < yielding_coordination;
+        take_critical_state(sample_); // within the first percents of strain
+        const double dt = spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, case_.material);
         const double a_strain = 1 / (rate * dt); // steps
         const std::string pace = fmt::format("at {:.3g} 1/s (inertial number {:.1e})", rate, spec.inertial_number);
         if (spec.deviator_stress || spec.stress_ratio) {
+            const Range strain = strain_until(spec, is_loose);
+            sample_.pressure /= 1 - std::min(stress_ratio_asked(spec), 2.0) / 3; // the lateral stress is held
             return {
-                a_strain * strain_until(spec) + waited(balance_at_stress),
-                {},
-                grain_memory,
-                fmt::format("until a stress, at most {:.3g} % {}, then settling", 100 * spec.strain, pace)};
+                .steps = a_strain * strain + waited(balance_at_stress),
+                .memory_a_grain = grain_memory,
+                .basis = fmt::format("until a stress, at most {:.3g} % {}, then settling", 100 * spec.strain, pace)};
         }
-        const Range error = spec.time_step > 0 ? Range{1, 1} : time_step_error;
-        return {a_strain * spec.strain * error, {}, grain_memory, fmt::format("{:.3g} % {}", 100 * spec.strain, pace)};
+        const bool liquefies = spec.path == triaxial::Path::Undrained && is_loose;
+        const Range error = spec.time_step > 0 ? Range{1, 1} : liquefies ? liquefied : time_step_error;
+        return {
+            .steps = a_strain * spec.strain * error,
+            .memory_a_grain = grain_memory,
+            .basis = fmt::format("{:.3g} % {}", 100 * spec.strain, pace)};
     }
 
     StagePrice operator()(const flow::FlowSpec& spec) {
-        return {{}, (spec.tensor ? 2.0 : 1.0) * one_flow(), grain_memory + flow_memory, "no steps"};
+        return {
+            .seconds = (spec.tensor ? 2.0 : 1.0) * one_flow(),
+            .memory_a_grain = grain_memory + flow_memory,
+            .basis = "no steps"};
     }
 
     StagePrice operator()(const erosion::DetachStageSpec& spec) {
         const auto gradients = static_cast<double>(spec.gradients.size());
         return {
-            first_relaxation + probe(spec.probe, gradients), one_flow(), 3 * grain_memory + flow_memory,
-            fmt::format("relaxation, {} gradients and a twin", spec.gradients.size())};
+            .reference_steps = first_relaxation + probe(spec.probe, gradients),
+            .seconds = one_flow(),
+            .memory_a_grain = 3 * grain_memory + flow_memory,
+            .basis = fmt::format("relaxation, {} gradients and a twin", spec.gradients.size())};
     }
 
     StagePrice operator()(const erosion::ErodeSpec& spec) {
-        const Range a_pass = probe(spec.probe, 1) + 2 * waited(balance_after_removal);
         const Range passes{
             static_cast<double>(spec.passes),
             static_cast<double>(spec.passes + (spec.until_nothing_leaves ? endless : 0))};
         const Range later{passes.least - 1, passes.most - 1};
-        sample_.left = sample_.left * left_by_erosion;
+        const double carrying = sample_.fines.carrying;
+        const Range swept{carrying, 1 - swept_rattlers * (1 - carrying)};
+        sample_.fines_left = {
+            std::min(sample_.fines_left.least, swept.least), std::min(sample_.fines_left.most, swept.most)};
         return {
-            passes * a_pass + first_relaxation + later * next_relaxation, 2 * passes * one_flow(),
-            4 * grain_memory + flow_memory,
-            fmt::format(
+            .steps = 2 * passes * waited(balance_after_removal),
+            .reference_steps = passes * probe(spec.probe, 1) + first_relaxation + later * next_relaxation,
+            .seconds = 2 * passes * one_flow(),
+            .memory_a_grain = 4 * grain_memory + flow_memory,
+            .basis = fmt::format(
                 "{} passes{}: relaxation, probe with its twin, two new equilibria; more where the skeleton gives way",
                 spec.passes, spec.until_nothing_leaves ? " and more, until nothing leaves" : ""
             )};
     }
 
-    StagePrice operator()(const erosion::RemoveSpec&) {
-        sample_.left = sample_.left * left_by_erosion;
+    StagePrice operator()(const erosion::RemoveSpec& spec) {
+        const double before = 1 - sample_.solid_fraction * (1 - fines_content(sample_));
+        if (spec.grains == erosion::RemovedFines::All) {
+            take_fines(sample_);
+        } else if (spec.grains == erosion::RemovedFines::Inactive) {
+            sample_.fines_left = {sample_.fines.carrying, sample_.fines.carrying};
+        }
+        const double closing = spec.grains == erosion::RemovedFines::All
+                                   ? std::max(0.0, strain_between(before, 1 - sample_.solid_fraction))
+                                   : 0;
+        const double a_strain = 1 / (resettling_rate * settled_time_step(sample_, case_.material));
         return {
-            waited(rest_at_volume) + waited(rest_under_stress),
-            {},
-            2 * grain_memory,
-            "two new equilibria, after all asked have gone"};
+            .steps = closing * a_strain * slow_collapse + rest_after_removal + 2 * waited({}),
+            .memory_a_grain = 2 * grain_memory,
+            .basis = "two new equilibria, after all asked have gone"};
     }
 
 private:
-    [[nodiscard]] double settled_dt() const { return settled_time_step * sample_.pair_time_step; }
-
-    [[nodiscard]] bool leaves_out_gas(const packing::CompactSpec& spec) const {
-        const double normal = spec.prepare.adhesion_normal.value_or(case_.material.adhesion_normal);
-        const double shear = spec.prepare.adhesion_shear.value_or(case_.material.adhesion_shear);
-        return spec.protocol == packing::Protocol::Faithful && normal <= 0 && shear <= 0;
+    [[nodiscard]] double friction_of(const packing::CompactSpec& spec) const {
+        return spec.prepare.friction.value_or(case_.material.friction);
     }
 
-    [[nodiscard]] double compaction_time_step(const packing::CompactSpec& spec) const {
+    [[nodiscard]] bool adheres(const packing::CompactSpec& spec) const {
+        return spec.prepare.adhesion_normal.value_or(case_.material.adhesion_normal) > 0 ||
+               spec.prepare.adhesion_shear.value_or(case_.material.adhesion_shear) > 0;
+    }
+
+    [[nodiscard]] bool leaves_out_gas(const packing::CompactSpec& spec) const {
+        return spec.protocol == packing::Protocol::Faithful && !adheres(spec);
+    }
+
+    /// A row of preparation_prices.
+    [[nodiscard]] std::string kind_of(const packing::CompactSpec& spec) const {
+        const std::string_view met = adheres(spec) ? "adhesive" : friction_of(spec) > 0 ? "frictional" : "frictionless";
+        return fmt::format("{}, {}", packing::name_of(spec.protocol), met);
+    }
+
+    [[nodiscard]] double solid_fraction_asked(const packing::CompactSpec& spec) const {
+        const double content = fines_content(sample_);
+        const double e = spec.void_ratio ? *spec.void_ratio : *spec.intergranular_void_ratio * (1 - content) - content;
+        return 1 / (1 + std::max(e, 0.05)); // the run refuses less
+    }
+
+    [[nodiscard]] double compaction_time_step(const packing::CompactSpec& spec, double stable) const {
         if (spec.time_step > 0) {
             return spec.time_step;
         }
-        return spec.protocol == packing::Protocol::Slow ? packing::slow_time_step(sample_.smallest, case_.material)
-                                                        : loose_time_step * sample_.pair_time_step;
+        return spec.protocol == packing::Protocol::Slow
+                   ? packing::slow_time_step(0.5 * smallest_diameter(sample_), case_.material)
+                   : stable;
     }
 
     /// Strain of each axis from one porosity to another, at least a little [-].
@@ -223,17 +281,29 @@ private:
         return {steps, steps};
     }
 
-    /// Axial strain until a deviator stress is reached [-].
-    [[nodiscard]] Range strain_until(const triaxial::TriaxialSpec& spec) const {
-        double q = spec.deviator_stress.value_or(0);
-        if (spec.stress_ratio) { // along the drained path; undrained and constant-mean ones end below
-            q = *spec.stress_ratio * sample_.pressure / std::max(1 - *spec.stress_ratio / 3, 0.1);
+    /// On the drained path; undrained and constant-mean ones end below [-].
+    [[nodiscard]] double stress_ratio_asked(const triaxial::TriaxialSpec& spec) const {
+        if (spec.stress_ratio) {
+            return *spec.stress_ratio;
         }
-        const double strain = q / case_.material.modulus;
-        return {std::min(strain / stiffest, spec.strain), std::min(strain / softest, spec.strain)};
+        const double q = *spec.deviator_stress;
+        return q / (sample_.pressure + q / 3);
     }
 
-    [[nodiscard]] Range one_flow() const { return static_cast<double>(sample_.grains) * flow_seconds; }
+    /// Axial strain until a deviator stress is reached [-].
+    [[nodiscard]] Range strain_until(const triaxial::TriaxialSpec& spec, bool is_loose) const {
+        const double ratio = stress_ratio_asked(spec);
+        const auto at_most = [&](double strain) { return std::min(strain, spec.strain); };
+        if (is_loose) {
+            const Range strain = ratio / std::max(loose_limit - ratio, least_distance) * loose_strain;
+            return {at_most(strain.least), at_most(strain.most)};
+        }
+        const double q = ratio * sample_.pressure / std::max(1 - ratio / 3, 0.1);
+        const double strain = q / case_.material.modulus;
+        return {at_most(strain / stiffest), at_most(strain / softest)};
+    }
+
+    [[nodiscard]] Range one_flow() const { return count(sample_) * flow_seconds; }
 
     const casefile::Case& case_;
     const casefile::Variant& variant_;
@@ -245,14 +315,17 @@ private:
 StagePrice price_stage(
     const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage, PricedSample& sample
 ) {
-    const Range left = sample.left; // erosion begins with all that it finds
+    const bool removes = std::holds_alternative<erosion::ErodeSpec>(stage.spec);
+    const Range before = work_of_step(sample); // erosion begins with all that it finds
     StagePrice price = std::visit(Pricer(what, variant, sample), stage.spec);
-    price.left = left;
+    price.work = (removes ? before : work_of_step(sample)) + price.more_work;
     return price;
 }
 
-Range seconds_of(const StagePrice& price, double grains, const MachineSpeed& speed) {
-    return grains / speed.particle_steps_per_second * price.left * price.steps * price_error + price.seconds;
+Range seconds_of(const StagePrice& price, const MachineSpeed& speed) {
+    const Range stepping =
+        1 / speed.particle_steps_per_second * price.steps + 1 / speed.reference_speed() * price.reference_steps;
+    return price.work * stepping * price_error + price.seconds;
 }
 
 } // namespace suffuse::run

@@ -1,38 +1,25 @@
 #pragma once
-// What one stage takes: steps, memory, and time beside the steps. Strain-driven steps follow from the strain, the
-// inertial number and the time step; relaxations and settling are ranges seen in the runs of
-// tests/reference/planned_runs.csv, which a test holds this to.
+// What one stage takes: steps, memory, and time beside the steps. Strain-driven steps follow from the strain, the rate
+// and the time step that the expected contact network allows, their seconds from how many grains carry load;
+// relaxations and settling are ranges seen in runs. A test holds all of it to tests/reference/planned_runs.csv.
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/run/machine_speed.hpp"
+#include "suffuse/run/priced_sample.hpp"
 #include "suffuse/run/range.hpp"
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
 namespace suffuse::run {
 
-/// What is known of a sample at the end of a stage before it is run.
-struct PricedSample {
-    std::int64_t grains = 0; ///< before any erosion
-    Range left{1, 1};        ///< of them, after those planned [-]
-    double smallest = 0;     ///< radius [m]
-    double median = 0;       ///< diameter by mass [m]
-    double pressure = 100e3;
-    double porosity = 0.4;
-    double density = 2600;
-    double pair_time_step = 0; ///< stable for one pair of the smallest grains [s]
-    std::int64_t coarse = 0;
-    std::optional<double> fines_content; ///< of a sample that was drawn [-]
-};
-
 struct StagePrice {
-    Range steps;
-    Range seconds;             ///< beside the steps [s]
-    double memory_a_grain = 0; ///< [B]
-    std::string basis;         ///< where the steps come from, in words
-    Range left = {1, 1};       ///< of the grains, when it begins [-]
+    Range steps = {};
+    Range reference_steps = {}; ///< more of them, in reference mode whatever the mode of the case
+    Range seconds = {};         ///< beside the steps [s]
+    double memory_a_grain = 0;  ///< [B]
+    std::string basis;          ///< where the steps come from, in words
+    Range more_work = {};       ///< of a step, beyond that of the sample at the stage's end
+    Range work = {}; ///< of a step, in grains of the packing that measure_speed steps; filled in by price_stage
 };
 
 /// The price of a stage; `sample` goes from its start to its end.
@@ -42,6 +29,6 @@ StagePrice price_stage(
 );
 
 /// Wall time of a stage on a machine [s].
-Range seconds_of(const StagePrice& price, double grains, const MachineSpeed& speed);
+Range seconds_of(const StagePrice& price, const MachineSpeed& speed);
 
 } // namespace suffuse::run

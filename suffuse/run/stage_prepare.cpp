@@ -11,6 +11,7 @@
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/target_density.hpp"
 #include "suffuse/run/imported_cell.hpp"
+#include "suffuse/run/mark_fines.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
 
@@ -20,23 +21,6 @@
 
 namespace suffuse::run {
 namespace {
-
-/// Marks the fines of a sample whose grains were not drawn from the soil's curves.
-void mark_fines(const std::optional<grains::Soil>& soil, grains::Grains& grains) {
-    if (!soil) {
-        return;
-    }
-    std::optional<double> limit = soil->finer_than;
-    if (soil->kenney_lau && soil->whole) {
-        limit = grains::kenney_lau_split(*soil->whole);
-    }
-    if (!limit) {
-        return;
-    }
-    for (std::size_t g = 0; g < grains.size(); ++g) {
-        grains.fine[g] = 2 * grains.radius[g] < *limit ? 1 : 0;
-    }
-}
 
 /// Turns a wanted intergranular void ratio into the void ratio of this sample: e = e_g (1 - FC) - FC.
 packing::CompactSpec with_void_ratio(packing::CompactSpec spec, const grains::Grains& grains) {
@@ -73,6 +57,9 @@ void compact(StageWork& work, const packing::CompactSpec& spec, packing::Compact
     }
     work.control.save_with(nullptr);
     work.time_step = state.time_step;
+    if (spec.void_ratio) {
+        work.numbers["steps_of_trials"] = work.numbers.value("steps_of_trials", std::int64_t{0}) + state.steps;
+    }
     work.numbers["protocol"] = packing::name_of(spec.protocol);
     work.numbers["start_porosity"] = state.start_porosity;
     work.numbers["steps"] = state.steps;

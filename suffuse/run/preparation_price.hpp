@@ -1,0 +1,27 @@
+#pragma once
+// What preparing a sample takes, beside what its strain does: one table, written by
+//     tools/record_plans.py --preparation RUN...
+// from runs that prepared samples.
+
+#include "suffuse/run/range.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace suffuse::run {
+
+struct PreparationPrice {
+    std::string_view kind; ///< protocol, and how grains met: stage_kind
+    Range steps;           ///< over those that the strain takes at the largest rate [-]
+};
+
+inline constexpr std::array<PreparationPrice, 6> preparation_prices = {{
+    {"faithful, adhesive", {1.8, 3.8}},
+    {"faithful, frictionless", {0.68, 4.8}},
+    {"faithful, frictional", {2.1, 3.9}},
+    {"slow, adhesive", {3.5, 7.5}},
+    {"slow, frictionless", {3.5, 7.5}},
+    {"slow, frictional", {3.5, 7.5}},
+}};
+
+} // namespace suffuse::run
