@@ -123,8 +123,9 @@ template <class Real>
     return transposed(get(rows.x, k), get(rows.y, k), get(rows.z, k), Quad{});
 }
 
-/// Copies the grains of the contacts `row(0)` to `row(3)` into rows `k` to `k + 3` of the tile.
-template <class Real, class RowOf>
+/// Copies the grains of the contacts `row(0)` to `row(3)` into rows `k` to `k + 3` of the tile; their motion only where
+/// `Moving`.
+template <bool Moving, class Real, class RowOf>
 [[gnu::always_inline]] inline void load_four(const Work<Real>& w, std::size_t k, RowOf&& row, Tile<Real>& tile) {
     FourQuads branch, velocity, spin_1, spin_2;
     for (std::size_t q = 0; q < 4; ++q) {
@@ -132,30 +133,34 @@ template <class Real, class RowOf>
         const grains::MovingRow &i = w.grains[w.first[c]], &j = w.grains[w.second[c]];
         const ImageShift& shift = w.shifts[w.image[c]];
         branch[q] = j.position - i.position + shift.position;
-        velocity[q] = j.velocity - i.velocity + shift.velocity;
+        if constexpr (Moving) {
+            velocity[q] = j.velocity - i.velocity + shift.velocity;
+        }
         spin_1[q] = i.spin;
         spin_2[q] = j.spin;
     }
     const auto columns = [](const FourQuads& r) { return transposed(r[0], r[1], r[2], r[3]); };
     put(tile.branch, k, columns(branch));
-    put(tile.velocity, k, columns(velocity));
     const FourQuads first = columns(spin_1), second = columns(spin_2);
-    put(tile.spin_1, k, first);
-    put(tile.spin_2, k, second);
+    if constexpr (Moving) {
+        put(tile.velocity, k, columns(velocity));
+        put(tile.spin_1, k, first);
+        put(tile.spin_2, k, second);
+    }
     put(tile.exact_radius_1, k, first[3]);
     put(tile.exact_radius_2, k, second[3]);
 }
 
-template <class Real>
+template <bool Moving, class Real>
 [[gnu::always_inline]] inline void load(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& tile) {
     std::size_t k = 0;
     for (; k + 4 <= rows; k += 4) {
-        load_four(
+        load_four<Moving>(
             w, k, [&](std::size_t q) { return begin + k + q; }, tile
         );
     }
     if (k < rows) { // short of rows: the last one again, unused
-        load_four(
+        load_four<Moving>(
             w, k, [&](std::size_t q) { return begin + std::min(k + q, rows - 1); }, tile
         );
     }
@@ -261,6 +266,25 @@ cut_springs(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t r
     }
 }
 
+/// Contacts that only push: what the other parts of the law would leave at zero is left alone.
+template <class Real>
+[[gnu::always_inline]] inline void
+push_apart(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t rows, Tile<Real>& t) {
+    const MemoryColumns<Real> m = columns;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < rows; ++k) {
+        const std::size_t c = begin + k;
+        const Real zero{}, was_touching = size_1(Triple<Real>{m.nx[c], m.ny[c], m.nz[c]});
+        const Meeting<Real> met = meeting(t, k);
+        const Push<Real> out = push(met, was_touching);
+        m.nx[c] = out.touching > zero ? met.normal.x : zero;
+        m.ny[c] = out.touching > zero ? met.normal.y : zero;
+        m.nz[c] = out.touching > zero ? met.normal.z : zero;
+        m.overlap[c] = out.touching > zero ? met.overlap : zero;
+        set(t.force(), k, out.force);
+    }
+}
+
 template <class Real>
 [[gnu::always_inline]] inline void add_stress(
     const Rows3<Real>& force, const Rows3<double>& branch, std::size_t rows, const SumQuantum& quantum,
@@ -285,20 +309,27 @@ template <class Real>
     sum = {s, wild};
 }
 
-template <class Real>
+template <bool Turning, class Real>
 [[gnu::always_inline]] inline void
 add_to_grains(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& t) {
     const auto add_four = [&](std::size_t k, std::size_t count) {
-        const FourQuads force = vectors(t.force(), k), torque_1 = vectors(t.torque_1(), k),
-                        torque_2 = vectors(t.torque_2(), k);
+        const FourQuads force = vectors(t.force(), k);
+        FourQuads torque_1, torque_2;
+        if constexpr (Turning) {
+            torque_1 = vectors(t.torque_1(), k), torque_2 = vectors(t.torque_2(), k);
+        }
         for (std::size_t q = 0; q < count; ++q) {
             const std::size_t c = begin + k + q;
             grains::GrainSum& first = w.sums[w.first[c]];
             first.force -= force[q];
-            first.torque += torque_1[q];
+            if constexpr (Turning) {
+                first.torque += torque_1[q];
+            }
             grains::GrainSum& second = w.sums[w.second_sum[c]];
             second.force += force[q];
-            second.torque += torque_2[q];
+            if constexpr (Turning) {
+                second.torque += torque_2[q];
+            }
         }
     };
     std::size_t k = 0;
@@ -322,43 +353,52 @@ template <class Real>
     }
 }
 
-template <bool Adhesive, bool Twisting, class Real>
+/// `Springs`: contacts have more than a normal force.
+template <bool Springs, bool Adhesive, bool Twisting, class Real>
 [[gnu::always_inline]] inline void press(const Work<Real>& w, std::size_t begin, std::size_t end, StressSum& stress) {
     Tile<Real> tile;
     for (std::size_t c = begin; c < end; c += tile_rows) {
         const std::size_t rows = std::min(tile_rows, end - c);
-        load(w, c, rows, tile);
+        load<Springs>(w, c, rows, tile);
         if (w.beyond_cache) {
             fetch_ahead(w, c + rows, std::min(c + rows + tile_rows, end));
         }
         find_meetings(w.exact_law, rows, tile);
-        stretch_springs<Adhesive, Twisting>(w, c, rows, tile);
-        cut_springs<Twisting>(w.memory, c, rows, tile);
+        if constexpr (Springs) {
+            stretch_springs<Adhesive, Twisting>(w, c, rows, tile);
+            cut_springs<Twisting>(w.memory, c, rows, tile);
+        } else {
+            push_apart(w.memory, c, rows, tile);
+        }
         add_stress(tile.force(), tile.branch, rows, w.quantum, w.largest_force, stress);
-        add_to_grains(w, c, rows, tile);
+        add_to_grains<Springs>(w, c, rows, tile);
     }
 }
 
 // The loops: for each precision, without and with what a sample may need.
-#define SUFFUSE_CONTACT_LOOP(name, adhesive, twisting)                                                                 \
+#define SUFFUSE_CONTACT_LOOP(name, springs, adhesive, twisting)                                                        \
     SUFFUSE_CLONES void name(const Work<double>& w, std::size_t begin, std::size_t end, StressSum& stress) {           \
-        press<adhesive, twisting>(w, begin, end, stress);                                                              \
+        press<springs, adhesive, twisting>(w, begin, end, stress);                                                     \
     }                                                                                                                  \
     SUFFUSE_CLONES void name(const Work<float>& w, std::size_t begin, std::size_t end, StressSum& stress) {            \
-        press<adhesive, twisting>(w, begin, end, stress);                                                              \
+        press<springs, adhesive, twisting>(w, begin, end, stress);                                                     \
     }
 
-SUFFUSE_CONTACT_LOOP(press_plain, false, false)
-SUFFUSE_CONTACT_LOOP(press_twisting, false, true)
-SUFFUSE_CONTACT_LOOP(press_adhesive, true, false)
-SUFFUSE_CONTACT_LOOP(press_all, true, true)
+SUFFUSE_CONTACT_LOOP(press_normals, false, false, false)
+SUFFUSE_CONTACT_LOOP(press_plain, true, false, false)
+SUFFUSE_CONTACT_LOOP(press_twisting, true, false, true)
+SUFFUSE_CONTACT_LOOP(press_adhesive, true, true, false)
+SUFFUSE_CONTACT_LOOP(press_all, true, true, true)
 #undef SUFFUSE_CONTACT_LOOP
 
 template <class Real>
 using Loop = void (*)(const Work<Real>&, std::size_t, std::size_t, StressSum&);
 
 template <class Real>
-Loop<Real> choose_loop(bool adhesive, bool twisting) {
+Loop<Real> choose_loop(bool normals_only, bool adhesive, bool twisting) {
+    if (normals_only) {
+        return press_normals;
+    }
     if (adhesive) {
         return twisting ? static_cast<Loop<Real>>(press_all) : static_cast<Loop<Real>>(press_adhesive);
     }
@@ -405,7 +445,8 @@ Pressed press_contacts(
         grains.size() > cached_grains,
         pointers<Real>(memory),
         sums.data()};
-    const Loop<Real> press_loop = choose_loop<Real>(!memory.bonded.empty(), !memory.twisting.x.empty());
+    const Loop<Real> press_loop =
+        choose_loop<Real>(around.normals_only, !memory.bonded.empty(), !memory.twisting.x.empty());
     StressSum total;
     std::mutex adding; // integers: the order does not matter
     parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {

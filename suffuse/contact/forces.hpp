@@ -21,6 +21,7 @@ struct Surroundings {
     double volume = 0;              ///< of the cell [m3]
     double largest_radius = 0;      ///< of all grains [m]
     double dt = 0;                  ///< [s]
+    bool normals_only = false;      ///< contacts can only push (`dem::contacts_only_push`)
     std::vector<ImageShift> shifts; ///< of the plan's images
 };
 

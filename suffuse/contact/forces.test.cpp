@@ -126,8 +126,9 @@ struct Result {
     Mat3 force_branch;
 };
 
-Result press(Sample& s) {
+Result press(Sample& s, bool normals_only = false) {
     Result result;
+    result.around.normals_only = normals_only;
     std::vector<grains::MovingRow> rows;
     grains::to_rows(s.grains, rows);
     plan_sums(s.contacts, s.grains.size(), result.plan);
@@ -182,6 +183,30 @@ INSTANTIATE_TEST_SUITE_P(
                (std::get<1>(test.param) ? "Twisting" : "");
     }
 );
+
+TEST(ContactLoop, OfContactsThatOnlyPushGivesTheBitsOfTheWholeLaw) {
+    Sample whole = random_pairs(1200, false, false);
+    whole.material.friction = 0;
+    for (std::size_t g = 0; g < whole.grains.size(); ++g) {
+        whole.grains.spin[g] = {};
+    }
+    for (std::size_t c = 0; c < whole.contacts.size(); ++c) {
+        whole.contacts.shear_force.set(c, {});
+        whole.contacts.bending.set(c, {});
+    }
+    Sample pushing = whole;
+    const Result slow = press(whole), fast = press(pushing, true);
+    EXPECT_EQ(fast.force_branch, slow.force_branch);
+    EXPECT_EQ(pushing.contacts.normal.x, whole.contacts.normal.x);
+    EXPECT_EQ(pushing.contacts.normal.y, whole.contacts.normal.y);
+    EXPECT_EQ(pushing.contacts.normal.z, whole.contacts.normal.z);
+    EXPECT_EQ(pushing.contacts.overlap, whole.contacts.overlap);
+    EXPECT_EQ(pushing.contacts.shear_force.x, whole.contacts.shear_force.x);
+    for (std::size_t k = 0; k < fast.sums.size(); ++k) {
+        ASSERT_EQ(xyz(fast.sums[k].force), xyz(slow.sums[k].force)) << k;
+        ASSERT_EQ(xyz(fast.sums[k].torque), xyz(slow.sums[k].torque)) << k;
+    }
+}
 
 TEST(ContactLoop, GivesTheSameBitsForAnyNumberOfThreads) {
     const Sample start = random_pairs(3000, true, true);

@@ -264,6 +264,23 @@ cut(const Meeting<Real>& meeting, const Limits<Real>& limits, const Real& r1, co
     return outcome;
 }
 
+template <class Real>
+struct Push {
+    Triple<Real> force; ///< acting on the second grain [N]
+    Real touching;      ///< 1: force and memory, 0: none
+};
+
+/// What is left of the law where contacts only push: nothing adheres, no friction, no memory of shear or turning, no
+/// spin. The same bits as the whole law. @param was_touching above zero: it touched in the step before
+template <class Real>
+[[gnu::always_inline]] inline Push<Real> push(const Meeting<Real>& meeting, const Real& was_touching) noexcept {
+    const Real zero{}, one(1);
+    const Real trial = meeting.normal_stiffness * meeting.overlap;
+    const Real lives = trial < zero ? zero : one;
+    const Real touching = was_touching > zero ? lives : meeting.within_reach;
+    return {(touching > zero ? trial : zero) * meeting.normal, touching};
+}
+
 /// One step of one contact; updates `memory`. `Adhesive` and `Twisting` leave out what no contact of the sample has.
 /// @param dt time step [s]
 template <bool Adhesive, bool Twisting, class Real>

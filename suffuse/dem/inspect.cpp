@@ -52,6 +52,25 @@ std::vector<int> coordination(const World& world) {
     return count;
 }
 
+bool contacts_only_push(const World& world) {
+    const grains::Material& material = world.material;
+    if (material.friction != 0 || material.adhesion_normal > 0 || material.adhesion_shear > 0 ||
+        !is_diagonal(world.cell.velocity_gradient)) {
+        return false;
+    }
+    const auto all_zero = [](const std::vector<double>& column) {
+        return std::ranges::all_of(column, [](double a) { return a == 0; });
+    };
+    const contact::Contacts& contacts = world.contacts;
+    for (const contact::VectorColumn* memory : {&contacts.shear_force, &contacts.bending, &contacts.twisting}) {
+        if (!all_zero(memory->x) || !all_zero(memory->y) || !all_zero(memory->z)) {
+            return false;
+        }
+    }
+    return contacts.bonded.empty() &&
+           std::ranges::all_of(world.grains.spin, [](const Vec3& spin) { return spin == Vec3{}; });
+}
+
 double void_ratio(const World& world) {
     return cell::volume(world.cell) / grains::solid_volume(world.grains) - 1;
 }

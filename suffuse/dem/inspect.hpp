@@ -28,6 +28,10 @@ Mat3 mean_stress_tensor(const World& world);
 /// Number of touching contacts of each grain.
 std::vector<int> coordination(const World& world);
 
+/// Whether contacts can only push, now and in all steps to come in a cell that is not sheared: no friction, no
+/// adhesion, no spin, and no contact that remembers a shear force or a moment.
+bool contacts_only_push(const World& world);
+
 double void_ratio(const World& world);
 
 double porosity(const World& world);

@@ -156,6 +156,42 @@ INSTANTIATE_TEST_SUITE_P(Loadings, FreshLists, testing::Bool(), [](const auto& t
     return std::string(test.param ? "UnderServo" : "AtAStrainRate");
 });
 
+TEST(Invariance, FrictionlessGrainsMoveTheSameWhetherOrNotTheirTurningIsReckonedWith) {
+    World pushing = test::reference_packing("packing500");
+    pushing.material.friction = 0;
+    World turning = pushing;
+    turning.grains.spin[0] = {1e-200, 0, 0}; // too slow to turn anything, but no shortcut is taken
+    ASSERT_TRUE(contacts_only_push(pushing));
+    ASSERT_FALSE(contacts_only_push(turning));
+    StepCaches pushing_caches, turning_caches;
+    StepPlan plan = test::plan_of(dt, 0.2);
+    plan.loading = isotropic_stress(100e3);
+    advance(pushing, pushing_caches, plan, steps);
+    advance(turning, turning_caches, plan, steps);
+    EXPECT_EQ(pushing.grains.position, turning.grains.position);
+    EXPECT_EQ(pushing.grains.velocity, turning.grains.velocity);
+    EXPECT_EQ(pushing.contacts.overlap, turning.contacts.overlap);
+    EXPECT_EQ(pushing.cell.h, turning.cell.h);
+}
+
+TEST(Invariance, WhatRemembersASlipOrAdheresDoesMoreThanPush) {
+    World world = loaded_packing();
+    EXPECT_FALSE(contacts_only_push(world)); // friction
+    world.material.friction = 0;
+    EXPECT_FALSE(contacts_only_push(world)); // shear forces and spins of the time before
+    std::ranges::fill(world.grains.spin, Vec3{});
+    for (std::size_t c = 0; c < world.contacts.size(); ++c) {
+        world.contacts.shear_force.set(c, {});
+        world.contacts.bending.set(c, {});
+    }
+    EXPECT_TRUE(contacts_only_push(world));
+    world.material.adhesion_shear = 1;
+    EXPECT_FALSE(contacts_only_push(world));
+    world.material.adhesion_shear = 0;
+    world.cell.velocity_gradient.m[0][1] = 1;
+    EXPECT_FALSE(contacts_only_push(world)); // a sheared cell turns grains
+}
+
 TEST(Invariance, NoTouchingPairIsEverMissed) {
     // Fast grains in a shearing cell: the table against a test of every pair with every image.
     World world = loaded_packing();

@@ -1,6 +1,7 @@
 #include "suffuse/dem/stable_dt.hpp"
 
 #include "suffuse/contact/stress.hpp"
+#include "suffuse/dem/inspect.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,6 @@ struct Motions {
     std::vector<Vec3> shift; ///< of each grain
     std::vector<Vec3> turn;
 };
-
-/// Grains without friction that do not spin never will: their springs along and about the contact do nothing.
-bool only_normal_springs_act(const World& world) {
-    return world.material.friction == 0 && world.material.adhesion_shear <= 0 &&
-           std::ranges::all_of(world.grains.spin, [](const Vec3& spin) { return norm2(spin) == 0; });
-}
 
 /// `out` = K `in`: forces and torques that the springs of all touching contacts oppose to the motions.
 void apply_stiffness(const World& world, double shear_ratio, const Motions& in, Motions& out) {
@@ -60,7 +55,7 @@ double highest_frequency(const World& world, int iterations) {
         x.shift[g] = {std::sin(phase), std::cos(1.3 * phase), std::sin(2.1 * phase)};
         x.turn[g] = (1 / grains.radius[g]) * Vec3{std::cos(phase), std::sin(1.9 * phase), std::cos(2.3 * phase)};
     }
-    const double shear_ratio = only_normal_springs_act(world) ? 0 : world.material.shear_ratio;
+    const double shear_ratio = contacts_only_push(world) ? 0 : world.material.shear_ratio;
     double square = 0;
     for (int k = 0; k < iterations; ++k) {
         apply_stiffness(world, shear_ratio, x, force);
@@ -93,7 +88,7 @@ double stable_time_step(const World& world, double safety) {
     const double mass = m.density * sphere_volume(smallest), k = m.modulus * smallest;
     const double rolling =
         2 * m.shear_ratio * k / mass * (std::max(m.rolling_stiffness, m.twisting_stiffness) + 1) / 0.4;
-    const double pair = std::sqrt(std::max(2 * k / mass, only_normal_springs_act(world) ? 0 : rolling));
+    const double pair = std::sqrt(std::max(2 * k / mass, contacts_only_push(world) ? 0 : rolling));
     return safety * 2 / std::max(pair, highest_frequency(world));
 }
 

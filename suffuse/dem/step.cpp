@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/cell/drive.hpp"
 #include "suffuse/contact/stress.hpp"
+#include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/move_grains.hpp"
 
 #include <fmt/format.h>
@@ -132,6 +133,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     const contact::LawConstants law = contact::resolve_law(world.material);
     grains::to_rows(world.grains, caches.rows);
     take_memory(world, plan.mode, caches);
+    caches.around.normals_only = !plan.loading.velocity_gradient && contacts_only_push(world);
     StepReport report;
     for (std::int64_t k = 0; k < steps; ++k) {
         report.stress = one_step(world, caches, plan, k, law);
