@@ -175,7 +175,7 @@ py::object compact(
 ) {
     packing::CompactSpec spec;
     spec.protocol = protocol_of(protocol);
-    spec.max_rate = optional_quantity(max_rate, dimension::rate, "max_rate").value_or(spec.max_rate);
+    spec.max_rate = optional_quantity(max_rate, dimension::rate, "max_rate");
     spec.pressure = quantity_of(pressure, dimension::pressure, "pressure");
     spec.prepare.friction = optional_quantity(friction, dimension::angle, "friction");
     spec.prepare.adhesion_normal = optional_quantity(adhesion_normal, dimension::pressure, "adhesion_normal");

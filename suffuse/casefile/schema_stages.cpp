@@ -218,7 +218,9 @@ std::vector<Key> preparation_rows() {
             ratio("stage.compact", "void_ratio_tolerance", above_zero, "How closely the void ratio is met."),
             quantity(
                 "stage.compact", "max_rate", dimension::rate, above_zero,
-                "Largest strain rate while the cloud carries no load; not for swift."
+                "Largest strain rate while the cloud carries no load; not for swift. By default the one of inertial "
+                "number "
+                "8.5e-3, with the pressure and the median diameter: 250 1/s for a sand of 0.21 mm at 100 kPa."
             ),
             time_step("stage.compact"),
         }

@@ -78,17 +78,17 @@ double highest_frequency(const World& world, int iterations) {
 }
 
 double stable_time_step(const World& world, double safety) {
-    double smallest = world.grains.radius.empty() ? 0 : world.grains.radius.front();
-    for (const double r : world.grains.radius) {
-        smallest = std::min(smallest, r);
-    }
     // Two equal grains of radius r: the normal mode has omega^2 = 2 k/m with k = E r; rolling in opposite sense has
-    // omega^2 = 2 kr/I with kr = alpha ks r^2 and I = 0.4 m r^2, and the slip spring adds to it.
+    // omega^2 = 2 kr/I with kr = alpha ks r^2, and the slip spring adds to it.
     const grains::Material& m = world.material;
-    const double mass = m.density * sphere_volume(smallest), k = m.modulus * smallest;
-    const double rolling =
-        2 * m.shear_ratio * k / mass * (std::max(m.rolling_stiffness, m.twisting_stiffness) + 1) / 0.4;
-    const double pair = std::sqrt(std::max(2 * k / mass, contacts_only_push(world) ? 0 : rolling));
+    const double turning =
+        contacts_only_push(world) ? 0 : m.shear_ratio * (std::max(m.rolling_stiffness, m.twisting_stiffness) + 1);
+    double pair = 0; // the highest
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        const double r = world.grains.radius[g], k = m.modulus * r;
+        const double square = std::max(2 * k / world.grains.mass[g], 2 * turning * k * r * r / world.grains.inertia[g]);
+        pair = std::max(pair, std::sqrt(square));
+    }
     return safety * 2 / std::max(pair, highest_frequency(world));
 }
 

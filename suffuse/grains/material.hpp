@@ -18,4 +18,9 @@ struct Material {
     double adhesion_shear = 0;      ///< shear strength without normal force, likewise [Pa]
 };
 
+/// Whether contacts that are made now stick.
+inline bool adheres(const Material& material) {
+    return material.adhesion_normal > 0 || material.adhesion_shear > 0;
+}
+
 } // namespace suffuse::grains

@@ -4,6 +4,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/packing/overlaps.hpp"
 #include "suffuse/packing/pace.hpp"
+#include "suffuse/stats/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -19,11 +20,6 @@ constexpr std::int64_t most_steps = 3'000'000, most_swift_steps = 60'000;
 constexpr std::int64_t most_relax_steps = 1500;
 constexpr double relaxed_load = 0.1;      // share of the pressure that overlaps left by geometry may still cause
 constexpr double least_void_ratio = 0.05; // spheres overlap beyond any meaning before this
-
-/// Grains that adhere keep the places at which they met, so their way matters.
-bool adheres(const grains::Material& material) {
-    return material.adhesion_normal > 0 || material.adhesion_shear > 0;
-}
 
 /// Removes what the preparation lent: friction goes to its final value, bonds are cut.
 void take_final_parameters(dem::World& world, const grains::Material& final_material) {
@@ -83,23 +79,8 @@ dem::BalanceSpec goal_of(const CompactSpec& spec, const dem::BalanceSpec& balanc
     return goal;
 }
 
-/// `faithful`: once the load is nearly there, what is left is a search for balance, and rotation may be slower.
-bool may_scale_inertia(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
-    return spec.protocol == Protocol::Faithful && spec.time_step <= 0 && !state.inertia_scaled &&
-           state.phase == CompactState::Phase::Compact && !adheres(world.material) && is_loaded(spec, state);
-}
-
-void set_inertia(
-    dem::World& world, dem::StepCaches& caches, const CompactSpec& spec, CompactState& state, bool scaled
-) {
-    scale_inertia(world, scaled);
-    state.inertia_scaled = scaled;
-    caches = {}; // they hold copies of what has changed
-    state.time_step = choose_time_step(world, spec);
-}
-
 /// The next phase, and what changes with it.
-void go_on(dem::World& world, dem::StepCaches& caches, const CompactSpec& spec, CompactState& state) {
+void go_on(dem::World& world, const CompactSpec& spec, CompactState& state) {
     using Phase = CompactState::Phase;
     state.balance.balanced_steps = 0;
     if (state.phase == Phase::Compact) {
@@ -109,12 +90,8 @@ void go_on(dem::World& world, dem::StepCaches& caches, const CompactSpec& spec, 
         state.phase = Phase::Settle;
         return;
     }
-    if (state.phase == Phase::Settle && state.inertia_scaled) {
-        set_inertia(world, caches, spec, state, false);
-        state.phase = Phase::Prove;
-        return;
-    }
-    state.phase = Phase::Done;
+    const bool lent_some = state.lent != Lent{};
+    state.phase = state.phase == Phase::Settle && lent_some ? Phase::Prove : Phase::Done;
 }
 
 /// Frictionless relaxation of what geometry left: ends when little load is left, or when it has had its time.
@@ -134,6 +111,7 @@ CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double
     state.material = world.material;
     state.damping = damping;
     state.mode = mode;
+    state.median_diameter = stats::size_at(stats::measure_gradation(world.grains), 0.5);
     const Prepare& prepare = spec.prepare;
     world.material.friction = prepare.friction.value_or(world.material.friction);
     world.material.adhesion_normal = prepare.adhesion_normal.value_or(world.material.adhesion_normal);
@@ -141,10 +119,6 @@ CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double
     go_to_start(world, spec, state);
     if (state.phase == CompactState::Phase::Relax) {
         world.material.friction = 0;
-    }
-    if (spec.protocol == Protocol::Swift) {
-        scale_inertia(world, true);
-        state.inertia_scaled = true;
     }
     return state;
 }
@@ -158,7 +132,13 @@ bool compact_burst(
     dem::World& world, dem::StepCaches& caches, const CompactSpec& spec, const dem::BalanceSpec& balance,
     CompactState& state
 ) {
-    if (state.steps % time_step_interval == 0) {
+    const Lent lent = choose_lent(world, spec, state);
+    if (lent != state.lent) {
+        lend_inertia(world, state.median_diameter, state.lent, lent);
+        state.lent = lent;
+        caches = {}; // they hold copies of what has changed
+        state.time_step = choose_time_step(world, spec);
+    } else if (state.steps % time_step_interval == 0) {
         state.time_step = choose_time_step(world, spec);
     }
     const Pace pace = choose_pace(world, spec, balance, state);
@@ -172,9 +152,7 @@ bool compact_burst(
     if (state.phase == CompactState::Phase::Relax) {
         end_relaxation(world, spec, state);
     } else if (settled) {
-        go_on(world, caches, spec, state);
-    } else if (may_scale_inertia(world, spec, state)) {
-        set_inertia(world, caches, spec, state, true);
+        go_on(world, spec, state);
     }
     return state.phase == CompactState::Phase::Done;
 }

@@ -5,6 +5,7 @@
 // quickest.
 
 #include "suffuse/dem/settle.hpp"
+#include "suffuse/packing/lent_inertia.hpp"
 #include "suffuse/packing/spec.hpp"
 
 #include <cstdint>
@@ -30,15 +31,12 @@ struct CompactState {
     grains::Material material; ///< with the final parameters
     double damping = 0.2;      ///< local [-]
     dem::Mode mode = dem::Mode::Reference;
+    double median_diameter = 0;      ///< by mass [m]
     double start_porosity = 0;       ///< when the first step was made [-]
-    bool inertia_scaled = false;     ///< the grains' moments of inertia are `inertia_factor` times their own
+    Lent lent;                       ///< inertia that grains have beyond their own
     std::int64_t steps = 0;          ///< in all
     double void_ratio_compacted = 0; ///< at the end of compaction, before the final parameters
 };
-
-/// Moments of inertia are this many times the grains' own until a sample of `swift` is balanced: the rolling
-/// springs then allow the time step that the normal springs do. A power of two: giving back is exact.
-inline constexpr double inertia_factor = 4;
 
 /// Sets the parameters of the compaction and brings the grains to its start; `world` is the cloud.
 /// @throws StateError when a start is asked for that is too dense for the protocol.

@@ -27,11 +27,12 @@ constexpr double swift_response = 30;
 
 constexpr double p_wave_share = 0.3; // of the P-wave time of the smallest grain [reference, section 1.6]
 
-double rate_cap(const CompactSpec& spec, double pressure) {
+double rate_cap(const dem::World& world, const CompactSpec& spec, const CompactState& state, double pressure) {
+    const double most = largest_rate(spec, world.material.density, state.median_diameter);
     if (pressure < loose_load * spec.pressure) {
-        return spec.max_rate;
+        return most;
     }
-    return (pressure < half_load * spec.pressure ? half_load_rate : full_load_rate) * spec.max_rate;
+    return (pressure < half_load * spec.pressure ? half_load_rate : full_load_rate) * most;
 }
 
 /// Strain rate of an inertial number at the pressure [1/s]: I = rate d sqrt(density/pressure), d the mean diameter.
@@ -91,7 +92,7 @@ Pace choose_pace(
     if (spec.protocol == Protocol::Slow) {
         plan.loading.servo = inertial_servo(world);
     }
-    plan.loading.servo.max_rate = rate_cap(spec, pressure);
+    plan.loading.servo.max_rate = rate_cap(world, spec, state, pressure);
     if (spec.protocol == Protocol::Faithful && !proving && is_loaded(spec, state)) {
         plan.drag = loaded_drag * dem::slowest_mode_drag(world.grains.size(), plan.dt);
     }
@@ -100,6 +101,11 @@ Pace choose_pace(
 
 bool is_loaded(const CompactSpec& spec, const CompactState& state) {
     return dem::mean_stress(state.balance.stress) > loaded * spec.pressure;
+}
+
+double largest_rate(const CompactSpec& spec, double density, double median_diameter) {
+    const double rate = cloud_inertial_number * std::sqrt(spec.pressure / density) / median_diameter;
+    return spec.max_rate.value_or(rate);
 }
 
 double choose_time_step(const dem::World& world, const CompactSpec& spec) {
@@ -116,10 +122,18 @@ double slow_time_step(double smallest, const grains::Material& material) {
     return p_wave_share * smallest * std::sqrt(material.density / material.modulus);
 }
 
-void scale_inertia(dem::World& world, bool up) {
-    for (double& inertia : world.grains.inertia) {
-        inertia = up ? inertia * inertia_factor : inertia / inertia_factor;
+Lent choose_lent(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
+    using Phase = CompactState::Phase;
+    if (spec.protocol == Protocol::Slow || spec.time_step > 0 || state.phase == Phase::Prove) {
+        return {};
     }
+    if (spec.protocol == Protocol::Swift) {
+        return {false, true};
+    }
+    // Bonded grains go where they are pushed, and near balance nothing moves much; a loose skeleton that collapses in
+    // between would end looser with slow rotation.
+    const bool bonded = state.phase == Phase::Compact && adheres(world.material);
+    return {true, bonded || is_loaded(spec, state)};
 }
 
 } // namespace suffuse::packing

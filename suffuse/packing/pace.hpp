@@ -17,13 +17,17 @@ Pace choose_pace(
 /// Whether the sample carries nearly all of the pressure.
 bool is_loaded(const CompactSpec& spec, const CompactState& state);
 
+/// Largest strain rate of `slow` and `faithful`, while the cloud carries no load [1/s].
+/// @param density of the grains [kg/m3]; @param median_diameter by mass [m]
+double largest_rate(const CompactSpec& spec, double density, double median_diameter);
+
 /// The time step that the protocol asks for now [s].
 double choose_time_step(const dem::World& world, const CompactSpec& spec);
 
 /// The reference's: a share of the P-wave time of the smallest grain, of radius `smallest` [m] [s].
 double slow_time_step(double smallest, const grains::Material& material);
 
-/// Multiplies (or divides) the moments of inertia by `inertia_factor`: exact both ways.
-void scale_inertia(dem::World& world, bool up);
+/// The inertia that the protocol lends for this burst.
+Lent choose_lent(const dem::World& world, const CompactSpec& spec, const CompactState& state);
 
 } // namespace suffuse::packing

@@ -124,15 +124,16 @@ public:
         const double end = 1 - sample_.solid_fraction;
         const double open = adheres(spec) ? start : std::min(start, packing::open_porosity);
         const double time_step = compaction_time_step(spec, settled_time_step(sample_, case_.material));
-        const double gas = strain_between(start, open) / (spec.max_rate * gas_time_step);
-        const double loaded = strain_between(open, end) / (spec.max_rate * time_step);
+        const double rate = packing::largest_rate(spec, case_.material.density, sample_.median);
+        const double gas = strain_between(start, open) / (rate * gas_time_step);
+        const double loaded = strain_between(open, end) / (rate * time_step);
         return {
             .steps = trials * (Range{gas, gas} + loaded * preparation_steps(kind_of(spec)) + 2 * waited({})),
             .seconds = trials * pushing,
             .memory_a_grain = grain_memory,
             .basis = fmt::format(
                 "{}: from a porosity of {:.2f} to some {:.2f} at {:.3g} 1/s and slower, then settling", kind_of(spec),
-                start, end, spec.max_rate
+                start, end, rate
             ),
             .more_work = searches};
     }

@@ -43,8 +43,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibr
 } // namespace dem
 
 namespace packing {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Lent, mass, rotation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    CompactState, phase, balance, time_step, material, damping, mode, start_porosity, inertia_scaled, steps,
+    CompactState, phase, balance, time_step, material, damping, mode, median_diameter, start_porosity, lent, steps,
     void_ratio_compacted
 )
 } // namespace packing

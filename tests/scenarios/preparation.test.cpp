@@ -90,7 +90,7 @@ TEST_P(Protocols, EndBalancedAtThePressureAndGiveBackWhatWasLent) {
     EXPECT_EQ(sample.world.grains.mass, start.grains.mass);
     EXPECT_EQ(sample.world.grains.inertia, start.grains.inertia);
     EXPECT_EQ(sample.world.material.friction, start.material.friction);
-    EXPECT_FALSE(sample.state.inertia_scaled);
+    EXPECT_EQ(sample.state.lent, Lent{});
 }
 
 TEST_P(Protocols, HaveTheSameBitsForAnyThreadsAndAfterAStopAnywhere) {

@@ -1,0 +1,21 @@
+#pragma once
+// Inertia lent to grains while a sample is prepared, so that the time step can be longer: a quasi-static path does not
+// depend on it. All factors are powers of two: giving back is exact.
+
+#include "suffuse/dem/world.hpp"
+
+namespace suffuse::packing {
+
+/// What grains have beyond their own.
+struct Lent {
+    bool mass = false; ///< grains below the median size (by mass) are as heavy as makes all equally quick
+    bool rotation =
+        false; ///< moments of inertia are four times as large: rolling springs are no quicker than normal ones
+
+    friend bool operator==(const Lent&, const Lent&) = default;
+};
+
+/// Changes the grains' inertia from what `has` lends to what `wanted` does. @param median_diameter by mass [m]
+void lend_inertia(dem::World& world, double median_diameter, const Lent& has, const Lent& wanted);
+
+} // namespace suffuse::packing
