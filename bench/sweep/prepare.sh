@@ -1,15 +1,16 @@
 #!/bin/sh
-# bench/sweep/prepare.sh [--particles N] [--protocol NAME] [-j N] [--serial] [--program FILE]
+# bench/sweep/prepare.sh [--particles N] [--loose PROTOCOL] [--dense PROTOCOL] [-j N] [--serial] [--program FILE]
 # Prepares 26 samples (13 fines contents, loose and dense; bench/sweep/case.toml) side by side without the cache, and prints
 # the wall time and each sample's void ratio, coordination and unbalanced force. --serial also prepares them one after the
 # other on one thread, compares every bit, and prints the ratio of the two times.
 set -eu
 root=$(cd "$(dirname "$(readlink -f "$0")")/../.." && pwd)
-particles=10000 protocol='' threads=$(nproc) serial=no program=$root/build/release/apps/suffuse
+particles=10000 loose=faithful dense=faithful threads=$(nproc) serial=no program=$root/build/release/apps/suffuse
 while [ $# -gt 0 ]; do
     case $1 in
     --particles) particles=$2 && shift 2 ;;
-    --protocol) protocol=$2 && shift 2 ;;
+    --loose) loose=$2 && shift 2 ;;
+    --dense) dense=$2 && shift 2 ;;
     -j) threads=$2 && shift 2 ;;
     --serial) serial=yes && shift ;;
     --program) program=$2 && shift 2 ;;
@@ -22,7 +23,7 @@ trap 'rm -rf "$folder"' EXIT
 # prepare NAME THREADS
 prepare() {
     set -- "$1" "$2" --set "study.loose.particles=$particles" --set "study.dense.particles=$particles"
-    [ -z "$protocol" ] || set -- "$@" --set "study.loose.stage.state.protocol=$protocol" --set "study.dense.stage.state.protocol=$protocol"
+    set -- "$@" --set "study.loose.stage.state.protocol=$loose" --set "study.dense.stage.state.protocol=$dense"
     name=$1 on=$2
     shift 2
     code=0

@@ -7,35 +7,45 @@
 
 namespace suffuse::dem {
 
-std::vector<ContactView> inspect_contacts(const World& world) {
+namespace {
+
+ContactView view_of(const World& world, std::size_t c) {
     const contact::Contacts& contacts = world.contacts;
+    const std::uint32_t i = contacts.first[c], j = contacts.second[c];
+    const double kn = contact::normal_stiffness(world.material, world.grains.radius[i], world.grains.radius[j]);
+    const Vec3 n = contacts.normal[c];
+    // A bond that broke under tension carries no pull any more, though the contact lives until the next step.
+    const bool bonded = !contacts.bonded.empty() && contacts.bonded[c] != 0;
+    const double pull = contacts.overlap[c] < 0 && !bonded ? 0.0 : kn * contacts.overlap[c];
+    Vec3 moment = contacts.bending[c];
+    if (contacts.twisting.size() > 0) {
+        moment += contacts.twisting[c];
+    }
+    return {i, j, contacts.image[c], contacts.overlap[c], n, -pull * n, -contacts.shear_force[c], -moment};
+}
+
+} // namespace
+
+std::vector<ContactView> inspect_contacts(const World& world) {
     std::vector<ContactView> views;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (!contacts.touches(c)) {
-            continue;
+    for (std::size_t c = 0; c < world.contacts.size(); ++c) {
+        if (world.contacts.touches(c)) {
+            views.push_back(view_of(world, c));
         }
-        const std::uint32_t i = contacts.first[c], j = contacts.second[c];
-        const double kn = contact::normal_stiffness(world.material, world.grains.radius[i], world.grains.radius[j]);
-        const Vec3 n = contacts.normal[c];
-        // A bond that broke under tension carries no pull any more, though the contact lives until the next step.
-        const bool bonded = !contacts.bonded.empty() && contacts.bonded[c] != 0;
-        const double pull = contacts.overlap[c] < 0 && !bonded ? 0.0 : kn * contacts.overlap[c];
-        Vec3 moment = contacts.bending[c];
-        if (contacts.twisting.size() > 0) {
-            moment += contacts.twisting[c];
-        }
-        views.push_back({i, j, contacts.image[c], contacts.overlap[c], n, -pull * n, -contacts.shear_force[c], -moment}
-        );
     }
     return views;
 }
 
 Mat3 mean_stress_tensor(const World& world) {
     Mat3 sum{};
-    for (const ContactView& c : inspect_contacts(world)) {
+    for (std::size_t c = 0; c < world.contacts.size(); ++c) {
+        if (!world.contacts.touches(c)) {
+            continue;
+        }
+        const ContactView view = view_of(world, c);
         const Vec3 branch =
-            world.grains.position[c.j] + cell::shift(world.cell.h, c.image) - world.grains.position[c.i];
-        sum += outer(-(c.normal_force + c.shear_force), branch);
+            world.grains.position[view.j] + cell::shift(world.cell.h, view.image) - world.grains.position[view.i];
+        sum += outer(-(view.normal_force + view.shear_force), branch);
     }
     return (1 / cell::volume(world.cell)) * sum;
 }

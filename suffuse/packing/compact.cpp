@@ -75,6 +75,10 @@ dem::BalanceSpec goal_of(const CompactSpec& spec, const dem::BalanceSpec& balanc
     dem::BalanceSpec goal = balance;
     if (spec.protocol == Protocol::Swift && state.phase != CompactState::Phase::Prove) {
         goal.patience = dem::burst_steps; // patience is for the state that is handed on
+        if (state.phase == CompactState::Phase::Compact) {
+            goal.unbalanced_force =
+                swift_calm(balance); // frictionless grains creep on for long: friction will hold them
+        }
     }
     return goal;
 }

@@ -19,9 +19,9 @@ constexpr double half_load_rate = 0.2, full_load_rate = 0.08;
 // leave grains where they touch that `slow` lets go (0.1: rattlers 27 % instead of 29 %).
 constexpr double loaded = 0.9, loaded_drag = 0.03;
 
-// Swift: no further strain while the unbalanced force is above this; largest strain rate as an inertial number, which
+// Swift: the strain rate falls as the unbalanced force exceeds this; largest strain rate as an inertial number, which
 // stays below what counts as quasi-static with the grains' own mass; response of the servo in steps.
-constexpr double restless = 0.05, first_touch = 0.01;
+constexpr double restless_above = 0.05, first_touch = 0.01;
 constexpr double largest_inertial_number = 5e-3;
 constexpr double swift_response = 30;
 
@@ -61,17 +61,17 @@ Pace swift_pace(
     const dem::World& world, const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state,
     dem::StepPlan plan
 ) {
-    const double unbalance = state.balance.equilibrium.unbalanced_force;
-    const bool at_rest = unbalance <= std::max(restless, balance.unbalanced_force);
+    const bool relaxing = state.phase == CompactState::Phase::Relax;
     const bool carries = dem::mean_stress(state.balance.stress) > first_touch * spec.pressure;
-    const bool holding = state.phase == CompactState::Phase::Relax || (carries && !at_rest);
+    const double unbalance = state.balance.equilibrium.unbalanced_force, calm = swift_calm(balance);
+    const bool restless = carries && unbalance > calm;
     plan.drag = dem::slowest_mode_drag(world.grains.size(), plan.dt);
-    if (holding) {
+    if (relaxing) {
         plan.loading = dem::constant_volume();
     }
-    plan.loading.servo.max_rate = swift_rate(world, spec.pressure);
+    plan.loading.servo.max_rate = swift_rate(world, spec.pressure) * (restless ? calm / unbalance : 1);
     plan.loading.servo.response = swift_response;
-    return {plan, holding};
+    return {plan, relaxing || restless};
 }
 
 } // namespace
@@ -97,6 +97,10 @@ Pace choose_pace(
         plan.drag = loaded_drag * dem::slowest_mode_drag(world.grains.size(), plan.dt);
     }
     return {plan, false};
+}
+
+double swift_calm(const dem::BalanceSpec& balance) {
+    return std::max(restless_above, balance.unbalanced_force);
 }
 
 bool is_loaded(const CompactSpec& spec, const CompactState& state) {

@@ -7,12 +7,15 @@ namespace suffuse::packing {
 
 struct Pace {
     dem::StepPlan plan;
-    bool holding = false; ///< swift: the volume is held until the grains have come to rest against each other
+    bool holding = false; ///< swift: grains have yet to come to rest against each other
 };
 
 Pace choose_pace(
     const dem::World& world, const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state
 );
+
+/// Swift: unbalanced force above which a sample is strained the slower, and with which its compaction ends [-].
+double swift_calm(const dem::BalanceSpec& balance);
 
 /// Whether the sample carries nearly all of the pressure.
 bool is_loaded(const CompactSpec& spec, const CompactState& state);

@@ -15,8 +15,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     HistoryRow, step, time, strain, stress, void_ratio, coordination, unbalanced_force, inertial_number
 )
 
-double inertial_number(const dem::World& world, double mean_stress) {
-    if (!(mean_stress > 0) || world.grains.size() == 0) {
+double inertial_number(const dem::World& world, double mean_stress, double median_diameter) {
+    if (!(mean_stress > 0)) {
         return 0;
     }
     double rate = 0;
@@ -25,8 +25,7 @@ double inertial_number(const dem::World& world, double mean_stress) {
             rate = std::max(rate, std::abs(world.cell.velocity_gradient(a, b)));
         }
     }
-    const double median = stats::size_at(stats::measure_gradation(world.grains), 0.5);
-    return rate * median * std::sqrt(world.material.density / mean_stress);
+    return rate * median_diameter * std::sqrt(world.material.density / mean_stress);
 }
 
 std::int64_t History::steps_to_next(std::int64_t step) const {
@@ -42,6 +41,10 @@ void History::record(const dem::World& world, bool anyway) {
     if (!anyway && !rows_.empty() && step < rows_.back().step + every_) {
         return;
     }
+    if (grains_ != world.grains.size()) { // sizes of grains never change, but grains are taken out
+        grains_ = world.grains.size();
+        median_diameter_ = stats::size_at(stats::measure_gradation(world.grains), 0.5);
+    }
     const Mat3 stress = dem::mean_stress_tensor(world);
     const dem::Equilibrium balance = dem::measure_equilibrium(world);
     rows_.push_back(
@@ -52,7 +55,7 @@ void History::record(const dem::World& world, bool anyway) {
          dem::void_ratio(world),
          2 * static_cast<double>(balance.contacts) / static_cast<double>(std::max<std::size_t>(1, world.grains.size())),
          balance.unbalanced_force,
-         inertial_number(world, dem::mean_stress(stress))}
+         inertial_number(world, dem::mean_stress(stress), median_diameter_)}
     );
 }
 

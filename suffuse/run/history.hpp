@@ -45,10 +45,12 @@ public:
 private:
     std::int64_t every_;
     std::vector<HistoryRow> rows_;
+    std::size_t grains_ = 0;     ///< that `median_diameter_` is of
+    double median_diameter_ = 0; ///< by mass [m]
 };
 
 /// Largest velocity gradient x median diameter (by mass) x sqrt(density / mean stress); 0 at rest, and without stress
-/// [-].
-double inertial_number(const dem::World& world, double mean_stress);
+/// [-]. @param mean_stress [Pa]; @param median_diameter [m]
+double inertial_number(const dem::World& world, double mean_stress, double median_diameter);
 
 } // namespace suffuse::run
