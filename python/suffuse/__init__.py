@@ -34,7 +34,6 @@ from suffuse._core import (
     Key,
     Loading,
     Material,
-    PoreNetwork,
     Seepage,
     SolverError,
     StateError,
@@ -54,9 +53,10 @@ from suffuse._core import (
     set_threads,
     threads,
 )
-from suffuse.case import Case, Plan, print_progress
-from suffuse.packing import read_packing, write_packing
-from suffuse.run import Figure, Run, Stage
+from suffuse.case import Case, Plan, Table, print_progress, progress
+from suffuse.packing import read, read_packing, write_packing
+from suffuse.run import Figure, Pass, Run, Stage
+from suffuse.sample import PoreNetwork
 from suffuse.stability import Assessment, assess
 
-__all__ = [name for name in dir() if not name.startswith("_") and name not in ("case", "packing", "run", "stability")]
+__all__ = [name for name in dir() if not name.startswith("_") and name not in ("case", "packing", "run", "sample", "stability")]

@@ -2,6 +2,7 @@
 
 import pathlib
 import sys
+import tomllib
 
 from suffuse import _core
 
@@ -30,9 +31,33 @@ class Case:
     """
 
     def __init__(self, path, preset="", changes=None):
-        self._changes = dict(changes or {})
-        texts = [f"{key}={_as_toml(value)}" for key, value in self._changes.items()]
-        self._core = _core.CaseFile.load(pathlib.Path(path), preset, texts)
+        self._asked_preset, self._changes = preset, dict(changes or {})
+        self._core = self._read(pathlib.Path(path), self._changes)
+
+    @classmethod
+    def load(cls, path, preset="", changes=None):
+        """The same as Case(path, preset, changes)."""
+        return cls(path, preset, changes)
+
+    def _read(self, path, changes):
+        texts = [f"{key}={_as_toml(value)}" for key, value in changes.items()]
+        return _core.CaseFile.load(path, self._asked_preset, texts)
+
+    def check(self):
+        """Reads the files of the case again, with the changes made since: what is doubtful, a list of Diagnostic.
+        Raises CaseProblems with every error and its place."""
+        self._core = self._read(self.path, self._changes)
+        return self.warnings
+
+    def change(self, changes):
+        """Sets keys to values, as in {"study.erosion.particles": 4000}: all of them, or none where one is wrong."""
+        wanted = {**self._changes, **changes}
+        self._core = self._read(self.path, wanted)
+        self._changes = wanted
+
+    def __getitem__(self, table):
+        """A table of the case, as in case["study.erosion"] or case["contact"]: a Table."""
+        return Table(self, table)
 
     @property
     def path(self):
@@ -87,24 +112,77 @@ class Case:
         """What it will cost on this machine, measured now: a Plan."""
         return Plan(self._core.plan())
 
-    def run(self, folder=None, until="", time_limit=None, on_progress=None):
+    def run(self, folder=None, until="", time_limit=None, on_progress=None, threads=None, on_event=None):
         """Runs the case; returns its Run.
 
         folder: runs/NAME-0001 and so on unless given; a folder that holds this run already is gone on with
         until: stop after this stage
         time_limit: save and stop after this wall time, as in "2h"
         on_progress: called ten times a second at most with a dictionary: stage, part, steps, state, ...
+        threads: for this run; suffuse.threads() unless given. Results do not depend on it
+        on_event: another word for on_progress
 
         Ctrl-C, or an exception of on_progress, saves and stops; Run(folder).resume() goes on, to the same bits.
         """
         from suffuse.run import Run
 
         place = _core.new_run_folder(self._core, None if folder is None else pathlib.Path(folder))
-        outcome, _ = _core.conduct(self._core, place, until, time_limit, page_folder(), on_progress)
+        before = _core.threads()
+        _core.set_threads(threads or before)
+        try:
+            outcome, _ = _core.conduct(self._core, place, until, time_limit, page_folder(), on_progress or on_event)
+        finally:
+            _core.set_threads(before)
         return Run(place, outcome)
 
     def __repr__(self):
         return f"<suffuse.Case {str(self.path)!r}: {len(self.stages)} stages, preset {self.preset}>"
+
+
+class Table:
+    """A table of a case: what it holds, with every default, and a way to change it."""
+
+    def __init__(self, case, name):
+        self._case, self.name = case, name
+        self._values()
+
+    def _values(self):
+        values = tomllib.loads(self._case.resolved)
+        for word in self.name.split("."):
+            if isinstance(values, list):  # [[study.NAME.stage]], by name
+                values = {stage["name"]: stage for stage in values}
+            if not isinstance(values, dict) or word not in values:
+                known = ", ".join(values) if isinstance(values, dict) else "no tables"
+                raise KeyError(f"{self.name}: the case has no {word}; there are {known}")
+            values = values[word]
+        return values
+
+    def __getitem__(self, key):
+        return self._values()[key]
+
+    def keys(self):
+        return self._values().keys()
+
+    def set(self, **values):
+        """Sets keys of the table. A key that is none of a study's own is set in every stage of it that has the key.
+        Raises CaseProblems, and changes nothing, where a value is wrong."""
+        held = self._values()
+        stages = held.get("stage", []) if self.name.startswith("study.") and self.name.count(".") == 1 else []
+        changes = {}
+        for key, value in values.items():
+            owners = [] if key in held else [stage["name"] for stage in stages if key in stage]
+            for owner in [f".stage.{name}" for name in owners] or [""]:
+                changes[f"{self.name}{owner}.{key}"] = value
+        self._case.change(changes)
+        return self
+
+    def __repr__(self):
+        return f"<suffuse.Table {self.name}: {', '.join(self.keys())}>"
+
+
+def progress():
+    """For Case.run(on_event=...): what says on standard error which stage is done."""
+    return print_progress
 
 
 def _as_toml(value):

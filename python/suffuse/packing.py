@@ -18,6 +18,15 @@ def read_packing(path, cell=None, material=None):
     return world
 
 
+def read(path, format=None, cell=None, material=None):
+    """A packing from elsewhere, as read_packing; `format` ("csv", "yade", "lammps", "dump", "xyz", "vtp") is what the
+    caller takes the file for. The file itself tells: an unknown word is an error, a known one is only a remark."""
+    known = ("csv", "yade", "lammps", "dump", "xyz", "vtp")
+    if format is not None and format not in known:
+        raise _core.UsageError(f"format {format!r}: it is one of {', '.join(known)}")
+    return read_packing(path, cell, material)
+
+
 def write_packing(path, world, format=None):
     """Writes the grains of a World for other programs: csv, yade, xyz, lammps, dump, vtp; by the file's ending unless
     `format` is given."""

@@ -4,6 +4,7 @@ import csv
 import functools
 import json
 import pathlib
+import webbrowser
 
 import numpy
 
@@ -35,6 +36,35 @@ def _read_json(path):
         raise _core.IoError(f"{path}: cannot be read; is this a run folder?") from error
 
 
+class Tensor(numpy.ndarray):
+    """An array in SI; called with a unit, the same in it: stage.stress("kPa")."""
+
+    def __call__(self, unit):
+        return numpy.asarray(self) / _core.quantity(f"1 {unit}")
+
+
+class Pass(dict):
+    """A pass of an erosion: keys of stage.json, also as attributes; `index` counts from 1."""
+
+    def __getattr__(self, name):
+        key = "pass" if name == "index" else name
+        if key not in self:
+            raise AttributeError(f"a pass has no {name}; there are {', '.join(self)}")
+        return self[key]
+
+
+class Report(type(pathlib.Path())):
+    """The path of report.html. open() without a word shows it in the browser."""
+
+    def open(self, *args, **settings):
+        if args or settings:
+            return super().open(*args, **settings)
+        return webbrowser.open(self.absolute().as_uri())
+
+    def __call__(self):
+        return self
+
+
 class Stage:
     """A finished stage: its numbers, its state, its tables."""
 
@@ -57,6 +87,11 @@ class Stage:
 
     def __dir__(self):
         return sorted(set(super().__dir__()) | set(self.numbers))
+
+    @property
+    def stress(self):
+        """Mean stress, 3 x 3, compression positive [Pa]; stress("kPa") in another unit."""
+        return numpy.array(self.numbers["stress"]).view(Tensor)
 
     @functools.cached_property
     def world(self):
@@ -97,8 +132,8 @@ class Stage:
 
     @property
     def passes(self):
-        """The passes of an erosion: a list of dictionaries, as in stage.json."""
-        return self.numbers.get("passes", [])
+        """The passes of an erosion: a list of Pass."""
+        return [Pass(one) for one in self.numbers.get("passes", [])]
 
     def __repr__(self):
         return f"<suffuse.Stage {self.name}: {self.numbers.get('verb')}>"
@@ -169,8 +204,8 @@ class Run:
 
     @property
     def report(self):
-        """The path of report.html."""
-        return self.folder / "report.html"
+        """The path of report.html; run.report.open() shows it."""
+        return Report(self.folder / "report.html")
 
     @property
     def stages(self):

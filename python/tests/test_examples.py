@@ -46,6 +46,15 @@ def test_erosion_by_hand(tmp_path):
     assert 0 < removed <= detached < fines
 
 
+def test_twenty_lines(tmp_path):
+    text = run("twenty_lines.py", tmp_path, "1000")
+    strong, share = re.search(r"(\d+) strong contacts carry (\S+) of the force", text).groups()
+    assert int(strong) > 100 and 0.5 < float(share) < 1
+    permeability, constriction = map(float, re.search(r"^(\S+e-1\d) (\S+)$", text, re.M).groups())
+    assert 1e-12 < permeability < 1e-9 and 1e-5 < constriction < 1e-3
+    assert re.search(r"^1 \d+\.\d+ \{'", text, re.M)
+
+
 def test_every_example_is_tested_and_listed():
     names = {path.name for path in FOLDER.glob("*.py")}
     told = (FOLDER / "README.md").read_text()
