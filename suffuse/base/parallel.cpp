@@ -144,33 +144,45 @@ private:
 int requested_threads = 1;
 std::unique_ptr<Pool> pool;
 
-// Of a task among others: its loops run on these threads instead of on all.
-thread_local int own_threads = 0; // 0: this thread is no such task
-thread_local Pool* own_pool = nullptr;
-
-Pool* current_pool() {
-    return own_threads > 0 ? own_pool : pool.get();
-}
-
-/// While it lives, the loops of this thread run on `threads` threads of its own.
-class OwnThreads {
+/// The threads of one worker of `run_side_by_side`: its part of them all, and more when other workers have run out of
+/// tasks. Results do not depend on how many they are, so they may change between two loops.
+class Crew {
 public:
-    explicit OwnThreads(int threads) : pool_(threads > 1 ? std::make_unique<Pool>(threads) : nullptr) {
-        own_threads = threads;
-        own_pool = pool_.get();
+    Crew(int threads, std::atomic<int>& workers) : all_(threads), workers_(workers) { own_crew = this; }
+
+    ~Crew() {
+        own_crew = nullptr;
+        workers_.fetch_sub(1);
     }
 
-    ~OwnThreads() {
-        own_threads = 0;
-        own_pool = nullptr;
+    Crew(const Crew&) = delete;
+    Crew& operator=(const Crew&) = delete;
+
+    [[nodiscard]] int threads() const { return std::max(1, all_ / std::max(1, workers_.load())); }
+
+    Pool* pool() {
+        const int now = threads();
+        if (now != threads_) {
+            pool_.reset();
+            pool_ = now > 1 ? std::make_unique<Pool>(now) : nullptr;
+            threads_ = now;
+        }
+        return pool_.get();
     }
 
-    OwnThreads(const OwnThreads&) = delete;
-    OwnThreads& operator=(const OwnThreads&) = delete;
+    static thread_local Crew* own_crew; ///< of this thread; null: it is no such worker
 
 private:
+    int all_, threads_ = 1;
+    std::atomic<int>& workers_; ///< that have tasks
     std::unique_ptr<Pool> pool_;
 };
+
+thread_local Crew* Crew::own_crew = nullptr;
+
+Pool* current_pool() {
+    return Crew::own_crew != nullptr ? Crew::own_crew->pool() : pool.get();
+}
 
 /// The tasks of one `run_side_by_side`: whoever is free takes the next.
 class TaskQueue {
@@ -212,7 +224,7 @@ private:
 } // namespace
 
 int thread_count() {
-    return own_threads > 0 ? own_threads : requested_threads;
+    return Crew::own_crew != nullptr ? Crew::own_crew->threads() : requested_threads;
 }
 
 void set_thread_count(int threads) {
@@ -224,8 +236,8 @@ void detail::run_blocks(std::size_t blocks, const std::function<void(std::size_t
     if (blocks == 0) {
         return;
     }
-    Pool* const threads = current_pool();
-    if (threads == nullptr || blocks == 1 || inside_a_loop) {
+    Pool* const threads = blocks == 1 || inside_a_loop ? nullptr : current_pool();
+    if (threads == nullptr) {
         return body(0, blocks);
     }
     threads->run(blocks, body);
@@ -238,11 +250,12 @@ void run_side_by_side(std::size_t tasks, int at_once, const std::function<void(s
         queue.work();
         return queue.rethrow();
     }
-    const int share = std::max(1, thread_count() / workers);
+    const int all = thread_count();
+    std::atomic<int> working = workers;
     std::vector<std::jthread> threads;
     for (int w = 0; w < workers; ++w) {
         threads.emplace_back([&] {
-            const OwnThreads own(share);
+            const Crew own(all, working);
             queue.work();
         });
     }

@@ -21,9 +21,10 @@ void run_blocks(std::size_t blocks, const std::function<void(std::size_t, std::s
 } // namespace detail
 
 /// Calls `task(0)`, `task(1)`, ... each once, started in this order and at most `at_once` of them at a time, each on a
-/// thread of its own; the parallel loops of a task run on its share of the threads, `thread_count() / at_once`. One at
-/// a time they run on the calling thread with all threads. Where a task throws, no further one begins; when those that
-/// run have ended, the exception of the first of them (by number) is thrown.
+/// thread of its own; the parallel loops of a task run on its share of the threads, `thread_count() / at_once`, and on
+/// more as soon as no task is left to begin and others have ended. One at a time they run on the calling thread with
+/// all threads. Where a task throws, no further one begins; when those that run have ended, the exception of the first
+/// of them (by number) is thrown.
 void run_side_by_side(std::size_t tasks, int at_once, const std::function<void(std::size_t)>& task);
 
 /// Calls `body(first, last)` on consecutive ranges of at most `block` rows that cover [0, rows).

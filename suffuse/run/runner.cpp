@@ -8,6 +8,7 @@
 #include "suffuse/run/summary.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <mutex>
 #include <new>
 #include <set>
@@ -113,6 +114,8 @@ private:
                 left.push_back(sample);
             }
         }
+        // The longest first: the last to end keeps fewest threads waiting.
+        std::ranges::stable_sort(left, std::greater{}, [](const Sample& s) { return s.stages * s.variant->particles; });
         run_side_by_side(left.size(), thread_count(), [&](std::size_t k) { run_sample(left[k]); });
     }
 
