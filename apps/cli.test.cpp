@@ -375,9 +375,12 @@ TEST_F(Cli, AStoppedRunGoesOnToTheSameBits) {
         const pid_t child = start(cut);
         wait_until([&] { return read_all(folder / "error").find("plan  ") != std::string::npos; });
         wait_until([&] { return std::filesystem::exists(folder / "cut/studies/replay/compressed"); });
+        expect_in("http-equiv=\"refresh\"", read_all(folder / "cut/report.html"));
         kill(child, signal);
         const Said said = wait_for(child);
         ASSERT_EQ(said.code, code) << said.error;
+        expect_in("<code>suffuse resume cut</code>", read_all(folder / "cut/report.html"));
+        EXPECT_EQ(read_all(folder / "cut/report.html").find("http-equiv=\"refresh\""), std::string::npos);
         expect_in("suffuse resume cut", said.out);
         EXPECT_FALSE(std::filesystem::exists(folder / "cut/studies/replay/compressed/stage.json"));
         cut = {"resume", "cut"};
@@ -385,6 +388,8 @@ TEST_F(Cli, AStoppedRunGoesOnToTheSameBits) {
     const Said late = say({"resume", "cut", "--time-limit", "1 ms"});
     EXPECT_EQ(late.code, 75) << late.error;
     ASSERT_EQ(say({"resume", "cut"}).code, 0);
+    expect_in("provenance-heading", read_all(folder / "cut/report.html")); // the report itself
+    EXPECT_EQ(read_all(folder / "cut/report.html").find("http-equiv=\"refresh\""), std::string::npos);
     const auto hash = [&](const std::string& run) {
         return nlohmann::json::parse(read_all(folder / (run + "/studies/replay/compressed/stage.json")))
             .at("state_hash");

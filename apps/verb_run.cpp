@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/live_report.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/progress_file.hpp"
 #include "apps/run_ending.hpp"
@@ -119,6 +120,25 @@ Screen standard_error(const Console& console) {
             }};
 }
 
+/// The run, and the last live page where no report takes its place.
+run::RunReport run_to_its_end(const Job& job, const run::RunOptions& options, std::optional<LiveReport>& live) {
+    const auto close = [&](const std::string& ending) {
+        if (live) {
+            live->close(ending, "suffuse resume " + job.folder.string());
+        }
+    };
+    try {
+        run::RunReport report = run::run_case(job.what, options);
+        if (run::is_resumable(report.outcome)) {
+            close(fmt::format("The run ended early: {}.", run::word_of(report.outcome)));
+        }
+        return report;
+    } catch (const std::exception& error) {
+        close(fmt::format("The run failed: {}", error.what()));
+        throw;
+    }
+}
+
 int conduct(Job job, const CommandLine& line, const Console& console) {
     run::RunOptions options;
     options.folder = job.folder;
@@ -134,6 +154,10 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
         standard_error(console), job.plan, "Ctrl-C saves and stops; suffuse resume " + job.folder.string()
     );
     ProgressFile published(line.sample.empty() ? job.folder : job.folder / "studies" / line.sample, job.plan);
+    std::optional<LiveReport> live;
+    if (line.sample.empty()) {
+        live.emplace(job.folder, job.what.title, job.plan);
+    }
     bool told_stop = false;
     options.on_progress = [&](const run::Progress& progress) {
         if (stop_flag() && !std::exchange(told_stop, true)) {
@@ -141,12 +165,15 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
         } // the signal's message stands below
         view.show(progress);
         published.show(progress);
+        if (live) {
+            live->show(progress);
+        }
     };
     if (line.sample.empty()) { // a sample beside others knows the price of its own stages only
         run::keep_plan(job.folder, job.plan);
     }
     const auto start = std::chrono::steady_clock::now();
-    const run::RunReport report = run::run_case(job.what, options);
+    const run::RunReport report = run_to_its_end(job, options, live);
     view.clear();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return tell_end({job.folder, line.sample, std::ssize(run::list_samples(job.what)), seconds}, report, console);
@@ -159,7 +186,7 @@ void tell_plan(const Job& job, const std::string& verb, const Console& console) 
         job.plan.speed.at_once > 1 ? fmt::format("   {} samples at once", job.plan.speed.at_once) : ""
     ));
     console.talk(fmt::format("plan  {}", plan_sentence(job.plan)));
-    console.talk(fmt::format("{:5} {}", verb, job.folder.string()));
+    console.talk(fmt::format("{:5} {}   report.html there shows how far it is", verb, job.folder.string()));
     const auto cached = std::count_if(job.plan.stages.begin(), job.plan.stages.end(), [](const auto& stage) {
         return stage.is_cached;
     });

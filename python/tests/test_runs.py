@@ -3,14 +3,17 @@
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
+import xml.etree.ElementTree
 
 import numpy
 import pytest
 
 import suffuse
+from suffuse.case import page_folder
 
 PROGRAM = os.environ["SUFFUSE_PROGRAM"]
 
@@ -72,6 +75,26 @@ def test_by_hand_and_by_case_are_the_same_bits(small_case, tmp_path):
     by_hand.step(200, loading, time_step="4.1e-8 s", damping=case.damping)
     theirs = run["replay/compressed"].world
     assert (by_hand.grains.position == theirs.grains.position).all() and (by_hand.cell == theirs.cell).all()
+
+
+def test_a_figure_is_saved_as_svg_or_says_what_to_install(small_case, tmp_path):
+    run = suffuse.Case(small_case).run(tmp_path / "run")
+    figure = run.figure("own-throat-flux")
+    drawing = tmp_path / "flux.svg"
+    if not (page_folder() / "figures.mjs").exists() or shutil.which("node") is None:
+        with pytest.raises(OSError, match="npm|node"):
+            figure.save(drawing)
+        return
+    assert figure.save(drawing) == drawing
+    root = xml.etree.ElementTree.parse(drawing).getroot()
+    assert root.tag == "{http://www.w3.org/2000/svg}svg" and float(root.get("width")) > 300
+    words = " ".join(text.strip() for text in root.itertext())
+    assert "flux over the mean flux" in words and "[mm]" in words  # its axes
+    assert figure.specification["description"].split(".")[0] in words  # for readers that cannot see it
+    assert len(list(root.iter("{http://www.w3.org/2000/svg}path"))) >= 2  # a line and its band
+    if shutil.which("rsvg-convert"):
+        png = figure.save(tmp_path / "flux.png").read_bytes()
+        assert png.startswith(b"\x89PNG") and len(png) > 10_000
 
 
 def test_an_exception_of_the_progress_function_saves_and_stops(small_case, tmp_path):

@@ -2,31 +2,38 @@
 import { Chart } from "./chart.js";
 import { addButtons } from "./downloads.js";
 import { showScene } from "./scene/index.js";
+import { unpacked } from "./unpack.js";
 
-const { run, look, figures } = JSON.parse(document.getElementById("report-data").textContent);
 const charts = [];
-document.getElementById("no-script")?.remove();
 
-for (const figure of figures) {
-  const place = document.querySelector(`[data-chart="${figure.id}"]`);
-  const chart = place ? new Chart(figure, look, place) : null;
-  if (chart) charts.push(chart);
-  addButtons(document.querySelector(`[data-buttons="${figure.id}"]`), { run, figure, chart });
+/** Reads the data, and gives each figure its chart and its buttons. @return the run's name. */
+async function open() {
+  const { run, look, figures } = await unpacked("report-data");
+  document.getElementById("no-script")?.remove();
+  for (const figure of figures) {
+    const place = document.querySelector(`[data-chart="${figure.id}"]`);
+    const chart = place ? new Chart(figure, look, place) : null;
+    if (chart) charts.push(chart);
+    addButtons(document.querySelector(`[data-buttons="${figure.id}"]`), { run, figure, chart });
+  }
+  return run;
 }
 
 /** One after the other, so that the first is seen while the last is still being drawn. */
-async function drawAll() {
+async function drawAll(run) {
   for (const chart of charts) {
     await chart.draw();
     await new Promise((resume) => setTimeout(resume));
   }
-  if (!document.documentElement.dataset.drawn) showScene(run);
+  if (!document.documentElement.dataset.drawn) showScene(run, await unpacked("scene-data"));
   document.documentElement.dataset.drawn = "all";
 }
 
-let waiting;
-addEventListener("resize", () => {
-  clearTimeout(waiting);
-  waiting = setTimeout(drawAll, 150);
+open().then((run) => {
+  let waiting;
+  addEventListener("resize", () => {
+    clearTimeout(waiting);
+    waiting = setTimeout(drawAll, 150, run);
+  });
+  return drawAll(run);
 });
-drawAll();

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readFileSync, renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { csv, files, fromPage, launch, open, patience, samples } from "./browser.mjs";
@@ -197,11 +197,35 @@ test("the plain report has everything but the charts, and says how to get them",
   const { page, complaints, requests, context } = await open(browser, "plain");
   assert.ok(await page.getByText("This report is plain").isVisible());
   assert.equal(await page.locator("script").count(), 0);
-  assert.equal(await page.locator("figure.figure").count(), 20);
+  assert.equal(await page.locator("figure.figure").count(), 22);
   assert.equal(await page.locator("table.findings tbody tr").count(), 7);
   assert.deepEqual(complaints, []);
   assert.equal(requests.length, 1);
   await page.screenshot({ path: join(samples, "plain.png"), fullPage: true });
+  await context.close();
+});
+
+test("the live page loads itself anew, without script or server, and ends in the report", async () => {
+  const folder = join(samples, "ends");
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder);
+  const put = (run) => {
+    copyFileSync(join(samples, run, "report.html"), join(folder, "part"));
+    renameSync(join(folder, "part"), join(folder, "report.html"));
+  };
+  put("live");
+  const { page, complaints, requests, context } = await open(browser, "ends", { javaScriptEnabled: false });
+  assert.match(await page.textContent("h1"), /<\/script><img/);
+  assert.ok(await page.getByText("1 of 3 stages, 1.0-2 min left").isVisible());
+  assert.equal(await page.locator("script, img").count(), 0);
+  await page.screenshot({ path: join(samples, "live.png"), fullPage: true });
+  await page.waitForEvent("load"); // by itself
+  assert.ok(await page.getByText("1 of 3 stages").isVisible());
+  put("sample");
+  await page.locator("#answer").waitFor();
+  assert.equal(await page.locator("progress").count(), 0);
+  assert.deepEqual(complaints, []);
+  assert.ok(requests.length >= 3 && requests.every((url) => url.startsWith("file:") && url.endsWith("/ends/report.html")));
   await context.close();
 });
 

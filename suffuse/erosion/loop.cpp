@@ -10,6 +10,7 @@
 #include "suffuse/erosion/probe.hpp"
 #include "suffuse/erosion/reequilibrate.hpp"
 #include "suffuse/flow/seepage.hpp"
+#include "suffuse/flow/throat_flux.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -31,10 +32,11 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Step 2: the permeability, and the fluid's forces on the grains at each gradient. The pore network, larger than the
-/// world, is gone when this returns.
+/// Step 2: the permeability, the throats' fluxes, and the fluid's forces on the grains at each gradient. The pore
+/// network, larger than the world, is gone when this returns.
 struct Seeping {
     double permeability = 0; ///< [m2]
+    flow::ThroatFlux throat_flux;
     std::vector<ProbeLoad> loads;
 };
 
@@ -42,7 +44,7 @@ Seeping
 seep(const dem::World& world, std::span<const double> gradients, const Vec3& direction, const flow::Fluid& fluid) {
     const flow::Seepage unit =
         flow::solve_seepage(world.cell, world.grains.position, world.grains.radius, {1, direction, false}, fluid);
-    Seeping seeping{unit.permeability, {}};
+    Seeping seeping{unit.permeability, flow::describe_fluxes(unit.network, unit.field.flux, 1), {}};
     for (const double gradient : gradients) {
         seeping.loads.push_back({gradient, unit.grain_force});
         for (Vec3& force : seeping.loads.back().force) {
@@ -133,6 +135,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     // 2 flow
     const Seeping seeping = seep(next, {&spec.gradient, 1}, spec.direction, around.fluid);
     pass.permeability_before = seeping.permeability;
+    pass.throat_flux_before = seeping.throat_flux;
     pass.wall_seconds["flow"] = watch.lap();
 
     // 3 probe
@@ -155,7 +158,9 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     // 6 new equilibrium
     std::vector<PathRow> path = reequilibrate(next, dt, result, around, pass);
     watch.lap();
-    pass.permeability_after = seep(next, {}, spec.direction, around.fluid).permeability;
+    const Seeping after = seep(next, {}, spec.direction, around.fluid);
+    pass.permeability_after = after.permeability;
+    pass.throat_flux_after = after.throat_flux;
     pass.wall_seconds["flow"] += watch.lap();
 
     const std::optional<std::string> complaint = skeleton_complaint(next);

@@ -2,6 +2,7 @@
 // What the erosion procedure found, as plain values: the rows behind Figures 9 to 14.
 
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/pores/constrictions.hpp"
 
 #include <array>
@@ -78,6 +79,7 @@ struct PassResult {
     double void_ratio_after = 0, fines_content_after = 0;
     double volumetric_strain = 0;                           ///< of this pass, compression positive [-]
     double permeability_before = 0, permeability_after = 0; ///< along the flow [m2]
+    flow::ThroatFlux throat_flux_before, throat_flux_after; ///< how the flow spreads over the throats
     std::int64_t steps = 0;
     std::map<std::string, double>
         wall_seconds;    ///< by part: "flow", "relax", "probe", "constrictions", "constant volume", "servo"

@@ -206,7 +206,13 @@ std::optional<Figure> erosion_loop(const ErosionResult& erosion) {
     figure.id = "fig07";
     figure.section = "Erosion";
     figure.title = "The erosion loop, with this run's counts on its arrows";
-    figure.caption = fmt::format("{} {} of the loop", all.size(), all.size() == 1 ? "turn" : "turns");
+    figure.caption = fmt::format("{} {} of the loop took", all.size(), all.size() == 1 ? "turn" : "turns");
+    for (const PassResult* pass : shown) {
+        figure.caption += fmt::format(
+            "{} {} of {} detachable among {} fines", pass == shown.front() ? "" : ", then", grouped(pass->removed),
+            grouped(pass->detachable), grouped(std::ssize(pass->probe.id))
+        );
+    }
     const std::string& verdict = erosion.passes.back().verdict;
     figure.caption += verdict.empty() ? "." : "; it stopped because: " + verdict + ".";
     figure.table = table_of(steps_of(all), all);

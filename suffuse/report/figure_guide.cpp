@@ -82,6 +82,17 @@ constexpr std::array guides = {
         "own-permeability", "permeability by pass", "Along the direction of the flow, before and after each pass.",
         "an `erode` stage"},
     Guide{
+        "own-throat-flux", "flux through a throat against its size",
+        "Median and middle 80 % of the flux, over its mean, of throats of one size: before and after erosion, or of "
+        "flow "
+        "stages.",
+        "an `erode` or a `flow` stage"},
+    Guide{
+        "own-flux-shares", "how few throats carry the flow",
+        "Which share of the flow goes through which share of the throats, those with most flux first, and the "
+        "distribution of the fluxes.",
+        "an `erode` or a `flow` stage"},
+    Guide{
         "own-triaxial", "triaxial tests before and after erosion",
         "Deviator stress and volumetric strain against axial strain.", "`triaxial` stages"},
     Guide{

@@ -107,6 +107,8 @@ TEST(Figures, TheSampleRunHasTheFiguresOfThePaperAndOurs) {
                  "own-constrictions",
                  "own-eroded-grading",
                  "own-permeability",
+                 "own-throat-flux",
+                 "own-flux-shares",
                  "own-triaxial"})
     );
 }

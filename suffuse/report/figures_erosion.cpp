@@ -66,7 +66,7 @@ std::optional<Figure> eroded_coordination(const ErosionResult& erosion) {
     std::vector<std::string> name, order;
     std::vector<double> contacts, grains, share;
     std::string claim;
-    int most = 0;
+    int most = 4; // contacts on the axis at least: that all had none is seen beside those that nobody had
     for (const PassResult& pass : erosion.passes) {
         for (const auto& [coordination, count] : pass.coordination_histogram) {
             if (count > 0) {

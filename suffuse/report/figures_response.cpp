@@ -77,7 +77,8 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
              "encoding": {"tooltip": [{"field": "state", "title": "state"},
                 {"field": "permeability", "title": "k [m²]", "format": ".4g"},
                 {"field": "eroded_mass", "title": "eroded mass [%]", "format": ".4g"}]}},
-            {"mark": {"type": "text", "align": "left", "dx": 8, "dy": 14, "color": "#333333"},
+            {"transform": [{"filter": "datum.label"}],
+             "mark": {"type": "text", "align": "left", "dx": 8, "dy": 14, "color": "#333333"},
              "encoding": {"text": {"field": "label", "type": "nominal"}}}
         ]
     })json");

@@ -252,7 +252,8 @@ std::string share_detached(const ProbeResult& probe) {
 
 const char* const how_drawn =
     " Bands: 10 to 90 % of each group, thick line: median, thin lines: at most 200 grains, the "
-    "slowest and fastest among them.";
+    "slowest and fastest among them. A band down to the axis: a tenth of the group or more is slower than any speed "
+    "shown.";
 
 } // namespace
 

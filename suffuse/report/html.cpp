@@ -31,29 +31,6 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-std::string script_safe(const nlohmann::json& value) {
-    // These three stand in JSON only inside strings, where their escape means the same.
-    const std::string plain = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    std::string out;
-    out.reserve(plain.size());
-    for (const char letter : plain) {
-        switch (letter) {
-        case '<':
-            out += "\\u003c";
-            break;
-        case '>':
-            out += "\\u003e";
-            break;
-        case '&':
-            out += "\\u0026";
-            break;
-        default:
-            out += letter;
-        }
-    }
-    return out;
-}
-
 std::string html_table(
     const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
     const std::vector<bool>& numeric, std::string_view css_class

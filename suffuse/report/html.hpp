@@ -3,8 +3,6 @@
 
 #include "suffuse/report/table.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,9 +11,6 @@ namespace suffuse::report {
 
 /// Safe as the content of an element and inside a double-quoted attribute.
 std::string escaped(std::string_view text);
-
-/// JSON that can stand in a script element: no character of it can end the element. Text that is not UTF-8 is mended.
-std::string script_safe(const nlohmann::json& value);
 
 /// A table whose first row is the header; `numeric[c]` says which columns are set flush right.
 std::string html_table(

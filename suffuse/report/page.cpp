@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/report/html.hpp"
+#include "suffuse/report/packed.hpp"
 #include "suffuse/report/scene_section.hpp"
 #include "suffuse/report/still.hpp"
 #include "suffuse/report/words.hpp"
@@ -248,12 +249,32 @@ std::string section_tables(const ReportData& report, const std::string& name) {
     return out;
 }
 
+/// Keys of provenance.json that say little to a reader, in words.
+std::string in_words(const std::string& key) {
+    if (key == "case_hash") {
+        return "hash of the case";
+    }
+    return key == "wall_seconds" ? "wall time of the last call" : key;
+}
+
 std::string provenance_section(const ReportData& report, const std::optional<PageScript>& script) {
     std::vector<std::vector<std::string>> rows;
+    std::string version, paper;
     for (const auto& [key, value] : report.provenance) {
-        rows.push_back({key, value});
+        version += key == "version" ? " " + value : key == "commit" ? ", commit " + value : "";
+        paper += key == "paper" ? value : "";
+        const bool is_time = key == "wall_seconds";
+        rows.push_back({in_words(key), is_time ? short_number(std::atof(value.c_str()), 4) + " s" : value});
     }
+    std::sort(rows.begin(), rows.end());
     std::string out = html_table({"what", "value"}, rows, {}, "provenance");
+    out += "<h3>How to cite</h3>\n<p>" +
+           typeset(fmt::format(
+               "The program: suffuse{}; CITATION.cff in its source holds the entry. Seed and hash of the case "
+               "identify the run.{}",
+               version, paper.empty() ? "" : " The work that it follows: " + paper + "."
+           )) +
+           "</p>\n";
     if (script && !script->notices.empty()) {
         out += "<details><summary>Notices of the software in this page</summary><pre>" + escaped(script->notices) +
                "</pre></details>\n";
@@ -262,7 +283,7 @@ std::string provenance_section(const ReportData& report, const std::optional<Pag
 }
 
 /// Specification and numbers of each chart, for the page's script.
-std::string charts_json(const ReportData& report) {
+json charts_json(const ReportData& report) {
     json figures = json::array();
     for (const Figure& figure : report.figures) {
         figures.push_back(
@@ -273,7 +294,13 @@ std::string charts_json(const ReportData& report) {
              {"csv", to_csv(figure.table, csv_remarks(figure, report))}}
         );
     }
-    return script_safe({{"run", report.run}, {"look", look_in_print()}, {"figures", std::move(figures)}});
+    return {{"run", report.run}, {"look", look_in_print()}, {"figures", std::move(figures)}};
+}
+
+/// Data for the page's script, packed.
+std::string data_element(const char* id, const json& data) {
+    const std::string text = data.dump(-1, ' ', false, json::error_handler_t::replace);
+    return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, packed(text));
 }
 
 std::string head(const ReportData& report, const std::optional<PageScript>& script) {
@@ -333,10 +360,9 @@ std::string render(const ReportData& report, const std::optional<PageScript>& sc
         escaped(report.run) + "</p>\n<h1>" + escaped(report.title) + "</h1>\n<nav aria-label=\"Sections\">\n" + links +
         "</nav>\n</header>\n<main>\n" + (script ? no_script_sentence : plain_sentence) + sections + "</main>\n";
     if (script) {
-        page += "<script type=\"application/json\" id=\"report-data\">" + charts_json(report) + "</script>\n";
+        page += data_element("report-data", charts_json(report));
         if (!report.scene.states.empty()) {
-            page += "<script type=\"application/json\" id=\"scene-data\">" + script_safe(scene_json(report.scene)) +
-                    "</script>\n";
+            page += data_element("scene-data", scene_json(report.scene));
         }
         page += "<script>" + script->code + "</script>\n";
     }

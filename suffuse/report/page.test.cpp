@@ -1,13 +1,16 @@
 #include "suffuse/report/page.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/report/live_page.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/sample_report.hpp"
 #include "tests/support/temp_folder.hpp"
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <zlib.h>
 
 namespace suffuse::report {
 namespace {
@@ -15,6 +18,34 @@ namespace {
 namespace fs = std::filesystem;
 
 using test::read_all;
+
+/// The other way round of `packed`, from the element with this id.
+std::string unpacked(const std::string& page, const std::string& id) {
+    const std::string begin = "id=\"" + id + "\">";
+    const std::size_t from = page.find(begin) + begin.size();
+    std::string bytes;
+    std::uint32_t bits = 0;
+    int held = 0;
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (std::size_t at = from; page[at] != '<' && page[at] != '='; ++at) {
+        bits = bits << 6U | static_cast<std::uint32_t>(letters.find(page[at]));
+        held += 6;
+        if (held >= 8) {
+            held -= 8;
+            bytes += static_cast<char>(bits >> static_cast<unsigned>(held) & 0xFFU);
+        }
+    }
+    std::string text(std::size_t{1} << 25U, '\0');
+    uLongf size = text.size();
+    EXPECT_EQ(
+        uncompress(
+            reinterpret_cast<Bytef*>(text.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()
+        ),
+        Z_OK
+    );
+    text.resize(size);
+    return text;
+}
 
 class Page : public testing::Test {
 protected:
@@ -49,15 +80,20 @@ TEST_F(Page, WithItsScriptCarriesTheDataAndTheHash) {
     EXPECT_NE(page.find("script-src 'sha256-AbC+/123='"), std::string::npos);
     EXPECT_NE(page.find("<script>console.log(1)</script>"), std::string::npos);
     EXPECT_NE(page.find("Notice of &lt;a library&gt;"), std::string::npos);
-    const std::string begin = "id=\"report-data\">";
-    const std::size_t from = page.find(begin) + begin.size();
-    const auto data = nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
-    ASSERT_EQ(data["figures"].size(), 20U);
+    const auto data = nlohmann::json::parse(unpacked(page, "report-data"));
+    ASSERT_EQ(data["figures"].size(), 22U);
     for (const auto& figure : data["figures"]) {
         EXPECT_EQ(
             figure["csv"].get<std::string>(), read_all(folder / "figures" / (figure["id"].get<std::string>() + ".csv"))
         );
     }
+}
+
+TEST_F(Page, TextThatIsNotUtf8IsMended) {
+    write_script("1");
+    const std::string page =
+        read_all(write_report(folder.path(), test::sample_report("caf\xe9"), folder / "page").file);
+    EXPECT_NE(unpacked(page, "report-data").find("case: caf\uFFFD"), std::string::npos);
 }
 
 TEST_F(Page, AScriptThatCouldEndItsElementIsNotUsed) {
@@ -134,6 +170,14 @@ TEST(SampleRun, IsWrittenWhereTheBrowserTestsWantIt) {
         write_report(fs::path(folder) / "sample", test::sample_report("Suffusion of a synthetic sand"), page).has_charts
     );
     EXPECT_TRUE(write_report(fs::path(folder) / "hostile", test::sample_report(hostile), page).has_charts);
+    LivePage live;
+    live.title = hostile;
+    live.refresh_seconds = 1;
+    live.progress = "1 of 3 stages";
+    live.left = "1.0-2 min";
+    live.rows = {{"erosion/cloud", "pack", "done", "0.1 s", ""}, {hostile, "compact", "running", "3.2 s", "e 0.7"}};
+    fs::create_directories(fs::path(folder) / "live");
+    std::ofstream(fs::path(folder) / "live/report.html") << render_live_page(live);
     EXPECT_FALSE(
         write_report(fs::path(folder) / "plain", test::sample_report("Suffusion of a synthetic sand")).has_charts
     );

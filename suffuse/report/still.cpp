@@ -1,6 +1,7 @@
 #include "suffuse/report/still.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/report/packed.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -141,18 +142,6 @@ void put_chunk(std::string& out, const char* name, const std::string& content) {
     out += checked;
     const auto* bytes = reinterpret_cast<const Bytef*>(checked.data());
     put_number(out, static_cast<std::uint32_t>(crc32(0, bytes, static_cast<uInt>(checked.size()))));
-}
-
-std::string deflated(const std::string& bytes) {
-    uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-    std::string out(size, '\0');
-    const int status = compress2(
-        reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-        static_cast<uLong>(bytes.size()), 9
-    );
-    expects(status == Z_OK, "a picture in memory can be compressed");
-    out.resize(size);
-    return out;
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include "suffuse/run/scene_data.hpp"
 #include "suffuse/run/section_tables.hpp"
 #include "suffuse/run/study_figures.hpp"
+#include "suffuse/run/water_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +136,9 @@ report::ReportData describe_run(
     }
     data.figures = draw_study(what, folder, stages, sweep ? &*sweep : nullptr);
     for (report::Figure& figure : draw_erosion(what, folder, story)) {
+        data.figures.push_back(std::move(figure));
+    }
+    for (report::Figure& figure : draw_fluxes(stages, story)) {
         data.figures.push_back(std::move(figure));
     }
     show_stability(what, story, data);

@@ -68,6 +68,12 @@ namespace pores {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Constrictions, diameter, center, mean, median, d35)
 } // namespace pores
 
+namespace flow {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    ThroatFlux, throats, mean, half_carried_by, quantile, carried, diameter, flux_10, flux_50, flux_90
+)
+} // namespace flow
+
 namespace erosion {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     ProbeResult, gradient, unbalanced_force, reached_floor, relax_steps, ramp, watch, time_step, fluid_over_contact,
@@ -78,11 +84,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     PathRow, pass, phase, step, stress, volumetric_strain, porosity, unbalanced_force, eroded_mass
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerRow, grain, pass, diameter, mass, coordination, reason)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack the throats' fluxes
     PassResult, pass, probe, constrictions, detachable, held_back, removed, eroded_mass_percent,
     eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal, stress_constant_volume,
     stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after, fines_content_after,
-    volumetric_strain, permeability_before, permeability_after, steps, wall_seconds, verdict
+    volumetric_strain, permeability_before, permeability_after, throat_flux_before, throat_flux_after, steps,
+    wall_seconds, verdict
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
 } // namespace erosion

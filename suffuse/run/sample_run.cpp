@@ -77,6 +77,9 @@ void save_findings(const StageWork& work) {
     if (!work.findings.curve.empty()) {
         results["curve"] = work.findings.curve;
     }
+    if (work.findings.throat_flux) {
+        results["throat_flux"] = *work.findings.throat_flux;
+    }
     if (!results.empty()) {
         write_cbor(work.folder / "results.cbor", results);
     }

@@ -3,6 +3,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/loop.hpp"
 #include "suffuse/flow/seepage.hpp"
+#include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/io/flow_tables.hpp"
@@ -76,6 +77,8 @@ json pass_numbers(const erosion::PassResult& pass) {
         {"volumetric_strain", pass.volumetric_strain},
         {"permeability_before", pass.permeability_before},
         {"permeability_after", pass.permeability_after},
+        {"half_carried_by_before", pass.throat_flux_before.half_carried_by},
+        {"half_carried_by_after", pass.throat_flux_after.half_carried_by},
         {"steps", pass.steps},
         {"wall_seconds", pass.wall_seconds},
         {"verdict", pass.verdict},
@@ -135,6 +138,9 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
     numbers["pressure_gradient"] = seepage.pressure_gradient;
     numbers["force_sum"] = seepage.force_sum;
     numbers["force_sum_error"] = seepage.force_sum_error;
+    work.findings.throat_flux =
+        flow::describe_fluxes(seepage.network, seepage.field.flux, spec.gradient > 0 ? spec.gradient : 1);
+    numbers["half_carried_by"] = work.findings.throat_flux->half_carried_by;
     numbers["residual"] = seepage.field.residual;
     numbers["pores"] = seepage.network.pores.size();
     numbers["throats"] = seepage.network.throats.size();

@@ -20,6 +20,7 @@ struct StageFindings {
     std::vector<erosion::ProbeResult> probes;
     std::optional<erosion::ErosionResult> erosion;
     std::vector<triaxial::PathRow> curve;
+    std::optional<flow::ThroatFlux> throat_flux;
 };
 
 struct StageWork {

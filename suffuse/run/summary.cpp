@@ -46,6 +46,9 @@ std::vector<FinishedStage> read_stages(const casefile::Case& what, const std::fi
                     if (results.contains("curve")) {
                         results.at("curve").get_to(done.findings.curve);
                     }
+                    if (results.contains("throat_flux")) {
+                        done.findings.throat_flux = results.at("throat_flux").get<flow::ThroatFlux>();
+                    }
                 }
                 stages.push_back(std::move(done));
             }

@@ -7,6 +7,7 @@
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/report/figures.hpp"
+#include "suffuse/report/figures_flux.hpp"
 #include "suffuse/report/headlines.hpp"
 #include "suffuse/report/page.hpp"
 
@@ -23,6 +24,27 @@ inline Mat3 isotropic(double pressure) {
 
 inline grains::Grading sample_grading() {
     return {{1.0e-4, 1.5e-4, 1.8e-4, 2.1e-4, 2.5e-4, 3.0e-4, 4.0e-4}, {0, 0.08, 0.25, 0.50, 0.75, 0.92, 1}, "invented"};
+}
+
+/// Fluxes that grow about as the cube of the size, in throats that get wider from state to state.
+inline std::vector<report::FluxState> sample_fluxes() {
+    std::vector<report::FluxState> states;
+    for (const char* name : {"before erosion", "after pass 1", "after pass 2"}) {
+        RandomStream random(7, name);
+        pores::PoreNetwork network;
+        std::vector<double> flux;
+        for (int t = 0; t < 5000; ++t) {
+            const double radius = 2e-5 * std::exp(random.uniform() + 0.2 * static_cast<double>(states.size()));
+            network.throats.side.push_back({});
+            network.throats.length.push_back(1e-4);
+            network.throats.void_area.push_back(pi * radius * radius);
+            network.throats.hydraulic_radius.push_back(radius / 2);
+            network.throats.inscribed_radius.push_back(radius);
+            flux.push_back(1e3 * std::pow(radius, 3) * std::exp(4 * random.uniform()));
+        }
+        states.push_back({name, flow::describe_fluxes(network, flux, 0.05)});
+    }
+    return states;
 }
 
 /// `count` fines of which about `share_free` are pushed without resistance; the others rattle at a speed of their own.
@@ -219,6 +241,8 @@ inline report::ReportData sample_report(const std::string& title) {
           constriction_sizes(erosion),
           eroded_grading(sampled, erosion),
           permeability_by_pass(erosion),
+          flux_by_size(sample_fluxes()),
+          flux_shares(sample_fluxes()),
           triaxial_response(
               {sample_response("before erosion", 3.2e5, 0.06), sample_response("after pass 2", 2.5e5, 0.02)}
           )}) {

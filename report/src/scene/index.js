@@ -36,14 +36,13 @@ function addClicks(view, canvas) {
   });
 }
 
-export function showScene(run) {
-  const source = document.getElementById("scene-data");
+export function showScene(run, data) {
   const place = document.querySelector("[data-scene]");
-  if (!source || !place) return;
+  if (!data || !place) return;
   const stage = place.querySelector(".stage");
   place.hidden = false;
   try {
-    const view = new SceneView(readScene(JSON.parse(source.textContent)), stage.querySelector(".picture"));
+    const view = new SceneView(readScene(data), stage.querySelector(".picture"));
     place.view = view; // for whoever asks the page for its numbers: tests, and the curious in the console
     addPanel(view, place.querySelector(".panel"), stage, run);
     addKeys(view, stage.querySelector(".picture"));

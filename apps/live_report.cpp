@@ -1,0 +1,105 @@
+#include "apps/live_report.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "apps/wording.hpp"
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds interval{2000};
+constexpr std::size_t most_rows = 60; ///< beyond, of those done the last and of those waiting the first
+
+std::string now_text() {
+    return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
+}
+
+} // namespace
+
+LiveReport::LiveReport(fs::path folder, std::string title, run::RunPlan plan)
+    : folder_(std::move(folder)), title_(title.empty() ? "A run without a title" : std::move(title)), left_(plan) {
+    for (const run::StageEstimate& stage : plan.stages) {
+        if (stage.is_cached) {
+            stages_.push_back({stage.study, stage.stage, stage.verb, "done", "earlier", ""});
+        } else if (stage.seconds.most > 0) { // the others are not asked for
+            stages_.push_back(
+                {stage.study, stage.stage, stage.verb, "waits", duration_range_text(stage.seconds) + " by the plan", ""}
+            );
+        }
+    }
+    all_ = static_cast<int>(stages_.size());
+    write("", "");
+}
+
+LiveReport::Stage& LiveReport::stage_of(const run::Progress& progress) {
+    const auto found = std::find_if(stages_.begin(), stages_.end(), [&](const Stage& stage) {
+        return stage.study == progress.study && stage.stage == progress.stage;
+    });
+    if (found != stages_.end()) {
+        return *found;
+    }
+    return stages_.emplace_back(Stage{progress.study, progress.stage, progress.verb, "", "", ""}
+    ); // asked for by results
+}
+
+void LiveReport::learn(const run::Progress& progress) {
+    left_.see(progress);
+    done_ = progress.stages_done;
+    all_ = progress.stages;
+    if (progress.stage.empty()) {
+        return;
+    }
+    Stage& stage = stage_of(progress);
+    stage.status = !progress.failure.empty() ? "failed" : progress.stage_finished ? "done" : "running";
+    stage.time = progress.from_cache ? "from the cache" : duration_text(progress.stage_seconds);
+    stage.state = progress.failure.empty() ? state_text(progress.state) : progress.failure;
+}
+
+void LiveReport::show(const run::Progress& progress) {
+    learn(progress);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - written_ >= interval) {
+        written_ = now;
+        write("", "");
+    }
+}
+
+void LiveReport::close(const std::string& ending, const std::string& command) {
+    write(ending, command);
+}
+
+void LiveReport::write(const std::string& ending, const std::string& command) const {
+    report::LivePage page;
+    page.title = title_;
+    page.run = folder_.filename().string();
+    page.at = now_text();
+    page.share = all_ > 0 ? static_cast<double>(done_) / all_ : 0;
+    page.progress = fmt::format("{} of {}", done_, plural(all_, "stage"));
+    page.left = duration_range_text(left_.left());
+    page.ending = ending;
+    page.command = command;
+    const auto is_over = [](const Stage& stage) { return stage.status == "done"; };
+    std::ptrdiff_t spare = std::ssize(stages_) - static_cast<std::ptrdiff_t>(most_rows);
+    for (const Stage& stage : stages_) {
+        if (spare > 0 && is_over(stage)) {
+            --spare;
+        } else if (page.rows.size() < most_rows) {
+            page.rows.push_back({stage.study + "/" + stage.stage, stage.verb, stage.status, stage.time, stage.state});
+        }
+    }
+    const fs::path path = folder_ / "report.html", part = folder_ / "report.html.partial";
+    std::error_code error;
+    if (std::ofstream file(part); !(file << report::render_live_page(page)).flush()) {
+        fs::remove(part, error);
+        return;
+    }
+    fs::rename(part, path, error);
+}
+
+} // namespace suffuse::apps
