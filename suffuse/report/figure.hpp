@@ -38,7 +38,7 @@ nlohmann::json complete_specification(const Figure& figure);
 /// Vega-Lite configuration of a figure in print: fonts, dark ink on white.
 nlohmann::json look_in_print();
 
-/// An axis or legend expression that writes decades as powers of ten.
+/// An axis or legend expression that writes decades as powers of ten, and nothing at the ticks between them.
 std::string power_of_ten_labels();
 
 } // namespace suffuse::report

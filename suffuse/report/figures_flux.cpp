@@ -29,6 +29,7 @@ void color_states(json& encoding, const json& names) {
         {"field", "state"},
         {"type", "nominal"},
         {"title", nullptr},
+        {"legend", {{"symbolType", "stroke"}, {"symbolOpacity", 1}}},
         {"scale", {{"domain", names}, {"range", color::sequence()}}}};
     encoding["strokeDash"] = {
         {"field", "state"},
@@ -95,7 +96,7 @@ std::optional<Figure> flux_by_size(const std::vector<FluxState>& states) {
         "layer": [
             {"transform": [{"filter": "datum.flux_10 > 0"}],
              "mark": {"type": "area", "opacity": 0.15},
-             "encoding": {"y": {"field": "flux_10"}, "y2": {"field": "flux_90"}, "strokeDash": {"value": [1, 0]}}},
+             "encoding": {"y": {"field": "flux_10"}, "y2": {"field": "flux_90"}}},
             {"transform": [{"filter": "datum.flux_over_mean > 0"}],
              "mark": {"type": "line", "point": {"size": 18, "filled": true}},
              "encoding": {"y": {"field": "flux_over_mean"}, "tooltip": [
@@ -161,9 +162,9 @@ std::optional<Figure> flux_shares(const std::vector<FluxState>& states) {
                  "encoding": {"x": {"datum": 0}, "x2": {"datum": 100}, "y": {"datum": 0}, "y2": {"datum": 100}}},
                 {"mark": {"type": "line"},
                  "encoding": {
-                    "x": {"field": "share_of_throats", "type": "quantitative", "scale": {"domain": [0, 100]},
+                    "x": {"field": "share_of_throats", "type": "quantitative", "scale": {"domain": [0, 100]}, "axis": {"grid": true},
                           "title": "share of the throats, those with most flux first [%]"},
-                    "y": {"field": "share_of_flow", "type": "quantitative", "scale": {"domain": [0, 100]},
+                    "y": {"field": "share_of_flow", "type": "quantitative", "scale": {"domain": [0, 100]}, "axis": {"grid": true},
                           "title": "share of the flow [%]"},
                     "order": {"field": "share_of_throats"},
                     "tooltip": [{"field": "state", "title": "state"},

@@ -143,7 +143,7 @@ json stress_chart() {
             {"width": 560, "height": 220, "layer": [], "encoding": {"x": {"type": "quantitative",
                 "axis": {"title": null, "labels": false, "ticks": false, "tickCount": 6}}}},
             {"width": 560, "height": 160, "layer": [], "encoding": {"x": {"type": "quantitative",
-                "title": "step since the start of the erosion [-]", "axis": {"tickCount": 6, "format": ","}}}}
+                "title": "step since the start of the erosion [-]", "axis": {"tickCount": 6, "format": ",d"}}}}
         ],
         "spacing": 8,
         "resolve": {"scale": {"x": "shared"}}
@@ -213,7 +213,7 @@ const char* const porosity_panels = R"json({
          "mark": {"type": "line"},
          "encoding": {
             "x": {"field": "steps_since_removal", "type": "quantitative", "title": "steps since the removal [-]",
-                  "axis": {"format": ",", "tickCount": 6}},
+                  "axis": {"format": ",d", "tickCount": 6}},
             "y": {"field": "porosity_change_since_removal", "type": "quantitative", "title": "change Δn [-]",
                   "axis": {"tickCount": 4, "format": "~g"}, "scale": {"domain": {"unionWith": [-1e-5, 1e-5]}}},
             "color": {"field": "pass", "type": "nominal", "title": null},
