@@ -27,7 +27,10 @@ struct CommandLine {
     std::string color_word = "auto"; ///< as typed
 
     std::string subject; ///< case file, run folder, key, state: the verb's first argument
-    std::string output;  ///< -o
+    std::string other;   ///< of `compare`: the second run
+    std::string tolerance;
+    bool paper = false; ///< `compare` with the paper's findings
+    std::string output; ///< -o
     std::string preset;
     std::vector<std::string> overrides; ///< --set
     std::string until;                  ///< stage

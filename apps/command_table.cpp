@@ -64,7 +64,7 @@ Values kind_of(const std::string& placeholder) {
     if (placeholder == "CASE") {
         return Values::CaseFile;
     }
-    if (placeholder == "DIR") {
+    if (placeholder == "DIR" || placeholder == "OTHER") {
         return Values::Folder;
     }
     return placeholder == "FILE" || placeholder == "STATE" ? Values::File : Values::Any;

@@ -10,6 +10,7 @@ enum ExitCode : int {
     WrongUse = 2,      ///< of the command line
     BadCase = 3,       ///< the case or a data file has errors
     Flawed = 4,        ///< ran, but a quality bar was missed; the results are marked so
+    Differs = 5,       ///< `compare` or `verify` found a difference
     OurDefect = 70,    ///< a broken promise of our own
     InputOutput = 74,  ///< cannot read or write
     OutOfTime = 75,    ///< the time limit was reached; resumable

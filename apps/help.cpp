@@ -25,6 +25,8 @@ constexpr std::array examples{
     Example{"resume", "suffuse resume runs/dyke-0001 --time-limit 2h"},
     Example{"report", "suffuse report runs/dyke-0001"},
     Example{"figures", "suffuse figures runs/dyke-0001 --format pdf --figure 9 --figure own-rules -o manuscript"},
+    Example{"compare", "suffuse compare runs/dyke-0001 runs/dyke-0002 --tolerance 1%"},
+    Example{"verify", "suffuse verify runs/dyke-0001"},
     Example{"watch", "suffuse watch runs/dyke-0001"},
     Example{"new", "suffuse new my-dyke --from fontainebleau-2016"},
     Example{"check", "suffuse check my-dyke/case.toml"},
@@ -42,9 +44,10 @@ constexpr std::array examples{
 
 constexpr std::string_view exit_codes =
     "exit codes  0 done, 1 failed while running, 2 wrong use, 3 errors in the case\n"
-    "            or its data, 4 ran but missed a quality bar, 70 a defect of\n"
-    "            suffuse, 74 cannot read or write, 75 time limit reached, 130 and\n"
-    "            143 stopped by a signal; the last three can be resumed\n";
+    "            or its data, 4 ran but missed a quality bar, 5 compare or verify\n"
+    "            found a difference, 70 a defect of suffuse, 74 cannot read or\n"
+    "            write, 75 time limit reached, 130 and 143 stopped by a signal;\n"
+    "            the last three can be resumed\n";
 
 std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App*) { return true; });

@@ -90,6 +90,19 @@ void add_run_verbs(CLI::App& app, CommandLine& line) {
     figures->add_option("-o,--output", line.output, "folder for the files; the run's figures/ unless given")
         ->type_name("DIR");
 
+    CLI::App* compare = app.add_subcommand("compare", "what differs between two runs, or from the paper's findings");
+    add_subject(*compare, line, "DIR", folder_text);
+    compare->add_option("OTHER", line.other, "the folder of another run");
+    compare
+        ->add_option(
+            "--tolerance", line.tolerance, "up to which two numbers count as the same, as in 1%; 0 unless given"
+        )
+        ->type_name("SHARE");
+    compare->add_flag("--paper", line.paper, "with what the paper found, instead of another run");
+
+    CLI::App* verify = app.add_subcommand("verify", "whether a run's files are whole and as they were when it ended");
+    add_subject(*verify, line, "DIR", folder_text);
+
     CLI::App* watch = app.add_subcommand("watch", "follow a run from another terminal, or tell how it ended");
     add_subject(*watch, line, "DIR", folder_text);
 }

@@ -19,10 +19,11 @@ int perform(const CommandLine& line, const Console& console) {
     };
 
     constexpr Verb verbs[] = {
-        {"sweep", sweep_verb},     {"cache", cache_verb},     {"run", run_verb},     {"resume", resume_verb},
-        {"report", report_verb},   {"new", new_verb},         {"check", check_verb}, {"plan", plan_verb},
-        {"explain", explain_verb}, {"schema", schema_verb},   {"bench", bench_verb}, {"import", import_verb},
-        {"export", export_verb},   {"figures", figures_verb}, {"watch", watch_verb}, {"assess", assess_verb},
+        {"sweep", sweep_verb},     {"cache", cache_verb},   {"run", run_verb},       {"resume", resume_verb},
+        {"report", report_verb},   {"new", new_verb},       {"check", check_verb},   {"plan", plan_verb},
+        {"explain", explain_verb}, {"schema", schema_verb}, {"bench", bench_verb},   {"import", import_verb},
+        {"compare", compare_verb}, {"verify", verify_verb}, {"export", export_verb}, {"figures", figures_verb},
+        {"watch", watch_verb},     {"assess", assess_verb},
     };
     for (const Verb& verb : verbs) {
         if (verb.name == line.verb) {

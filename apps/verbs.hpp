@@ -26,6 +26,8 @@ int run_verb(const CommandLine& line, const Console& console);
 int resume_verb(const CommandLine& line, const Console& console);
 int report_verb(const CommandLine& line, const Console& console);
 int figures_verb(const CommandLine& line, const Console& console);
+int compare_verb(const CommandLine& line, const Console& console);
+int verify_verb(const CommandLine& line, const Console& console);
 int watch_verb(const CommandLine& line, const Console& console);
 int bench_verb(const CommandLine& line, const Console& console);
 int import_verb(const CommandLine& line, const Console& console);

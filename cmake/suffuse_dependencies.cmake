@@ -8,6 +8,7 @@ find_package(nlohmann_json 3.11 REQUIRED)
 set(HDF5_PREFER_PARALLEL FALSE)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C)
 find_package(ZLIB REQUIRED)
+find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)
 # Debian's Python where there is one: another one in the path may lack NumPy, or be a wrapper that needs a home.
 find_program(SUFFUSE_PYTHON_PROGRAM python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(SUFFUSE_PYTHON_PROGRAM python3)

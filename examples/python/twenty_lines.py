@@ -30,7 +30,7 @@ print(flow.permeability, net.constrictions(of="coarse").mean)
 for p in run["erosion/erosion"].passes:
     print(p.index, p.eroded_mass_percent, p.coordination_histogram)
 print(run.figure(13).data.dtype.names)         # and run.figure(13).save("fig13.svg"), run.report.open()
-print(run.report)
+print("whole" if not run.verify()["damages"] else "damaged", run.report)
 
 pack = w.read(EXAMPLES / "replay" / "packing.csv", format="csv", cell=("1.436 mm", "1.436 mm", "1.436 mm"))
 print(w.assess(pack.psd)["summary"])

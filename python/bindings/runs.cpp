@@ -1,5 +1,7 @@
 // Cases that run, from Python: as the verbs run and resume do it, in the same folders, under the same lock.
 
+#include "suffuse/run/checksums.hpp"
+#include "suffuse/run/compare_runs.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/runner.hpp"
 
@@ -195,6 +197,14 @@ void bind_runs(py::module_& m) {
     m.def("draw_figure", [](const fs::path& run, const std::string& which, const fs::path& file, const fs::path& page) {
         const Working working;
         apps::draw_figure(run, which, file, page);
+    });
+    m.def("compare_runs", [](const fs::path& first, const fs::path& second, double tolerance) {
+        const nlohmann::json found = run::compare_runs(first, second, tolerance);
+        return to_python(found);
+    });
+    m.def("verify_run", [](const fs::path& folder) {
+        const nlohmann::json found = run::verify_run(folder);
+        return to_python(found);
     });
     m.def("rebuild_report", [](const fs::path& folder, const fs::path& page_folder) {
         const Working working;

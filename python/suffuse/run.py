@@ -248,6 +248,14 @@ class Run:
         self.outcome, _ = _core.conduct(case, self.folder, until, time_limit, page_folder(), on_progress)
         return self
 
+    def compare(self, other, tolerance=0):
+        """What differs from another run, as `suffuse compare --json` tells it: differences, circumstances, ..."""
+        return _core.compare_runs(self.folder, pathlib.Path(getattr(other, "folder", other)), tolerance)
+
+    def verify(self):
+        """Whether the run is whole and as it was when it ended: damages, files, states, came_later."""
+        return _core.verify_run(self.folder)
+
     def rebuild_report(self):
         """Writes summary.json, figures and report.html again, without computing."""
         return _core.rebuild_report(self.folder, page_folder())

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -338,6 +339,13 @@ std::string print_quantity(double value, Dimension dimension) {
     if (dimension == dimension::none) {
         return print_shifted(digits, 0);
     }
+    // A power of ten reads like some digits more, and thousands like one.
+    const auto length = [](const std::string& text) {
+        constexpr std::size_t power_of_ten = 4;
+        const std::string number = text.substr(0, text.find(' '));
+        const bool thousands = std::min(number.find('.'), number.size()) > 3;
+        return text.size() + (number.find('e') != std::string::npos ? power_of_ten : thousands ? 1 : 0);
+    };
     std::string best;
     for (const std::string& symbol : usual_units(dimension)) {
         const UnitProduct unit = parse_unit(symbol);
@@ -345,7 +353,7 @@ std::string print_quantity(double value, Dimension dimension) {
                               ? fmt::format("{} {}", print_shifted(digits, -static_cast<int>(unit.exponent)), symbol)
                               : print_in(value, unit, symbol).value_or("");
         // The most usual unit stays unless another saves more than a digit or a point.
-        if (!text.empty() && (best.empty() || text.size() + 1 < best.size())) {
+        if (!text.empty() && (best.empty() || length(text) + 1 < length(best))) {
             best = text;
         }
     }

@@ -99,6 +99,8 @@ TEST(Units, ErrorsSayWhatIsWrongAndWhatToDo) {
 TEST(Units, PrintingPicksAUsualUnitThatIsShort) {
     EXPECT_EQ(print_quantity(1e5, dimension::pressure), "100 kPa");
     EXPECT_EQ(print_quantity(356e6, dimension::pressure), "356 MPa");
+    EXPECT_EQ(print_quantity(2.7e9, dimension::pressure), "2.7 GPa");
+    EXPECT_EQ(print_quantity(7e10, dimension::pressure), "70 GPa");
     EXPECT_EQ(print_quantity(2.6e-4, dimension::length), "0.26 mm");
     EXPECT_EQ(print_quantity(1e-3, dimension::viscosity), "1 mPa*s");
     EXPECT_EQ(print_quantity(suffuse::radians(37), dimension::angle), "37 deg");

@@ -134,7 +134,7 @@ void_ratio = 0.7
 void_ratio_tolerance = 0.001
 max_rate = "100 1/s"
 time_step = "1e-8 s"
-measure = ["void-ratios", "flow"]
+measure = ["void-ratios", "permeability"]
 [[study.main.stage]]
 name = "probe"
 do = "detach"

@@ -81,6 +81,9 @@ const std::vector<Wrong> keys = {
     {"E403", 13, 8, 9, "does not come before", with_line(13, "from = \"initial\"\ndo = \"compact\"")},
     {"E403", 9, 8, 7, "nothing to start from", with_line(10, "do = \"settle\"")},
     {"E404", 2, 10, 6, "known are standard", with_line(1, "schema = 1\npreset = \"fast\"")},
+    {"E407", 14, 27, 15, "can measure void-ratios",
+     with_line(14, "measure = [\"void-ratios\", \"stress-strain\"]\npressure = \"100 kPa\"")},
+    {"E206", 14, 12, 12, "\"void-ratios\"", with_line(14, "measure = [\"void-ratio\"]\npressure = \"100 kPa\"")},
     {"E501", 3, 7, 10, "no file", with_line(3, "psd = \"nope.csv\"")},
 };
 

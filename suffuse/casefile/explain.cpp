@@ -53,6 +53,9 @@ constexpr std::array code_table = {
     Code{"E404", "unknown preset", "A preset is a [presets.NAME] table; \"standard\" is the case as written."},
     Code{"E405", "bad --set", "--set KEY=VALUE takes the path of a key, study.NAME.stage.NAME.KEY for a stage."},
     Code{"E406", "nothing to refine", "`refine` names a key of the study's `sweep`, whose values are quantities."},
+    Code{
+        "E407", "not a measure of this verb",
+        "`measure` asks for something that only other verbs have, as stress-strain curves are of triaxial tests."},
     Code{"E501", "no such file", "A path in a case starts at the folder of the case."},
     Code{
         "E502", "bad value in a data file", "A grading holds plain numbers with a decimal point, one for each column."},

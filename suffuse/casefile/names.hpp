@@ -83,6 +83,23 @@ inline constexpr std::array<std::string_view, 14> measures = {
     "flow",         "permeability",      "stress",          "constrictions",   "coordination-of-eroded",
     "coordination", "volumetric-strain", "grading",         "porosity"};
 
+/// Verbs that a measure belongs to; empty: what every state has.
+inline std::vector<std::string> verbs_of_measure(std::string_view measure) {
+    if (measure == "stress-strain") {
+        return {"triaxial"};
+    }
+    if (measure == "flow") {
+        return {"flow", "erode"};
+    }
+    if (measure == "coordination-of-eroded") {
+        return {"erode", "remove"};
+    }
+    if (measure == "volumetric-strain") {
+        return {"compact", "settle", "triaxial", "advance", "erode", "remove"};
+    }
+    return {};
+}
+
 inline constexpr std::array<std::string_view, 3> formats = {"vtp", "xyz", "csv"};
 
 /// All words of a choice.

@@ -17,8 +17,13 @@ std::vector<Key> common_rows() {
         table("stage", "record", "How often the stage's history is sampled."),
         count("stage.record", "every", from_one, "Steps between two rows of the history."),
         flag("stage", "restore", "The stage after this one starts where this one started."),
-        list_of(choice("stage", "measure", names::words_of(names::measures), "What to report beyond the usual numbers.")
-        ),
+        list_of(choice(
+            "stage", "measure", names::words_of(names::measures),
+            "What to gather under `measured` in stage.json: numbers that the stage tells anyway, and permeability, "
+            "constrictions and grading of its end state, which are measured for the asking. stress-strain belongs to "
+            "triaxial, flow to flow and erode, coordination-of-eroded to erode and remove, volumetric-strain to what "
+            "strains the cell."
+        )),
         other("stage", "only", "{ KEY = [values] }", "Runs the stage for these values of a swept key only."),
     };
 }

@@ -1,6 +1,7 @@
 #include "suffuse/casefile/study_fields.hpp"
 
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/casefile/check_measures.hpp"
 #include "suffuse/casefile/fields.hpp"
 #include "suffuse/casefile/overrides.hpp"
 #include "suffuse/casefile/physics_checks.hpp"
@@ -67,6 +68,7 @@ std::optional<Stage> read_stage(ReadContext& context, const Node& node, const st
     if (name != nullptr) {
         check_name(context, "stage", stage.name, name->value.place);
     }
+    check_measures(context, stage, node);
     return stage;
 }
 

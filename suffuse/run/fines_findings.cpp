@@ -1,7 +1,7 @@
 #include "suffuse/run/fines_findings.hpp"
 
 #include "suffuse/report/words.hpp"
-#include "suffuse/run/study_curves.hpp"
+#include "suffuse/run/fines_sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -11,41 +11,6 @@ namespace suffuse::run {
 namespace {
 
 using nlohmann::json;
-
-const char* const fines_key = "fines_content";
-
-const packing::CompactSpec* compaction_of(const casefile::Stage& stage) {
-    return std::get_if<packing::CompactSpec>(&stage.spec);
-}
-
-bool is_dense(const casefile::Stage& stage, double friction) {
-    const packing::CompactSpec* spec = compaction_of(stage);
-    return spec != nullptr && spec->prepare.friction && *spec->prepare.friction < friction;
-}
-
-bool is_loose(const casefile::Stage& stage) {
-    const packing::CompactSpec* spec = compaction_of(stage);
-    return spec != nullptr && spec->prepare.adhesion_normal.value_or(0) > 0;
-}
-
-template <class Is>
-std::string first_stage(const casefile::Study& study, Is is) {
-    const auto found = std::find_if(study.stages.begin(), study.stages.end(), is);
-    return found == study.stages.end() ? "" : found->name;
-}
-
-/// The stages of a study that hold its loose and its dense state.
-void find_states(const casefile::Case& what, const casefile::Study& study, FinesResults& found) {
-    const auto dense = [&](const casefile::Stage& stage) { return is_dense(stage, what.material.friction); };
-    found.study = study.name;
-    found.dense_stage = first_stage(study, dense);
-    found.loose_stage = first_stage(study, is_loose);
-    if (found.loose_stage.empty()) {
-        found.loose_stage = first_stage(study, [&](const casefile::Stage& stage) {
-            return compaction_of(stage) != nullptr && !dense(stage);
-        });
-    }
-}
 
 std::optional<double> peak_of(const FinishedStage& stage) {
     return stage.numbers.contains("response")
@@ -101,27 +66,14 @@ report::Removal describe_removal(const std::vector<FinishedStage>& stages, const
 
 std::optional<FinesResults> gather_fines(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
     FinesResults found;
-    const auto study = std::find_if(what.studies.begin(), what.studies.end(), [](const casefile::Study& each) {
-        return each.sweep.size() == 1 && each.sweep.front().key == fines_key && each.sweep.front().values.size() > 2;
-    });
-    if (study != what.studies.end()) {
-        find_states(what, *study, found);
-        for (const report::StudyCurves& curves : trace_curves(what, stages)) {
-            if (curves.study != found.study) {
-                continue;
-            }
-            for (const report::StageCurve& curve : curves.stages) {
-                if (curve.stage == found.loose_stage) {
-                    found.loose = curve;
-                } else if (curve.stage == found.dense_stage) {
-                    found.dense = curve;
-                }
-            }
-        }
-        if (!found.loose.points.empty()) {
-            found.thresholds =
-                report::find_thresholds(found.loose, found.dense.points.empty() ? nullptr : &found.dense);
-        }
+    const std::optional<FinesSweep> sweep = find_fines_sweep(what, stages);
+    if (sweep && sweep->traced.keys.size() == 1 && sweep->study->sweep.front().values.size() > 2) {
+        found.study = sweep->study->name;
+        found.loose_stage = sweep->loose;
+        found.dense_stage = sweep->dense;
+        found.loose = sweep_points(*sweep, sweep->loose);
+        found.dense = sweep_points(*sweep, sweep->dense);
+        found.thresholds = report::find_thresholds(found.loose, found.dense.points.empty() ? nullptr : &found.dense);
     }
     for (const FinishedStage& stage : stages) {
         const auto* spec = std::get_if<erosion::RemoveSpec>(&stage.stage->spec);

@@ -19,9 +19,8 @@ struct FinesResults {
     std::vector<report::Removal> removals; ///< of all studies of the case
 };
 
-/// The first study whose only swept key is the fines content, with the first stage that compacts it with adhesion (or
-/// else the first that compacts it at all) as the loose one, and the first that compacts it with a lowered friction as
-/// the dense one. Nothing where the run has neither such a study nor removals.
+/// The study of find_fines_sweep, where it sweeps the fines content over three values at least and nothing else, and
+/// its loose and densest stages. Nothing where the run has neither such a study nor removals.
 std::optional<FinesResults> gather_fines(const casefile::Case& what, const std::vector<FinishedStage>& stages);
 
 /// M1 to M9; empty without a study.

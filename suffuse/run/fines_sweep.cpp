@@ -14,15 +14,17 @@ const packing::CompactSpec* compaction(const casefile::Stage& stage) {
 }
 
 std::string loose_stage(const casefile::Study& study) {
-    const casefile::Stage* first = nullptr;
+    const casefile::Stage *first = nullptr, *first_rough = nullptr;
     for (const casefile::Stage& stage : study.stages) {
         const packing::CompactSpec* spec = compaction(stage);
         if (spec != nullptr && spec->prepare.adhesion_normal.value_or(0) > 0) {
             return stage.name;
         }
         first = first == nullptr && spec != nullptr ? &stage : first;
+        first_rough = first_rough == nullptr && spec != nullptr && !spec->prepare.friction ? &stage : first_rough;
     }
-    return first == nullptr ? std::string{} : first->name;
+    const casefile::Stage* loose = first_rough != nullptr ? first_rough : first;
+    return loose == nullptr ? std::string{} : loose->name;
 }
 
 std::string densest_stage(const casefile::Study& study, const std::string& loose) {

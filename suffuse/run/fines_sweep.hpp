@@ -19,8 +19,8 @@ struct FinesSweep {
 };
 
 /// Of the studies that sweep the fines content, the one with the most points. Loose is its first compaction with
-/// adhesion, or else its first compaction; densest is the compaction at the lowest friction. Where other keys are swept
-/// too, their first values count. Nothing where there is no such study.
+/// adhesion, or else its first without a lowered friction; densest is the compaction at the lowest friction. Where
+/// other keys are swept too, their first values count. Nothing where there is no such study.
 std::optional<FinesSweep> find_fines_sweep(const casefile::Case& what, const std::vector<FinishedStage>& stages);
 
 /// The points of a stage over the fines content alone.

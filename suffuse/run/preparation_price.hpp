@@ -16,8 +16,8 @@ struct PreparationPrice {
 };
 
 inline constexpr std::array<PreparationPrice, 6> preparation_prices = {{
-    {"faithful, adhesive", {1.8, 3.8}},
-    {"faithful, frictionless", {0.68, 4.8}},
+    {"faithful, adhesive", {2.2, 5.2}},
+    {"faithful, frictionless", {4, 15}},
     {"faithful, frictional", {2.1, 3.9}},
     {"slow, adhesive", {3.5, 7.5}},
     {"slow, frictionless", {3.5, 7.5}},

@@ -123,7 +123,7 @@ public:
         const Range trials = asks ? trials_for_a_density : Range{1, 1};
         const double end = 1 - sample_.solid_fraction;
         const double open = adheres(spec) ? start : std::min(start, packing::open_porosity);
-        const double time_step = compaction_time_step(spec, settled_time_step(sample_, case_.material));
+        const double time_step = compaction_time_step(spec, settled_time_step(sample_, case_.material, true));
         const double rate = packing::largest_rate(spec, case_.material.density, sample_.median);
         const double gas = strain_between(start, open) / (rate * gas_time_step);
         const double loaded = strain_between(open, end) / (rate * time_step);
@@ -319,6 +319,9 @@ StagePrice price_stage(
     const bool removes = std::holds_alternative<erosion::ErodeSpec>(stage.spec);
     const Range before = work_of_step(sample); // erosion begins with all that it finds
     StagePrice price = std::visit(Pricer(what, variant, sample), stage.spec);
+    if (std::ranges::count(stage.measure, "permeability") > 0) {
+        price.seconds += 2 * count(sample) * flow_seconds;
+    }
     price.work = (removes ? before : work_of_step(sample)) + price.more_work;
     return price;
 }

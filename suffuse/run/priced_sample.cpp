@@ -3,6 +3,7 @@
 #include "suffuse/stats/gradation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -70,15 +71,24 @@ double largest_diameter(const PricedSample& sample) {
     return std::max(sample.coarse.largest, sample.fines.largest);
 }
 
-/// Frequency at which two touching grains roll against each other, slip spring included [rad/s].
-double rolling_frequency(double r, double other, const grains::Material& m) {
-    const auto inertia = [&](double radius) { return sphere_inertia(m.density * sphere_volume(radius), radius); };
-    const double shear = m.shear_ratio * 2 * m.modulus * r * other / (r + other);
+/// Frequency at which two touching grains roll against each other, slip spring included, or press each other [rad/s].
+/// @param heavier what their inertia is multiplied by
+double pair_frequency(std::array<double, 2> radius, std::array<double, 2> heavier, const grains::Material& m) {
+    const auto [r, other] = radius;
+    const double normal = 2 * m.modulus * r * other / (r + other), shear = m.shear_ratio * normal;
     const double roll = std::max(m.rolling_stiffness, m.twisting_stiffness) * shear * r * other;
-    const double a = inertia(r), b = inertia(other);
-    const double slip = shear * (r * r / a + other * other / b);
-    const double press = 2 * m.modulus * r * other / (r + other) / (m.density * sphere_volume(r));
-    return std::sqrt(std::max(2 * press, roll * (1 / a + 1 / b) + slip));
+    double turning = 0, pressing = 0;
+    for (std::size_t k = 0; k < radius.size(); ++k) {
+        const double mass = heavier[k] * m.density * sphere_volume(radius[k]);
+        turning += (roll + shear * radius[k] * radius[k]) / sphere_inertia(mass, radius[k]);
+        pressing = std::max(pressing, 2 * normal / mass);
+    }
+    return std::sqrt(std::max(pressing, turning));
+}
+
+/// (median/r)^2, which makes a grain below the median as quick as it.
+double lent_mass(const PricedSample& sample, double r) {
+    return std::max(1.0, std::pow(0.5 * sample.median / r, 2));
 }
 
 } // namespace
@@ -165,16 +175,17 @@ double count(const PricedSample& sample) {
 
 double loose_time_step(const PricedSample& sample, const grains::Material& material) {
     const double r = 0.5 * smallest_diameter(sample);
-    return step_safety * 2 / rolling_frequency(r, r, material);
+    return step_safety * 2 / pair_frequency({r, r}, {1, 1}, material);
 }
 
-double settled_time_step(const PricedSample& sample, const grains::Material& material) {
-    const double r = 0.5 * smallest_diameter(sample);
-    const double stiffer =
-        rolling_frequency(r, 0.5 * largest_diameter(sample), material) / rolling_frequency(r, r, material);
+double settled_time_step(const PricedSample& sample, const grains::Material& material, bool lends_mass) {
+    const double r = 0.5 * smallest_diameter(sample), large = 0.5 * largest_diameter(sample);
+    const auto heavier = [&](double radius) { return lends_mass ? lent_mass(sample, radius) : 1; };
+    const double alike = pair_frequency({r, r}, {heavier(r), heavier(r)}, material);
+    const double stiffer = std::max(1.0, pair_frequency({r, large}, {heavier(r), heavier(large)}, material) / alike);
     const double dense = (sample.coordination - loose_coordination) / (dense_coordination - loose_coordination);
     const double share = loose_share + std::clamp(dense, 0.0, 1.0) * (dense_share - loose_share);
-    return share * std::pow(stiffer, -stiffness_exponent) * loose_time_step(sample, material);
+    return share * std::pow(stiffer, -stiffness_exponent) * step_safety * 2 / alike;
 }
 
 Range work_of_step(const PricedSample& sample) {

@@ -44,6 +44,19 @@ TEST(PricedSample, LargeNeighborsShortenTheSettledTimeStep) {
     EXPECT_LT(settled_time_step(equal, material), loose_time_step(equal, material));
 }
 
+TEST(PricedSample, GrainsThatAreLentMassStepAsTheMedianGrain) {
+    const grains::Material material;
+    PricedSample mixed = two_sizes(100, 3.5e-4, 80, 1e-4), coarse = two_sizes(100, 3.5e-4, 0, 0);
+    take_state(mixed, packing::equal_grains(0, true));
+    take_state(coarse, packing::equal_grains(0, true));
+    // A pair of fine grains is then as quick as one of coarse ones; what is left is how fine grains turn on coarse
+    // ones.
+    const double own = settled_time_step(mixed, material), lent = settled_time_step(mixed, material, true);
+    EXPECT_GT(lent, 2 * own);
+    EXPECT_LE(lent, settled_time_step(coarse, material));
+    EXPECT_DOUBLE_EQ(settled_time_step(coarse, material, true), settled_time_step(coarse, material));
+}
+
 TEST(PricedSample, FinesInTheVoidsAreHardlyAnyWork) {
     // 10 % of fines by mass: they rattle between the coarse grains. 60 %: they carry.
     const auto work_of_fine = [](int fine) {

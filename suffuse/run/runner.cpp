@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/run/checksums.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/refine.hpp"
 #include "suffuse/run/sample_run.hpp"
@@ -40,6 +41,11 @@ public:
         report.findings = summary.findings;
         report.failures = summary.failures;
         report.outcome = outcome(report);
+        if (is_resumable(report.outcome)) { // what an earlier end left is true no more
+            std::filesystem::remove(options_.folder / checksums_file);
+        } else {
+            write_checksums(options_.folder);
+        }
         overview_.tell(
             {{"event", "run ends"}, {"outcome", word_of(report.outcome)}, {"wall_seconds", overview_.run_seconds()}}
         );

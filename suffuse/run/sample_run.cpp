@@ -6,6 +6,7 @@
 #include "suffuse/io/vtk.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/measure.hpp"
+#include "suffuse/run/measure_asked.hpp"
 #include "suffuse/run/result_json.hpp"
 
 #include <fmt/format.h>
@@ -45,6 +46,9 @@ json describe_stage(StageWork& work) {
     json numbers = measure_state(work.world, has_fractions(work.variant));
     numbers["steps"] = 0;
     numbers.update(work.numbers);
+    if (!work.stage.measure.empty()) {
+        numbers["measured"] = measure_asked(work, numbers);
+    }
     const double seconds = work.seconds();
     numbers["stage"] = work.stage.name;
     numbers["verb"] = casefile::verb_of(work.stage.spec);

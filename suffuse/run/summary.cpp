@@ -5,6 +5,7 @@
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/report/page.hpp"
+#include "suffuse/run/checksums.hpp"
 #include "suffuse/run/fines_findings.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/refine.hpp"
@@ -165,6 +166,7 @@ RunReport rebuild_report(const std::filesystem::path& folder, const std::filesys
         write_json(folder / "provenance.json", describe_provenance(what, options, longest_sample(what, folder)));
     }
     const Summary summary = summarize_run(what, folder, page_folder);
+    write_checksums(folder);
     const Outcome outcome = !summary.failures.empty() ? Outcome::SomeFailed
                             : summary.flaws.empty()   ? Outcome::Done
                                                       : Outcome::DoneWithFlaws;

@@ -38,6 +38,7 @@ protocol = "swift"
 [[study.s.stage]]
 name     = "emptied"
 do       = "remove"
+measure  = ["permeability", "constrictions", "coordination-of-eroded", "volumetric-strain", "grading", "porosity"]
 only     = { fines_content = ["30 %"] }
 [[study.s.stage]]
 name                     = "asked"
@@ -111,6 +112,31 @@ TEST_F(FinesStudy, RemovalLeavesTheCoarseGrainsUnderTheirStress) {
     EXPECT_GT(after.at("volumetric_strain"), 0);
     EXPECT_LT(after.at("stress_ratio_before"), 0.02);
     EXPECT_FALSE(after.at("failed"));
+}
+
+TEST_F(FinesStudy, AStageMeasuresWhatItIsAskedFor) {
+    const json stage = stage_of(*folder_, "fc=30/emptied"), measured = stage.at("measured");
+    EXPECT_EQ(measured.size(), 6);
+    EXPECT_EQ(measured.at("porosity").at("porosity"), stage.at("porosity"));
+    EXPECT_EQ(measured.at("coordination-of-eroded").at("coordination_histogram"), stage.at("coordination_histogram"));
+    const double strain = measured.at("volumetric-strain").at("volumetric_strain"),
+                 told = stage.at("volumetric_strain");
+    EXPECT_NEAR(strain, told, 0.5 * told * told + 1e-9); // logarithmic beside whatever the removal tells
+    const json water = measured.at("permeability"), tensor = water.at("tensor");
+    double trace = 0;
+    for (int a = 0; a < 3; ++a) {
+        trace += tensor.at(a).at(a).get<double>();
+    }
+    EXPECT_DOUBLE_EQ(water.at("mean"), trace / 3);
+    // Kozeny-Carman for spheres, k = d2 n3/(180 (1 - n)2), within a factor of two.
+    const double n = stage.at("porosity"), d = measured.at("grading").at("d50");
+    const double expected = d * d * n * n * n / (180 * (1 - n) * (1 - n));
+    EXPECT_GT(trace / 3, 0.5 * expected);
+    EXPECT_LT(trace / 3, 2 * expected);
+    EXPECT_GE(d, 0.28e-3); // only coarse grains are left
+    EXPECT_GT(measured.at("constrictions").at("count"), 0);
+    EXPECT_LT(measured.at("constrictions").at("mean"), d);
+    EXPECT_FALSE(stage_of(*folder_, "fc=30/loose").contains("measured"));
 }
 
 TEST_F(FinesStudy, TheSummaryJudgesWhatThreeFinesContentsCanTell) {

@@ -1,0 +1,96 @@
+// The verbs on cases, as a user calls them: new, check, plan, explain.
+
+#include "tests/support/program.hpp"
+
+namespace suffuse {
+namespace {
+
+using namespace test;
+
+TEST_F(Cli, ExplainsKeysCodesFiguresAndCriteria) {
+    for (const auto& [word, part] : std::vector<std::pair<std::string, std::string>>{
+             {"contact.modulus", "356 MPa"},
+             {"E310", "unit"},
+             {"conventions", "compression positive"},
+             {"figure-9", "`detach` stage"},
+             {"9", "Figure 9"},
+             {"own-rules", "agree"},
+             {"kezdi-1979", "<= 4"}}) {
+        const Said said = say({"explain", word});
+        EXPECT_EQ(said.code, 0) << word;
+        expect_in(part, said.out);
+        EXPECT_LE(std::count(said.out.begin(), said.out.end(), '\n'), 24) << word;
+    }
+    expect_in("figure-12", say({"explain", "figur-12"}).error);
+}
+
+TEST_F(Cli, NewCheckAndPlanWorkOnEveryTemplate) {
+    for (const auto& entry : std::filesystem::directory_iterator(examples)) {
+        const std::string name = entry.path().filename();
+        if (!std::filesystem::exists(entry.path() / "case.toml")) {
+            continue; // scripts, not a case
+        }
+        const Said made = say({"new", name, "--from", name});
+        ASSERT_EQ(made.code, 0) << made.error;
+        expect_in(name + "/case.toml", made.out);
+        EXPECT_TRUE(read_all(folder / (name + "/case.toml")) == read_all(entry.path() / "case.toml")) << name;
+        EXPECT_EQ(say({"check", name + "/case.toml"}).code, 0);
+        const Said plan = say({"plan", name + "/case.toml", "--json"});
+        ASSERT_EQ(plan.code, 0) << plan.error;
+        EXPECT_GT(plan.json().at("stages").size(), 3U);
+        EXPECT_GT(plan.json().at("seconds").at(1), plan.json().at("seconds").at(0));
+        EXPECT_EQ(say({"new", name, "--from", name}).code, 2); // nothing is overwritten
+    }
+}
+
+TEST_F(Cli, ErrorsOfACaseAreCodeThreeWithFileAndLine) {
+    struct Slip {
+        std::string what, with, line, part;
+    };
+
+    for (const Slip& slip : std::vector<Slip>{
+             {R"("356 MPa")", "356e6", "case.toml:10:", "kPa"},
+             {R"("2600 kg/m^3")", R"("-2600 kg/m^3")", "case.toml:6:", "above 0"},
+             {R"(pressure = "100 kPa")", "pressure = 100", "case.toml:30:", "100 kPa"},
+             {R"(pressure = "100 kPa")", R"(pressure = "100 mm")", "case.toml:30:", "pressure"},
+             {"shear_ratio       = 0.42", "shear_ratoi       = 0.42", "case.toml:11:", "shear_ratio"},
+             {"shear_ratio       = 0.42", "shear_ratio       = nan", "case.toml:11:", "finite"},
+             {R"(do      = "import")", R"(do      = "improt")", "case.toml:", "import"},
+             {R"("packing.csv")", R"("nothing.csv")", "case.toml:", "nothing.csv"},
+             {"schema = 1", "schema = \xef\xbb\xca", "case.toml:2:", ""},
+             {"[study.replay]\n", "[.a]\n", "case.toml:", ""},
+         }) {
+        const Said said = check_with(slip.what, slip.with);
+        EXPECT_EQ(said.code, 3) << slip.with << ": " << said.error;
+        expect_in(slip.line, said.error);
+        expect_in(slip.part, said.error);
+    }
+}
+
+TEST_F(Cli, BadGradingsAreCodeThreeWithFileAndLine) {
+    struct Slip {
+        std::string what, with, part;
+    };
+
+    const std::string good = read_all(examples + "fontainebleau-2016/data/fontainebleau.csv");
+    write_to(folder / "case.toml", read_all(examples + "fontainebleau-2016/case.toml"));
+    for (const Slip& slip : std::vector<Slip>{
+             {"0.21,50", "0.21,20", "fontainebleau.csv:"},
+             {"0.21,50", "-0.21,50", "fontainebleau.csv:"},
+             {"0.21,50", "0.21,nan", "fontainebleau.csv:"},
+             {"0.21,50", "0.21,150", "fontainebleau.csv:"},
+             {good, "", "fontainebleau.csv"},
+         }) {
+        write_to(folder / "data/fontainebleau.csv", replaced(good, slip.what, slip.with));
+        const Said said = say({"check", "case.toml"});
+        EXPECT_EQ(said.code, 3) << slip.with << ": " << said.error;
+        expect_in(slip.part, said.error);
+    }
+    write_to(folder / "data/fontainebleau.csv", good);
+    const Said small = say({"check", "case.toml", "--set", "study.erosion.particles=20"});
+    EXPECT_EQ(small.code, 3) << small.error;
+    expect_in("grains", small.error);
+}
+
+} // namespace
+} // namespace suffuse

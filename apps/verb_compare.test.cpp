@@ -1,0 +1,138 @@
+// compare and verify as a user calls them: code 5 and what differs.
+
+#include "tests/support/program.hpp"
+
+namespace suffuse {
+namespace {
+
+using namespace test;
+
+class Compare : public Cli {
+protected:
+    void SetUp() override {
+        ASSERT_EQ(say({"new", "soil", "--from", "replay"}).code, 0);
+        ASSERT_EQ(run("first", {}).code, 0);
+    }
+
+    Said run(const std::string& name, std::vector<std::string> more) {
+        more.insert(more.begin(), {"run", "soil/case.toml", "-q", "--no-cache", "-o", name});
+        return say(more);
+    }
+};
+
+TEST_F(Compare, TheSameRunWithOtherThreadsDoesNotDiffer) {
+    ASSERT_EQ(run("second", {"-j", "2"}).code, 0);
+    const Said said = say({"compare", "first", "second", "--json"});
+    EXPECT_EQ(said.code, 0) << said.out << said.error;
+    const nlohmann::json found = said.json();
+    EXPECT_EQ(found.at("stages"), 4);
+    EXPECT_EQ(found.at("same_states"), 4);
+    EXPECT_GT(found.at("numbers"), 100);
+    EXPECT_TRUE(found.at("differences").empty());
+    EXPECT_TRUE(found.at("circumstances").empty());
+}
+
+TEST_F(Compare, AnotherPressureIsCodeFiveAndSaysWhereItDiffers) {
+    ASSERT_EQ(run("second", {"--set", "study.replay.stage.settled.pressure=101 kPa"}).code, 0);
+    const Said said = say({"compare", "first", "second", "-v"});
+    EXPECT_EQ(said.code, 5);
+    expect_in("case - ", said.out);
+    expect_in("101", said.out);
+    expect_in("replay/settled: mean_stress", said.out);
+    expect_in("state_hash", said.out);
+    // The pressures differ by 1 %: within 2 % of each other, as the void ratios are; one can differ and the other not.
+    const Said near = say({"compare", "first", "second", "--tolerance", "2 %", "--json"});
+    for (const nlohmann::json& difference : near.json().at("differences")) {
+        EXPECT_GT(difference.at("relative"), 0.02) << difference;
+        EXPECT_NE(difference.at("where"), "replay/settled: mean_stress");
+        EXPECT_NE(difference.at("where"), "replay/settled: void_ratio");
+    }
+    EXPECT_LT(
+        near.json().at("differences").size(),
+        say({"compare", "first", "second", "--json"}).json().at("differences").size()
+    );
+}
+
+TEST_F(Compare, ARunThatLacksAStageDiffersInIt) {
+    ASSERT_EQ(run("second", {"--until", "settled"}).code, 0);
+    const Said said = say({"compare", "first", "second"});
+    EXPECT_EQ(said.code, 5);
+    expect_in("replay/seep   done and not there", said.out);
+}
+
+TEST_F(Compare, WithThePaperEachFindingIsJudged) {
+    const Said said = say({"compare", "first", "--paper", "--json"});
+    EXPECT_EQ(said.code, 0) << said.error; // the replay holds nothing that the paper speaks of
+    EXPECT_TRUE(said.json().at("findings").empty());
+    nlohmann::json summary = nlohmann::json::parse(read_all(folder / "first/summary.json"));
+    const nlohmann::json claim = {{"claim", "c"}, {"paper", "30 %"}, {"ours", "31 %"}};
+    summary["findings"] = {claim, claim};
+    summary["findings"][0].update({{"id", "M1"}, {"met", true}});
+    summary["findings"][1].update({{"id", "M2"}, {"met", nullptr}});
+    write_to(folder / "first/summary.json", summary.dump());
+    EXPECT_EQ(say({"compare", "first", "--paper"}).code, 0) << "what cannot be told is no difference";
+    summary["findings"][1]["met"] = false;
+    write_to(folder / "first/summary.json", summary.dump());
+    const Said other = say({"compare", "first", "--paper"});
+    EXPECT_EQ(other.code, 5);
+    expect_in("M2  not met", other.out);
+}
+
+TEST_F(Compare, WrongUseSaysWhatToGive) {
+    EXPECT_EQ(say({"compare", "first"}).code, 2);
+    EXPECT_EQ(say({"compare", "first", "first", "--paper"}).code, 2);
+    EXPECT_EQ(say({"compare", "first", "first", "--tolerance", "much"}).code, 2);
+    EXPECT_EQ(say({"compare", "first", "first", "--tolerance", "200 %"}).code, 2);
+    const Said none = say({"compare", "first", "soil"});
+    EXPECT_EQ(none.code, 74);
+    expect_in("holds no run", none.error);
+}
+
+TEST_F(Compare, AWholeRunIsVerifiedAndSha256sumAgrees) {
+    const Said said = say({"verify", "first", "--json"});
+    EXPECT_EQ(said.code, 0) << said.out << said.error;
+    EXPECT_GT(said.json().at("files"), 10);
+    EXPECT_EQ(said.json().at("states"), 4);
+    EXPECT_EQ(std::system(("cd '" + (folder / "first").string() + "' && sha256sum --quiet -c SHA256SUMS").c_str()), 0);
+    ASSERT_EQ(say({"report", "first"}).code, 0);
+    EXPECT_EQ(say({"verify", "first"}).code, 0) << "the report wrote its checksums anew";
+}
+
+TEST_F(Compare, WhatWasChangedLostOrAddedIsFound) {
+    const std::string stage = "studies/replay/settled/";
+    write_to(
+        folder / ("first/" + stage + "history.csv"), read_all(folder / ("first/" + stage + "history.csv")) + "1\n"
+    );
+    std::filesystem::remove(folder / "first/figures/own-porosity.csv");
+    std::filesystem::remove(folder / "first/summary.json");
+    write_to(folder / "first/notes.txt", "mine");
+    const Said said = say({"verify", "first", "-v"});
+    EXPECT_EQ(said.code, 5);
+    expect_in(stage + "history.csv was changed", said.out);
+    expect_in("summary.json is missing", said.out);
+    expect_in("notes.txt", said.error);
+    EXPECT_EQ(said.out.find("notes.txt"), std::string::npos) << "what came later is no damage";
+}
+
+TEST_F(Compare, AStateThatIsNotTheOneToldIsFound) {
+    // As if someone had edited a number and then written the checksums anew.
+    const std::string file = "studies/replay/settled/stage.json";
+    nlohmann::json numbers = nlohmann::json::parse(read_all(folder / ("first/" + file)));
+    numbers["state_hash"] = "0123456789abcdef";
+    write_to(folder / ("first/" + file), numbers.dump());
+    ASSERT_EQ(say({"report", "first"}).code, 0);
+    const Said said = say({"verify", "first"});
+    EXPECT_EQ(said.code, 5);
+    expect_in(file + " tells the state 0123456789abcdef, and state.h5 holds", said.out);
+}
+
+TEST_F(Compare, ARunUnderWayHasNothingToVerify) {
+    std::filesystem::remove(folder / "first/SHA256SUMS");
+    const Said said = say({"verify", "first"});
+    EXPECT_EQ(said.code, 74);
+    expect_in("suffuse resume", said.error);
+    EXPECT_EQ(say({"verify", "soil"}).code, 74);
+}
+
+} // namespace
+} // namespace suffuse

@@ -1,0 +1,133 @@
+// run, resume and report as a user calls them: where results go, stopping and going on.
+
+#include "tests/support/program.hpp"
+
+namespace suffuse {
+namespace {
+
+using namespace test;
+
+TEST_F(Cli, ARunLeavesItsResultsOnStandardOutputAndItsTalkOnStandardError) {
+    say({"new", "soil", "--from", "replay"});
+    const Said said = say({"soil/case.toml"}); // a file alone is run
+    ASSERT_EQ(said.code, 0) << said.error;
+    expect_in("runs/soil-0001/report.html", said.out);
+    expect_in("plan  1 study, 4 stages", said.error);
+    expect_in("4/4 replay/seep", said.error);
+    EXPECT_EQ(said.error.find('\x1b'), std::string::npos);
+    const Said quiet = say({"run", "soil/case.toml", "-q", "--json"});
+    EXPECT_EQ(quiet.error, "");
+    EXPECT_EQ(quiet.json().at("folder"), "runs/soil-0002");
+    EXPECT_EQ(quiet.json().at("outcome"), "done");
+    EXPECT_TRUE(std::filesystem::exists(folder / "runs/soil-0002/summary.json"));
+}
+
+TEST_F(Cli, ARunGoesOnlyWhereNothingIsOverwritten) {
+    say({"new", "soil", "--from", "replay"});
+    write_to(folder / "mine/notes.txt", "mine");
+    EXPECT_EQ(say({"run", "soil/case.toml", "-o", "mine"}).code, 2);
+    EXPECT_EQ(say({"run", "soil/case.toml", "-o", "mine/notes.txt"}).code, 2);
+    ASSERT_EQ(say({"run", "soil/case.toml", "-o", "here", "--until", "start"}).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "here/studies/replay/seep"));
+    EXPECT_EQ(say({"run", "soil/case.toml", "-o", "here"}).code, 0); // the same case goes on
+    EXPECT_TRUE(std::filesystem::exists(folder / "here/studies/replay/seep/stage.json"));
+    EXPECT_EQ(say({"run", "soil/case.toml", "-o", "here", "--set", "seed=7"}).code, 3);
+    const Said wrong = say({"run", "soil/case.toml", "--until", "sepe"});
+    EXPECT_EQ(wrong.code, 2);
+    expect_in("seep", wrong.error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "runs")); // wrong use leaves nothing behind
+}
+
+TEST_F(Cli, AnUnwritableOrUnreadablePlaceIsCode74) {
+    say({"new", "soil", "--from", "replay"});
+    EXPECT_EQ(say({"run", "soil/case.toml", "-o", "/proc/nothing"}).code, 74);
+    EXPECT_EQ(say({"report", "nowhere"}).code, 74);
+    EXPECT_EQ(say({"export", "soil/packing.csv", "-o", "x.csv"}).code, 74); // no state of a run
+    EXPECT_EQ(say({"new", "/proc/nothing", "--from", "replay"}).code, 74);
+}
+
+TEST_F(Cli, AStoppedRunGoesOnToTheSameBits) {
+    say({"new", "soil", "--from", "replay"});
+    // Long enough to be stopped within: about a second.
+    const std::vector<std::string> asked = {
+        "run", "soil/case.toml", "--set", "study.replay.stage.compressed.steps=20000", "--no-cache"};
+    std::vector<std::string> whole = asked, cut = asked;
+    whole.insert(whole.end(), {"-o", "whole"});
+    cut.insert(cut.end(), {"-o", "cut", "-j", "1"});
+    ASSERT_EQ(say(whole).code, 0);
+    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+        const pid_t child = start(cut);
+        wait_until([&] { return read_all(folder / "error").find("plan  ") != std::string::npos; });
+        wait_until([&] { return std::filesystem::exists(folder / "cut/studies/replay/compressed"); });
+        expect_in("http-equiv=\"refresh\"", read_all(folder / "cut/report.html"));
+        kill(child, signal);
+        const Said said = wait_for(child);
+        ASSERT_EQ(said.code, code) << said.error;
+        expect_in("<code>suffuse resume cut</code>", read_all(folder / "cut/report.html"));
+        EXPECT_EQ(read_all(folder / "cut/report.html").find("http-equiv=\"refresh\""), std::string::npos);
+        expect_in("suffuse resume cut", said.out);
+        EXPECT_FALSE(std::filesystem::exists(folder / "cut/studies/replay/compressed/stage.json"));
+        cut = {"resume", "cut"};
+    }
+    const Said late = say({"resume", "cut", "--time-limit", "1 ms"});
+    EXPECT_EQ(late.code, 75) << late.error;
+    ASSERT_EQ(say({"resume", "cut"}).code, 0);
+    expect_in("provenance-heading", read_all(folder / "cut/report.html")); // the report itself
+    EXPECT_EQ(read_all(folder / "cut/report.html").find("http-equiv=\"refresh\""), std::string::npos);
+    const auto hash = [&](const std::string& run) {
+        return nlohmann::json::parse(read_all(folder / (run + "/studies/replay/compressed/stage.json")))
+            .at("state_hash");
+    };
+    EXPECT_EQ(hash("cut"), hash("whole"));
+}
+
+TEST_F(Cli, ASecondCtrlCQuitsAtOnceWithoutSaving) {
+    // Placing these grains takes more than a second, in which a stop waits: the second signal comes meanwhile.
+    write_to(folder / "case.toml", R"(schema = 1
+[soil.sand]
+psd = { d = ["0.2 mm", "0.4 mm"], passing = ["0 %", "100 %"] }
+[study.s]
+soil      = "sand"
+particles = 150_000
+[[study.s.stage]]
+name     = "cloud"
+do       = "pack"
+porosity = 0.6
+)");
+    const pid_t child = start({"run", "case.toml", "-o", "cut", "-j", "1", "--no-cache"});
+    wait_until([&] { return std::filesystem::exists(folder / "cut/studies/s/cloud"); });
+    kill(child, SIGINT);
+    wait_until([&] { return read_all(folder / "error").find("once more quits at once") != std::string::npos; });
+    const auto start = std::chrono::steady_clock::now();
+    kill(child, SIGINT);
+    const Said said = wait_for(child);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(500));
+    EXPECT_EQ(said.code, 130);
+    EXPECT_EQ(said.out, "") << "it went on after the second Ctrl-C";
+    EXPECT_FALSE(std::filesystem::exists(folder / "cut/studies/s/cloud/stage.json"));
+}
+
+TEST_F(Cli, TwoProgramsDoNotWorkInOneFolder) {
+    say({"new", "soil", "--from", "replay"});
+    const std::vector<std::string> words = {"run",  "soil/case.toml", "-o",
+                                            "here", "--set",          "study.replay.stage.compressed.steps=20000"};
+    const pid_t first = start(words);
+    wait_until([&] { return std::filesystem::exists(folder / "here/studies/replay/compressed"); });
+    const Said second = say({"resume", "here"});
+    EXPECT_EQ(second.code, 2);
+    expect_in("another suffuse", second.error);
+    kill(first, SIGKILL);
+    wait_for(first);
+}
+
+TEST_F(Cli, ReportIsWrittenAgainWithoutComputing) {
+    say({"new", "soil", "--from", "replay"});
+    ASSERT_EQ(say({"run", "soil/case.toml", "-o", "here"}).code, 0);
+    std::filesystem::remove(folder / "here/report.html");
+    const Said said = say({"report", "here"});
+    EXPECT_EQ(said.code, 0) << said.error;
+    EXPECT_TRUE(std::filesystem::exists(folder / "here/report.html"));
+}
+
+} // namespace
+} // namespace suffuse

@@ -1,0 +1,279 @@
+#include "suffuse/run/compare_runs.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/run/folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+
+namespace suffuse::run {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// Of stage.json: times, where it came from, hashes (compared apart), and texts that repeat numbers.
+const std::set<std::string> passed_over = {"wall_seconds", "particle_steps_per_second",
+                                           "seconds",      "from_cache",
+                                           "state_hash",   "end_state",
+                                           "warnings",     "flaws",
+                                           "stage"};
+
+constexpr std::array<const char*, 6> circumstances = {"version", "commit", "compiler", "seed", "mode", "preparation"};
+
+/// Every stage.json below studies/, by the name of its stage.
+std::map<std::string, json> read_stages(const fs::path& run) {
+    if (!fs::exists(run / "case.resolved.toml")) {
+        throw IoError(fmt::format("{}: holds no run", run.string()));
+    }
+    std::map<std::string, json> stages;
+    if (!fs::exists(run / "studies")) {
+        return stages;
+    }
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(run / "studies")) {
+        if (entry.path().filename() == "stage.json") {
+            stages[entry.path().parent_path().lexically_relative(run / "studies").string()] = read_json(entry.path());
+        }
+    }
+    return stages;
+}
+
+/// The two values as one reads them.
+std::string text_of(const json& value) {
+    constexpr std::size_t longest = 60;
+    std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    return text.size() > longest ? text.substr(0, longest) + "..." : text;
+}
+
+class Comparer {
+public:
+    Comparer(double tolerance, Comparison& found) : tolerance_(tolerance), found_(found) {}
+
+    void compare(const std::string& where, double a, double b) {
+        ++found_.numbers;
+        const double scale = std::max(std::abs(a), std::abs(b)), off = scale > 0 ? std::abs(a - b) / scale : 0;
+        const bool are_both_undefined = std::isnan(a) && std::isnan(b);
+        if (!(off <= tolerance_) && !are_both_undefined) {
+            found_.differences.push_back({where, fmt::format("{}", a), fmt::format("{}", b), off});
+        }
+    }
+
+    void compare(const std::string& where, const json& a, const json& b) {
+        if (a.is_number() && b.is_number()) {
+            compare(where, a.get<double>(), b.get<double>());
+        } else if (a.is_object() && b.is_object()) {
+            compare_objects(where, a, b);
+        } else if (a.is_array() && b.is_array() && a.size() == b.size()) {
+            for (std::size_t k = 0; k < a.size(); ++k) {
+                compare(fmt::format("{}[{}]", where, k), a[k], b[k]);
+            }
+        } else if (a != b) {
+            differ(where, text_of(a), text_of(b));
+        }
+    }
+
+    void differ(const std::string& where, const std::string& a, const std::string& b) {
+        found_.differences.push_back({where, a, b, 1});
+    }
+
+private:
+    void compare_objects(const std::string& where, const json& a, const json& b) {
+        std::set<std::string> keys;
+        for (const json* object : {&a, &b}) {
+            for (const auto& [key, value] : object->items()) {
+                keys.insert(key);
+            }
+        }
+        for (const std::string& key : keys) {
+            if (passed_over.contains(key)) {
+                continue;
+            }
+            const std::string inner = where + (where.ends_with(": ") ? "" : ".") + key;
+            if (!a.contains(key) || !b.contains(key)) {
+                differ(inner, a.contains(key) ? text_of(a.at(key)) : "-", b.contains(key) ? text_of(b.at(key)) : "-");
+            } else {
+                compare(inner, a.at(key), b.at(key));
+            }
+        }
+    }
+
+    double tolerance_;
+    Comparison& found_;
+};
+
+void compare_stages(const fs::path& first, const fs::path& second, double tolerance, Comparison& found) {
+    Comparer comparer(tolerance, found);
+    const auto a = read_stages(first), b = read_stages(second);
+    for (const auto& [name, numbers] : a) {
+        const auto other = b.find(name);
+        if (other == b.end()) {
+            comparer.differ(name, "done", "not there");
+            continue;
+        }
+        ++found.stages;
+        const bool is_same = numbers.value("state_hash", "") == other->second.value("state_hash", "");
+        ++(is_same ? found.same_states : found.other_states);
+        if (!is_same && tolerance == 0) {
+            comparer.differ(
+                name + ": state_hash", numbers.value("state_hash", "-"), other->second.value("state_hash", "-")
+            );
+        }
+        comparer.compare(name + ": ", numbers, other->second);
+    }
+    for (const auto& [name, numbers] : b) {
+        if (!a.contains(name)) {
+            comparer.differ(name, "not there", "done");
+        }
+    }
+}
+
+std::vector<std::string> split(const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, ',');) {
+        cells.push_back(cell);
+    }
+    return cells;
+}
+
+std::optional<double> number_of(const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+/// Lines of a CSV without its head of provenance.
+std::vector<std::string> read_table(const fs::path& path) {
+    std::ifstream file(path);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with('#')) {
+            lines.push_back(line);
+        }
+    }
+    return lines;
+}
+
+void compare_tables(const std::string& name, const fs::path& first, const fs::path& second, Comparer& comparer) {
+    const std::vector<std::string> a = read_table(first), b = read_table(second);
+    if (a.empty() || b.empty() || a.front() != b.front() || a.size() != b.size()) {
+        const auto about = [](const std::vector<std::string>& table) {
+            return fmt::format("{} rows of {}", table.size(), table.empty() ? "nothing" : table.front());
+        };
+        if (a != b) {
+            comparer.differ(name, about(a), about(b));
+        }
+        return;
+    }
+    const std::vector<std::string> columns = split(a.front());
+    for (std::size_t row = 1; row < a.size(); ++row) {
+        const std::vector<std::string> left = split(a[row]), right = split(b[row]);
+        for (std::size_t k = 0; k < std::min({left.size(), right.size(), columns.size()}); ++k) {
+            const std::string where = fmt::format("{}: {}, row {}", name, columns[k], row);
+            const auto x = number_of(left[k]), y = number_of(right[k]);
+            if (x && y) {
+                comparer.compare(where, *x, *y);
+            } else if (left[k] != right[k]) {
+                comparer.differ(where, left[k], right[k]);
+            }
+        }
+    }
+}
+
+std::set<std::string> figures_of(const fs::path& run) {
+    std::set<std::string> names;
+    if (fs::exists(run / "figures")) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(run / "figures")) {
+            if (entry.path().extension() == ".csv") {
+                names.insert(entry.path().stem().string());
+            }
+        }
+    }
+    return names;
+}
+
+void compare_figures(const fs::path& first, const fs::path& second, double tolerance, Comparison& found) {
+    Comparer comparer(tolerance, found);
+    std::set<std::string> names = figures_of(first);
+    names.merge(figures_of(second));
+    for (const std::string& name : names) {
+        const fs::path file = fs::path("figures") / (name + ".csv");
+        if (!fs::exists(first / file) || !fs::exists(second / file)) {
+            comparer.differ(
+                "figure " + name, fs::exists(first / file) ? "there" : "not there",
+                fs::exists(second / file) ? "there" : "not there"
+            );
+        } else {
+            compare_tables("figure " + name, first / file, second / file, comparer);
+        }
+    }
+}
+
+/// Lines of the resolved case that only one of the runs has.
+void compare_cases(const fs::path& first, const fs::path& second, std::vector<std::string>& found) {
+    const std::vector<std::string> a = read_table(first / "case.resolved.toml");
+    const std::vector<std::string> b = read_table(second / "case.resolved.toml");
+    const auto tell = [&](const std::vector<std::string>& own, const std::vector<std::string>& other, char side) {
+        for (const std::string& line : own) {
+            if (!line.empty() && std::find(other.begin(), other.end(), line) == other.end()) {
+                found.push_back(fmt::format("case {} {}", side, line));
+            }
+        }
+    };
+    tell(a, b, '-');
+    tell(b, a, '+');
+}
+
+void compare_circumstances(const fs::path& first, const fs::path& second, std::vector<std::string>& found) {
+    compare_cases(first, second, found);
+    if (!fs::exists(first / "provenance.json") || !fs::exists(second / "provenance.json")) {
+        return;
+    }
+    const json a = read_json(first / "provenance.json"), b = read_json(second / "provenance.json");
+    for (const char* const key : circumstances) {
+        const json left = a.value(key, json(nullptr)), right = b.value(key, json(nullptr));
+        if (left != right) {
+            found.push_back(fmt::format("{}: {} and {}", key, text_of(left), text_of(right)));
+        }
+    }
+}
+
+} // namespace
+
+Comparison compare_runs(const fs::path& first, const fs::path& second, double tolerance) {
+    expects(tolerance >= 0, "a tolerance is not negative");
+    Comparison found;
+    compare_stages(first, second, tolerance, found);
+    compare_circumstances(first, second, found.circumstances);
+    compare_figures(first, second, tolerance, found);
+    return found;
+}
+
+void to_json(json& json, const Comparison& comparison) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Difference& difference : comparison.differences) {
+        list.push_back(
+            {{"where", difference.where},
+             {"first", difference.first},
+             {"second", difference.second},
+             {"relative", difference.relative}}
+        );
+    }
+    json = {{"circumstances", comparison.circumstances},
+            {"stages", comparison.stages},
+            {"same_states", comparison.same_states},
+            {"other_states", comparison.other_states},
+            {"numbers", comparison.numbers},
+            {"differences", list}};
+}
+
+} // namespace suffuse::run

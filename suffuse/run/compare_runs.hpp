@@ -1,0 +1,33 @@
+#pragma once
+// Two runs side by side: their cases, programs, states to the bit, numbers and figures, and what differs. Times and
+// what follows from them are left out: no two runs share them.
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace suffuse::run {
+
+struct Difference {
+    std::string where;         ///< "erosion/initial: void_ratio", "figure fig11: eroded [%], row 2"
+    std::string first, second; ///< in words or numbers
+    double relative = 0;       ///< |a - b| / the larger of |a| and |b|; 1 for what is no number
+};
+
+struct Comparison {
+    std::vector<std::string> circumstances; ///< what differs before any result does: case, program, seed, mode
+    int same_states = 0, other_states = 0;  ///< stages that both have, to the bit
+    int stages = 0;                         ///< that both have
+    int numbers = 0;                        ///< that both have, of stages and figures
+    std::vector<Difference> differences;    ///< beyond the tolerance
+};
+
+/// @param tolerance relative, below which two numbers count as the same [-]; 0 also wants the states to the bit
+/// @throws IoError where a folder holds no run
+Comparison compare_runs(const std::filesystem::path& first, const std::filesystem::path& second, double tolerance);
+
+void to_json(nlohmann::json& json, const Comparison& comparison);
+
+} // namespace suffuse::run
