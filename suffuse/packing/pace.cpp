@@ -134,10 +134,11 @@ Lent choose_lent(const dem::World& world, const CompactSpec& spec, const Compact
     if (spec.protocol == Protocol::Swift) {
         return {false, true};
     }
-    // Bonded grains go where they are pushed, and near balance nothing moves much; a loose skeleton that collapses in
-    // between would end looser with slow rotation.
+    // Bonded grains go where they are pushed, and near balance nothing moves much; a skeleton that collapses in
+    // between, its bonds cut, would end looser with heavier grains.
+    const bool loaded = is_loaded(spec, state), collapsing = state.phase == Phase::Settle && !loaded;
     const bool bonded = state.phase == Phase::Compact && adheres(world.material);
-    return {true, bonded || is_loaded(spec, state)};
+    return {!collapsing, bonded || loaded};
 }
 
 } // namespace suffuse::packing

@@ -16,9 +16,9 @@ struct PreparationPrice {
 };
 
 inline constexpr std::array<PreparationPrice, 6> preparation_prices = {{
-    {"faithful, adhesive", {2.2, 5.2}},
-    {"faithful, frictionless", {4, 15}},
-    {"faithful, frictional", {2.1, 3.9}},
+    {"faithful, adhesive", {2.2, 5.4}},
+    {"faithful, frictionless", {1.5, 8.3}},
+    {"faithful, frictional", {3.1, 6.8}},
     {"slow, adhesive", {3.5, 7.5}},
     {"slow, frictionless", {3.5, 7.5}},
     {"slow, frictional", {3.5, 7.5}},
