@@ -1,6 +1,7 @@
 #include "apps/draw_figures.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/report/figure_options.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -74,20 +75,6 @@ std::vector<Source> sources_in(const fs::path& run) {
     return sources;
 }
 
-/// "9", "fig9", "figure-9" -> "fig09"; others as they are.
-std::string id_of(const std::string& word) {
-    std::string rest = word;
-    for (const std::string_view front : {"figure-", "figure", "fig"}) {
-        if (rest.starts_with(front)) {
-            rest.erase(0, front.size());
-            break;
-        }
-    }
-    const bool is_number =
-        !rest.empty() && rest.size() <= 3 && rest.find_first_not_of("0123456789") == std::string::npos;
-    return is_number ? fmt::format("fig{:02}", std::stoi(rest)) : word;
-}
-
 std::vector<Source> chosen(const std::vector<Source>& all, const std::vector<std::string>& wanted) {
     if (wanted.empty()) {
         return all;
@@ -98,11 +85,11 @@ std::vector<Source> chosen(const std::vector<Source>& all, const std::vector<std
     }
     std::vector<Source> some;
     for (const std::string& word : wanted) {
-        const auto found = std::find(ids.begin(), ids.end(), id_of(word));
+        const auto found = std::find(ids.begin(), ids.end(), report::figure_id(word));
         if (found == ids.end()) {
             throw UsageError(fmt::format(
-                "--figure {}: this run has no such figure{}; it has {}", shown(word), near_hint(id_of(word), ids),
-                fmt::join(ids, ", ")
+                "--figure {}: this run has no such figure{}; it has {}", shown(word),
+                near_hint(report::figure_id(word), ids), fmt::join(ids, ", ")
             ));
         }
         some.push_back(all[static_cast<std::size_t>(found - ids.begin())]);

@@ -106,7 +106,7 @@ void turn_strain_over(json& part) {
 
 std::string figure_id(const std::string& word) {
     std::string rest = word;
-    for (const std::string_view front : {"figure-", "fig"}) {
+    for (const std::string_view front : {"figure-", "figure", "fig"}) {
         if (rest.starts_with(front)) {
             rest.erase(0, front.size());
             break;
