@@ -61,8 +61,8 @@ void add_column(
 
 /// Images of an n x k table of grains or neighbors, as n x k x 3.
 template <std::size_t N>
-py::array images(const std::vector<std::array<pores::ShortImage, N>>& column, const py::capsule& owner) {
-    static_assert(sizeof(pores::ShortImage) == 3 * sizeof(std::int16_t));
+py::array images(const std::vector<std::array<cell::Image, N>>& column, const py::capsule& owner) {
+    static_assert(sizeof(cell::Image) == 3 * sizeof(std::int16_t));
     py::array flat =
         look_at(column.empty() ? nullptr : &column.front().front().a, column.size(), 3 * N, sizeof(column[0]), owner);
     return py::array(flat.attr("reshape")(py::make_tuple(column.size(), N, 3)));

@@ -145,8 +145,8 @@ void bind_contacts(py::module_& m) {
     type.def_property_readonly(
         "image",
         [](const Contacts& table) {
-            static_assert(sizeof(cell::Image) == 3 * sizeof(std::int32_t));
-            const std::int32_t* first = table->rows.empty() ? nullptr : &table->rows.front().image.a;
+            static_assert(sizeof(cell::Image) == 3 * sizeof(std::int16_t));
+            const std::int16_t* first = table->rows.empty() ? nullptr : &table->rows.front().image.a;
             return look_at(first, table->rows.size(), 3, sizeof(ContactView), hold(table));
         },
         "Periods by which the second grain is moved: it is met at position[j] + cell @ image."

@@ -10,6 +10,17 @@ namespace suffuse {
 
 using Quad = double __attribute__((vector_size(32)));
 
+/// Four floats side by side, for what need not be known to the last bit.
+using FloatQuad = float __attribute__((vector_size(16)));
+
+[[gnu::always_inline]] inline Quad widened(const FloatQuad& q) {
+    return __builtin_convertvector(q, Quad);
+}
+
+[[gnu::always_inline]] inline FloatQuad narrowed(const Quad& q) {
+    return __builtin_convertvector(q, FloatQuad);
+}
+
 [[gnu::always_inline]] inline Quad quad(const Vec3& v, double last) {
     return Quad{v.x, v.y, v.z, last};
 }

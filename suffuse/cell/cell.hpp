@@ -4,18 +4,30 @@
 
 #include "suffuse/base/vec3.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 
 namespace suffuse::cell {
 
-/// Whole periods along the three cell vectors.
+/// Whole periods along the three cell vectors, in six bytes: tables of pairs, pores and throats hold millions of them.
 struct Image {
-    std::int32_t a = 0, b = 0, c = 0;
+    std::int16_t a = 0, b = 0, c = 0;
+
+    constexpr Image() = default;
+
+    /// @pre at most `largest_period` each way
+    constexpr Image(std::integral auto along_a, std::integral auto along_b, std::integral auto along_c)
+        : a(static_cast<std::int16_t>(along_a)), b(static_cast<std::int16_t>(along_b)),
+          c(static_cast<std::int16_t>(along_c)) {}
 
     constexpr auto operator<=>(const Image&) const = default;
 };
+
+/// Positions further than this from the home period have no image: sums of three of them still fit.
+inline constexpr std::int32_t largest_period = 10'000;
 
 constexpr Image operator+(const Image& p, const Image& q) {
     return {p.a + q.a, p.b + q.b, p.c + q.c};
@@ -23,6 +35,10 @@ constexpr Image operator+(const Image& p, const Image& q) {
 
 constexpr Image operator-(const Image& p, const Image& q) {
     return {p.a - q.a, p.b - q.b, p.c - q.c};
+}
+
+constexpr Image operator-(const Image& p) {
+    return Image{} - p;
 }
 
 struct Cell {
@@ -46,12 +62,18 @@ inline Vec3 widths(const Mat3& h) {
     return {v / norm(cross(b, c)), v / norm(cross(c, a)), v / norm(cross(a, b))};
 }
 
+/// Whether `position` lies within `largest_period`; not so if it is not finite.
+inline bool has_period(const Mat3& inverse_h, const Vec3& position) {
+    const Vec3 s = inverse_h * position;
+    return std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z)}) < largest_period;
+}
+
 /// The period that `position` lies in; subtracting its shift brings the point home into the cell.
+/// @pre has_period
 inline Image period_of(const Mat3& inverse_h, const Vec3& position) {
     const Vec3 s = inverse_h * position;
-    return {
-        static_cast<std::int32_t>(std::floor(s.x)), static_cast<std::int32_t>(std::floor(s.y)),
-        static_cast<std::int32_t>(std::floor(s.z))};
+    const auto whole = [](double fraction) { return static_cast<std::int32_t>(std::floor(fraction)); };
+    return {whole(s.x), whole(s.y), whole(s.z)};
 }
 
 /// `position` moved by whole periods into the cell.

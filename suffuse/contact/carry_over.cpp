@@ -29,9 +29,8 @@ void rearrange(VectorColumn& column, const std::vector<Source>& sources, std::ve
 }
 
 /// Gives `table`, whose pairs are already the new ones, the memory of the rows that they come from.
-void rearrange_memory(
-    Contacts& table, const std::vector<Source>& sources, const OptionalMemory& memory, std::vector<double>& spare
-) {
+void rearrange_memory(Contacts& table, const std::vector<Source>& sources, const OptionalMemory& memory) {
+    std::vector<double> spare;
     rearrange(table.shear_force, sources, spare);
     rearrange(table.bending, sources, spare);
     rearrange(table.normal, sources, spare);
@@ -73,11 +72,11 @@ struct NewRows {
         source.push_back(from);
     }
 
-    void move_into(Contacts& table, const OptionalMemory& memory, std::vector<double>& spare) {
+    void move_into(Contacts& table, const OptionalMemory& memory) {
         table.first = std::move(first);
         table.second = std::move(second);
         table.image = std::move(image);
-        rearrange_memory(table, source, memory, spare);
+        rearrange_memory(table, source, memory);
     }
 };
 
@@ -88,16 +87,13 @@ OptionalMemory optional_memory(const Contacts& contacts) {
 }
 
 void carry_over(
-    Contacts& table, std::span<const neighbors::Pair> pairs, std::span<const std::uint8_t> wanted,
-    const OptionalMemory& memory, std::vector<double>& spare
+    Contacts& table, const neighbors::PairList& pairs, std::span<const std::uint8_t> wanted,
+    const OptionalMemory& memory
 ) {
-    const auto among = [&](std::size_t k) { return wanted.empty() || wanted[k] != 0; };
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-        count += among(k) ? 1 : 0;
-    }
     NewRows rows;
-    rows.reserve(count);
+    rows.reserve(
+        wanted.empty() ? pairs.size() : wanted.size() - static_cast<std::size_t>(std::ranges::count(wanted, 0))
+    );
     std::size_t c = 0;
     const auto keep_touching_before = [&](auto&& is_before) {
         for (; c < table.size() && is_before(pair_of(table, c)); ++c) {
@@ -106,23 +102,21 @@ void carry_over(
             }
         }
     };
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-        if (!among(k)) {
-            continue;
+    pairs.for_each([&](std::size_t k, const neighbors::Pair& pair) {
+        if (!wanted.empty() && wanted[k] == 0) {
+            return;
         }
-        const neighbors::Pair& pair = pairs[k];
         keep_touching_before([&](const neighbors::Pair& other) { return other < pair; });
         const bool known = c < table.size() && pair_of(table, c) == pair;
         rows.append(pair, {known ? static_cast<std::uint32_t>(c++) : no_source, 1});
-    }
+    });
     keep_touching_before([](const neighbors::Pair&) { return true; });
-    rows.move_into(table, memory, spare);
+    rows.move_into(table, memory);
 }
 
 Contacts touching_rows(const Contacts& contacts) {
     Contacts table = contacts;
-    std::vector<double> spare;
-    carry_over(table, {}, {}, optional_memory(contacts), spare);
+    carry_over(table, {}, {}, optional_memory(contacts));
     return table;
 }
 
@@ -144,7 +138,7 @@ Contacts renumbered(const Contacts& contacts, std::span<const std::uint32_t> new
         if (i <= j) {
             sorted.push_back({{i, j, image}, {source, 1}});
         } else {
-            sorted.push_back({{j, i, cell::Image{} - image}, {source, -1}});
+            sorted.push_back({{j, i, -image}, {source, -1}});
         }
     }
     std::sort(sorted.begin(), sorted.end(), [](const Row& a, const Row& b) { return a.pair < b.pair; });
@@ -153,8 +147,7 @@ Contacts renumbered(const Contacts& contacts, std::span<const std::uint32_t> new
         rows.append(row.pair, row.source);
     }
     Contacts table = contacts;
-    std::vector<double> spare;
-    rows.move_into(table, optional_memory(contacts), spare);
+    rows.move_into(table, optional_memory(contacts));
     return table;
 }
 

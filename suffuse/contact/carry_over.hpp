@@ -2,7 +2,7 @@
 // Contact memory carried from one table to the next, by merging sorted lists or by renumbering grains.
 
 #include "suffuse/contact/contacts.hpp"
-#include "suffuse/neighbors/pairs.hpp"
+#include "suffuse/neighbors/pair_list.hpp"
 
 #include <span>
 
@@ -18,13 +18,12 @@ struct OptionalMemory {
 
 OptionalMemory optional_memory(const Contacts& contacts);
 
-/// Makes `table` (sorted) the table of the `pairs` (sorted), with the memory that it has of them. Pairs that touch stay
-/// in it whether or not they are among `pairs`. Column after column is exchanged with `spare`, so that no second table
-/// is needed.
+/// Makes `table` (sorted) the table of the `pairs`, with the memory that it has of them. Pairs that touch stay
+/// in it whether or not they are among `pairs`. Column after column is replaced, so that no second table is needed.
 /// @param wanted for each pair 1, or 0 to leave it out; empty: all
 void carry_over(
-    Contacts& table, std::span<const neighbors::Pair> pairs, std::span<const std::uint8_t> wanted,
-    const OptionalMemory& memory, std::vector<double>& spare
+    Contacts& table, const neighbors::PairList& pairs, std::span<const std::uint8_t> wanted,
+    const OptionalMemory& memory
 );
 
 /// Only the pairs that touch: all that a saved state needs.

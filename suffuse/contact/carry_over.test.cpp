@@ -34,8 +34,7 @@ Contacts three_contacts() {
 }
 
 Contacts carried(Contacts table, const std::vector<Pair>& pairs, const OptionalMemory& memory = {}) {
-    std::vector<double> spare;
-    carry_over(table, pairs, {}, memory, spare);
+    carry_over(table, neighbors::PairList(pairs, 10), {}, memory);
     return table;
 }
 
@@ -76,7 +75,6 @@ TEST(CarryOver, OfLongTablesGivesEveryPairItsOwnMemoryAgainAndAgain) {
     // The same storage through many lists, against a dictionary from pairs to their marks.
     RandomStream random(3, "tables");
     Contacts table;
-    std::vector<double> spare;
     std::map<std::pair<std::uint32_t, std::uint32_t>, double> marks; // of the touching pairs
     double next_mark = 1;
     for (int round = 0; round < 30; ++round) {
@@ -88,7 +86,7 @@ TEST(CarryOver, OfLongTablesGivesEveryPairItsOwnMemoryAgainAndAgain) {
                 }
             }
         }
-        carry_over(table, pairs, {}, {}, spare);
+        carry_over(table, neighbors::PairList(pairs, 60), {}, {});
         std::set<std::pair<std::uint32_t, std::uint32_t>> wanted;
         for (const Pair& pair : pairs) {
             wanted.insert({pair.first, pair.second});

@@ -3,50 +3,17 @@
 #include "suffuse/base/clones.hpp"
 #include "suffuse/base/exact_sum.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/contact/tile.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <mutex>
 
 namespace suffuse::contact {
 namespace {
 
-constexpr std::size_t tile_rows = 64;
-
 constexpr std::size_t cached_grains = 100'000; // about 160 bytes each
-
-using FloatQuad = float __attribute__((vector_size(16)));
-
-template <class Real>
-using Row = std::array<Real, tile_rows>;
-
-template <class Real>
-struct alignas(64) Rows3 {
-    Row<Real> x, y, z;
-};
-
-/// The two grains of each contact of a tile, side by side, and what the parts of the law leave to the next one. Where
-/// the grains are is known in double precision, whatever the rest: an overlap is a small difference of large numbers.
-template <class Real>
-struct alignas(64) Tile {
-    Rows3<double> branch;
-    Rows3<Real> velocity, spin_1, spin_2;
-    Row<double> exact_radius_1, exact_radius_2;
-    Row<Real> radius_1, radius_2, bonded;
-    Rows3<Real> normal;
-    Row<Real> overlap, stretch, normal_stiffness, within_reach;
-    Rows3<Real> shear_force, bending, twisting;
-    Row<Real> normal_force, slip_limit, bending_limit, twisting_limit, touching;
-
-    // The motion is not needed any more when the contact's action on its grains is known.
-    Rows3<Real>& force() { return velocity; }
-
-    Rows3<Real>& torque_1() { return spin_1; }
-
-    Rows3<Real>& torque_2() { return spin_2; }
-};
 
 /// The columns that the law reads and writes.
 template <class Real>
@@ -86,42 +53,6 @@ struct StressSum {
     std::array<std::uint64_t, 9> quanta{};
     std::uint64_t wild = 0;
 };
-
-/// Four lanes, narrowed where the rows are of single precision.
-[[gnu::always_inline]] inline void put(Row<double>& row, std::size_t k, const Quad& q) {
-    std::memcpy(&row[k], &q, sizeof(q));
-}
-
-[[gnu::always_inline]] inline void put(Row<float>& row, std::size_t k, const Quad& q) {
-    const auto narrow = __builtin_convertvector(q, FloatQuad);
-    std::memcpy(&row[k], &narrow, sizeof(narrow));
-}
-
-[[gnu::always_inline]] inline Quad get(const Row<double>& row, std::size_t k) {
-    Quad q;
-    std::memcpy(&q, &row[k], sizeof(q));
-    return q;
-}
-
-[[gnu::always_inline]] inline Quad get(const Row<float>& row, std::size_t k) {
-    FloatQuad q;
-    std::memcpy(&q, &row[k], sizeof(q));
-    return __builtin_convertvector(q, Quad);
-}
-
-using FourQuads = std::array<Quad, 4>;
-
-template <class Real>
-[[gnu::always_inline]] inline void put(Rows3<Real>& rows, std::size_t k, const FourQuads& t) {
-    put(rows.x, k, t[0]);
-    put(rows.y, k, t[1]);
-    put(rows.z, k, t[2]);
-}
-
-template <class Real>
-[[gnu::always_inline]] inline FourQuads vectors(const Rows3<Real>& rows, std::size_t k) {
-    return transposed(get(rows.x, k), get(rows.y, k), get(rows.z, k), Quad{});
-}
 
 /// Copies the grains of the contacts `row(0)` to `row(3)` into rows `k` to `k + 3` of the tile; their motion only where
 /// `Moving`.
@@ -167,16 +98,6 @@ template <bool Moving, class Real>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline Triple<Real> triple(const Rows3<Real>& rows, std::size_t k) {
-    return {rows.x[k], rows.y[k], rows.z[k]};
-}
-
-template <class Real, class Other>
-[[gnu::always_inline]] inline void set(Rows3<Real>& rows, std::size_t k, const Triple<Other>& v) {
-    rows.x[k] = static_cast<Real>(v.x), rows.y[k] = static_cast<Real>(v.y), rows.z[k] = static_cast<Real>(v.z);
-}
-
-template <class Real>
 [[gnu::always_inline]] inline void find_meetings(const LawConstants& law, std::size_t rows, Tile<Real>& t) {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
@@ -189,11 +110,6 @@ template <class Real>
         t.radius_1[k] = static_cast<Real>(t.exact_radius_1[k]);
         t.radius_2[k] = static_cast<Real>(t.exact_radius_2[k]);
     }
-}
-
-template <class Real>
-[[gnu::always_inline]] inline Meeting<Real> meeting(const Tile<Real>& t, std::size_t k) {
-    return {triple(t.normal, k), t.overlap[k], t.stretch[k], t.normal_stiffness[k], t.within_reach[k]};
 }
 
 template <bool Adhesive, bool Twisting, class Real>
@@ -452,7 +368,7 @@ Pressed press_contacts(
     parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
         StressSum part;
         for (std::size_t d = first; d < last; ++d) {
-            const std::size_t begin = d * domain_grains, end = std::min(plan.grains, begin + domain_grains);
+            const std::size_t begin = d * plan.domain_grains, end = std::min(plan.grains, begin + plan.domain_grains);
             std::fill(sums.data() + begin, sums.data() + end, grains::GrainSum{});
             press_loop(work, plan.domain_start[d], plan.domain_start[d + 1], part);
         }

@@ -246,7 +246,7 @@ TEST(ContactLoop, InSinglePrecisionDiffersByItsRounding) {
 }
 
 TEST(SumPlan, GivesEveryShareFromAnotherDomainARowOfItsOwnInTheOrderOfGrainsThenContacts) {
-    constexpr std::uint32_t there = domain_grains; // the first grain of the second domain
+    constexpr std::uint32_t there = domain_size(0); // the first grain of the second domain
     Contacts contacts;
     const std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs{
         {0, 1}, {0, there}, {1, there + 1}, {2, there}, {there, there + 1}};

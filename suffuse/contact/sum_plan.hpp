@@ -11,10 +11,14 @@
 
 namespace suffuse::contact {
 
-inline constexpr std::size_t domain_grains = 1024;
+/// Grains of a domain: as many as leave work for every thread, and as few as a processor's second cache holds.
+constexpr std::size_t domain_size(std::size_t grains) {
+    return grains < 65'536 ? 1024 : 4096;
+}
 
 struct SumPlan {
     std::size_t grains = 0;
+    std::size_t domain_grains = domain_size(0);
     std::vector<std::uint32_t> domain_start; ///< first contact row of each domain, and the end
     std::vector<std::uint32_t>
         second_sum; ///< for each contact, the row of the sums that its second grain's share goes to

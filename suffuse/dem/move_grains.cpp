@@ -10,7 +10,7 @@ namespace suffuse::dem {
 namespace {
 
 struct Work {
-    std::size_t grains;
+    std::size_t grains, domain_grains;
     const std::uint32_t *remote_start, *remote_grain;
     const Vec3* load; ///< null: none
     double load_share;
@@ -42,7 +42,7 @@ template <class Matrix>
 move_domain(const motion::MotionOf<Quad, Matrix>& motion, const Matrix& mean_motion, const Work& w, std::size_t d) {
     collect(w, d);
     Quad most = Quad{} - 1.0;
-    const std::size_t begin = d * contact::domain_grains, end = std::min(w.grains, begin + contact::domain_grains);
+    const std::size_t begin = d * w.domain_grains, end = std::min(w.grains, begin + w.domain_grains);
     for (std::size_t g = begin; g < end; ++g) {
         const grains::GrainSum& sum = w.sums[g];
         grains::MovingRow& row = w.rows[g];
@@ -53,7 +53,7 @@ move_domain(const motion::MotionOf<Quad, Matrix>& motion, const Matrix& mean_mot
         motion::move(motion, inverse_mass * force, inverse_inertia * sum.torque, free, position, velocity, spin);
         row = {
             with_last_of(position, row.position), with_last_of(velocity, row.velocity), with_last_of(spin, row.spin)};
-        const Quad over = excess(mean_motion, w.watch[g].position, position);
+        const Quad over = excess(mean_motion, widened(w.watch[g].place), position);
         most = over > most ? over : most;
     }
     return most[0] > 0;
@@ -79,6 +79,7 @@ bool move_grains(
     const bool loaded = load != nullptr && !load->force.empty();
     const Work work{
         rows.size(),
+        plan.domain_grains,
         plan.remote_start.data(),
         plan.remote_grain.data(),
         loaded ? load->force.data() : nullptr,

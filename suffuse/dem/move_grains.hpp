@@ -10,10 +10,10 @@
 
 namespace suffuse::dem {
 
-/// Where a grain was when the contact table was made, and how far it may move against the mean motion before the table
-/// must be made again: its square in the last lane.
-struct alignas(32) Watched {
-    Quad position;
+/// Where a grain was when the contact table was made [m], as near as single precision comes to it; in the last lane the
+/// square of how far it may be from there, against the mean motion, before the table must be made again [m2].
+struct alignas(16) Watched {
+    FloatQuad place;
 };
 
 using Watch = std::vector<Watched>;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace suffuse::dem {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 // to how the grains move. Lengths are in radii of the smallest grain.
 constexpr double first_wide_margin = 0.4, least_wide_margin = 0.1, most_wide_margin = 1.5;
 constexpr std::int64_t searches_often = 1500; // steps between two searches
-constexpr double first_allowance = 2e-3, least_allowance = 1e-5;
+constexpr double first_allowance = 2e-3, least_allowance = 1e-4;
 constexpr std::int64_t table_steps = 48; // a table is meant to last
 constexpr double foresight = 1.5;        // speeds change meanwhile
 
@@ -45,6 +46,21 @@ double largest(std::size_t grains, Value&& value) {
     );
 }
 
+Place rounded(const Vec3& position) {
+    return {static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)};
+}
+
+Vec3 exact(const Place& place) {
+    return {place[0], place[1], place[2]};
+}
+
+/// How far a place may be from the position that it was rounded from [m].
+double rounding_of(const Vec3& position) {
+    return std::numeric_limits<float>::epsilon() * (std::abs(position.x) + std::abs(position.y) + std::abs(position.z));
+}
+
+constexpr double rounded_down = 1 - 2.0 * std::numeric_limits<float>::epsilon();
+
 contact::OptionalMemory needed_memory(const World& world) {
     const grains::Material& m = world.material;
     const bool some_bond =
@@ -66,11 +82,11 @@ bool Neighborhood::holds(const World& world, const Mat3& h) const {
 
 void Neighborhood::update(World& world, double dt) {
     measure_grains(world);
-    allow_motion(world, dt);
-    if (!valid_ || !wide_list_reaches(world)) {
-        search(world);
+    const std::vector<double> allowance = allow_motion(world, dt);
+    if (!valid_ || !wide_list_reaches(world, allowance)) {
+        search(world, allowance);
     }
-    make_table(world);
+    make_table(world, allowance);
     valid_ = true;
 }
 
@@ -85,7 +101,7 @@ void Neighborhood::measure_grains(const World& world) {
     least_allowance_ = first_allowance * smallest_radius_;
 }
 
-void Neighborhood::allow_motion(const World& world, double dt) {
+std::vector<double> Neighborhood::allow_motion(const World& world, double dt) {
     const grains::Grains& grains = world.grains;
     const std::int64_t lasted = world.clock.step - near_step_;
     if (valid_ && lasted < table_steps) {
@@ -93,26 +109,32 @@ void Neighborhood::allow_motion(const World& world, double dt) {
     } else if (valid_ && lasted > 2 * table_steps) {
         least_allowance_ = std::max(0.7 * least_allowance_, least_allowance * smallest_radius_);
     }
+    // What the watch cannot tell from rest must be little of what it allows.
+    least_allowance_ = std::max(least_allowance_, 8 * largest(grains.size(), [&](std::size_t g) {
+                                                      return rounding_of(grains.position[g]);
+                                                  }));
     const double seconds = foresight * static_cast<double>(table_steps) * dt, most = 0.2 * wide_margin_;
-    allowance_.resize(grains.size());
+    std::vector<double> allowance(grains.size());
     for (std::size_t g = 0; g < grains.size(); ++g) {
         const Vec3 fluctuation = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
-        allowance_[g] = std::min(most, least_allowance_ + seconds * norm(fluctuation));
+        allowance[g] = std::min(most, least_allowance_ + seconds * norm(fluctuation));
     }
     stretch_ = least_allowance_ / std::max(largest_radius_, 1e-300) +
                seconds * strain_of(world.cell.velocity_gradient + identity());
+    return allowance;
 }
 
-bool Neighborhood::wide_list_reaches(const World& world) const {
+bool Neighborhood::wide_list_reaches(const World& world, const std::vector<double>& allowance) const {
     const Mat3 motion = world.cell.h * inverse(wide_h_);
     const double strain = strain_of(motion);
     const double moved = largest(world.grains.size(), [&](std::size_t g) {
-        return norm(world.grains.position[g] - motion * wide_position_[g]) + allowance_[g];
+        const Vec3 place = exact(wide_place_[g]);
+        return norm(world.grains.position[g] - motion * place) + rounding_of(place) + allowance[g];
     });
     return wide_margin_ * (1 - strain) > 2 * moved + 2 * (strain + stretch_) * largest_radius_;
 }
 
-void Neighborhood::search(const World& world) {
+void Neighborhood::search(const World& world, const std::vector<double>& allowance) {
     if (valid_) {
         const bool too_often = world.clock.step - wide_step_ < searches_often;
         wide_margin_ = std::clamp(
@@ -121,34 +143,37 @@ void Neighborhood::search(const World& world) {
         );
     }
     // What the table needs must be within the list, now that nothing has moved since.
-    const double most_allowed = largest(world.grains.size(), [&](std::size_t g) { return allowance_[g]; });
+    const double most_allowed = largest(world.grains.size(), [&](std::size_t g) { return allowance[g]; });
     const double needed = 2 * most_allowed + 2 * stretch_ * largest_radius_;
     wide_margin_ = std::max(wide_margin_, 1.5 * needed);
     pairs_ = {}; // before the new ones are made
-    pairs_ = neighbors::find_pairs(world.cell.h, world.grains.position, world.grains.radius, wide_margin_);
-    wide_position_ = world.grains.position;
+    pairs_ = {
+        neighbors::find_pairs(world.cell.h, world.grains.position, world.grains.radius, wide_margin_),
+        world.grains.size()};
+    wide_place_.resize(world.grains.size());
+    std::ranges::transform(world.grains.position, wide_place_.begin(), rounded);
     wide_h_ = world.cell.h;
     wide_step_ = world.clock.step;
     ++searches_;
 }
 
-void Neighborhood::make_table(World& world) {
+void Neighborhood::make_table(World& world, const std::vector<double>& allowance) {
     const auto& grains = world.grains;
     std::vector<std::uint8_t> near(pairs_.size());
-    parallel_for(pairs_.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const auto& [i, j, image] = pairs_[k];
-            const double reach = (1 + stretch_) * (grains.radius[i] + grains.radius[j]) + allowance_[i] + allowance_[j];
+    parallel_for(grains.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        pairs_.for_each_of(begin, end, [&](std::size_t k, const neighbors::Pair& pair) {
+            const auto& [i, j, image] = pair;
+            const double reach = (1 + stretch_) * (grains.radius[i] + grains.radius[j]) + allowance[i] + allowance[j];
             const Vec3 branch = grains.position[j] + cell::shift(world.cell.h, image) - grains.position[i];
             near[k] = norm2(branch) <= reach * reach ? 1 : 0;
-        }
+        });
     });
-    contact::carry_over(world.contacts, pairs_, near, needed_memory(world), spare_column_);
+    contact::carry_over(world.contacts, pairs_, near, needed_memory(world));
     contact::plan_sums(world.contacts, grains.size(), sum_plan_);
     watch_.resize(grains.size());
     for (std::size_t g = 0; g < grains.size(); ++g) {
-        const double may_move = (1 - stretch_) * allowance_[g];
-        watch_[g] = {quad(grains.position[g], may_move * may_move)};
+        const double may_move = std::max(0.0, (1 - stretch_) * allowance[g] - rounding_of(grains.position[g]));
+        watch_[g] = {narrowed(quad(grains.position[g], rounded_down * may_move * may_move))};
     }
     near_h_ = world.cell.h;
     inverse_h_ = inverse(world.cell.h);

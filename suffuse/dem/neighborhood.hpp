@@ -7,12 +7,16 @@
 #include "suffuse/contact/sum_plan.hpp"
 #include "suffuse/dem/move_grains.hpp"
 #include "suffuse/dem/world.hpp"
-#include "suffuse/neighbors/pairs.hpp"
+#include "suffuse/neighbors/pair_list.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace suffuse::dem {
+
+/// Where a grain was, as near as single precision comes to it [m].
+using Place = std::array<float, 3>;
 
 class Neighborhood {
 public:
@@ -43,31 +47,29 @@ public:
 
 private:
     void measure_grains(const World& world);
-    void allow_motion(const World& world, double dt);
-    [[nodiscard]] bool wide_list_reaches(const World& world) const;
-    void search(const World& world);
-    void make_table(World& world);
+    [[nodiscard]] std::vector<double> allow_motion(const World& world, double dt);
+    [[nodiscard]] bool wide_list_reaches(const World& world, const std::vector<double>& allowance) const;
+    void search(const World& world, const std::vector<double>& allowance);
+    void make_table(World& world, const std::vector<double>& allowance);
 
     bool valid_ = false;
     double smallest_radius_ = 0, largest_radius_ = 0;
 
     // The wide list: all pairs with a gap up to the margin, when it was made.
-    std::vector<neighbors::Pair> pairs_;
-    std::vector<Vec3> wide_position_;
+    neighbors::PairList pairs_;
+    std::vector<Place> wide_place_; ///< of each grain
     Mat3 wide_h_{};
     double wide_margin_ = 0; ///< [m]
     std::int64_t wide_step_ = 0;
 
-    // The contact table: what each grain may move and the cell may stretch while it holds.
-    std::vector<double> allowance_; ///< of each grain [m]
-    double least_allowance_ = 0;    ///< what a grain at rest may move [m]
-    double stretch_ = 0;            ///< of a branch, by the mean motion [-]
+    // The contact table: what a grain may move and the cell may stretch while it holds.
+    double least_allowance_ = 0; ///< of a grain at rest [m]
+    double stretch_ = 0;         ///< of a branch, by the mean motion [-]
     Watch watch_;
     Mat3 near_h_{}, inverse_h_{};
     std::int64_t near_step_ = 0;
 
     contact::SumPlan sum_plan_;
-    std::vector<double> spare_column_;
     std::int64_t searches_ = 0, prunings_ = 0;
 };
 

@@ -4,6 +4,8 @@
 #include "suffuse/contact/carry_over.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -37,7 +39,8 @@ std::uint64_t state_hash(const World& world) {
     hash.add(std::span<const std::uint32_t>(contacts.first));
     hash.add(std::span<const std::uint32_t>(contacts.second));
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        hash.add(contacts.image[c]);
+        const cell::Image& image = contacts.image[c];
+        hash.add(std::array<std::int32_t, 3>{image.a, image.b, image.c});
         hash.add(contacts.shear_force[c]);
         hash.add(contacts.bending[c]);
         hash.add(contacts.normal[c]);

@@ -22,7 +22,7 @@ std::vector<Vec3> grain_forces(
     const pores::Throats& throats = network.throats;
     const auto drop = [&](std::size_t t) {
         const auto [p, q] = throats.side[t];
-        return pressure[p] - pressure[q] - dot(gradient, pores::shift(network.h, throats.image[t]));
+        return pressure[p] - pressure[q] - dot(gradient, cell::shift(network.h, throats.image[t]));
     };
     const auto shares = [&](std::size_t t) {
         return throats.grain_share[t][0] + throats.grain_share[t][1] + throats.grain_share[t][2];

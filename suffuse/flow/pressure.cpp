@@ -16,7 +16,7 @@ constexpr std::size_t block = 4096;
 /// Displacement of the center of side 1 from that of side 0 [m].
 Vec3 across(const pores::PoreNetwork& network, std::size_t t) {
     const auto [p, q] = network.throats.side[t];
-    return network.pores.center[q] + pores::shift(network.h, network.throats.image[t]) - network.pores.center[p];
+    return network.pores.center[q] + cell::shift(network.h, network.throats.image[t]) - network.pores.center[p];
 }
 
 double mean(std::span<const double> values) {

@@ -97,7 +97,7 @@ double flux_through(const pores::PoreNetwork& network, const FlowField& field, i
     double sum = 0;
     for (std::size_t t = 0; t < network.throats.size(); ++t) {
         const auto [p, q] = network.throats.side[t];
-        const Vec3 to = network.pores.center[q] + pores::shift(network.h, network.throats.image[t]);
+        const Vec3 to = network.pores.center[q] + cell::shift(network.h, network.throats.image[t]);
         sum += field.flux[t] * (period(to) - period(network.pores.center[p]));
     }
     return sum;

@@ -120,8 +120,11 @@ public:
     }
 
     void operator()(const std::string& name, const std::string& unit, const std::vector<cell::Image>& column) {
-        static_assert(sizeof(cell::Image) == 3 * sizeof(std::int32_t) && std::is_standard_layout_v<cell::Image>);
-        file_.write(name, {column.size(), 3}, reinterpret_cast<const std::int32_t*>(column.data()), unit);
+        std::vector<std::int32_t> periods;
+        for (const cell::Image& image : column) {
+            periods.insert(periods.end(), {image.a, image.b, image.c});
+        }
+        file_.write(name, {column.size(), 3}, periods.data(), unit);
     }
 
     void operator()(const std::string& name, const std::string& unit, const contact::VectorColumn& column) {

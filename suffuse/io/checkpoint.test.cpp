@@ -59,7 +59,9 @@ contact::Contacts any_contacts(int rows, int grains, bool twisting, bool bonds) 
     for (int c = 0; c < rows; ++c) {
         contacts.first.push_back(row());
         contacts.second.push_back(row());
-        contacts.image.push_back({*rc::gen::inRange(-2, 3), *rc::gen::arbitrary<int>(), *rc::gen::arbitrary<int>()});
+        contacts.image.push_back(
+            {*rc::gen::inRange(-2, 3), *rc::gen::arbitrary<std::int16_t>(), *rc::gen::arbitrary<std::int16_t>()}
+        );
         contacts.shear_force.push_back(any_vector());
         contacts.bending.push_back(any_vector());
         contacts.normal.push_back({1, any_double(), any_double()}); // touches

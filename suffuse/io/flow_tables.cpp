@@ -43,7 +43,7 @@ void write_pores_vtu(
     std::vector<std::array<Vec3, 4>> corners(pores.size());
     for (std::size_t p = 0; p < pores.size(); ++p) {
         for (std::size_t k = 0; k < 4; ++k) {
-            corners[p][k] = position[pores.grain[p][k]] + pores::shift(network.h, pores.grain_image[p][k]);
+            corners[p][k] = position[pores.grain[p][k]] + cell::shift(network.h, pores.grain_image[p][k]);
         }
     }
     write_pores_vtu(

@@ -30,7 +30,7 @@ std::vector<dem::ContactView> contacts_by_id(const dem::World& world) {
             continue;
         }
         std::swap(c.i, c.j);
-        c.image = cell::Image{} - c.image;
+        c.image = -c.image;
         c.normal = -c.normal;
         c.normal_force = -c.normal_force;
         c.shear_force = -c.shear_force;

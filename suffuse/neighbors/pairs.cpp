@@ -22,7 +22,7 @@ std::pair<int, int> divide_floor(int a, int b) {
 }
 
 Pair ordered(std::uint32_t i, std::uint32_t j, const cell::Image& image) {
-    return i <= j ? Pair{i, j, image} : Pair{j, i, cell::Image{} - image};
+    return i <= j ? Pair{i, j, image} : Pair{j, i, -image};
 }
 
 class Search {
@@ -132,9 +132,16 @@ void check_input(const Mat3& h, std::span<const Vec3> position) {
     if (!(determinant(h) > 0)) {
         throw GeometryError(fmt::format("the periodic cell has the volume {} m3; it must be positive", determinant(h)));
     }
+    const Mat3 inverse_h = inverse(h);
     for (std::size_t g = 0; g < position.size(); ++g) {
         if (!std::isfinite(norm2(position[g]))) {
             throw GeometryError(fmt::format("the position of grain row {} is not finite: the motion has blown up", g));
+        }
+        if (!cell::has_period(inverse_h, position[g])) {
+            throw GeometryError(fmt::format(
+                "grain row {} lies more than {} periods from the origin: wrap the positions into the cell", g,
+                cell::largest_period
+            ));
         }
     }
 }

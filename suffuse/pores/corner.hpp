@@ -1,7 +1,7 @@
 #pragma once
 // A grain or one of its images as the corner of a tetrahedron, and sets of them that are the same for all images.
 
-#include "suffuse/pores/short_image.hpp"
+#include "suffuse/cell/cell.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@ namespace suffuse::pores {
 
 struct Corner {
     std::uint32_t grain;
-    ShortImage image; ///< in periods of the compact cell
+    cell::Image image; ///< in periods of the compact cell
 
     auto operator<=>(const Corner&) const = default;
 };
@@ -22,7 +22,7 @@ struct Corner {
 template <std::size_t N>
 struct Canonical {
     std::array<Corner, N> corners;
-    ShortImage moved; ///< what was given = this, moved by these periods
+    cell::Image moved; ///< what was given = this, moved by these periods
 };
 
 template <std::size_t N>

@@ -1,7 +1,7 @@
 #include "suffuse/pores/lattice.hpp"
 
 #include "suffuse/base/error.hpp"
-#include "suffuse/pores/short_image.hpp"
+#include "suffuse/cell/cell.hpp"
 
 #include <fmt/format.h>
 
@@ -132,11 +132,10 @@ exact_packing(const Mat3& h, std::span<const Vec3> position, std::span<const dou
 
     const Mat3 inverse_compact = inverse(compact);
     for (std::size_t g = 0; g < radius.size(); ++g) {
-        const Vec3 s = inverse_compact * position[g];
-        if (!(std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z)}) < largest_period)) {
+        if (!cell::has_period(inverse_compact, position[g])) {
             throw GeometryError(fmt::format(
                 "pores: grain in row {} lies more than {} periods from the origin; wrap the positions into the cell", g,
-                largest_period
+                cell::largest_period
             ));
         }
         const cell::Image period = cell::period_of(inverse_compact, position[g]);

@@ -28,8 +28,8 @@ void number_throats(const Triangulation& triangulation, Pores& pores, Throats& t
         const auto& grain_image = triangulation.grain_image[p];
         for (std::size_t k = 0; k < 4; ++k) {
             const std::uint32_t q = triangulation.neighbor[p][k];
-            const ShortImage image = triangulation.neighbor_image[p][k];
-            if (q < p || (q == p && image < ShortImage{})) {
+            const cell::Image image = triangulation.neighbor_image[p][k];
+            if (q < p || (q == p && image < cell::Image{})) {
                 continue;
             }
             const auto t = static_cast<std::uint32_t>(throats.side.size());

@@ -5,7 +5,7 @@
 // [Chareyre 2012]
 
 #include "suffuse/base/vec3.hpp"
-#include "suffuse/pores/short_image.hpp"
+#include "suffuse/cell/cell.hpp"
 #include "suffuse/pores/triangulation.hpp"
 
 #include <array>
@@ -18,17 +18,17 @@ namespace suffuse::pores {
 /// One row a pore.
 struct Pores {
     std::vector<std::array<std::uint32_t, 4>> grain; ///< corner k is position[grain[k]] + shift(h, grain_image[k])
-    std::vector<std::array<ShortImage, 4>> grain_image;
-    std::vector<std::array<std::uint32_t, 4>> neighbor;    ///< pore across the facet opposite to corner k ...
-    std::vector<std::array<ShortImage, 4>> neighbor_image; ///< ... moved by these periods
-    std::vector<std::array<std::uint32_t, 4>> throat;      ///< through that facet
-    std::vector<Vec3> center;                              ///< power center of the four grains [m]
-    std::vector<double> volume;                            ///< of the tetrahedron [m3]
-    std::vector<double> void_volume;                       ///< without the grains [m3]
+    std::vector<std::array<cell::Image, 4>> grain_image;
+    std::vector<std::array<std::uint32_t, 4>> neighbor;     ///< pore across the facet opposite to corner k ...
+    std::vector<std::array<cell::Image, 4>> neighbor_image; ///< ... moved by these periods
+    std::vector<std::array<std::uint32_t, 4>> throat;       ///< through that facet
+    std::vector<Vec3> center;                               ///< power center of the four grains [m]
+    std::vector<double> volume;                             ///< of the tetrahedron [m3]
+    std::vector<double> void_volume;                        ///< without the grains [m3]
     /// Pores whose centers coincide, as in lattices, hold one body of water with one pressure; elsewhere a pore is a
     /// body.
     std::vector<std::uint32_t> body;
-    std::vector<ShortImage> body_image; ///< the pore's center is the body's center moved by these periods
+    std::vector<cell::Image> body_image; ///< the pore's center is the body's center moved by these periods
 
     [[nodiscard]] std::size_t size() const { return grain.size(); }
 };
@@ -36,9 +36,9 @@ struct Pores {
 /// One row a throat; its facet is that of the two pores side[0] and side[1], the latter moved by `image`.
 struct Throats {
     std::vector<std::array<std::uint32_t, 2>> side;
-    std::vector<ShortImage> image;
+    std::vector<cell::Image> image;
     std::vector<std::array<std::uint32_t, 3>> grain;
-    std::vector<std::array<ShortImage, 3>> grain_image;
+    std::vector<std::array<cell::Image, 3>> grain_image;
     std::vector<Vec3> area;               ///< of the facet, pointing from side 0 to side 1 [m2]
     std::vector<double> void_area;        ///< [m2]
     std::vector<double> solid_surface;    ///< wetted by the throat's water [m2]

@@ -54,7 +54,7 @@ TEST(Network, ThroatsAreTheFacetsOfBothTheirPores) {
             ASSERT_TRUE(is_first || is_second);
             closed += (is_first ? 1.0 : -1.0) * throats.area[t];
             // All corners but the opposite one are the throat's.
-            const ShortImage move = is_first ? ShortImage{} : throats.image[t];
+            const cell::Image move = is_first ? cell::Image{} : throats.image[t];
             for (std::size_t c = 0; c < 4; ++c) {
                 bool found = false;
                 for (std::size_t j = 0; j < 3; ++j) {

@@ -2,7 +2,7 @@
 // Union-find on a periodic graph: sets of nodes that are joined, each node knowing by how many periods it is displaced
 // from the root of its set.
 
-#include "suffuse/pores/short_image.hpp"
+#include "suffuse/cell/cell.hpp"
 
 #include <cstdint>
 #include <numeric>
@@ -16,7 +16,7 @@ public:
     /// A node and periods: "node, moved by offset".
     struct Place {
         std::uint32_t node;
-        ShortImage offset;
+        cell::Image offset;
     };
 
     explicit OffsetUnion(std::size_t nodes) : parent_(nodes), offset_(nodes), size_(nodes, 1) {
@@ -26,14 +26,14 @@ public:
     /// The root of the node's set: the node is displaced from it by `offset`.
     Place find(std::uint32_t node) {
         std::uint32_t root = node;
-        ShortImage offset;
+        cell::Image offset;
         while (parent_[root] != root) {
             offset = offset + offset_[root];
             root = parent_[root];
         }
         // Path compression: all nodes on the way point at the root from now on.
-        for (ShortImage rest = offset; parent_[node] != root && node != root;) {
-            const ShortImage step = std::exchange(offset_[node], rest);
+        for (cell::Image rest = offset; parent_[node] != root && node != root;) {
+            const cell::Image step = std::exchange(offset_[node], rest);
             node = std::exchange(parent_[node], root);
             rest = rest - step;
         }
@@ -43,15 +43,15 @@ public:
     struct Joined {
         std::uint32_t kept; ///< root of the joined set
         std::uint32_t
-            absorbed;    ///< root of the set that was added to it; the same as `kept` where the edge closes a loop
-        ShortImage loop; ///< periods that the closed loop leads through
+            absorbed;     ///< root of the set that was added to it; the same as `kept` where the edge closes a loop
+        cell::Image loop; ///< periods that the closed loop leads through
     };
 
     /// Joins node `p` with node `q` moved by `image`.
-    Joined join(std::uint32_t p, std::uint32_t q, const ShortImage& image) {
+    Joined join(std::uint32_t p, std::uint32_t q, const cell::Image& image) {
         const Place a = find(p), b = find(q);
         // p = a.node + a.offset meets q + image = b.node + b.offset + image, so b.node is displaced from a.node by:
-        const ShortImage between = a.offset - b.offset - image;
+        const cell::Image between = a.offset - b.offset - image;
         if (a.node == b.node) {
             return {a.node, a.node, between};
         }
@@ -65,7 +65,7 @@ public:
 
 private:
     std::vector<std::uint32_t> parent_;
-    std::vector<ShortImage> offset_; ///< the node is its parent moved by these periods
+    std::vector<cell::Image> offset_; ///< the node is its parent moved by these periods
     std::vector<std::uint32_t> size_;
 };
 

@@ -160,7 +160,7 @@ private:
         if (is_near_whole(s.x) || is_near_whole(s.y) || is_near_whole(s.z)) {
             const Canonical<4> c = canonical(corners(t)); // the same for all images
             const Vec3 decisive = fractional_centroid(c.corners);
-            period = cell::Image(c.moved) + cell::Image{floor(decisive.x), floor(decisive.y), floor(decisive.z)};
+            period = c.moved + cell::Image{floor(decisive.x), floor(decisive.y), floor(decisive.z)};
         }
         if (period != cell::Image{}) {
             return false;

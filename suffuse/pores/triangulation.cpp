@@ -88,7 +88,7 @@ bool close(std::vector<OpenFacet>& open, const CompactBasis& basis, Triangulatio
         if (one.facet.corners != other.facet.corners) {
             return false;
         }
-        const ShortImage between = basis.original(cell::Image(one.facet.moved - other.facet.moved));
+        const cell::Image between = basis.original(one.facet.moved - other.facet.moved);
         out.neighbor[one.p][one.k] = other.p;
         out.neighbor_image[one.p][one.k] = between;
         out.neighbor[other.p][other.k] = one.p;
@@ -121,7 +121,7 @@ bool join_parts(const ExactPacking& packing, const std::vector<PartTetrahedra>& 
             const Corner& c = corner[k];
             seen[c.grain] = 1;
             out.grain[p][k] = c.grain;
-            out.grain_image[p][k] = packing.basis.original(cell::Image(c.image) - packing.period[c.grain]);
+            out.grain_image[p][k] = packing.basis.original(c.image - packing.period[c.grain]);
             const std::uint32_t neighbor = part.neighbor[order[p].row][k];
             if (neighbor != PartTetrahedra::none) {
                 out.neighbor[p][k] = number[order[p].part][neighbor];

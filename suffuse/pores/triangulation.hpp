@@ -4,7 +4,7 @@
 // image of any grain in conflict with it. Kept is the one image of each tetrahedron whose centroid lies in the cell.
 
 #include "suffuse/base/vec3.hpp"
-#include "suffuse/pores/short_image.hpp"
+#include "suffuse/cell/cell.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,9 +18,9 @@ namespace suffuse::pores {
 /// by shift(h, neighbor_image[k]).
 struct Triangulation {
     std::vector<std::array<std::uint32_t, 4>> grain;
-    std::vector<std::array<ShortImage, 4>> grain_image;
+    std::vector<std::array<cell::Image, 4>> grain_image;
     std::vector<std::array<std::uint32_t, 4>> neighbor;
-    std::vector<std::array<ShortImage, 4>> neighbor_image;
+    std::vector<std::array<cell::Image, 4>> neighbor_image;
 
     std::vector<std::uint32_t>
         hidden;             ///< grains buried so deep in others that no tetrahedron has them: they have no pores

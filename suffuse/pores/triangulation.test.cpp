@@ -240,7 +240,7 @@ TEST(Triangulation, DefectsAreFound) {
     missing.grain.pop_back();
     EXPECT_NE(find_defect(missing, packing.h, packing.position)->find("add up"), std::string::npos);
     Triangulation torn = good;
-    torn.neighbor_image[7][2] = torn.neighbor_image[7][2] + ShortImage(cell::Image{1, 0, 0});
+    torn.neighbor_image[7][2] = torn.neighbor_image[7][2] + cell::Image{1, 0, 0};
     EXPECT_NE(find_defect(torn, packing.h, packing.position)->find("other side"), std::string::npos);
     Triangulation renamed = good;
     std::vector<Vec3> position = packing.position; // a second name for grain 0: one vertex more, edges more

@@ -15,7 +15,7 @@ constexpr std::size_t block = 4096;
 /// An edge seen from its grain of lower row: the other grain, and where.
 struct EdgeEnd {
     std::uint32_t other;
-    ShortImage image;
+    cell::Image image;
 
     auto operator<=>(const EdgeEnd&) const = default;
 };

@@ -30,7 +30,7 @@ corners_of(const Triangulation& t, std::size_t p, const Mat3& h, std::span<const
 /// Facet of `neighbor[k]` that is the facet k of tetrahedron `p`; 4 where there is none.
 inline std::size_t facet_from_other_side(const Triangulation& t, std::size_t p, std::size_t k) {
     const std::uint32_t q = t.neighbor[p][k];
-    const ShortImage back = -t.neighbor_image[p][k];
+    const cell::Image back = -t.neighbor_image[p][k];
     for (std::size_t j = 0; j < 4; ++j) {
         if (t.neighbor[q][j] == p && t.neighbor_image[q][j] == back) {
             return j;

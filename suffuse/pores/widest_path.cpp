@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-std::int32_t component(const ShortImage& image, int axis) {
+std::int32_t component(const cell::Image& image, int axis) {
     return axis == 0 ? image.a : axis == 1 ? image.b : image.c;
 }
 
@@ -28,7 +28,7 @@ public:
     }
 
     /// Opens a throat of this diameter between pore `p` and pore `q` moved by `image`.
-    void open(std::uint32_t p, std::uint32_t q, const ShortImage& image, double diameter) {
+    void open(std::uint32_t p, std::uint32_t q, const cell::Image& image, double diameter) {
         const OffsetUnion::Joined joined = sets_.join(p, q, image);
         const std::uint32_t kept = joined.kept, other = joined.absorbed;
         if (kept == other) {

@@ -49,7 +49,7 @@ bool leads_through(const PoreNetwork& network, std::uint32_t pore, int axis, dou
             if (2 * network.throats.inscribed_radius[network.pores.throat[p][k]] < diameter) {
                 continue;
             }
-            const cell::Image to = at + cell::Image(network.pores.neighbor_image[p][k]);
+            const cell::Image to = at + network.pores.neighbor_image[p][k];
             const std::uint32_t q = network.pores.neighbor[p][k];
             if (std::max({std::abs(to.a), std::abs(to.b), std::abs(to.c)}) > reach) {
                 continue;

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/resident.hpp"
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
@@ -59,6 +60,7 @@ void describe_end(const dem::World& world, const Mat3& stress, BenchStepResult& 
 
 BenchStepResult bench_step(const BenchStepSpec& spec) {
     expects(spec.steps > 0 && spec.time_step > 0, "a benchmark needs steps and a time step");
+    const std::int64_t bytes_before = resident_bytes();
     dem::World world = load_bench_packing(spec.packing);
     dem::sort_along_curve(world);
     dem::StepCaches caches;
@@ -76,11 +78,17 @@ BenchStepResult bench_step(const BenchStepSpec& spec) {
 
     plan.loading = slow_shear(spec);
     const std::int64_t searches = caches.neighborhood.searches(), tables = caches.neighborhood.prunings();
+    forget_peak();
     const auto start = std::chrono::steady_clock::now();
     const Mat3 stress = dem::advance(world, caches, plan, spec.steps).stress;
     result.seconds = seconds_since(start);
     result.rebuilds = caches.neighborhood.searches() - searches;
     result.contact_tables = caches.neighborhood.prunings() - tables;
+    const auto per_grain = [&](std::int64_t bytes) {
+        return static_cast<double>(bytes - bytes_before) / static_cast<double>(result.grains);
+    };
+    result.bytes_per_grain = per_grain(resident_bytes());
+    result.peak_bytes_per_grain = per_grain(peak_resident_bytes());
     describe_end(world, stress, result);
     return result;
 }
@@ -109,6 +117,8 @@ void to_json(nlohmann::json& json, const BenchStepResult& r) {
         {"unbalanced_force", r.unbalanced_force},
         {"unbalanced_force_yade", r.unbalanced_force_yade},
         {"max_overlap_ratio", r.max_overlap_ratio},
+        {"bytes_per_grain", r.bytes_per_grain},
+        {"peak_bytes_per_grain", r.peak_bytes_per_grain},
         {"settle_steps", r.settle_steps},
         {"settle_seconds", r.settle_seconds},
     };

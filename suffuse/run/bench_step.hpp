@@ -39,6 +39,8 @@ struct BenchStepResult {
     double unbalanced_force = 0;             ///< over grains with at least two contacts [-]
     double unbalanced_force_yade = 0;        ///< over all grains [-]
     double max_overlap_ratio = 0;            ///< [-]
+    double bytes_per_grain = 0;              ///< resident in the timed steps, beyond what the program had before
+    double peak_bytes_per_grain = 0;         ///< the most, while tables were made
     std::int64_t settle_steps = 0;           ///< before the timed steps
     double settle_seconds = 0;
 };

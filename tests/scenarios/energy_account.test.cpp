@@ -19,15 +19,16 @@ struct Account {
     double work = 0, damping = 0, slip = 0, rolling = 0;
 };
 
-/// Memory of the contacts of `table` before the step, in the rows of `table`.
-contact::Contacts aligned(contact::Contacts before, const contact::Contacts& table) {
+/// Memory of the contacts of `before`, in the rows of the contacts of `after`.
+contact::Contacts aligned(const World& before, const World& after) {
+    const contact::Contacts& table = after.contacts;
     std::vector<neighbors::Pair> pairs;
     for (std::size_t c = 0; c < table.size(); ++c) {
         pairs.push_back({table.first[c], table.second[c], table.image[c]});
     }
-    std::vector<double> spare;
-    contact::carry_over(before, pairs, {}, {}, spare);
-    return before;
+    contact::Contacts contacts = before.contacts;
+    contact::carry_over(contacts, neighbors::PairList(pairs, after.grains.size()), {}, {});
+    return contacts;
 }
 
 /// What slip and rolling beyond their limits dissipated in the step from `before` to `after`: the force that remains
@@ -35,7 +36,7 @@ contact::Contacts aligned(contact::Contacts before, const contact::Contacts& tab
 void add_plastic_work(
     const World& before, const World& after, const Mat3& image_velocity, double dt, Account& account
 ) {
-    contact::Contacts elastic = aligned(before.contacts, after.contacts);
+    contact::Contacts elastic = aligned(before, after);
     if (elastic.size() != after.contacts.size()) {
         return; // a contact left the table in this step; none does in a step that matters here
     }

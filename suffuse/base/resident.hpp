@@ -1,0 +1,16 @@
+#pragma once
+// Memory that this process has in use, as the system counts it.
+
+#include <cstdint>
+
+namespace suffuse {
+
+/// In use now [bytes].
+/// @throws Error where the system does not tell.
+std::int64_t resident_bytes();
+
+/// The most in use since `forget_peak` [bytes].
+std::int64_t peak_resident_bytes();
+void forget_peak();
+
+} // namespace suffuse
