@@ -15,15 +15,9 @@ namespace {
 
 using nlohmann::json;
 
-// Size ratio 2, so that a few hundred grains are a sample.
-const std::string study = R"(
-[soil.mix]
-coarse            = { psd = { d = ["0.28 mm", "0.32 mm"], passing = ["0 %", "100 %"] } }
-fines             = { psd = { d = ["0.14 mm", "0.16 mm"], passing = ["0 %", "100 %"] } }
-fines_content     = "0 %"
-grading_tolerance = "10 %"
+const std::string study = mixed_soil + R"(
 [study.s]
-soil        = "mix"
+soil        = "mixture"
 sample_size = { coarse_grains = 60, cell_width = 10, at_least = 150 }
 sweep       = { fines_content = ["0 %", "30 %", "100 %"] }
 [[study.s.stage]]

@@ -13,13 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-// Size ratio 2, so that a few hundred grains are a sample.
-const std::string fines_sweep = R"(
-[soil.mixture]
-coarse            = { psd = { d = ["0.28 mm", "0.32 mm"], passing = ["0 %", "100 %"] } }
-fines             = { psd = { d = ["0.14 mm", "0.16 mm"], passing = ["0 %", "100 %"] } }
-fines_content     = "0 %"
-grading_tolerance = "10 %"
+const std::string fines_sweep = mixed_soil + R"(
 [study.s]
 soil       = "mixture"
 particles  = 250

@@ -14,15 +14,7 @@ const std::string stages = R"(
 [study.s]
 soil      = "sand"
 particles = 600
-[[study.s.stage]]
-name     = "cloud"
-do       = "pack"
-porosity = 0.62
-[[study.s.stage]]
-name     = "initial"
-do       = "compact"
-pressure = "100 kPa"
-prepare  = { friction = "10 deg" }
+)" + cloud_and_initial + R"(
 [[study.s.stage]]
 name         = "sheared"
 do           = "triaxial"

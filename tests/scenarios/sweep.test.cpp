@@ -25,15 +25,7 @@ soil       = "sand"
 particles  = 250
 sweep      = { "stage.sheared.stress_ratio" = [0.2, 0.3] }
 replicates = 2
-[[study.s.stage]]
-name     = "cloud"
-do       = "pack"
-porosity = 0.62
-[[study.s.stage]]
-name     = "initial"
-do       = "compact"
-pressure = "100 kPa"
-prepare  = { friction = "10 deg" }
+)" + cloud_and_initial + R"(
 [[study.s.stage]]
 name         = "sheared"
 do           = "triaxial"

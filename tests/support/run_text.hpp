@@ -41,6 +41,28 @@ inline std::string reference_soil() {
            "/examples/fontainebleau-2016/data/fontainebleau.csv\"\nfines = { finer_than = \"0.26 mm\" }\n";
 }
 
+/// Two narrow fractions of size ratio 2, so that a few hundred grains are a sample.
+inline const std::string mixed_soil = R"(
+[soil.mixture]
+coarse            = { psd = { d = ["0.28 mm", "0.32 mm"], passing = ["0 %", "100 %"] } }
+fines             = { psd = { d = ["0.14 mm", "0.16 mm"], passing = ["0 %", "100 %"] } }
+fines_content     = "0 %"
+grading_tolerance = "10 %"
+)";
+
+/// The first two stages of a study of "sand": a cloud, and "initial" at 100 kPa.
+inline const std::string cloud_and_initial = R"(
+[[study.s.stage]]
+name     = "cloud"
+do       = "pack"
+porosity = 0.62
+[[study.s.stage]]
+name     = "initial"
+do       = "compact"
+pressure = "100 kPa"
+prepare  = { friction = "10 deg" }
+)";
+
 /// A study that starts from one of the reference's packings, settled at 100 kPa in the stage "settled".
 inline std::string study_of_packing(const std::string& name) {
     const nlohmann::json about = run::read_json(std::string(SUFFUSE_SOURCE_DIR) + "/tests/reference/" + name + ".json");
