@@ -95,7 +95,8 @@ std::vector<Key> movement_rows() {
 std::vector<Key> triaxial_rows() {
     Key inertial = ratio(
         "stage.triaxial", "inertial_number", above_zero,
-        "Sets the axial strain rate; \"strict\" is 1e-4, \"loose\" 1e-3."
+        "Sets the axial strain rate, by the pressure at the start and the median diameter; no axis moves faster than "
+        "twice that; \"strict\" is 1e-4, \"loose\" 1e-3."
     );
     inertial.form = "a ratio above 0, or \"strict\" (1e-4), or \"loose\" (1e-3)";
     return {

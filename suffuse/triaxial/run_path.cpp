@@ -13,6 +13,7 @@ namespace suffuse::triaxial {
 namespace {
 
 constexpr std::int64_t time_step_interval = 2000;
+constexpr double fastest_lateral = 2; // rate of an axis whose stress is held, at most, over the axial rate [-]
 
 double lateral_mean(const Mat3& stress, int axis) {
     return 0.5 * (trace(stress) - stress(axis, axis));
@@ -24,9 +25,9 @@ double deviator(const Mat3& stress, int axis) {
 
 cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
     cell::Loading loading;
-    // A dilating sample widens by up to half the axial rate and its dilatancy together: the servo must be able to
-    // follow.
-    loading.servo.max_rate = std::max(loading.servo.max_rate, 2 * state.strain_rate);
+    // A sample widens at half of its axial rate and its dilatancy together: the servo must be able to follow, but no
+    // axis may be faster than quasi-static.
+    loading.servo.max_rate = fastest_lateral * state.strain_rate;
     for (int a = 0; a < 3; ++a) {
         cell::AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
         if (a == spec.axis) {
