@@ -33,6 +33,7 @@ struct CommandLine {
     std::string output; ///< -o
     std::string preset;
     std::vector<std::string> overrides; ///< --set
+    std::vector<std::string> studies;   ///< --study
     std::string until;                  ///< stage
     std::string time_limit;             ///< with its unit
     int threads = 0;                    ///< 0: all cores

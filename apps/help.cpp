@@ -64,10 +64,12 @@ std::string flag_names(const CLI::Option& option) {
     return names;
 }
 
-std::string flags_of(const CLI::App& app, bool positional) {
+/// @param left_out a flag that is not listed, beside --help
+std::string flags_of(const CLI::App& app, bool positional, std::string_view left_out = {}) {
     std::string text;
     for (const CLI::Option* option : app.get_options()) {
-        if (option->get_positional() == positional && option->get_name() != "--help") {
+        if (option->get_positional() == positional && option->get_name() != "--help" &&
+            option->get_name() != left_out) {
             text += fmt::format("  {:24} {}\n", flag_names(*option), option->get_description());
         }
     }
@@ -123,8 +125,8 @@ std::string help_on(const CLI::App& verb) {
     if (!flags.empty()) {
         text += "\nflags\n" + flags;
     }
-    text += "\neverywhere\n" +
-            flags_of(*(verb.get_parent()->get_parent() ? verb.get_parent()->get_parent() : verb.get_parent()), false);
+    const CLI::App* above = verb.get_parent()->get_parent();
+    text += "\neverywhere\n" + flags_of(above != nullptr ? *above : *verb.get_parent(), false, "--version");
     if (const std::string_view example = example_of(path); !example.empty()) {
         text += fmt::format("\nexample\n{}\n", example);
     }

@@ -92,7 +92,11 @@ void take_run_folder(const fs::path& folder) {
 }
 
 void keep_asked(const fs::path& folder, const AskedRun& asked) {
-    nlohmann::json kept{{"case", asked.case_file}, {"preset", asked.preset}, {"overrides", asked.overrides}};
+    nlohmann::json kept{
+        {"case", asked.case_file},
+        {"preset", asked.preset},
+        {"overrides", asked.overrides},
+        {"studies", asked.studies}};
     if (asked.cache) {
         kept["cache"] = *asked.cache;
     }
@@ -105,7 +109,11 @@ AskedRun read_asked(const fs::path& folder) {
     }
     const nlohmann::json asked = run::read_json(folder / options_file);
     AskedRun read{
-        asked.value("case", ""), asked.value("preset", ""), asked.value("overrides", std::vector<std::string>{}), {}};
+        asked.value("case", ""),
+        asked.value("preset", ""),
+        asked.value("overrides", std::vector<std::string>{}),
+        asked.value("studies", std::vector<std::string>{}),
+        {}};
     if (asked.contains("cache")) {
         read.cache = asked.at("cache").get<std::string>();
     }

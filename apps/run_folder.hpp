@@ -14,7 +14,7 @@ namespace suffuse::apps {
 struct AskedRun {
     std::string case_file; ///< absolute
     std::string preset;
-    std::vector<std::string> overrides;
+    std::vector<std::string> overrides, studies;
     std::optional<std::string> cache; ///< its folder, empty for none; nothing where the usual one was taken
 };
 

@@ -79,7 +79,7 @@ int new_verb(const CommandLine& line, const Console& console) {
 }
 
 int check_verb(const CommandLine& line, const Console& console) {
-    const casefile::LoadedCase loaded = casefile::load_case(line.subject, {line.preset, line.overrides});
+    const casefile::LoadedCase loaded = casefile::load_case(line.subject, {line.preset, line.overrides, line.studies});
     std::int64_t variants = 0, stages = 0;
     for (const casefile::Study& study : loaded.value.studies) {
         variants += std::ssize(study.variants);

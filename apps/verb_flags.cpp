@@ -33,6 +33,11 @@ void add_case_changes(CLI::App& verb, CommandLine& line) {
         ->expected(1)
         ->take_all()
         ->allow_extra_args(false);
+    verb.add_option("--study", line.studies, "this study of the case alone; may be repeated")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
 }
 
 void add_threads(CLI::App& verb, CommandLine& line) {

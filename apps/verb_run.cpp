@@ -202,7 +202,8 @@ void tell_plan(const Job& job, const std::string& verb, const Console& console) 
 void tell_next(const CommandLine& line, const Job& job, const Console& console) {
     std::string next = "suffuse new my-soil --from fontainebleau-2016";
     if (job.what.preset == "quick") {
-        const casefile::Case larger = casefile::load_case(line.subject, {"standard", line.overrides}).value;
+        const casefile::Case larger =
+            casefile::load_case(line.subject, {"standard", line.overrides, line.studies}).value;
         const run::RunPlan plan = run::plan_run(larger, job.plan.speed);
         next = fmt::format("--preset standard ({}), or {}", duration_range_text(plan.seconds), next);
     }
@@ -231,7 +232,7 @@ int run_verb(const CommandLine& line, const Console& console) {
     if (!fs::exists(job.folder / "run_options.json")) {
         const bool is_asked = line.no_cache || !line.cache.empty();
         keep_asked(
-            job.folder, {fs::absolute(line.subject).string(), line.preset, line.overrides,
+            job.folder, {fs::absolute(line.subject).string(), line.preset, line.overrides, line.studies,
                          is_asked ? std::optional(job.cache.string()) : std::nullopt}
         );
     }
@@ -259,7 +260,7 @@ int resume_verb(const CommandLine& line, const Console& console) {
         job.what = run::load_run(folder);
     } else { // stopped before it really began
         const AskedRun asked = read_asked(folder);
-        job.what = casefile::load_case(asked.case_file, {asked.preset, asked.overrides}).value;
+        job.what = casefile::load_case(asked.case_file, {asked.preset, asked.overrides, asked.studies}).value;
         job.case_text = casefile::read_whole_file(asked.case_file);
     }
     check_until(job.what, line.until);

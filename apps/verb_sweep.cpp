@@ -59,7 +59,7 @@ fs::path prepare_folder(const CommandLine& line, const Console& console, casefil
     if (!fs::exists(folder / "run_options.json")) {
         const bool is_asked = line.no_cache || !line.cache.empty();
         keep_asked(
-            folder, {fs::absolute(line.subject).string(), line.preset, line.overrides,
+            folder, {fs::absolute(line.subject).string(), line.preset, line.overrides, line.studies,
                      is_asked ? std::optional(cache_folder(line, {}).string()) : std::nullopt}
         );
     }

@@ -34,7 +34,7 @@ int perform(const CommandLine& line, const Console& console) {
 }
 
 casefile::Case load_asked_case(const CommandLine& line, const Console& console) {
-    casefile::LoadedCase loaded = casefile::load_case(line.subject, {line.preset, line.overrides});
+    casefile::LoadedCase loaded = casefile::load_case(line.subject, {line.preset, line.overrides, line.studies});
     if (!loaded.warnings.empty()) {
         console.talk(casefile::render(loaded.warnings, console.has_color()));
     }

@@ -37,11 +37,14 @@ void bind_diagnostic(py::module_& m) {
         });
 }
 
-CaseHandle load(const std::filesystem::path& path, const std::string& preset, const std::vector<std::string>& changes) {
+CaseHandle load(
+    const std::filesystem::path& path, const std::string& preset, const std::vector<std::string>& changes,
+    const std::vector<std::string>& studies
+) {
     CaseHandle made;
     made.path = path;
     made.text = casefile::read_whole_file(path.string());
-    made.options = {preset, changes};
+    made.options = {preset, changes, studies};
     made.loaded = casefile::load_case(path.string(), made.options);
     return made;
 }
@@ -61,7 +64,8 @@ py::list stages_of(const CaseHandle& self) {
 void bind_case(py::module_& m) {
     py::class_<CaseHandle>(m, "CaseFile", "A case that was read and checked.")
         .def_static(
-            "load", &load, py::arg("path"), py::arg("preset") = "", py::arg("changes") = std::vector<std::string>{}
+            "load", &load, py::arg("path"), py::arg("preset") = "", py::arg("changes") = std::vector<std::string>{},
+            py::arg("studies") = std::vector<std::string>{}
         )
         .def_property_readonly("path", [](const CaseHandle& self) { return self.path; })
         .def_property_readonly("text", [](const CaseHandle& self) { return self.text; })

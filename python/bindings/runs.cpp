@@ -175,7 +175,11 @@ void bind_runs(py::module_& m) {
             }
             if (!fs::exists(folder / "run_options.json")) {
                 apps::keep_asked(
-                    folder, {fs::absolute(what.path).string(), what.options.preset, what.options.overrides}
+                    folder, {fs::absolute(what.path).string(),
+                             what.options.preset,
+                             what.options.overrides,
+                             what.options.studies,
+                             {}}
                 );
             }
             return folder;
@@ -184,7 +188,7 @@ void bind_runs(py::module_& m) {
     );
     m.def("asked_run", [](const fs::path& folder) {
         const apps::AskedRun asked = apps::read_asked(folder);
-        return py::make_tuple(asked.case_file, asked.preset, asked.overrides);
+        return py::make_tuple(asked.case_file, asked.preset, asked.overrides, asked.studies);
     });
     m.def(
         "conduct", &conduct, py::arg("case"), py::arg("folder"), py::arg("until"), py::arg("time_limit"),

@@ -28,20 +28,21 @@ class Case:
     path: the case file
     preset: one of the case's [presets.*], instead of the one that it names
     changes: keys and values to set, as in {"study.erosion.particles": 4000}
+    studies: names of the studies to keep, all of them unless given
     """
 
-    def __init__(self, path, preset="", changes=None):
-        self._asked_preset, self._changes = preset, dict(changes or {})
+    def __init__(self, path, preset="", changes=None, studies=()):
+        self._asked_preset, self._changes, self._asked_studies = preset, dict(changes or {}), list(studies)
         self._core = self._read(pathlib.Path(path), self._changes)
 
     @classmethod
-    def load(cls, path, preset="", changes=None):
-        """The same as Case(path, preset, changes)."""
-        return cls(path, preset, changes)
+    def load(cls, path, preset="", changes=None, studies=()):
+        """The same as Case(path, preset, changes, studies)."""
+        return cls(path, preset, changes, studies)
 
     def _read(self, path, changes):
         texts = [f"{key}={_as_toml(value)}" for key, value in changes.items()]
-        return _core.CaseFile.load(path, self._asked_preset, texts)
+        return _core.CaseFile.load(path, self._asked_preset, texts, self._asked_studies)
 
     def check(self):
         """Reads the files of the case again, with the changes made since: what is doubtful, a list of Diagnostic.

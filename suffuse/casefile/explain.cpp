@@ -56,6 +56,7 @@ constexpr std::array code_table = {
     Code{
         "E407", "not a measure of this verb",
         "`measure` asks for something that only other verbs have, as stress-strain curves are of triaxial tests."},
+    Code{"E408", "unknown study", "--study NAME takes the NAME of a [study.NAME] table of the case."},
     Code{"E501", "no such file", "A path in a case starts at the folder of the case."},
     Code{
         "E502", "bad value in a data file", "A grading holds plain numbers with a decimal point, one for each column."},

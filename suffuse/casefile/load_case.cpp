@@ -42,6 +42,7 @@ LoadedCase load_case_text(
         for (const std::string& text_of_override : options.overrides) {
             apply_override(*root, text_of_override, problems);
         }
+        keep_studies(*root, options.studies, problems);
         loaded.value = bind_case(*root, folder, preset, problems);
     }
     if (problems.has_errors()) {

@@ -13,6 +13,7 @@ namespace suffuse::casefile {
 struct LoadOptions {
     std::string preset;                 ///< instead of the one that the case names
     std::vector<std::string> overrides; ///< "study.erosion.particles=4000", applied after the preset
+    std::vector<std::string> studies;   ///< these alone; empty: all
 };
 
 struct LoadedCase {

@@ -138,6 +138,28 @@ void apply_preset(Node& root, const std::string& name, const Place& asked, Probl
     }
 }
 
+void keep_studies(Node& root, const std::vector<std::string>& names, Problems& problems) {
+    Node::Entry* studies = root.find("study");
+    if (names.empty() || studies == nullptr || !studies->value.is_table()) {
+        return;
+    }
+    std::vector<Node::Entry>& entries = studies->value.entries;
+    std::vector<std::string> known;
+    std::ranges::transform(entries, std::back_inserter(known), &Node::Entry::key);
+    for (const std::string& name : names) {
+        if (std::ranges::find(known, name) == known.end()) {
+            const Place asked{std::make_shared<Source>(Source{"--study", name}), 1, 1, static_cast<int>(name.size())};
+            problems.error(
+                "E408", asked, fmt::format("there is no study \"{}\"", name),
+                fmt::format("known are {}", fmt::join(known, ", "))
+            );
+        }
+    }
+    std::erase_if(entries, [&](const Node::Entry& study) {
+        return std::ranges::find(names, study.key) == names.end();
+    });
+}
+
 std::optional<std::string>
 set_at(Node& table, const std::vector<std::string>& path, const Node& value, const Place& place) {
     Node* node = &table;

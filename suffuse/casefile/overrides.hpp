@@ -16,6 +16,9 @@ void apply_preset(Node& root, const std::string& name, const Place& asked, Probl
 /// Applies "study.erosion.stage.erosion.gradient=0.1"; stages are found by their names.
 void apply_override(Node& root, const std::string& text, Problems& problems);
 
+/// Leaves out the studies that are not among `names`; without names, none.
+void keep_studies(Node& root, const std::vector<std::string>& names, Problems& problems);
+
 /// What a swept key changes: the study or its soil.
 struct SweepTarget {
     Node& study;

@@ -175,6 +175,24 @@ TEST(Presets, AnUnknownOneOnTheCommandLineIsSaidSo) {
     EXPECT_EQ(found.help, "known are standard, quick");
 }
 
+TEST(Studies, AskedForByNameAreTheOnlyOnes) {
+    const std::string two = good_case + "[study.two]\nsoil = \"sand\"\nparticles = 3000\n[[study.two.stage]]\nname = "
+                                        "\"cloud\"\ndo = \"pack\"\n";
+    ASSERT_EQ(load(two).studies.size(), 2U);
+    const Case one = load(two, {"", {}, {"two"}});
+    ASSERT_EQ(one.studies.size(), 1U);
+    EXPECT_EQ(one.studies[0].name, "two");
+    EXPECT_EQ(load(resolved_toml(one)).studies.size(), 1U);
+    EXPECT_EQ(load(two, {"", {}, {"two", "one"}}).studies.size(), 2U);
+}
+
+TEST(Studies, AskedForThatTheCaseDoesNotHaveAreSaidSo) {
+    const Diagnostic found = find_problem(problems_of(good_case, {"", {}, {"one", "three"}}), "E408");
+    EXPECT_EQ(found.file, "--study");
+    EXPECT_EQ(found.message, "there is no study \"three\"");
+    EXPECT_EQ(found.help, "known are one");
+}
+
 TEST(Set, ChangesAnyKeyAfterThePreset) {
     const Case c = load(
         with_presets, {"quick",
