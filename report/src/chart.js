@@ -5,6 +5,7 @@ import { parse, View, Warn } from "vega";
 import { expressionInterpreter } from "vega-interpreter";
 import { compile } from "vega-lite";
 import { Handler } from "vega-tooltip";
+import { lowerIndices } from "./indices.js";
 
 const tooltip = new Handler({ disableDefaultStyle: true });
 
@@ -34,7 +35,8 @@ function fitLegends(part, width) {
   else if (part && typeof part === "object") {
     const names = part.scale?.domain;
     if (part.legend && Array.isArray(names) && names.every((name) => typeof name === "string")) {
-      const most = Math.max(1, Math.floor(width / (6.2 * Math.max(...names.map((name) => name.length)) + 36)));
+      const symbol = 26 + Math.sqrt(part.legend.symbolSize ?? 100);
+      const most = Math.max(1, Math.floor(width / (6.2 * Math.max(...names.map((name) => name.length)) + symbol)));
       if (names.length > most) part.legend.columns = most;
       else delete part.legend.columns;
     }
@@ -93,6 +95,9 @@ export class Chart {
       });
       await this.shown.runAsync();
       const drawing = this.place.querySelector("svg");
+      for (const text of drawing.querySelectorAll("text")) {
+        if (text.textContent.includes("_")) text.innerHTML = lowerIndices(text.innerHTML);
+      }
       drawing.setAttribute("role", "img");
       drawing.setAttribute("aria-labelledby", `${this.figure.id}-title`);
       drawing.setAttribute("aria-describedby", `${this.figure.id}-caption`);

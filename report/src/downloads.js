@@ -1,4 +1,5 @@
 // A figure as files: SVG and PNG in the look of print, CSV with the numbers.
+import { lowerIndicesOf } from "./indices.js";
 
 const pixelsPerPixel = 3; // PNG: about 290 dots an inch at the chart's own size
 
@@ -32,25 +33,21 @@ function drawing(figure) {
 async function svgOf({ figure, chart }) {
   if (!chart) return withWords(new XMLSerializer().serializeToString(drawing(figure)), figure);
   const view = await chart.printed();
-  const svg = await view.toSVG();
+  const svg = lowerIndicesOf(await view.toSVG());
   view.finalize();
   return withWords(svg, figure);
 }
 
-async function canvasOf({ figure, chart }) {
-  if (chart) {
-    const view = await chart.printed();
-    const canvas = await view.toCanvas(pixelsPerPixel);
-    view.finalize();
-    return canvas;
-  }
-  const { width, height } = drawing(figure).viewBox.baseVal;
+/** From the SVG, so that both show the same. */
+async function canvasOf(what) {
+  const svg = await svgOf(what);
+  const { width, height } = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement.viewBox.baseVal;
   const image = new Image();
-  image.src = "data:image/svg+xml," + encodeURIComponent(new XMLSerializer().serializeToString(drawing(figure)));
+  image.src = "data:image/svg+xml," + encodeURIComponent(svg);
   await image.decode();
   const canvas = document.createElement("canvas");
-  canvas.width = width * pixelsPerPixel;
-  canvas.height = height * pixelsPerPixel;
+  canvas.width = Math.round(width * pixelsPerPixel);
+  canvas.height = Math.round(height * pixelsPerPixel);
   const context = canvas.getContext("2d");
   context.fillStyle = "white";
   context.fillRect(0, 0, canvas.width, canvas.height);

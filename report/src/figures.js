@@ -4,13 +4,14 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { parse, View, Warn } from "vega";
 import { compile } from "vega-lite";
+import { lowerIndicesOf } from "./indices.js";
 
 const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
 
 async function draw(file, folder) {
   const specification = JSON.parse(readFileSync(file, "utf8"));
   const view = new View(parse(compile(specification).spec), { renderer: "none", logLevel: Warn });
-  const svg = await view.toSVG();
+  const svg = lowerIndicesOf(await view.toSVG());
   view.finalize();
   const described = svg.replace(/^<svg[^>]*>/, (opening) => `${opening}<desc>${escaped(specification.description ?? "")}</desc>`);
   writeFileSync(join(folder, basename(file).replace(/\.vl\.json$/, ".svg")), described + "\n");

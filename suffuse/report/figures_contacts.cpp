@@ -30,20 +30,21 @@ void set_domain(json& chart, double most) {
     }
 }
 
-/// The arrangement that the paper sets into its Figure 6: fines between coarse grains, forces through them. In pixels
-/// from the upper left corner of the panel.
-json active_arrangement() {
+/// The arrangement that the paper sets into its Figure 6: fines between coarse grains, forces through them. In an upper
+/// corner of the panel, the one beside the highest point of the curve.
+json active_arrangement(bool to_the_right) {
     struct Disk {
         double x, y, radius;
     };
 
     static constexpr std::array<Disk, 6> disks = {
         {{62, 32, 24}, {31, 85.7, 24}, {93, 85.7, 24}, {46.5, 58.9, 7}, {77.5, 58.9, 7}, {62, 85.7, 7}}};
+    const auto from_edge = [&](double x) { return to_the_right ? x - 124 : x; };
     json grains = json::array(), forces = json::array();
     for (const Disk& disk : disks) {
         const bool is_coarse = disk.radius > 10;
         grains.push_back(
-            {{"px", disk.x},
+            {{"px", from_edge(disk.x)},
              {"py", disk.y},
              {"area", std::numbers::pi * disk.radius * disk.radius},
              {"ink", is_coarse ? color::coarse : color::fines}}
@@ -51,28 +52,29 @@ json active_arrangement() {
     }
     for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {2, 0}}) {
         const Disk &a = disks[static_cast<std::size_t>(from)], &b = disks[static_cast<std::size_t>(to)];
-        forces.push_back({{"px", a.x}, {"py", a.y}, {"qx", b.x}, {"qy", b.y}});
+        forces.push_back({{"px", from_edge(a.x)}, {"py", a.y}, {"qx", from_edge(b.x)}, {"qy", b.y}});
     }
     json layers = json::parse(R"json([
-        {"mark": {"type": "point", "shape": "circle", "filled": true, "opacity": 1, "stroke": "#666666", "strokeWidth": 0.8},
-         "encoding": {"x": {"field": "px", "type": "quantitative", "scale": null, "axis": null},
+        {"mark": {"type": "point", "shape": "circle", "filled": true, "opacity": 1, "stroke": "#666666", "strokeWidth": 0.8,
+                  "xOffset": {"expr": "datum.px"}},
+         "encoding": {"x": {"value": 0},
                       "y": {"field": "py", "type": "quantitative", "scale": null, "axis": null},
                       "size": {"field": "area", "type": "quantitative", "scale": null},
                       "fill": {"field": "ink", "type": "nominal", "scale": null}}},
-        {"mark": {"type": "rule", "color": "#1d1f21", "strokeWidth": 2.5},
-         "encoding": {"x": {"field": "px", "type": "quantitative", "scale": null, "axis": null}, "x2": {"field": "qx"},
-                      "y": {"field": "py", "type": "quantitative", "scale": null, "axis": null}, "y2": {"field": "qy"}}},
-        {"mark": {"type": "text", "align": "left", "baseline": "middle", "color": "#333333"},
-         "encoding": {"x": {"field": "px", "type": "quantitative", "scale": null, "axis": null},
-                      "y": {"field": "py", "type": "quantitative", "scale": null, "axis": null},
-                      "text": {"field": "words", "type": "nominal"}}}
+        {"mark": {"type": "rule", "color": "#1d1f21", "strokeWidth": 2.5,
+                  "xOffset": {"expr": "datum.px"}, "x2Offset": {"expr": "datum.qx"}},
+         "encoding": {"x": {"value": 0}, "x2": {"value": 0},
+                      "y": {"field": "py", "type": "quantitative", "scale": null, "axis": null}, "y2": {"field": "qy"}}}
     ])json");
     layers[0]["data"]["values"] = grains;
     layers[1]["data"]["values"] = forces;
-    layers[2]["data"]["values"] = {
-        {{"px", 126}, {"py", 40}, {"words", "active fines part the"}},
-        {{"px", 126}, {"py", 54}, {"words", "large grains: strong"}},
-        {{"px", 126}, {"py", 68}, {"words", "LS contacts"}}};
+    for (json& layer : layers) {
+        for (const char* channel : {"x", "x2"}) {
+            if (to_the_right && layer["encoding"].contains(channel)) {
+                layer["encoding"][channel] = {{"value", "width"}};
+            }
+        }
+    }
     return layers;
 }
 
@@ -133,14 +135,14 @@ std::optional<Figure> strong_contacts(const FinesStudy& study) {
     figure.title = "Large-small contacts among the strong ones";
     figure.caption = fmt::format(
         "Share of large-small contacts among those whose force exceeds the mean over all contacts, loose state: "
-        "highest "
-        "at FC = {} ({} %).",
+        "highest at FC = {} ({} %).",
         percent_name(at), short_number(100 * most)
     );
+    figure.caption += " Inset: active fines part large grains and pass strong forces between them.";
     figure.caption += about_bars(numbers.most_samples());
     figure.chart = fines_panel(study, {line}, "strong_share", "LS among the strong contacts [%]", study.activity);
     // Room above the curve for the drawing.
-    set_domain(figure.chart, std::max(10.0, 10 * std::ceil(10 * most * 2)));
+    set_domain(figure.chart, std::clamp(10 * std::ceil(10 * most * 1.5), 10.0, 100.0));
     for (json& layer : figure.chart["layer"]) {
         for (const char* channel : {"color", "strokeDash"}) {
             if (layer["encoding"].contains(channel)) {
@@ -148,7 +150,7 @@ std::optional<Figure> strong_contacts(const FinesStudy& study) {
             }
         }
     }
-    for (json& layer : active_arrangement()) {
+    for (json& layer : active_arrangement(at < 0.6 * study.fines_content.back())) {
         figure.chart["layer"].push_back(std::move(layer));
     }
     figure.table = std::move(numbers).table();

@@ -70,6 +70,17 @@ std::optional<Figure> void_ratios(const FinesStudy& study) {
     figure.caption = fmt::format("The loose state has its lowest e at {}", lowest(study, e));
     figure.caption +=
         study.dense.points.empty() ? "." : fmt::format(", the densest its lowest e_min at {}.", lowest(study, e_min));
+    const double top = top_of_loose_panel(study);
+    for (std::size_t k = 0; k < study.loose.points.size(); ++k) {
+        const Scatter value = number_of(study.loose.points[k], study.fines_content[k], e_g.number);
+        if (value.seeds > 0 && value.mean > top) {
+            figure.caption += fmt::format(
+                " Panel (b) ends at {}: e_g is {} at FC = {} and grows without bound.", short_number(top),
+                short_number(value.mean), percent_name(study.fines_content[k])
+            );
+            break;
+        }
+    }
     figure.caption += about_bars(numbers.most_samples());
     json panels = json::array();
     panels.push_back(fines_panel(study, first, "void_ratio", "(a) void ratio e, e_min [-]", study.density, "a"));
@@ -80,7 +91,7 @@ std::optional<Figure> void_ratios(const FinesStudy& study) {
         }
     }
     for (json& layer : panels[1]["layer"]) {
-        layer["encoding"]["y"]["scale"] = {{"domain", {0, top_of_loose_panel(study)}}, {"nice", false}};
+        layer["encoding"]["y"]["scale"] = {{"domain", {0, top}}, {"nice", false}};
     }
     figure.chart = {
         {"vconcat", panels},

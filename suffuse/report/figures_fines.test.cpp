@@ -84,10 +84,10 @@ TEST(FinesFigures, ThresholdsAreMarkedWithTheirRangeAndWithoutThemNothingIs) {
     };
     const json shown = marks(void_ratios(study)->chart["vconcat"][0]);
     ASSERT_EQ(shown.size(), 2U);
-    EXPECT_EQ(shown[1]["at"], 25);
-    EXPECT_EQ(shown[1]["from"], 20);
-    EXPECT_EQ(shown[1]["to"], 30);
-    EXPECT_NE(shown[0]["row"], shown[1]["row"]) << "names do not lie on each other";
+    EXPECT_EQ(shown[0]["at"], 25);
+    EXPECT_EQ(shown[0]["from"], 20);
+    EXPECT_EQ(shown[0]["to"], 30);
+    EXPECT_LT(shown[0]["row"], shown[1]["top"]) << "the rule to the right begins below the name to its left";
     EXPECT_EQ(marks(active_fines(study)->chart).size(), 1U);
     study.density.clear();
     study.activity.clear();
@@ -184,13 +184,41 @@ TEST(AverageResponse, OfCurvesOnDifferentStrainsIsTheMeanOfTheirLines) {
 TEST(ResponseFigures, BandsAreDrawnForReplicatesOnly) {
     const Figure replicated = *loose_compression(test::sample_loose_tests());
     EXPECT_TRUE(replicated.chart["vconcat"][0].contains("layer"));
-    EXPECT_NE(replicated.caption.find("Bands"), std::string::npos);
+    EXPECT_NE(replicated.caption.find("bands"), std::string::npos);
     ResponseCurve alone = test::sample_loose_tests()[0];
     alone.deviation.clear();
     alone.samples = 1;
     const Figure single = *loose_compression({alone});
     EXPECT_FALSE(single.chart["vconcat"][0].contains("layer"));
-    EXPECT_EQ(single.caption.find("Bands"), std::string::npos);
+    EXPECT_EQ(single.caption.find("bands"), std::string::npos);
+}
+
+TEST(ResponseFigures, TestsOfAMixtureInSeveralStagesHaveItsColorAndDashesOfTheirStage) {
+    std::vector<ResponseCurve> tests;
+    for (const char* stage : {"shear", "shear-emptied"}) {
+        for (ResponseCurve test : test::sample_loose_tests()) {
+            test.name += std::string(", ") + stage;
+            tests.push_back(test);
+        }
+    }
+    const json encoding = test_paths(tests)->chart["vconcat"][0]["encoding"];
+    EXPECT_EQ(encoding["color"]["scale"]["domain"], (json{"FC 0 %", "FC 5 %", "FC 10 %", "FC 15 %"}));
+    EXPECT_EQ(encoding["color"]["scale"]["range"][2], fines_color(0.1));
+    EXPECT_EQ(encoding["strokeDash"]["scale"]["domain"], (json{"shear", "shear-emptied"}));
+    tests.resize(4);
+    EXPECT_EQ(test_paths(tests)->chart["vconcat"][0]["encoding"]["color"]["field"], "test");
+}
+
+TEST(ResponseFigures, AtConstantVolumeRoundingIsNoResponse) {
+    ResponseCurve test{"FC 10 %", {{0.001, 1e-9, 10e3, 100e3, 0.8}, {0.05, 4e-8, 1, 0.01, 0.8}}};
+    const Figure undrained = *triaxial_response({test});
+    EXPECT_TRUE(undrained.chart["vconcat"][1]["encoding"]["y"].contains("scale"));
+    EXPECT_EQ(undrained.chart["vconcat"][1]["encoding"]["x"]["scale"]["domainMin"], 0);
+    const Figure paths = *test_paths({test});
+    EXPECT_EQ(paths.chart["vconcat"][1]["transform"][0]["filter"], "datum.mean_stress >= 1"); // of 100 kPa
+    EXPECT_NE(paths.caption.find("liquefied"), std::string::npos);
+    test.rows[1].volumetric_strain = 0.02;
+    EXPECT_FALSE(triaxial_response({test})->chart["vconcat"][1]["encoding"]["y"].contains("scale"));
 }
 
 TEST(ResponseFigures, LongTestsAreThinnedAndKeepTheirEnd) {

@@ -10,6 +10,8 @@
 
 namespace suffuse::report {
 
+inline constexpr double isotropic_below = 0.1; ///< q/p of a sample under no deviator but that of its preparation
+
 /// One sample that lost fines at once.
 struct Removal {
     double fines_content = 0; ///< before [-]

@@ -27,11 +27,13 @@ json x_axis(const FinesStudy& study) {
         {"axis", {{"tickCount", 10}}}};
 }
 
-/// A band, a rule and a name for each threshold; names stand one below the other so that neighbors do not collide.
-void add_thresholds(const std::vector<Threshold>& thresholds, json& layers) {
+/// A band, a rule and a name for each threshold. Names stand one below the other, the leftmost on top, and each rule
+/// ends below the names to its left: no rule runs through a name.
+void add_thresholds(std::vector<Threshold> thresholds, json& layers) {
     if (thresholds.empty()) {
         return;
     }
+    std::sort(thresholds.begin(), thresholds.end(), [](const Threshold& a, const Threshold& b) { return a.at < b.at; });
     json values = json::array();
     for (const Threshold& each : thresholds) {
         const double row = 9 + 14 * static_cast<double>(values.size());
@@ -40,6 +42,7 @@ void add_thresholds(const std::vector<Threshold>& thresholds, json& layers) {
              {"at", 100 * each.at},
              {"from", 100 * each.low},
              {"to", 100 * each.high},
+             {"top", row - 9},
              {"row", row}}
         );
     }
@@ -48,6 +51,7 @@ void add_thresholds(const std::vector<Threshold>& thresholds, json& layers) {
          "encoding": {"x": {"field": "from", "type": "quantitative"}, "x2": {"field": "to"}}},
         {"mark": {"type": "rule", "color": "#808080", "strokeDash": [4, 3]},
          "encoding": {"x": {"field": "at", "type": "quantitative"},
+            "y": {"field": "top", "type": "quantitative", "scale": null, "axis": null}, "y2": {"value": "height"},
             "tooltip": [{"field": "threshold", "title": "threshold"}, {"field": "from", "title": "from [%]", "format": ".3g"},
                         {"field": "to", "title": "to [%]", "format": ".3g"}]}},
         {"mark": {"type": "text", "align": "left", "dx": 4, "color": "#333333"},
@@ -152,7 +156,7 @@ json fines_panel(
             {"type", "nominal"},
             {"title", nullptr},
             {"scale", {{"domain", names}, {"range", colors}}},
-            {"legend", {{"symbolType", "stroke"}, {"symbolOpacity", 1}}}};
+            {"legend", {{"symbolType", "stroke"}, {"symbolOpacity", 1}, {"symbolSize", color::dash_symbol}}}};
     }
     drawn[0]["encoding"]["strokeDash"] = {
         {"field", "quantity"},

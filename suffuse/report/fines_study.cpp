@@ -49,7 +49,7 @@ std::string fines_color(double fines_content) {
     // Viridis between its darkest, lost on black, and its brightest, lost on white.
     static constexpr std::array<Rgb, 6> map = {
         {{84, 84, 176}, {48, 120, 160}, {31, 145, 135}, {58, 160, 88}, {122, 160, 35}, {190, 140, 20}}};
-    constexpr double stretch = 0.12; // half of the map lies below about this fines content
+    constexpr double stretch = 0.2; // half of the map lies below a fines content of 14 %
     const double whole = 1 / (1 + stretch), f = std::clamp(fines_content, 0.0, 1.0);
     const double place = f / (f + stretch) / whole * (map.size() - 1);
     const std::size_t k = std::min(static_cast<std::size_t>(place), map.size() - 2);

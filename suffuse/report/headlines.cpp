@@ -72,4 +72,18 @@ std::vector<Headline> erosion_headlines(const ErosionResult& erosion, const std:
     return headlines;
 }
 
+std::vector<Headline> fines_headlines(const std::vector<ContentThreshold>& thresholds) {
+    std::vector<Headline> headlines;
+    for (const ContentThreshold& each : thresholds) {
+        const bool is_between = each.from.find("of the way") != std::string::npos;
+        if (each.at.seeds == 0 || is_between) {
+            continue;
+        }
+        const std::string scatter =
+            each.at.seeds > 1 ? fmt::format(" ± {}", short_number(100 * each.at.standard_deviation, 2)) : "";
+        headlines.push_back({fmt::format("{:.0f}{} %", 100 * each.at.mean, scatter), each.name, each.from});
+    }
+    return headlines;
+}
+
 } // namespace suffuse::report

@@ -1,7 +1,8 @@
 #pragma once
-// The few numbers of an erosion that are shown large beside the answer.
+// The few numbers of an erosion, and of a study over the fines content, that are shown large beside the answer.
 
 #include "suffuse/erosion/result.hpp"
+#include "suffuse/report/fines_thresholds.hpp"
 #include "suffuse/report/page.hpp"
 
 #include <vector>
@@ -11,5 +12,9 @@ namespace suffuse::report {
 /// Eroded mass, change of permeability, largest loss of mean stress at constant volume, findings met: those that the
 /// run can tell.
 std::vector<Headline> erosion_headlines(const erosion::ErosionResult& erosion, const std::vector<Finding>& findings);
+
+/// The fines contents of lowest void ratio, loose and densest, and those from which on fines carry: those that were
+/// found.
+std::vector<Headline> fines_headlines(const std::vector<ContentThreshold>& thresholds);
 
 } // namespace suffuse::report

@@ -23,6 +23,20 @@ TEST(Headlines, SayMassPermeabilityStressAndFindings) {
     EXPECT_EQ(headlines[3].detail, "4 cannot be told from this run");
 }
 
+TEST(Headlines, OfFinesAreTheThresholdsThatWereFound) {
+    const std::vector<ContentThreshold> thresholds = {
+        {"FC_threshold", "lowest void ratio, loose", scatter_of({0.40, 0.42})},
+        {"FC_threshold", "lowest void ratio at 25 % of the way to dense", scatter_of({0.38})},
+        {"FC_active", "active fines b begin to rise", scatter_of({0.331})},
+        {"FC_active", "strong LS contacts begin to rise", scatter_of({})}};
+    const std::vector<Headline> headlines = fines_headlines(thresholds);
+    ASSERT_EQ(headlines.size(), 2U);
+    EXPECT_EQ(headlines[0].value, "41 ± 1.4 %"); // sqrt(2)
+    EXPECT_EQ(headlines[0].label, "FC_threshold");
+    EXPECT_EQ(headlines[1].value, "33 %");
+    EXPECT_EQ(headlines[1].detail, "active fines b begin to rise");
+}
+
 TEST(Headlines, AChangeThatIsNoiseIsNone) {
     erosion::ErosionResult erosion = test::sample_erosion();
     for (erosion::PassResult& pass : erosion.passes) {

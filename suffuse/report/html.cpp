@@ -1,6 +1,7 @@
 #include "suffuse/report/html.hpp"
 
 #include <algorithm>
+#include <regex>
 
 namespace suffuse::report {
 
@@ -31,13 +32,19 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
+std::string with_indices(std::string html) {
+    static const std::regex indexed(R"(\b(e|FC)_(min|g|eq|active|threshold)\b)");
+    return html.find('_') == std::string::npos ? html : std::regex_replace(html, indexed, "$1<sub>$2</sub>");
+}
+
 std::string html_table(
     const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
     const std::vector<bool>& numeric, std::string_view css_class
 ) {
     const auto cell = [&numeric](const char* tag, std::size_t column, const std::string& text) {
         const bool right = column < numeric.size() && numeric[column];
-        return std::string("<") + tag + (right ? " class=\"number\">" : ">") + escaped(text) + "</" + tag + ">";
+        return std::string("<") + tag + (right ? " class=\"number\">" : ">") + with_indices(escaped(text)) + "</" +
+               tag + ">";
     };
     // Wide tables scroll inside their own frame, which the keyboard must be able to reach.
     std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"" + escaped(css_class) + "\"><thead><tr>";

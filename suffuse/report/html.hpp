@@ -12,6 +12,10 @@ namespace suffuse::report {
 /// Safe as the content of an element and inside a double-quoted attribute.
 std::string escaped(std::string_view text);
 
+/// Escaped text with the indices of the symbols in this report's words set low: e_min, e_g, e_eq, FC_active,
+/// FC_threshold. A name of the user's with an underscore stays as it is.
+std::string with_indices(std::string html);
+
 /// A table whose first row is the header; `numeric[c]` says which columns are set flush right.
 std::string html_table(
     const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,

@@ -110,7 +110,7 @@ Remarks csv_remarks(const Figure& figure, const ReportData& report) {
 
 /// Text of ours or of the run, set for reading.
 std::string typeset(const std::string& text) {
-    return escaped(kept_together(text));
+    return with_indices(escaped(kept_together(text)));
 }
 
 std::string list(const std::vector<std::string>& lines, const char* css_class) {
@@ -259,9 +259,10 @@ std::string in_words(const std::string& key) {
 
 std::string provenance_section(const ReportData& report, const std::optional<PageScript>& script) {
     std::vector<std::vector<std::string>> rows;
-    std::string version, paper;
+    std::string version, commit, paper;
     for (const auto& [key, value] : report.provenance) {
-        version += key == "version" ? " " + value : key == "commit" ? ", commit " + value : "";
+        version += key == "version" ? " " + value : "";
+        commit += key == "commit" ? ", commit " + value : "";
         paper += key == "paper" ? value : "";
         const bool is_time = key == "wall_seconds";
         rows.push_back({in_words(key), is_time ? short_number(std::atof(value.c_str()), 4) + " s" : value});
@@ -270,9 +271,9 @@ std::string provenance_section(const ReportData& report, const std::optional<Pag
     std::string out = html_table({"what", "value"}, rows, {}, "provenance");
     out += "<h3>How to cite</h3>\n<p>" +
            typeset(fmt::format(
-               "The program: suffuse{}; CITATION.cff in its source holds the entry. Seed and hash of the case "
+               "The program: suffuse{}{}; CITATION.cff in its source holds the entry. Seed and hash of the case "
                "identify the run.{}",
-               version, paper.empty() ? "" : " The work that it follows: " + paper + "."
+               version, commit, paper.empty() ? "" : " The work that it follows: " + paper + "."
            )) +
            "</p>\n";
     if (script && !script->notices.empty()) {

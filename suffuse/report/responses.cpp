@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <set>
+#include <utility>
 
 namespace suffuse::report {
 
@@ -101,7 +103,64 @@ int legend_columns(const json& names) {
     for (const json& name : names) {
         longest = std::max(longest, name.get_ref<const std::string&>().size());
     }
-    return std::max(1, static_cast<int>(560 / (6.2 * static_cast<double>(longest) + 36)));
+    return std::max(1, static_cast<int>(560 / (6.2 * static_cast<double>(longest) + 52)));
+}
+
+/// "FC 10 %" and "shear" of "FC 10 %, shear"; the stage is empty where the name has none.
+std::pair<std::string, std::string> mixture_and_stage(const ResponseCurve& test) {
+    const std::size_t comma = test.name.find(", ");
+    return comma == std::string::npos ? std::pair{test.name, std::string{}}
+                                      : std::pair{test.name.substr(0, comma), test.name.substr(comma + 2)};
+}
+
+/// Whether some fines content is tested in several stages.
+bool has_stages(const std::vector<ResponseCurve>& tests) {
+    std::set<double> contents;
+    bool repeats = false;
+    for (const ResponseCurve& test : tests) {
+        if (!std::isfinite(test.fines_content) || mixture_and_stage(test).second.empty()) {
+            return false;
+        }
+        repeats = repeats || !contents.insert(test.fines_content).second;
+    }
+    return repeats;
+}
+
+/// Color by fines content and dashes by stage: `field` "mixture" or "stage".
+json told_by(const char* field, const std::vector<std::pair<std::string, json>>& names) {
+    json domain = json::array(), range = json::array();
+    for (const auto& [name, look] : names) {
+        if (std::find(domain.begin(), domain.end(), name) == domain.end()) {
+            domain.push_back(name);
+            range.push_back(look);
+        }
+    }
+    const int columns = legend_columns(domain);
+    return {
+        {"field", field},
+        {"type", "nominal"},
+        {"title", nullptr},
+        {"scale", {{"domain", domain}, {"range", range}}},
+        {"legend",
+         {{"symbolType", "stroke"}, {"symbolOpacity", 1}, {"symbolSize", color::dash_symbol}, {"columns", columns}}}};
+}
+
+void color_by_mixture(const std::vector<ResponseCurve>& tests, json& encoding) {
+    static const json patterns =
+        json::parse("[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2], [12, 3], [5, 2, 1, 2, 1, 2], [1, 3], [12, 2, 4, 2]]");
+    std::vector<std::pair<std::string, json>> mixtures, stages;
+    std::vector<std::string> seen;
+    for (const ResponseCurve& test : tests) {
+        const auto [mixture, stage] = mixture_and_stage(test);
+        mixtures.emplace_back(mixture, fines_color(test.fines_content));
+        if (std::find(seen.begin(), seen.end(), stage) == seen.end()) {
+            stages.emplace_back(stage, patterns[seen.size() % patterns.size()]);
+            seen.push_back(stage);
+        }
+    }
+    encoding["color"] = told_by("mixture", mixtures);
+    encoding["strokeDash"] = told_by("stage", stages);
+    encoding["strokeDash"]["legend"]["orient"] = "bottom"; // beside the other it would not fit
 }
 
 /// Color and dashes by test; tests over a fines content have its color.
@@ -120,7 +179,11 @@ void color_by_test(const std::vector<ResponseCurve>& tests, json& encoding) {
         {"type", "nominal"},
         {"title", nullptr},
         {"scale", {{"domain", names}, {"range", colors}}},
-        {"legend", {{"symbolType", "stroke"}, {"symbolOpacity", 1}, {"columns", legend_columns(names)}}}};
+        {"legend",
+         {{"symbolType", "stroke"},
+          {"symbolOpacity", 1},
+          {"symbolSize", color::dash_symbol},
+          {"columns", legend_columns(names)}}}};
     encoding["strokeDash"] = {
         {"field", "test"},
         {"type", "nominal"},
@@ -140,6 +203,21 @@ bool starts_at_zero(const std::vector<ResponseCurve>& tests) {
     return lowest > -0.01 * highest;
 }
 
+/// Whether all tests compress: their axis begins at zero, not at the first row.
+bool only_compresses(const std::vector<ResponseCurve>& tests) {
+    return std::all_of(tests.begin(), tests.end(), [](const ResponseCurve& test) {
+        return std::all_of(test.rows.begin(), test.rows.end(), [](const auto& row) { return row.axial_strain >= 0; });
+    });
+}
+
+bool keeps_volume(const std::vector<ResponseCurve>& tests) {
+    return std::all_of(tests.begin(), tests.end(), [](const ResponseCurve& test) {
+        return std::all_of(test.rows.begin(), test.rows.end(), [](const auto& row) {
+            return std::abs(row.volumetric_strain) < 1e-4;
+        });
+    });
+}
+
 /// One panel over the axial strain: lines, and below them bands of one standard deviation where there are some.
 json strain_panel(const std::vector<ResponseCurve>& tests, const std::string& value, const char* title, double height) {
     const bool has_bands =
@@ -152,10 +230,17 @@ json strain_panel(const std::vector<ResponseCurve>& tests, const std::string& va
         {"title", "axial strain ε₁ [%]"},
         {"axis", {{"tickCount", 8}}},
         {"scale", {{"nice", false}}}};
+    if (only_compresses(tests)) {
+        encoding["x"]["scale"]["domainMin"] = 0;
+    }
     encoding["y"] = {{"field", value}, {"type", "quantitative"}, {"title", title}};
     if (value == "deviator_stress" && starts_at_zero(tests)) {
         encoding["y"]["scale"] = {
             {"domainMin", 0}}; // what is left of q after settling is no reason for a tick below zero
+    }
+    if (value == "volumetric_strain" &&
+        keeps_volume(tests)) { // at constant volume, rounding is not drawn as if it were a response
+        encoding["y"]["scale"] = {{"domain", {{"unionWith", {-0.01, 0.01}}}}};
     }
     color_by_test(tests, encoding);
     encoding["order"] = {{"field", "axial_strain"}};
@@ -205,7 +290,10 @@ std::string bands(const std::vector<ResponseCurve>& tests) {
     for (const ResponseCurve& test : tests) {
         most = std::max(most, test.samples);
     }
-    return most > 1 ? fmt::format(" Bands: one standard deviation over up to {} samples to each side.", most) : "";
+    return most > 1 ? fmt::format(
+                          " Lines: the mean over up to {} samples; bands: one standard deviation to each side.", most
+                      )
+                    : " One sample a line.";
 }
 
 Figure response_figure(const std::vector<ResponseCurve>& tests) {
@@ -332,8 +420,14 @@ std::optional<Figure> test_paths(const std::vector<ResponseCurve>& all) {
     if (starts_at_zero(tests)) {
         figure.chart["vconcat"][0]["encoding"]["y"]["scale"] = {{"domainMin", 0}};
     }
+    const bool by_stage = has_stages(tests);
+    if (by_stage) {
+        figure.chart["transform"] = json::parse(R"json([
+            {"calculate": "split(datum.test, ', ')[0]", "as": "mixture"},
+            {"calculate": "split(datum.test, ', ')[1]", "as": "stage"}])json");
+    }
     for (json& panel : figure.chart["vconcat"]) {
-        color_by_test(tests, panel["encoding"]);
+        by_stage ? color_by_mixture(tests, panel["encoding"]) : color_by_test(tests, panel["encoding"]);
         panel["encoding"]["order"] = {{"field", "axial_strain"}};
         panel["encoding"]["tooltip"] = json::parse(R"json([
             {"field": "test", "title": "test"}, {"field": "mean_stress", "title": "p [kPa]", "format": ".4g"},
@@ -341,8 +435,16 @@ std::optional<Figure> test_paths(const std::vector<ResponseCurve>& all) {
             {"field": "void_ratio", "title": "void ratio e", "format": ".4g"},
             {"field": "axial_strain", "title": "ε₁ [%]", "format": ".3g"}])json");
     }
-    // Near zero a logarithm has nothing to say.
-    figure.chart["vconcat"][1]["transform"] = {{{"filter", "datum.mean_stress > 0"}}};
+    // A liquefied sample's mean stress is noise over many decades.
+    double highest = 0, lowest = std::numeric_limits<double>::infinity();
+    for (const double p : figure.table.numbers("mean_stress")) {
+        highest = std::max(highest, p), lowest = std::min(lowest, p);
+    }
+    const double least = std::pow(10.0, std::floor(std::log10(std::max(highest, 1e-12))) - 2);
+    figure.chart["vconcat"][1]["transform"] = {{{"filter", fmt::format("datum.mean_stress >= {}", least)}}};
+    if (lowest < least) {
+        figure.caption += fmt::format(" Below {} kPa, where a sample liquefied, it is not drawn.", short_number(least));
+    }
     return figure;
 }
 

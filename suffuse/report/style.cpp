@@ -64,6 +64,7 @@ thead th { color: var(--soft); font-weight: 600; border-bottom: 2px solid var(--
 td.number { white-space: nowrap; }
 table.numbers { width: auto; min-width: 50%; font-size: .84rem; }
 table.numbers th, table.numbers td { padding: .2rem .7rem; }
+table.page-table td:first-child { min-width: 9rem; }
 table.provenance { overflow-wrap: anywhere; }
 table.provenance td:first-child, table.stages td:first-child { font-weight: 600; }
 table.provenance td:first-child { width: 14rem; }
@@ -85,6 +86,7 @@ table.findings td:nth-child(3), table.findings td:nth-child(4) { min-width: 11re
 .unknown { color: var(--open); background: var(--open-back); }
 details { margin: .6rem 0; }
 summary { cursor: pointer; color: var(--accent); font-size: .92rem; width: fit-content; }
+sub { font-size: .75em; line-height: 0; }
 code, pre { font-family: ui-monospace, "DejaVu Sans Mono", Consolas, monospace; font-size: .86em; }
 pre { white-space: pre-wrap; background: var(--panel); padding: 1rem; overflow-wrap: anywhere; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr)); gap: 1.4rem 3rem; }
@@ -183,6 +185,7 @@ button:hover { border-color: var(--accent); }
   body { font-size: 10.5pt; }
   header, main { max-width: none; padding: 0; }
   nav, .tools, .skip, .view3d, [data-no-view], details:not([open]) { display: none; }
+  .chart svg, .drawing svg { max-height: 90mm; width: auto; }
   .stills { flex-wrap: nowrap; }
   .figure, .still, table.findings tr { break-inside: avoid; }
   h2, h3 { break-after: avoid; }

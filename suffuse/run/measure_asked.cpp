@@ -111,7 +111,7 @@ json measure_asked(StageWork& work, const json& numbers) {
     for (const std::string& group : work.stage.measure) {
         const auto cannot = [&](const Error& error) {
             measured[group] = nullptr;
-            work.warnings.push_back(fmt::format("{}: {} cannot be measured: {}", work.stage.name, group, error.what()));
+            work.warnings.push_back(fmt::format("{}: {} cannot be measured: {}", work.place(), group, error.what()));
         };
         try { // hours of steps are not lost for a state that has no water's way
             measured[group] = measure(group, work, numbers);

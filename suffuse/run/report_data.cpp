@@ -2,6 +2,8 @@
 
 #include "suffuse/io/text_file.hpp"
 #include "suffuse/report/headlines.hpp"
+#include "suffuse/report/removal_table.hpp"
+#include "suffuse/report/warnings.hpp"
 #include "suffuse/run/assumed_values.hpp"
 #include "suffuse/run/erosion_figures.hpp"
 #include "suffuse/run/findings_by_seed.hpp"
@@ -128,9 +130,18 @@ report::ReportData describe_run(
     if (auto table = thresholds_table(fines)) {
         data.tables.push_back(std::move(*table));
     }
-    data.headlines = report::erosion_headlines(story.erosion, data.findings);
+    if (fines) {
+        if (auto table = report::removal_table(fines->removals)) {
+            data.tables.push_back(std::move(*table));
+        }
+        data.headlines = report::fines_headlines(fines->thresholds);
+    }
+    for (report::Headline& headline : report::erosion_headlines(story.erosion, data.findings)) {
+        data.headlines.push_back(std::move(headline));
+    }
     data.warnings = flaws;
     data.warnings.insert(data.warnings.end(), warnings.begin(), warnings.end());
+    data.warnings = report::merged_warnings(data.warnings);
     if (const std::filesystem::path given = folder / "case.toml"; std::filesystem::exists(given)) {
         data.assumed = assumed_values(io::read_text(given)); // a program that runs cases of its own leaves none
     }

@@ -158,28 +158,62 @@ Scene scene_of_erosion(const std::filesystem::path& folder, const FinishedStage&
     return scene;
 }
 
-Scene scene_of_stages(const std::filesystem::path& folder, const FinishedStage& last) {
-    std::vector<const casefile::Stage*> chain;
-    const auto& all = last.variant->stages;
-    for (const casefile::Stage* stage = last.stage;;) {
-        if (!std::holds_alternative<packing::PackSpec>(stage->spec)) { // a cloud touches nowhere
-            chain.push_back(stage);
+/// The last stage of the sample to show: of the mixtures of the last study the one nearest to where fines begin to
+/// carry, for pure sand and pure fines show nothing of it.
+const FinishedStage& shown_stage(const std::vector<FinishedStage>& stages) {
+    constexpr double telling = 0.3;
+    const auto distance = [](const FinishedStage& stage) {
+        const auto& soil = stage.variant->soil;
+        const bool is_mixture = soil && soil->fines && soil->fines_content > 0 && soil->fines_content < 1;
+        return is_mixture ? std::abs(soil->fines_content - telling) : 1.0;
+    };
+    const FinishedStage* shown = &stages.back();
+    for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
+        if (stage->study == shown->study && distance(*stage) < distance(*shown)) {
+            shown = &*stage;
         }
-        if (stage->parent < 0 || chain.size() == most_stages) {
-            break;
-        }
-        stage = &all[static_cast<std::size_t>(stage->parent)];
     }
+    return *shown;
+}
+
+/// The stages of a sample that lead to `last`, and those from the same grains beside them, in the case's order; clouds,
+/// which touch nowhere, left out.
+std::vector<const casefile::Stage*>
+stages_to_show(const std::vector<FinishedStage>& finished, const FinishedStage& last) {
+    const auto& all = last.variant->stages;
+    std::vector<bool> leads(all.size(), false);
+    for (int k = static_cast<int>(last.stage - all.data()); k >= 0; k = all[static_cast<std::size_t>(k)].parent) {
+        leads[static_cast<std::size_t>(k)] = true;
+    }
+    std::vector<const casefile::Stage*> shown;
+    for (const FinishedStage& each : finished) {
+        const bool of_sample = each.variant == last.variant &&
+                               !std::holds_alternative<packing::PackSpec>(each.stage->spec) && each.stage <= last.stage;
+        if (of_sample && (leads[static_cast<std::size_t>(each.stage - all.data())] ||
+                          each.numbers.at("grains") == last.numbers.at("grains"))) {
+            shown.push_back(each.stage);
+        }
+    }
+    std::sort(shown.begin(), shown.end());
+    if (shown.size() > most_stages) {
+        shown.erase(shown.begin(), shown.end() - most_stages);
+    }
+    return shown;
+}
+
+Scene scene_of_stages(
+    const std::filesystem::path& folder, const std::vector<FinishedStage>& finished, const FinishedStage& last
+) {
     Scene scene;
     RowOf rows;
-    for (auto stage = chain.rbegin(); stage != chain.rend(); ++stage) {
-        const dem::World world = load(stage_folder(folder, *last.variant, **stage) / "state.h5");
+    for (const casefile::Stage* stage : stages_to_show(finished, last)) {
+        const dem::World world = load(stage_folder(folder, *last.variant, *stage) / "state.h5");
         if (scene.id.empty()) {
             add_grains(world, scene);
             rows = rows_of(scene);
         }
         SceneState state = describe_state(world, scene, rows);
-        state.label = fmt::format("after {}", (*stage)->name);
+        state.label = fmt::format("after {}", stage->name);
         scene.states.push_back(std::move(state));
     }
     scene.remark = fmt::format("The {} grains of {}.", report::grouped(std::ssize(scene.id)), last.variant->folder);
@@ -199,7 +233,7 @@ Scene describe_scene(
     if (eroded != nullptr && eroded->stage->parent >= 0) {
         scene = scene_of_erosion(folder, *eroded);
     } else if (!stages.empty()) {
-        scene = scene_of_stages(folder, stages.back());
+        scene = scene_of_stages(folder, stages, shown_stage(stages));
     }
     limit_size(scene);
     return scene;

@@ -75,7 +75,7 @@ void warn_of_shear_stress(StageWork& work, double pressure) {
             "{}: the stress on every axis is {:.4g} kPa, but shear stresses between the axes remain that make a "
             "deviator stress of {:.3g} kPa: a right-angled cell cannot relax them; they shrink with more grains that "
             "carry load",
-            work.stage.name, pressure / 1e3, q / 1e3
+            work.place(), pressure / 1e3, q / 1e3
         ));
     }
 }
@@ -93,14 +93,13 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     work.numbers["imported_overlap_ratio"] = overlap;
     work.warnings = std::move(packing.warnings);
     if (packing.cell && !(packing.cell->h == work.world.cell.h)) {
-        work.warnings.push_back(fmt::format("{}: the case's cell is taken, not that of {}", work.stage.name, spec.path)
-        );
+        work.warnings.push_back(fmt::format("{}: the case's cell is taken, not that of {}", work.place(), spec.path));
     }
     work.warnings.push_back(fmt::format(
         "{}: an imported packing carries no contact memory: its shear forces and moments start at zero; settle it "
         "where that "
         "matters",
-        work.stage.name
+        work.place()
     ));
 }
 

@@ -64,7 +64,7 @@ void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
          {"steps", pass.steps}}
     );
     if (!pass.verdict.empty()) {
-        work.warnings.push_back(fmt::format("{}/{}: {}", work.variant.folder, work.stage.name, pass.verdict));
+        work.warnings.push_back(fmt::format("{}: {}", work.place(), pass.verdict));
     }
     work.grain_steps = pass.steps * static_cast<std::int64_t>(work.world.grains.size());
     write_removed(work.folder / "eroded.csv", removal.erosion);

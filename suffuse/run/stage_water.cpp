@@ -91,7 +91,7 @@ void note_probe(StageWork& work, const erosion::ProbeResult& probe) {
         work.warnings.push_back(fmt::format(
             "{}: the equilibrium could be relaxed to an unbalanced force of {:.1e} only, the floor of double precision "
             "here",
-            work.stage.name, probe.unbalanced_force
+            work.place(), probe.unbalanced_force
         ));
     }
     if (probe.beyond_viscous_time) {
@@ -99,7 +99,7 @@ void note_probe(StageWork& work, const erosion::ProbeResult& probe) {
             "{}: ramp and watch last {:.3g} s, longer than the viscous time {:.3g} s of the fines: the constant force "
             "overstates "
             "how far they move",
-            work.stage.name, static_cast<double>(probe.ramp + probe.watch) * probe.time_step, probe.viscous_time
+            work.place(), static_cast<double>(probe.ramp + probe.watch) * probe.time_step, probe.viscous_time
         ));
     }
 }
@@ -205,7 +205,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         work.grain_steps += (probe_steps + pass.steps) * static_cast<std::int64_t>(work.world.grains.size());
         work.time_step = pass.probe.time_step;
         if (!pass.verdict.empty()) {
-            work.warnings.push_back(fmt::format("{}: pass {}: {}", work.stage.name, pass.pass, pass.verdict));
+            work.warnings.push_back(fmt::format("{}: pass {}: {}", work.place(), pass.pass, pass.verdict));
         }
     }
     work.numbers["passes"] = passes;

@@ -42,6 +42,9 @@ struct StageWork {
 
     double earlier_seconds = 0; ///< wall time before the stage was taken up again [s]
 
+    /// "STUDY/SAMPLE/STAGE", as warnings say where.
+    [[nodiscard]] std::string place() const { return variant.folder + "/" + stage.name; }
+
     /// The state after a burst: a row of the history and a picture, where they are due.
     void note_state();
 

@@ -17,7 +17,7 @@ namespace {
 
 using Rows = std::vector<report::StressStrainRow>;
 
-constexpr std::size_t most_paths = 16; ///< tests drawn in one figure of paths
+constexpr std::size_t most_paths = 24; ///< tests drawn in one figure of paths
 
 void add(std::optional<report::Figure> figure, std::vector<report::Figure>& figures) {
     if (figure) {
@@ -105,21 +105,48 @@ std::string figure_name(std::string name) {
     return name;
 }
 
+/// The paths of the swept tests of each study, which may bear the same names as those of another, and those of all
+/// others together.
+void draw_paths(
+    const std::vector<Test>& tests, std::vector<report::ResponseCurve> single, std::vector<report::Figure>& figures
+) {
+    std::vector<const casefile::Study*> studies;
+    for (const Test& test : tests) {
+        if (!test.study->sweep.empty() && (studies.empty() || studies.back() != test.study)) {
+            studies.push_back(test.study);
+        }
+    }
+    const bool is_only = studies.size() + (single.empty() ? 0 : 1) == 1;
+    for (const casefile::Study* study : studies) {
+        std::vector<report::ResponseCurve> curves;
+        for (const Test& test : tests) {
+            if (test.study == study && curves.size() < most_paths) {
+                curves.push_back(test.curve);
+                curves.back().name += ", " + test.stage->name;
+            }
+        }
+        std::optional<report::Figure> figure = report::test_paths(curves);
+        if (figure && !is_only) {
+            figure->id += fmt::format("-{}", figure_name(study->name));
+            figure->title += ": " + study->name;
+        }
+        add(std::move(figure), figures);
+    }
+    single.resize(std::min(single.size(), most_paths));
+    add(report::test_paths(single), figures);
+}
+
 /// A figure for each swept test, and one for all others together.
 void draw_tests(
     const casefile::Case& what, const std::vector<Test>& tests, const casefile::Stage* shown,
     std::vector<report::Figure>& figures
 ) {
-    std::vector<report::ResponseCurve> single, all;
+    std::vector<report::ResponseCurve> single;
     std::vector<const casefile::Stage*> drawn;
     for (const Test& test : tests) {
-        const bool is_swept = !test.study->sweep.empty();
-        report::ResponseCurve named = test.curve;
-        const std::string study = what.studies.size() > 1 ? test.study->name + ", " : "";
-        named.name = is_swept ? test.curve.name + ", " + test.stage->name : study + test.stage->name;
-        all.push_back(named);
-        if (!is_swept) {
-            single.push_back(std::move(named));
+        if (test.study->sweep.empty()) {
+            single.push_back(test.curve);
+            single.back().name = (what.studies.size() > 1 ? test.study->name + ", " : "") + test.stage->name;
             continue;
         }
         if (test.stage == shown || std::find(drawn.begin(), drawn.end(), test.stage) != drawn.end()) {
@@ -139,8 +166,7 @@ void draw_tests(
             figures);
     }
     add(report::triaxial_response(single), figures);
-    all.resize(std::min(all.size(), most_paths));
-    add(report::test_paths(all), figures);
+    draw_paths(tests, std::move(single), figures);
 }
 
 /// What is mixed at each fines content, and the first sample's own grading.

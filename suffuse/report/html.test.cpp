@@ -1,0 +1,20 @@
+#include "suffuse/report/html.hpp"
+
+#include <gtest/gtest.h>
+
+namespace suffuse::report {
+namespace {
+
+TEST(Html, IndicesOfOurSymbolsAreSetLowAndNamesOfTheUserStay) {
+    EXPECT_EQ(
+        with_indices("FC_active, e_min = 0.4 and (e_g)"),
+        "FC<sub>active</sub>, e<sub>min</sub> = 0.4 and (e<sub>g</sub>)"
+    );
+    const std::string names = "fines_content, some_name_min, e_mine, FC_active_2";
+    EXPECT_EQ(with_indices(names), names);
+    EXPECT_EQ(html_table({"e_eq"}, {{"<b>e_min"}}, {}, "c").find("<b>"), std::string::npos);
+    EXPECT_NE(html_table({"e_eq"}, {{"<b>e_min"}}, {}, "c").find("&lt;b&gt;e<sub>min</sub>"), std::string::npos);
+}
+
+} // namespace
+} // namespace suffuse::report
