@@ -43,6 +43,21 @@ TEST_F(Cli, NewCheckAndPlanWorkOnEveryTemplate) {
     }
 }
 
+TEST_F(Cli, APlanUntilAStageCostsWhatARunUntilItDoes) {
+    say({"new", "soil", "--from", "replay"});
+    const Said all = say({"plan", "soil/case.toml", "--json"});
+    const Said part = say({"plan", "soil/case.toml", "--json", "--until", "start"});
+    ASSERT_EQ(part.code, 0) << part.error;
+    const nlohmann::json stages = part.json().at("stages");
+    EXPECT_EQ(stages.back().at("stage"), "start");
+    EXPECT_LT(stages.size(), all.json().at("stages").size());
+    EXPECT_LT(part.json().at("steps").at(1), all.json().at("steps").at(1));
+    EXPECT_EQ(part.json().at("samples").at(0).at("stages"), stages.size());
+    const Said wrong = say({"plan", "soil/case.toml", "--until", "sepe"});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_EQ(wrong.error, say({"run", "soil/case.toml", "--until", "sepe"}).error);
+}
+
 TEST_F(Cli, ErrorsOfACaseAreCodeThreeWithFileAndLine) {
     struct Slip {
         std::string what, with, line, part;

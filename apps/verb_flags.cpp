@@ -54,8 +54,12 @@ void add_cache(CLI::App& verb, CommandLine& line) {
     verb.add_flag("--no-cache", line.no_cache, "compute every stage, and keep none")->excludes(cache);
 }
 
-void add_limits(CLI::App& verb, CommandLine& line) {
+void add_until(CLI::App& verb, CommandLine& line) {
     verb.add_option("--until", line.until, "end each sample with this stage")->type_name("STAGE");
+}
+
+void add_limits(CLI::App& verb, CommandLine& line) {
+    add_until(verb, line);
     verb.add_option("--time-limit", line.time_limit, "save and stop after this wall time, as in 90min or 2h")
         ->type_name("TIME");
 }
@@ -158,6 +162,7 @@ void add_case_verbs(CLI::App& app, CommandLine& line) {
     add_threads(*plan, line);
     add_case_changes(*plan, line);
     add_cache(*plan, line);
+    add_until(*plan, line);
 
     CLI::App* explain =
         app.add_subcommand("explain", "one screen on a key, a code, a figure, a criterion, or the conventions");

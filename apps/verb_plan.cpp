@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/asked_stages.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/run_folder.hpp"
 #include "apps/verbs.hpp"
@@ -86,9 +87,9 @@ struct SampleRow {
     std::string sized_by;                ///< rule of `sample_size`
 };
 
-std::vector<SampleRow> rows_of(const casefile::Case& what, const run::RunPlan& plan) {
+std::vector<SampleRow> rows_of(const casefile::Case& what, const run::RunPlan& plan, const std::string& until) {
     std::vector<SampleRow> rows;
-    for (const run::Sample& sample : run::list_samples(what)) {
+    for (const run::Sample& sample : run::list_samples(what, until)) {
         SampleRow row{sample.variant->folder, sample.variant->seed, 0, {}, {}, 0, 0, sample.stages, 0, 0, {}, ""};
         for (int k = 0; k < sample.stages; ++k) {
             const run::StageEstimate& stage = plan.stages.at(static_cast<std::size_t>(sample.first_stage - 1 + k));
@@ -181,11 +182,14 @@ void tell_refinements(const casefile::Case& what, const Console& console) {
 
 int plan_verb(const CommandLine& line, const Console& console) {
     const casefile::Case what = load_asked_case(line, console);
+    check_until(what, line.until);
     set_threads(line.threads);
     run::RunPlan plan = plan_case(what, run::samples_at_once(what));
     const std::filesystem::path cache = cache_folder(line, cache_beside("runs/new"));
-    run::leave_out_done(plan, what, {}, run::StageCache(cache));
-    const std::vector<SampleRow> rows = rows_of(what, plan);
+    price_asked_alone(plan, what, line.until);
+    run::leave_out_done(plan, what, {}, run::StageCache(cache)); // sums up, too
+    const std::vector<SampleRow> rows = rows_of(what, plan, line.until);
+    keep_asked_alone(plan, what, line.until);
     const std::vector<std::string> warnings = shortages(plan);
     for (const std::string& warning : warnings) {
         console.talk("warning: " + warning);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/asked_stages.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/live_report.hpp"
 #include "apps/page_folder.hpp"
@@ -26,7 +27,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace suffuse::apps {
@@ -42,24 +42,6 @@ struct Job {
     fs::path cache; ///< empty: none
     run::RunPlan plan;
 };
-
-void check_until(const casefile::Case& what, const std::string& until) {
-    if (until.empty()) {
-        return;
-    }
-    std::vector<std::string> names;
-    for (const casefile::Study& study : what.studies) {
-        for (const casefile::Stage& stage : study.stages) {
-            names.push_back(stage.name);
-        }
-    }
-    if (std::find(names.begin(), names.end(), until) == names.end()) {
-        throw UsageError(fmt::format(
-            "--until {}: the case has no such stage{}; there are {}", shown(until), near_hint(until, names),
-            fmt::join(names, ", ")
-        ));
-    }
-}
 
 double limit_of(const std::string& text) {
     if (text.empty()) {
@@ -97,19 +79,7 @@ run::RunPlan plan_rest(
     const std::string& only = {}
 ) {
     run::RunPlan plan = plan_case(what, only.empty() ? run::samples_at_once(what) : 1);
-    std::set<std::pair<std::string, std::string>> asked; // sample and stage
-    for (const run::Sample& sample : run::list_samples(what, until)) {
-        const bool is_asked = only.empty() || sample.variant->folder == only;
-        for (int row = 0; is_asked && row < sample.stages; ++row) {
-            asked.emplace(sample.variant->folder, sample.variant->stages[static_cast<std::size_t>(row)].name);
-        }
-    }
-    for (run::StageEstimate& stage : plan.stages) {
-        if (!asked.contains({stage.study, stage.stage})) {
-            stage.steps = stage.seconds = {};
-            stage.memory = stage.disk = 0;
-        }
-    }
+    price_asked_alone(plan, what, until, only);
     run::leave_out_done(plan, what, folder, run::StageCache(cache));
     return plan;
 }

@@ -38,6 +38,23 @@ TEST_F(Cli, ARunGoesOnlyWhereNothingIsOverwritten) {
     EXPECT_FALSE(std::filesystem::exists(folder / "runs")); // wrong use leaves nothing behind
 }
 
+TEST_F(Cli, ARunOfAnEarlierVersionWithAMeasureThatIsNoneNowSaysHowToGoOn) {
+    say({"new", "soil", "--from", "replay"});
+    ASSERT_EQ(say({"run", "soil/case.toml", "-o", "here", "--until", "start"}).code, 0);
+    const std::filesystem::path resolved = folder / "here/case.resolved.toml";
+    const std::string now = read_all(resolved), none = "measure = []";
+    const std::size_t at = now.find(none);
+    ASSERT_NE(at, std::string::npos) << now;
+    std::string before = now;
+    write_to(resolved, before.replace(at, none.size(), "measure = [\"flow\"]"));
+    const Said refused = say({"resume", "here"});
+    EXPECT_EQ(refused.code, 3);
+    expect_in("E407", refused.error);
+    expect_in("take the word out of here/case.resolved.toml and call again", refused.error);
+    write_to(resolved, now);
+    EXPECT_EQ(say({"resume", "here"}).code, 0);
+}
+
 TEST_F(Cli, AnUnwritableOrUnreadablePlaceIsCode74) {
     say({"new", "soil", "--from", "replay"});
     EXPECT_EQ(say({"run", "soil/case.toml", "-o", "/proc/nothing"}).code, 74);

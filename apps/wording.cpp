@@ -1,5 +1,7 @@
 #include "apps/wording.hpp"
 
+#include "suffuse/base/grouped.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -132,12 +134,7 @@ std::string size_text(double bytes) {
 }
 
 std::string count_text(std::int64_t count) {
-    std::string digits = std::to_string(count);
-    const std::ptrdiff_t first = count < 0 ? 1 : 0;
-    for (std::ptrdiff_t at = std::ssize(digits) - 3; at > first; at -= 3) {
-        digits.insert(static_cast<std::size_t>(at), 1, ',');
-    }
-    return digits;
+    return grouped(count);
 }
 
 std::string steps_text(const run::Range& steps) {

@@ -1,6 +1,7 @@
 #include "suffuse/casefile/physics_checks.hpp"
 
 #include "suffuse/base/constants.hpp"
+#include "suffuse/base/grouped.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 
@@ -63,10 +64,11 @@ public:
             std::ceil(static_cast<double>(variant_.particles) * std::pow(narrow_cell / ratio, 3) / 100) * 100;
         const std::string where = variant_.values.empty() ? "" : fmt::format(" ({} is the narrowest)", variant_.folder);
         const std::string found = fmt::format(
-            "{} grains of this soil make a cell {:.1f} times as wide as the largest of them{}", variant_.particles,
-            ratio, where
+            "{} grains of this soil make a cell {:.1f} times as wide as the largest of them{}",
+            grouped(variant_.particles), ratio, where
         );
-        const std::string advice = fmt::format("{:.0f} times need about {:.0f} grains", narrow_cell, enough);
+        const std::string advice =
+            fmt::format("{:.0f} times need about {} grains", narrow_cell, grouped(std::llround(enough)));
         const Place place = place_of("particles");
         if (ratio < narrowest_cell) {
             context_.problems.error("E601", place, "a sample too small for its largest grain: " + found, advice);

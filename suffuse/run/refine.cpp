@@ -22,6 +22,17 @@ using Values = std::map<std::string, Scalar>;
 
 const char* const refinement_file = "refinement.json";
 
+/// What helps where the case that a run was begun with is refused now.
+std::string what_to_do(const casefile::Diagnostic& problem) {
+    return "; the run began with a version of suffuse that took this: " +
+           (problem.code == "E407" ? fmt::format(
+                                         "take the word out of {} and call again; the stage never measured it, so "
+                                         "nothing else changes",
+                                         problem.file
+                                     )
+                                   : fmt::format("mend {} and call again, or begin anew", problem.file));
+}
+
 std::string written(const Scalar& value) {
     const auto* text = std::get_if<std::string>(&value);
     return text != nullptr ? *text : casefile::print_value(casefile::make_node(value));
@@ -207,7 +218,16 @@ casefile::Case with_refinements(casefile::Case what, const std::filesystem::path
 }
 
 casefile::Case load_run(const std::filesystem::path& run) {
-    return with_refinements(casefile::load_case((run / "case.resolved.toml").string()).value, run);
+    try {
+        return with_refinements(casefile::load_case((run / "case.resolved.toml").string()).value, run);
+    } catch (casefile::CaseProblems& refused) { // an earlier version took it
+        for (casefile::Diagnostic& problem : refused.problems) {
+            if (!problem.is_warning) {
+                problem.help += what_to_do(problem);
+            }
+        }
+        throw casefile::CaseProblems(std::move(refused.problems));
+    }
 }
 
 } // namespace suffuse::run

@@ -14,7 +14,27 @@ namespace {
 // 15 % of the coarse part and 15 % of the fine part: together 15 % of the soil, wherever the split is.
 constexpr double between = 0.15;
 
-constexpr const char* worst_of_all = "worst of all splits: ";
+/// Where no split inside the curve is worse than those toward one of its ends, there is no split to name.
+std::string worst_of_all(const FilterRatio& ratio) {
+    const double coarse = 1e3 * ratio.coarse, fine = 1e3 * ratio.fine;
+    if (!(ratio.split > 0)) {
+        return fmt::format(
+            "worst toward the finest grains, where no split is left: D15 {:.3g} mm of the soil, smallest grain {:.3g} "
+            "mm",
+            coarse, fine
+        );
+    }
+    if (!(ratio.split < 1)) {
+        return fmt::format(
+            "worst toward the coarsest grains, where no split is left: largest grain {:.3g} mm, d85 {:.3g} mm of the "
+            "soil",
+            coarse, fine
+        );
+    }
+    return fmt::format(
+        "worst of all splits: D15c {:.3g} mm, d85f {:.3g} mm, split at F = {:.3g} %", coarse, fine, 100 * ratio.split
+    );
+}
 
 Criterion on_filter_ratio(const FilterRatio& ratio, double limit) {
     Criterion criterion;
@@ -24,9 +44,6 @@ Criterion on_filter_ratio(const FilterRatio& ratio, double limit) {
     criterion.sense = Sense::AtMost;
     criterion.diameter = ratio.fine;
     criterion.verdict = judge(criterion);
-    criterion.remark = fmt::format(
-        "D15c {:.3g} mm, d85f {:.3g} mm, split at F = {:.3g} %", 1e3 * ratio.coarse, 1e3 * ratio.fine, 100 * ratio.split
-    );
     return criterion;
 }
 
@@ -58,22 +75,27 @@ FilterRatio worst_filter_ratio(const Grading& grading) {
 }
 
 Criterion kezdi(const Grading& grading) {
-    Criterion criterion = on_filter_ratio(worst_filter_ratio(grading), 4);
+    const FilterRatio worst = worst_filter_ratio(grading);
+    Criterion criterion = on_filter_ratio(worst, 4);
     criterion.id = "kezdi-1979";
     criterion.name = "Kezdi 1979";
     criterion.source = "Kezdi1979";
-    criterion.remark.insert(0, worst_of_all);
+    criterion.remark = worst_of_all(worst);
     return criterion;
 }
 
 Criterion sherard(const Grading& grading, const std::optional<FineFraction>& fines) {
-    Criterion criterion =
-        on_filter_ratio(fines ? filter_ratio(grading, fines->finer_than) : worst_filter_ratio(grading), 5);
+    const FilterRatio ratio = fines ? filter_ratio(grading, fines->finer_than) : worst_filter_ratio(grading);
+    Criterion criterion = on_filter_ratio(ratio, 5);
     criterion.id = "sherard-1979";
     criterion.name = "Sherard 1979";
     criterion.source = "Sherard1979";
     criterion.verified = false;
-    criterion.remark.insert(0, fines ? "" : worst_of_all);
+    criterion.remark = fines ? fmt::format(
+                                   "D15c {:.3g} mm, d85f {:.3g} mm, split at F = {:.3g} %", 1e3 * ratio.coarse,
+                                   1e3 * ratio.fine, 100 * ratio.split
+                               )
+                             : worst_of_all(ratio);
     return criterion;
 }
 

@@ -64,6 +64,18 @@ grains::Grading some_grading() {
     return grading;
 }
 
+TEST(FilterRatio, OfACurveWhoseWorstSplitIsAnEndNoSplitIsNamed) {
+    // 15 % of the mass between the end and the corner, by a factor 2 of size; everywhere else they lie closer.
+    const grains::Grading steep_above{{1e-3, 2e-3, 2.2e-3}, {0, 0.15, 1}, {}};
+    EXPECT_EQ(worst_filter_ratio(steep_above).split, 0);
+    EXPECT_NE(kezdi(steep_above).remark.find("smallest grain 1 mm"), std::string::npos) << kezdi(steep_above).remark;
+    EXPECT_NE(sherard(steep_above, std::nullopt).remark.find("no split is left"), std::string::npos);
+    EXPECT_EQ(kezdi(steep_above).remark.find("F = 0 %"), std::string::npos);
+    const grains::Grading steep_below{{1e-3, 1.1e-3, 2.2e-3}, {0, 0.85, 1}, {}};
+    EXPECT_EQ(worst_filter_ratio(steep_below).split, 1);
+    EXPECT_NE(kezdi(steep_below).remark.find("largest grain 2.2 mm"), std::string::npos) << kezdi(steep_below).remark;
+}
+
 RC_GTEST_PROP(FilterRatio, TheWorstIsNoLessThanAnyOther, ()) {
     const grains::Grading grading = some_grading();
     const double worst = worst_filter_ratio(grading).value;

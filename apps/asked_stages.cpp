@@ -1,0 +1,68 @@
+#include "apps/asked_stages.hpp"
+
+#include "suffuse/run/samples.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/command_line.hpp"
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace suffuse::apps {
+namespace {
+
+using Names = std::set<std::pair<std::string, std::string>>; // sample and stage
+
+Names asked_names(const casefile::Case& what, const std::string& until, const std::string& only) {
+    Names asked;
+    for (const run::Sample& sample : run::list_samples(what, until)) {
+        const bool is_asked = only.empty() || sample.variant->folder == only;
+        for (int row = 0; is_asked && row < sample.stages; ++row) {
+            asked.emplace(sample.variant->folder, sample.variant->stages[static_cast<std::size_t>(row)].name);
+        }
+    }
+    return asked;
+}
+
+} // namespace
+
+void check_until(const casefile::Case& what, const std::string& until) {
+    if (until.empty()) {
+        return;
+    }
+    std::vector<std::string> names;
+    for (const casefile::Study& study : what.studies) {
+        for (const casefile::Stage& stage : study.stages) {
+            names.push_back(stage.name);
+        }
+    }
+    if (std::find(names.begin(), names.end(), until) == names.end()) {
+        throw UsageError(fmt::format(
+            "--until {}: the case has no such stage{}; there are {}", shown(until), near_hint(until, names),
+            fmt::join(names, ", ")
+        ));
+    }
+}
+
+void price_asked_alone(
+    run::RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only
+) {
+    const Names asked = asked_names(what, until, only);
+    for (run::StageEstimate& stage : plan.stages) {
+        if (!asked.contains({stage.study, stage.stage})) {
+            stage.steps = stage.seconds = {};
+            stage.memory = stage.disk = 0;
+        }
+    }
+}
+
+void keep_asked_alone(run::RunPlan& plan, const casefile::Case& what, const std::string& until) {
+    const Names asked = asked_names(what, until, {});
+    std::erase_if(plan.stages, [&](const run::StageEstimate& stage) {
+        return !asked.contains({stage.study, stage.stage});
+    });
+}
+
+} // namespace suffuse::apps
