@@ -50,7 +50,7 @@ Place rounded(const Vec3& position) {
     return {static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)};
 }
 
-Vec3 exact(const Place& place) {
+Vec3 position_of(const Place& place) {
     return {place[0], place[1], place[2]};
 }
 
@@ -128,7 +128,7 @@ bool Neighborhood::wide_list_reaches(const World& world, const std::vector<doubl
     const Mat3 motion = world.cell.h * inverse(wide_h_);
     const double strain = strain_of(motion);
     const double moved = largest(world.grains.size(), [&](std::size_t g) {
-        const Vec3 place = exact(wide_place_[g]);
+        const Vec3 place = position_of(wide_place_[g]);
         return norm(world.grains.position[g] - motion * place) + rounding_of(place) + allowance[g];
     });
     return wide_margin_ * (1 - strain) > 2 * moved + 2 * (strain + stretch_) * largest_radius_;
