@@ -47,7 +47,7 @@ std::string report_text(const fs::path& report) {
     return fmt::format("{}   ({}, opens offline)", report.string(), size_text(static_cast<double>(bytes)));
 }
 
-/// "plan  13-53 s for what took 27 s: 4 % off its middle; stages 12 % off in the median".
+/// "plan  13-53 s for stages that took 27 s together: 4 % off its middle; ...": side by side they end sooner.
 std::string plan_error_text(const run::PlanError& error) {
     const std::string stages = error.stages < 2
                                    ? ""
@@ -56,8 +56,8 @@ std::string plan_error_text(const run::PlanError& error) {
                                          plural(error.stages, "stage"), 100 * error.of_seconds, 100 * error.of_steps
                                      );
     return fmt::format(
-        "plan  {} for what took {}: {:.0f} % off its middle{}", duration_range_text(error.planned_seconds),
-        duration_text(error.seconds), 100 * error.of_all_seconds, stages
+        "plan  {} for stages that took {} together: {:.0f} % off its middle{}",
+        duration_range_text(error.planned_seconds), duration_text(error.seconds), 100 * error.of_all_seconds, stages
     );
 }
 

@@ -37,14 +37,6 @@ std::string superscript(int exponent) {
 
 } // namespace
 
-std::string grouped(long long count) {
-    std::string digits = fmt::format("{}", count < 0 ? -count : count);
-    for (std::size_t place = 3; place < digits.size(); place += 4) {
-        digits.insert(digits.size() - place, 1, ',');
-    }
-    return (count < 0 ? "−" : "") + digits;
-}
-
 std::string short_number(double value, int digits) {
     if (!std::isfinite(value)) {
         return "–";

@@ -1,13 +1,12 @@
 #pragma once
 // Numbers and units as a reader expects them in a sentence.
 
+#include "suffuse/base/grouped.hpp"
+
 #include <string>
 #include <string_view>
 
 namespace suffuse::report {
-
-/// A whole number with thousands apart: 2,778.
-std::string grouped(long long count);
 
 /// `digits` significant digits, no trailing zeros, powers of ten written as such outside 0.001 to 100,000: 1.37·10⁻⁵.
 std::string short_number(double value, int digits = 3);

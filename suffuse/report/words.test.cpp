@@ -7,14 +7,6 @@
 namespace suffuse::report {
 namespace {
 
-TEST(Words, ThousandsAreSetApart) {
-    EXPECT_EQ(grouped(0), "0");
-    EXPECT_EQ(grouped(999), "999");
-    EXPECT_EQ(grouped(2778), "2,778");
-    EXPECT_EQ(grouped(123456), "123,456");
-    EXPECT_EQ(grouped(-1234567), "−1,234,567");
-}
-
 TEST(Words, NumbersKeepTheirDigitsAndLoseTrailingZeros) {
     EXPECT_EQ(short_number(0), "0");
     EXPECT_EQ(short_number(100), "100");

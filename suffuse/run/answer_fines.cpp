@@ -60,10 +60,10 @@ std::string asked(const FinesSweep& sweep) {
     }
     const auto [fewest, most] = std::minmax_element(grains.begin(), grains.end(), is_less);
     const int seeds = static_cast<int>(study.loose.points.front().seed.size());
-    const std::string count = fewest->value.mean == most->value.mean
-                                  ? report::grouped(std::llround(most->value.mean))
-                                  : report::grouped(std::llround(fewest->value.mean)) + " to " +
-                                        report::grouped(std::llround(most->value.mean));
+    const std::string count =
+        fewest->value.mean == most->value.mean
+            ? grouped(std::llround(most->value.mean))
+            : grouped(std::llround(fewest->value.mean)) + " to " + grouped(std::llround(most->value.mean));
     return fmt::format(
         "Asked: from which fines content on the fines of the soil “{}” carry load. {} mixtures of {} to {} fines, {} "
         "{} "

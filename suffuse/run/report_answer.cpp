@@ -30,10 +30,10 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
             "permeability "
             "{} to {} m²; at constant volume the skeleton lost {} of its mean stress, and resettling strained it by "
             "{}. ",
-            pass.pass, report::grouped(pass.removed), report::grouped(pass.detachable),
-            pass.eroded_mass_percent_of_initial, pass.porosity_before, pass.porosity_after,
-            report::short_number(pass.permeability_before), report::short_number(pass.permeability_after),
-            percent_or_none(loss), percent_or_none(100 * pass.volumetric_strain)
+            pass.pass, grouped(pass.removed), grouped(pass.detachable), pass.eroded_mass_percent_of_initial,
+            pass.porosity_before, pass.porosity_after, report::short_number(pass.permeability_before),
+            report::short_number(pass.permeability_after), percent_or_none(loss),
+            percent_or_none(100 * pass.volumetric_strain)
         );
     }
     return text;
@@ -41,7 +41,7 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
 
 std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
     const report::Detached first = report::count_detached(probes.front());
-    std::string text = fmt::format("Of {} fines ", report::grouped(first.yes + first.no));
+    std::string text = fmt::format("Of {} fines ", grouped(first.yes + first.no));
     for (std::size_t k = 0; k < probes.size(); ++k) {
         const std::int64_t yes = report::count_detached(probes[k]).yes;
         text += fmt::format(
@@ -49,7 +49,7 @@ std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
             k == 0                   ? ""
             : k + 1 == probes.size() ? " and "
                                      : ", ",
-            yes == 0 ? "none" : report::grouped(yes), probes[k].gradient
+            yes == 0 ? "none" : grouped(yes), probes[k].gradient
         );
     }
     return text + " are detachable.";
@@ -97,10 +97,10 @@ std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std:
             sentences.push_back(fmt::format(
                 "{} grains carry {:.4g} kPa at void ratio {:.3f} (porosity {:.3f}, {:.2f} contacts a grain, {} "
                 "rattlers).",
-                report::grouped(stage.numbers.at("grains").get<std::int64_t>()),
+                grouped(stage.numbers.at("grains").get<std::int64_t>()),
                 stage.numbers.at("mean_stress").get<double>() / 1e3, stage.numbers.at("void_ratio").get<double>(),
                 stage.numbers.at("porosity").get<double>(), stage.numbers.at("coordination").get<double>(),
-                report::grouped(stage.numbers.at("rattlers").get<std::int64_t>())
+                grouped(stage.numbers.at("rattlers").get<std::int64_t>())
             ));
         }
     }

@@ -147,7 +147,7 @@ Scene scene_of_erosion(const std::filesystem::path& folder, const FinishedStage&
         scene.states.push_back(std::move(state));
     }
     scene.remark = fmt::format(
-        "The {} grains of {}/{}.", report::grouped(std::ssize(scene.id)), eroded.variant->folder, eroded.stage->name
+        "The {} grains of {}/{}.", grouped(std::ssize(scene.id)), eroded.variant->folder, eroded.stage->name
     );
     if (scene.gradient > 0) {
         scene.remark += fmt::format(
@@ -216,7 +216,7 @@ Scene scene_of_stages(
         state.label = fmt::format("after {}", stage->name);
         scene.states.push_back(std::move(state));
     }
-    scene.remark = fmt::format("The {} grains of {}.", report::grouped(std::ssize(scene.id)), last.variant->folder);
+    scene.remark = fmt::format("The {} grains of {}.", grouped(std::ssize(scene.id)), last.variant->folder);
     return scene;
 }
 
