@@ -81,7 +81,9 @@ std::vector<Headline> fines_headlines(const std::vector<ContentThreshold>& thres
         }
         const std::string scatter =
             each.at.seeds > 1 ? fmt::format(" ± {}", short_number(100 * each.at.standard_deviation, 2)) : "";
-        headlines.push_back({fmt::format("{:.0f}{} %", 100 * each.at.mean, scatter), each.name, each.from});
+        headlines.push_back(
+            {fmt::format("{:.0f}{} %", 100 * each.at.mean, scatter), each.name, each.from + seeds_that_have(each.at)}
+        );
     }
     return headlines;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/sample_report.hpp"
+#include <cmath>
 
 namespace suffuse::report {
 namespace {
@@ -27,14 +28,14 @@ TEST(Headlines, OfFinesAreTheThresholdsThatWereFound) {
     const std::vector<ContentThreshold> thresholds = {
         {"FC_threshold", "lowest void ratio, loose", scatter_of({0.40, 0.42})},
         {"FC_threshold", "lowest void ratio at 25 % of the way to dense", scatter_of({0.38})},
-        {"FC_active", "active fines b begin to rise", scatter_of({0.331})},
+        {"FC_active", "active fines b begin to rise", scatter_of({0.331, std::nan("")})},
         {"FC_active", "strong LS contacts begin to rise", scatter_of({})}};
     const std::vector<Headline> headlines = fines_headlines(thresholds);
     ASSERT_EQ(headlines.size(), 2U);
     EXPECT_EQ(headlines[0].value, "41 ± 1.4 %"); // sqrt(2)
     EXPECT_EQ(headlines[0].label, "FC_threshold");
     EXPECT_EQ(headlines[1].value, "33 %");
-    EXPECT_EQ(headlines[1].detail, "active fines b begin to rise");
+    EXPECT_EQ(headlines[1].detail, "active fines b begin to rise, in 1 of 2 seeds");
 }
 
 TEST(Headlines, AChangeThatIsNoiseIsNone) {

@@ -1,5 +1,7 @@
 #include "suffuse/report/study_curves.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,6 +24,11 @@ Scatter scatter_of(std::vector<double> of_seed) {
     scatter.standard_deviation = scatter.seeds > 1 ? std::sqrt(squares / (scatter.seeds - 1)) : 0;
     scatter.of_seed = std::move(of_seed);
     return scatter;
+}
+
+std::string seeds_that_have(const Scatter& scatter) {
+    const auto asked = std::ssize(scatter.of_seed);
+    return scatter.seeds == asked ? "" : fmt::format(", in {} of {} seeds", scatter.seeds, asked);
 }
 
 const StageCurve* StudyCurves::find(const std::string& stage) const {

@@ -20,6 +20,9 @@ struct Scatter {
 /// @param of_seed not a number where a seed has none
 Scatter scatter_of(std::vector<double> of_seed);
 
+/// ", in 1 of 3 seeds" where some have none; nothing where all have it.
+std::string seeds_that_have(const Scatter& scatter);
+
 /// One set of sweep values.
 struct SweepPoint {
     std::vector<double> value;        ///< of each swept key, in SI; not a number for words

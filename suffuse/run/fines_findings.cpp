@@ -118,9 +118,10 @@ std::string thresholds_sentence(const std::optional<FinesResults>& results) {
     }
     const auto told = [](const report::ContentThreshold& threshold) {
         const report::Scatter& at = threshold.at;
-        return at.seeds == 0   ? std::string("none")
-               : at.seeds == 1 ? fmt::format("{:.0f} %", 100 * at.mean)
-                               : fmt::format("{:.1f} ± {:.1f} %", 100 * at.mean, 100 * at.standard_deviation);
+        const std::string content = at.seeds > 1
+                                        ? fmt::format("{:.1f} ± {:.1f} %", 100 * at.mean, 100 * at.standard_deviation)
+                                        : fmt::format("{:.0f} %", 100 * at.mean);
+        return at.seeds == 0 ? "none" : content + report::seeds_that_have(at);
     };
     const auto& list = results->thresholds;
     std::string text = fmt::format(
