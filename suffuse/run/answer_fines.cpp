@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace suffuse::run {
@@ -100,15 +101,18 @@ std::string structure(const FinesStudy& study) {
     const auto active = readings(study, study.loose, "active_fines_fraction");
     const auto e_g = readings(study, study.loose, "intergranular_void_ratio");
     std::string text;
-    for (const Reading& each : active) {
-        if (each.value.mean > 0.5) {
-            const auto before = at(active, 0.15) ? at(active, 0.15) : active.front();
-            text = fmt::format(
-                "Of the volume of the fines {} % is active at FC = {}, and more than half of it from FC = {} on",
-                with_scatter(before->value, 100), percent_name(before->fines_content), percent_name(each.fines_content)
-            );
-            break;
-        }
+    const auto half = std::ranges::find_if(active, [](const Reading& each) { return each.value.mean > 0.5; });
+    if (half != active.end()) {
+        const auto before = at(active, 0.15) ? at(active, 0.15) : active.front();
+        text = fmt::format(
+            "Of the volume of the fines {} % is active at FC = {}, and more than half of it {}",
+            with_scatter(before->value, 100), percent_name(before->fines_content),
+            half == active.begin() ? "everywhere"
+                                   : fmt::format(
+                                         "from somewhere between FC = {} and {} on",
+                                         percent_name(std::prev(half)->fines_content), percent_name(half->fines_content)
+                                     )
+        );
     }
     const auto pure = at(e_g, 0), mixed = at(e_g, 0.2);
     if (pure && mixed && pure->value.mean > 0) {
