@@ -16,7 +16,8 @@ namespace {
 
 thread_local bool inside_a_loop = false; // a loop within a loop runs on the thread that meets it
 
-// 40 to 200 microseconds: longer than what a thread waits for within a step of 10,000 grains, shorter than a time slice.
+// 40 to 200 microseconds: longer than what a thread waits for within a step of 10,000 grains, shorter than a time
+// slice.
 constexpr std::size_t spins_before_sleep = 4000;
 
 /// Tells the processor that a thread only looks whether something has changed.
