@@ -98,7 +98,7 @@ def chart(samples, fits):
 def main():
     given = common.options(__doc__)
     samples = common.Samples(given, "frictionless_strength")
-    grains, seeds = (500, 1) if given.quick else (1000, 2)
+    grains, seeds = (500, 1) if given.quick else (1000, 8)
     rates = (1e-2, 1e-3) if given.quick else (1e-2, 3e-3, 1e-3)
     paths = ("plane strain",) if given.quick else tuple(PATHS)
     for rate in rates:

@@ -61,7 +61,7 @@ def chart(samples):
 def main():
     given = common.options(__doc__)
     samples = common.Samples(given, "glass_beads")
-    grains, seeds = (1000, 2 if given.quick else 3)
+    grains, seeds = (1000, 2 if given.quick else 8)
     ways = ["as usual", "agitated, less damping"] if given.quick else list(WAYS)
     for seed in range(1, seeds + 1):
         for way in ways:
