@@ -66,7 +66,7 @@ def chart(samples, fit):
 def main():
     given = common.options(__doc__)
     samples = common.Samples(given, "frictionless")
-    sizes = {1000: 3} if given.quick else {500: 4, 1000: 4, 2000: 3}
+    sizes = {1000: 3} if given.quick else {500: 8, 1000: 8, 2000: 6}
     for grains, seeds in sizes.items():
         for seed in range(1, seeds + 1):
             samples.measure(measure, grains=grains, stiffness=1.05e5, seed=seed)
