@@ -52,6 +52,12 @@ TEST_F(Assess, SaysNumberLimitAndVerdictOfEachCriterion) {
     EXPECT_EQ(out.find("seepage"), std::string::npos);
 }
 
+TEST_F(Assess, SaysThatHardlyAnyFinesPassWhereTheConstrictionsAreTooNarrow) {
+    std::ofstream(folder / "uniform.csv") << "d [mm],passing [%]\n0.8,0\n1,50\n1.25,100\n";
+    EXPECT_EQ(call("uniform.csv --fines 0.9mm"), 0);
+    expect_out("hardly any of the finer grains are smaller than that");
+}
+
 TEST_F(Assess, WithAGradientSaysWhatMarginIsLeft) {
     EXPECT_EQ(call("dyke.csv -i 0.33"), 0);
     expect_out("upward seepage, i = 0.33; porosity 0.4, grains 2650 kg/m3");

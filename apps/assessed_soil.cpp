@@ -169,6 +169,16 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
     return about;
 }
 
+/// How much of the finer grains is smaller than the constrictions, at the densest and at the loosest.
+std::string smaller_share(double densest, double loosest) {
+    const long from = std::lround(100 * densest), to = std::lround(100 * loosest);
+    if (to == 0) {
+        return "hardly any of the finer grains are smaller than that";
+    }
+    return from == to ? fmt::format("{} % of the finer grains are smaller than that", to)
+                      : fmt::format("{} to {} % of the finer grains are smaller than that", from, to);
+}
+
 std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec) {
     const Assessment& found = soil.assessment;
     std::string text = opening(soil) + "\n" + heading("criterion");
@@ -187,10 +197,9 @@ std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec)
     }
     const stability::FinesBesideConstrictions& constrictions = found.constrictions;
     text += fmt::format(
-        "\n  constrictions between the grains above {} mm: Dc35 = {} mm at the densest, {} mm at the loosest;\n"
-        "  {:.0f} to {:.0f} % of the finer grains are smaller than that\n",
+        "\n  constrictions between the grains above {} mm: Dc35 = {} mm at the densest, {} mm at the loosest;\n  {}\n",
         mm(constrictions.split), mm(constrictions.densest_d35), mm(constrictions.loosest_d35),
-        100 * constrictions.densest_passes, 100 * constrictions.loosest_passes
+        smaller_share(constrictions.densest_passes, constrictions.loosest_passes)
     );
     return text + "\n" + stability::summary(found.criteria);
 }
