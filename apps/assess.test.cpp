@@ -1,40 +1,33 @@
 // suffuse assess, as a user calls it.
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include "tests/support/temp_folder.hpp"
-#include <cstdlib>
-#include <fstream>
-#include <sys/wait.h>
+#include "tests/support/program.hpp"
+#include <sstream>
 
 namespace suffuse {
 namespace {
 
-using test::read_all;
-using test::TempFolder;
+using namespace test;
 
 const char* const gravel = "# two sizes, nothing between\nd [mm],passing [%]\n0.15,0\n0.3,25\n1,25\n2,100\n";
 
-class Assess : public testing::Test {
+class Assess : public Cli {
 protected:
-    void SetUp() override { std::ofstream(folder / "dyke.csv") << gravel; }
+    void SetUp() override { write_to(folder / "dyke.csv", gravel); }
 
-    /// Exit code of the program with these arguments; what it says is in `out` and `error`.
-    int call(const std::string& arguments) {
-        const std::string command = "cd '" + folder.path().string() + "' && '" SUFFUSE_PROGRAM "' assess " + arguments +
-                                    " > out.txt 2> error.txt";
-        const int status = std::system(command.c_str());
-        out = read_all(folder / "out.txt");
-        error = read_all(folder / "error.txt");
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    /// Exit code of `assess` with these words; what it says is in `out` and `error`.
+    int call(const std::string& words) {
+        std::vector<std::string> all{"assess"};
+        std::istringstream text(words);
+        for (std::string word; text >> word;) {
+            all.push_back(word);
+        }
+        const Said said = say(all);
+        out = said.out, error = said.error;
+        return said.code;
     }
 
-    void expect_out(const std::string& part) const {
-        EXPECT_NE(out.find(part), std::string::npos) << "\"" << part << "\" is not in:\n" << out;
-    }
+    void expect_out(const std::string& part) const { expect_in(part, out); }
 
-    TempFolder folder;
     std::string out, error;
 };
 
@@ -48,12 +41,12 @@ TEST_F(Assess, SaysNumberLimitAndVerdictOfEachCriterion) {
           "Sherard 1979             D15c/d85f 4.1              <= 5          stable", "unverified", "unstable ("}) {
         expect_out(line);
     }
-    EXPECT_NE(error.find("suffuse new"), std::string::npos);
+    expect_in("suffuse new", error);
     EXPECT_EQ(out.find("seepage"), std::string::npos);
 }
 
 TEST_F(Assess, SaysThatHardlyAnyFinesPassWhereTheConstrictionsAreTooNarrow) {
-    std::ofstream(folder / "uniform.csv") << "d [mm],passing [%]\n0.8,0\n1,50\n1.25,100\n";
+    write_to(folder / "uniform.csv", "d [mm],passing [%]\n0.8,0\n1,50\n1.25,100\n");
     EXPECT_EQ(call("uniform.csv --fines 0.9mm"), 0);
     expect_out("hardly any of the finer grains are smaller than that");
 }
@@ -91,8 +84,8 @@ TEST_F(Assess, WritesAPageWithFiguresAndNumbers) {
     EXPECT_EQ(call("dyke.csv -o pages/dyke"), 0);
     expect_out("pages/dyke/report.html");
     const std::string page = read_all(folder / "pages/dyke/report.html");
-    EXPECT_NE(page.find("Internal stability of dyke.csv"), std::string::npos);
-    EXPECT_NE(page.find("Kenney and Lau 1985"), std::string::npos);
+    expect_in("Internal stability of dyke.csv", page);
+    expect_in("Kenney and Lau 1985", page);
     EXPECT_EQ(page.find("id=\"quality\""), std::string::npos);
     for (const char* file : {"own-stability-grading", "own-stability-shape"}) {
         const auto chart =
@@ -112,18 +105,18 @@ TEST_F(Assess, TakesTheSoilsOfACase) {
 }
 
 TEST_F(Assess, BadInputIsNamedWithItsPlace) {
-    std::ofstream(folder / "bad.csv") << "d [mm],passing [%]\n0.1,0\n0.2,70\n0.3,60\n0.4,120\n";
+    write_to(folder / "bad.csv", "d [mm],passing [%]\n0.1,0\n0.2,70\n0.3,60\n0.4,120\n");
     EXPECT_EQ(call("bad.csv"), 3);
-    EXPECT_NE(error.find("bad.csv:5:5"), std::string::npos) << error;
+    expect_in("bad.csv:5:5", error);
     EXPECT_EQ(call("nowhere.csv"), 74);
     EXPECT_EQ(call("dyke.csv --fines 0.3"), 2);
-    EXPECT_NE(error.find("0.3mm"), std::string::npos) << error;
+    expect_in("0.3mm", error);
     EXPECT_EQ(call("dyke.csv --fines 5mm"), 3);
-    EXPECT_NE(error.find("between 0.15 and 2 mm"), std::string::npos) << error;
+    expect_in("between 0.15 and 2 mm", error);
     EXPECT_EQ(call("dyke.csv --relative-density 70"), 2);
     EXPECT_EQ(call("dyke.csv -i -1"), 2);
     EXPECT_EQ(call("dyke.csv --porosity 0.3"), 2);
-    EXPECT_NE(error.find("-i"), std::string::npos) << error;
+    expect_in("-i", error);
     EXPECT_EQ(call(SUFFUSE_SOURCE_DIR "/examples/replay/case.toml"), 3);
 }
 
