@@ -61,7 +61,7 @@ json active_arrangement(bool to_the_right) {
                       "y": {"field": "py", "type": "quantitative", "scale": null, "axis": null},
                       "size": {"field": "area", "type": "quantitative", "scale": null},
                       "fill": {"field": "ink", "type": "nominal", "scale": null}}},
-        {"mark": {"type": "rule", "color": "#1d1f21", "strokeWidth": 2.5,
+        {"mark": {"type": "rule", "color": "#6d7278", "strokeWidth": 2.5,
                   "xOffset": {"expr": "datum.px"}, "x2Offset": {"expr": "datum.qx"}},
          "encoding": {"x": {"value": 0}, "x2": {"value": 0},
                       "y": {"field": "py", "type": "quantitative", "scale": null, "axis": null}, "y2": {"field": "qy"}}}
