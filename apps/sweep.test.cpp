@@ -89,6 +89,14 @@ TEST_F(SweepVerb, TasksRunByAShellEndWithTheBitsOfAPlainRun) {
     EXPECT_EQ(summary.at("studies").at("s").at("stages").at("moved").size(), 4U);
 }
 
+TEST_F(SweepVerb, ARunThatEndsWithAStageIsRefinedByTheCurvesItHasAndAsFar) {
+    ASSERT_EQ(suffuse("run case.toml -o run --until cloud --no-cache"), 0) << said();
+    EXPECT_EQ(hashes("run").size(), 3U) << "the curve that asks for more is of the next stage";
+    ASSERT_EQ(suffuse("resume run --until moved"), 0) << said();
+    EXPECT_EQ(hashes("run").size(), 2U * 4);
+    EXPECT_TRUE(std::filesystem::exists(folder / "run/refinement.json"));
+}
+
 TEST_F(SweepVerb, SlurmGetsAJobArrayWithATaskForEachSample) {
     ASSERT_EQ(suffuse("sweep case.toml --emit slurm -o array --time-limit 2h -j 2"), 0) << said();
     const std::string script = read_all(folder / "array/sweep.sbatch");

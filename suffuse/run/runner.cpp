@@ -81,9 +81,8 @@ private:
 
     /// Runs what the results so far ask for.
     void refine() {
-        const bool is_whole = options_.until.empty() && !interrupted_;
         const std::vector<Refinement> found =
-            is_whole ? find_refinements(what_, options_.folder) : std::vector<Refinement>{};
+            interrupted_ ? std::vector<Refinement>{} : find_refinements(what_, options_.folder);
         if (found.empty()) {
             return;
         }
@@ -96,7 +95,7 @@ private:
             known.insert(sample.variant->folder);
         }
         what_ = with_refinements(listed_, options_.folder);
-        samples_ = list_samples(what_);
+        samples_ = list_samples(what_, options_.until);
         std::erase_if(samples_, [&](const Sample& sample) { return known.contains(sample.variant->folder); });
         overview_.add(stages_of(samples_), static_cast<int>(samples_.size()));
         run_samples();
