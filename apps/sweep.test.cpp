@@ -95,6 +95,10 @@ TEST_F(SweepVerb, ARunThatEndsWithAStageIsRefinedByTheCurvesItHasAndAsFar) {
     ASSERT_EQ(suffuse("resume run --until moved"), 0) << said();
     EXPECT_EQ(hashes("run").size(), 2U * 4);
     EXPECT_TRUE(std::filesystem::exists(folder / "run/refinement.json"));
+
+    ASSERT_EQ(sh("sed 's/at = ..moved../at = [\"cloud\"]/' case.toml > other.toml"), 0);
+    ASSERT_EQ(suffuse("run other.toml -o other --until cloud --no-cache"), 0) << said();
+    EXPECT_EQ(hashes("other").size(), 4U) << "the new sample goes no further than the others";
 }
 
 TEST_F(SweepVerb, SlurmGetsAJobArrayWithATaskForEachSample) {

@@ -18,7 +18,7 @@ LEAST_COARSE, LEAST_GRAINS, MOST_GRAINS = 150, 2000, 5000
 # collisions; a local damping of 0.005 takes 1 % of the energy of a collision, the usual 0.2 a third.
 WAYS = {"at rest": None, "agitated": 0.005}
 AGITATION, COLD = 0.25, 0.03  # speed along an axis of a grain of mean mass, over sqrt(pressure/density): first, last
-SORTS = [(1, 0.0)] + [(ratio, fines) for ratio in (2, 3, 4, 5, 6) for fines in (0.2, 0.3)]
+MIXTURES = [(1, 0.0)] + [(ratio, fines) for ratio in (2, 3, 4, 5, 6) for fines in (0.2, 0.3)]
 LOOSE = [(1, 0.0), (2, 0.2), (3, 0.2), (4, 0.2)]  # too loose at rest; equal spheres tell whether grains order
 STEPS_OF_A_COLLISION = 6  # of two fine grains; with 2, as dense packings allow, it gains energy
 
@@ -100,9 +100,9 @@ def chart(samples):
 def main():
     given = common.options(__doc__)
     samples = common.Samples(given, "bidisperse")
-    plan = {"at rest": [(2, 0.3), (4, 0.3)]} if given.quick else {"at rest": SORTS, "agitated": LOOSE}
-    for way, sorts in plan.items():
-        for ratio, fines in sorts:
+    plan = {"at rest": [(2, 0.3), (4, 0.3)]} if given.quick else {"at rest": MIXTURES, "agitated": LOOSE}
+    for way, mixtures in plan.items():
+        for ratio, fines in mixtures:
             samples.measure(measure, way=way, ratio=ratio, fines=fines, seed=1)
     verdict = common.Verdict()
     print("ratio  fines %  cloud     grains  solid fraction  rods    ours - rods  rattlers %")

@@ -123,10 +123,9 @@ def vary(samples, measure):
         for change in VARIED.values():
             samples.measure(measure, law=law, start="dense", **{**USUAL, **change}, seed=seed)
     print(f"\n{law}, dense          samples  q/p             angle")
-    scatter = common.deviation(samples.of(law=law, start="dense", **USUAL), "ratio")  # taken to be that of the varied ones too
     for what, change in {"as above": {}, **VARIED}.items():
         rows = samples.of(law=law, start="dense", **{**USUAL, **change})
-        ratio, error = common.mean(rows, "ratio"), scatter / math.sqrt(len(rows))
+        ratio, error = common.mean(rows, "ratio"), common.deviation(rows, "ratio") / math.sqrt(len(rows))
         wide = angle_of(ratio + error) - angle_of(ratio)
         print(f"{what:26}  {len(rows):6}  {ratio:.3f} ± {error:.3f}   {angle_of(ratio):.1f} ± {wide:.1f} (standard errors)")
 
