@@ -58,8 +58,9 @@ inline DiagonalMotion in_diagonals(const StepMotion& m) {
 [[gnu::always_inline]] inline Quad damped(const Quad& a, const Quad& v, double dt, double damping) {
     const Quad zero{}, one = zero + 1.0;
     const Quad power = a * (v + 0.5 * dt * a);
-    const Quad sense = power > zero ? one : (power < zero ? -one : zero);
-    return a * (1.0 - damping * sense);
+    const Quad driven = one - damping,
+               braked = one + damping; // chosen, not computed from the sense: the same bits sooner
+    return a * (power > zero ? driven : (power < zero ? braked : one));
 }
 
 /// Moves a grain that contacts and loads alone would accelerate by `push` [m/s2] and `turn` [rad/s2]. `free` is 1, or 0
@@ -71,11 +72,15 @@ template <class Vec, class Matrix, class Scalar>
     Vec& velocity, Vec& spin
 ) {
     const Vec fluctuation = velocity - step.old_gradient * position;
-    const Scalar drag = free * step.drag;
-    Vec acceleration = damped(push, fluctuation, step.dt, step.damping) - drag * fluctuation;
+    Vec acceleration = damped(push, fluctuation, step.dt, step.damping);
+    Vec spin_up = damped(turn, spin, step.dt, step.damping);
+    if (step.drag > 0) {
+        const Scalar drag = free * step.drag;
+        acceleration -= drag * fluctuation;
+        spin_up -= drag * spin;
+    }
     acceleration += step.old_gradient * velocity;
     velocity += step.dt * acceleration;
-    const Vec spin_up = damped(turn, spin, step.dt, step.damping) - drag * spin;
     spin += step.dt * spin_up;
     velocity += step.change * position;
     spin += step.spin_change;
