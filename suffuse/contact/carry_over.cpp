@@ -1,6 +1,10 @@
 #include "suffuse/contact/carry_over.hpp"
 
+#include "suffuse/base/parallel.hpp"
+
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace suffuse::contact {
 namespace {
@@ -12,47 +16,11 @@ struct Source {
     float sign;        ///< -1 where the two grains changed places
 };
 
-/// Rearranges a column in place; `spare` lends its storage.
-void rearrange(std::vector<double>& column, const std::vector<Source>& sources, bool odd, std::vector<double>& spare) {
-    spare.resize(sources.size());
-    for (std::size_t c = 0; c < sources.size(); ++c) {
-        const auto [row, sign] = sources[c];
-        spare[c] = row == no_source || column.empty() ? 0.0 : (odd ? sign * column[row] : column[row]);
-    }
-    std::swap(column, spare);
-}
-
-void rearrange(VectorColumn& column, const std::vector<Source>& sources, std::vector<double>& spare) {
-    rearrange(column.x, sources, true, spare);
-    rearrange(column.y, sources, true, spare);
-    rearrange(column.z, sources, true, spare);
-}
-
-/// Gives `table`, whose pairs are already the new ones, the memory of the rows that they come from.
-void rearrange_memory(Contacts& table, const std::vector<Source>& sources, const OptionalMemory& memory) {
-    std::vector<double> spare;
-    rearrange(table.shear_force, sources, spare);
-    rearrange(table.bending, sources, spare);
-    rearrange(table.normal, sources, spare);
-    rearrange(table.overlap, sources, false, spare);
-    if (memory.twisting) {
-        rearrange(table.twisting, sources, spare);
-    } else {
-        table.twisting.clear();
-    }
-    std::vector<std::uint8_t> bonded(memory.bonds ? sources.size() : 0);
-    for (std::size_t c = 0; c < bonded.size(); ++c) {
-        const std::uint32_t row = sources[c].row;
-        bonded[c] = row == no_source || table.bonded.empty() ? std::uint8_t{0} : table.bonded[row];
-    }
-    table.bonded = std::move(bonded);
-}
-
 neighbors::Pair pair_of(const Contacts& contacts, std::size_t c) {
     return {contacts.first[c], contacts.second[c], contacts.image[c]};
 }
 
-/// The pairs of a table to be, and the rows that their memory comes from.
+/// A run of rows of the table to be, and the rows that their memory comes from.
 struct NewRows {
     std::vector<std::uint32_t> first, second;
     std::vector<cell::Image> image;
@@ -71,14 +39,112 @@ struct NewRows {
         image.push_back(pair.image);
         source.push_back(from);
     }
-
-    void move_into(Contacts& table, const OptionalMemory& memory) {
-        table.first = std::move(first);
-        table.second = std::move(second);
-        table.image = std::move(image);
-        rearrange_memory(table, source, memory);
-    }
 };
+
+/// Consecutive runs of rows, and where each begins in the table to be.
+class Runs {
+public:
+    explicit Runs(std::vector<NewRows> runs) : runs_(std::move(runs)) {
+        for (const NewRows& run : runs_) {
+            begin_.push_back(rows_);
+            rows_ += run.source.size();
+        }
+    }
+
+    void put_into(Contacts& table, const OptionalMemory& memory) const {
+        table.first.resize(rows_);
+        table.second.resize(rows_);
+        table.image.resize(rows_);
+        for_each([&](const NewRows& run, std::size_t begin) {
+            const auto at = static_cast<std::ptrdiff_t>(begin);
+            std::ranges::copy(run.first, table.first.begin() + at);
+            std::ranges::copy(run.second, table.second.begin() + at);
+            std::ranges::copy(run.image, table.image.begin() + at);
+        });
+        std::vector<double> spare; // lends its storage to one column after the other
+        rearrange(table.shear_force, spare);
+        rearrange(table.bending, spare);
+        rearrange(table.normal, spare);
+        rearrange(table.overlap, false, spare);
+        if (memory.twisting) {
+            rearrange(table.twisting, spare);
+        } else {
+            table.twisting.clear();
+        }
+        std::vector<std::uint8_t> bonded;
+        if (memory.bonds) {
+            rearrange(table.bonded, false, bonded);
+        } else {
+            table.bonded = {};
+        }
+    }
+
+private:
+    template <class Visit>
+    void for_each(Visit&& visit) const {
+        parallel_for(runs_.size(), 1, [&](std::size_t first, std::size_t last) {
+            for (std::size_t r = first; r < last; ++r) {
+                visit(runs_[r], begin_[r]);
+            }
+        });
+    }
+
+    /// Takes the values of a column from their sources, zero where there is none; `odd` ones with the sign.
+    template <class Value>
+    void rearrange(std::vector<Value>& column, bool odd, std::vector<Value>& spare) const {
+        spare.resize(rows_);
+        for_each([&](const NewRows& run, std::size_t begin) {
+            for (std::size_t k = 0; k < run.source.size(); ++k) {
+                const auto [row, sign] = run.source[k];
+                const Value old = row == no_source || column.empty() ? Value{} : column[row];
+                spare[begin + k] = odd && sign < 0 ? -old : old;
+            }
+        });
+        std::swap(column, spare);
+    }
+
+    void rearrange(VectorColumn& column, std::vector<double>& spare) const {
+        rearrange(column.x, true, spare);
+        rearrange(column.y, true, spare);
+        rearrange(column.z, true, spare);
+    }
+
+    std::vector<NewRows> runs_;
+    std::vector<std::size_t> begin_;
+    std::size_t rows_ = 0;
+};
+
+/// The wanted pairs of the first grains `begin` to `end`, and those of the rows `row` to `last_row` that touch.
+NewRows merge(
+    const Contacts& table, std::size_t row, std::size_t last_row, const neighbors::PairList& pairs, std::size_t begin,
+    std::size_t end, std::span<const std::uint8_t> wanted
+) {
+    NewRows rows;
+    const std::size_t first_pair = pairs.start_of(begin), last_pair = pairs.start_of(end);
+    rows.reserve(
+        wanted.empty() ? last_pair - first_pair
+                       : static_cast<std::size_t>(
+                             std::count(wanted.begin() + first_pair, wanted.begin() + last_pair, std::uint8_t{1})
+                         )
+    );
+    const auto keep_touching_before = [&](auto&& is_before) {
+        for (; row < last_row && is_before(pair_of(table, row)); ++row) {
+            if (table.touches(row)) {
+                rows.append(pair_of(table, row), {static_cast<std::uint32_t>(row), 1});
+            }
+        }
+    };
+    pairs.for_each_of(begin, end, [&](std::size_t k, const neighbors::Pair& pair) {
+        if (!wanted.empty() && wanted[k] == 0) {
+            return;
+        }
+        keep_touching_before([&](const neighbors::Pair& other) { return other < pair; });
+        const bool known = row < last_row && pair_of(table, row) == pair;
+        rows.append(pair, {known ? static_cast<std::uint32_t>(row++) : no_source, 1});
+    });
+    keep_touching_before([](const neighbors::Pair&) { return true; });
+    return rows;
+}
 
 } // namespace
 
@@ -90,28 +156,20 @@ void carry_over(
     Contacts& table, const neighbors::PairList& pairs, std::span<const std::uint8_t> wanted,
     const OptionalMemory& memory
 ) {
-    NewRows rows;
-    rows.reserve(
-        wanted.empty() ? pairs.size() : wanted.size() - static_cast<std::size_t>(std::ranges::count(wanted, 0))
-    );
-    std::size_t c = 0;
-    const auto keep_touching_before = [&](auto&& is_before) {
-        for (; c < table.size() && is_before(pair_of(table, c)); ++c) {
-            if (table.touches(c)) {
-                rows.append(pair_of(table, c), {static_cast<std::uint32_t>(c), 1});
-            }
+    // A run of the table for each run of first grains, the last one to the table's end.
+    constexpr std::size_t run_grains = 1024;
+    std::vector<NewRows> runs(std::max<std::size_t>(1, (pairs.grains() + run_grains - 1) / run_grains));
+    parallel_for(runs.size(), 1, [&](std::size_t first, std::size_t last) {
+        const auto start = [&](std::size_t run) {
+            const auto row = std::ranges::lower_bound(table.first, run * run_grains);
+            return run == runs.size() ? table.size() : static_cast<std::size_t>(row - table.first.begin());
+        };
+        for (std::size_t r = first; r < last; ++r) {
+            const std::size_t begin = r * run_grains, end = std::min(pairs.grains(), begin + run_grains);
+            runs[r] = merge(table, start(r), start(r + 1), pairs, begin, end, wanted);
         }
-    };
-    pairs.for_each([&](std::size_t k, const neighbors::Pair& pair) {
-        if (!wanted.empty() && wanted[k] == 0) {
-            return;
-        }
-        keep_touching_before([&](const neighbors::Pair& other) { return other < pair; });
-        const bool known = c < table.size() && pair_of(table, c) == pair;
-        rows.append(pair, {known ? static_cast<std::uint32_t>(c++) : no_source, 1});
     });
-    keep_touching_before([](const neighbors::Pair&) { return true; });
-    rows.move_into(table, memory);
+    Runs(std::move(runs)).put_into(table, memory);
 }
 
 Contacts touching_rows(const Contacts& contacts) {
@@ -147,7 +205,9 @@ Contacts renumbered(const Contacts& contacts, std::span<const std::uint32_t> new
         rows.append(row.pair, row.source);
     }
     Contacts table = contacts;
-    rows.move_into(table, optional_memory(contacts));
+    std::vector<NewRows> one_run;
+    one_run.push_back(std::move(rows));
+    Runs(std::move(one_run)).put_into(table, optional_memory(contacts));
     return table;
 }
 

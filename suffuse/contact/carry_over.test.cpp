@@ -72,21 +72,23 @@ TEST(CarryOver, BringsOptionalColumnsWhenAskedAndWithoutBonds) {
 }
 
 TEST(CarryOver, OfLongTablesGivesEveryPairItsOwnMemoryAgainAndAgain) {
-    // The same storage through many lists, against a dictionary from pairs to their marks.
+    // The same storage through many lists, against a dictionary from pairs to their marks. The grains lie so far apart
+    // that a table is merged in several runs.
+    constexpr std::uint32_t grains = 60 * 70;
     RandomStream random(3, "tables");
     Contacts table;
     std::map<std::pair<std::uint32_t, std::uint32_t>, double> marks; // of the touching pairs
     double next_mark = 1;
     for (int round = 0; round < 30; ++round) {
         std::vector<Pair> pairs;
-        for (std::uint32_t i = 0; i < 60; ++i) {
-            for (std::uint32_t j = i + 1; j < 60; ++j) {
+        for (std::uint32_t i = 0; i < grains; i += 70) {
+            for (std::uint32_t j = i + 70; j < grains; j += 70) {
                 if (random.uniform() < 0.1) {
                     pairs.push_back({i, j, {}});
                 }
             }
         }
-        carry_over(table, neighbors::PairList(pairs, 60), {}, {});
+        carry_over(table, neighbors::PairList(pairs, grains), {}, {});
         std::set<std::pair<std::uint32_t, std::uint32_t>> wanted;
         for (const Pair& pair : pairs) {
             wanted.insert({pair.first, pair.second});

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace suffuse::contact {
 namespace {
@@ -245,7 +247,7 @@ TEST(ContactLoop, InSinglePrecisionDiffersByItsRounding) {
     }
 }
 
-TEST(SumPlan, GivesEveryShareFromAnotherDomainARowOfItsOwnInTheOrderOfGrainsThenContacts) {
+TEST(SumPlan, GivesEveryShareFromAnotherDomainARowOfItsOwnInTheOrderOfTheTable) {
     constexpr std::uint32_t there = domain_size(0); // the first grain of the second domain
     Contacts contacts;
     const std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs{
@@ -259,12 +261,48 @@ TEST(SumPlan, GivesEveryShareFromAnotherDomainARowOfItsOwnInTheOrderOfGrainsThen
     SumPlan plan;
     plan_sums(contacts, grains, plan);
     EXPECT_EQ(plan.domain_start, (std::vector<std::uint32_t>{0, 4, 5}));
-    EXPECT_EQ(plan.second_sum, (std::vector<std::uint32_t>{1, grains, grains + 2, grains + 1, there + 1}));
-    EXPECT_EQ(plan.remote_grain, (std::vector<std::uint32_t>{there, there, there + 1}));
-    EXPECT_EQ(plan.remote_start, (std::vector<std::uint32_t>{grains, grains, grains + 3}));
+    EXPECT_EQ(plan.second_sum, (std::vector<std::uint32_t>{1, grains, grains + 1, grains + 2, there + 1}));
+    EXPECT_EQ(plan.remote, (std::vector<RemoteShare>{{grains, there}, {grains + 1, there + 1}, {grains + 2, there}}));
+    EXPECT_EQ(plan.remote_start, (std::vector<std::uint32_t>{0, 0, 3}));
     EXPECT_EQ(plan.rows(), grains + 3);
     EXPECT_EQ(plan.images, (std::vector<cell::Image>{{0, 0, 0}, {1, 0, 0}}));
     EXPECT_EQ(plan.image, (std::vector<std::uint16_t>{0, 1, 1, 1, 1}));
+}
+
+TEST(SumPlan, OfManyDomainsHasEachRowCollectedOnceByTheDomainOfItsGrain) {
+    constexpr std::uint32_t grains = 5 * domain_size(0) + 17;
+    RandomStream random(8, "plan");
+    Contacts contacts;
+    for (std::uint32_t i = 0; i + 1 < grains; ++i) {
+        for (int k = 0; k < 2; ++k) {
+            contacts.first.push_back(i);
+            contacts.second.push_back(i + 1 + static_cast<std::uint32_t>(random.uniform() * (grains - 1 - i)));
+            contacts.image.push_back({static_cast<int>(random.uniform() * 3) - 1, 0, 0});
+        }
+    }
+    SumPlan plan;
+    plan_sums(contacts, grains, plan);
+    std::vector<std::uint32_t> grain_of(plan.rows(), grains);
+    for (std::size_t d = 0; d < plan.domains(); ++d) {
+        for (std::uint32_t k = plan.remote_start[d]; k < plan.remote_start[d + 1]; ++k) {
+            const auto [row, grain] = plan.remote[k];
+            ASSERT_EQ(grain / plan.domain_grains, d);
+            ASSERT_EQ(std::exchange(grain_of[row], grain), grains) << "collected twice";
+            ASSERT_TRUE(k == plan.remote_start[d] || plan.remote[k - 1].row < row) << "not in the order of the table";
+        }
+    }
+    std::uint32_t next_row = grains;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const std::uint32_t second = contacts.second[c];
+        ASSERT_EQ(plan.images[plan.image[c]], contacts.image[c]);
+        if (contacts.first[c] / plan.domain_grains == second / plan.domain_grains) {
+            ASSERT_EQ(plan.second_sum[c], second);
+        } else {
+            ASSERT_EQ(plan.second_sum[c], next_row++);
+            ASSERT_EQ(grain_of[plan.second_sum[c]], second);
+        }
+    }
+    EXPECT_EQ(next_row, plan.rows());
 }
 
 } // namespace

@@ -1,6 +1,10 @@
 #include "suffuse/contact/sum_plan.hpp"
 
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/neighbors/pair_list.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace suffuse::contact {
 namespace {
@@ -14,38 +18,89 @@ void resize_exactly(Column& column, std::size_t rows) {
     column.resize(rows);
 }
 
-void plan_images(const Contacts& contacts, SumPlan& plan) {
-    plan.images.assign(1, cell::Image{}); // the home period first
-    resize_exactly(plan.image, contacts.size());
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        plan.image[c] = neighbors::image_row(plan.images, contacts.image[c]);
+/// Calls `work(d)` for each domain.
+template <class Work>
+void for_each_domain(const SumPlan& plan, Work&& work) {
+    parallel_for(plan.domains(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t d = begin; d < end; ++d) {
+            work(d);
+        }
+    });
+}
+
+void plan_domains(const Contacts& contacts, SumPlan& plan) {
+    const std::size_t domains = (plan.grains + plan.domain_grains - 1) / plan.domain_grains;
+    plan.domain_start.resize(domains + 1);
+    for (std::size_t d = 0; d <= domains; ++d) {
+        const auto start = std::ranges::lower_bound(contacts.first, d * plan.domain_grains);
+        plan.domain_start[d] = static_cast<std::uint32_t>(start - contacts.first.begin());
     }
 }
 
-/// Rows of the sums for what other domains exert: ordered by grain, and for each grain by contact.
+/// Each domain numbers the images that it meets, the home period first; then all of them get one numbering.
+void plan_images(const Contacts& contacts, SumPlan& plan) {
+    std::vector<std::vector<cell::Image>> met(plan.domains());
+    resize_exactly(plan.image, contacts.size());
+    for_each_domain(plan, [&](std::size_t d) {
+        met[d].assign(1, cell::Image{});
+        for (std::size_t c = plan.domain_start[d]; c < plan.domain_start[d + 1]; ++c) {
+            plan.image[c] = neighbors::image_row(met[d], contacts.image[c]);
+        }
+    });
+    plan.images.assign(1, cell::Image{});
+    std::vector<std::vector<std::uint16_t>> number(plan.domains());
+    for (std::size_t d = 0; d < plan.domains(); ++d) {
+        for (const cell::Image& image : met[d]) {
+            number[d].push_back(neighbors::image_row(plan.images, image));
+        }
+    }
+    for_each_domain(plan, [&](std::size_t d) {
+        for (std::size_t c = plan.domain_start[d]; c < plan.domain_start[d + 1]; ++c) {
+            plan.image[c] = number[d][plan.image[c]];
+        }
+    });
+}
+
+/// Rows of the sums for what other domains exert, in the order of the table.
 void plan_remote_rows(const Contacts& contacts, SumPlan& plan) {
+    const std::size_t domains = plan.domains();
     const auto domain_of = [&](std::uint32_t grain) { return grain / plan.domain_grains; };
-    std::vector<std::uint32_t> next(plan.grains + 1, 0);
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (domain_of(contacts.second[c]) != domain_of(contacts.first[c])) {
-            ++next[contacts.second[c] + 1];
+    std::vector<std::uint32_t> place(domains * domains); // of what goes from one domain to another: first its number
+    for_each_domain(plan, [&](std::size_t from) {
+        for (std::size_t c = plan.domain_start[from]; c < plan.domain_start[from + 1]; ++c) {
+            const std::size_t to = domain_of(contacts.second[c]);
+            place[from * domains + to] += to != from ? 1 : 0;
+        }
+    });
+    std::vector<std::uint32_t> first_row(domains);
+    auto row = static_cast<std::uint32_t>(plan.grains);
+    for (std::size_t from = 0; from < domains; ++from) {
+        first_row[from] = row;
+        for (std::size_t to = 0; to < domains; ++to) {
+            row += place[from * domains + to];
         }
     }
-    plan.remote_grain.clear();
-    plan.remote_start.assign(1, static_cast<std::uint32_t>(plan.grains));
-    next[0] = static_cast<std::uint32_t>(plan.grains);
-    for (std::uint32_t g = 0; g < plan.grains; ++g) {
-        plan.remote_grain.insert(plan.remote_grain.end(), next[g + 1], g);
-        next[g + 1] += next[g];
-        if ((g + 1) % plan.domain_grains == 0 || g + 1 == plan.grains) {
-            plan.remote_start.push_back(next[g + 1]);
+    plan.remote_start.assign(1, 0);
+    std::uint32_t collected = 0;
+    for (std::size_t to = 0; to < domains; ++to) {
+        for (std::size_t from = 0; from < domains; ++from) {
+            collected += std::exchange(place[from * domains + to], collected);
         }
+        plan.remote_start.push_back(collected);
     }
+    resize_exactly(plan.remote, collected);
     resize_exactly(plan.second_sum, contacts.size());
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        const std::uint32_t j = contacts.second[c];
-        plan.second_sum[c] = domain_of(j) == domain_of(contacts.first[c]) ? j : next[j]++;
-    }
+    for_each_domain(plan, [&](std::size_t from) {
+        std::uint32_t own = first_row[from];
+        for (std::size_t c = plan.domain_start[from]; c < plan.domain_start[from + 1]; ++c) {
+            const std::uint32_t grain = contacts.second[c];
+            const std::size_t to = domain_of(grain);
+            plan.second_sum[c] = to == from ? grain : own;
+            if (to != from) {
+                plan.remote[place[from * domains + to]++] = {own++, grain};
+            }
+        }
+    });
 }
 
 } // namespace
@@ -53,15 +108,9 @@ void plan_remote_rows(const Contacts& contacts, SumPlan& plan) {
 void plan_sums(const Contacts& contacts, std::size_t grains, SumPlan& plan) {
     plan.grains = grains;
     plan.domain_grains = domain_size(grains);
+    plan_domains(contacts, plan);
     plan_images(contacts, plan);
     plan_remote_rows(contacts, plan);
-    plan.domain_start.assign((grains + plan.domain_grains - 1) / plan.domain_grains + 1, 0);
-    for (const std::uint32_t first : contacts.first) {
-        ++plan.domain_start[first / plan.domain_grains + 1];
-    }
-    for (std::size_t d = 1; d < plan.domain_start.size(); ++d) {
-        plan.domain_start[d] += plan.domain_start[d - 1];
-    }
 }
 
 } // namespace suffuse::contact

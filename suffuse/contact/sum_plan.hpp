@@ -1,8 +1,8 @@
 #pragma once
 // Where the forces of a contact are added up. Grains are cut into domains of fixed size along their storage order; the
 // contacts whose first grain lies in a domain are its rows of the table. A domain adds directly to its own grains; what
-// it exerts on a grain of another goes into a row of its own, which that grain collects later, in the order of the
-// table. So domains run on any threads at the same time, and every sum has one order.
+// it exerts on a grain of another goes into a row of its own, which that grain's domain collects later, in the order of
+// the table. So domains run on any threads at the same time, and every sum has one order.
 
 #include "suffuse/contact/contacts.hpp"
 
@@ -16,20 +16,27 @@ constexpr std::size_t domain_size(std::size_t grains) {
     return grains < 65'536 ? 1024 : 4096;
 }
 
+/// A row of the sums beyond those of the grains, and the grain that it is for.
+struct RemoteShare {
+    std::uint32_t row, grain;
+
+    bool operator==(const RemoteShare&) const = default;
+};
+
 struct SumPlan {
     std::size_t grains = 0;
     std::size_t domain_grains = domain_size(0);
     std::vector<std::uint32_t> domain_start; ///< first contact row of each domain, and the end
     std::vector<std::uint32_t>
-        second_sum; ///< for each contact, the row of the sums that its second grain's share goes to
-    std::vector<std::uint32_t> remote_grain; ///< grain of each row of the sums beyond `grains`, ascending
-    std::vector<std::uint32_t> remote_start; ///< first row beyond `grains` of each domain's grains, and the end
+        second_sum;                  ///< for each contact, the row of the sums that its second grain's share goes to
+    std::vector<RemoteShare> remote; ///< what each domain collects, in the order of the table
+    std::vector<std::uint32_t> remote_start; ///< first of each domain's, and the end
     std::vector<std::uint16_t> image;        ///< for each contact, its row of `images`
     std::vector<cell::Image> images;         ///< those that occur
 
     [[nodiscard]] std::size_t domains() const { return domain_start.size() - 1; }
 
-    [[nodiscard]] std::size_t rows() const { return grains + remote_grain.size(); } ///< of the sums
+    [[nodiscard]] std::size_t rows() const { return grains + remote.size(); } ///< of the sums
 };
 
 /// Makes the plan of a sorted table.

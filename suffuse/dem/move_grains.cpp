@@ -11,7 +11,8 @@ namespace {
 
 struct Work {
     std::size_t grains, domain_grains;
-    const std::uint32_t *remote_start, *remote_grain;
+    const contact::RemoteShare* remote;
+    const std::uint32_t* remote_start;
     const Vec3* load; ///< null: none
     double load_share;
     const Watched* watch;
@@ -21,11 +22,11 @@ struct Work {
 
 /// Adds to the grains of domain `d` what other domains exert on them, in the order of the table.
 [[gnu::always_inline]] inline void collect(const Work& w, std::size_t d) {
-    for (std::uint32_t r = w.remote_start[d]; r < w.remote_start[d + 1]; ++r) {
-        grains::GrainSum& sum = w.sums[w.remote_grain[r - w.grains]];
-        sum.force += w.sums[r].force;
-        sum.torque += w.sums[r].torque;
-        w.sums[r] = {};
+    for (std::uint32_t k = w.remote_start[d]; k < w.remote_start[d + 1]; ++k) {
+        const auto [row, grain] = w.remote[k];
+        w.sums[grain].force += w.sums[row].force;
+        w.sums[grain].torque += w.sums[row].torque;
+        w.sums[row] = {};
     }
 }
 
@@ -94,8 +95,8 @@ bool move_grains(
     const Work work{
         rows.size(),
         plan.domain_grains,
+        plan.remote.data(),
         plan.remote_start.data(),
-        plan.remote_grain.data(),
         loaded ? load->force.data() : nullptr,
         load_share,
         watch.data(),

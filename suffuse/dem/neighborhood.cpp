@@ -10,13 +10,15 @@
 namespace suffuse::dem {
 namespace {
 
-// The wide list costs a search when it runs out, the table costs a test of each of its pairs in every step; both adapt
+// The wide list costs a search when it runs out, the table costs the law of each of its pairs in every step; both adapt
 // to how the grains move. Lengths are in radii of the smallest grain.
 constexpr double first_wide_margin = 0.4, least_wide_margin = 0.1, most_wide_margin = 1.5;
 constexpr std::int64_t searches_often = 1500; // steps between two searches
 constexpr double first_allowance = 2e-3, least_allowance = 1e-4;
-constexpr std::int64_t table_steps = 48; // a table is meant to last
-constexpr double foresight = 1.5;        // speeds change meanwhile
+constexpr double first_table_steps = 32, least_table_steps = 16, most_table_steps = 128; // a table is meant to last
+constexpr double table_cost = 1.5;  // of a table, per pair of the wide list, in pairs that the law looks at (measured)
+constexpr double foresight = 1.5;   // speeds change meanwhile
+constexpr std::size_t block = 1024; // grains that a thread takes at a time
 
 /// How much a branch of unit length can shrink or grow under the motion `f`.
 double strain_of(const Mat3& f) {
@@ -34,7 +36,7 @@ double strain_of(const Mat3& f) {
 template <class Value>
 double largest(std::size_t grains, Value&& value) {
     return parallel_sum(
-        grains, 2048, 0.0,
+        grains, block, 0.0,
         [&](std::size_t begin, std::size_t end) {
             double most = 0;
             for (std::size_t g = begin; g < end; ++g) {
@@ -60,6 +62,17 @@ double rounding_of(const Vec3& position) {
 }
 
 constexpr double rounded_down = 1 - 2.0 * std::numeric_limits<float>::epsilon();
+
+/// Pairs that do not touch.
+double count_idle(const contact::Contacts& contacts) {
+    return parallel_sum(contacts.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
+        double idle = 0;
+        for (std::size_t c = begin; c < end; ++c) {
+            idle += contacts.touches(c) ? 0 : 1;
+        }
+        return idle;
+    });
+}
 
 contact::OptionalMemory needed_memory(const World& world) {
     const grains::Material& m = world.material;
@@ -99,26 +112,40 @@ void Neighborhood::measure_grains(const World& world) {
     largest_radius_ = world.grains.size() > 0 ? *most : 0;
     wide_margin_ = first_wide_margin * smallest_radius_;
     least_allowance_ = first_allowance * smallest_radius_;
+    table_steps_ = first_table_steps;
+}
+
+void Neighborhood::adapt(double lasted) {
+    // Pairs that do not touch grow with the allowances, and those with the time that a table is to last: best is a time
+    // in which they cost as much as the table.
+    const double idle = lasted * std::max(1.0, idle_pairs_), cost = table_cost * static_cast<double>(pairs_.size());
+    table_steps_ *= std::clamp(std::sqrt(cost / std::max(1.0, idle)), 0.8, 1.25);
+    table_steps_ = std::clamp(table_steps_, least_table_steps, most_table_steps);
+    // A grain in free flight is foreseen that long. A table that it ends leaves all others more than they need.
+    if (lasted < table_steps_) {
+        least_allowance_ = std::min(1.5 * least_allowance_, 0.1 * wide_margin_);
+    } else if (lasted > foresight * table_steps_) {
+        least_allowance_ = std::max(0.7 * least_allowance_, least_allowance * smallest_radius_);
+    }
 }
 
 std::vector<double> Neighborhood::allow_motion(const World& world, double dt) {
     const grains::Grains& grains = world.grains;
-    const std::int64_t lasted = world.clock.step - near_step_;
-    if (valid_ && lasted < table_steps) {
-        least_allowance_ = std::min(1.5 * least_allowance_, 0.1 * wide_margin_);
-    } else if (valid_ && lasted > 2 * table_steps) {
-        least_allowance_ = std::max(0.7 * least_allowance_, least_allowance * smallest_radius_);
+    if (valid_) {
+        adapt(static_cast<double>(world.clock.step - near_step_));
     }
     // What the watch cannot tell from rest must be little of what it allows.
     least_allowance_ = std::max(least_allowance_, 8 * largest(grains.size(), [&](std::size_t g) {
                                                       return rounding_of(grains.position[g]);
                                                   }));
-    const double seconds = foresight * static_cast<double>(table_steps) * dt, most = 0.2 * wide_margin_;
+    const double seconds = foresight * table_steps_ * dt, most = 0.2 * wide_margin_;
     std::vector<double> allowance(grains.size());
-    for (std::size_t g = 0; g < grains.size(); ++g) {
-        const Vec3 fluctuation = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
-        allowance[g] = std::min(most, least_allowance_ + seconds * norm(fluctuation));
-    }
+    parallel_for(grains.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            const Vec3 fluctuation = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
+            allowance[g] = std::min(most, least_allowance_ + seconds * norm(fluctuation));
+        }
+    });
     stretch_ = least_allowance_ / std::max(largest_radius_, 1e-300) +
                seconds * strain_of(world.cell.velocity_gradient + identity());
     return allowance;
@@ -160,7 +187,7 @@ void Neighborhood::search(const World& world, const std::vector<double>& allowan
 void Neighborhood::make_table(World& world, const std::vector<double>& allowance) {
     const auto& grains = world.grains;
     std::vector<std::uint8_t> near(pairs_.size());
-    parallel_for(grains.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    parallel_for(grains.size(), block, [&](std::size_t begin, std::size_t end) {
         pairs_.for_each_of(begin, end, [&](std::size_t k, const neighbors::Pair& pair) {
             const auto& [i, j, image] = pair;
             const double reach = (1 + stretch_) * (grains.radius[i] + grains.radius[j]) + allowance[i] + allowance[j];
@@ -171,10 +198,13 @@ void Neighborhood::make_table(World& world, const std::vector<double>& allowance
     contact::carry_over(world.contacts, pairs_, near, needed_memory(world));
     contact::plan_sums(world.contacts, grains.size(), sum_plan_);
     watch_.resize(grains.size());
-    for (std::size_t g = 0; g < grains.size(); ++g) {
-        const double may_move = std::max(0.0, (1 - stretch_) * allowance[g] - rounding_of(grains.position[g]));
-        watch_[g] = {narrowed(quad(grains.position[g], rounded_down * may_move * may_move))};
-    }
+    parallel_for(grains.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            const double may_move = std::max(0.0, (1 - stretch_) * allowance[g] - rounding_of(grains.position[g]));
+            watch_[g] = {narrowed(quad(grains.position[g], rounded_down * may_move * may_move))};
+        }
+    });
+    idle_pairs_ = count_idle(world.contacts);
     near_h_ = world.cell.h;
     inverse_h_ = inverse(world.cell.h);
     near_step_ = world.clock.step;

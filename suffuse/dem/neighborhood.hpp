@@ -47,6 +47,7 @@ public:
 
 private:
     void measure_grains(const World& world);
+    void adapt(double lasted);
     [[nodiscard]] std::vector<double> allow_motion(const World& world, double dt);
     [[nodiscard]] bool wide_list_reaches(const World& world, const std::vector<double>& allowance) const;
     void search(const World& world, const std::vector<double>& allowance);
@@ -63,6 +64,8 @@ private:
     std::int64_t wide_step_ = 0;
 
     // The contact table: what a grain may move and the cell may stretch while it holds.
+    double table_steps_ = 0;     ///< that it is meant to last
+    double idle_pairs_ = 0;      ///< of the table, that did not touch when it was made
     double least_allowance_ = 0; ///< of a grain at rest [m]
     double stretch_ = 0;         ///< of a branch, by the mean motion [-]
     Watch watch_;

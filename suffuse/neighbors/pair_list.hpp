@@ -20,6 +20,11 @@ public:
 
     [[nodiscard]] std::size_t size() const { return second_.size(); }
 
+    [[nodiscard]] std::size_t grains() const { return start_.size() - 1; }
+
+    /// Number of the first pair of the first grain `grain`, or of all pairs for `grains()`.
+    [[nodiscard]] std::size_t start_of(std::size_t grain) const { return start_[grain]; }
+
     /// Calls `visit(k, pair)` on the pairs of the first grains `begin` to `end`, in order; `k` counts all pairs.
     template <class Visit>
     void for_each_of(std::size_t begin, std::size_t end, Visit&& visit) const {
@@ -28,11 +33,6 @@ public:
                 visit(k, Pair{static_cast<std::uint32_t>(first), second_[k], images_[image_[k]]});
             }
         }
-    }
-
-    template <class Visit>
-    void for_each(Visit&& visit) const {
-        for_each_of(0, start_.size() - 1, visit);
     }
 
 private:

@@ -11,7 +11,7 @@ TEST(PairList, GivesBackThePairsThatItWasMadeFrom) {
     const PairList list(pairs, 6); // grain 1 comes first in no pair, nor does grain 5
     ASSERT_EQ(list.size(), pairs.size());
     std::vector<Pair> found;
-    list.for_each([&](std::size_t k, const Pair& pair) {
+    list.for_each_of(0, list.grains(), [&](std::size_t k, const Pair& pair) {
         EXPECT_EQ(k, found.size());
         found.push_back(pair);
     });
@@ -30,7 +30,9 @@ TEST(PairList, OfSomeFirstGrainsCountsAllPairs) {
 }
 
 TEST(PairList, WithoutPairsHasNothingToVisit) {
-    PairList().for_each([](std::size_t, const Pair&) { FAIL(); });
+    const PairList none;
+    EXPECT_EQ(none.grains(), 0);
+    none.for_each_of(0, none.grains(), [](std::size_t, const Pair&) { FAIL(); });
 }
 
 } // namespace
