@@ -120,12 +120,9 @@ NewRows merge(
     std::size_t end, std::span<const std::uint8_t> wanted
 ) {
     NewRows rows;
-    const std::size_t first_pair = pairs.start_of(begin), last_pair = pairs.start_of(end);
+    const std::size_t first_pair = pairs.start_of(begin), seen = pairs.start_of(end) - first_pair;
     rows.reserve(
-        wanted.empty() ? last_pair - first_pair
-                       : static_cast<std::size_t>(
-                             std::count(wanted.begin() + first_pair, wanted.begin() + last_pair, std::uint8_t{1})
-                         )
+        wanted.empty() ? seen : static_cast<std::size_t>(std::ranges::count(wanted.subspan(first_pair, seen), 1))
     );
     const auto keep_touching_before = [&](auto&& is_before) {
         for (; row < last_row && is_before(pair_of(table, row)); ++row) {
