@@ -1,6 +1,7 @@
 #include "suffuse/dem/step.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/cell/drive.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/dem/inspect.hpp"
@@ -44,10 +45,12 @@ void give_back_memory(const StepCaches& caches, Mode mode, World& world) {
 void give_back(const StepCaches& caches, Mode mode, World& world) {
     give_back_memory(caches, mode, world);
     grains::from_rows(caches.rows, world.grains);
-    for (std::size_t g = 0; g < world.grains.size(); ++g) {
-        world.grains.force[g] = xyz(caches.sums[g].force);
-        world.grains.torque[g] = xyz(caches.sums[g].torque);
-    }
+    parallel_for(world.grains.size(), 2048, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            world.grains.force[g] = xyz(caches.sums[g].force);
+            world.grains.torque[g] = xyz(caches.sums[g].torque);
+        }
+    });
 }
 
 /// Makes sure that no pair outside the contact table can touch in this step.
