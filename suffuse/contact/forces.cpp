@@ -368,8 +368,6 @@ Pressed press_contacts(
     parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
         StressSum part;
         for (std::size_t d = first; d < last; ++d) {
-            const std::size_t begin = d * plan.domain_grains, end = std::min(plan.grains, begin + plan.domain_grains);
-            std::fill(sums.data() + begin, sums.data() + end, grains::GrainSum{});
             press_loop(work, plan.domain_start[d], plan.domain_start[d + 1], part);
         }
         const std::lock_guard lock(adding);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -303,6 +304,26 @@ TEST(SumPlan, OfManyDomainsHasEachRowCollectedOnceByTheDomainOfItsGrain) {
         }
     }
     EXPECT_EQ(next_row, plan.rows());
+}
+
+TEST(SumPlan, ListsTheGrainsOfADomainThoseOfSomeContactFirst) {
+    constexpr std::uint32_t there = domain_size(0);
+    Contacts contacts;
+    for (const auto& [i, j] : {std::pair{2U, 5U}, {2U, there + 1}, {7U, 2U * there}}) {
+        contacts.first.push_back(i);
+        contacts.second.push_back(j);
+        contacts.image.push_back({});
+    }
+    SumPlan plan;
+    plan_sums(contacts, 2 * there + 3, plan);
+    EXPECT_EQ(plan.awake_end, (std::vector<std::uint32_t>{3, there + 1, 2 * there + 1}));
+    EXPECT_EQ(std::vector(plan.roster.begin(), plan.roster.begin() + 5), (std::vector<std::uint32_t>{2, 5, 7, 0, 1}));
+    EXPECT_EQ(plan.roster[there], there + 1);
+    EXPECT_EQ(plan.roster[2 * there], 2 * there);
+    std::ranges::sort(plan.roster);
+    for (std::uint32_t g = 0; g < plan.grains; ++g) {
+        ASSERT_EQ(plan.roster[g], g);
+    }
 }
 
 } // namespace

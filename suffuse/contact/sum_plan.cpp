@@ -103,6 +103,36 @@ void plan_remote_rows(const Contacts& contacts, SumPlan& plan) {
     });
 }
 
+/// Who is in a row of the table: a first grain, a second of the same domain, or one that its domain collects for.
+void plan_roster(const Contacts& contacts, SumPlan& plan) {
+    plan.roster.resize(plan.grains);
+    plan.awake_end.resize(plan.domains());
+    for_each_domain(plan, [&](std::size_t d) {
+        const std::size_t begin = d * plan.domain_grains, end = std::min(plan.grains, begin + plan.domain_grains);
+        std::vector<std::uint8_t> awake(end - begin, 0);
+        for (std::size_t c = plan.domain_start[d]; c < plan.domain_start[d + 1]; ++c) {
+            awake[contacts.first[c] - begin] = 1;
+            if (plan.second_sum[c] < plan.grains) {
+                awake[contacts.second[c] - begin] = 1;
+            }
+        }
+        for (std::size_t k = plan.remote_start[d]; k < plan.remote_start[d + 1]; ++k) {
+            awake[plan.remote[k].grain - begin] = 1;
+        }
+        auto next = static_cast<std::uint32_t>(begin);
+        for (const std::uint8_t kind : {std::uint8_t{1}, std::uint8_t{0}}) {
+            for (std::size_t g = begin; g < end; ++g) {
+                if (awake[g - begin] == kind) {
+                    plan.roster[next++] = static_cast<std::uint32_t>(g);
+                }
+            }
+            if (kind == 1) {
+                plan.awake_end[d] = next;
+            }
+        }
+    });
+}
+
 } // namespace
 
 void plan_sums(const Contacts& contacts, std::size_t grains, SumPlan& plan) {
@@ -111,6 +141,7 @@ void plan_sums(const Contacts& contacts, std::size_t grains, SumPlan& plan) {
     plan_domains(contacts, plan);
     plan_images(contacts, plan);
     plan_remote_rows(contacts, plan);
+    plan_roster(contacts, plan);
 }
 
 } // namespace suffuse::contact

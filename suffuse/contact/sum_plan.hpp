@@ -31,6 +31,8 @@ struct SumPlan {
         second_sum;                  ///< for each contact, the row of the sums that its second grain's share goes to
     std::vector<RemoteShare> remote; ///< what each domain collects, in the order of the table
     std::vector<std::uint32_t> remote_start; ///< first of each domain's, and the end
+    std::vector<std::uint32_t> roster;       ///< the grains of each domain, those of some row of the table first
+    std::vector<std::uint32_t> awake_end;    ///< for each domain, the end of those first ones
     std::vector<std::uint16_t> image;        ///< for each contact, its row of `images`
     std::vector<cell::Image> images;         ///< those that occur
 

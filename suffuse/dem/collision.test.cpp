@@ -117,5 +117,19 @@ TEST(Collision, TheCommonCenterStaysAtRest) {
     EXPECT_LE(norm(g.mass[0] * g.velocity[0] + g.mass[1] * g.velocity[1]), 1e-14 * g.mass[1] * speed);
 }
 
+TEST(Collision, ComesAfterALongFlightThatNobodyWatches) {
+    // Both grains sleep, for they are in no row of the contact table, until they may have come near each other.
+    const double gap = 2e-4, dt = contact_time() / 100;
+    World world = approaching(gap);
+    StepCaches caches;
+    std::int64_t asleep = 0;
+    for (double time = 0; time < gap / speed + 2 * contact_time(); time += 50 * dt) {
+        advance(world, caches, test::plan_of(dt), 50);
+        asleep += caches.neighborhood.sum_plan().awake_end[0] == 0 ? 1 : 0;
+    }
+    EXPECT_GT(asleep, 10);
+    EXPECT_NEAR(world.grains.velocity[1].x - world.grains.velocity[0].x, speed, 1e-3 * speed);
+}
+
 } // namespace
 } // namespace suffuse::dem

@@ -12,6 +12,7 @@
 #include "tests/support/worlds.hpp"
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -150,6 +151,36 @@ TEST_P(FreshLists, ChangeNoBit) {
     }
     EXPECT_EQ(state_hash(world), state_hash(other));
     EXPECT_GE(caches.neighborhood.prunings(), 2); // and the lists were made again on the way
+}
+
+TEST_P(FreshLists, AndSleepOfGrainsInNoContactChangeNoBit) {
+    World world = loaded_packing();
+    const std::vector<int> contacts = coordination(world);
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        if (contacts[g] == 0) { // fast enough to meet others
+            world.grains.velocity[g] = {0.02 * double(g % 5), 0.1 * double(g % 3) - 0.1, 0.03 * double(g % 7) - 0.1};
+            world.grains.spin[g] = {double(g % 11), -0.0, 3};
+        }
+    }
+    World other = world;
+    StepPlan plan = shearing();
+    if (GetParam()) {
+        plan.damping = 0.2;
+        plan.loading = isotropic_stress(1.3e5);
+    }
+    StepPlan awake_plan = plan;
+    const grains::GrainLoad nothing;
+    awake_plan.load = &nothing; // no force, but grains that a load may push do not sleep
+    StepCaches caches, awake;
+    std::set<std::uint32_t> sleepers;
+    for (int burst = 0; burst < 10; ++burst) {
+        advance(world, caches, plan, 150);
+        advance(other, awake, awake_plan, 150);
+        sleepers.insert(500 - caches.neighborhood.sum_plan().awake_end[0]);
+    }
+    EXPECT_EQ(state_hash(world), state_hash(other));
+    EXPECT_GT(*sleepers.begin(), 20U);
+    EXPECT_GE(sleepers.size(), 2U) << "no grain fell asleep or awoke on the way";
 }
 
 INSTANTIATE_TEST_SUITE_P(Loadings, FreshLists, testing::Bool(), [](const auto& test) {

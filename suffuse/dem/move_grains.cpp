@@ -4,6 +4,7 @@
 #include "suffuse/base/parallel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 
 namespace suffuse::dem {
@@ -12,10 +13,11 @@ namespace {
 struct Work {
     std::size_t grains, domain_grains;
     const contact::RemoteShare* remote;
-    const std::uint32_t* remote_start;
+    const std::uint32_t *remote_start, *roster, *awake_end;
     const Vec3* load; ///< null: none
     double load_share;
     const Watched* watch;
+    MoveSetting setting;
     grains::MovingRow* rows;
     grains::GrainSum* sums;
 };
@@ -41,7 +43,8 @@ template <class Matrix>
 template <class Matrix>
 [[gnu::always_inline]] inline void
 move_tile(const motion::MotionOf<Quad, Matrix>& motion, const Work& w, std::size_t begin, std::size_t end) {
-    for (std::size_t g = begin; g < end; ++g) {
+    for (std::size_t k = begin; k < end; ++k) {
+        const std::uint32_t g = w.roster[k];
         const grains::GrainSum& sum = w.sums[g];
         grains::MovingRow& row = w.rows[g];
         const Quad force = w.load == nullptr ? sum.force : sum.force + w.load_share * quad(w.load[g], 0);
@@ -62,13 +65,17 @@ move_domain(const motion::MotionOf<Quad, Matrix>& motion, const Matrix& mean_mot
     constexpr std::size_t tile_grains = 64;
     collect(w, d);
     Quad most = Quad{} - 1.0;
-    const std::size_t end = std::min(w.grains, (d + 1) * w.domain_grains);
+    const std::size_t end = w.setting.only_awake ? w.awake_end[d] : std::min(w.grains, (d + 1) * w.domain_grains);
     for (std::size_t tile = d * w.domain_grains; tile < end; tile += tile_grains) {
         const std::size_t tile_end = std::min(end, tile + tile_grains);
         move_tile(motion, w, tile, tile_end);
-        for (std::size_t g = tile; g < tile_end; ++g) {
+        for (std::size_t k = tile; k < tile_end; ++k) {
+            const std::uint32_t g = w.roster[k];
             const Quad over = excess(mean_motion, widened(w.watch[g].place), w.rows[g].position);
             most = over > most ? over : most;
+            if (!w.setting.keep_sums) {
+                w.sums[g] = {};
+            }
         }
     }
     return most[0] > 0;
@@ -84,11 +91,51 @@ move_in_upright_cell(const motion::DiagonalMotion& motion, const Quad& mean_moti
     return move_domain(motion, mean_motion, w, d);
 }
 
+/// The sleepers of a domain, four side by side through all the steps.
+template <class Matrix>
+[[gnu::always_inline]] inline void coast_domain(
+    std::span<const motion::MotionOf<Quad, Matrix>> steps, const std::uint32_t* roster, std::size_t begin,
+    std::size_t end, grains::MovingRow* rows
+) {
+    constexpr std::size_t side = 4;
+    for (std::size_t k = begin; k < end; k += side) {
+        std::array<grains::MovingRow, side> row;
+        for (std::size_t q = 0; q < side; ++q) {
+            row[q] = rows[roster[std::min(k + q, end - 1)]];
+        }
+        for (const motion::MotionOf<Quad, Matrix>& step : steps) {
+            for (std::size_t q = 0; q < side; ++q) {
+                motion::coast(step, row[q].position, row[q].velocity, row[q].spin);
+            }
+        }
+        for (std::size_t q = 0; q < std::min(side, end - k); ++q) {
+            grains::MovingRow& to = rows[roster[k + q]];
+            to = {
+                with_last_of(row[q].position, to.position), with_last_of(row[q].velocity, to.velocity),
+                with_last_of(row[q].spin, to.spin)};
+        }
+    }
+}
+
+SUFFUSE_CLONES void coast_in_any_cell(
+    std::span<const motion::QuadMotion> steps, const std::uint32_t* roster, std::size_t begin, std::size_t end,
+    grains::MovingRow* rows
+) {
+    coast_domain(steps, roster, begin, end, rows);
+}
+
+SUFFUSE_CLONES void coast_in_upright_cell(
+    std::span<const motion::DiagonalMotion> steps, const std::uint32_t* roster, std::size_t begin, std::size_t end,
+    grains::MovingRow* rows
+) {
+    coast_domain(steps, roster, begin, end, rows);
+}
+
 } // namespace
 
 bool move_grains(
     const motion::StepMotion& step, const contact::SumPlan& plan, const grains::GrainLoad* load, double load_share,
-    const Mat3& mean_motion, const Watch& watch, std::vector<grains::MovingRow>& rows,
+    const Mat3& mean_motion, const Watch& watch, const MoveSetting& setting, std::vector<grains::MovingRow>& rows,
     std::vector<grains::GrainSum>& sums
 ) {
     const bool loaded = load != nullptr && !load->force.empty();
@@ -97,9 +144,12 @@ bool move_grains(
         plan.domain_grains,
         plan.remote.data(),
         plan.remote_start.data(),
+        plan.roster.data(),
+        plan.awake_end.data(),
         loaded ? load->force.data() : nullptr,
         load_share,
         watch.data(),
+        setting,
         rows.data(),
         sums.data()};
     const bool upright = is_diagonal(step.old_gradient) && is_diagonal(step.change) && is_diagonal(mean_motion);
@@ -117,6 +167,28 @@ bool move_grains(
         }
     });
     return too_far;
+}
+
+void coast_sleepers(
+    std::span<const motion::StepMotion> steps, const contact::SumPlan& plan, std::vector<grains::MovingRow>& rows
+) {
+    const bool upright = std::ranges::all_of(steps, [](const motion::StepMotion& step) {
+        return is_diagonal(step.old_gradient) && is_diagonal(step.change);
+    });
+    std::array<motion::QuadMotion, most_slept_steps> any{};
+    std::array<motion::DiagonalMotion, most_slept_steps> diagonal{};
+    std::ranges::transform(steps, any.begin(), motion::in_quads);
+    std::ranges::transform(steps, diagonal.begin(), motion::in_diagonals);
+    parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t d = first; d < last; ++d) {
+            const std::size_t begin = plan.awake_end[d], end = std::min(plan.grains, (d + 1) * plan.domain_grains);
+            if (upright) {
+                coast_in_upright_cell({diagonal.data(), steps.size()}, plan.roster.data(), begin, end, rows.data());
+            } else {
+                coast_in_any_cell({any.data(), steps.size()}, plan.roster.data(), begin, end, rows.data());
+            }
+        }
+    });
 }
 
 } // namespace suffuse::dem

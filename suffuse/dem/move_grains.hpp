@@ -6,6 +6,7 @@
 #include "suffuse/grains/moving_rows.hpp"
 #include "suffuse/motion/integrator.hpp"
 
+#include <span>
 #include <vector>
 
 namespace suffuse::dem {
@@ -18,14 +19,28 @@ struct alignas(16) Watched {
 
 using Watch = std::vector<Watched>;
 
-/// Collects into the first `plan.grains` rows of `sums` the contact force and torque on each grain, sets the other rows
-/// to zero, adds the load and moves the grains.
+/// Who is moved in a step, and whether the sums are still wanted.
+struct MoveSetting {
+    bool only_awake = false; ///< grains in no row of the contact table sleep: `coast_sleepers` moves them later
+    bool keep_sums = false;  ///< of the grains; else they are zero afterwards, as those beyond the grains always are
+};
+
+/// Collects into the first `plan.grains` rows of `sums` the contact force and torque on each grain, adds the load and
+/// moves the grains.
 /// @param mean_motion from the cell at which the watch was made to the cell of the next step
-/// @return whether a grain has moved further than the watch allows
+/// @return whether a grain that was moved is further than the watch allows
 bool move_grains(
     const motion::StepMotion& step, const contact::SumPlan& plan, const grains::GrainLoad* load, double load_share,
-    const Mat3& mean_motion, const Watch& watch, std::vector<grains::MovingRow>& rows,
+    const Mat3& mean_motion, const Watch& watch, const MoveSetting& setting, std::vector<grains::MovingRow>& rows,
     std::vector<grains::GrainSum>& sums
+);
+
+constexpr std::size_t most_slept_steps = 64;
+
+/// Moves the grains that slept through `steps`, at most `most_slept_steps`, to the bits that `move_grains` without load
+/// and drag would have given them.
+void coast_sleepers(
+    std::span<const motion::StepMotion> steps, const contact::SumPlan& plan, std::vector<grains::MovingRow>& rows
 );
 
 } // namespace suffuse::dem

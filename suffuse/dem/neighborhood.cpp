@@ -32,15 +32,15 @@ double strain_of(const Mat3& f) {
     return std::sqrt(sum);
 }
 
-/// Largest of `value(g)` over all grains, at least zero.
+/// Largest of `value(k)` over [0, rows), at least zero; `at_a_time` rows are a block of work.
 template <class Value>
-double largest(std::size_t grains, Value&& value) {
+double largest(std::size_t rows, std::size_t at_a_time, Value&& value) {
     return parallel_sum(
-        grains, block, 0.0,
+        rows, at_a_time, 0.0,
         [&](std::size_t begin, std::size_t end) {
             double most = 0;
-            for (std::size_t g = begin; g < end; ++g) {
-                most = std::max(most, value(g));
+            for (std::size_t k = begin; k < end; ++k) {
+                most = std::max(most, value(k));
             }
             return most;
         },
@@ -101,6 +101,29 @@ void Neighborhood::update(World& world, double dt) {
     }
     make_table(world, allowance);
     valid_ = true;
+    look_at_sleepers(world);
+}
+
+void Neighborhood::look_at_sleepers(const World& world) {
+    if (!valid_) {
+        return;
+    }
+    // Against the mean motion, what nothing pushes keeps its velocity; the hundredth is for what the cell strains.
+    const grains::Grains& grains = world.grains;
+    const Mat3 motion = mean_motion(world.cell.h);
+    const double most_haste = largest(sum_plan_.domains(), 1, [&](std::size_t d) {
+        const std::size_t end = std::min(grains.size(), (d + 1) * sum_plan_.domain_grains);
+        double most = 0;
+        for (std::size_t k = sum_plan_.awake_end[d]; k < end; ++k) {
+            const std::uint32_t g = sum_plan_.roster[k];
+            const Quad watched = widened(watch_[g].place);
+            const double left = std::sqrt(watched[3]) - norm(grains.position[g] - motion * xyz(watched));
+            const double speed = norm(grains.velocity[g] - world.cell.velocity_gradient * grains.position[g]);
+            most = std::max(most, speed > 0 ? speed / std::max(left, 1e-300) : 0);
+        }
+        return most;
+    });
+    sleepers_until_ = world.clock.time + 0.99 / most_haste;
 }
 
 void Neighborhood::measure_grains(const World& world) {
@@ -135,7 +158,7 @@ std::vector<double> Neighborhood::allow_motion(const World& world, double dt) {
         adapt(static_cast<double>(world.clock.step - near_step_));
     }
     // What the watch cannot tell from rest must be little of what it allows.
-    least_allowance_ = std::max(least_allowance_, 8 * largest(grains.size(), [&](std::size_t g) {
+    least_allowance_ = std::max(least_allowance_, 8 * largest(grains.size(), block, [&](std::size_t g) {
                                                       return rounding_of(grains.position[g]);
                                                   }));
     const double seconds = foresight * table_steps_ * dt, most = 0.2 * wide_margin_;
@@ -154,7 +177,7 @@ std::vector<double> Neighborhood::allow_motion(const World& world, double dt) {
 bool Neighborhood::wide_list_reaches(const World& world, const std::vector<double>& allowance) const {
     const Mat3 motion = world.cell.h * inverse(wide_h_);
     const double strain = strain_of(motion);
-    const double moved = largest(world.grains.size(), [&](std::size_t g) {
+    const double moved = largest(world.grains.size(), block, [&](std::size_t g) {
         const Vec3 place = position_of(wide_place_[g]);
         return norm(world.grains.position[g] - motion * place) + rounding_of(place) + allowance[g];
     });
@@ -170,7 +193,7 @@ void Neighborhood::search(const World& world, const std::vector<double>& allowan
         );
     }
     // What the table needs must be within the list, now that nothing has moved since.
-    const double most_allowed = largest(world.grains.size(), [&](std::size_t g) { return allowance[g]; });
+    const double most_allowed = largest(world.grains.size(), block, [&](std::size_t g) { return allowance[g]; });
     const double needed = 2 * most_allowed + 2 * stretch_ * largest_radius_;
     wide_margin_ = std::max(wide_margin_, 1.5 * needed);
     pairs_ = {}; // before the new ones are made

@@ -32,6 +32,12 @@ public:
 
     [[nodiscard]] const Watch& watch() const { return watch_; }
 
+    /// Reckons anew until when the grains in no row of the table stay within their watch if nothing pushes them.
+    void look_at_sleepers(const World& world);
+
+    /// Time of the world until which they do [s].
+    [[nodiscard]] double sleepers_until() const { return sleepers_until_; }
+
     /// Mean motion from the cell at which the table was made to the cell `h`.
     [[nodiscard]] Mat3 mean_motion(const Mat3& h) const { return h * inverse_h_; }
 
@@ -69,6 +75,7 @@ private:
     double least_allowance_ = 0; ///< of a grain at rest [m]
     double stretch_ = 0;         ///< of a branch, by the mean motion [-]
     Watch watch_;
+    double sleepers_until_ = 0; ///< [s]
     Mat3 near_h_{}, inverse_h_{};
     std::int64_t near_step_ = 0;
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse::dem {
@@ -42,7 +43,16 @@ void give_back_memory(const StepCaches& caches, Mode mode, World& world) {
     }
 }
 
-void give_back(const StepCaches& caches, Mode mode, World& world) {
+/// Grains that slept make up for the steps that they did not make.
+void wake(StepCaches& caches) {
+    if (!caches.slept.empty()) {
+        coast_sleepers(caches.slept, caches.neighborhood.sum_plan(), caches.rows);
+        caches.slept.clear();
+    }
+}
+
+void give_back(StepCaches& caches, Mode mode, World& world) {
+    wake(caches);
     give_back_memory(caches, mode, world);
     grains::from_rows(caches.rows, world.grains);
     parallel_for(world.grains.size(), 2048, [&](std::size_t begin, std::size_t end) {
@@ -53,11 +63,19 @@ void give_back(const StepCaches& caches, Mode mode, World& world) {
     });
 }
 
+void set_to_zero(std::vector<grains::GrainSum>& sums) {
+    parallel_for(sums.size(), 2048, [&](std::size_t begin, std::size_t end) {
+        std::fill(sums.data() + begin, sums.data() + end, grains::GrainSum{});
+    });
+}
+
 /// Makes sure that no pair outside the contact table can touch in this step.
 void pair(World& world, StepCaches& caches, const StepPlan& plan) {
-    if (caches.neighborhood.holds(world, world.cell.h) && !caches.moved_too_far) {
+    const bool overslept = caches.sleep && world.clock.time > caches.neighborhood.sleepers_until();
+    if (caches.neighborhood.holds(world, world.cell.h) && !caches.moved_too_far && !overslept) {
         return;
     }
+    wake(caches);
     give_back_memory(caches, plan.mode, world);
     grains::from_rows(caches.rows, world.grains);
     caches.neighborhood.update(world, plan.dt);
@@ -82,7 +100,7 @@ double load_share(const StepPlan& plan, std::int64_t k) {
 }
 
 Mat3 one_step(
-    World& world, StepCaches& caches, const StepPlan& plan, std::int64_t k, const contact::LawConstants& law
+    World& world, StepCaches& caches, const StepPlan& plan, std::int64_t k, bool last, const contact::LawConstants& law
 ) {
     cell::Cell& cell = world.cell;
     Neighborhood& neighborhood = caches.neighborhood;
@@ -121,8 +139,14 @@ Mat3 one_step(
     const Mat3 next_h = cell.h + plan.dt * ((motion.old_gradient + motion.change) * cell.h);
     caches.moved_too_far = move_grains(
         motion, neighborhood.sum_plan(), plan.load, load_share(plan, k), neighborhood.mean_motion(next_h),
-        neighborhood.watch(), caches.rows, caches.sums
+        neighborhood.watch(), {caches.sleep, last}, caches.rows, caches.sums
     );
+    if (caches.sleep) {
+        caches.slept.push_back(motion);
+        if (caches.slept.size() == most_slept_steps) {
+            wake(caches);
+        }
+    }
     cell.velocity_gradient = gradient;
 
     ++world.clock.step;
@@ -133,13 +157,21 @@ Mat3 one_step(
 } // namespace
 
 StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::int64_t steps) {
+    expects(steps > 0, "a burst has no step");
     const contact::LawConstants law = contact::resolve_law(world.material);
     grains::to_rows(world.grains, caches.rows);
     take_memory(world, plan.mode, caches);
+    set_to_zero(caches.sums);
+    caches.sleep = plan.load == nullptr && plan.drag == 0;
+    caches.slept.clear();
+    caches.slept.reserve(most_slept_steps);
+    if (caches.sleep) {
+        caches.neighborhood.look_at_sleepers(world);
+    }
     caches.around.normals_only = !plan.loading.velocity_gradient && contacts_only_push(world);
     StepReport report;
     for (std::int64_t k = 0; k < steps; ++k) {
-        report.stress = one_step(world, caches, plan, k, law);
+        report.stress = one_step(world, caches, plan, k, k + 1 == steps, law);
     }
     give_back(caches, plan.mode, world);
     return report;

@@ -34,6 +34,8 @@ struct StepCaches {
     bool moved_too_far = false; ///< a grain has, for the contact table
     std::vector<grains::MovingRow> rows;
     std::vector<grains::GrainSum> sums;
+    bool sleep = false;                    ///< grains in no row of the contact table do, in this burst
+    std::vector<motion::StepMotion> slept; ///< steps that they have not made yet
     contact::Surroundings around;
     contact::SingleMemory memory; ///< of the contacts, in fast mode
 };

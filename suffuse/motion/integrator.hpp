@@ -87,4 +87,15 @@ template <class Vec, class Matrix, class Scalar>
     position += step.dt * velocity;
 }
 
+/// What `move` does, to the bit, to a grain that nothing pushes or turns, without drag.
+template <class Vec, class Matrix>
+[[gnu::always_inline]] inline void coast(const MotionOf<Vec, Matrix>& step, Vec& position, Vec& velocity, Vec& spin) {
+    const Vec nothing{}; // added as `move` does, for the sign of zeros
+    velocity += step.dt * (nothing + step.old_gradient * velocity);
+    spin += nothing;
+    velocity += step.change * position;
+    spin += step.spin_change;
+    position += step.dt * velocity;
+}
+
 } // namespace suffuse::motion

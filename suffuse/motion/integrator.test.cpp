@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
+
 namespace suffuse::motion {
 namespace {
 
@@ -74,6 +77,29 @@ TEST(Integrator, ANewMeanMotionIsGivenToTheGrainsWithItsSpin) {
     const Grain next = moved(step, {{1, 0, 0}, {}, {}}, {}, {});
     EXPECT_EQ(next.velocity, (Vec3{0, 2, 0}));
     EXPECT_EQ(next.spin, (Vec3{0, 0, 2}));
+}
+
+template <class Vec, class Matrix>
+void expect_coasting_as_moving(const MotionOf<Vec, Matrix>& step) {
+    const Quad one = Quad{} + 1.0, nothing{};
+    Quad position{0.3, -0.7, 0.0, 5}, velocity{-0.2, -0.0, 0.9, 7}, spin{-0.0, 4, -1, 9};
+    Quad other_position = position, other_velocity = velocity, other_spin = spin;
+    for (int k = 0; k < 50; ++k) {
+        move(step, nothing, nothing, one, position, velocity, spin);
+        coast(step, other_position, other_velocity, other_spin);
+    }
+    for (int a = 0; a < 3; ++a) { // the bits, also of the sign of a zero
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(position[a]), std::bit_cast<std::uint64_t>(other_position[a]));
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(velocity[a]), std::bit_cast<std::uint64_t>(other_velocity[a]));
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(spin[a]), std::bit_cast<std::uint64_t>(other_spin[a]));
+    }
+}
+
+TEST(Integrator, AGrainThatNothingPushesCoastsToTheSameBits) {
+    const Mat3 sheared{{{{-1, 0.3, 0}, {0.3, 0.5, 0}, {0, 0, 0.2}}}}, upright{{{{-1, 0, 0}, {0, 0.5, 0}, {0, 0, 0}}}};
+    expect_coasting_as_moving(in_quads(plan_motion(1e-3, 0.2, 0, sheared, 1.1 * sheared)));
+    expect_coasting_as_moving(in_diagonals(plan_motion(1e-3, 0.2, 0, upright, 1.1 * upright)));
+    expect_coasting_as_moving(in_diagonals(plan_motion(1e-3, 0, 0, {}, {})));
 }
 
 /// Drift of a grain's place in the cell after a strain of 0.5, in `steps` steps.
