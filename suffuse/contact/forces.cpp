@@ -368,6 +368,9 @@ Pressed press_contacts(
     parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
         StressSum part;
         for (std::size_t d = first; d < last; ++d) {
+            for (std::size_t k = d * plan.domain_grains; k < plan.awake_end[d]; ++k) {
+                sums[plan.roster[k]] = {}; // now, so that the loop finds them in the cache
+            }
             press_loop(work, plan.domain_start[d], plan.domain_start[d + 1], part);
         }
         const std::lock_guard lock(adding);

@@ -37,9 +37,9 @@ struct Pressed {
     bool wild = false; ///< a force is not finite, or beyond what grains of this modulus exert however much they overlap
 };
 
-/// One step of every contact: updates their memory, and adds to the first `plan.grains` rows of `sums` the force and
-/// torque on each grain of the contacts of its own domain, to the others those from other domains.
-/// @param sums `plan.rows()` rows, zero
+/// One step of every contact: updates their memory, and makes the first `plan.grains` rows of `sums` the force and
+/// torque on each grain of the contacts of its own domain, the others those from other domains.
+/// @param sums `plan.rows()` rows; those beyond the grains must be zero, and those of grains without a contact
 Pressed compute_forces(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
     const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums

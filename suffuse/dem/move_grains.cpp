@@ -17,7 +17,7 @@ struct Work {
     const Vec3* load; ///< null: none
     double load_share;
     const Watched* watch;
-    MoveSetting setting;
+    bool only_awake;
     grains::MovingRow* rows;
     grains::GrainSum* sums;
 };
@@ -65,7 +65,7 @@ move_domain(const motion::MotionOf<Quad, Matrix>& motion, const Matrix& mean_mot
     constexpr std::size_t tile_grains = 64;
     collect(w, d);
     Quad most = Quad{} - 1.0;
-    const std::size_t end = w.setting.only_awake ? w.awake_end[d] : std::min(w.grains, (d + 1) * w.domain_grains);
+    const std::size_t end = w.only_awake ? w.awake_end[d] : std::min(w.grains, (d + 1) * w.domain_grains);
     for (std::size_t tile = d * w.domain_grains; tile < end; tile += tile_grains) {
         const std::size_t tile_end = std::min(end, tile + tile_grains);
         move_tile(motion, w, tile, tile_end);
@@ -73,9 +73,6 @@ move_domain(const motion::MotionOf<Quad, Matrix>& motion, const Matrix& mean_mot
             const std::uint32_t g = w.roster[k];
             const Quad over = excess(mean_motion, widened(w.watch[g].place), w.rows[g].position);
             most = over > most ? over : most;
-            if (!w.setting.keep_sums) {
-                w.sums[g] = {};
-            }
         }
     }
     return most[0] > 0;
@@ -135,7 +132,7 @@ SUFFUSE_CLONES void coast_in_upright_cell(
 
 bool move_grains(
     const motion::StepMotion& step, const contact::SumPlan& plan, const grains::GrainLoad* load, double load_share,
-    const Mat3& mean_motion, const Watch& watch, const MoveSetting& setting, std::vector<grains::MovingRow>& rows,
+    const Mat3& mean_motion, const Watch& watch, bool only_awake, std::vector<grains::MovingRow>& rows,
     std::vector<grains::GrainSum>& sums
 ) {
     const bool loaded = load != nullptr && !load->force.empty();
@@ -149,7 +146,7 @@ bool move_grains(
         loaded ? load->force.data() : nullptr,
         load_share,
         watch.data(),
-        setting,
+        only_awake,
         rows.data(),
         sums.data()};
     const bool upright = is_diagonal(step.old_gradient) && is_diagonal(step.change) && is_diagonal(mean_motion);

@@ -19,19 +19,14 @@ struct alignas(16) Watched {
 
 using Watch = std::vector<Watched>;
 
-/// Who is moved in a step, and whether the sums are still wanted.
-struct MoveSetting {
-    bool only_awake = false; ///< grains in no row of the contact table sleep: `coast_sleepers` moves them later
-    bool keep_sums = false;  ///< of the grains; else they are zero afterwards, as those beyond the grains always are
-};
-
-/// Collects into the first `plan.grains` rows of `sums` the contact force and torque on each grain, adds the load and
-/// moves the grains.
+/// Collects into the first `plan.grains` rows of `sums` the contact force and torque on each grain, sets the other rows
+/// to zero, adds the load and moves the grains.
+/// @param only_awake grains in no row of the contact table sleep: `coast_sleepers` moves them later
 /// @param mean_motion from the cell at which the watch was made to the cell of the next step
 /// @return whether a grain that was moved is further than the watch allows
 bool move_grains(
     const motion::StepMotion& step, const contact::SumPlan& plan, const grains::GrainLoad* load, double load_share,
-    const Mat3& mean_motion, const Watch& watch, const MoveSetting& setting, std::vector<grains::MovingRow>& rows,
+    const Mat3& mean_motion, const Watch& watch, bool only_awake, std::vector<grains::MovingRow>& rows,
     std::vector<grains::GrainSum>& sums
 );
 

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace suffuse::dem {
@@ -63,12 +62,6 @@ void give_back(StepCaches& caches, Mode mode, World& world) {
     });
 }
 
-void set_to_zero(std::vector<grains::GrainSum>& sums) {
-    parallel_for(sums.size(), 2048, [&](std::size_t begin, std::size_t end) {
-        std::fill(sums.data() + begin, sums.data() + end, grains::GrainSum{});
-    });
-}
-
 /// Makes sure that no pair outside the contact table can touch in this step.
 void pair(World& world, StepCaches& caches, const StepPlan& plan) {
     const bool overslept = caches.sleep && world.clock.time > caches.neighborhood.sleepers_until();
@@ -100,7 +93,7 @@ double load_share(const StepPlan& plan, std::int64_t k) {
 }
 
 Mat3 one_step(
-    World& world, StepCaches& caches, const StepPlan& plan, std::int64_t k, bool last, const contact::LawConstants& law
+    World& world, StepCaches& caches, const StepPlan& plan, std::int64_t k, const contact::LawConstants& law
 ) {
     cell::Cell& cell = world.cell;
     Neighborhood& neighborhood = caches.neighborhood;
@@ -139,7 +132,7 @@ Mat3 one_step(
     const Mat3 next_h = cell.h + plan.dt * ((motion.old_gradient + motion.change) * cell.h);
     caches.moved_too_far = move_grains(
         motion, neighborhood.sum_plan(), plan.load, load_share(plan, k), neighborhood.mean_motion(next_h),
-        neighborhood.watch(), {caches.sleep, last}, caches.rows, caches.sums
+        neighborhood.watch(), caches.sleep, caches.rows, caches.sums
     );
     if (caches.sleep) {
         caches.slept.push_back(motion);
@@ -161,7 +154,6 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     const contact::LawConstants law = contact::resolve_law(world.material);
     grains::to_rows(world.grains, caches.rows);
     take_memory(world, plan.mode, caches);
-    set_to_zero(caches.sums);
     caches.sleep = plan.load == nullptr && plan.drag == 0;
     caches.slept.clear();
     caches.slept.reserve(most_slept_steps);
@@ -171,7 +163,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     caches.around.normals_only = !plan.loading.velocity_gradient && contacts_only_push(world);
     StepReport report;
     for (std::int64_t k = 0; k < steps; ++k) {
-        report.stress = one_step(world, caches, plan, k, k + 1 == steps, law);
+        report.stress = one_step(world, caches, plan, k, law);
     }
     give_back(caches, plan.mode, world);
     return report;
