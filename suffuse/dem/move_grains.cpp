@@ -96,7 +96,7 @@ template <class Matrix>
 ) {
     constexpr std::size_t side = 4;
     for (std::size_t k = begin; k < end; k += side) {
-        std::array<grains::MovingRow, side> row;
+        std::array<grains::MovingRow, side> row{};
         for (std::size_t q = 0; q < side; ++q) {
             row[q] = rows[roster[std::min(k + q, end - 1)]];
         }
