@@ -141,8 +141,8 @@ void Neighborhood::measure_grains(const World& world) {
 void Neighborhood::adapt(double lasted) {
     // Pairs that do not touch grow with the allowances, and those with the time that a table is to last: best is a time
     // in which they cost as much as the table.
-    const double idle = lasted * std::max(1.0, idle_pairs_), cost = table_cost * static_cast<double>(pairs_.size());
-    table_steps_ *= std::clamp(std::sqrt(cost / std::max(1.0, idle)), 0.8, 1.25);
+    const double idle = std::max(1.0, lasted * idle_pairs_), cost = table_cost * static_cast<double>(pairs_.size());
+    table_steps_ *= std::clamp(std::sqrt(cost / idle), 0.8, 1.25);
     table_steps_ = std::clamp(table_steps_, least_table_steps, most_table_steps);
     // A grain in free flight is foreseen that long. A table that it ends leaves all others more than they need.
     if (lasted < table_steps_) {
