@@ -19,6 +19,7 @@ def read_arguments():
     parser = harness.arguments(__doc__.splitlines()[0])
     parser.add_argument("--peer-steps", type=int, help="steps of a peer's window; by default its strain ends where ours does")
     parser.add_argument("--steps", type=int, default=5000, help="steps of one of our windows")
+    parser.add_argument("--mode", choices=["reference", "fast"], default="reference", help="of our windows")
     return parser.parse_args()
 
 
@@ -30,7 +31,7 @@ def with_stresses(found):
 def measure_ours(options, case, packing_csv):
     cell = ",".join(repr(edge) for edge in case["cell"])
     command = [options.program, "bench", "step", "--packing", packing_csv, "--cell", cell]
-    command += ["--steps", options.steps, "--threads", options.threads, "--json"]
+    command += ["--steps", options.steps, "--threads", options.threads, "--mode", options.mode, "--json"]
     said, wall, processor = harness.run_alone(command)
     return {"code": "suffuse", "processors": processor / wall / options.threads, **with_stresses(json.loads(said))}
 
@@ -59,7 +60,7 @@ def print_result(options, peer, windows):
     for name in PHYSICS:
         s, p = ours[-1].get(name), theirs[-1].get(name)
         row(name, shown(s), shown(p), f"{s / p - 1:+.2%}" if isinstance(s, (int, float)) and p else "-")
-    print(f"\n{options.threads} threads (or ranks); windows of {options.steps} steps (ours) and {options.peer_steps} ({peer.title}), in turn")
+    print(f"\n{options.threads} threads (or ranks); windows of {options.steps} steps (ours) and {options.peer_steps} ({peer.title}), in turn; ours in mode {options.mode}")
     print("\n".join(peer.remarks))
     return statistics.median(ratios["steps/s"])
 

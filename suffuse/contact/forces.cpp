@@ -43,6 +43,7 @@ struct Work {
     Real dt;
     SumQuantum quantum;
     double largest_force; ///< [N]
+    bool overlaps;        ///< the table's are wanted
     bool beyond_cache;    ///< there are more grains than a processor's cache holds
     MemoryColumns<Real> memory;
     grains::GrainSum* sums;
@@ -172,7 +173,6 @@ cut_springs(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t r
         m.fx[c] = memory.shear_force.x, m.fy[c] = memory.shear_force.y, m.fz[c] = memory.shear_force.z;
         m.bx[c] = memory.bending.x, m.by[c] = memory.bending.y, m.bz[c] = memory.bending.z;
         m.nx[c] = memory.normal.x, m.ny[c] = memory.normal.y, m.nz[c] = memory.normal.z;
-        m.overlap[c] = out.overlap;
         if constexpr (Twisting) {
             m.tx[c] = memory.twisting.x, m.ty[c] = memory.twisting.y, m.tz[c] = memory.twisting.z;
         }
@@ -196,8 +196,16 @@ push_apart(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t ro
         m.nx[c] = out.touching > zero ? met.normal.x : zero;
         m.ny[c] = out.touching > zero ? met.normal.y : zero;
         m.nz[c] = out.touching > zero ? met.normal.z : zero;
-        m.overlap[c] = out.touching > zero ? met.overlap : zero;
+        t.touching[k] = out.touching;
         set(t.force(), k, out.force);
+    }
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void
+keep_overlaps(const MemoryColumns<Real>& m, std::size_t begin, std::size_t rows, const Tile<Real>& t) {
+    for (std::size_t k = 0; k < rows; ++k) {
+        m.overlap[begin + k] = t.touching[k] > Real{} ? t.overlap[k] : Real{};
     }
 }
 
@@ -286,6 +294,9 @@ template <bool Springs, bool Adhesive, bool Twisting, class Real>
         } else {
             push_apart(w.memory, c, rows, tile);
         }
+        if (w.overlaps) {
+            keep_overlaps(w.memory, c, rows, tile);
+        }
         add_stress(tile.force(), tile.branch, rows, w.quantum, w.largest_force, stress);
         add_to_grains<Springs>(w, c, rows, tile);
     }
@@ -358,6 +369,7 @@ Pressed press_contacts(
         static_cast<Real>(around.dt),
         quantum,
         largest_force,
+        around.overlaps,
         grains.size() > cached_grains,
         pointers<Real>(memory),
         sums.data()};

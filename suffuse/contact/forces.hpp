@@ -22,6 +22,7 @@ struct Surroundings {
     double largest_radius = 0;      ///< of all grains [m]
     double dt = 0;                  ///< [s]
     bool normals_only = false;      ///< contacts can only push (`dem::contacts_only_push`)
+    bool overlaps = true;           ///< the table's overlaps are wanted: they are, unless the next step comes at once
     std::vector<ImageShift> shifts; ///< of the plan's images
 };
 

@@ -17,6 +17,7 @@ struct Work {
     const Vec3* load; ///< null: none
     double load_share;
     const Watched* watch;
+    const Vec3* origin;
     bool only_awake;
     grains::MovingRow* rows;
     grains::GrainSum* sums;
@@ -64,6 +65,7 @@ template <class Matrix>
 move_domain(const motion::MotionOf<Quad, Matrix>& motion, const Matrix& mean_motion, const Work& w, std::size_t d) {
     constexpr std::size_t tile_grains = 64;
     collect(w, d);
+    const Quad origin = quad(w.origin[d], 0);
     Quad most = Quad{} - 1.0;
     const std::size_t end = w.only_awake ? w.awake_end[d] : std::min(w.grains, (d + 1) * w.domain_grains);
     for (std::size_t tile = d * w.domain_grains; tile < end; tile += tile_grains) {
@@ -71,7 +73,7 @@ move_domain(const motion::MotionOf<Quad, Matrix>& motion, const Matrix& mean_mot
         move_tile(motion, w, tile, tile_end);
         for (std::size_t k = tile; k < tile_end; ++k) {
             const std::uint32_t g = w.roster[k];
-            const Quad over = excess(mean_motion, widened(w.watch[g].place), w.rows[g].position);
+            const Quad over = excess(mean_motion, origin + widened(w.watch[g].place), w.rows[g].position);
             most = over > most ? over : most;
         }
     }
@@ -145,7 +147,8 @@ bool move_grains(
         plan.awake_end.data(),
         loaded ? load->force.data() : nullptr,
         load_share,
-        watch.data(),
+        watch.grains.data(),
+        watch.origin.data(),
         only_awake,
         rows.data(),
         sums.data()};

@@ -11,13 +11,17 @@
 
 namespace suffuse::dem {
 
-/// Where a grain was when the contact table was made [m], as near as single precision comes to it; in the last lane the
-/// square of how far it may be from there, against the mean motion, before the table must be made again [m2].
+/// Where a grain was when the contact table was made, from the origin of its domain and as near as single precision
+/// comes to it [m]; in the last lane the square of how far it may be from there, against the mean motion, before the
+/// table must be made again [m2].
 struct alignas(16) Watched {
     FloatQuad place;
 };
 
-using Watch = std::vector<Watched>;
+struct Watch {
+    std::vector<Watched> grains;
+    std::vector<Vec3> origin; ///< of each domain of the sum plan: a place near most of its grains [m]
+};
 
 /// Collects into the first `plan.grains` rows of `sums` the contact force and torque on each grain, sets the other rows
 /// to zero, adds the load and moves the grains.

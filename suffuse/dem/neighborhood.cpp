@@ -61,6 +61,16 @@ double rounding_of(const Vec3& position) {
     return std::numeric_limits<float>::epsilon() * (std::abs(position.x) + std::abs(position.y) + std::abs(position.z));
 }
 
+/// What the watch measures the places of a domain's grains from.
+std::vector<Vec3> domain_origins(const grains::Grains& grains) {
+    const std::size_t domain_grains = contact::domain_size(grains.size());
+    std::vector<Vec3> origin;
+    for (std::size_t g = 0; g < grains.size(); g += domain_grains) {
+        origin.push_back(grains.position[g]);
+    }
+    return origin;
+}
+
 constexpr double rounded_down = 1 - 2.0 * std::numeric_limits<float>::epsilon();
 
 /// Pairs that do not touch.
@@ -116,7 +126,7 @@ void Neighborhood::look_at_sleepers(const World& world) {
         double most = 0;
         for (std::size_t k = sum_plan_.awake_end[d]; k < end; ++k) {
             const std::uint32_t g = sum_plan_.roster[k];
-            const Quad watched = widened(watch_[g].place);
+            const Quad watched = quad(watch_.origin[d], 0) + widened(watch_.grains[g].place);
             const double left = std::sqrt(watched[3]) - norm(grains.position[g] - motion * xyz(watched));
             const double speed = norm(grains.velocity[g] - world.cell.velocity_gradient * grains.position[g]);
             most = std::max(most, speed > 0 ? speed / std::max(left, 1e-300) : 0);
@@ -157,16 +167,16 @@ std::vector<double> Neighborhood::allow_motion(const World& world, double dt) {
     if (valid_) {
         adapt(static_cast<double>(world.clock.step - near_step_));
     }
-    // What the watch cannot tell from rest must be little of what it allows.
-    least_allowance_ = std::max(least_allowance_, 8 * largest(grains.size(), block, [&](std::size_t g) {
-                                                      return rounding_of(grains.position[g]);
-                                                  }));
+    watch_.origin = domain_origins(grains);
+    const std::size_t domain_grains = contact::domain_size(grains.size());
     const double seconds = foresight * table_steps_ * dt, most = 0.2 * wide_margin_;
     std::vector<double> allowance(grains.size());
     parallel_for(grains.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
             const Vec3 fluctuation = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
-            allowance[g] = std::min(most, least_allowance_ + seconds * norm(fluctuation));
+            // What the watch cannot tell from rest must be little of what it allows.
+            const double blur = 8 * rounding_of(grains.position[g] - watch_.origin[g / domain_grains]);
+            allowance[g] = std::min(most, std::max(least_allowance_, blur) + seconds * norm(fluctuation));
         }
     });
     stretch_ = least_allowance_ / std::max(largest_radius_, 1e-300) +
@@ -220,11 +230,12 @@ void Neighborhood::make_table(World& world, const std::vector<double>& allowance
     });
     contact::carry_over(world.contacts, pairs_, near, needed_memory(world));
     contact::plan_sums(world.contacts, grains.size(), sum_plan_);
-    watch_.resize(grains.size());
+    watch_.grains.resize(grains.size());
     parallel_for(grains.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
-            const double may_move = std::max(0.0, (1 - stretch_) * allowance[g] - rounding_of(grains.position[g]));
-            watch_[g] = {narrowed(quad(grains.position[g], rounded_down * may_move * may_move))};
+            const Vec3 place = grains.position[g] - watch_.origin[g / sum_plan_.domain_grains];
+            const double may_move = std::max(0.0, (1 - stretch_) * allowance[g] - rounding_of(place));
+            watch_.grains[g] = {narrowed(quad(place, rounded_down * may_move * may_move))};
         }
     });
     idle_pairs_ = count_idle(world.contacts);

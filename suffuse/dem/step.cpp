@@ -92,8 +92,9 @@ double load_share(const StepPlan& plan, std::int64_t k) {
     return step < plan.load_ramp ? static_cast<double>(step) / static_cast<double>(plan.load_ramp) : 1.0;
 }
 
+/// @param k number of the step within its burst; @param last nobody looks at the contacts before the last one
 Mat3 one_step(
-    World& world, StepCaches& caches, const StepPlan& plan, std::int64_t k, const contact::LawConstants& law
+    World& world, StepCaches& caches, const StepPlan& plan, std::int64_t k, bool last, const contact::LawConstants& law
 ) {
     cell::Cell& cell = world.cell;
     Neighborhood& neighborhood = caches.neighborhood;
@@ -106,9 +107,11 @@ Mat3 one_step(
     pair(world, caches, plan);
 
     // 3 touch, 4 press
+    const bool looks_at_moduli = has_secant_servo(plan.loading) && world.clock.step % modulus_interval == 0;
     contact::surround(
         neighborhood.sum_plan(), cell.h, image_velocity, neighborhood.largest_radius(), plan.dt, caches.around
     );
+    caches.around.overlaps = last || looks_at_moduli;
     const contact::Pressed pressed = press(world, caches, plan.mode, law);
     if (pressed.wild) {
         throw StateError(fmt::format(
@@ -120,7 +123,7 @@ Mat3 one_step(
     const Mat3 stress = (1 / cell::volume(cell)) * pressed.force_branch;
 
     // 7 measure: the servo answers to this step's stress and drives this step's motion
-    if (has_secant_servo(plan.loading) && world.clock.step % modulus_interval == 0) {
+    if (looks_at_moduli) {
         give_back_memory(caches, plan.mode, world);
         world.servo.modulus = contact::affine_moduli(world.grains, world.contacts, world.material, cell.h);
     }
@@ -163,7 +166,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     caches.around.normals_only = !plan.loading.velocity_gradient && contacts_only_push(world);
     StepReport report;
     for (std::int64_t k = 0; k < steps; ++k) {
-        report.stress = one_step(world, caches, plan, k, law);
+        report.stress = one_step(world, caches, plan, k, k + 1 == steps, law);
     }
     give_back(caches, plan.mode, world);
     return report;
