@@ -6,6 +6,7 @@
 #include "suffuse/grains/material.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace suffuse::contact {
 
@@ -131,7 +132,7 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline void
 limit_both(Triple<Real>& a, const Real& limit_a, Triple<Real>& b, const Real& limit_b) {
-    const Real one(1), tiny(static_cast<Real>(1e-36)); // keeps a zero from dividing
+    const Real one(1), tiny = std::numeric_limits<Real>::min(); // keeps a zero from dividing
     const Real a2 = dot(a, a), b2 = dot(b, b);
     const Real size_a = root(a2 > tiny ? a2 : tiny), size_b = root(b2 > tiny ? b2 : tiny);
     const Real inverse = one / (size_a * size_b);

@@ -1,5 +1,5 @@
 #pragma once
-// Stiffness of the contact network, seen as a continuum.
+// Stiffness and normal force of contacts, and the stiffness of their network, seen as a continuum.
 
 #include "suffuse/cell/cell.hpp"
 #include "suffuse/contact/contacts.hpp"
@@ -18,5 +18,11 @@ Vec3 affine_moduli(
 constexpr double normal_stiffness(const grains::Material& material, double r1, double r2) {
     return 2 * material.modulus * r1 * r2 / (r1 + r2);
 }
+
+/// Normal force of row `c` in the last step, compression positive [N]. A bond that broke under tension carries no pull
+/// any more, though the contact lives until the next step.
+double normal_force(
+    const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, std::size_t c
+);
 
 } // namespace suffuse::contact

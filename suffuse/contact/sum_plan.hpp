@@ -42,7 +42,7 @@ struct SumPlan {
 };
 
 /// Makes the plan of a sorted table.
-/// @throws StateError where more than 65,536 different images occur: grains have drifted over that many periods.
+/// @throws StateError where more than 65,535 different images occur: grains have drifted over that many periods.
 void plan_sums(const Contacts& contacts, std::size_t grains, SumPlan& plan);
 
 } // namespace suffuse::contact

@@ -1,5 +1,6 @@
 // Bonds between two grains that are moved apart or past each other: strengths, breakage, and what is left.
 
+#include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
 
 #include <gtest/gtest.h>
@@ -80,6 +81,17 @@ TEST(Adhesion, ABrokenBondDoesNotHealWhenTheGrainsComeBackUnlessTheMaterialStill
         pair.run(1e-3, [&] { most = std::max(most, -pair.world.grains.force[1].x); });
         EXPECT_NEAR(most, bonds_anew ? pull_off : 0, 1e-3 * pull_off);
     }
+}
+
+TEST(Adhesion, AMeanContactForceIsThatOfTheContactsLookedAtAlsoWhereABondBreaks) {
+    Pair pair(sticky(3e5), 1e-9, {slow, 1e-6 * slow, 0});
+    pair.run(1e-3, [&] {
+        const std::vector<ContactView> views = inspect_contacts(pair.world);
+        if (!views.empty()) {
+            const double force = norm(views[0].normal_force + views[0].shear_force);
+            EXPECT_NEAR(measure_equilibrium(pair.world).mean_contact_force, force, 1e-12 * pull_off);
+        }
+    });
 }
 
 TEST(Adhesion, AfterItsRemovalTheContactOpensWithoutForce) {

@@ -22,7 +22,7 @@ ContactSums sum_contacts(const World& world) {
             continue;
         }
         const double r1 = world.grains.radius[contacts.first[c]], r2 = world.grains.radius[contacts.second[c]];
-        const double normal = contact::normal_stiffness(world.material, r1, r2) * contacts.overlap[c];
+        const double normal = contact::normal_force(world.grains, contacts, world.material, c);
         sums.force += std::sqrt(normal * normal + norm2(contacts.shear_force[c]));
         sums.overlap_ratio = std::max(sums.overlap_ratio, contacts.overlap[c] / std::min(r1, r2));
         ++sums.count;

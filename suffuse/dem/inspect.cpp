@@ -12,16 +12,13 @@ namespace {
 ContactView view_of(const World& world, std::size_t c) {
     const contact::Contacts& contacts = world.contacts;
     const std::uint32_t i = contacts.first[c], j = contacts.second[c];
-    const double kn = contact::normal_stiffness(world.material, world.grains.radius[i], world.grains.radius[j]);
     const Vec3 n = contacts.normal[c];
-    // A bond that broke under tension carries no pull any more, though the contact lives until the next step.
-    const bool bonded = !contacts.bonded.empty() && contacts.bonded[c] != 0;
-    const double pull = contacts.overlap[c] < 0 && !bonded ? 0.0 : kn * contacts.overlap[c];
+    const double push = contact::normal_force(world.grains, contacts, world.material, c);
     Vec3 moment = contacts.bending[c];
     if (contacts.twisting.size() > 0) {
         moment += contacts.twisting[c];
     }
-    return {i, j, contacts.image[c], contacts.overlap[c], n, -pull * n, -contacts.shear_force[c], -moment};
+    return {i, j, contacts.image[c], contacts.overlap[c], n, -push * n, -contacts.shear_force[c], -moment};
 }
 
 } // namespace

@@ -75,6 +75,35 @@ TEST(Invariance, ATranslatedSampleHasTheSameStress) {
     EXPECT_LE(largest(run(world) - expected_stress()), close * largest(expected_stress()));
 }
 
+TEST(Invariance, AServoHoldsTheSameStressWhateverTheNumberOfItsFirstStep) {
+    std::vector<World> ends;
+    for (const std::int64_t first_step : {0, 37, 100}) {
+        World world = loaded_packing();
+        world.clock.step = first_step;
+        world.servo = {}; // knows no stiffness yet
+        StepPlan plan = test::plan_of(dt, 0.2);
+        plan.loading = isotropic_stress(90e3);
+        StepCaches caches;
+        test::advance(world, caches, plan, 60);
+        ends.push_back(std::move(world));
+    }
+    for (const World& end : ends) {
+        EXPECT_EQ(end.cell.h, ends[0].cell.h);
+    }
+}
+
+TEST(Invariance, AServoForgetsTheStiffnessOfBeforeATimeWithoutStressToHold) {
+    World world = loaded_packing();
+    StepCaches caches;
+    StepPlan plan = test::plan_of(dt, 0.2);
+    plan.loading = isotropic_stress(90e3);
+    test::advance(world, caches, plan, 10);
+    EXPECT_GT(world.servo.modulus.x, 0);
+    plan.loading = constant_volume();
+    test::advance(world, caches, plan, 1);
+    EXPECT_EQ(world.servo.modulus, Vec3{});
+}
+
 TEST(Invariance, ARotatedSampleHasTheRotatedStress) {
     const double c = std::cos(0.7), s = std::sin(0.7);
     const Mat3 q = Mat3{{{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}}} * Mat3{{{{1, 0, 0}, {0, c, -s}, {0, s, c}}}};

@@ -48,6 +48,19 @@ struct Settling {
     }
 };
 
+TEST(Settle, AStepThatFailsLeavesNothingInTheCaches) {
+    Settling run;
+    step(run.world, run.caches, run.plan);
+    const World good = run.world;
+    run.world.grains.velocity[13].x = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(test::advance(run.world, run.caches, run.plan, 3), Error);
+    World fresh = good, again = good;
+    StepCaches none;
+    step(fresh, none, run.plan);
+    step(again, run.caches, run.plan); // of the world that failed: empty
+    EXPECT_EQ(state_hash(again), state_hash(fresh));
+}
+
 TEST(Settle, TakesAsManyBalancedStepsInARowAsAsked) {
     Settling run;
     EXPECT_EQ(run.bursts(), 4); // 4 x 50 steps

@@ -28,6 +28,16 @@ bool has_secant_servo(const cell::Loading& loading) {
     return false;
 }
 
+/// Whether the servo must look at the contact network's stiffness in this step. What it knew before a time without a
+/// stress to hold is of another state: it forgets that, and looks anew when it next has one.
+bool needs_moduli(World& world, const cell::Loading& loading) {
+    if (!has_secant_servo(loading)) {
+        world.servo.modulus = {};
+        return false;
+    }
+    return world.servo.modulus == Vec3{} || world.clock.step % modulus_interval == 0;
+}
+
 /// Contact memory travels in single precision during a burst of fast steps; the world has it in double again whenever
 /// somebody looks.
 void take_memory(const World& world, Mode mode, StepCaches& caches) {
@@ -107,7 +117,7 @@ Mat3 one_step(
     pair(world, caches, plan);
 
     // 3 touch, 4 press
-    const bool looks_at_moduli = has_secant_servo(plan.loading) && world.clock.step % modulus_interval == 0;
+    const bool looks_at_moduli = needs_moduli(world, plan.loading);
     contact::surround(
         neighborhood.sum_plan(), cell.h, image_velocity, neighborhood.largest_radius(), plan.dt, caches.around
     );
@@ -165,8 +175,13 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     }
     caches.around.normals_only = !plan.loading.velocity_gradient && contacts_only_push(world);
     StepReport report;
-    for (std::int64_t k = 0; k < steps; ++k) {
-        report.stress = one_step(world, caches, plan, k, k + 1 == steps, law);
+    try {
+        for (std::int64_t k = 0; k < steps; ++k) {
+            report.stress = one_step(world, caches, plan, k, k + 1 == steps, law);
+        }
+    } catch (...) {
+        caches = {}; // of a step half made
+        throw;
     }
     give_back(caches, plan.mode, world);
     return report;

@@ -27,7 +27,9 @@ struct World {
     std::uint64_t seed = 0;
 };
 
-/// Hash of everything that the next step depends on, in order of grain id: the same for any storage order.
+/// Hash of what steps change and the next one depends on (cell, servo, step, motion, contact memory) and of the
+/// grains' ids, sizes and holds, in order of id: the same for any storage order. Material and masses, which stages set,
+/// are not in it.
 std::uint64_t state_hash(const World& world);
 
 } // namespace suffuse::dem

@@ -13,7 +13,7 @@ namespace suffuse::grains {
 
 enum class Motion : std::uint8_t {
     Free,
-    Held, ///< keeps its velocity and spin, whatever the forces
+    Held, ///< keeps its velocity and spin, whatever the forces; the cell carries it along
 };
 
 struct Grains {

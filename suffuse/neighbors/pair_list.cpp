@@ -23,7 +23,10 @@ std::uint16_t image_row(std::vector<cell::Image>& images, const cell::Image& ima
     const auto found = std::ranges::find(images, image); // nearly always among the first few
     const auto row = static_cast<std::size_t>(found - images.begin());
     if (row >= std::numeric_limits<std::uint16_t>::max()) {
-        throw StateError("grains have drifted over more periods of the cell than a step can tell apart");
+        throw StateError(
+            "grains have drifted over more periods of the cell than a step can tell apart: wrap their positions into "
+            "the cell, or take a smaller time step if the motion has blown up"
+        );
     }
     if (found == images.end()) {
         images.push_back(image);

@@ -134,7 +134,8 @@ void check_input(const Mat3& h, std::span<const Vec3> position) {
     }
     const Mat3 inverse_h = inverse(h);
     for (std::size_t g = 0; g < position.size(); ++g) {
-        if (!std::isfinite(norm2(position[g]))) {
+        const auto& [x, y, z] = position[g];
+        if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
             throw GeometryError(fmt::format("the position of grain row {} is not finite: the motion has blown up", g));
         }
         if (!cell::has_period(inverse_h, position[g])) {

@@ -60,6 +60,17 @@ TEST(Pairs, SeveralImagesOfOnePairAreAllFound) {
     EXPECT_EQ(pairs.size(), 2U); // to the left and to the right
 }
 
+TEST(Pairs, APositionFarOutIsNotTakenForOneThatIsNotFinite) {
+    const std::vector<Vec3> position{{1e300, 0, 0}};
+    const std::vector<double> radius{0.25};
+    try {
+        find_pairs(identity(), position, radius, 0);
+        FAIL();
+    } catch (const GeometryError& error) {
+        EXPECT_NE(std::string(error.what()).find("wrap the positions"), std::string::npos) << error.what();
+    }
+}
+
 TEST(Pairs, PositionsThatAreNotFiniteAreAnError) {
     const std::vector<Vec3> position{{0, 0, std::nan("")}};
     const std::vector<double> radius{0.25};
