@@ -352,9 +352,9 @@ Pressed press_contacts(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
     const LawConstants& law, const Contacts& contacts, Memory& memory, std::vector<grains::GrainSum>& sums
 ) {
-    // Grains whose centers coincide push with 2 E r2. With shear, the sum of a force's components stays below twice that
-    // until they are nearly there. And no stress reaches the modulus. The quantum follows from the state alone, as the same bits after a
-    // resume ask for.
+    // Grains whose centers coincide push with 2 E r2. With shear, the sum of a force's components stays below twice
+    // that until they are nearly there. And no stress reaches the modulus. The quantum follows from the state alone, as
+    // the same bits after a resume ask for.
     const double r = around.largest_radius, largest_force = 2 * law.twice_modulus * r * r;
     const SumQuantum quantum(largest_force * 2 * r, law.twice_modulus * around.volume);
     const Work<Real> work{

@@ -21,9 +21,8 @@ Vec3 affine_moduli(
     return (1 / determinant(h)) * sum;
 }
 
-double normal_force(
-    const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, std::size_t c
-) {
+double
+normal_force(const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, std::size_t c) {
     const bool bonded = !contacts.bonded.empty() && contacts.bonded[c] != 0;
     const double kn = normal_stiffness(material, grains.radius[contacts.first[c]], grains.radius[contacts.second[c]]);
     return contacts.overlap[c] < 0 && !bonded ? 0.0 : kn * contacts.overlap[c];

@@ -21,8 +21,7 @@ constexpr double normal_stiffness(const grains::Material& material, double r1, d
 
 /// Normal force of row `c` in the last step, compression positive [N]. A bond that broke under tension carries no pull
 /// any more, though the contact lives until the next step.
-double normal_force(
-    const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, std::size_t c
-);
+double
+normal_force(const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, std::size_t c);
 
 } // namespace suffuse::contact

@@ -9,7 +9,10 @@
 namespace suffuse::dem {
 namespace {
 
-constexpr std::int64_t floor_bursts = 60; // without halving the unbalance: it has stopped falling
+// The drag that settles a packing keeps a chain of loose grains from finding its place: it creeps there. Where the
+// unbalance has not halved for as long as a packing needs, the drag lets go of the grains for a while, and holds again.
+constexpr std::int64_t held_bursts = 60, free_bursts = 40, cycle = held_bursts + free_bursts;
+constexpr std::int64_t most_cycles = 6; // without halving: what is left is the floor
 
 } // namespace
 
@@ -27,23 +30,24 @@ RelaxReport relax(
     StepPlan plan;
     plan.dt = dt;
     plan.damping = damping;
-    plan.drag = slowest_mode_drag(world.grains.size(), dt);
     plan.loading = constant_volume();
+    const double drag = slowest_mode_drag(world.grains.size(), dt);
     RelaxReport report;
-    report.unbalanced_force = measure_equilibrium(world).unbalanced_force;
-    double best = report.unbalanced_force;
-    std::int64_t since_best = 0;
-    while (report.steps < most_steps) {
+    double best = measure_equilibrium(world).unbalanced_force;
+    std::int64_t since_best = 0; // bursts
+    while (report.steps < most_steps && since_best < most_cycles * cycle) {
+        const bool held = since_best % cycle < held_bursts;
+        plan.drag = held ? drag : 0;
         advance(world, caches, plan, burst_steps);
         report.steps += burst_steps;
         report.unbalanced_force = measure_equilibrium(world).unbalanced_force;
-        if (report.unbalanced_force <= wanted) {
+        if (held && report.unbalanced_force <= wanted) {
             return report;
         }
-        since_best = report.unbalanced_force < 0.5 * best ? 0 : since_best + 1;
-        best = std::min(best, report.unbalanced_force < 0.5 * best ? report.unbalanced_force : best);
-        if (since_best > floor_bursts) {
-            break;
+        ++since_best;
+        if (held && report.unbalanced_force < 0.5 * best) {
+            best = report.unbalanced_force;
+            since_best = 0;
         }
         beat(pulse, "relax", report.steps);
     }

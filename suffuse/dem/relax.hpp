@@ -1,7 +1,7 @@
 #pragma once
 // Relaxation of an equilibrium far below what a loading stage asks for, at constant volume. A viscous drag against the
 // mean motion, chosen from the stiffest mode and the size of the sample, kills the slow modes that local damping leaves
-// ringing.
+// ringing; where it does not get on, it lets the grains go for a while.
 
 #include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/step.hpp"
@@ -17,7 +17,7 @@ double slowest_mode_drag(std::size_t grains, double dt);
 struct RelaxReport {
     double unbalanced_force = 0; ///< reached [-]
     std::int64_t steps = 0;
-    bool reached_floor = false; ///< it stopped falling before the wanted value: the floor of double precision here
+    bool reached_floor = false; ///< it stopped falling before the wanted value: double precision, or grains that creep
 };
 
 /// Steps at constant volume until the unbalanced force is below `wanted`, or stops falling. Afterwards the grains are

@@ -6,6 +6,8 @@
 namespace suffuse::erosion {
 namespace {
 
+constexpr double most_hidden = 0.05; // share of the fines: hidden ones beyond it make the verdict one on noise
+
 /// Value below which a share `q` of `values` lies.
 double quantile(std::vector<double> values, double q) {
     if (values.empty()) {
@@ -27,7 +29,8 @@ bool rises_throughout(const std::array<double, probe_samples + 1>& speed) {
     return true;
 }
 
-bool detaches_by_velocity(const DetachSpec& spec, const ProbeResult& probe, std::size_t k) {
+/// @param noise speed that a grain must exceed [m/s]
+bool detaches_by_velocity(const DetachSpec& spec, const ProbeResult& probe, std::size_t k, double noise) {
     const double final_speed = probe.speed[k].back();
     switch (spec.rule) {
     case VelocityRule::Rising:
@@ -37,8 +40,7 @@ bool detaches_by_velocity(const DetachSpec& spec, const ProbeResult& probe, std:
     case VelocityRule::StillAccelerating:
         break;
     }
-    return rises_throughout(probe.speed[k]) && final_speed > spec.over * probe.free_speed[k] &&
-           final_speed > probe.twin_noise;
+    return rises_throughout(probe.speed[k]) && final_speed > spec.over * probe.free_speed[k] && final_speed > noise;
 }
 
 bool detaches_by_displacement(const DetachSpec& spec, const ProbeResult& probe, std::size_t k) {
@@ -55,13 +57,21 @@ void judge_detachment(const DetachSpec& spec, ProbeResult& result) {
     result.by_velocity.assign(fines, 0);
     result.by_displacement.assign(fines, 0);
     result.agreement = {};
+    result.hidden_by_noise = 0;
     for (std::size_t k = 0; k < fines; ++k) {
         if (result.fluid_force[k] > 0) {
-            result.by_velocity[k] = detaches_by_velocity(spec, result, k) ? 1 : 0;
+            const bool moves = detaches_by_velocity(spec, result, k, 0);
+            result.by_velocity[k] = detaches_by_velocity(spec, result, k, result.twin_noise) ? 1 : 0;
+            result.hidden_by_noise += moves && result.by_velocity[k] == 0 ? 1 : 0;
             result.by_displacement[k] = detaches_by_displacement(spec, result, k) ? 1 : 0;
         }
         ++result.agreement[result.by_velocity[k]][result.by_displacement[k]];
     }
+}
+
+bool noise_decides(const DetachSpec& spec, const ProbeResult& result) {
+    return spec.by == DetachBy::Velocity &&
+           static_cast<double>(result.hidden_by_noise) > most_hidden * static_cast<double>(result.id.size());
 }
 
 const std::vector<std::uint8_t>& verdicts(const DetachSpec& spec, const ProbeResult& result) {

@@ -7,9 +7,13 @@
 
 namespace suffuse::erosion {
 
-/// Fills in the verdict of both rules for every grain, the twin's noise level, and the two-way table of their
-/// agreement. A grain on which no fluid force acts is detachable by neither: at i = 0 both return no grain.
+/// Fills in the verdict of both rules for every grain, the twin's noise level, how many fines it hides, and the two-way
+/// table of the rules' agreement. A grain on which no fluid force acts is detachable by neither: at i = 0 both return
+/// no grain.
 void judge_detachment(const DetachSpec& spec, ProbeResult& result);
+
+/// Whether the twin's noise hides so many fines that the velocity rule cannot tell what the fluid detaches.
+bool noise_decides(const DetachSpec& spec, const ProbeResult& result);
 
 /// The verdicts of the rule asked for.
 const std::vector<std::uint8_t>& verdicts(const DetachSpec& spec, const ProbeResult& result);

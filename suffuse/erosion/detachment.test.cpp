@@ -46,6 +46,21 @@ TEST(Detachment, WhatTheTwinDoesWithoutFluidIsNoise) {
     EXPECT_EQ(probe.by_velocity, (std::vector<std::uint8_t>{0, 0}));
 }
 
+TEST(Detachment, CannotBeToldWhereTheTwinsNoiseHidesMoreThanATwentiethOfTheFines) {
+    std::vector<std::array<double, probe_samples + 1>> speeds(40, rising_to(1));
+    DetachSpec spec;
+    for (const auto& [hidden, decides] : {std::pair{2, false}, std::pair{3, true}}) {
+        ProbeResult probe = probe_of(speeds);
+        for (int k = 0; k < hidden; ++k) {
+            probe.speed[static_cast<std::size_t>(k)] = rising_to(0.7);
+        }
+        probe.twin_speed[39] = 0.8;
+        judge_detachment(spec, probe);
+        EXPECT_EQ(probe.hidden_by_noise, hidden);
+        EXPECT_EQ(noise_decides(spec, probe), decides);
+    }
+}
+
 TEST(Detachment, WithoutFluidForceNoRuleReturnsAGrain) {
     for (const VelocityRule rule : {VelocityRule::StillAccelerating, VelocityRule::Rising, VelocityRule::Above}) {
         ProbeResult probe = probe_of({rising_to(1)});

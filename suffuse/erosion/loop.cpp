@@ -164,7 +164,9 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.wall_seconds["flow"] += watch.lap();
 
     const std::optional<std::string> complaint = skeleton_complaint(next);
-    pass.verdict = pass.removed == 0 ? "nothing leaves any more" : complaint.value_or("");
+    pass.verdict = noise_decides(spec.detached, pass.probe) ? "what leaves cannot be told from the twin's noise"
+                   : pass.removed == 0                      ? "nothing leaves any more"
+                                                            : complaint.value_or("");
     const bool go_on = pass.verdict.empty();
     world = std::move(next);
     result.ledger = std::move(ledger);

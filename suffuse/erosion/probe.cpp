@@ -150,7 +150,8 @@ void fill_scales(
     const double contact_force = dem::measure_equilibrium(equilibrium).mean_contact_force;
     result.fluid_over_contact = contact_force > 0 ? force / contact_force : 0;
     const double noise = median(result.twin_speed);
-    result.signal_over_twin = noise > 0 ? median(final_speeds) / noise : 0;
+    result.signal_over_twin =
+        noise > 0 ? median(final_speeds) / noise : std::numeric_limits<double>::infinity(); // a twin at rest
     result.viscous_time = median(viscous_times);
     result.beyond_viscous_time =
         static_cast<double>(setting.spec.ramp + setting.spec.watch) * setting.time_step > result.viscous_time;

@@ -19,12 +19,12 @@ inline constexpr int probe_samples = 10; ///< equal parts of the watch at which 
 struct ProbeResult {
     double gradient = 0;         ///< hydraulic gradient i [-]
     double unbalanced_force = 0; ///< of the relaxed state that it started from [-]
-    bool reached_floor = false;  ///< the wanted unbalance was below what double precision allows here
+    bool reached_floor = false;  ///< the unbalance stopped falling before the wanted one
     std::int64_t relax_steps = 0, ramp = 0, watch = 0;
-    double time_step = 0;             ///< [s]
-    double fluid_over_contact = 0;    ///< mean fluid force on a fine grain / mean contact force [-]
-    double signal_over_twin = 0;      ///< median speed with fluid / median speed of the twin, over the fines [-]
-    double viscous_time = 0;          ///< m/(6 pi mu r) of the median fine grain [s]
+    double time_step = 0;          ///< [s]
+    double fluid_over_contact = 0; ///< mean fluid force on a fine grain / mean contact force [-]
+    double signal_over_twin = 0; ///< median speed with fluid / that of the twin, over the fines; infinite: at rest [-]
+    double viscous_time = 0;     ///< m/(6 pi mu r) of the median fine grain [s]
     bool beyond_viscous_time = false; ///< ramp and watch last longer: a constant force then overstates motion
 
     std::vector<std::uint32_t> id;   ///< grain
@@ -39,6 +39,7 @@ struct ProbeResult {
     double twin_noise = 0;                             ///< quantile of the twin's speeds that counts as noise [m/s]
     std::vector<std::uint8_t> by_velocity, by_displacement; ///< 1: detachable by that rule
     std::array<std::array<std::int64_t, 2>, 2> agreement{}; ///< [by velocity][by displacement] counts
+    std::int64_t hidden_by_noise = 0; ///< fines that would be detachable by velocity if the twin were at rest
 };
 
 /// The constrictions of the coarse skeleton, one row a facet of its Delaunay triangulation.

@@ -75,10 +75,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 } // namespace flow
 
 namespace erosion {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // probes of earlier runs lack what the noise hides
     ProbeResult, gradient, unbalanced_force, reached_floor, relax_steps, ramp, watch, time_step, fluid_over_contact,
     signal_over_twin, viscous_time, beyond_viscous_time, id, diameter, fluid_force, coordination, speed, twin_speed,
-    displacement, free_speed, free_displacement, twin_noise, by_velocity, by_displacement, agreement
+    displacement, free_speed, free_displacement, twin_noise, by_velocity, by_displacement, agreement, hidden_by_noise
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     PathRow, pass, phase, step, stress, volumetric_strain, porosity, unbalanced_force, eroded_mass

@@ -35,6 +35,7 @@ json probe_numbers(const erosion::ProbeResult& probe) {
         {"detachable_by_velocity", count(probe.by_velocity)},
         {"detachable_by_displacement", count(probe.by_displacement)},
         {"agreement", probe.agreement},
+        {"hidden_by_noise", probe.hidden_by_noise},
         {"unbalanced_force", probe.unbalanced_force},
         {"reached_floor", probe.reached_floor},
         {"relax_steps", probe.relax_steps},
@@ -86,12 +87,19 @@ json pass_numbers(const erosion::PassResult& pass) {
     };
 }
 
-void note_probe(StageWork& work, const erosion::ProbeResult& probe) {
+void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion::ProbeResult& probe) {
     if (probe.reached_floor) {
         work.warnings.push_back(fmt::format(
-            "{}: the equilibrium could be relaxed to an unbalanced force of {:.1e} only, the floor of double precision "
-            "here",
+            "{}: the equilibrium could be relaxed to an unbalanced force of {:.1e} only: double precision, or grains "
+            "that creep",
             work.place(), probe.unbalanced_force
+        ));
+    }
+    if (noise_decides(rule, probe)) {
+        work.flaws.push_back(fmt::format(
+            "{}: {} of {} fines move with the water, but not faster than the noise of the twin, which moves without: "
+            "what detaches cannot be told; take another seed, more `relax_limit`, or `by = \"displacement\"`",
+            work.place(), probe.hidden_by_noise, probe.id.size()
         ));
     }
     if (probe.beyond_viscous_time) {
@@ -168,7 +176,7 @@ void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
     json probes = json::array();
     for (const erosion::ProbeResult& probe : work.findings.probes) {
         probes.push_back(probe_numbers(probe));
-        note_probe(work, probe);
+        note_probe(work, spec.detached, probe);
     }
     work.numbers["probes"] = probes;
     const erosion::ProbeResult& first = work.findings.probes.front();
@@ -193,7 +201,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         goes_on = erosion::erode_once(work.world, spec, surroundings(work), result);
         work.save_partial({{"result", result}, {"goes_on", goes_on}});
         work.history.record(work.world, true);
-        note_probe(work, result.passes.back().probe);
+        note_probe(work, spec.detached, result.passes.back().probe);
     }
     json passes = json::array();
     std::int64_t steps = 0; // of the relaxation, of probe and twin, and of the new equilibrium
