@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace suffuse::report {
@@ -42,9 +43,12 @@ std::optional<Figure> stress_path(const erosion::ErosionResult& erosion);
 /// Figure 14: porosity against eroded mass.
 std::optional<Figure> porosity_path(const erosion::ErosionResult& erosion);
 
+/// An erosion by its stage's name; none where there is but one.
+using NamedErosion = std::pair<std::string, const erosion::ErosionResult*>;
+
 /// Ours: how often the velocity rule and the displacement rule agree, for each probe and pass.
 std::optional<Figure>
-rules_compared(const std::vector<erosion::ProbeResult>& probes, const erosion::ErosionResult& erosion);
+rules_compared(const std::vector<erosion::ProbeResult>& probes, const std::vector<NamedErosion>& erosions);
 
 /// Ours: constriction sizes of the coarse skeleton beside the sizes of the fines.
 std::optional<Figure> constriction_sizes(const erosion::ErosionResult& erosion);

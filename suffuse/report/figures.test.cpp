@@ -119,7 +119,7 @@ TEST(Figures, AnEmptyRunMakesNone) {
         erosion_loop(nothing) || speed_by_pass(nothing) || eroded_mass(nothing) || eroded_coordination(nothing)
     );
     EXPECT_FALSE(stress_path(nothing) || porosity_path(nothing) || constriction_sizes(nothing));
-    EXPECT_FALSE(permeability_by_pass(nothing) || rules_compared({}, nothing) || speed_by_gradient({}));
+    EXPECT_FALSE(permeability_by_pass(nothing) || rules_compared({}, {{"", &nothing}}) || speed_by_gradient({}));
     EXPECT_FALSE(triaxial_response({}) || eroded_grading({}, nothing) || grading_curves({}, {}, 1e-4));
 }
 
@@ -197,6 +197,9 @@ TEST(SpeedFigure, ProbesOfOneGradientAndDifferentWatchesKeepTheirOwnPanels) {
     EXPECT_EQ(chart["resolve"]["scale"]["x"], "independent");
     EXPECT_EQ(rules_compared(probes, {})->table.rows(), 12U);
     EXPECT_EQ(rules_compared(probes, {})->chart["facet"]["sort"].size(), 3U);
+    const ErosionResult erosion = test::sample_erosion();
+    const Figure both = *rules_compared({}, {{"first", &erosion}, {"second", &erosion}});
+    EXPECT_EQ(both.chart["facet"]["sort"].size(), 2 * erosion.passes.size()); // a panel each, none drawn over another
 }
 
 TEST(SpeedFigure, BandsAreTheQuantilesOfAllGrainsOfTheGroup) {

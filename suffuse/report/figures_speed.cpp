@@ -301,7 +301,8 @@ std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
     return figure;
 }
 
-std::optional<Figure> rules_compared(const std::vector<ProbeResult>& probes, const ErosionResult& erosion) {
+std::optional<Figure>
+rules_compared(const std::vector<ProbeResult>& probes, const std::vector<NamedErosion>& erosions) {
     std::vector<std::string> probe_name, velocity, displacement, verdicts, order;
     std::vector<double> grains, share;
     std::int64_t all = 0, agreed = 0;
@@ -329,8 +330,11 @@ std::optional<Figure> rules_compared(const std::vector<ProbeResult>& probes, con
     for (std::size_t p = 0; p < probes.size(); ++p) {
         add("probe, " + names[p], probes[p]);
     }
-    for (const PassResult& pass : erosion.passes) {
-        add(fmt::format("pass {}, i = {}", pass.pass, pass.probe.gradient), pass.probe);
+    for (const auto& [name, erosion] : erosions) {
+        for (const PassResult& pass : erosion->passes) {
+            add(fmt::format("{}{}pass {}, i = {}", name, name.empty() ? "" : ", ", pass.pass, pass.probe.gradient),
+                pass.probe);
+        }
     }
     if (order.empty()) {
         return std::nullopt;

@@ -72,6 +72,13 @@ Finding judge_gradients(const std::vector<ProbeResult>& probes, const ErosionRes
     } else {
         finding.ours += "; i = 0.01 was not probed";
     }
+    // The paper probed nothing between the two, and without a fluid's force no rule detaches a grain.
+    for (const ProbeResult& probe : probes) {
+        if (probe.gradient > 0 && probe.gradient < 0.01) {
+            finding.ours +=
+                fmt::format("; {} already at i = {}", grouped(count_detached(probe).yes), short_number(probe.gradient));
+        }
+    }
     finding.met = both(none_without, some_with);
     return finding;
 }

@@ -171,8 +171,8 @@ Finding judge_skeleton(const StageCurve& loose) {
 Finding judge_activity(const StageCurve& loose) {
     const ContentCurve b = content_curve(loose, "active_fines_fraction");
     return judge_each_seed(
-        {"M4", "b at most 0.1 up to FC 15 %, above 0.3 at 30 %", "most fines inactive until 20 % (Figure 4)", "",
-         std::nullopt},
+        {"M4", "b at most 0.1 up to FC 15 %, above 0.3 at 30 %",
+         "most fines inactive until 20 % (Figure 4; section 4 opens with 30 %)", "", std::nullopt},
         b,
         [&](std::size_t s) {
             const auto last = value_at(b, s, 0.15), later = value_at(b, s, 0.3);
@@ -273,7 +273,8 @@ Finding judge_removals(const std::vector<Removal>& removals) {
         "M9",
         "Removing all fines costs little below FC_active and much above it: at least three times the strain per "
         "removed mass above 20 % as below, at the isotropic state and under q/p",
-        "expected at FC_active = 20 %, not simulated", "no sample lost its fines at once", std::nullopt};
+        "expected at FC_active = 20 % (section 4: 30 %), not simulated", "no sample lost its fines at once",
+        std::nullopt};
     if (removals.empty()) {
         return finding;
     }

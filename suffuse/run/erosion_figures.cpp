@@ -28,6 +28,15 @@ void add(std::optional<report::Figure> figure, std::vector<report::Figure>& figu
     }
 }
 
+std::vector<report::NamedErosion> named_erosions(const ErosionStory& story) {
+    const auto name_of = [&](const FinishedStage& stage) { return story.others.empty() ? "" : stage.stage->name; };
+    std::vector<report::NamedErosion> erosions{{name_of(*story.eroded), &story.erosion}};
+    for (const FinishedStage* other : story.others) {
+        erosions.emplace_back(name_of(*other), &*other->findings.erosion);
+    }
+    return erosions;
+}
+
 } // namespace
 
 /// The sample's own grading at the sizes of the curve asked for, and at many between.
@@ -63,7 +72,7 @@ draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, co
             add(report::eroded_coordination(story.erosion), figures);
             add(report::stress_path(story.erosion), figures);
             add(report::porosity_path(story.erosion), figures);
-            add(report::rules_compared(story.probes, story.erosion), figures);
+            add(report::rules_compared(story.probes, named_erosions(story)), figures);
             add(report::constriction_sizes(story.erosion), figures);
             add(report::eroded_grading(sampled, story.erosion, axis), figures);
             add(report::permeability_by_pass(story.erosion), figures);

@@ -8,6 +8,8 @@ ErosionStory find_story(const std::vector<FinishedStage>& stages) {
         if (story.eroded == nullptr && stage.findings.erosion) {
             story.eroded = &stage;
             story.erosion = *stage.findings.erosion;
+        } else if (stage.findings.erosion && stage.variant == story.eroded->variant) {
+            story.others.push_back(&stage);
         }
     }
     for (const FinishedStage& stage : stages) {

@@ -1,5 +1,6 @@
 #pragma once
-// What the report tells of an erosion: the first sample that was eroded, with the probes of its study.
+// What the report tells of an erosion: the first stage that eroded a sample, with the probes of its study, and the
+// other erosions of that sample.
 
 #include "suffuse/run/finished_stage.hpp"
 
@@ -11,6 +12,7 @@ struct ErosionStory {
     const FinishedStage* eroded = nullptr; ///< null where nothing was eroded
     std::vector<erosion::ProbeResult> probes;
     erosion::ErosionResult erosion;
+    std::vector<const FinishedStage*> others; ///< from other states of the same sample
 };
 
 ErosionStory find_story(const std::vector<FinishedStage>& stages);

@@ -35,6 +35,9 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
             report::short_number(pass.permeability_after), percent_or_none(loss),
             percent_or_none(100 * pass.volumetric_strain)
         );
+        if (!pass.verdict.empty()) {
+            text += fmt::format("It ended there: {}. ", pass.verdict);
+        }
     }
     return text;
 }
@@ -109,6 +112,10 @@ std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std:
     }
     if (!story.erosion.passes.empty()) {
         sentences.push_back(answer_to_erosion(story.erosion));
+    }
+    for (const FinishedStage* other : story.others) {
+        const std::string start = other->variant->stages[static_cast<std::size_t>(other->stage->parent)].name;
+        sentences.push_back(fmt::format("From the state {}: {}", start, answer_to_erosion(*other->findings.erosion)));
     }
     if (std::string tests = answer_to_tests(stages); !tests.empty()) {
         sentences.push_back(std::move(tests));

@@ -1,6 +1,7 @@
 // The verbs with water: flow, detach, erode.
 
 #include "suffuse/dem/inspect.hpp"
+#include "suffuse/erosion/detachment.hpp"
 #include "suffuse/erosion/loop.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"

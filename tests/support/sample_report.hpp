@@ -237,7 +237,7 @@ inline report::ReportData sample_report(const std::string& title) {
           eroded_coordination(erosion),
           stress_path(erosion),
           porosity_path(erosion),
-          rules_compared(probes, erosion),
+          rules_compared(probes, {{"", &erosion}}),
           constriction_sizes(erosion),
           eroded_grading(sampled, erosion),
           permeability_by_pass(erosion),
