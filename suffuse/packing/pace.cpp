@@ -1,5 +1,6 @@
 #include "suffuse/packing/pace.hpp"
 
+#include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/relax.hpp"
 #include "suffuse/dem/stable_dt.hpp"
@@ -35,14 +36,14 @@ double rate_cap(const dem::World& world, const CompactSpec& spec, const CompactS
     return (pressure < half_load * spec.pressure ? half_load_rate : full_load_rate) * most;
 }
 
-/// Strain rate of an inertial number at the pressure [1/s]: I = rate d sqrt(density/pressure), d the mean diameter.
+/// Of the mean diameter, at the pressure [1/s].
 double swift_rate(const dem::World& world, double pressure) {
     double diameter = 0;
     for (const double r : world.grains.radius) {
         diameter += 2 * r;
     }
     diameter /= static_cast<double>(world.grains.size());
-    return largest_inertial_number * std::sqrt(pressure / world.material.density) / diameter;
+    return dem::rate_of_inertial_number(largest_inertial_number, diameter, world.material.density, pressure);
 }
 
 /// The reference's servo; a mass of twice that of the grains over the edge of the cell is stable [kg/m].
@@ -108,8 +109,9 @@ bool is_loaded(const CompactSpec& spec, const CompactState& state) {
 }
 
 double largest_rate(const CompactSpec& spec, double density, double median_diameter) {
-    const double rate = cloud_inertial_number * std::sqrt(spec.pressure / density) / median_diameter;
-    return spec.max_rate.value_or(rate);
+    return spec.max_rate.value_or(
+        dem::rate_of_inertial_number(cloud_inertial_number, median_diameter, density, spec.pressure)
+    );
 }
 
 double choose_time_step(const dem::World& world, const CompactSpec& spec) {

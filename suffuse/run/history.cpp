@@ -1,6 +1,7 @@
 #include "suffuse/run/history.hpp"
 
 #include "suffuse/dem/equilibrium.hpp"
+#include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/run/result_json.hpp"
@@ -15,18 +16,19 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     HistoryRow, step, time, strain, stress, void_ratio, coordination, unbalanced_force, inertial_number
 )
 
-double inertial_number(const dem::World& world, double mean_stress, double median_diameter) {
-    if (!(mean_stress > 0)) {
-        return 0;
-    }
-    double rate = 0;
+namespace {
+
+double largest_component(const Mat3& m) {
+    double largest = 0;
     for (int a = 0; a < 3; ++a) {
         for (int b = 0; b < 3; ++b) {
-            rate = std::max(rate, std::abs(world.cell.velocity_gradient(a, b)));
+            largest = std::max(largest, std::abs(m(a, b)));
         }
     }
-    return rate * median_diameter * std::sqrt(world.material.density / mean_stress);
+    return largest;
 }
+
+} // namespace
 
 std::int64_t History::steps_to_next(std::int64_t step) const {
     const std::int64_t last = rows_.empty() ? step : rows_.back().step;
@@ -55,7 +57,10 @@ void History::record(const dem::World& world, bool anyway) {
          dem::void_ratio(world),
          2 * static_cast<double>(balance.contacts) / static_cast<double>(std::max<std::size_t>(1, world.grains.size())),
          balance.unbalanced_force,
-         inertial_number(world, dem::mean_stress(stress), median_diameter_)}
+         dem::inertial_number(
+             largest_component(world.cell.velocity_gradient), median_diameter_, world.material.density,
+             dem::mean_stress(stress)
+         )}
     );
 }
 

@@ -19,7 +19,7 @@ struct HistoryRow {
     double void_ratio = 0;       ///< [-]
     double coordination = 0;     ///< 2 contacts / grains [-]
     double unbalanced_force = 0; ///< [-]
-    double inertial_number = 0;  ///< [-]
+    double inertial_number = 0;  ///< of the largest velocity gradient and the median diameter by mass [-]
 };
 
 class History {
@@ -48,9 +48,5 @@ private:
     std::size_t grains_ = 0;     ///< that `median_diameter_` is of
     double median_diameter_ = 0; ///< by mass [m]
 };
-
-/// Largest velocity gradient x median diameter (by mass) x sqrt(density / mean stress); 0 at rest, and without stress
-/// [-]. @param mean_stress [Pa]; @param median_diameter [m]
-double inertial_number(const dem::World& world, double mean_stress, double median_diameter);
 
 } // namespace suffuse::run

@@ -1,6 +1,7 @@
 #include "suffuse/run/price_stage.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/packing_file.hpp"
 #include "suffuse/packing/compact.hpp"
@@ -153,8 +154,9 @@ public:
     }
 
     StagePrice operator()(const triaxial::TriaxialSpec& spec) {
-        const double rate =
-            spec.inertial_number * std::sqrt(sample_.pressure / case_.material.density) / sample_.median;
+        const double rate = dem::rate_of_inertial_number(
+            spec.inertial_number, sample_.median, case_.material.density, sample_.pressure
+        );
         const bool is_loose = sample_.coordination < yielding_coordination;
         take_critical_state(sample_); // within the first percents of strain
         const double dt = spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, case_.material);
