@@ -92,6 +92,10 @@ constexpr std::array code_table = {
         "chance of "
         "one sample: take more grains, or several seeds."},
     Code{
+        "E608", "a test of a sample without stress",
+        "The pace of a triaxial test follows from the stress that the sample carries: a stage that compacts or settles "
+        "it comes before."},
+    Code{
         "W605", "nothing or everything is fine",
         "Without fines nothing can leave; without coarse grains there is no skeleton."},
 };

@@ -143,6 +143,23 @@ public:
         }
     }
 
+    /// A triaxial test shears what a stage before it has loaded; its pace follows from that stress.
+    void check_start_of_test(const Stage& test) {
+        if (test.parent < 0) {
+            return;
+        }
+        const Stage& before = variant_.stages[static_cast<std::size_t>(test.parent)];
+        if (std::holds_alternative<packing::PackSpec>(before.spec) || std::holds_alternative<ImportSpec>(before.spec)) {
+            context_.problems.error(
+                "E608", stage_place(test, "do"),
+                fmt::format(
+                    "stage \"{}\" tests the sample of stage \"{}\", which carries no stress yet", test.name, before.name
+                ),
+                "compact or settle it under a pressure first"
+            );
+        }
+    }
+
     /// Draws the grains as the run will: a split that does not exist, a curve that so few grains cannot follow.
     void check_sampling() {
         constexpr std::int64_t quickly_drawn = 50'000; // beyond, this would take longer than all other checks together
@@ -219,6 +236,8 @@ void check_stage(Checks& checks, const Stage& stage) {
         check_loading(checks, stage, settle->loading, checks.stage_place(stage, "pressure").source != nullptr);
     } else if (const auto* advance = std::get_if<dem::AdvanceSpec>(&stage.spec)) {
         check_loading(checks, stage, advance->loading, false);
+    } else if (std::holds_alternative<triaxial::TriaxialSpec>(stage.spec)) {
+        checks.check_start_of_test(stage);
     } else if (const auto* flow = std::get_if<flow::FlowSpec>(&stage.spec)) {
         checks.check_gradient(stage, "gradient", flow->gradient);
     } else if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {

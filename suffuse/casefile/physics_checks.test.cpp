@@ -70,6 +70,20 @@ TEST(PhysicsChecks, AGradientAboveTheCriticalOneIsDoubtful) {
     EXPECT_EQ(find_problem(problems_of(head + "gradient = -1.1\n"), "W604").line, 18);
 }
 
+TEST(PhysicsChecks, ATriaxialTestNeedsASampleThatCarriesAStress) {
+    const std::string test = "[[study.one.stage]]\nname = \"x\"\ndo = \"triaxial\"\n";
+    EXPECT_EQ(problems_of(good_case + test).size(), 0U);
+    EXPECT_EQ(find_problem(problems_of(good_case + test + "from = \"cloud\"\n"), "E608").line, 17);
+    const std::string import = R"(schema = 1
+[[study.one.stage]]
+name = "packing"
+do = "import"
+path = "packing.csv"
+cell = ["1 cm", "1 cm", "1 cm"]
+)";
+    EXPECT_EQ(find_problem(problems_of(import + test), "E608").line, 9);
+}
+
 TEST(PhysicsChecks, ErosionNeedsFines) {
     const std::string erode = "[[study.one.stage]]\nname = \"x\"\ndo = \"erode\"\n";
     EXPECT_EQ(problems_of(good_case + erode).size(), 0U);

@@ -56,15 +56,18 @@ settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec
         if (state.steps < max_steps) {
             continue;
         }
-        throw StateError(fmt::format(
-            "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted "
-            "{:.2e}), mean "
-            "stress {:.4g} kPa; the stress may be out of reach of this sample: lower it, or give [balance] more room",
-            state.steps, state.equilibrium.unbalanced_force, spec.unbalanced_force,
-            stress_error(plan.loading, state.stress), spec.stress_error, mean_stress(state.stress) / 1e3
-        ));
+        report_not_balanced(plan.loading, spec, state);
     }
     return state;
+}
+
+void report_not_balanced(const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state) {
+    throw StateError(fmt::format(
+        "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted {:.2e}), "
+        "mean stress {:.4g} kPa; the stress may be out of reach of this sample: lower it, or give [balance] more room",
+        state.steps, state.equilibrium.unbalanced_force, spec.unbalanced_force, stress_error(loading, state.stress),
+        spec.stress_error, mean_stress(state.stress) / 1e3
+    ));
 }
 
 } // namespace suffuse::dem

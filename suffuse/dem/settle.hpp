@@ -27,6 +27,9 @@ bool settle_burst(World& world, StepCaches& caches, const StepPlan& plan, const 
 BalanceState
 settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec& spec, std::int64_t max_steps);
 
+/// Where a settling has had its time: what is still missing. @throws StateError always.
+[[noreturn]] void report_not_balanced(const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state);
+
 /// Largest error of a controlled stress, as a share of it (of the largest, where a target is zero) [-].
 double stress_error(const cell::Loading& loading, const Mat3& stress);
 

@@ -1,6 +1,5 @@
 // The verbs that load a sample: settle, triaxial, advance.
 
-#include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/dem/relax.hpp"
@@ -8,8 +7,6 @@
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -64,15 +61,7 @@ void do_settle(StageWork& work, const dem::SettleSpec& spec) {
         work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
         work.note_state();
         if (!settled && state.steps >= spec.max_steps) {
-            throw StateError(fmt::format(
-                "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted "
-                "{:.2e}), "
-                "mean stress {:.4g} kPa; the stress may be out of reach of this sample: lower it, or give [balance] "
-                "more room",
-                state.steps, state.equilibrium.unbalanced_force, work.what.balance.unbalanced_force,
-                dem::stress_error(spec.loading, state.stress), work.what.balance.stress_error,
-                dem::mean_stress(state.stress) / 1e3
-            ));
+            dem::report_not_balanced(spec.loading, work.what.balance, state);
         }
         if (!settled) {
             work.control.beat("settle", state.steps, &work.world);
@@ -102,16 +91,6 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
         if (!over) {
             work.control.beat("shear", state.steps, &work.world);
         }
-    }
-    const bool stress_wanted = spec.deviator_stress || spec.stress_ratio;
-    const triaxial::PathRow& last = state.rows.back();
-    if (stress_wanted && last.axial_strain >= spec.strain) {
-        throw StateError(fmt::format(
-            "the stress asked of the triaxial test is out of reach: at {:.3g} % axial strain the deviator stress is "
-            "{:.4g} kPa "
-            "(q/p = {:.3f}); ask for less than the peak of this sample",
-            100 * last.axial_strain, last.deviator_stress / 1e3, last.deviator_stress / last.mean_stress
-        ));
     }
     for (int a = 0; a < 3; ++a) {
         work.world.servo.held_stress[a] = spec.path == triaxial::Path::Drained && a != spec.axis

@@ -1,18 +1,22 @@
 #include "suffuse/triaxial/run_path.hpp"
 
+#include "suffuse/base/error.hpp"
+#include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/stats/coordination.hpp"
 #include "suffuse/stats/gradation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace suffuse::triaxial {
 namespace {
 
 constexpr std::int64_t time_step_interval = 2000;
+constexpr double creep_room = 1.1;    // axial strain until at rest, at most, over the largest during the test [-]
 constexpr double fastest_lateral = 2; // rate of an axis whose stress is held, at most, over the axial rate [-]
 
 double lateral_mean(const Mat3& stress, int axis) {
@@ -44,19 +48,27 @@ cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
     return loading;
 }
 
-/// The stresses to come to rest at: those held during the test, and the axial one that was asked for.
+/// The deviator stress asked for, at the lateral or mean stress that the path holds [Pa].
+double wanted_deviator(const TriaxialSpec& spec, const PathState& state) {
+    if (spec.deviator_stress) {
+        return *spec.deviator_stress;
+    }
+    const double eta = *spec.stress_ratio; // q = eta p, with p = lateral + q/3
+    return spec.path == Path::ConstantMean ? eta * dem::mean_stress(state.start_stress)
+                                           : eta * lateral_mean(state.start_stress, spec.axis) / (1 - eta / 3);
+}
+
+/// The stresses to come to rest at: the deviator stress asked for, beside what is held during the test.
 cell::Loading final_loading(const TriaxialSpec& spec, const PathState& state) {
-    cell::Loading loading = loading_of(spec, state);
     if (spec.path == Path::Undrained) {
         return dem::constant_volume();
     }
-    const double lateral = lateral_mean(state.start_stress, spec.axis);
-    double axial = state.balance.stress(spec.axis, spec.axis);
-    if (spec.path == Path::Drained && spec.deviator_stress) {
-        axial = lateral + *spec.deviator_stress;
-    }
-    if (spec.path == Path::Drained && spec.stress_ratio) { // q/p = eta with p = lateral + q/3
-        axial = lateral + *spec.stress_ratio * lateral / (1 - *spec.stress_ratio / 3);
+    cell::Loading loading = loading_of(spec, state);
+    const double q = wanted_deviator(spec, state), p = dem::mean_stress(state.start_stress);
+    double axial = lateral_mean(state.start_stress, spec.axis) + q;
+    if (spec.path == Path::ConstantMean) {
+        loading.axis.fill({cell::Control::Stress, p - q / 3});
+        axial = p + 2 * q / 3;
     }
     loading.axis[static_cast<std::size_t>(spec.axis)] = {cell::Control::Stress, axial};
     return loading;
@@ -71,11 +83,15 @@ bool target_reached(const TriaxialSpec& spec, const PathRow& row) {
            (spec.stress_ratio && row.deviator_stress >= *spec.stress_ratio * row.mean_stress);
 }
 
+double axial_strain(const Mat3& stretch, int axis) {
+    return -std::log(stretch(axis, axis));
+}
+
 PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const PathState& state) {
     const Mat3 stretch = world.cell.h * inverse(state.start_h);
     const Mat3& stress = state.balance.stress;
     PathRow row;
-    row.axial_strain = -std::log(stretch(spec.axis, spec.axis));
+    row.axial_strain = axial_strain(stretch, spec.axis);
     row.volumetric_strain = -std::log(determinant(stretch));
     row.stress = stress;
     row.mean_stress = dem::mean_stress(stress);
@@ -86,21 +102,56 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
     row.mechanical_coordination = coordination.mechanical;
     row.unbalanced_force = state.balance.equilibrium.unbalanced_force;
     const double rate = std::abs(world.cell.velocity_gradient(spec.axis, spec.axis));
-    row.inertial_number =
-        rate * state.median_diameter * std::sqrt(world.material.density / std::max(row.mean_stress, 1e-300));
+    row.inertial_number = dem::inertial_number(rate, state.median_diameter, world.material.density, row.mean_stress);
     return row;
+}
+
+[[noreturn]] void report_out_of_reach(const PathRow& row) {
+    throw StateError(fmt::format(
+        "the stress asked of the triaxial test is out of reach: at {:.3g} % axial strain the deviator stress is "
+        "{:.4g} kPa (q/p = {:.3f}); ask for less than the peak of this sample",
+        100 * row.axial_strain, row.deviator_stress / 1e3, row.deviator_stress / row.mean_stress
+    ));
+}
+
+/// A sample that cannot carry the stress goes on straining, or never comes to rest.
+void check_settling(
+    const dem::World& world, const TriaxialSpec& spec, const dem::BalanceSpec& balance, const PathState& state
+) {
+    const double strain = axial_strain(world.cell.h * inverse(state.start_h), spec.axis);
+    if (strain > creep_room * std::max(spec.strain, state.rows.back().axial_strain)) {
+        report_out_of_reach(measure_row(world, spec, state));
+    }
+    if (state.balance.steps >= dem::SettleSpec{}.max_steps) {
+        dem::report_not_balanced(final_loading(spec, state), balance, state.balance);
+    }
 }
 
 } // namespace
 
 PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress, double time_step) {
+    if (!(spec.strain > 0) || !(spec.inertial_number > 0) || spec.rows < 1) {
+        throw CaseError(fmt::format(
+            "triaxial: found strain {}, inertial_number {}, rows {}; expected all of them above 0", spec.strain,
+            spec.inertial_number, spec.rows
+        ));
+    }
+    const double pressure = dem::mean_stress(stress);
+    if (!(pressure > 0)) {
+        throw StateError(fmt::format(
+            "a triaxial test needs a sample that carries a stress, and this one's mean stress is {:.4g} kPa: compact "
+            "or "
+            "settle it under a pressure first",
+            pressure / 1e3
+        ));
+    }
     PathState state;
     state.start_h = world.cell.h;
     state.start_stress = stress;
     state.balance.stress = stress;
     state.median_diameter = stats::size_at(stats::measure_gradation(world.grains), 0.5);
     state.strain_rate =
-        spec.inertial_number * std::sqrt(dem::mean_stress(stress) / world.material.density) / state.median_diameter;
+        dem::rate_of_inertial_number(spec.inertial_number, state.median_diameter, world.material.density, pressure);
     state.time_step = time_step;
     state.balance.equilibrium = dem::measure_equilibrium(world);
     state.rows.push_back(measure_row(world, spec, state));
@@ -125,20 +176,26 @@ bool path_burst(
     if (settling) {
         if (settled) {
             state.phase = PathState::Phase::Done;
+        } else {
+            check_settling(world, spec, balance, state);
         }
         return settled;
     }
     const PathRow row = measure_row(world, spec, state);
-    const bool over = row.axial_strain >= spec.strain || target_reached(spec, row);
+    const bool reached = target_reached(spec, row);
+    const bool over = reached || row.axial_strain >= spec.strain;
     if (over || row.axial_strain - state.rows.back().axial_strain >= spec.strain / spec.rows) {
         state.rows.push_back(row);
     }
     if (!over) {
         return false;
     }
-    state.balance.balanced_steps = 0;
-    state.phase = has_stress_target(spec) ? PathState::Phase::Settle : PathState::Phase::Done;
-    return state.phase == PathState::Phase::Done;
+    if (has_stress_target(spec) && !reached) {
+        report_out_of_reach(row);
+    }
+    state.balance.steps = state.balance.balanced_steps = 0;
+    state.phase = reached ? PathState::Phase::Settle : PathState::Phase::Done;
+    return !reached;
 }
 
 Response summarize(const std::vector<PathRow>& rows) {

@@ -39,9 +39,11 @@ struct PathState {
 };
 
 /// @param stress of the state that the test starts from [Pa]
+/// @throws StateError when the sample carries none, CaseError when strain, inertial number or rows are not above zero.
 PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress, double time_step);
 
 /// One burst of steps; appends a row when the strain has grown by the interval asked. @return whether the test is over.
+/// @throws StateError when the stress asked for is not reached within the strain, or not held.
 bool path_burst(
     dem::World& world, dem::StepCaches& caches, const TriaxialSpec& spec, const dem::BalanceSpec& balance,
     double damping, dem::Mode mode, PathState& state

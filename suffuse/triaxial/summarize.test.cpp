@@ -1,5 +1,6 @@
 // What is read off a stress-strain curve, on curves whose answers are known.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/triaxial/run_path.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace suffuse::triaxial {
 namespace {
@@ -107,6 +109,29 @@ TEST(BeginPath, SetsTheStrainRateFromTheInertialNumber) {
     EXPECT_LT(state.median_diameter, 2 * *most);
     ASSERT_EQ(state.rows.size(), 1U);
     EXPECT_EQ(state.rows[0].axial_strain, 0);
+}
+
+TEST(BeginPath, RefusesASampleWithoutStress) {
+    dem::World world = test::reference_packing("packing500");
+    for (const double pressure : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_THROW(begin_path(world, {}, diagonal({pressure, pressure, pressure}), 4e-8), StateError) << pressure;
+    }
+}
+
+TEST(BeginPath, RefusesAPaceAStrainOrRowsThatAreNotAboveZero) {
+    dem::World world = test::reference_packing("packing500");
+    const auto begin = [&](double inertial_number, double strain, int rows) {
+        TriaxialSpec spec;
+        spec.inertial_number = inertial_number;
+        spec.strain = strain;
+        spec.rows = rows;
+        begin_path(world, spec, diagonal({1e5, 1e5, 1e5}), 4e-8);
+    };
+    EXPECT_THROW(begin(0, 0.2, 400), CaseError);
+    EXPECT_THROW(begin(1e-3, 0, 400), CaseError);
+    EXPECT_THROW(begin(1e-3, std::numeric_limits<double>::quiet_NaN(), 400), CaseError);
+    EXPECT_THROW(begin(1e-3, 0.2, 0), CaseError);
+    EXPECT_NO_THROW(begin(1e-3, 0.2, 400));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // A packing under the servo and along triaxial paths.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/relax.hpp"
 #include "suffuse/dem/settle.hpp"
@@ -149,6 +150,76 @@ TEST(Triaxial, StopsAtTheDeviatorAskedForAndComesToRestThere) {
         state.balance.stress(2, 2), 2e5, 1.5e-3 * 1e5 + 5e-3 * 2e5
     ); // start stress and balance, both within limits
     EXPECT_LE(state.balance.equilibrium.unbalanced_force, s.balance.unbalanced_force);
+}
+
+/// The message of the StateError that ends a test.
+std::string failure_of(Sample& s, const triaxial::TriaxialSpec& spec) {
+    try {
+        compress(s, spec);
+    } catch (const StateError& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+TEST(Triaxial, AtConstantMeanStressItComesToRestAtTheDeviatorAskedFor) {
+    Sample s = settled_at(1e5);
+    triaxial::TriaxialSpec spec;
+    spec.path = triaxial::Path::ConstantMean;
+    spec.stress_ratio = 0.6;
+    spec.inertial_number = 3e-3;
+    const triaxial::PathState state = compress(s, spec);
+    ASSERT_EQ(state.phase, triaxial::PathState::Phase::Done);
+    // p = 100 kPa and q = 60 kPa; the start stress and the balance are both met within half a percent.
+    const double tolerance = 5e-3 * (1e5 + 1.4e5);
+    EXPECT_NEAR(state.balance.stress(2, 2), 1.4e5, tolerance);
+    EXPECT_NEAR(state.balance.stress(0, 0), 0.8e5, tolerance);
+    EXPECT_NEAR(state.balance.stress(1, 1), 0.8e5, tolerance);
+}
+
+TEST(Triaxial, AStressThatIsNotReachedWithinTheStrainEndsTheTestAtOnce) {
+    Sample s = settled_at(1e5);
+    triaxial::TriaxialSpec spec;
+    spec.stress_ratio = 2.8; // an angle of friction of 71 degrees
+    spec.strain = 0.002;
+    spec.inertial_number = 3e-3;
+    const double height = s.world.cell.h(2, 2);
+    const std::string message = failure_of(s, spec);
+    EXPECT_NE(message.find("out of reach: at 0.2"), std::string::npos) << message;
+    const double strain = -std::log(s.world.cell.h(2, 2) / height);
+    EXPECT_GE(strain, 0.002);
+    EXPECT_LE(strain, 0.0023); // a burst of 50 steps at some 90 1/s
+}
+
+TEST(Triaxial, AStressReachedInTheBurstThatEndsTheStrainIsReached) {
+    Sample s = settled_at(1e5), shorter = s;
+    triaxial::TriaxialSpec spec;
+    spec.deviator_stress = 5e4;
+    spec.inertial_number = 3e-3;
+    const double strain = compress(s, spec).rows.back().axial_strain;
+    spec.strain = 0.999 * strain; // passed by the same burst that reaches the stress
+    EXPECT_EQ(compress(shorter, spec).phase, triaxial::PathState::Phase::Done);
+}
+
+TEST(Triaxial, AStressThatIsReachedButNotHeldEndsTheTest) {
+    Sample s = settled_at(1e5);
+    triaxial::TriaxialSpec spec;
+    spec.deviator_stress = 1e5;
+    spec.strain = 0.01;
+    triaxial::PathState state = triaxial::begin_path(s.world, spec, s.state.stress, 4e-8);
+    while (state.phase == triaxial::PathState::Phase::Shear) {
+        triaxial::path_burst(s.world, s.caches, spec, s.balance, 0.2, dem::Mode::Reference, state);
+    }
+    s.world.material.friction = 0; // nothing carries the deviator now
+    s.world.material.rolling_friction = 0;
+    try {
+        while (!triaxial::path_burst(s.world, s.caches, spec, s.balance, 0.2, dem::Mode::Reference, state)) {
+            ASSERT_LT(state.steps, 400'000);
+        }
+        FAIL() << "comes to rest";
+    } catch (const StateError& error) {
+        EXPECT_NE(std::string(error.what()).find("out of reach: at 1.1"), std::string::npos) << error.what();
+    }
 }
 
 } // namespace
