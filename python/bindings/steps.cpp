@@ -112,12 +112,7 @@ py::object settle(
             settled = dem::settle_burst(w.world(), w.caches(), asked->plan, balance, state);
             w.remember_place();
             if (!settled && state.steps >= max_steps) {
-                throw StateError(fmt::format(
-                    "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted "
-                    "{:.2e}); lower the stress, or give the balance more room",
-                    state.steps, state.equilibrium.unbalanced_force, balance.unbalanced_force,
-                    dem::stress_error(loading, state.stress), balance.stress_error
-                ));
+                dem::report_not_balanced(loading, balance, state);
             }
             attention.beat("settle", state.steps);
         }
@@ -168,6 +163,26 @@ packing::Protocol protocol_of(const std::string& word) {
     throw CaseError(fmt::format("protocol: found \"{}\", expected faithful, swift or slow", word));
 }
 
+/// Takes back what a compaction has lent, unless it came to its end: the world lives on in Python.
+class Loan {
+public:
+    Loan(WorldHandle& handle, const packing::CompactState& state) : handle_(handle), state_(state) {}
+
+    Loan(const Loan&) = delete;
+    Loan& operator=(const Loan&) = delete;
+
+    ~Loan() {
+        if (state_.phase != packing::CompactState::Phase::Done) {
+            packing::give_back(handle_.world(), state_);
+            handle_.drop_caches();
+        }
+    }
+
+private:
+    WorldHandle& handle_;
+    const packing::CompactState& state_;
+};
+
 py::object compact(
     WorldHandle& w, const py::object& pressure, const py::object& friction, const py::object& adhesion_normal,
     const std::string& protocol, const py::object& max_rate, const dem::BalanceSpec& balance, double damping,
@@ -187,6 +202,8 @@ py::object compact(
     dem::World& world = begin(w);
     {
         const Working working;
+        state.material = world.material;
+        const Loan loan(w, state);
         state = packing::begin_compaction(world, spec, damping);
         for (bool done = false; !done;) {
             done = packing::compact_burst(world, w.caches(), spec, balance, state);

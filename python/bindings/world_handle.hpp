@@ -36,6 +36,9 @@ public:
     /// Kept alive by arrays, beside the handle itself: the rows that they look into once the world has moved on.
     [[nodiscard]] std::shared_ptr<const void> rows_of_views() const { return kept_; }
 
+    /// After a change of masses: the caches hold copies of them.
+    void drop_caches() { caches_ = {}; }
+
 private:
     dem::World world_;
     dem::StepCaches caches_;

@@ -206,3 +206,48 @@ def test_errors_have_the_words_and_the_numbers():
     assert issubclass(suffuse.CaseError, ValueError) and issubclass(suffuse.CaseProblems, suffuse.CaseError)
 
 
+
+
+@pytest.fixture
+def cloud():
+    radius = numpy.random.default_rng(1).uniform(0.2e-3, 0.6e-3, 100)
+    return suffuse.make_cloud(radius, porosity=0.65)
+
+
+def own_masses(world):
+    mass = world.material.density * 4 / 3 * numpy.pi * world.grains.radius**3
+    return mass, 0.4 * mass * world.grains.radius**2
+
+
+def has_its_own_masses(world):
+    mass, inertia = own_masses(world)  # written in another order of the same products: rounding
+    return numpy.allclose(world.grains.mass, mass, rtol=1e-14, atol=0) and numpy.allclose(
+        world.grains.inertia, inertia, rtol=1e-14, atol=0
+    )
+
+
+@pytest.mark.parametrize("adhesion", [None, "100 kPa"])
+def test_an_interrupted_compaction_leaves_nothing_that_it_lent(cloud, adhesion):
+    before = repr(cloud.material)
+    lent = []
+
+    class Enough(Exception):
+        pass
+
+    def tell(part, steps):
+        lent.append(not has_its_own_masses(cloud) and repr(cloud.material) != before)
+        raise Enough
+
+    with pytest.raises(Enough):
+        cloud.compact("100 kPa", friction="5 deg", adhesion_normal=adhesion, on_progress=tell)
+    assert lent == [True]
+    assert has_its_own_masses(cloud) and repr(cloud.material) == before
+    cloud.step(100)
+
+
+def test_a_triaxial_test_without_stress_or_pace_is_refused(cloud, settled):
+    with pytest.raises(suffuse.StateError, match="carries a stress"):
+        cloud.triaxial()
+    for wrong in ({"inertial_number": 0}, {"strain": 0}, {"rows": 0}):
+        with pytest.raises(suffuse.CaseError, match="above 0"):
+            settled.triaxial(**wrong)

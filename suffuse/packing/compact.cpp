@@ -161,4 +161,9 @@ bool compact_burst(
     return state.phase == CompactState::Phase::Done;
 }
 
+void give_back(dem::World& world, const CompactState& state) {
+    take_final_parameters(world, state.material);
+    lend_inertia(world, state.median_diameter, state.lent, {});
+}
+
 } // namespace suffuse::packing

@@ -53,4 +53,8 @@ bool compact_burst(
     CompactState& state
 );
 
+/// What an interrupted compaction owes a world that lives on: the final material, and the grains' own inertia. Caches
+/// of the world hold copies of what changes.
+void give_back(dem::World& world, const CompactState& state);
+
 } // namespace suffuse::packing
