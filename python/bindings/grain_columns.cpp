@@ -1,6 +1,9 @@
 // The columns of the grain table for NumPy. Nothing else in the module knows how they are stored.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/grains/grains.hpp"
+
+#include <fmt/format.h>
 
 #include "python/bindings/views.hpp"
 #include "python/bindings/world_handle.hpp"
@@ -67,7 +70,25 @@ void bind_grain_columns(py::class_<GrainTable>& type) {
     add_column(type, "id", &Grains::id, "Stable, never reused.");
 }
 
+void WorldHandle::follow_density() const {
+    const double density = world_.material.density;
+    if (density == density_) {
+        return;
+    }
+    if (!(density > 0)) {
+        world_.material.density = density_;
+        throw CaseError(fmt::format("density: found {} kg/m3, expected a positive one", density));
+    }
+    for (std::size_t g = 0; g < world_.grains.size(); ++g) {
+        world_.grains.mass[g] *= density / density_;
+        world_.grains.inertia[g] *= density / density_;
+    }
+    caches_ = {};
+    density_ = density;
+}
+
 dem::World& WorldHandle::world_for_new_rows() {
+    follow_density();
     if (kept_.use_count() > 1) { // arrays look at these rows: the rows are theirs now
         Grains copy = world_.grains;
         *kept_ = std::exchange(world_.grains, std::move(copy));
@@ -79,6 +100,7 @@ dem::World& WorldHandle::world_for_new_rows() {
 }
 
 dem::StepCaches& WorldHandle::caches() {
+    follow_density();
     if (position_ != world_.grains.position || velocity_ != world_.grains.velocity || !(h_ == world_.cell.h)) {
         caches_ = {};
     }

@@ -341,7 +341,8 @@ void bind_world(py::module_& m) {
     type.def_property(
         "material", [](WorldHandle& w) -> grains::Material& { return w.world().material; },
         [](WorldHandle& w, const grains::Material& material) { w.world().material = material; },
-        py::return_value_policy::reference_internal, "Constants of the contact law; fields may be set."
+        py::return_value_policy::reference_internal,
+        "Constants of the contact law; fields may be set. Masses follow the density."
     );
     type.def_property_readonly("step_number", [](const WorldHandle& w) { return w.world().clock.step; });
     type.def_property_readonly(

@@ -251,3 +251,33 @@ def test_a_triaxial_test_without_stress_or_pace_is_refused(cloud, settled):
     for wrong in ({"inertial_number": 0}, {"strain": 0}, {"rows": 0}):
         with pytest.raises(suffuse.CaseError, match="above 0"):
             settled.triaxial(**wrong)
+
+
+def test_masses_follow_the_density(two_grains):
+    other = two_grains.copy()
+    two_grains.material.density = 5200
+    other.material = suffuse.Material(density="1300 kg/m3")
+    for world in (two_grains, other):
+        assert has_its_own_masses(world)
+        world.step(1, time_step=1e-9, damping=0)
+    # The same spring force: acceleration is as 1/density.
+    assert other.grains.velocity[0, 0] == pytest.approx(4 * two_grains.grains.velocity[0, 0], rel=1e-12)
+
+
+def test_steps_after_a_new_density_are_those_of_a_world_that_had_it(settled, tmp_path):
+    settled.step(10, time_step=1e-8)
+    settled.material.density = 1e4
+    assert has_its_own_masses(settled)
+    settled.save(tmp_path / "state.h5")
+    loaded = suffuse.World.load(tmp_path / "state.h5")
+    for world in (settled, loaded):
+        world.step(100, time_step=1e-8)
+    assert loaded.hash == settled.hash
+
+
+def test_a_density_that_cannot_be_is_refused(two_grains):
+    material = two_grains.material
+    material.density = 0
+    with pytest.raises(suffuse.CaseError, match="density: found 0 kg/m3"):
+        two_grains.step(1, time_step=1e-9)
+    assert material.density == 2600 and has_its_own_masses(two_grains)
