@@ -11,14 +11,14 @@ namespace {
 
 constexpr double show_interval = 0.1; // [s]
 
-nlohmann::json state_to_show(const dem::World& world) {
+nlohmann::json state_to_show(const dem::World& world, int axis) {
     const Mat3 stress = dem::mean_stress_tensor(world);
     return {
         {"void_ratio", dem::void_ratio(world)},
         {"mean_stress", dem::mean_stress(stress)},
         {"deviator_stress", dem::deviator_stress(stress)},
         {"unbalanced_force", dem::measure_equilibrium(world).unbalanced_force},
-        {"axial_strain", dem::strain(world).z},
+        {"axial_strain", dem::strain(world)[axis]},
     };
 }
 
@@ -27,6 +27,7 @@ nlohmann::json state_to_show(const dem::World& world) {
 void Control::begin(Progress where) {
     progress_ = std::move(where);
     save_ = nullptr;
+    axis_ = 2;
     rate_first_step_ = -1;
     stage_start_ = saved_ = Clock::now();
     shown_ = Clock::time_point{};
@@ -40,7 +41,7 @@ void Control::beat(std::string_view part, long long steps, const dem::World* wor
         progress_.steps = steps;
         progress_.stage_seconds = stage_seconds();
         if (world != nullptr) {
-            progress_.state = state_to_show(*world);
+            progress_.state = state_to_show(*world, axis_);
             progress_.particle_steps_per_second = rate(steps, world->grains.size());
         }
         overview_.show(progress_);

@@ -21,6 +21,9 @@ public:
     /// How to save the stage half-way; nothing: a stopped stage begins again.
     void save_with(std::function<void()> save) { save_ = std::move(save); }
 
+    /// The axis whose strain is shown; z unless told.
+    void show_strain_of(int axis) { axis_ = axis; }
+
     /// Called between bursts. @throws Interrupted, after saving, when asked to stop or out of time.
     void beat(std::string_view part, long long steps, const dem::World* world = nullptr);
 
@@ -46,6 +49,7 @@ private:
     Clock::time_point rate_start_;  ///< when steps were first told
     long long rate_first_step_ = 0; ///< how many they were: a stage that was resumed does not begin at 0
     Progress progress_;
+    int axis_ = 2; ///< that is compressed
     std::function<void()> save_;
 };
 

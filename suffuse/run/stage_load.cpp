@@ -80,6 +80,7 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     } else {
         state = work.resumed.get<triaxial::PathState>();
     }
+    work.control.show_strain_of(spec.axis);
     work.control.save_with([&] { work.save_partial(state); });
     dem::StepCaches caches;
     bool over = false;
