@@ -256,7 +256,7 @@ py::object run_triaxial(
     }
     const nlohmann::json result{
         {"curve", state.rows},
-        {"response", triaxial::summarize(state.rows)},
+        {"response", triaxial::summarize(state.rows, spec.path)},
         {"steps", state.steps},
         {"strain_rate", state.strain_rate},
         {"median_diameter", state.median_diameter}};

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
+
 namespace suffuse {
 
 inline void to_json(nlohmann::json& json, const Vec3& v) {
@@ -25,6 +27,11 @@ inline void to_json(nlohmann::json& json, const Mat3& m) {
 
 inline void from_json(const nlohmann::json& json, Mat3& m) {
     m = transpose(from_columns(json.at(0).get<Vec3>(), json.at(1).get<Vec3>(), json.at(2).get<Vec3>()));
+}
+
+template <class T>
+nlohmann::json or_null(const std::optional<T>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
 namespace grains {
@@ -53,15 +60,31 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 namespace triaxial {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // curves of earlier runs lack some
     PathRow, axial_strain, volumetric_strain, stress, mean_stress, deviator_stress, void_ratio, coordination,
-    mechanical_coordination, unbalanced_force, inertial_number
+    mechanical_coordination, unbalanced_force, inertial_number, second_order_work, excess_pore_pressure
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     PathState, phase, start_h, start_stress, strain_rate, median_diameter, time_step, balance, steps, rows
 )
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    Response, peak_deviator, peak_strain, peak_ratio, friction_angle, final_deviator, stiffness, dilatancy,
-    largest_contraction, final_volumetric_strain
-)
+
+inline void to_json(nlohmann::json& json, const Instability& at) {
+    json = {{"q", at.deviator_stress}, {"p", at.mean_stress}, {"strain", at.axial_strain}};
+}
+
+inline void to_json(nlohmann::json& json, const Response& response) {
+    json = {
+        {"peak_deviator", response.peak_deviator},
+        {"peak_strain", response.peak_strain},
+        {"peak_ratio", response.peak_ratio},
+        {"friction_angle", response.friction_angle},
+        {"final_deviator", response.final_deviator},
+        {"stiffness", response.stiffness},
+        {"dilatancy", response.dilatancy},
+        {"largest_contraction", response.largest_contraction},
+        {"final_volumetric_strain", response.final_volumetric_strain},
+        {"instability", or_null(response.instability)},
+        {"liquefied", or_null(response.liquefied)},
+        {"excess_pore_pressure", or_null(response.excess_pore_pressure)}};
+}
 } // namespace triaxial
 
 namespace pores {

@@ -101,7 +101,7 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     work.time_step = state.time_step;
     work.numbers["steps"] = state.steps;
     work.numbers["strain_rate"] = state.strain_rate;
-    work.numbers["response"] = triaxial::summarize(state.rows);
+    work.numbers["response"] = triaxial::summarize(state.rows, spec.path);
     work.findings.curve = state.rows;
 }
 

@@ -11,13 +11,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace suffuse::triaxial {
 namespace {
 
 constexpr std::int64_t time_step_interval = 2000;
-constexpr double creep_room = 1.1;    // axial strain until at rest, at most, over the largest during the test [-]
-constexpr double fastest_lateral = 2; // rate of an axis whose stress is held, at most, over the axial rate [-]
+constexpr double creep_room = 1.1;       // axial strain until at rest, at most, over the largest during the test [-]
+constexpr double smoothed_span = 1e-3;   // axial strain over which rows are averaged before their work is looked at [-]
+constexpr double least_smoothed = 2;     // rows
+constexpr double liquefied_share = 0.05; // of the mean stress at the start [-]
+constexpr double fastest_lateral = 2;    // rate of an axis whose stress is held, at most, over the axial rate [-]
 
 double lateral_mean(const Mat3& stress, int axis) {
     return 0.5 * (trace(stress) - stress(axis, axis));
@@ -103,6 +107,12 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
     row.unbalanced_force = state.balance.equilibrium.unbalanced_force;
     const double rate = std::abs(world.cell.velocity_gradient(spec.axis, spec.axis));
     row.inertial_number = dem::inertial_number(rate, state.median_diameter, world.material.density, row.mean_stress);
+    if (!state.rows.empty()) {
+        row.second_order_work = second_order_work(state.rows.back(), row);
+    }
+    if (spec.path == Path::Undrained) { // the total lateral stress is held: water takes what grains no longer carry
+        row.excess_pore_pressure = lateral_mean(state.start_stress, spec.axis) - lateral_mean(stress, spec.axis);
+    }
     return row;
 }
 
@@ -198,7 +208,48 @@ bool path_burst(
     return !reached;
 }
 
-Response summarize(const std::vector<PathRow>& rows) {
+double second_order_work(const PathRow& before, const PathRow& after) {
+    const double volumetric = after.volumetric_strain - before.volumetric_strain;
+    const double shear = after.axial_strain - before.axial_strain - volumetric / 3;
+    return (after.mean_stress - before.mean_stress) * volumetric +
+           (after.deviator_stress - before.deviator_stress) * shear;
+}
+
+namespace {
+
+/// Strains and stresses only.
+PathRow mean_row(std::span<const PathRow> rows) {
+    const double share = 1 / static_cast<double>(rows.size());
+    PathRow mean;
+    for (const PathRow& row : rows) {
+        mean.axial_strain += share * row.axial_strain;
+        mean.volumetric_strain += share * row.volumetric_strain;
+        mean.mean_stress += share * row.mean_stress;
+        mean.deviator_stress += share * row.deviator_stress;
+    }
+    return mean;
+}
+
+/// From the mean of some rows to that of as many after them, so that the noise of single rows is no instability.
+std::optional<Instability> find_instability(std::span<const PathRow> rows) {
+    const double strain = rows.back().axial_strain - rows.front().axial_strain;
+    const double wanted = std::ceil(smoothed_span / strain * static_cast<double>(rows.size() - 1));
+    if (!(strain > 0) || 2 * wanted > static_cast<double>(rows.size())) {
+        return {};
+    }
+    const auto span = static_cast<std::size_t>(std::max(least_smoothed, wanted));
+    for (std::size_t k = span; k + span <= rows.size(); ++k) {
+        if (second_order_work(mean_row(rows.subspan(k - span, span)), mean_row(rows.subspan(k, span))) <= 0) {
+            const PathRow here = mean_row(rows.subspan(k - span, 2 * span));
+            return Instability{here.deviator_stress, here.mean_stress, here.axial_strain};
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+Response summarize(const std::vector<PathRow>& rows, Path path) {
     Response response;
     if (rows.empty()) {
         return response;
@@ -241,6 +292,13 @@ Response summarize(const std::vector<PathRow>& rows) {
     }
     response.final_deviator = rows.back().deviator_stress;
     response.final_volumetric_strain = rows.back().volumetric_strain;
+    response.instability = find_instability(rows);
+    if (path == Path::Undrained) {
+        response.liquefied = std::any_of(rows.begin(), rows.end(), [&](const PathRow& row) {
+            return row.mean_stress < liquefied_share * rows.front().mean_stress;
+        });
+        response.excess_pore_pressure = rows.back().excess_pore_pressure;
+    }
     return response;
 }
 

@@ -5,6 +5,7 @@
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/triaxial/spec.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace suffuse::triaxial {
@@ -21,6 +22,8 @@ struct PathRow {
     double mechanical_coordination = 0; ///< the same without rattlers [-]
     double unbalanced_force = 0;        ///< [-]
     double inertial_number = 0;         ///< [-]
+    double second_order_work = 0;       ///< since the row before [J/m3]
+    double excess_pore_pressure = 0;    ///< undrained: of the water, where the total lateral stress is held [Pa]
 };
 
 /// Where a test stands; part of what a checkpoint saves, with `rows`.
@@ -49,19 +52,32 @@ bool path_burst(
     double damping, dem::Mode mode, PathState& state
 );
 
-/// Peak strength, stiffness and dilatancy of a curve.
-struct Response {
-    double peak_deviator = 0;           ///< [Pa]
-    double peak_strain = 0;             ///< axial strain at the peak [-]
-    double peak_ratio = 0;              ///< q/p at the peak [-]
-    double friction_angle = 0;          ///< at the peak, sin = (s1 - s3)/(s1 + s3) [rad]
-    double final_deviator = 0;          ///< at the last row [Pa]
-    double stiffness = 0;               ///< secant E50: half the peak deviator over the strain there [Pa]
-    double dilatancy = 0;               ///< largest -d eps_v / d eps_1 after the first percent [-]
-    double largest_contraction = 0;     ///< volumetric strain [-]
-    double final_volumetric_strain = 0; ///< [-]
+/// Second-order work between two rows, d stress : d strain, for equal lateral strains [J/m3] [Hill 1958]
+double second_order_work(const PathRow& before, const PathRow& after);
+
+/// Where a sample would fail under loads instead of strains.
+struct Instability {
+    double deviator_stress = 0; ///< q [Pa]
+    double mean_stress = 0;     ///< p [Pa]
+    double axial_strain = 0;    ///< [-]
 };
 
-Response summarize(const std::vector<PathRow>& rows);
+/// Peak strength, stiffness, dilatancy and instability of a curve.
+struct Response {
+    double peak_deviator = 0;                   ///< [Pa]
+    double peak_strain = 0;                     ///< axial strain at the peak [-]
+    double peak_ratio = 0;                      ///< q/p at the peak [-]
+    double friction_angle = 0;                  ///< at the peak, sin = (s1 - s3)/(s1 + s3) [rad]
+    double final_deviator = 0;                  ///< at the last row [Pa]
+    double stiffness = 0;                       ///< secant E50: half the peak deviator over the strain there [Pa]
+    double dilatancy = 0;                       ///< largest -d eps_v / d eps_1 after the first percent [-]
+    double largest_contraction = 0;             ///< volumetric strain [-]
+    double final_volumetric_strain = 0;         ///< [-]
+    std::optional<Instability> instability;     ///< where the second-order work is first no longer above zero
+    std::optional<bool> liquefied;              ///< undrained: whether the mean stress fell below 5 % of its start
+    std::optional<double> excess_pore_pressure; ///< undrained: at the last row [Pa]
+};
+
+Response summarize(const std::vector<PathRow>& rows, Path path = Path::Drained);
 
 } // namespace suffuse::triaxial

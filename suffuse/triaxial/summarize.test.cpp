@@ -88,6 +88,68 @@ TEST(Summarize, OfAContractiveCurveDilatancyIsZeroAndThePeakIsTheEnd) {
     EXPECT_EQ(response.peak_deviator, response.final_deviator);
 }
 
+TEST(SecondOrderWork, OfAnElasticPathIsThatOfItsModuli) {
+    constexpr double bulk = 5e7, shear = 3e7;
+    PathRow before, after;
+    before.mean_stress = 1e5;
+    after.axial_strain = 1e-3;
+    after.volumetric_strain = 4e-4;
+    const double distortion = 1e-3 - 4e-4 / 3;
+    after.mean_stress = 1e5 + bulk * 4e-4;
+    after.deviator_stress = 3 * shear * distortion;
+    const double expected = bulk * 4e-4 * 4e-4 + 3 * shear * distortion * distortion;
+    EXPECT_NEAR(second_order_work(before, after) / expected, 1, 1e-9); // rounding of 1e5 + 2e4
+}
+
+/// Undrained: q = 60 kPa (2 s - s^2) with s = strain/0.01, the lateral stress falling from 100 kPa with `loss`.
+std::vector<PathRow> undrained(const std::function<double(double)>& loss) {
+    std::vector<PathRow> rows = curve([](double e) { return 6e4 * (2 * e / 0.01 - e * e / 1e-4); }, zero, 0.019);
+    for (PathRow& row : rows) {
+        row.excess_pore_pressure = loss(row.axial_strain);
+        row.mean_stress -= row.excess_pore_pressure;
+    }
+    return rows;
+}
+
+TEST(Summarize, InstabilityOfAnUndrainedTestIsThePeakOfItsDeviator) {
+    const auto rows = undrained([](double e) { return 4e6 * e; });
+    const Response response = summarize(rows, Path::Undrained);
+    ASSERT_TRUE(response.instability);
+    // Rows lie 4.75e-5 apart and 22 of them are averaged on either side: found within a row after the peak, and the
+    // mean of a parabola over a half-width of s = 0.1 is a third of 0.01 lower.
+    EXPECT_NEAR(response.instability->axial_strain, 0.01, 5e-5);
+    EXPECT_NEAR(response.instability->deviator_stress, 6e4 * (1 - 0.0036), 60);
+    EXPECT_NEAR(response.instability->mean_stress, 1e5 + 2e4 - 4e4, 300);
+    EXPECT_NEAR(*response.excess_pore_pressure, 4e6 * 0.019, 1e-6);
+}
+
+TEST(Summarize, InstabilityOfADrainedTestIsItsPeakAndNoneWhereItHardens) {
+    const auto dilates = [](double e) { return -0.5 * e; }; // at a held lateral stress the volume has no part in it
+    const Response response = summarize(curve(peaked, dilates));
+    ASSERT_TRUE(response.instability);
+    EXPECT_NEAR(response.instability->axial_strain, 0.02, 2.5e-3); // rises faster than it falls: later by some rows
+    EXPECT_GE(response.instability->axial_strain, 0.02);
+    EXPECT_FALSE(summarize(curve([](double e) { return 2e5 * e / (0.01 + e); }, dilates)).instability);
+}
+
+TEST(Summarize, NoiseOfSingleRowsIsNoInstability) {
+    int k = 0;
+    const auto noisy = [&](double e) { return 1e6 * e + (++k % 2 == 0 ? 1e3 : -1e3); }; // 500 Pa a row, +- 1 kPa
+    EXPECT_FALSE(summarize(curve(noisy, zero)).instability);
+}
+
+TEST(Summarize, ATestLiquefiesWhereLessThanATwentiethOfTheMeanStressIsLeft) {
+    const auto flows = [](double left) {
+        std::vector<PathRow> rows = curve(zero, zero);
+        rows[200].mean_stress = left * lateral;
+        return rows;
+    };
+    EXPECT_TRUE(summarize(flows(0.049), Path::Undrained).liquefied.value());
+    EXPECT_FALSE(summarize(flows(0.051), Path::Undrained).liquefied.value());
+    EXPECT_FALSE(summarize(flows(0.049), Path::Drained).liquefied);
+    EXPECT_FALSE(summarize(flows(0.049), Path::ConstantMean).excess_pore_pressure);
+}
+
 TEST(Summarize, OfNothingIsNothing) {
     EXPECT_EQ(summarize({}).peak_deviator, 0);
     EXPECT_EQ(summarize(std::vector<PathRow>(1)).stiffness, 0);

@@ -123,6 +123,18 @@ TEST(Triaxial, AnUndrainedPathKeepsTheVolume) {
     const triaxial::PathState state = compress(s, spec);
     EXPECT_NEAR(cell::volume(s.world.cell) / volume, 1, 1e-6); // rates add up to zero; of second order in each step
     EXPECT_GT(state.rows.back().deviator_stress, 5e4);
+    const triaxial::PathRow &first = state.rows.front(), &last = state.rows.back();
+    // What the total mean stress has risen by, at a total lateral stress that is held, less the rise of the effective
+    // one.
+    const double water = (last.deviator_stress - first.deviator_stress) / 3 - (last.mean_stress - first.mean_stress);
+    EXPECT_NEAR(last.excess_pore_pressure, water, 1e-6); // rounding
+    const triaxial::Response response = triaxial::summarize(state.rows, spec.path);
+    EXPECT_EQ(response.excess_pore_pressure, last.excess_pore_pressure);
+    EXPECT_EQ(response.liquefied, false);
+    EXPECT_FALSE(response.instability); // dense: it hardens
+    for (std::size_t k = 1; k < state.rows.size(); ++k) {
+        EXPECT_EQ(state.rows[k].second_order_work, triaxial::second_order_work(state.rows[k - 1], state.rows[k]));
+    }
 }
 
 TEST(Triaxial, AConstantMeanPathHoldsTheMeanStressWithinFivePercent) {
