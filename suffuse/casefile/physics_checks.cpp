@@ -15,10 +15,10 @@ namespace suffuse::casefile {
 namespace {
 
 using grains::Grading;
+using grains::narrow_cell;
 
 constexpr double settled_porosity = 0.4; ///< of sands at some 100 kPa
 constexpr double contacts_per_grain = 4; ///< of the grains that carry load
-constexpr double narrow_cell = 10;       ///< cell width / largest grain below which results depend on it [-]
 constexpr double narrowest_cell = 3;     ///< below which a grain meets its own image's neighbors [-]
 constexpr std::ptrdiff_t few_fines = 100, few_coarse = 50;
 constexpr double large_overlap = 0.02;   ///< of the radius: doubtful [-]
@@ -129,6 +129,17 @@ public:
                 "give the soil fines = { finer_than = \"0.26 mm\" }"
             );
             return;
+        }
+        const bool imports = std::any_of(variant_.stages.begin(), variant_.stages.end(), [](const Stage& other) {
+            return std::holds_alternative<ImportSpec>(other.spec);
+        });
+        if (imports && soil->whole) { // of two curves that overlap the packing itself may name its fines
+            try {
+                grains::fines_limit(*soil);
+            } catch (const CaseError& problem) {
+                context_.problems.error("E605", place, problem.what(), "suffuse explain E605");
+                return;
+            }
         }
         const double content = soil->fines_content;
         if (soil->coarse && soil->fines && (content <= 0 || content >= 1)) {

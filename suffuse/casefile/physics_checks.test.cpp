@@ -99,6 +99,16 @@ TEST(PhysicsChecks, ErosionNeedsFines) {
         "psd = \"data/sand.csv\"", "coarse = { psd = \"data/sand.csv\" }"
     );
     EXPECT_TRUE(find_problem(problems_of(two + erode), "W605").is_warning);
+    // Of a packing from elsewhere, too: Kenney and Lau do not split this sand.
+    const std::string imported = replaced(
+        replaced(good_case, "{ finer_than = \"0.15 mm\" }", "\"kenney-lau\""), "do = \"pack\"",
+        "do = \"import\"\npacking = \"packing.csv\"\ncell = [\"1 mm\", \"1 mm\", \"1 mm\"]"
+    );
+    EXPECT_NE(
+        find_problem(problems_of(replaced(imported, "compact", "settle") + erode), "E605")
+            .message.find("split does not exist"),
+        std::string::npos
+    );
 }
 
 TEST(PhysicsChecks, FewFinesOrFewCoarseGrainsAreDoubtful) {

@@ -154,7 +154,8 @@ Grading mixture(const Grading& coarse, const Grading& fines, double fines_conten
     for (const double d : mixed.diameter) {
         mixed.passing.push_back(std::lerp(passing(coarse, d), passing(fines, d), fines_content));
     }
-    mixed.origin = coarse.origin + " and " + fines.origin;
+    const bool both = !coarse.origin.empty() && !fines.origin.empty();
+    mixed.origin = coarse.origin + (both ? " and " : "") + fines.origin;
     return mixed;
 }
 

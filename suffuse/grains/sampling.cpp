@@ -119,25 +119,14 @@ SampledGrains sample_mixture(const Soil& soil, std::size_t particles) {
     return sample;
 }
 
-/// The size below which grains of a single grading are fine; none for a soil without a fine fraction.
-std::optional<double> fines_limit(const Soil& soil) {
-    if (!soil.kenney_lau) {
-        return soil.finer_than;
-    }
-    const std::optional<double> split = kenney_lau_split(*soil.whole);
-    if (!split) {
-        throw CaseError(
-            fmt::format(
-                "grading curve {}: Kenney and Lau's split does not exist, because H/F stays above 1 wherever F is at "
-                "most "
-                "30 % (20 % for D60/D10 above 3; here {:.3g}): the soil counts as stable; give the size of the fines "
-                "instead (finer than)",
-                soil.whole->origin, uniformity(*soil.whole)
-            ),
-            soil.whole->origin
-        );
-    }
-    return split;
+/// "the grading sand.csv", or "the grading" of a curve that stands in the case itself.
+std::string named(const Grading& grading) {
+    return grading.origin.empty() ? "the grading" : "the grading " + grading.origin;
+}
+
+double largest_size(const Grading& grading) {
+    const auto whole = std::ranges::lower_bound(grading.passing, grading.passing.back()) - grading.passing.begin();
+    return grading.diameter[static_cast<std::size_t>(whole)];
 }
 
 SampledGrains sample_whole(const Soil& soil, std::size_t particles) {
@@ -147,10 +136,10 @@ SampledGrains sample_whole(const Soil& soil, std::size_t particles) {
     if (limit && !(*limit > least && *limit < largest)) {
         throw CaseError(
             fmt::format(
-                "fines finer than {:.6g} mm: the grading {} runs from {:.6g} to {:.6g} mm, so this leaves no fines or "
+                "fines finer than {:.6g} mm: {} runs from {:.6g} to {:.6g} mm, so this leaves no fines or "
                 "no "
                 "skeleton; choose a size between",
-                *limit * 1e3, grading.origin, least * 1e3, largest * 1e3
+                *limit * 1e3, named(grading), least * 1e3, largest * 1e3
             ),
             grading.origin
         );
@@ -268,6 +257,37 @@ double grains_needed(const Grading& grading, double tolerance) {
     return std::ceil(1.02 * many / unit) * unit;
 }
 
+std::optional<double> fines_limit(const Soil& soil) {
+    if (soil.coarse && soil.fines) {
+        const double below = largest_size(*soil.fines), above = size_at(*soil.coarse, 0);
+        if (below > above) {
+            throw CaseError(fmt::format(
+                "soil: the fines go up to {:.6g} mm and the coarse grains begin at {:.6g} mm: size alone does not tell "
+                "one from the other; give one curve and the size of the fines (finer_than), or a packing that names "
+                "its fines (.vtp, .xyz)",
+                below * 1e3, above * 1e3
+            ));
+        }
+        return std::sqrt(below * above);
+    }
+    if (!soil.kenney_lau || !soil.whole) {
+        return soil.finer_than;
+    }
+    const std::optional<double> split = kenney_lau_split(*soil.whole);
+    if (!split) {
+        throw CaseError(
+            fmt::format(
+                "{}: Kenney and Lau's split does not exist, because H/F stays above 1 wherever F is at most 30 % (20 % "
+                "for D60/D10 above 3; here {:.3g}): the soil counts as stable; give the size of the fines instead "
+                "(finer_than)",
+                named(*soil.whole), uniformity(*soil.whole)
+            ),
+            soil.whole->origin
+        );
+    }
+    return split;
+}
+
 Grading asked_grading(const Soil& soil) {
     return soil.whole ? *soil.whole : mixture(*soil.coarse, *soil.fines, soil.fines_content);
 }
@@ -282,10 +302,10 @@ SampledGrains sample_soil(const Soil& soil, int particles) {
     if (sample.largest_difference > soil.grading_tolerance) {
         throw CaseError(
             fmt::format(
-                "{} particles cannot follow the grading {}: largest difference of percent passing {:.3g} %, allowed "
+                "{} particles cannot follow {}: largest difference of percent passing {:.3g} %, allowed "
                 "{:.3g} "
                 "%; take about {:.0f} particles, allow a larger difference, or cut the coarse end of the curve",
-                particles, asked.origin, sample.largest_difference * 100, soil.grading_tolerance * 100,
+                particles, named(asked), sample.largest_difference * 100, soil.grading_tolerance * 100,
                 grains_needed(asked, soil.grading_tolerance)
             ),
             asked.origin

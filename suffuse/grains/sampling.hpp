@@ -6,6 +6,7 @@
 #include "suffuse/grains/soil.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct SampledGrains {
 /// `particles` grains of `soil`. Throws CaseError where the soil is not well defined, where Kenney and Lau's split does
 /// not exist, or where so few grains cannot follow the curve within the soil's tolerance (it says how many would).
 SampledGrains sample_soil(const Soil& soil, int particles);
+
+/// Cell width over the largest grain below which results depend on it [-].
+inline constexpr double narrow_cell = 10;
+
+/// The size below which grains of `soil` are fine [m]; nothing for a soil without a fine fraction. Of two curves it
+/// lies between them. @throws CaseError where they overlap, or where Kenney and Lau's split does not exist.
+std::optional<double> fines_limit(const Soil& soil);
 
 /// The grading that `soil` asks for: its curve, or that of the mixture.
 Grading asked_grading(const Soil& soil);

@@ -67,7 +67,7 @@ public:
 
     StagePrice operator()(const casefile::ImportSpec& spec) {
         io::ImportedPacking packing = io::read_packing(spec.path, case_.material.density);
-        mark_fines(variant_.soil, packing.grains);
+        mark_fines(variant_, spec.path, packing.grains);
         const double volume = std::abs(determinant(imported_cell(spec, packing)));
         sample_ = describe(packing.grains);
         double solid = 0;

@@ -87,7 +87,7 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     work.world.cell.h = imported_cell(spec, packing);
     work.world.grains = std::move(packing.grains);
     const double overlap = io::check_overlaps(work.world.grains, work.world.cell, spec.max_overlap, spec.path);
-    mark_fines(work.variant.soil, work.world.grains);
+    mark_fines(work.variant, spec.path, work.world.grains);
     work.world.reference_h = work.world.cell.h;
     work.numbers["imported"] = true;
     work.numbers["imported_overlap_ratio"] = overlap;

@@ -103,7 +103,7 @@ void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion:
             work.place(), probe.hidden_by_noise, probe.id.size()
         ));
     }
-    if (probe.beyond_viscous_time) {
+    if (probe.beyond_viscous_time && !probe.id.empty()) { // without fines there is no such time
         work.warnings.push_back(fmt::format(
             "{}: ramp and watch last {:.3g} s, longer than the viscous time {:.3g} s of the fines: the constant force "
             "overstates "
