@@ -88,10 +88,15 @@ dem::World world_of(const io::ImportedPacking& read, const std::optional<cell::C
 } // namespace
 
 int import_verb(const CommandLine& line, const Console& console) {
-    const io::ImportedPacking read = io::read_packing(line.subject, usual_density);
+    io::ImportedPacking read = io::read_packing(line.subject, usual_density);
     std::optional<cell::Cell> cell = read.cell;
     if (!line.cell.empty()) {
         cell = cell::Cell{cell_of(line.cell), {}};
+    }
+    if (cell) {
+        if (auto narrow = io::narrow_cell_warning(read.grains, cell->h, line.subject)) {
+            read.warnings.push_back(std::move(*narrow));
+        }
     }
     nlohmann::json about = describe(read, cell, line.subject);
     for (const std::string& warning : read.warnings) {

@@ -12,8 +12,11 @@ TEST_F(Cli, PackingsTravel) {
     const std::string cell = "1.4360856339985508e-3,1.4358137235332051e-3,1.436026846625529e-3";
     const Said looked = say({"import", "soil/packing.csv", "--cell", cell, "--json"});
     EXPECT_EQ(looked.json().at("grains"), 500);
+    expect_in("4.4 times as wide as the largest grain", looked.json().at("warnings").at(0));
     EXPECT_NEAR(looked.json().at("void_ratio").get<double>(), 0.674, 0.001); // packing500.json: n = 0.4026
     ASSERT_EQ(say({"run", "soil/case.toml", "-o", "here", "--until", "start"}).code, 0);
+    const auto stage = nlohmann::json::parse(read_all(folder / "here/studies/replay/start/stage.json"));
+    expect_in("replay/start: the cell is 4.4 times as wide as the largest grain", stage.at("warnings").dump());
     for (const std::string file : {"a.csv", "a.txt", "a.xyz"}) {
         EXPECT_EQ(say({"export", "here/studies/replay/start", "-o", file}).code, 0) << file;
     }
@@ -45,6 +48,25 @@ TEST_F(Cli, BenchSpeaksTheNamesThatScriptsRelyOn) {
     for (const char* name : {"triangulate", "conductance", "solve", "forces"}) {
         EXPECT_TRUE(flow.json().at("seconds").contains(name)) << name;
     }
+}
+
+TEST_F(Cli, AnImportedPackingWithoutTheSoilsFinesIsRefusedBeforeAnythingRuns) {
+    std::string text =
+        replaced(read_all(examples + "replay/case.toml"), "do        = \"flow\"", "do        = \"erode\"");
+    text = replaced(replaced(text, "tensor    = true", ""), "gradient  = 0.05", "passes = 1\ngradient  = 0.05");
+    text = replaced(
+        text, "[study.replay]\n",
+        "[soil.mix]\n"
+        "coarse = { psd = { d = [\"1.2 mm\", \"1.5 mm\"], passing = [\"0 %\", \"100 %\"] } }\n"
+        "fines = { psd = { d = [\"1.0 mm\", \"1.2 mm\"], passing = [\"0 %\", \"100 %\"] } }\n"
+        "fines_content = \"30 %\"\n[study.replay]\nsoil = \"mix\"\n"
+    );
+    write_to(folder / "case.toml", text);
+    write_to(folder / "packing.csv", read_all(examples + "replay/packing.csv"));
+    const Said refused = say({"run", "case.toml", "-o", "here"}); // all grains are finer than its fines
+    EXPECT_EQ(refused.code, 3) << refused.error;
+    expect_in("leaves no skeleton", refused.error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "here/studies"));
 }
 
 } // namespace

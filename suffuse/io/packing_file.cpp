@@ -1,6 +1,8 @@
 #include "suffuse/io/packing_file.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/grouped.hpp"
+#include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/lammps_dump.hpp"
 #include "suffuse/io/lammps_file.hpp"
 #include "suffuse/io/text_file.hpp"
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace suffuse::io {
@@ -134,6 +137,24 @@ ImportedPacking parse_any(const std::string& file, std::string_view text, double
     return looks_like_csv(text) ? parse_csv(file, text, density) : parse_yade(file, text, density);
 }
 
+/// A position that no image of the cell can name is a mistake of the file; later it would pass for a motion blown up.
+void check_positions(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
+    const Mat3 inverse_h = inverse(h);
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        const Vec3& x = grains.position[g];
+        if (!std::isfinite(norm2(x)) || !cell::has_period(inverse_h, x)) {
+            throw CaseError(
+                fmt::format(
+                    "{}: grain {}: found the position ({:.6g}, {:.6g}, {:.6g}) m, more than {} cells away from the "
+                    "first; check the row and that lengths are in m",
+                    origin, grains.id[g], x.x, x.y, x.z, grouped(cell::largest_period)
+                ),
+                origin
+            );
+        }
+    }
+}
+
 } // namespace
 
 ImportedPacking read_packing(const std::filesystem::path& path, double density) {
@@ -145,7 +166,21 @@ ImportedPacking read_packing(const std::filesystem::path& path, double density) 
     return packing;
 }
 
+std::optional<std::string> narrow_cell_warning(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
+    const Vec3 width = cell::widths(h);
+    const double ratio =
+        std::min({width.x, width.y, width.z}) / (2 * *std::max_element(grains.radius.begin(), grains.radius.end()));
+    if (ratio >= grains::narrow_cell) {
+        return std::nullopt;
+    }
+    return fmt::format(
+        "{}: the cell is {:.1f} times as wide as the largest grain; below {:.0f} times results depend on the sample",
+        origin, ratio, grains::narrow_cell
+    );
+}
+
 double check_overlaps(const grains::Grains& grains, const cell::Cell& cell, double share, const std::string& origin) {
+    check_positions(grains, cell.h, origin);
     const std::vector<neighbors::Pair> pairs = neighbors::find_pairs(cell.h, grains.position, grains.radius, 0.0);
     double worst = 0;
     const neighbors::Pair* pair = nullptr;

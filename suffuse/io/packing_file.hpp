@@ -23,8 +23,11 @@ struct ImportedPacking {
 /// cannot be read, CaseError with file and line where its content makes no sense.
 ImportedPacking read_packing(const std::filesystem::path& path, double density);
 
+/// What to say of a cell so narrow that results depend on it; nothing of one that is wide enough.
+std::optional<std::string> narrow_cell_warning(const grains::Grains& grains, const Mat3& h, const std::string& origin);
+
 /// Largest overlap of two grains over the smaller radius [-]. Throws CaseError, naming the worst pair, where it exceeds
-/// `share`; `origin` is the file that the grains come from.
+/// `share`, and the grain whose position lies too far from the cell; `origin` is the file that the grains come from.
 double check_overlaps(
     const grains::Grains& grains, const cell::Cell& cell, double share, const std::string& origin = "packing"
 );

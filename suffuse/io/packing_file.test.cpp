@@ -154,6 +154,37 @@ TEST(PackingFile, OverlapBeyondTheShareNamesTheWorstPair) {
     EXPECT_THROW(check_overlaps(large, cell, 0.1), CaseError); // wider than the cell: overlaps its own image
 }
 
+TEST(PackingFile, APositionFarFromTheCellIsAMistakeOfTheFile) {
+    for (const double x : {1e300, 1e5, -1e5}) {
+        grains::Grains grains;
+        grains::add_grain(grains, {0.5, 0.5, 0.5}, 0.1, 2600);
+        grains::add_grain(grains, {0.5, x, 0.5}, 0.1, 2600);
+        try {
+            check_overlaps(grains, {}, 0.1, "p.csv");
+            ADD_FAILURE() << "expected a CaseError for " << x;
+        } catch (const CaseError& error) {
+            EXPECT_NE(std::string(error.what()).find("p.csv: grain 1: found the position (0.5, "), std::string::npos)
+                << error.what();
+        }
+    }
+    grains::Grains outside; // of the cell, by some periods: as LAMMPS and Yade write them
+    grains::add_grain(outside, {100.5, -3, 0.5}, 0.1, 2600);
+    EXPECT_EQ(check_overlaps(outside, {}, 0.1), 0);
+}
+
+TEST(PackingFile, ACellNarrowerThanTenGrainsIsWarnedOf) {
+    grains::Grains grains;
+    grains::add_grain(grains, {0.5, 0.5, 0.5}, 0.01, 2600);
+    grains::add_grain(grains, {0.2, 0.5, 0.5}, 0.1, 2600);
+    // The narrowest way across a sheared cell: 2 edges long, sheared by 45 degrees, sqrt(2) wide.
+    const Mat3 h = from_columns({2, 0, 0}, {2, 2, 0}, {0, 0, 2});
+    const auto warning = narrow_cell_warning(grains, h, "p.csv");
+    ASSERT_TRUE(warning.has_value());
+    EXPECT_NE(warning->find("p.csv: the cell is 7.1 times as wide as the largest grain"), std::string::npos)
+        << *warning;
+    EXPECT_FALSE(narrow_cell_warning(grains, diagonal({2, 2, 2}), "p.csv").has_value());
+}
+
 double any_number(std::uint64_t bits) {
     const auto value = std::bit_cast<double>(bits);
     return std::isfinite(value) ? value : static_cast<double>(bits);

@@ -95,6 +95,9 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     if (packing.cell && !(packing.cell->h == work.world.cell.h)) {
         work.warnings.push_back(fmt::format("{}: the case's cell is taken, not that of {}", work.place(), spec.path));
     }
+    if (const auto narrow = io::narrow_cell_warning(work.world.grains, work.world.cell.h, work.place())) {
+        work.warnings.push_back(*narrow);
+    }
     work.warnings.push_back(fmt::format(
         "{}: an imported packing carries no contact memory: its shear forces and moments start at zero; settle it "
         "where that "
