@@ -28,7 +28,7 @@ int cache_verb(const CommandLine& line, const Console& console) {
     }
     int dropped = 0;
     if (line.clear || line.cache_limit) {
-        dropped = cache.shrink(line.clear ? 0 : cache.limit());
+        dropped = line.clear ? cache.clear() : cache.shrink(cache.limit());
     }
     const std::vector<run::CacheEntry> entries = cache.entries();
     const auto sum = [&](auto number) {

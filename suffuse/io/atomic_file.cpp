@@ -115,6 +115,20 @@ void AtomicFile::fail(int error) const {
     ));
 }
 
+void sync_file(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool is_synced = descriptor >= 0 && ::fsync(descriptor) == 0;
+    const int error = errno;
+    if (descriptor >= 0) {
+        ::close(descriptor);
+    }
+    if (!is_synced) {
+        throw IoError(
+            fmt::format("cannot write {}: {}; {}", path.string(), std::generic_category().message(error), advice(error))
+        );
+    }
+}
+
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
     AtomicFile file(path);
     file.write(bytes);

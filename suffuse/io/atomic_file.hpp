@@ -31,6 +31,9 @@ private:
     int descriptor_ = -1;
 };
 
+/// Brings a file that was written by other means to the disk. Throws IoError.
+void sync_file(const std::filesystem::path& path);
+
 /// Writes a whole file at once.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 

@@ -4,6 +4,7 @@
 #include "suffuse/base/state_hash.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/dependencies.hpp"
+#include "suffuse/io/atomic_file.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/samples.hpp"
 
@@ -57,20 +58,37 @@ bool belongs_to_stage(const fs::directory_entry& file) {
            name != failure_file;
 }
 
-CacheEntry read_entry(const fs::path& folder, const json& entry) {
-    return {folder, entry.at("made_as"), entry.at("end_state"), entry.at("bytes"), entry.at("wall_seconds")};
+/// How the folder of an entry, and one that becomes an entry, is named; what else lies there is not the cache's.
+bool names_an_entry(const std::string& name) {
+    return name.size() == 16 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-std::optional<json> read_entry_file(const fs::path& folder) {
-    std::error_code error;
-    if (!fs::exists(folder / entry_file, error)) {
-        return std::nullopt;
-    }
+bool names_one_being_made(const std::string& name) {
+    return name.rfind("new-", 0) == 0 && name.find_first_not_of("0123456789-", 4) == std::string::npos;
+}
+
+struct WholeEntry {
+    CacheEntry entry;
+    std::string depends_on;
+};
+
+/// Nothing where there is no entry, where it is damaged, or where another program drops it just now.
+std::optional<WholeEntry> read_entry(const fs::path& folder) {
     try {
-        return read_json(folder / entry_file);
+        const json entry = read_json(folder / entry_file);
+        return WholeEntry{
+            {folder, entry.at("made_as"), entry.at("end_state"), entry.at("bytes"), entry.at("wall_seconds")},
+            entry.at("depends_on")};
     } catch (const IoError&) {
-        return std::nullopt; // damaged, or dropped by another program just now
+    } catch (const json::exception&) {
     }
+    return std::nullopt;
+}
+
+/// A power cut after this leaves no file shorter than it was.
+void copy_to_disk(const fs::path& from, const fs::path& to) {
+    fs::copy_file(from, to, fs::copy_options::overwrite_existing);
+    io::sync_file(to);
 }
 
 /// Texts begin with the name of the stage, some with that of its study too.
@@ -86,6 +104,28 @@ json renamed(json texts, const std::string& made_as, const std::string& name_now
         }
     }
     return texts;
+}
+
+/// stage.json of a stage that takes the entry's results; nothing where the entry is not as it was kept.
+std::optional<json>
+numbers_of(const CacheEntry& entry, const casefile::Variant& variant, const casefile::Stage& stage) {
+    try {
+        std::uintmax_t bytes = 0;
+        for (const fs::directory_entry& file : fs::directory_iterator(entry.folder)) {
+            bytes += belongs_to_stage(file) ? file.file_size() : 0;
+        }
+        json numbers = read_json(entry.folder / "stage.json");
+        numbers["stage"] = stage.name;
+        numbers["from_cache"] = true;
+        for (const char* const list : {"warnings", "flaws"}) {
+            numbers[list] = renamed(numbers.at(list), entry.made_as, variant.folder + "/" + stage.name);
+        }
+        return bytes == static_cast<std::uintmax_t>(entry.bytes) ? std::optional(std::move(numbers)) : std::nullopt;
+    } catch (const fs::filesystem_error&) {
+    } catch (const IoError&) {
+    } catch (const json::exception&) {
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -127,12 +167,8 @@ std::optional<CacheEntry> StageCache::find(const std::string& key) const {
     if (folder_.empty()) {
         return std::nullopt;
     }
-    const fs::path place = place_of(key);
-    const std::optional<json> entry = read_entry_file(place);
-    if (!entry || entry->at("depends_on") != key) {
-        return std::nullopt;
-    }
-    return read_entry(place, *entry);
+    std::optional<WholeEntry> found = read_entry(place_of(key));
+    return found && found->depends_on == key ? std::optional(std::move(found->entry)) : std::nullopt;
 }
 
 bool StageCache::take(
@@ -142,30 +178,29 @@ bool StageCache::take(
     if (!entry) {
         return false;
     }
+    std::error_code error;
+    const std::optional<json> numbers = numbers_of(*entry, variant, stage);
+    if (!numbers) { // damaged, or another program drops it just now: computed instead, and then kept
+        fs::remove_all(entry->folder, error);
+        return false;
+    }
     try {
         for (const fs::directory_entry& file : fs::directory_iterator(entry->folder)) {
             if (belongs_to_stage(file)) {
-                fs::copy_file(file.path(), stage_folder / file.path().filename(), fs::copy_options::overwrite_existing);
+                copy_to_disk(file.path(), stage_folder / file.path().filename());
             }
         }
-        json numbers = read_json(entry->folder / "stage.json");
-        const std::string name_now = variant.folder + "/" + stage.name;
-        numbers["stage"] = stage.name;
-        numbers["from_cache"] = true;
-        for (const char* const list : {"warnings", "flaws"}) {
-            numbers[list] = renamed(numbers.at(list), entry->made_as, name_now);
-        }
-        fs::last_write_time(entry->folder, fs::file_time_type::clock::now());
-        write_json(stage_folder / "stage.json", numbers);
+        fs::last_write_time(entry->folder, fs::file_time_type::clock::now(), error);
+        write_json(stage_folder / "stage.json", *numbers);
         return true;
-    } catch (const fs::filesystem_error&) { // another program dropped it meanwhile: computed instead
+    } catch (const fs::filesystem_error&) { // another program dropped it meanwhile
     } catch (const IoError&) {
     }
     return false;
 }
 
 void StageCache::keep(const std::string& key, const fs::path& stage_folder) const {
-    if (folder_.empty() || fs::exists(place_of(key))) {
+    if (folder_.empty() || read_entry(place_of(key))) {
         return;
     }
     static std::atomic<int> count{0};
@@ -179,7 +214,7 @@ void StageCache::keep(const std::string& key, const fs::path& stage_folder) cons
         std::uintmax_t bytes = 0;
         for (const fs::directory_entry& file : fs::directory_iterator(stage_folder)) {
             if (belongs_to_stage(file)) {
-                fs::copy_file(file.path(), making / file.path().filename());
+                copy_to_disk(file.path(), making / file.path().filename());
                 bytes += file.file_size();
             }
         }
@@ -198,6 +233,9 @@ void StageCache::keep(const std::string& key, const fs::path& stage_folder) cons
                                   {"depends_on", key}}
         );
         std::error_code error;
+        if (!read_entry(place_of(key))) {
+            fs::remove_all(place_of(key), error); // a damaged one
+        }
         fs::rename(making, place_of(key), error);
         if (error) { // another sample was first, with the same bits
             fs::remove_all(making, error);
@@ -218,10 +256,11 @@ std::vector<CacheEntry> StageCache::entries() const {
     std::vector<std::pair<fs::file_time_type, CacheEntry>> found;
     std::error_code error;
     for (const fs::directory_entry& place : fs::directory_iterator(folder_, error)) {
-        const std::optional<json> entry = place.is_directory(error) ? read_entry_file(place.path()) : std::nullopt;
-        const bool is_being_made = place.path().filename().string().rfind("new-", 0) == 0;
-        if (entry && !is_being_made) {
-            found.emplace_back(fs::last_write_time(place.path(), error), read_entry(place.path(), *entry));
+        if (!names_an_entry(place.path().filename().string())) {
+            continue;
+        }
+        if (auto whole = read_entry(place.path())) {
+            found.emplace_back(fs::last_write_time(place.path(), error), std::move(whole->entry));
         }
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
@@ -235,10 +274,12 @@ std::vector<CacheEntry> StageCache::entries() const {
 }
 
 std::int64_t StageCache::limit() const {
-    std::error_code error;
-    return fs::exists(folder_ / settings_file, error)
-               ? read_json(folder_ / settings_file).value("limit_bytes", usual_limit)
-               : usual_limit;
+    try {
+        return read_json(folder_ / settings_file).value("limit_bytes", usual_limit);
+    } catch (const IoError&) { // none was set, or the file is damaged
+    } catch (const json::exception&) {
+    }
+    return usual_limit;
 }
 
 void StageCache::set_limit(std::int64_t bytes) const {
@@ -250,8 +291,29 @@ void StageCache::set_limit(std::int64_t bytes) const {
     );
 }
 
+int StageCache::clear() const {
+    return drop_leftovers(std::chrono::hours(0)) + shrink(0);
+}
+
+/// What killed programs began and never finished, and entries that cannot be read. @return how many of the latter
+int StageCache::drop_leftovers(std::chrono::hours age) const {
+    int damaged = 0;
+    std::error_code error;
+    const auto now = fs::file_time_type::clock::now();
+    for (const fs::directory_entry& place : fs::directory_iterator(folder_, error)) {
+        const std::string name = place.path().filename().string();
+        const bool is_damaged = names_an_entry(name) && !read_entry(place.path());
+        const bool is_left = names_one_being_made(name) && now - fs::last_write_time(place.path(), error) >= age;
+        if (is_damaged || is_left) {
+            fs::remove_all(place.path(), error);
+            damaged += is_damaged ? 1 : 0;
+        }
+    }
+    return damaged;
+}
+
 int StageCache::shrink(std::int64_t bytes) const {
-    int dropped = 0;
+    int dropped = drop_leftovers(std::chrono::hours(24)); // nobody takes a day to copy a stage
     std::int64_t held = 0;
     for (const CacheEntry& entry : entries()) {
         held += entry.bytes;

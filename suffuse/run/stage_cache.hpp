@@ -6,6 +6,7 @@
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/dem/world.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -45,7 +46,7 @@ public:
     [[nodiscard]] std::optional<CacheEntry> find(const std::string& key) const;
 
     /// Puts the files of the entry into the folder of a stage, under that stage's name; false where there is no such
-    /// entry, or none any more.
+    /// entry, or none any more. A damaged one is dropped.
     bool take(
         const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage,
         const std::filesystem::path& stage_folder
@@ -62,13 +63,17 @@ public:
     [[nodiscard]] std::int64_t limit() const;
     void set_limit(std::int64_t bytes) const;
 
-    /// Drops entries until the rest takes at most so many bytes; returns how many went.
+    /// Drops entries until the rest takes at most so many bytes, and what cannot be read; returns how many went.
     int shrink(std::int64_t bytes) const;
+
+    /// Drops all entries and what programs that were killed have left; returns how many entries went.
+    int clear() const;
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
 private:
     [[nodiscard]] std::filesystem::path place_of(const std::string& key) const;
+    int drop_leftovers(std::chrono::hours age) const;
 
     std::filesystem::path folder_;
 };
