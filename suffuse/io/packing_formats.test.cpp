@@ -165,6 +165,10 @@ TEST(PackingFormats, BadFilesAreRefusedWithTheirPlace) {
     EXPECT_NE(complaint("<VTKFile type=\"PolyData\"></VTKFile>").find("has no points"), std::string::npos);
 }
 
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    return text.replace(text.find(what), what.size(), with);
+}
+
 /// PolyData of two grains as other programs write it.
 std::string vtp(const std::string& head, const std::string& radius, const std::string& points) {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\"" + head +
@@ -208,6 +212,30 @@ TEST(PackingFormats, AVtpMayBeCompressed) {
         complaint(compressed("AQAAAACAAAAQAAAAEgAAAA==eJxjYACBB/Zg")).find("array radius: is cut short"),
         std::string::npos
     );
+}
+
+TEST(PackingFormats, AVtpMayHaveSingleQuotesAndItsNumbersAreWhole) {
+    const std::string points =
+        "<DataArray type='Float32' NumberOfComponents='3' format='ascii'>1 2 3 4 5 6</DataArray>";
+    const auto radius = [](const std::string& values) {
+        return "<DataArray type='Float64' Name='radius' format='ascii'>" + values + "</DataArray>\n";
+    };
+    EXPECT_EQ(parse(vtp("", radius("0.5 +0.25"), points)).grains.radius, (std::vector<double>{0.5, 0.25}));
+    EXPECT_NE(complaint(vtp("", radius("0.5 0.25abc"), points)).find("found \"0.25abc\""), std::string::npos);
+    EXPECT_NE(
+        complaint(vtp("", radius("0.5 0.25"), replaced(points, "'3'", "'3x'"))).find("found \"3x\""), std::string::npos
+    );
+}
+
+TEST(PackingFormats, ALengthThatCannotBeIsRefusedBeforeMemoryIsTaken) {
+    // As above, but with blocks of 0xf0000000 bytes, 4 GB, in 18 packed ones.
+    const std::string file =
+        vtp(" header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\"",
+            "<DataArray type=\"Float64\" Name=\"radius\" format=\"binary\">"
+            "AQAAAAAAAPAAAAAAEgAAAA==eJxjYACBB/ZgiuGCPQAM5gIv</DataArray>\n",
+            "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">1 2 3 4 5 6</DataArray>\n");
+    EXPECT_NE(complaint(file).find("array radius: cannot be decompressed"), std::string::npos);
+    EXPECT_NE(complaint(replaced(file, "AQAAAA", "AQ!AAA")).find("not in base64"), std::string::npos);
 }
 
 RC_GTEST_PROP(PackingFormats, DamagedFilesAreEitherAPackingOrAnErrorOfOurs, ()) {

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <system_error>
@@ -119,22 +118,19 @@ std::vector<std::string_view> split_at_blanks(std::string_view line) {
 }
 
 double to_number(const LineReader& reader, std::string_view field, std::string_view column) {
-    double value = 0;
-    const std::string_view digits = field.starts_with('+') ? field.substr(1) : field;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {
+    const std::optional<double> value = number_of<double>(field);
+    if (!value || !std::isfinite(*value)) {
         reader.complain(fmt::format("column {}: found {}, expected a finite number", column, shown(field)));
     }
-    return value;
+    return *value;
 }
 
 std::size_t to_count(const LineReader& reader, std::string_view field, std::string_view column) {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (error != std::errc{} || end != field.data() + field.size()) {
+    const std::optional<std::size_t> value = number_of<std::size_t>(field);
+    if (!value) {
         reader.complain(fmt::format("{}: found {}, expected a whole number", column, shown(field)));
     }
-    return value;
+    return *value;
 }
 
 } // namespace suffuse::io

@@ -2,10 +2,13 @@
 // Reading text tables that other programs wrote: lines with their numbers, fields, numbers that must be numbers. Every
 // complaint names file, line, what was found and what was expected.
 
+#include <charconv>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace suffuse::io {
@@ -42,6 +45,16 @@ private:
 /// Fields of a line, between commas (blanks around them do not count) or between blanks.
 std::vector<std::string_view> split_at_commas(std::string_view line);
 std::vector<std::string_view> split_at_blanks(std::string_view line);
+
+/// A number that is all of `text`, perhaps behind a +; it may be infinite or none ("nan").
+template <class T>
+std::optional<T> number_of(std::string_view text) {
+    const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+    T value{};
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool is_whole = error == std::errc{} && end == digits.data() + digits.size();
+    return is_whole ? std::optional(value) : std::nullopt;
+}
 
 /// A finite number; complains in the name of `column` where it is none.
 double to_number(const LineReader& reader, std::string_view field, std::string_view column);

@@ -1,14 +1,15 @@
 #include "suffuse/io/vtk_reader.hpp"
 
+#include "suffuse/base/base64.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/io/text_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <zlib.h>
 
 namespace suffuse::io {
@@ -16,47 +17,20 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 32; // of one array: a damaged length must not fill the memory
 
+// What zlib packs into a byte at most, and a block that may be larger than that: a damaged length must not, either.
+constexpr std::size_t most_packed = 1032, least_block = 64;
+
 std::string_view attribute(std::string_view tag, std::string_view name) {
     for (std::size_t at = tag.find(name); at != std::string_view::npos; at = tag.find(name, at + 1)) {
         const std::size_t equals = at + name.size();
         const bool is_word = at > 0 && (tag[at - 1] == ' ' || tag[at - 1] == '\n' || tag[at - 1] == '\t');
-        if (is_word && tag.substr(equals).starts_with("=\"")) {
-            const std::string_view value = tag.substr(equals + 2);
-            return value.substr(0, value.find('"'));
+        const std::string_view rest = tag.substr(equals);
+        if (is_word && (rest.starts_with("=\"") || rest.starts_with("='"))) {
+            const std::string_view value = rest.substr(2);
+            return value.substr(0, value.find(rest[1]));
         }
     }
     return {};
-}
-
-/// Bytes of base64 text. Padding ends a group, not the text: VTK encodes lengths and data one after the other.
-std::string decoded(std::string_view text) {
-    std::string bytes;
-    std::uint32_t group = 0;
-    int count = 0, padding = 0;
-    for (const char c : text) {
-        int value = 0;
-        if (c >= 'A' && c <= 'Z') {
-            value = c - 'A';
-        } else if (c >= 'a' && c <= 'z') {
-            value = c - 'a' + 26;
-        } else if (c >= '0' && c <= '9') {
-            value = c - '0' + 52;
-        } else if (c == '+' || c == '/') {
-            value = c == '+' ? 62 : 63;
-        } else if (c == '=') {
-            ++padding;
-        } else {
-            continue; // line breaks
-        }
-        group = group << 6 | static_cast<std::uint32_t>(value);
-        if (++count == 4) {
-            for (int k = 0; k < 3 - padding; ++k) {
-                bytes.push_back(static_cast<char>(group >> (16 - 8 * k) & 0xff));
-            }
-            group = 0, count = 0, padding = 0;
-        }
-    }
-    return bytes;
 }
 
 class VtkReader {
@@ -140,9 +114,9 @@ private:
                 }
                 const std::string_view rest = appended_.substr(offset);
                 bytes = appended_raw_ ? unpacked(rest, name)
-                                      : unpacked(decoded(rest.substr(0, rest.find_first_of("<"))), name);
+                                      : unpacked(decoded(rest.substr(0, rest.find('<')), name), name);
             } else {
-                bytes = unpacked(decoded(inside), name);
+                bytes = unpacked(decoded(inside, name), name);
             }
             convert(bytes, type, name, column);
         }
@@ -153,22 +127,30 @@ private:
     }
 
     [[nodiscard]] std::size_t number(std::string_view text, const std::string& name, std::size_t otherwise) const {
-        std::size_t value = otherwise;
-        if (!text.empty() && std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{}) {
+        const std::optional<std::size_t> value = text.empty() ? otherwise : number_of<std::size_t>(text);
+        if (!value) {
             complain(name, fmt::format("found \"{}\", expected a whole number", text));
         }
-        return value;
+        return *value;
+    }
+
+    [[nodiscard]] std::string decoded(std::string_view text, const std::string& name) const {
+        std::optional<std::string> bytes = from_base64(text);
+        if (!bytes) {
+            complain(name, "is not in base64, or cut short; the file is damaged");
+        }
+        return std::move(*bytes);
     }
 
     void read_ascii(std::string_view inside, const std::string& name, VtkColumn& column) const {
         std::string line(inside);
         std::replace(line.begin(), line.end(), '\n', ' ');
         for (const std::string_view field : split_at_blanks(line)) {
-            double value = 0;
-            if (std::from_chars(field.data(), field.data() + field.size(), value).ec != std::errc{}) {
+            const std::optional<double> value = number_of<double>(field);
+            if (!value) {
                 complain(name, fmt::format("found \"{}\", expected a number", field));
             }
-            column.values.push_back(value);
+            column.values.push_back(*value);
         }
     }
 
@@ -204,6 +186,9 @@ private:
             const std::size_t packed = length_at(bytes, 3 + b, name), size = b + 1 == blocks && last > 0 ? last : block;
             if (at > bytes.size() || packed > bytes.size() - at || all.size() + size > most_bytes) {
                 complain(name, "is cut short; the file is not complete");
+            }
+            if (size > most_packed * packed + least_block) {
+                complain(name, "cannot be decompressed; the file is damaged");
             }
             std::string part(size, '\0');
             auto room = static_cast<uLongf>(size);

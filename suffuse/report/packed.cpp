@@ -1,7 +1,7 @@
 #include "suffuse/report/packed.hpp"
 
+#include "suffuse/base/base64.hpp"
 #include "suffuse/base/error.hpp"
-#include "suffuse/report/base64.hpp"
 
 #include <zlib.h>
 

@@ -1,7 +1,7 @@
 #include "suffuse/report/scene.hpp"
 
+#include "suffuse/base/base64.hpp"
 #include "suffuse/base/error.hpp"
-#include "suffuse/report/base64.hpp"
 
 #include <algorithm>
 #include <bit>

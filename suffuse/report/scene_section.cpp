@@ -1,6 +1,6 @@
 #include "suffuse/report/scene_section.hpp"
 
-#include "suffuse/report/base64.hpp"
+#include "suffuse/base/base64.hpp"
 #include "suffuse/report/html.hpp"
 #include "suffuse/report/still.hpp"
 #include "suffuse/report/words.hpp"
