@@ -1,6 +1,7 @@
 #include "suffuse/io/checkpoint.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/version.hpp"
 #include "suffuse/contact/carry_over.hpp"
 #include "suffuse/io/hdf5_file.hpp"
 
@@ -243,8 +244,16 @@ void check_tables(const Hdf5Reader& file, const dem::World& world) {
 
 } // namespace
 
-void save_world(const std::filesystem::path& path, const dem::World& world, const Attributes& attributes) {
+void save_world(
+    const std::filesystem::path& path, const dem::World& world, const Attributes& attributes, const Attributes& made_by
+) {
     Hdf5Writer file;
+    Attributes origin = made_by;
+    origin.insert({{"program", std::string("suffuse ") + version()}, {"commit", commit()}});
+    origin.emplace("seed", std::to_string(world.seed));
+    for (const auto& [name, text] : origin) {
+        file.write_attribute(name, text);
+    }
     file.write_text("kind", kind);
     file.write("schema", {}, &schema, "");
     for (const auto& [name, text] : attributes) {

@@ -19,7 +19,12 @@ struct Checkpoint {
 };
 
 /// Saves a state under `path`, in full or not at all (IoError). Attribute names hold no '/', texts no zero byte.
-void save_world(const std::filesystem::path& path, const dem::World& world, const Attributes& attributes = {});
+/// @param made_by where the state comes from, beyond program, commit and seed: short texts at the root of the file,
+/// for those who find it alone; they are no part of the state
+void save_world(
+    const std::filesystem::path& path, const dem::World& world, const Attributes& attributes = {},
+    const Attributes& made_by = {}
+);
 
 /// Loads what `save_world` wrote. Throws IoError where the file is not such a state, is damaged or of another schema.
 Checkpoint load_world(const std::filesystem::path& path);

@@ -1,6 +1,7 @@
 #include "suffuse/io/checkpoint.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/version.hpp"
 #include "suffuse/contact/carry_over.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/hdf5_file.hpp"
@@ -190,6 +191,25 @@ std::string complaint_about(const std::function<void(Hdf5Writer&)>& write) {
         return error.what();
     }
     return "";
+}
+
+TEST(Checkpoint, AFileTellsWhereItComesFromAndTheStateIsTheSame) {
+    const TempFolder folder;
+    dem::World world;
+    world.seed = 7;
+    save_world(folder / "plain.h5", world);
+    save_world(folder / "told.h5", world, {}, {{"case_hash", "0123"}, {"stage", "s/initial"}});
+    EXPECT_EQ(
+        dem::state_hash(load_world(folder / "told.h5").world), dem::state_hash(load_world(folder / "plain.h5").world)
+    );
+    EXPECT_TRUE(load_world(folder / "told.h5").attributes.empty());
+    const Hdf5Reader file(folder / "told.h5");
+    EXPECT_EQ(file.attribute("program"), std::string("suffuse ") + version());
+    EXPECT_EQ(file.attribute("commit"), commit());
+    EXPECT_EQ(file.attribute("seed"), "7");
+    EXPECT_EQ(file.attribute("case_hash"), "0123");
+    EXPECT_EQ(file.attribute("stage"), "s/initial");
+    EXPECT_THROW(static_cast<void>(file.attribute("nothing")), IoError);
 }
 
 TEST(Checkpoint, FilesThatAreNoStateAreRefused) {

@@ -100,6 +100,15 @@ Handle space_of(const Shape& shape) {
         H5Sclose, "an array of this shape"};
 }
 
+/// A text at an array, or at the root where `object` is the file.
+void attach(hid_t object, const std::string& name, const std::string& text) {
+    const Handle type = text_type(text.size()), one = space_of({});
+    const Handle attribute(
+        H5Acreate2(object, name.c_str(), type, one, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "the attribute " + name
+    );
+    require(H5Awrite(attribute, type, text.c_str()) >= 0, "the attribute " + name);
+}
+
 Handle create_dataset(hid_t file, const std::string& name, hid_t type, hid_t space) {
     const Handle groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "a property list");
     H5Pset_create_intermediate_group(groups, 1);
@@ -138,11 +147,11 @@ void Hdf5Writer::write(const std::string& name, const Shape& shape, const T* val
     if (any) {
         require(H5Dwrite(data, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0, "values of " + name);
     }
-    const Handle type = text_type(unit.size()), one = space_of({});
-    const Handle attribute(
-        H5Acreate2(data, "unit", type, one, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "the unit of " + name
-    );
-    require(H5Awrite(attribute, type, unit.c_str()) >= 0, "the unit of " + name);
+    attach(data, "unit", unit);
+}
+
+void Hdf5Writer::write_attribute(const std::string& name, const std::string& text) {
+    attach(file_, name, text);
 }
 
 void Hdf5Writer::write_text(const std::string& name, const std::string& text) {
@@ -241,12 +250,21 @@ std::string Hdf5Reader::unit(const std::string& name) const {
     if (!has(name)) {
         complain(fmt::format("{} is missing", name));
     }
+    return attached(name, "unit");
+}
+
+std::string Hdf5Reader::attribute(const std::string& name) const {
+    return attached("/", name);
+}
+
+std::string Hdf5Reader::attached(const std::string& object, const std::string& name) const {
+    const std::string what = fmt::format("the attribute {} of {}", name, object);
     const Handle attribute(
-        H5Aopen_by_name(file_, name.c_str(), "unit", H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "the unit of " + name
+        H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, what
     );
-    const Handle type(H5Aget_type(attribute), H5Tclose, name);
+    const Handle type(H5Aget_type(attribute), H5Tclose, what);
     std::string text(H5Tget_size(type), '\0');
-    require(H5Aread(attribute, type, text.data()) >= 0, "the unit of " + name);
+    require(H5Aread(attribute, type, text.data()) >= 0, what);
     return stripped(std::move(text));
 }
 

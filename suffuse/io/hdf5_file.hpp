@@ -30,6 +30,9 @@ public:
     /// Adds a text of any length.
     void write_text(const std::string& name, const std::string& text);
 
+    /// Adds a text as an attribute of the file itself; up to 64 kB.
+    void write_attribute(const std::string& name, const std::string& text);
+
     /// Completes the file on disk: it is there in full, or an IoError says why not and the old one remains.
     void save(const std::filesystem::path& path);
 
@@ -56,6 +59,7 @@ public:
 
     [[nodiscard]] std::string read_text(const std::string& name) const;
     [[nodiscard]] std::string unit(const std::string& name) const;
+    [[nodiscard]] std::string attribute(const std::string& name) const;
 
     /// Names of what a group holds, in alphabetical order; none where there is no such group.
     [[nodiscard]] std::vector<std::string> names(const std::string& group) const;
@@ -64,6 +68,8 @@ public:
     [[noreturn]] void complain(const std::string& message) const;
 
 private:
+    [[nodiscard]] std::string attached(const std::string& object, const std::string& name) const;
+
     std::unique_lock<std::recursive_mutex> lock_;
     std::string path_;
     std::int64_t file_ = -1;

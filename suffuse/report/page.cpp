@@ -108,6 +108,16 @@ Remarks csv_remarks(const Figure& figure, const ReportData& report) {
     return remarks;
 }
 
+/// The drawing as a file of its own, which says where it comes from as the CSV of its numbers does.
+std::string with_metadata(const Figure& figure, const ReportData& report) {
+    std::string lines;
+    for (const auto& [key, value] : csv_remarks(figure, report)) {
+        lines += escaped(key + ": " + value) + "\n";
+    }
+    std::string drawing = figure.drawing;
+    return drawing.insert(drawing.find('>') + 1, "<metadata>\n" + lines + "</metadata>");
+}
+
 /// Text of ours or of the run, set for reading.
 std::string typeset(const std::string& text) {
     return with_indices(escaped(kept_together(text)));
@@ -403,7 +413,7 @@ WrittenReport write_report(
                 figures / (figure.id + ".vl.json"), chart.dump(1, ' ', false, json::error_handler_t::replace) + "\n"
             );
         } else {
-            write_text(figures / (figure.id + ".svg"), figure.drawing);
+            write_text(figures / (figure.id + ".svg"), with_metadata(figure, report));
         }
     }
     for (const std::size_t k : still_states(report.scene)) {

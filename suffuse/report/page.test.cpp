@@ -130,7 +130,12 @@ TEST_F(Page, EachChartIsASpecificationWithItsDataAndEachDrawingAnSvg) {
             EXPECT_EQ(chart["data"]["values"].size(), figure.table.rows()) << figure.id;
             EXPECT_NE(chart["$schema"].get<std::string>().find("vega-lite/v6"), std::string::npos);
         } else {
-            EXPECT_EQ(read_all(folder / "figures" / (figure.id + ".svg")).rfind("<svg xmlns", 0), 0U);
+            const std::string drawing = read_all(folder / "figures" / (figure.id + ".svg"));
+            EXPECT_EQ(drawing.rfind("<svg xmlns", 0), 0U);
+            EXPECT_NE(drawing.find("<metadata>\nfigure: " + figure.id + "\n"), std::string::npos);
+            for (const auto& [key, value] : report.provenance) { // as in the CSV
+                EXPECT_NE(drawing.find("\n" + key + ": "), std::string::npos) << key;
+            }
         }
     }
 }

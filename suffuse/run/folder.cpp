@@ -2,10 +2,10 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
-#include "suffuse/base/state_hash.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/run/case_hash.hpp"
 #include "suffuse/run/samples.hpp"
 
 #include <fmt/chrono.h>
@@ -28,6 +28,11 @@ std::string read_all(const std::filesystem::path& path) {
         throw IoError(fmt::format("{}: cannot be read; is this a run folder?", path.string()));
     }
     return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Names of files may be any bytes; what is not UTF-8 is replaced.
+std::string text_of(const nlohmann::json& json, int indent) {
+    return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string processor() {
@@ -79,7 +84,7 @@ nlohmann::json read_json(const std::filesystem::path& path) {
 }
 
 void write_json(const std::filesystem::path& path, const nlohmann::json& json) {
-    io::write_file(path, json.dump(2) + "\n");
+    io::write_file(path, text_of(json, 2) + "\n");
 }
 
 nlohmann::json read_cbor(const std::filesystem::path& path) {
@@ -149,16 +154,13 @@ std::vector<FailedSample> read_failures(const std::filesystem::path& run, const 
 void log_event(const std::filesystem::path& run, nlohmann::json event) {
     event["at"] = now_utc();
     std::ofstream file(run / "events.jsonl", std::ios::app);
-    file << event.dump() << '\n';
+    file << text_of(event, -1) << '\n';
     if (!file.flush()) {
         throw IoError(fmt::format("{}: cannot be written; is the disk full?", (run / "events.jsonl").string()));
     }
 }
 
 nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions& options, double wall_seconds) {
-    StateHash hash;
-    const std::string resolved = casefile::resolved_toml(what);
-    hash.add(std::string_view(resolved)); // its characters, not where they lie
     nlohmann::json provenance = {
         {"program", "suffuse"},
         {"version", version()},
@@ -168,7 +170,7 @@ nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions&
         {"threads", thread_count()},
         {"seed", what.seed},
         {"preset", what.preset},
-        {"case_hash", fmt::format("{:016x}", hash.value())},
+        {"case_hash", case_hash(what)},
         {"mode", dem::name_of(what.mode)},
         {"preparation", protocols_of(what)},
         {"command", options.command},

@@ -4,6 +4,7 @@
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/tables.hpp"
 #include "suffuse/io/vtk.hpp"
+#include "suffuse/run/case_hash.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/measure_asked.hpp"
@@ -99,7 +100,10 @@ void write_pictures(const StageWork& work, const casefile::OutputSpec& output) {
 
 void write_files(const StageWork& work, const casefile::OutputSpec& output) {
     const dem::World& world = work.world;
-    io::save_world(work.folder / "state.h5", world, {{"stage", stage_name(work.variant, work.stage)}});
+    io::save_world(
+        work.folder / "state.h5", world, {{"stage", stage_name(work.variant, work.stage)}},
+        {{"case_hash", case_hash(work.what)}, {"stage", work.place()}}
+    );
     work.history.write_csv(work.folder / "history.csv");
     if (work.write_tables) {
         io::write_grains_csv(work.folder / "grains.csv", world);

@@ -9,6 +9,7 @@
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/io/flow_tables.hpp"
 #include "suffuse/io/tables.hpp"
+#include "suffuse/run/case_hash.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/scene_data.hpp"
 #include "suffuse/run/stage_work.hpp"
@@ -197,7 +198,11 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     const auto passes_done = [&] { return static_cast<int>(result.passes.size()); };
     while (goes_on && (spec.until_nothing_leaves || passes_done() < spec.passes)) {
         if (passes_done() > 0) { // the state between two passes; that after the last is the stage's own
-            io::save_world(pass_file(work.folder, passes_done()), work.world);
+            io::save_world(
+                pass_file(work.folder, passes_done()), work.world, {},
+                {{"case_hash", case_hash(work.what)},
+                 {"stage", fmt::format("{}, pass {}", work.place(), passes_done())}}
+            );
         }
         goes_on = erosion::erode_once(work.world, spec, surroundings(work), result);
         work.save_partial({{"result", result}, {"goes_on", goes_on}});
