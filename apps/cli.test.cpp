@@ -17,6 +17,9 @@ TEST_F(Cli, AloneAndWithHelpItSaysHowToBegin) {
         expect_in("exit codes", said.out);
     }
     expect_in("suffuse 0.", say({"--version"}).out);
+    EXPECT_EQ(say({"help"}).out, say({"--help"}).out);
+    EXPECT_EQ(say({"help", "run"}).out, say({"run", "--help"}).out);
+    EXPECT_EQ(say({"help", "bench", "step"}).out, say({"bench", "step", "--help"}).out);
 }
 
 TEST_F(Cli, EveryVerbHasAHelpOfOneScreen) {
@@ -53,7 +56,11 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
     for (const Wrong& wrong : std::vector<Wrong>{
              {{"rnu", "case.toml"}, "run"},
              {{"run", "case.toml", "--presett", "quick"}, "--preset"},
+             {{"nonsense", "--help"}, "unknown verb nonsense"},
+             {{"hlep"}, "help"},
+             {{"help", "rnu"}, "run"},
              {{"bench", "stpe"}, "step"},
+             {{"bench", "stpe", "--help"}, "step"},
              {{"bench"}, "bench what?"},
              {{"bench", "step", "--packing", "p.csv", "--mode", "quick"}, "reference"},
              {{"run"}, "CASE"},

@@ -8,6 +8,7 @@
 #include "apps/completions.hpp"
 #include "apps/help.hpp"
 #include "apps/man_page.hpp"
+#include "apps/shell_word.hpp"
 #include "apps/verb_flags.hpp"
 #include <algorithm>
 
@@ -55,8 +56,9 @@ const CLI::App& innermost(const CLI::App& app) {
             fmt::format("unknown flag {}{}; {} lists them", shown(flag), near_hint(flag, names_of_flags(verb)), help)
         );
     }
-    const std::vector<std::string> verbs = names_of_verbs(verb);
+    std::vector<std::string> verbs = names_of_verbs(verb);
     if (!verbs.empty()) {
+        verbs.emplace_back("help");
         throw UsageError(fmt::format("unknown verb {}{}; {} lists them", shown(word), near_hint(word, verbs), help));
     }
     throw UsageError(fmt::format("{} is one argument too many; see {}", shown(word), help));
@@ -75,28 +77,23 @@ Color color_of(const std::string& word) {
     throw UsageError(fmt::format("--color {}: it is auto, always or never", shown(word)));
 }
 
-std::string quoted(const std::string& word) {
-    const bool is_plain =
-        !word.empty() &&
-        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+%@") ==
-            std::string::npos;
-    if (is_plain) {
-        return word;
-    }
-    std::string text = "'";
-    for (const char c : word) {
-        text += c == '\'' ? "'\\''" : std::string(1, c);
-    }
-    return text + "'";
-}
-
-/// `suffuse my/case.toml` runs the case.
+/// `suffuse help bench step` is `suffuse bench step --help`; then `suffuse my/case.toml` runs the case.
 std::vector<std::string> with_verb(std::vector<std::string> words) {
     constexpr std::string_view ending = ".toml";
+    if (!words.empty() && words.front() == "help") {
+        words.erase(words.begin());
+        words.emplace_back("--help");
+    }
     if (!words.empty() && words.front().size() > ending.size() && words.front().ends_with(ending)) {
         words.insert(words.begin(), "run");
     }
     return words;
+}
+
+/// Whether help is asked for on a verb that there is not.
+bool asks_for_unknown_verb(const CLI::App& app) {
+    const std::vector<std::string> extra = app.remaining(true);
+    return !extra.empty() && !extra.front().starts_with('-') && !names_of_verbs(innermost(app)).empty();
 }
 
 void parse(CLI::App& app, std::vector<std::string> words, CommandLine& line) {
@@ -106,6 +103,9 @@ void parse(CLI::App& app, std::vector<std::string> words, CommandLine& line) {
     } catch (const CLI::CallForVersion&) {
         line.text = version_text();
     } catch (const CLI::CallForHelp&) {
+        if (asks_for_unknown_verb(app)) {
+            complain_about_extra(app);
+        }
         const CLI::App& verb = innermost(app);
         line.text = &verb == &app ? overview(app) : help_on(verb);
     } catch (const CLI::ExtrasError&) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -36,6 +37,25 @@ int number_of(const std::string& folder, const std::string& name) {
     const bool is_number = !digits.empty() && digits.size() < 9 &&
                            std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
     return is_number ? std::stoi(digits) : 0;
+}
+
+/// A path: text, or the bytes of one that is not UTF-8, so that `resume` finds it.
+nlohmann::json path_json(const std::string& path) {
+    try {
+        nlohmann::json text = path;
+        [[maybe_unused]] const std::string valid = text.dump();
+        return text;
+    } catch (const nlohmann::json::type_error&) {
+        return std::vector<std::uint8_t>(path.begin(), path.end());
+    }
+}
+
+std::string path_of(const nlohmann::json& kept) {
+    if (kept.is_string()) {
+        return kept.get<std::string>();
+    }
+    const auto bytes = kept.get<std::vector<std::uint8_t>>();
+    return {bytes.begin(), bytes.end()};
 }
 
 } // namespace
@@ -93,12 +113,12 @@ void take_run_folder(const fs::path& folder) {
 
 void keep_asked(const fs::path& folder, const AskedRun& asked) {
     nlohmann::json kept{
-        {"case", asked.case_file},
+        {"case", path_json(asked.case_file)},
         {"preset", asked.preset},
         {"overrides", asked.overrides},
         {"studies", asked.studies}};
     if (asked.cache) {
-        kept["cache"] = *asked.cache;
+        kept["cache"] = path_json(*asked.cache);
     }
     run::write_json(folder / options_file, kept);
 }
@@ -109,15 +129,24 @@ AskedRun read_asked(const fs::path& folder) {
     }
     const nlohmann::json asked = run::read_json(folder / options_file);
     AskedRun read{
-        asked.value("case", ""),
+        path_of(asked.value("case", nlohmann::json(""))),
         asked.value("preset", ""),
         asked.value("overrides", std::vector<std::string>{}),
         asked.value("studies", std::vector<std::string>{}),
         {}};
     if (asked.contains("cache")) {
-        read.cache = asked.at("cache").get<std::string>();
+        read.cache = path_of(asked.at("cache"));
     }
     return read;
+}
+
+int try_lock(int descriptor, int kind) {
+    while (flock(descriptor, kind | LOCK_NB) != 0) {
+        if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
 }
 
 bool is_at_work(const fs::path& folder) {
@@ -125,19 +154,26 @@ bool is_at_work(const fs::path& folder) {
     if (descriptor < 0) {
         return false;
     }
-    const bool is_free = flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+    const int refused = try_lock(descriptor, LOCK_SH);
     close(descriptor);
-    return !is_free;
+    return refused == EWOULDBLOCK;
 }
 
-FolderLock::FolderLock(const fs::path& folder, Kind kind)
+FolderLock::FolderLock(const fs::path& folder, const Console& console, Kind kind)
     : descriptor_(open((folder / ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
     if (descriptor_ < 0) {
         throw IoError(fmt::format("{}: cannot be written: {}", folder.string(), std::strerror(errno)));
     }
-    if (flock(descriptor_, (kind == Kind::Shared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    const int refused = try_lock(descriptor_, kind == Kind::Shared ? LOCK_SH : LOCK_EX);
+    if (refused == EWOULDBLOCK) {
         close(descriptor_);
         throw UsageError(fmt::format("another suffuse is at work in {}", shown(folder.string())));
+    }
+    if (refused != 0) { // some network file systems have no locks
+        console.talk(fmt::format(
+            "warning: {} cannot be locked ({}): see to it that no other suffuse works in it", shown(folder.string()),
+            std::strerror(refused)
+        ));
     }
 }
 

@@ -3,6 +3,7 @@
 // time works in it.
 
 #include "apps/command_line.hpp"
+#include "apps/console.hpp"
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -35,16 +36,21 @@ void keep_asked(const std::filesystem::path& folder, const AskedRun& asked);
 /// @throws UsageError where no run began in `folder`.
 AskedRun read_asked(const std::filesystem::path& folder);
 
-/// Whether a suffuse works in the folder now.
+/// flock without waiting; `kind` is LOCK_SH or LOCK_EX. @return 0, EWOULDBLOCK where another program holds it, or why
+/// it cannot be locked at all
+int try_lock(int descriptor, int kind);
+
+/// Whether a suffuse works in the folder now; not so where that cannot be known.
 bool is_at_work(const std::filesystem::path& folder);
 
-/// Holds the folder for this program. @throws UsageError where another one works in it.
+/// Holds the folder for this program; tells the console where it cannot be locked. @throws UsageError where another one
+/// works in it.
 class FolderLock {
 public:
     /// Shared: together with other programs that share it, each of which holds a folder in it for itself.
     enum class Kind { Alone, Shared };
 
-    explicit FolderLock(const std::filesystem::path& folder, Kind kind = Kind::Alone);
+    FolderLock(const std::filesystem::path& folder, const Console& console, Kind kind = Kind::Alone);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;

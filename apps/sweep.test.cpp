@@ -118,6 +118,16 @@ TEST_F(SweepVerb, SlurmGetsAJobArrayWithATaskForEachSample) {
     EXPECT_EQ(suffuse("sweep case.toml"), 2);
 }
 
+TEST_F(SweepVerb, SlurmGetsNamesOfFoldersWithBlanksAndPatternsAsTheyAre) {
+    ASSERT_EQ(suffuse("sweep case.toml --emit slurm -o 'my \"%j\" array'"), 0) << said();
+    EXPECT_NE(said().find("sbatch 'my \"%j\" array/sweep.sbatch'"), std::string::npos) << said();
+    const std::string script = read_all(folder / "my \"%j\" array/sweep.sbatch");
+    EXPECT_NE(script.find("/my \\\"%%j\\\" array/tasks/%a.txt\"\n"), std::string::npos) << script;
+    EXPECT_NE(script.find("#SBATCH --job-name=\"suffuse-my \\\"%j\\\" array\"\n"), std::string::npos) << script;
+    EXPECT_EQ(sh("SLURM_ARRAY_TASK_ID=1 sh 'my \"%j\" array/sweep.sbatch'"), 0) << said();
+    EXPECT_EQ(suffuse("sweep case.toml --emit parallel -o 'two\nlines'"), 2) << said();
+}
+
 TEST_F(SweepVerb, ASecondRunTakesItsStagesFromTheCacheBesideIt) {
     ASSERT_EQ(suffuse("run case.toml"), 0) << said();
     ASSERT_TRUE(std::filesystem::exists(folder / "runs/suffuse-cache/cache.json"));

@@ -198,7 +198,7 @@ int run_verb(const CommandLine& line, const Console& console) {
         job.folder = line.output;
         take_run_folder(job.folder);
     }
-    const FolderLock lock(job.folder);
+    const FolderLock lock(job.folder, console);
     if (!fs::exists(job.folder / "run_options.json")) {
         const bool is_asked = line.no_cache || !line.cache.empty();
         keep_asked(
@@ -236,8 +236,9 @@ int resume_verb(const CommandLine& line, const Console& console) {
     check_until(job.what, line.until);
     set_threads(line.threads);
     const auto own = check_sample(job.what, folder, line.sample);
-    const FolderLock lock(folder, own ? FolderLock::Kind::Shared : FolderLock::Kind::Alone);
-    const std::optional<FolderLock> own_lock = own ? std::optional<FolderLock>(std::in_place, *own) : std::nullopt;
+    const FolderLock lock(folder, console, own ? FolderLock::Kind::Shared : FolderLock::Kind::Alone);
+    const std::optional<FolderLock> own_lock =
+        own ? std::optional<FolderLock>(std::in_place, *own, console) : std::nullopt;
     job.plan = plan_rest(job.what, folder, job.cache, line.until, line.sample);
     tell_plan(job, "in", console);
     return conduct(job, line, console);

@@ -55,6 +55,31 @@ TEST_F(Cli, ARunOfAnEarlierVersionWithAMeasureThatIsNoneNowSaysHowToGoOn) {
     EXPECT_EQ(say({"resume", "here"}).code, 0);
 }
 
+TEST_F(Cli, APathThatIsNotUtf8IsAPathLikeAnyOther) {
+    const std::string place = "caf\xe9";
+    say({"new", place, "--from", "replay"});
+    const std::vector<std::string> asked = {"-o", place + "/run", "--until", "start", "--cache", place + "/c"};
+    std::vector<std::string> words = {"run", place + "/case.toml"};
+    words.insert(words.end(), asked.begin(), asked.end());
+    const Said refused = say(words); // its packing lies there: a TOML file cannot say so
+    EXPECT_EQ(refused.code, 3) << refused.error;
+    expect_in("rename the folder", refused.error);
+    const std::string text = read_all(folder / (place + "/case.toml"));
+    write_to(
+        folder / (place + "/case.toml"),
+        replaced(text, "packing = \"packing.csv\"", "packing = \"" + examples + "replay/packing.csv\"")
+    );
+    const Said said = say(words);
+    ASSERT_EQ(said.code, 0) << said.error;
+    // Begun and stopped before the case was kept: the case file and the cache are found where they are.
+    std::filesystem::remove(folder / (place + "/run/case.resolved.toml"));
+    const Said resumed = say({"resume", place + "/run"});
+    EXPECT_EQ(resumed.code, 0) << resumed.error;
+    EXPECT_TRUE(std::filesystem::exists(folder / (place + "/c/cache.json")));
+    EXPECT_EQ(say({"report", place + "/run"}).code, 0);
+    EXPECT_EQ(say({"verify", place + "/run"}).code, 0);
+}
+
 TEST_F(Cli, AnUnwritableOrUnreadablePlaceIsCode74) {
     say({"new", "soil", "--from", "replay"});
     EXPECT_EQ(say({"run", "soil/case.toml", "-o", "/proc/nothing"}).code, 74);

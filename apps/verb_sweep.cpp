@@ -14,6 +14,7 @@
 #include "apps/failures.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/run_folder.hpp"
+#include "apps/shell_word.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
@@ -24,13 +25,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A word for a shell, whatever stands in it.
-std::string in_quotes(const std::string& word) {
-    std::string text = "'";
+/// A word behind #SBATCH: Slurm knows double quotes, and a backslash before what is meant as it stands.
+std::string for_slurm(const std::string& word) {
+    std::string text = "\"";
     for (const char c : word) {
-        text += c == '\'' ? "'\\''" : std::string(1, c);
+        if (c == '"' || c == '\\') {
+            text += '\\';
+        }
+        text += c;
     }
-    return text + "'";
+    return text + "\"";
+}
+
+/// In a name of Slurm's output % begins what Slurm fills in.
+std::string without_patterns(const std::string& path) {
+    std::string text;
+    for (const char c : path) {
+        text += c == '%' ? "%%" : std::string(1, c);
+    }
+    return text;
 }
 
 struct Emitted {
@@ -69,10 +82,10 @@ fs::path prepare_folder(const CommandLine& line, const Console& console, casefil
 
 /// One task, as a shell runs it.
 std::string task_text(const Emitted& emitted, const run::Sample& sample, const CommandLine& line) {
-    const std::string limit = line.time_limit.empty() ? "" : " --time-limit " + in_quotes(line.time_limit);
+    const std::string limit = line.time_limit.empty() ? "" : " --time-limit " + quoted(line.time_limit);
     return fmt::format(
-        "{} resume {} --sample {} -j {}{}\n", in_quotes(fs::read_symlink("/proc/self/exe").string()),
-        in_quotes(emitted.folder.string()), in_quotes(sample.variant->folder), std::max(1, line.threads), limit
+        "{} resume {} --sample {} -j {}{}\n", quoted(fs::read_symlink("/proc/self/exe").string()),
+        quoted(emitted.folder.string()), quoted(sample.variant->folder), std::max(1, line.threads), limit
     );
 }
 
@@ -93,21 +106,22 @@ std::string slurm_text(const Emitted& emitted, const CommandLine& line) {
     const std::string folder = emitted.folder.string();
     return fmt::format(
         "#!/bin/sh\n"
-        "# {} of a run of suffuse, one a task. Submit:  sbatch {}/sweep.sbatch\n"
+        "# {} of a run of suffuse, one a task. Submit:  sbatch {}\n"
         "# A task that is stopped saves what it has; submitted again it goes on. Then:  suffuse sweep --collect {}\n"
-        "#SBATCH --job-name=suffuse-{}\n"
+        "#SBATCH --job-name={}\n"
         "#SBATCH --array=1-{}\n"
         "#SBATCH --ntasks=1\n"
         "#SBATCH --cpus-per-task={}\n"
         "#SBATCH --mem={}M\n"
-        "#SBATCH --output={}/tasks/%a.txt\n"
+        "#SBATCH --output={}\n"
         "#SBATCH --signal=B:TERM@{:.0f}\n"
         "{}"
         "task=$(sed -n \"${{SLURM_ARRAY_TASK_ID}}p\" {})\n"
         "eval \"exec $task\"\n",
-        plural(std::ssize(emitted.left), "sample"), folder, folder, emitted.folder.filename().string(),
-        emitted.left.size(), std::max(1, line.threads), memory_of_task(emitted.what), folder, warning, time,
-        in_quotes(folder + "/tasks.txt")
+        plural(std::ssize(emitted.left), "sample"), quoted(folder + "/sweep.sbatch"), quoted(folder),
+        for_slurm("suffuse-" + emitted.folder.filename().string()), emitted.left.size(), std::max(1, line.threads),
+        memory_of_task(emitted.what), for_slurm(without_patterns(folder) + "/tasks/%a.txt"), warning, time,
+        quoted(folder + "/tasks.txt")
     );
 }
 
@@ -120,6 +134,9 @@ int emit(const CommandLine& line, const Console& console) {
     Emitted emitted;
     const fs::path folder = prepare_folder(line, console, emitted.what);
     emitted.folder = fs::absolute(folder).lexically_normal();
+    if (emitted.folder.string().find('\n') != std::string::npos) {
+        throw UsageError(fmt::format("{}: tasks stand in lines; give -o a folder without line breaks", shown(folder)));
+    }
     std::string tasks;
     for (const run::Sample& sample : run::list_samples(emitted.what)) {
         if (!run::is_complete(sample, folder)) {
@@ -128,21 +145,21 @@ int emit(const CommandLine& line, const Console& console) {
         }
     }
     if (emitted.left.empty()) {
-        console.result(fmt::format("every sample is done; suffuse sweep --collect {}", folder.string()));
+        console.result(fmt::format("every sample is done; suffuse sweep --collect {}", quoted(folder.string())));
         return Done;
     }
     io::write_file(folder / "tasks.txt", tasks);
     fs::create_directories(folder / "tasks");
     std::string how =
-        fmt::format("parallel < {0}/tasks.txt     (or one after the other: sh {0}/tasks.txt)", folder.string());
+        fmt::format("parallel < {0}     (or one after the other: sh {0})", quoted((folder / "tasks.txt").string()));
     if (line.emit == "slurm") {
         set_thread_count(std::max(1, line.threads));
         io::write_file(folder / "sweep.sbatch", slurm_text(emitted, line));
-        how = fmt::format("sbatch {}/sweep.sbatch", folder.string());
+        how = fmt::format("sbatch {}", quoted((folder / "sweep.sbatch").string()));
     }
     console.result(fmt::format("{} in {}", plural(std::ssize(emitted.left), "task"), folder.string()));
     console.talk("run:    " + how);
-    console.talk(fmt::format("gather: suffuse sweep --collect {}", folder.string()));
+    console.talk(fmt::format("gather: suffuse sweep --collect {}", quoted(folder.string())));
     console.document(json_text(
         {{"folder", folder.string()},
          {"tasks", emitted.left.size()},
@@ -156,7 +173,7 @@ int collect(const CommandLine& line, const Console& console) {
     if (!fs::exists(folder / "case.resolved.toml")) {
         throw UsageError(fmt::format("{} holds no run", shown(line.collect)));
     }
-    const FolderLock lock(folder);
+    const FolderLock lock(folder, console);
     const std::vector<run::Refinement> refined = run::find_refinements(run::load_run(folder), folder);
     if (!refined.empty()) {
         run::keep_refinements(folder, refined);

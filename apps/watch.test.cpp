@@ -6,7 +6,9 @@
 #include "apps/progress_file.hpp"
 #include "apps/run_folder.hpp"
 #include "tests/support/temp_folder.hpp"
+#include <cerrno>
 #include <fstream>
+#include <sys/file.h>
 
 namespace suffuse::apps {
 namespace {
@@ -92,11 +94,12 @@ TEST(RunFolder, KnowsWhetherSomebodyIsAtWork) {
     const TempFolder folder;
     EXPECT_FALSE(is_at_work(folder.path()));
     {
-        const FolderLock lock(folder.path());
+        const FolderLock lock(folder.path(), Console());
         EXPECT_TRUE(is_at_work(folder.path()));
     }
     EXPECT_FALSE(is_at_work(folder.path()));
-    const FolderLock again(folder.path()); // looking at it does not hold it
+    EXPECT_EQ(try_lock(-1, LOCK_EX), EBADF);          // cannot be locked: not the same as taken
+    const FolderLock again(folder.path(), Console()); // looking at it does not hold it
 }
 
 } // namespace

@@ -35,6 +35,15 @@ std::string text_of(const nlohmann::json& json, int indent) {
     return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+bool is_utf8(const std::string& text) {
+    try {
+        [[maybe_unused]] const std::string valid = nlohmann::json(text).dump();
+        return true;
+    } catch (const nlohmann::json::type_error&) {
+        return false;
+    }
+}
+
 std::string processor() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);) {
@@ -108,6 +117,12 @@ void open_folder(const std::filesystem::path& run, const casefile::Case& what, c
         throw IoError(fmt::format("{}: cannot be made: {}", run.string(), error.message()));
     }
     const std::string resolved = casefile::resolved_toml(what);
+    if (!is_utf8(resolved)) { // TOML is; what reads it back would refuse it
+        throw CaseError(fmt::format(
+            "{}: the path of a data file is not UTF-8, so that no case file can name it; rename the folder",
+            run.string()
+        ));
+    }
     const std::filesystem::path kept = run / "case.resolved.toml";
     if (std::filesystem::exists(kept)) {
         if (read_all(kept) == resolved) {

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace suffuse::apps {
+
+/// A word for a shell, in quotes where it needs them.
+std::string quoted(const std::string& word);
+
+} // namespace suffuse::apps
