@@ -83,6 +83,25 @@ TEST(Seepage, PermeabilityOfTouchingLatticesHasItsClosedForm) {
     EXPECT_NEAR(kappa(test::body_centered(3, r)) / exact, 1, 1e-10);
 }
 
+TEST(Seepage, PermeabilityOfLatticesApartFromTouchingHasItsClosedForm) {
+    // S_f R_h^2/(2 L) per cube, as for touching spheres, with R_h the void volume over the spheres' surface; six digits.
+    struct Case {
+        double solid_fraction, kappa; ///< permeability over the squared radius
+    };
+    const auto kappa = [](const std::vector<Vec3>& places, double solid_fraction) {
+        const double r = 1e-3, solid = static_cast<double>(places.size()) * sphere_volume(r);
+        const Packing packing = test::lattice(3, std::cbrt(solid / solid_fraction), r, places);
+        return seep(packing, along({0.3, -0.5, 0.8})).permeability / (r * r);
+    };
+    for (const Case& c :
+         {Case{0.60, 0.00577235}, {0.55, 0.0103003}, {0.50, 0.0178597}, {0.45, 0.0304989}, {0.40, 0.0519081}}) {
+        EXPECT_NEAR(kappa({{0.1, 0.2, 0.3}, {0.6, 0.7, 0.8}}, c.solid_fraction) / c.kappa, 1, 5e-6);
+    }
+    for (const Case& c : {Case{0.45, 0.0240707}, {0.343, 0.0830800}}) {
+        EXPECT_NEAR(kappa({{0.1, 0.2, 0.3}}, c.solid_fraction) / c.kappa, 1, 5e-6);
+    }
+}
+
 TEST(Seepage, ShakenLatticesStayWithinOnePercent) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> shake(-1e-6, 1e-6);
