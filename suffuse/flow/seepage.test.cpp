@@ -84,10 +84,12 @@ TEST(Seepage, PermeabilityOfTouchingLatticesHasItsClosedForm) {
 }
 
 TEST(Seepage, PermeabilityOfLatticesApartFromTouchingHasItsClosedForm) {
-    // S_f R_h^2/(2 L) per cube, as for touching spheres, with R_h the void volume over the spheres' surface; six digits.
+    // S_f R_h^2/(2 L) per cube, as for touching spheres, with R_h the void volume over the spheres' surface; six
+    // digits.
     struct Case {
         double solid_fraction, kappa; ///< permeability over the squared radius
     };
+
     const auto kappa = [](const std::vector<Vec3>& places, double solid_fraction) {
         const double r = 1e-3, solid = static_cast<double>(places.size()) * sphere_volume(r);
         const Packing packing = test::lattice(3, std::cbrt(solid / solid_fraction), r, places);

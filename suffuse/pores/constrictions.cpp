@@ -16,13 +16,11 @@ double quantile(std::span<const double> sorted, double share) {
     return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-Constrictions find_constrictions(const PoreNetwork& network) {
-    const Throats& throats = network.throats;
+namespace {
+
+Constrictions sizes_of(const Throats& throats, std::span<const std::uint32_t> constricted) {
     Constrictions result;
-    for (std::size_t t = 0; t < throats.size(); ++t) {
-        if (is_internal(throats, t)) {
-            continue;
-        }
+    for (const std::uint32_t t : constricted) {
         result.diameter.push_back(2 * throats.inscribed_radius[t]);
         result.center.push_back(throats.center[t]);
     }
@@ -37,8 +35,21 @@ Constrictions find_constrictions(const PoreNetwork& network) {
     return result;
 }
 
-Constrictions find_constrictions(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius) {
-    return find_constrictions(build_network(h, position, radius));
+} // namespace
+
+Constrictions find_constrictions(const PoreNetwork& network) {
+    return sizes_of(network.throats, throats_between_voids(network, {}, {}, VoidMerge::None));
+}
+
+Constrictions find_constrictions(
+    const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, VoidMerge merge
+) {
+    return sizes_of(network.throats, throats_between_voids(network, position, radius, merge));
+}
+
+Constrictions
+find_constrictions(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, VoidMerge merge) {
+    return find_constrictions(build_network(h, position, radius), position, radius, merge);
 }
 
 } // namespace suffuse::pores

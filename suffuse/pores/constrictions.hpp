@@ -1,10 +1,11 @@
 #pragma once
 // Sizes of the constrictions of a skeleton: the circles inscribed in the facets of its weighted Delaunay triangulation,
-// each facet counted once (the paper's choice, as in Yade). Facets between pores of coincident centers, which only cut
-// one void in two, are no constrictions.
+// each facet counted once (the paper's choice, as in Yade), or those facets alone that lead from one void of several
+// pores into another. Facets between pores of coincident centers, which only cut one void in two, are never any.
 
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/pores/network.hpp"
+#include "suffuse/pores/voids.hpp"
 
 #include <span>
 #include <vector>
@@ -19,12 +20,19 @@ struct Constrictions {
     double d35 = 0;               ///< 35 % are smaller [m]
 };
 
-/// Constrictions of a network.
+/// Constrictions of a network, each facet one.
 Constrictions find_constrictions(const PoreNetwork& network);
+
+/// Constrictions of the network of the grains at `position` with `radius` [m], between voids merged in this way.
+Constrictions find_constrictions(
+    const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, VoidMerge merge
+);
 
 /// Constrictions among grains at `position` with `radius` alone, in the periodic cell `h` [m].
 /// @throws GeometryError for input that is not a packing.
-Constrictions find_constrictions(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius);
+Constrictions find_constrictions(
+    const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, VoidMerge merge = VoidMerge::None
+);
 
 /// The value below which a share of the sorted values lies, by linear interpolation between them.
 double quantile(std::span<const double> sorted, double share);

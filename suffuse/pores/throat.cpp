@@ -1,5 +1,7 @@
 #include "suffuse/pores/throat.hpp"
 
+#include "suffuse/pores/tangent.hpp"
+
 #include <cmath>
 
 namespace suffuse::pores {
@@ -43,14 +45,8 @@ InscribedCircle inscribed_circle(const Vec3& b, const Vec3& c, const std::array<
     };
     const Vec3 u = in_plane(0.5 * (bb + r[0] * r[0] - r[1] * r[1]), 0.5 * (cc + r[0] * r[0] - r[2] * r[2]));
     const Vec3 v = in_plane(r[0] - r[1], r[0] - r[2]);
-    const double p = r[0] - dot(u, v), q = norm2(u) - r[0] * r[0];
-    const double discriminant = p * p + (1 - norm2(v)) * q;
-    const double divisor = p + std::sqrt(std::fmax(discriminant, 0.0));
-    if (!(discriminant >= 0) || !(divisor > 0)) {
-        return {u, 0};
-    }
-    const double radius = q / divisor;
-    return {u + radius * v, radius};
+    const std::optional<double> radius = tangent_size(u, v, r[0]);
+    return radius ? InscribedCircle{u + *radius * v, *radius} : InscribedCircle{u, 0};
 }
 
 ThroatGeometry
