@@ -68,9 +68,19 @@ py::array images(const std::vector<std::array<cell::Image, N>>& column, const py
     return py::array(flat.attr("reshape")(py::make_tuple(column.size(), N, 3)));
 }
 
+pores::VoidMerge merge_of(const std::string& word) {
+    for (const pores::VoidMerge merge : pores::every_merge) {
+        if (word == pores::name_of(merge)) {
+            return merge;
+        }
+    }
+    throw CaseError("constrictions: merge is \"none\", \"center\" or \"overlap\"; found \"" + word + "\"");
+}
+
 void bind_constrictions(py::module_& m) {
     py::class_<Constrictions, std::shared_ptr<Constrictions>> type(
-        m, "Constrictions", "Circles inscribed in the facets of the weighted Delaunay triangulation, each once."
+        m, "Constrictions",
+        "Circles inscribed in the facets of the weighted Delaunay triangulation that lie between voids."
     );
     type.def("__len__", [](const Constrictions& c) { return c.diameter.size(); });
     add_column(type, "diameter", &Constrictions::diameter, "[m]");
@@ -80,7 +90,9 @@ void bind_constrictions(py::module_& m) {
     type.def_readonly("d35", &Constrictions::d35, "35 % are smaller [m].");
     m.def(
         "constrictions",
-        [](const py::object& first, const py::object& position, const py::object& radius, const std::string& of) {
+        [](const py::object& first, const py::object& position, const py::object& radius, const std::string& of,
+           const std::string& merge) {
+            const pores::VoidMerge way = merge_of(merge);
             Packing packing = packing_of(first, position, radius);
             if (of != "all" && of != "coarse") {
                 throw CaseError("constrictions: of is \"all\" or \"coarse\"");
@@ -102,11 +114,16 @@ void bind_constrictions(py::module_& m) {
             }
             const Working working;
             return std::make_shared<Constrictions>(
-                pores::find_constrictions(packing.h, packing.position, packing.radius)
+                pores::find_constrictions(packing.h, packing.position, packing.radius, way)
             );
         },
         py::arg("packing_or_cell"), py::arg("position") = py::none(), py::arg("radius") = py::none(), py::kw_only(),
-        py::arg("of") = "all", "Constrictions of all grains, or, of=\"coarse\", of the coarse skeleton of a World."
+        py::arg("of") = "all", py::arg("merge") = "none",
+        "Constrictions of all grains, or, of=\"coarse\", of the coarse skeleton of a World.\n\nmerge: which "
+        "neighboring "
+        "pores are one void, with no constriction between them: \"none\" (each facet counts), \"center\" (the center "
+        "of "
+        "the void sphere of one lies in that of the other), \"overlap\" (their void spheres overlap)."
     );
 }
 

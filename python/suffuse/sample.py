@@ -59,6 +59,11 @@ class PoreNetwork(_core.PoreNetwork):
         fluid = _core.Fluid(**{name: value for name, value in given.items() if value is not None})
         return _core.seep(*self._packing, gradient=gradient, direction=direction, fluid=fluid, tensor=tensor)
 
-    def constrictions(self, of="all"):
-        """Constrictions between all grains, or, of="coarse", of the coarse skeleton of a World."""
-        return super().constrictions() if of == "all" else _core.constrictions(*self._packing, of=of)
+    def constrictions(self, of="all", merge="none"):
+        """Constrictions between all grains, or, of="coarse", of the coarse skeleton of a World.
+
+        merge: which neighboring pores are one void, with no constriction between them; see suffuse.constrictions
+        """
+        if (of, merge) == ("all", "none"):
+            return super().constrictions()
+        return _core.constrictions(*self._packing, of=of, merge=merge)

@@ -66,6 +66,19 @@ def test_constrictions_of_equal_spheres_in_a_cubic_lattice():
     assert found.mean == pytest.approx(found.diameter.mean(), rel=1e-12)
 
 
+def test_merged_voids_have_each_square_window_of_a_simple_cubic_lattice_once():
+    r, n = 1e-3, 3
+    position = numpy.array([[i, j, k] for i in range(n) for j in range(n) for k in range(n)]) * 2 * r
+    packing = ((2 * r * n,) * 3, position, numpy.full(n**3, r))
+    assert len(suffuse.constrictions(*packing)) == 6 * n**3  # each half of a window by itself
+    for merge in ("center", "overlap"):
+        for found in (suffuse.constrictions(*packing, merge=merge), suffuse.PoreNetwork(*packing).constrictions(merge=merge)):
+            assert len(found) == 3 * n**3
+            assert found.diameter == pytest.approx(2 * r * (numpy.sqrt(2) - 1), rel=1e-9)
+    with pytest.raises(suffuse.CaseError, match="overlap.*touching"):
+        suffuse.constrictions(*packing, merge="touching")
+
+
 def test_coarse_constrictions_are_wider(settled):
     settled.grains.fine = settled.grains.diameter < numpy.quantile(settled.grains.diameter, 0.3)
     assert suffuse.constrictions(settled, of="coarse").mean > suffuse.constrictions(settled).mean

@@ -157,7 +157,7 @@ until_nothing_leaves = true
 gradient = 0.1
 direction = "-y"
 detached = { by = "velocity", rule = "above", over = "1e-5 m/s" }
-passes_constriction = { size = "d50", of = "coarse" }
+passes_constriction = { size = "d50", of = "coarse", merge = "overlap" }
 forced = { max_contacts = 2 }
 then = "settle"
 record = { every = 10 }

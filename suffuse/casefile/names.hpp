@@ -61,6 +61,11 @@ inline constexpr std::array constriction_size = {
     Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::WidestPath, "widest-path"},
     Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::None, "none"}};
 
+inline constexpr std::array void_merge = {
+    Word<pores::VoidMerge>{pores::VoidMerge::None, name_of(pores::VoidMerge::None)},
+    Word<pores::VoidMerge>{pores::VoidMerge::Center, name_of(pores::VoidMerge::Center)},
+    Word<pores::VoidMerge>{pores::VoidMerge::Overlap, name_of(pores::VoidMerge::Overlap)}};
+
 inline constexpr std::array removed_fines = {
     Word<erosion::RemovedFines>{erosion::RemovedFines::All, "fines"},
     Word<erosion::RemovedFines>{erosion::RemovedFines::Inactive, "inactive-fines"},

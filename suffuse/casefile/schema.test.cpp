@@ -38,6 +38,7 @@ TEST(Schema, DefaultsAreThoseOfTheSpecs) {
     EXPECT_EQ(key_of("stage.compact", "time_step").default_text, "\"computed\"");
     EXPECT_EQ(key_of("stage.erode.detached", "rule").default_text, "\"still-accelerating\"");
     EXPECT_EQ(key_of("stage.erode.passes_constriction", "size").default_text, "\"mean\"");
+    EXPECT_EQ(key_of("stage.erode.passes_constriction", "merge").default_text, "\"none\"");
     EXPECT_EQ(key_of("stage.detach", "gradients").default_text, "[0.0, 0.01, 0.05, 0.1]");
     EXPECT_EQ(key_of("output", "checkpoint").default_text, "\"600 s\"");
     EXPECT_EQ(key_of("stage.compact", "pressure").default_text, "") << "a required key has none";

@@ -272,6 +272,12 @@ std::vector<Key> erosion_rows() {
                 "stage.erode.passes_constriction", "of", names::words_of(names::constrictions_of),
                 "Whose constrictions."
             ),
+            choice(
+                "stage.erode.passes_constriction", "merge", names::words_of(names::void_merge),
+                "Which neighboring pores are one void, so that no constriction lies between them: none (each facet of "
+                "the triangulation counts, as in the reference), those where the center of the void sphere of one lies "
+                "in that of the other, or those whose void spheres overlap. Of no effect on the widest path."
+            ),
             table("stage.erode", "forced", "Forced removal instead of the probe: fines with few contacts leave."),
             count(
                 "stage.erode.forced", "max_contacts", {0, 1000, false, false},

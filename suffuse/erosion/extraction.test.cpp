@@ -50,6 +50,8 @@ TEST(Extraction, FinesContentIsByMass) {
 
 TEST(Passage, AGrainPassesWhatIsWiderThanItself) {
     CoarseSkeleton skeleton;
+    EXPECT_TRUE(passes(skeleton, ConstrictionSize::Mean, 0, 400)); // no constriction is left: all pores are one void
+    skeleton.constrictions.diameter = {1, 2, 6};
     skeleton.constrictions.mean = 3;
     skeleton.constrictions.median = 2;
     skeleton.constrictions.d35 = 1;
@@ -86,6 +88,21 @@ TEST(Passage, TheWidestPathThroughASimpleCubicSkeletonIsItsSquareWindow) {
     const CoarseSkeleton skeleton = measure_coarse_skeleton(world, {0, 0, 1}, true);
     for (std::size_t g = 0; g < world.grains.size(); ++g) {
         EXPECT_NEAR(skeleton.widest_path[g], 2 * (std::sqrt(2.0) - 1) * 0.5e-3, 1e-9);
+    }
+}
+
+TEST(Passage, MergedVoidsOfASimpleCubicSkeletonHaveEachSquareWindowOnce) {
+    const dem::World world = lattice_with_fines(4);
+    const double window = 2 * (std::sqrt(2.0) - 1) * 0.5e-3;
+    for (const pores::VoidMerge merge : pores::every_merge) {
+        const std::int64_t expected = (merge == pores::VoidMerge::None ? 6 : 3) * 64; // or each of its two halves
+        const CoarseSkeleton skeleton = measure_coarse_skeleton(world, {0, 0, 1}, false, merge);
+        EXPECT_EQ(std::ssize(skeleton.constrictions.diameter), expected);
+        const ConstrictionSummary& told = skeleton.by_merge[static_cast<std::size_t>(merge)];
+        EXPECT_EQ(told.count, expected);
+        EXPECT_NEAR(told.mean, window, 1e-12 * window); // rounding
+        EXPECT_EQ(told.mean, skeleton.constrictions.mean);
+        EXPECT_EQ(skeleton.by_merge[1].count, 3 * 64); // told whatever way was asked for
     }
 }
 

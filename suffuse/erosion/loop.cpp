@@ -144,8 +144,10 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
 
     // 4 constrictions
     const bool with_paths = spec.passes_constriction == ConstrictionSize::WidestPath;
-    const CoarseSkeleton skeleton = measure_coarse_skeleton(next, spec.direction, with_paths);
+    const CoarseSkeleton skeleton = measure_coarse_skeleton(next, spec.direction, with_paths, spec.merge);
     pass.constrictions = skeleton.constrictions;
+    pass.merge = spec.merge;
+    pass.constrictions_by_merge = skeleton.by_merge;
     pass.wall_seconds["constrictions"] = watch.lap();
 
     // 5 extraction

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace suffuse::erosion {
 namespace {
@@ -70,10 +72,19 @@ std::optional<std::string> skeleton_complaint(const dem::World& world) {
     return std::nullopt;
 }
 
-CoarseSkeleton measure_coarse_skeleton(const dem::World& world, const Vec3& direction, bool with_paths) {
+CoarseSkeleton
+measure_coarse_skeleton(const dem::World& world, const Vec3& direction, bool with_paths, pores::VoidMerge merge) {
     const CoarseGrains coarse = coarse_grains(world.grains);
     const pores::PoreNetwork network = pores::build_network(world.cell.h, coarse.position, coarse.radius);
-    CoarseSkeleton skeleton{pores::find_constrictions(network), {}};
+    CoarseSkeleton skeleton;
+    for (std::size_t way = 0; way < pores::every_merge.size(); ++way) {
+        Constrictions found =
+            pores::find_constrictions(network, coarse.position, coarse.radius, pores::every_merge[way]);
+        skeleton.by_merge[way] = {std::ssize(found.diameter), found.mean, found.median, found.d35};
+        if (pores::every_merge[way] == merge) {
+            skeleton.constrictions = std::move(found);
+        }
+    }
     if (with_paths) {
         skeleton.widest_path = paths_of_grains(network, coarse, world, direction);
     }
@@ -81,6 +92,11 @@ CoarseSkeleton measure_coarse_skeleton(const dem::World& world, const Vec3& dire
 }
 
 bool passes(const CoarseSkeleton& skeleton, ConstrictionSize size, std::size_t g, double d) {
+    const bool by_sizes =
+        size == ConstrictionSize::Mean || size == ConstrictionSize::Median || size == ConstrictionSize::D35;
+    if (by_sizes && skeleton.constrictions.diameter.empty()) {
+        return true; // all pores are one void: nothing is in the way
+    }
     switch (size) {
     case ConstrictionSize::Mean:
         return d < skeleton.constrictions.mean;

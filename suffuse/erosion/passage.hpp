@@ -12,14 +12,17 @@ namespace suffuse::erosion {
 
 /// The coarse grains alone, triangulated.
 struct CoarseSkeleton {
-    Constrictions constrictions;
+    Constrictions constrictions; ///< between voids merged as asked
+    ConstrictionsByMerge by_merge;
     std::vector<double>
         widest_path; ///< for each grain of the world the diameter of the widest path from where it is [m]
 };
 
 /// @param with_paths also finds the widest paths along `direction` (the cell axis nearest to it).
 /// @throws GeometryError with too few coarse grains to triangulate.
-CoarseSkeleton measure_coarse_skeleton(const dem::World& world, const Vec3& direction, bool with_paths);
+CoarseSkeleton measure_coarse_skeleton(
+    const dem::World& world, const Vec3& direction, bool with_paths, pores::VoidMerge merge = pores::VoidMerge::None
+);
 
 /// Why the coarse skeleton has lost its meaning as a filter; nothing where it has not.
 std::optional<std::string> skeleton_complaint(const dem::World& world);

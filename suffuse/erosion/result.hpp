@@ -42,8 +42,17 @@ struct ProbeResult {
     std::int64_t hidden_by_noise = 0; ///< fines that would be detachable by velocity if the twin were at rest
 };
 
-/// The constrictions of the coarse skeleton, one row a facet of its Delaunay triangulation.
+/// The constrictions of the coarse skeleton, one row a facet of its Delaunay triangulation that counts.
 using Constrictions = pores::Constrictions;
+
+/// Constrictions of the coarse skeleton by their number and sizes alone [m].
+struct ConstrictionSummary {
+    std::int64_t count = 0;
+    double mean = 0, median = 0, d35 = 0;
+};
+
+/// By pores::VoidMerge, whatever way counts: which pores are one void is a matter of definition.
+using ConstrictionsByMerge = std::array<ConstrictionSummary, pores::every_merge.size()>;
 
 /// The state of the sample at one point of the history of an erosion pass (Figures 13 and 14).
 struct PathRow {
@@ -71,6 +80,8 @@ struct PassResult {
     int pass = 0; ///< 1-based
     ProbeResult probe;
     Constrictions constrictions;
+    pores::VoidMerge merge = pores::VoidMerge::None; ///< of the voids that they lie between
+    ConstrictionsByMerge constrictions_by_merge;
     std::int64_t detachable = 0, held_back = 0, removed = 0;
     double eroded_mass_percent = 0;                     ///< of the mass before this pass [%]
     double eroded_mass_percent_of_initial = 0;          ///< [%]

@@ -2,6 +2,7 @@
 // Settings of the erosion procedure, section 4 of the paper.
 
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/pores/voids.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -66,6 +67,7 @@ struct ErodeSpec {
     ProbeSpec probe;
     DetachSpec detached;
     ConstrictionSize passes_constriction = ConstrictionSize::Mean;
+    pores::VoidMerge merge = pores::VoidMerge::None; ///< of the voids between which constrictions are counted
     std::optional<ForcedRemoval> forced;
     bool until_nothing_leaves = false; ///< go on beyond `passes`
 };

@@ -1,7 +1,7 @@
 #pragma once
 // Voids of a packing, each of one pore or of several. A tetrahedron of the triangulation is no natural void: neighbors
 // often share one, and the facet between them is then no constriction but a cut through it. Pores are told apart by
-// their void spheres, each of which touches the pore's four grains from between [Al-Raoush 2003] [Reboul 2008].
+// their void spheres, each of which touches the pore's four grains from between [AlRaoush 2003] [Reboul 2008].
 
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/pores/network.hpp"
@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace suffuse::pores {
@@ -21,6 +22,11 @@ enum class VoidMerge {
 };
 
 inline constexpr std::array every_merge = {VoidMerge::None, VoidMerge::Center, VoidMerge::Overlap};
+
+/// "none", "center" or "overlap".
+constexpr std::string_view name_of(VoidMerge merge) {
+    return merge == VoidMerge::None ? "none" : merge == VoidMerge::Center ? "center" : "overlap";
+}
 
 struct VoidSphere {
     Vec3 center;       ///< [m]

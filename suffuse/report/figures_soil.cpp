@@ -139,6 +139,25 @@ void add_distribution(
     }
 }
 
+/// The mean for each way of merging the pores of one void; nothing for a run of earlier times, which tells one only.
+std::string means_by_merge(const PassResult& pass) {
+    if (pass.constrictions_by_merge.front().count == 0) {
+        return "";
+    }
+    std::string means;
+    for (std::size_t way = 0; way < pores::every_merge.size(); ++way) {
+        const erosion::ConstrictionSummary& summary = pass.constrictions_by_merge[way];
+        means += fmt::format(
+            "{}{} {} mm ({})", means.empty() ? "" : ", ", pores::name_of(pores::every_merge[way]),
+            short_number(1e3 * summary.mean), grouped(summary.count)
+        );
+    }
+    return fmt::format(
+        " Mean (and number) in pass {} by the way in which pores are merged to voids: {}; drawn is {}.", pass.pass,
+        means, pores::name_of(pass.merge)
+    );
+}
+
 } // namespace
 
 std::optional<Figure>
@@ -241,8 +260,9 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
     figure.id = "own-constrictions";
     figure.section = "Water";
     figure.title = "Constriction sizes of the coarse skeleton, and sizes of the fines";
-    figure.caption =
-        claim + ". Shares by number of facets and of grains; the upper hundredth is left out of the drawing.";
+    figure.caption = claim +
+                     ". Shares by number of facets and of grains; the upper hundredth is left out of the drawing." +
+                     means_by_merge(first);
     figure.table.add("curve", std::move(curve));
     figure.table.add("diameter", "mm", std::move(size));
     figure.table.add("share_smaller", "%", std::move(share));

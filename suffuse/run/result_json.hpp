@@ -107,12 +107,13 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     PathRow, pass, phase, step, stress, volumetric_strain, porosity, unbalanced_force, eroded_mass
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerRow, grain, pass, diameter, mass, coordination, reason)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack the throats' fluxes
-    PassResult, pass, probe, constrictions, detachable, held_back, removed, eroded_mass_percent,
-    eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal, stress_constant_volume,
-    stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after, fines_content_after,
-    volumetric_strain, permeability_before, permeability_after, throat_flux_before, throat_flux_after, steps,
-    wall_seconds, verdict
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConstrictionSummary, count, mean, median, d35)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack the throats' fluxes, and merged voids
+    PassResult, pass, probe, constrictions, merge, constrictions_by_merge, detachable, held_back, removed,
+    eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,
+    stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after,
+    fines_content_after, volumetric_strain, permeability_before, permeability_after, throat_flux_before,
+    throat_flux_after, steps, wall_seconds, verdict
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
 } // namespace erosion

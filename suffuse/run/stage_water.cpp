@@ -56,6 +56,10 @@ json pass_numbers(const erosion::PassResult& pass) {
     for (const auto& [contacts, grains] : pass.coordination_histogram) {
         histogram[std::to_string(contacts)] = grains;
     }
+    json by_merge = json::object();
+    for (std::size_t way = 0; way < pores::every_merge.size(); ++way) {
+        by_merge[std::string(pores::name_of(pores::every_merge[way]))] = pass.constrictions_by_merge[way];
+    }
     return {
         {"pass", pass.pass},
         {"detachable", pass.detachable},
@@ -68,6 +72,7 @@ json pass_numbers(const erosion::PassResult& pass) {
         {"constriction_median", pass.constrictions.median},
         {"constriction_d35", pass.constrictions.d35},
         {"constrictions", pass.constrictions.diameter.size()},
+        {"constrictions_by_merge", by_merge},
         {"stress_before", pass.stress_before},
         {"stress_after_removal", pass.stress_after_removal},
         {"stress_constant_volume", pass.stress_constant_volume},

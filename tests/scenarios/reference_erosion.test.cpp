@@ -37,6 +37,11 @@ direction = "-x"
     within_two_percent(pass.at("permeability_before"), 5.36e-11);
     within_two_percent(pass.at("permeability_after"), 1.66e-10);
     within_two_percent(pass.at("constriction_mean"), 0.448e-3);
+    const json& merged = pass.at("constrictions_by_merge");
+    EXPECT_EQ(merged.at("none").at("mean"), pass.at("constriction_mean"));
+    EXPECT_EQ(merged.at("none").at("count"), pass.at("constrictions"));
+    EXPECT_LT(merged.at("center").at("mean"), 0.8 * merged.at("none").at("mean").get<double>());
+    EXPECT_LT(merged.at("overlap").at("count"), 0.01 * merged.at("none").at("count").get<double>()); // nearly one void
     // Rattlers carry nothing: their loss changes neither stress nor volume.
     const double p_before = pass.at("stress_before").at(0).at(0),
                  p_still = pass.at("stress_constant_volume").at(0).at(0);

@@ -134,6 +134,8 @@ sample_pass(int number, double stress_left, double strain, double removal, doubl
     pass.probe =
         sample_probe(0.05, number == 1 ? 950 : 690, number == 1 ? 0.28 : 0.05, 40 + static_cast<std::uint64_t>(number));
     pass.constrictions = sample_constrictions(static_cast<std::uint64_t>(number));
+    pass.constrictions_by_merge = {
+        {{1500, 4.48e-4, 4.4e-4, 3.8e-4}, {600, 3.2e-4, 3.1e-4, 2.8e-4}, {120, 2.1e-4, 2e-4, 1.9e-4}}};
     for (std::size_t g = 0; g < pass.probe.id.size(); ++g) {
         if (pass.probe.by_velocity[g] == 0) {
             continue;
