@@ -94,6 +94,21 @@ json pass_numbers(const erosion::PassResult& pass) {
     };
 }
 
+/// Below this the network's permeability is too high by 40 % and more: validation/permeability.md.
+constexpr double open_packing = 0.55;
+
+void note_open_packing(StageWork& work, const std::string& when, double porosity) {
+    const double solid_fraction = 1 - porosity;
+    if (solid_fraction < open_packing) {
+        work.warnings.push_back(fmt::format(
+            "{}: the solid fraction {} is {:.3f}: below {} the pore network's permeability is too high by 40 % and "
+            "more (validation/permeability.md), and its ratio to a denser state's is too high as well; the fluid's "
+            "forces add up to the gradient all the same",
+            work.place(), when, solid_fraction, open_packing
+        ));
+    }
+}
+
 void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion::ProbeResult& probe) {
     if (probe.reached_floor) {
         work.warnings.push_back(fmt::format(
@@ -142,6 +157,7 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
     const dem::World& world = work.world;
     const flow::Seepage seepage =
         flow::solve_seepage(world.cell, world.grains.position, world.grains.radius, spec, work.what.fluid);
+    note_open_packing(work, "of the sample", dem::porosity(world));
     json& numbers = work.numbers;
     numbers["gradient"] = spec.gradient;
     numbers["permeability"] = seepage.permeability;
@@ -226,6 +242,10 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         if (!pass.verdict.empty()) {
             work.warnings.push_back(fmt::format("{}: pass {}: {}", work.place(), pass.pass, pass.verdict));
         }
+    }
+    if (!result.passes.empty()) {
+        const erosion::PassResult& last = result.passes.back();
+        note_open_packing(work, fmt::format("after pass {}", last.pass), last.porosity_after);
     }
     work.numbers["passes"] = passes;
     work.numbers["steps"] = steps;

@@ -48,6 +48,26 @@ direction = "-x"
     EXPECT_NEAR(p_still / p_before, 1, 1e-4);
     EXPECT_LT(std::abs(pass.at("volumetric_strain").get<double>()), 1e-5);
     EXPECT_LE(pass.at("probe").at("unbalanced_force"), 1e-8);
+    EXPECT_NE(
+        stage_of(folder.path(), "erosion").at("warnings").dump().find("after pass 1 is 0.517: below 0.55"),
+        std::string::npos
+    );
+}
+
+TEST(OpenPackings, AreWarnedOfWhereTheirPermeabilityIsAsked) {
+    const std::string flow = "[[study.s.stage]]\nname = \"flow\"\ndo = \"flow\"\ngradient = 0.05\n";
+    const auto warnings = [&](const std::string& study) {
+        const TempFolder folder;
+        run_text(reference_constants + study + flow, folder.path());
+        return stage_of(folder.path(), "flow").at("warnings").dump();
+    };
+    const std::string open = warnings(
+        mixed_soil + "[study.s]\nsoil = \"mixture\"\nparticles = 200\n[[study.s.stage]]\nname = \"cloud\"\n"
+                     "do = \"pack\"\nporosity = 0.5\n"
+    );
+    EXPECT_NE(open.find("the solid fraction of the sample is 0.500"), std::string::npos) << open;
+    EXPECT_NE(open.find("too high by 40 % and more"), std::string::npos) << open;
+    EXPECT_EQ(warnings(reference_soil() + study_of_packing("packing500")).find("solid fraction"), std::string::npos);
 }
 
 TEST(ReferenceErosion, ForcedRemovalUnderADeviatorLosesStressContractsAndFallsInPorosity) {
