@@ -124,7 +124,7 @@ run::RunReport run_and_listen(const casefile::Case& what, run::RunOptions option
     std::thread worker([&] {
         try {
             const Turn turn;
-            const apps::FolderLock lock(options.folder);
+            const apps::FolderLock lock(options.folder, apps::Console());
             report = run::run_case(what, options);
         } catch (...) {
             failure = std::current_exception();

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.hpp"
+#include <chrono>
 #include <cmath>
 #include <optional>
+#include <thread>
 
 namespace suffuse::run {
 namespace {
@@ -28,7 +30,8 @@ double shown_strain(std::optional<int> axis) {
     if (axis) {
         control.show_strain_of(*axis);
     }
-    for (int k = 0; shown == 0 && k < 1'000'000; ++k) { // shows now and then only
+    for (int k = 0; shown == 0 && k < 1000; ++k) { // shows ten times a second
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
         control.beat("shear", k, &world);
     }
     return shown;
