@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/shell_word.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
 
@@ -34,7 +35,7 @@ void tell_failures(
     }
     console.talk(fmt::format(
         "{} of {} failed; the others are in the report. When the cause is mended: suffuse resume {}", failures.size(),
-        plural(samples, "sample"), folder.string()
+        plural(samples, "sample"), quoted(folder.string())
     ));
 }
 

@@ -8,6 +8,7 @@
 
 #include "apps/exit_code.hpp"
 #include "apps/failures.hpp"
+#include "apps/shell_word.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
@@ -102,14 +103,14 @@ int tell_end(const EndedRun& ended, const run::RunReport& report, const Console&
     if (!ended.sample.empty() && !run::is_resumable(report.outcome)) {
         console.result(fmt::format(
             "{}: {} in {}; suffuse sweep --collect {} gathers", ended.sample, word, duration_text(ended.seconds),
-            ended.folder.string()
+            quoted(ended.folder.string())
         ));
     } else if (has_failed || code == Done || code == Flawed) {
         tell_results(report, fmt::format("{} in {}", word, duration_text(ended.seconds)), console);
     } else {
         console.talk(fmt::format("{} after {}", word, duration_text(ended.seconds)));
-        const std::string sample = ended.sample.empty() ? "" : " --sample " + ended.sample;
-        console.result(fmt::format("resume with: suffuse resume {}{}", ended.folder.string(), sample));
+        const std::string sample = ended.sample.empty() ? "" : " --sample " + quoted(ended.sample);
+        console.result(fmt::format("resume with: suffuse resume {}{}", quoted(ended.folder.string()), sample));
     }
     const std::optional<run::PlanError> plan_error =
         ended.sample.empty() ? run::record_outcome(ended.folder) : std::nullopt;

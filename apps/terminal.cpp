@@ -108,6 +108,13 @@ void add_several(const Running& running, std::vector<std::string>& lines) {
 
 std::string state_text(const nlohmann::json& state) {
     std::string text;
+    if (const auto passes = state.find("passes"); passes != state.end() && passes->is_array() && !passes->empty()) {
+        double eroded = 0;
+        for (const nlohmann::json& pass : *passes) {
+            eroded += pass.value("eroded_mass_percent_of_initial", 0.0);
+        }
+        text = fmt::format("eroded {:.3g} % of the mass", eroded);
+    }
     for (const ShownNumber& number : shown_numbers) {
         if (!is_worth_showing(state, number)) {
             continue;

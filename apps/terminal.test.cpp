@@ -101,6 +101,9 @@ TEST(Terminal, WithoutUtf8EverythingIsAscii) {
 TEST(Terminal, WhatIsNoNumberIsNotShown) {
     EXPECT_EQ(state_text({{"void_ratio", nullptr}, {"mean_stress", "high"}}), "");
     EXPECT_EQ(state_text(nlohmann::json()), "");
+    const nlohmann::json passes = {
+        {{"eroded_mass_percent_of_initial", 20.0}}, {{"eroded_mass_percent_of_initial", 0.4}}};
+    EXPECT_EQ(state_text({{"passes", passes}, {"void_ratio", 0.9}}), "eroded 20.4 % of the mass  e 0.9");
 }
 
 TEST(Terminal, RedrawsAtMostTenTimesASecondAndCleansUp) {

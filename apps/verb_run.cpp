@@ -18,6 +18,7 @@
 #include "apps/progress_file.hpp"
 #include "apps/run_ending.hpp"
 #include "apps/run_folder.hpp"
+#include "apps/shell_word.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"
@@ -94,7 +95,7 @@ Screen standard_error(const Console& console) {
 run::RunReport run_to_its_end(const Job& job, const run::RunOptions& options, std::optional<LiveReport>& live) {
     const auto close = [&](const std::string& ending) {
         if (live) {
-            live->close(ending, "suffuse resume " + job.folder.string());
+            live->close(ending, "suffuse resume " + quoted(job.folder.string()));
         }
     };
     try {
@@ -121,7 +122,7 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
     options.case_text = job.case_text;
     options.command = line.typed;
     ProgressView view(
-        standard_error(console), job.plan, "Ctrl-C saves and stops; suffuse resume " + job.folder.string()
+        standard_error(console), job.plan, "Ctrl-C saves and stops; suffuse resume " + quoted(job.folder.string())
     );
     ProgressFile published(line.sample.empty() ? job.folder : job.folder / "studies" / line.sample, job.plan);
     std::optional<LiveReport> live;

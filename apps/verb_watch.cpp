@@ -8,6 +8,7 @@
 #include "apps/exit_code.hpp"
 #include "apps/progress_file.hpp"
 #include "apps/run_folder.hpp"
+#include "apps/shell_word.hpp"
 #include "apps/verbs.hpp"
 #include <chrono>
 #include <cstdio>
@@ -144,7 +145,7 @@ int watch_verb(const CommandLine& line, const Console& console) {
     const fs::path report = folder / "report.html";
     const bool has_report = watch.is_over() && !watch.is_resumable() && fs::exists(report);
     if (watch.is_resumable()) {
-        console.result(fmt::format("resume with: suffuse resume {}", shown(line.subject)));
+        console.result(fmt::format("resume with: suffuse resume {}", quoted(line.subject)));
     } else if (has_report) {
         console.result(report.string());
     } else if (!watch.is_over()) {

@@ -4,6 +4,7 @@
 #include "suffuse/base/unit_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -153,26 +154,42 @@ int take_power(std::string_view& text, std::string_view whole) {
     return is_negative ? -power : power;
 }
 
+/// Units that the symbol may have been meant to be: capitals aside (mPa is not MPa), else with its end left out, else
+/// misspelt.
+std::vector<std::string> similar_units(std::string_view symbol) {
+    std::vector<std::string> known, same, longer;
+    for (const Unit& unit : units) {
+        if (unit.symbol == "1" || symbol.empty()) {
+            continue;
+        }
+        known.emplace_back(unit.symbol);
+        if (edit_distance(symbol, unit.symbol.substr(0, symbol.size())) == 0) {
+            (unit.symbol.size() == symbol.size() ? same : longer).emplace_back(unit.symbol);
+        }
+    }
+    if (!same.empty() || !longer.empty()) {
+        return same.empty() ? longer : same;
+    }
+    const std::optional<std::string> nearest = nearest_word(symbol, known);
+    return nearest ? std::vector{*nearest} : std::vector<std::string>{};
+}
+
 const Unit& find_unit(std::string_view symbol, std::string_view whole) {
     for (const Unit& unit : units) {
         if (unit.symbol == symbol) {
             return unit;
         }
     }
-    std::vector<std::string> known;
-    for (const Unit& unit : units) {
-        if (unit.symbol != "1") {
-            known.emplace_back(unit.symbol);
-        }
-    }
-    const auto nearest = nearest_word(symbol, known);
+    const std::vector<std::string> similar = similar_units(symbol);
     const std::string what = symbol.empty()    ? fmt::format("\"{}\" is not a unit", whole)
                              : symbol == whole ? fmt::format("unknown unit \"{}\"", symbol)
                                                : fmt::format("unknown unit \"{}\" in \"{}\"", symbol, whole);
     throw UnitError(
-        what, nearest ? fmt::format("a unit with a similar name exists: \"{}\"", *nearest)
-                      : "known are m mm um cm km, s ms us min h, kg g mg t, Pa kPa MPa GPa bar, N kN, rad deg, %, "
-                        "their products and powers such as \"kg/m^3\" or \"mPa*s\""
+        what, similar.size() == 1 ? fmt::format("a unit with a similar name exists: \"{}\"", similar[0])
+              : !similar.empty()
+                  ? fmt::format("units with similar names exist: \"{}\"", fmt::join(similar, "\", \""))
+                  : "known are m mm um cm km, s ms us min h, kg g mg t, Pa kPa MPa GPa bar, N kN, rad deg, %, "
+                    "their products and powers such as \"kg/m^3\" or \"mPa*s\""
     );
 }
 

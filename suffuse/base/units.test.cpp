@@ -74,6 +74,14 @@ TEST(Units, ErrorsSayWhatIsWrongAndWhatToDo) {
     EXPECT_EQ(
         message_of("100 KPa", dimension::pressure), "unknown unit \"KPa\" | a unit with a similar name exists: \"kPa\""
     );
+    EXPECT_EQ(
+        message_of("356 mpa", dimension::pressure),
+        "unknown unit \"mpa\" | units with similar names exist: \"mPa\", \"MPa\""
+    );
+    EXPECT_EQ(
+        message_of("356 MP", dimension::pressure),
+        "unknown unit \"MP\" | units with similar names exist: \"mPa\", \"MPa\""
+    );
     EXPECT_EQ(message_of("100", dimension::pressure), "\"100\" has no unit, a pressure is expected | write it in kPa");
     EXPECT_EQ(
         message_of("100 mm", dimension::pressure), "\"100 mm\" is a length, a pressure is expected | write it in kPa"

@@ -137,6 +137,24 @@ ImportedPacking parse_any(const std::string& file, std::string_view text, double
     return looks_like_csv(text) ? parse_csv(file, text, density) : parse_yade(file, text, density);
 }
 
+/// Grains wider than the cell are a mistake of units; looked for as pairs, each would touch thousands of images.
+void check_sizes(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
+    const Vec3 width = cell::widths(h);
+    const double narrowest = std::min({width.x, width.y, width.z});
+    const double largest = 2 * *std::max_element(grains.radius.begin(), grains.radius.end());
+    if (largest > narrowest) {
+        throw CaseError(
+            fmt::format(
+                "{}: the largest grain has a diameter of {:.6g} m in a cell {:.6g} m wide; lengths in the file are in "
+                "m: "
+                "check its unit, and that of the cell",
+                origin, largest, narrowest
+            ),
+            origin
+        );
+    }
+}
+
 /// A position that no image of the cell can name is a mistake of the file; later it would pass for a motion blown up.
 void check_positions(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
     const Mat3 inverse_h = inverse(h);
@@ -180,6 +198,7 @@ std::optional<std::string> narrow_cell_warning(const grains::Grains& grains, con
 }
 
 double check_overlaps(const grains::Grains& grains, const cell::Cell& cell, double share, const std::string& origin) {
+    check_sizes(grains, cell.h, origin);
     check_positions(grains, cell.h, origin);
     const std::vector<neighbors::Pair> pairs = neighbors::find_pairs(cell.h, grains.position, grains.radius, 0.0);
     double worst = 0;
