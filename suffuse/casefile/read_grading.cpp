@@ -211,6 +211,30 @@ bool check_order(const std::vector<GradingPoint>& points, Problems& problems) {
     return is_good;
 }
 
+/// Curves that no soil has, but one whose unit was forgotten.
+bool check_units(const std::vector<GradingPoint>& points, Problems& problems) {
+    constexpr double stones = 0.06, least_end = 0.02; // [m], [-]
+    if (points.front().diameter >= stones) {
+        problems.error(
+            "E504", points.front().diameter_place,
+            fmt::format("the smallest size is {}: a soil of stones alone", in_mm(points.front().diameter)),
+            "sizes are in mm unless the header says otherwise: `d [um]` for micrometers"
+        );
+        return false;
+    }
+    if (points.back().passing <= least_end) {
+        problems.error(
+            "E504", points.back().passing_place,
+            fmt::format(
+                "the curve ends at {} passing {}", in_percent(points.back().passing), in_mm(points.back().diameter)
+            ),
+            "percent unless the header says otherwise: `passing [-]` for fractions"
+        );
+        return false;
+    }
+    return true;
+}
+
 /// From nothing to everything, sizes rising.
 bool check_ends(const std::vector<GradingPoint>& points, Problems& problems) {
     if (points.front().passing != 0) {
@@ -259,7 +283,7 @@ std::optional<grains::Grading> make_grading(
     if (points.front().diameter > points.back().diameter) {
         std::reverse(points.begin(), points.end());
     }
-    if (!check_order(points, problems)) {
+    if (!check_order(points, problems) || !check_units(points, problems)) {
         return std::nullopt;
     }
     if (ends == CurveEnds::Closed && !check_ends(points, problems)) {

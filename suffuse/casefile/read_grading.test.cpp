@@ -55,6 +55,8 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
         {"E504", 2, 5, "-5 %", "d,passing\n0.1,-5\n0.2,100\n"},
         {"E504", 2, 5, "nothing passes", "d,passing\n0.1,5\n0.2,100\n"},
         {"E504", 3, 5, "everything passes", "d,passing\n0.1,0\n0.2,95\n"},
+        {"E504", 2, 1, "`d [um]`", "d,passing\n63,0\n4000,100\n"},
+        {"E504", 3, 3, "`passing [-]`", "d,passing\n0.1,0\n4,1\n"},
         {"E502", 3, 5, "\"nan\" is not a number", "d,passing\n0.1,0\n0.2,nan\n"},
         {"E502", 3, 1, "\"abc\" is not a number", "d,passing\n0.1,0\nabc,50\n"},
         {"E502", 3, 5, "a value is missing", "d,passing\n0.1,0\n0.2,\n"},

@@ -1,8 +1,28 @@
 #include "suffuse/run/stage_work.hpp"
 
+#include "suffuse/base/error.hpp"
+#include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/io/checkpoint.hpp"
 
+#include <fmt/format.h>
+
 namespace suffuse::run {
+namespace {
+
+/// A time step of the user's own beyond what the sample can take blows it up, or heats it while it seems to settle.
+void check_time_step(const dem::World& world, double asked) {
+    constexpr double lent = 2; // inertia that a compaction lends allows so much more
+    const double limit = dem::stable_time_step(world, 1);
+    if (asked > lent * limit) {
+        throw CaseError(fmt::format(
+            "`time_step` is {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is unstable; leave it out, "
+            "and the program chooses",
+            1e9 * asked, 1e9 * limit
+        ));
+    }
+}
+
+} // namespace
 
 void StageWork::save_partial(const nlohmann::json& state) const {
     const nlohmann::json all{
@@ -23,13 +43,25 @@ void do_stage(StageWork& work) {
 
         void operator()(const packing::PackSpec& spec) const { do_pack(work, spec); }
 
-        void operator()(const packing::CompactSpec& spec) const { do_compact(work, spec); }
+        void operator()(const packing::CompactSpec& spec) const {
+            check_time_step(work.world, spec.time_step);
+            do_compact(work, spec);
+        }
 
-        void operator()(const dem::SettleSpec& spec) const { do_settle(work, spec); }
+        void operator()(const dem::SettleSpec& spec) const {
+            check_time_step(work.world, spec.time_step);
+            do_settle(work, spec);
+        }
 
-        void operator()(const triaxial::TriaxialSpec& spec) const { do_triaxial(work, spec); }
+        void operator()(const triaxial::TriaxialSpec& spec) const {
+            check_time_step(work.world, spec.time_step);
+            do_triaxial(work, spec);
+        }
 
-        void operator()(const dem::AdvanceSpec& spec) const { do_advance(work, spec); }
+        void operator()(const dem::AdvanceSpec& spec) const {
+            check_time_step(work.world, spec.time_step);
+            do_advance(work, spec);
+        }
 
         void operator()(const flow::FlowSpec& spec) const { do_flow(work, spec); }
 

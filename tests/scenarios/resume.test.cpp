@@ -93,6 +93,19 @@ TEST(Resume, AFolderOfAnotherCaseIsRefused) {
     EXPECT_THROW(run_text(other, folder.path()), CaseError);
 }
 
+TEST(OwnTimeStep, BeyondWhatTheSampleCanTakeIsRefused) {
+    const TempFolder folder;
+    std::string text = whole_case();
+    text.replace(
+        text.find("pressure = \"100 kPa\""), 0, "time_step = \"1 us\"\n"
+    ); // of the compaction: ten times too long
+    const run::RunReport report = run_text(text, folder.path());
+    EXPECT_EQ(report.outcome, run::Outcome::SomeFailed);
+    ASSERT_EQ(report.failures.size(), 1U);
+    EXPECT_NE(report.failures[0].message.find("`time_step` is 1000 ns, expected at most"), std::string::npos)
+        << report.failures[0].message;
+}
+
 class Threads : public testing::Test {
 protected:
     void TearDown() override { set_thread_count(1); }
