@@ -176,21 +176,14 @@ const FinishedStage& shown_stage(const std::vector<FinishedStage>& stages) {
     return *shown;
 }
 
-/// The stages of a sample that lead to `last`, and those from the same grains beside them, in the case's order; clouds,
-/// which touch nowhere, left out.
+/// The stages of the sample of `last` with as many grains as it has, in the case's order; clouds, which touch nowhere,
+/// left out. A scene has one list of grains.
 std::vector<const casefile::Stage*>
 stages_to_show(const std::vector<FinishedStage>& finished, const FinishedStage& last) {
-    const auto& all = last.variant->stages;
-    std::vector<bool> leads(all.size(), false);
-    for (int k = static_cast<int>(last.stage - all.data()); k >= 0; k = all[static_cast<std::size_t>(k)].parent) {
-        leads[static_cast<std::size_t>(k)] = true;
-    }
     std::vector<const casefile::Stage*> shown;
     for (const FinishedStage& each : finished) {
-        const bool of_sample = each.variant == last.variant &&
-                               !std::holds_alternative<packing::PackSpec>(each.stage->spec) && each.stage <= last.stage;
-        if (of_sample && (leads[static_cast<std::size_t>(each.stage - all.data())] ||
-                          each.numbers.at("grains") == last.numbers.at("grains"))) {
+        if (each.variant == last.variant && !std::holds_alternative<packing::PackSpec>(each.stage->spec) &&
+            each.stage <= last.stage && each.numbers.at("grains") == last.numbers.at("grains")) {
             shown.push_back(each.stage);
         }
     }

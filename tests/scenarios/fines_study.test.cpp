@@ -160,5 +160,25 @@ TEST_F(FinesStudy, ARemovalThatIsStoppedEndsWithTheSameBits) {
     EXPECT_EQ(stage_of(broken, "fc=30/emptied").at("state_hash"), stage_of(*folder_, "fc=30/emptied").at("state_hash"));
 }
 
+TEST(RemovalTwice, FromTwoStatesOfASampleIsShownWithGrainsThatAllStatesShownHave) {
+    const std::string advance = "do = \"advance\"\nsteps = 50\nstrain_rate = [\"0 1/s\", \"0 1/s\", \"0 1/s\"]\n";
+    const std::string remove = "do = \"remove\"\n";
+    std::string text = reference_constants + mixed_soil +
+                       "[study.s]\nsoil = \"mixture\"\nparticles = 300\nsweep = { fines_content = [\"30 %\"] }\n" +
+                       cloud_and_initial;
+    const auto add = [&](const std::string& name, const std::string& from, const std::string& verb) {
+        text += "[[study.s.stage]]\nname = \"" + name + "\"\nfrom = \"" + from + "\"\n" + verb;
+    };
+    add("emptied", "initial", remove);
+    add("after", "emptied", advance);
+    add("moved", "initial", advance);
+    add("emptied-moved", "moved", remove);
+    add("after-moved", "emptied-moved", advance);
+    const TempFolder folder;
+    const run::RunReport report = run_text(text, folder.path());
+    EXPECT_TRUE(report.failures.empty());
+    EXPECT_TRUE(std::filesystem::exists(folder / "run/summary.json"));
+}
+
 } // namespace
 } // namespace suffuse::test
