@@ -137,12 +137,12 @@ ImportedPacking parse_any(const std::string& file, std::string_view text, double
     return looks_like_csv(text) ? parse_csv(file, text, density) : parse_yade(file, text, density);
 }
 
-/// Grains wider than the cell are a mistake of units; looked for as pairs, each would touch thousands of images.
+/// Grains that reach beyond their images are a mistake of units; looked for as pairs, each would touch thousands of
+/// them.
 void check_sizes(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
-    const Vec3 width = cell::widths(h);
-    const double narrowest = std::min({width.x, width.y, width.z});
+    const double narrowest = std::min({norm(h.column(0)), norm(h.column(1)), norm(h.column(2))});
     const double largest = 2 * *std::max_element(grains.radius.begin(), grains.radius.end());
-    if (largest > narrowest) {
+    if (largest > 2 * narrowest) {
         throw CaseError(
             fmt::format(
                 "{}: the largest grain has a diameter of {:.6g} m in a cell {:.6g} m wide; lengths in the file are in "

@@ -151,14 +151,16 @@ TEST(PackingFile, OverlapBeyondTheShareNamesTheWorstPair) {
     }
     grains::Grains large;
     grains::add_grain(large, {0, 0, 0}, 0.6, 2600);
+    EXPECT_THROW(check_overlaps(large, cell, 0.1), CaseError); // wider than the cell: overlaps its own image
+    large.radius[0] = 600;
     try { // as a packing in mm read in m: not looked for as pairs, there would be too many
         check_overlaps(large, cell, 0.1, "mm.csv");
         FAIL() << "expected a CaseError";
     } catch (const CaseError& error) {
         EXPECT_EQ(
-            std::string(error.what()),
-            "mm.csv: the largest grain has a diameter of 1.2 m in a cell 1 m wide; lengths in the file are in m: check "
-            "its unit, and that of the cell"
+            std::string(error.what()), "mm.csv: the largest grain has a diameter of 1200 m in a cell 1 m wide; lengths "
+                                       "in the file are in m: check "
+                                       "its unit, and that of the cell"
         );
     }
 }

@@ -15,7 +15,7 @@ class OffsetUnion {
 public:
     /// A node and periods: "node, moved by offset".
     struct Place {
-        std::uint32_t node;
+        std::uint32_t node = 0;
         cell::Image offset;
     };
 
@@ -41,9 +41,9 @@ public:
     }
 
     struct Joined {
-        std::uint32_t kept; ///< root of the joined set
-        std::uint32_t
-            absorbed;     ///< root of the set that was added to it; the same as `kept` where the edge closes a loop
+        std::uint32_t kept = 0; ///< root of the joined set
+        std::uint32_t absorbed =
+            0;            ///< root of the set that was added to it; the same as `kept` where the edge closes a loop
         cell::Image loop; ///< periods that the closed loop leads through
     };
 

@@ -132,7 +132,10 @@ TEST(Figures, AnEmptyRunMakesNone) {
         erosion_loop(nothing) || speed_by_pass(nothing) || eroded_mass(nothing) || eroded_coordination(nothing)
     );
     EXPECT_FALSE(stress_path(nothing) || porosity_path(nothing) || constriction_sizes(nothing));
-    EXPECT_FALSE(permeability_by_pass(nothing) || rules_compared({}, {{"", &nothing}}) || speed_by_gradient({}));
+    EXPECT_FALSE(
+        permeability_by_pass(nothing) || rules_compared({}, {}) || rules_compared({}, {{"", &nothing}}) ||
+        speed_by_gradient({})
+    );
     EXPECT_FALSE(triaxial_response({}) || eroded_grading({}, nothing) || grading_curves({}, {}, 1e-4));
 }
 

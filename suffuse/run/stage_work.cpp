@@ -43,25 +43,13 @@ void do_stage(StageWork& work) {
 
         void operator()(const packing::PackSpec& spec) const { do_pack(work, spec); }
 
-        void operator()(const packing::CompactSpec& spec) const {
-            check_time_step(work.world, spec.time_step);
-            do_compact(work, spec);
-        }
+        void operator()(const packing::CompactSpec& spec) const { do_compact(work, spec); }
 
-        void operator()(const dem::SettleSpec& spec) const {
-            check_time_step(work.world, spec.time_step);
-            do_settle(work, spec);
-        }
+        void operator()(const dem::SettleSpec& spec) const { do_settle(work, spec); }
 
-        void operator()(const triaxial::TriaxialSpec& spec) const {
-            check_time_step(work.world, spec.time_step);
-            do_triaxial(work, spec);
-        }
+        void operator()(const triaxial::TriaxialSpec& spec) const { do_triaxial(work, spec); }
 
-        void operator()(const dem::AdvanceSpec& spec) const {
-            check_time_step(work.world, spec.time_step);
-            do_advance(work, spec);
-        }
+        void operator()(const dem::AdvanceSpec& spec) const { do_advance(work, spec); }
 
         void operator()(const flow::FlowSpec& spec) const { do_flow(work, spec); }
 
@@ -72,6 +60,14 @@ void do_stage(StageWork& work) {
         void operator()(const erosion::RemoveSpec& spec) const { do_remove(work, spec); }
     };
 
+    std::visit(
+        [&](const auto& spec) {
+            if constexpr (requires { spec.time_step; }) {
+                check_time_step(work.world, spec.time_step);
+            }
+        },
+        work.stage.spec
+    );
     std::visit(Verb{work}, work.stage.spec);
     work.control.save_with(nullptr);
     work.pictures.finish();
