@@ -1,6 +1,7 @@
 // suffuse assess, as a user calls it.
 
 #include "tests/support/program.hpp"
+#include "tests/support/reference.hpp"
 #include <sstream>
 
 namespace suffuse {
@@ -97,7 +98,7 @@ TEST_F(Assess, WritesAPageWithFiguresAndNumbers) {
 }
 
 TEST_F(Assess, TakesTheSoilsOfACase) {
-    EXPECT_EQ(call(SUFFUSE_SOURCE_DIR "/examples/fontainebleau-2016/case.toml --json"), 0);
+    EXPECT_EQ(call(test::in_checkout("examples/fontainebleau-2016/case.toml") + " --json"), 0);
     const auto soils = nlohmann::json::parse(out)["soils"];
     ASSERT_EQ(soils.size(), 1U);
     EXPECT_NEAR(soils[0]["fine_fraction"]["finer_than"].get<double>(), 0.26e-3, 1e-15);
@@ -117,7 +118,7 @@ TEST_F(Assess, BadInputIsNamedWithItsPlace) {
     EXPECT_EQ(call("dyke.csv -i -1"), 2);
     EXPECT_EQ(call("dyke.csv --porosity 0.3"), 2);
     expect_in("-i", error);
-    EXPECT_EQ(call(SUFFUSE_SOURCE_DIR "/examples/replay/case.toml"), 3);
+    EXPECT_EQ(call(test::in_checkout("examples/replay/case.toml")), 3);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // The program as a whole: help, wrong use, hostile words, and where words go.
 
 #include "tests/support/program.hpp"
+#include "tests/support/reference.hpp"
 #include <sstream>
 
 namespace suffuse {
@@ -34,7 +35,7 @@ TEST_F(Cli, EveryVerbHasAHelpOfOneScreen) {
 }
 
 TEST_F(Cli, EveryVerbHasItsSectionInTheDocumentation) {
-    const std::string page = test::read_all(SUFFUSE_SOURCE_DIR "/docs/verbs.md");
+    const std::string page = test::read_all(test::in_checkout("docs/verbs.md"));
     const std::string overview = say({}).out;
     std::istringstream lines(overview.substr(overview.find("verbs\n") + 6));
     int verbs = 0;

@@ -1,6 +1,7 @@
 // run, resume, report: the job.
 
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/casefile/read_text.hpp"
 #include "suffuse/run/plan_record.hpp"
 #include "suffuse/run/refine.hpp"
@@ -24,7 +25,6 @@
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -143,10 +143,10 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
     if (line.sample.empty()) { // a sample beside others knows the price of its own stages only
         run::keep_plan(job.folder, job.plan);
     }
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const run::RunReport report = run_to_its_end(job, options, live);
     view.clear();
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = watch.seconds();
     return tell_end({job.folder, line.sample, std::ssize(run::list_samples(job.what)), seconds}, report, console);
 }
 

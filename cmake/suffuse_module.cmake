@@ -36,9 +36,8 @@ endfunction()
 # suffuse_test_program(TARGET LABEL sources...): a GoogleTest program, each test known to ctest under LABEL.
 function(suffuse_test_program target label)
     add_executable(${target} ${ARGN})
-    target_compile_definitions(${target} PRIVATE SUFFUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
-    target_link_libraries(${target} PRIVATE suffuse_options GTest::gtest GTest::gtest_main rapidcheck
-        Eigen3::Eigen nlohmann_json::nlohmann_json ZLIB::ZLIB) # the reference's files are compressed JSON
+    target_link_libraries(${target} PRIVATE suffuse_test_support suffuse_options suffuse_light GTest::gtest GTest::gtest_main rapidcheck
+        Eigen3::Eigen nlohmann_json::nlohmann_json)
     gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
 endfunction()

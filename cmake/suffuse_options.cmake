@@ -6,6 +6,9 @@ target_compile_options(suffuse_options INTERFACE
     # lets the compiler turn branches into selects; neither changes a value.
     -ffp-contract=off -fno-math-errno -fno-trapping-math
     -Wno-psabi) # vectors wider than the least processor has are only passed where everything is inlined
+# What computes little (words, pages, tests) need not take long to build; values are the same.
+add_library(suffuse_light INTERFACE)
+target_compile_options(suffuse_light INTERFACE $<$<CONFIG:Release>:-O1>)
 # The same objects make the program and the Python module.
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)

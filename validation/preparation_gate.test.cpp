@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/reference.hpp"
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -27,7 +28,7 @@ namespace {
 
 constexpr int particles = 2000;
 constexpr std::uint64_t seeds = 16;
-const std::string table = SUFFUSE_SOURCE_DIR "/validation/slow_seeds.csv";
+const std::string table = test::in_checkout("validation/slow_seeds.csv");
 constexpr std::array<const char*, 10> names{"steps",    "void_ratio", "coordination", "mechanical_coordination",
                                             "rattlers", "fabric",     "variation",    "median",
                                             "p90",      "strong"};

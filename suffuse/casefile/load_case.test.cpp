@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/reference.hpp"
 #include <random>
 #include <set>
 
@@ -170,7 +171,7 @@ TEST(LoadCase, UnitsMakeNoDifference) {
 
 TEST(LoadCase, ExamplesLoadWithEveryPreset) {
     int examples = 0;
-    for (const auto& folder : std::filesystem::directory_iterator(SUFFUSE_SOURCE_DIR "/examples")) {
+    for (const auto& folder : std::filesystem::directory_iterator(test::in_checkout("examples"))) {
         const std::string file = (folder.path() / "case.toml").string();
         if (!std::filesystem::exists(file)) {
             continue;
@@ -196,7 +197,7 @@ TEST(LoadCase, ExamplesLoadWithEveryPreset) {
 }
 
 TEST(LoadCase, TheMainExampleIsThePapersScenario) {
-    const Case c = load_case(SUFFUSE_SOURCE_DIR "/examples/fontainebleau-2016/case.toml", {"paper", {}}).value;
+    const Case c = load_case(test::in_checkout("examples/fontainebleau-2016/case.toml"), {"paper", {}}).value;
     EXPECT_EQ(c.preset, "paper");
     EXPECT_EQ(c.studies.at(0).name, "erosion");
     EXPECT_EQ(c.studies[0].variants.at(0).particles, 10'000);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/reference.hpp"
+
 namespace {
 
 using namespace suffuse;
@@ -19,7 +21,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 // the estimate takes 0.4 and a curve where the reference has size classes: 2 % covers both.
 TEST(PhysicsChecks, CellWidthMeetsTheReferencesSample) {
     grains::Soil soil;
-    soil.whole = read_grading(SUFFUSE_SOURCE_DIR "/examples/fontainebleau-2016/data/fontainebleau.csv");
+    soil.whole = read_grading(test::in_checkout("examples/fontainebleau-2016/data/fontainebleau.csv"));
     EXPECT_NEAR(width_in_grains(soil, 10'000), 3.895 / 0.4, 0.02 * 3.895 / 0.4);
     EXPECT_NEAR(width_in_grains(soil, 80'000) / width_in_grains(soil, 10'000), 2, 1e-12); // cube root of 8
 }

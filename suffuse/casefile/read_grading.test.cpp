@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/reference.hpp"
+
 namespace {
 
 using namespace suffuse;
@@ -102,7 +104,7 @@ TEST(ReadGrading, ABadCurveOfACaseIsReportedInItsOwnFile) {
 }
 
 TEST(ReadGrading, ReadsTheExamplesCurve) {
-    const auto grading = read_grading(SUFFUSE_SOURCE_DIR "/examples/fontainebleau-2016/data/fontainebleau.csv");
+    const auto grading = read_grading(test::in_checkout("examples/fontainebleau-2016/data/fontainebleau.csv"));
     EXPECT_EQ(grading.diameter.front(), 1e-4);
     EXPECT_EQ(grading.diameter.size(), 7U);
     EXPECT_THROW(read_grading("/nowhere.csv"), IoError);

@@ -7,6 +7,7 @@
 #include "suffuse/dem/step.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "suffuse/erosion/loop.hpp"
 
+#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/dem/relax.hpp"
@@ -12,25 +13,12 @@
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <span>
 #include <utility>
 
 namespace suffuse::erosion {
 namespace {
-
-/// Wall seconds since it was made or last asked.
-class Stopwatch {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// Step 2: the permeability, the throats' fluxes, and the fluid's forces on the grains at each gradient. The pore
 /// network, larger than the world, is gone when this returns.

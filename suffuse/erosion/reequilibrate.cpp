@@ -1,6 +1,7 @@
 #include "suffuse/erosion/reequilibrate.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/erosion/extraction.hpp"
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace suffuse::erosion {
@@ -99,10 +99,7 @@ std::vector<PathRow> reequilibrate(
     recorder.add("removal", world, pass.stress_after_removal, dem::measure_equilibrium(world).unbalanced_force, 1);
     std::int64_t steps = 1;
 
-    const auto started = std::chrono::steady_clock::now();
-    const auto seconds_since = [](auto then) {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
-    };
+    Stopwatch watch;
     const auto run_phase = [&](const std::string& phase, std::int64_t most_steps, const auto& is_over) {
         dem::BalanceState state;
         for (std::int64_t burst = 1;; ++burst) {
@@ -123,9 +120,8 @@ std::vector<PathRow> reequilibrate(
         return rests(state, around.balance, before);
     });
     pass.stress_constant_volume = still.stress;
-    pass.wall_seconds["constant volume"] = seconds_since(started);
+    pass.wall_seconds["constant volume"] = watch.lap();
 
-    const auto servo_started = std::chrono::steady_clock::now();
     plan.loading = held_loading(world, pass.stress_before);
     plan.loading.servo.max_rate = resettling_rate;
     const auto has_failed = [&] {
@@ -150,7 +146,7 @@ std::vector<PathRow> reequilibrate(
         ));
     }
     pass.stress_after = settled.stress;
-    pass.wall_seconds["servo"] = seconds_since(servo_started);
+    pass.wall_seconds["servo"] = watch.lap();
 
     pass.steps = steps;
     pass.porosity_after = dem::porosity(world);

@@ -5,8 +5,10 @@
 #include "suffuse/flow/conductance.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/support/packings.hpp"
+#include "tests/support/reference.hpp"
 #include <algorithm>
 #include <map>
 

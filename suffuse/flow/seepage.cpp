@@ -2,30 +2,16 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/flow/conductance.hpp"
 #include "suffuse/flow/drag.hpp"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 
 namespace suffuse::flow {
 namespace {
-
-/// Seconds since the last call, or since it was made.
-class Lap {
-public:
-    double operator()() {
-        const auto now = std::chrono::steady_clock::now();
-        const double seconds = std::chrono::duration<double>(now - last_).count();
-        last_ = now;
-        return seconds;
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 void check(const FlowSpec& spec, const Fluid& fluid) {
     const double length = norm(spec.direction);
@@ -73,12 +59,12 @@ Seepage solve_seepage(
 ) {
     check(spec, fluid);
     Seepage s;
-    Lap lap;
+    Stopwatch watch;
     pores::Triangulation triangulation = pores::triangulate(cell.h, position, radius);
-    s.seconds.triangulate = lap();
+    s.seconds.triangulate = watch.lap();
     s.network = pores::build_network(std::move(triangulation), cell.h, position, radius);
     s.conductance = conductances(s.network, fluid.viscosity);
-    s.seconds.conductance = lap();
+    s.seconds.conductance = watch.lap();
 
     const Vec3 unit = (-fluid.density * gravity / norm(spec.direction)) * spec.direction; // at i = 1
     const PressureSolver solver(s.network, s.conductance);
@@ -88,11 +74,11 @@ Seepage solve_seepage(
     if (spec.tensor) {
         s.tensor = permeability_tensor(solver, s.network, fluid.viscosity);
     }
-    s.seconds.solve = lap();
+    s.seconds.solve = watch.lap();
     s.pressure_gradient = unit;
     s.grain_force = grain_forces(s.network, s.field.pressure, unit, radius.size());
     scale(s, spec.gradient);
-    s.seconds.forces = lap();
+    s.seconds.forces = watch.lap();
     return s;
 }
 

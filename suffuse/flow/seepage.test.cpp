@@ -6,8 +6,10 @@
 #include "suffuse/flow/drag.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/support/packings.hpp"
+#include "tests/support/reference.hpp"
 #include <numeric>
 #include <random>
 

@@ -1,6 +1,7 @@
 #include "suffuse/flow/throat_flux.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/quantile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +30,6 @@ std::vector<Throat> open_throats(const pores::PoreNetwork& network, std::span<co
     return open;
 }
 
-/// Linear between order statistics.
-double quantile(std::span<const double> sorted, double share) {
-    const double rank = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(rank);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], rank - std::floor(rank));
-}
-
 /// Share of the flow through the largest of the throats, and how few of them carry half; `ratio` sorted upward.
 void add_concentration(const std::vector<double>& ratio, ThroatFlux& out) {
     std::vector<double> sum{0}; // through the k largest
@@ -47,7 +40,7 @@ void add_concentration(const std::vector<double>& ratio, ThroatFlux& out) {
         each /= sum.back();
     }
     for (int k = 0; k <= shares; ++k) { // sum of 0 .. n throats: a curve of n + 1 points
-        out.carried.push_back(quantile(sum, static_cast<double>(k) / shares));
+        out.carried.push_back(quantile_of_sorted(sum, static_cast<double>(k) / shares));
     }
     const auto half = std::lower_bound(sum.begin(), sum.end(), 0.5);
     out.half_carried_by = static_cast<double>(half - sum.begin()) / static_cast<double>(ratio.size());
@@ -66,10 +59,10 @@ void add_classes(std::vector<Throat> throats, double mean, ThroatFlux& out) {
             ratio.push_back(throats[t].flux / mean);
         }
         std::sort(ratio.begin(), ratio.end());
-        out.diameter.push_back(quantile(diameter, 0.5));
-        out.flux_10.push_back(quantile(ratio, 0.1));
-        out.flux_50.push_back(quantile(ratio, 0.5));
-        out.flux_90.push_back(quantile(ratio, 0.9));
+        out.diameter.push_back(quantile_of_sorted(diameter, 0.5));
+        out.flux_10.push_back(quantile_of_sorted(ratio, 0.1));
+        out.flux_50.push_back(quantile_of_sorted(ratio, 0.5));
+        out.flux_90.push_back(quantile_of_sorted(ratio, 0.9));
     }
 }
 
@@ -95,7 +88,7 @@ ThroatFlux describe_fluxes(const pores::PoreNetwork& network, std::span<const do
         each /= mean;
     }
     for (int k = 0; k <= shares; ++k) {
-        out.quantile.push_back(quantile(ratio, static_cast<double>(k) / shares));
+        out.quantile.push_back(quantile_of_sorted(ratio, static_cast<double>(k) / shares));
     }
     add_concentration(ratio, out);
     add_classes(std::move(throats), mean, out);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "tests/support/reference.hpp"
 #include "tests/support/temp_folder.hpp"
 #include <bit>
 #include <cmath>
@@ -121,7 +122,7 @@ TEST(PackingFile, BadLammpsDataIsRefused) {
 }
 
 TEST(PackingFile, ReferencePackingIsReadFromGzip) {
-    const ImportedPacking packing = read_packing(SUFFUSE_SOURCE_DIR "/tests/reference/packing500.csv.gz", 2600);
+    const ImportedPacking packing = read_packing(test::in_checkout("tests/reference/packing500.csv.gz"), 2600);
     ASSERT_EQ(packing.grains.size(), 500U);
     EXPECT_EQ(packing.grains.position[0].x, 0.00053771875529922612); // first number of the file
     const cell::Cell cell{diagonal({0.0014360856339985508, 0.0014358137235332051, 0.001436026846625529}), {}};
@@ -253,7 +254,7 @@ RC_GTEST_PROP(PackingFile, DamagedFilesAreEitherAPackingOrAnErrorOfOurs, ()) {
 
 TEST(PackingFile, GzipThatWasCutIsAnIoError) {
     const TempFolder folder;
-    const std::string whole = test::read_all(SUFFUSE_SOURCE_DIR "/tests/reference/packing500.csv.gz");
+    const std::string whole = test::read_all(test::in_checkout("tests/reference/packing500.csv.gz"));
     write_file(folder / "cut.csv.gz", whole.substr(0, whole.size() / 2));
     EXPECT_THROW(read_packing(folder / "cut.csv.gz", 2600), IoError);
 }

@@ -1,21 +1,11 @@
 #include "suffuse/pores/constrictions.hpp"
 
+#include "suffuse/base/quantile.hpp"
+
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace suffuse::pores {
-
-double quantile(std::span<const double> sorted, double share) {
-    if (sorted.empty()) {
-        return 0;
-    }
-    const double place = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 namespace {
 
 Constrictions sizes_of(const Throats& throats, std::span<const std::uint32_t> constricted) {
@@ -30,8 +20,8 @@ Constrictions sizes_of(const Throats& throats, std::span<const std::uint32_t> co
     std::vector<double> sorted = result.diameter;
     std::sort(sorted.begin(), sorted.end());
     result.mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
-    result.median = quantile(sorted, 0.5);
-    result.d35 = quantile(sorted, 0.35);
+    result.median = quantile_of_sorted(sorted, 0.5);
+    result.d35 = quantile_of_sorted(sorted, 0.35);
     return result;
 }
 

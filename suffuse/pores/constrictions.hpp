@@ -34,7 +34,4 @@ Constrictions find_constrictions(
     const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, VoidMerge merge = VoidMerge::None
 );
 
-/// The value below which a share of the sorted values lies, by linear interpolation between them.
-double quantile(std::span<const double> sorted, double share);
-
 } // namespace suffuse::pores

@@ -1,8 +1,12 @@
 #include "suffuse/pores/constrictions.hpp"
 
+#include "suffuse/base/quantile.hpp"
+
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/support/packings.hpp"
+#include "tests/support/reference.hpp"
 #include <algorithm>
 
 namespace suffuse::pores {
@@ -46,7 +50,7 @@ TEST(Constrictions, OfTheCoarseSkeletonAreThoseOfTheReference) {
         for (std::size_t k = 0; k < sorted.size(); ++k) {
             EXPECT_NEAR(sorted[k] / expected[k], 1, 1e-9); // eleven digits in the file
         }
-        EXPECT_NEAR(found.d35, quantile(expected, 0.35), 1e-9 * found.d35);
+        EXPECT_NEAR(found.d35, quantile_of_sorted(expected, 0.35), 1e-9 * found.d35);
     }
 }
 
@@ -57,15 +61,6 @@ TEST(Constrictions, OfAFaceCenteredPackingAreAllOfThreeTouchingGrains) {
     for (const double d : found.diameter) {
         EXPECT_NEAR(d, 2 * (2 / std::sqrt(3.0) - 1), 1e-12);
     }
-}
-
-TEST(Quantile, InterpolatesBetweenValues) {
-    const std::vector<double> values = {1, 2, 4};
-    EXPECT_EQ(quantile(values, 0), 1);
-    EXPECT_EQ(quantile(values, 0.5), 2);
-    EXPECT_EQ(quantile(values, 0.75), 3);
-    EXPECT_EQ(quantile(values, 1), 4);
-    EXPECT_EQ(quantile({}, 0.5), 0);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // Figure 8, and what the sizes say: gradings before and after erosion, constrictions beside the fines.
+#include "suffuse/base/quantile.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/report/figures.hpp"
-#include "suffuse/report/quantile.hpp"
 #include "suffuse/report/size_axis.hpp"
 #include "suffuse/report/words.hpp"
 

@@ -1,8 +1,8 @@
 // Figures 9 and 10 and the comparison of the detachment rules: what the probes saw.
+#include "suffuse/base/quantile.hpp"
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/findings.hpp"
 #include "suffuse/report/passes.hpp"
-#include "suffuse/report/quantile.hpp"
 #include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>

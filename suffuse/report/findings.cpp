@@ -1,9 +1,9 @@
 #include "suffuse/report/findings.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/quantile.hpp"
 #include "suffuse/report/figure.hpp"
 #include "suffuse/report/passes.hpp"
-#include "suffuse/report/quantile.hpp"
 #include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>

@@ -3,9 +3,9 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/report/figure.hpp"
 #include "suffuse/report/html.hpp"
-#include "suffuse/report/quantile.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -57,13 +57,6 @@ TEST(Figure, MissingNumbersBecomeNullInItsSpecification) {
 
 TEST(Html, NothingOfATextEndsItsElementOrAttribute) {
     EXPECT_EQ(escaped("</script><img onerror=\"x\">&'"), "&lt;/script&gt;&lt;img onerror=&quot;x&quot;&gt;&amp;&#39;");
-}
-
-TEST(Quantile, IsLinearBetweenOrderStatistics) {
-    EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, 0.5), 2.5);
-    EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, 0), 1);
-    EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, 1), 4);
-    EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
 }
 
 } // namespace

@@ -1,21 +1,20 @@
 #include "suffuse/run/bench_flow.hpp"
 
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/run/result_json.hpp"
-
-#include <chrono>
 
 namespace suffuse::run {
 
 BenchFlowResult bench_flow(const BenchFlowSpec& spec) {
     const dem::World world = load_bench_packing(spec.packing);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const flow::Seepage seepage = flow::solve_seepage(
         world.cell, world.grains.position, world.grains.radius, {spec.gradient, spec.direction, false}, {}
     );
     BenchFlowResult result;
-    result.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.total = watch.seconds();
     result.threads = thread_count();
     result.grains = world.grains.size();
     result.pores = seepage.network.pores.size();

@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/resident.hpp"
+#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
@@ -11,22 +12,16 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 namespace suffuse::run {
 namespace {
 
 constexpr std::int64_t most_settle_steps = 500'000;
 constexpr double shear_servo_rate = 60; // largest lateral strain rate, as the reference's scene has it [1/s]
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 void settle_sample(dem::World& world, dem::StepCaches& caches, const dem::StepPlan& plan, BenchStepResult& result) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     result.settle_steps = dem::settle(world, caches, plan, {}, most_settle_steps).steps;
-    result.settle_seconds = seconds_since(start);
+    result.settle_seconds = watch.seconds();
     result.contacts_before = dem::measure_equilibrium(world).contacts;
 }
 
@@ -79,9 +74,9 @@ BenchStepResult bench_step(const BenchStepSpec& spec) {
     plan.loading = slow_shear(spec);
     const std::int64_t searches = caches.neighborhood.searches(), tables = caches.neighborhood.prunings();
     forget_peak();
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const Mat3 stress = dem::advance(world, caches, plan, spec.steps).stress;
-    result.seconds = seconds_since(start);
+    result.seconds = watch.seconds();
     result.rebuilds = caches.neighborhood.searches() - searches;
     result.contact_tables = caches.neighborhood.prunings() - tables;
     const auto per_grain = [&](std::int64_t bytes) {

@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/reference.hpp"
+
 namespace suffuse::run {
 namespace {
 
-const std::string reference = SUFFUSE_SOURCE_DIR "/tests/reference/";
+const std::string reference = test::in_checkout("tests/reference/");
 
 BenchPacking packing500() {
     // Edges as in packing500.json.

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/random.hpp"
+#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/stable_dt.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -57,13 +57,13 @@ double steps_per_second(dem::World world, double seconds, dem::Mode mode) {
     const auto burst = std::clamp<std::int64_t>(std::llround(work_of_burst / grains), 5, dem::burst_steps);
     std::array<double, windows> rates{};
     for (double& rate : rates) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         double spent = 0;
         std::int64_t steps = 0;
         while (spent < seconds / windows) {
             dem::advance(world, caches, plan, burst);
             steps += burst;
-            spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            spent = watch.seconds();
         }
         rate = static_cast<double>(steps) / spent;
     }

@@ -2,10 +2,10 @@
 // What the samples of a run share while they run side by side: when the run began, whether it should stop, how many
 // stages are done, and the one line to whoever watches. Every function may be called by any thread.
 
+#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/run/runner.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <mutex>
 
 namespace suffuse::run {
@@ -43,14 +43,12 @@ public:
 
     [[nodiscard]] bool out_of_time() const { return run_seconds() > options_.time_limit; }
 
-    [[nodiscard]] double run_seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
+    [[nodiscard]] double run_seconds() const { return since_start_.seconds(); }
 
 private:
     const RunOptions& options_;
     std::atomic<int> stages_, samples_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Stopwatch since_start_;
     std::atomic<int> stages_done_{0}, samples_done_{0}, samples_failed_{0};
     std::atomic<bool> broken_{false};
     std::mutex mutex_;

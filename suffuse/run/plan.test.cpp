@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/reference.hpp"
 #include "tests/support/temp_folder.hpp"
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,6 @@
 namespace suffuse::run {
 namespace {
 
-const std::string source = SUFFUSE_SOURCE_DIR;
 const MachineSpeed a_machine{1e7, 10'000, 2};
 
 /// The replay example's packing at 100 kPa, with one more stage.
@@ -38,7 +38,7 @@ pressure = "100 kPa"
 [[study.replay.stage]]
 name = "last"
 )" + stage;
-    return casefile::load_case_text(text, "case.toml", source + "/examples/replay").value;
+    return casefile::load_case_text(text, "case.toml", test::in_checkout("examples/replay")).value;
 }
 
 RunPlan plan_of(const std::string& stage) {
@@ -46,7 +46,8 @@ RunPlan plan_of(const std::string& stage) {
 }
 
 casefile::Case fontainebleau(const std::vector<std::string>& overrides) {
-    return casefile::load_case(source + "/examples/fontainebleau-2016/case.toml", {"standard", overrides}).value;
+    return casefile::load_case(test::in_checkout("examples/fontainebleau-2016/case.toml"), {"standard", overrides})
+        .value;
 }
 
 const StageEstimate& stage_named(const RunPlan& plan, const std::string& name) {
@@ -156,7 +157,7 @@ TEST(Plan, AMachineTwiceAsFastStepsInHalfTheTime) {
 }
 
 TEST(Plan, ARunOfTheReplayLiesWithinItsRanges) {
-    const casefile::Case what = casefile::load_case(source + "/examples/replay/case.toml").value;
+    const casefile::Case what = casefile::load_case(test::in_checkout("examples/replay/case.toml")).value;
     const RunPlan plan = plan_run(what, a_machine);
     const test::TempFolder folder;
     std::map<std::string, long long> steps;
@@ -209,7 +210,7 @@ RunPlan plan_of(const Recorded& row) {
     for (std::string word; std::getline(words, word, ';');) {
         overrides.push_back(word);
     }
-    const casefile::Case what = casefile::load_case(source + "/" + row.what, {row.preset, overrides}).value;
+    const casefile::Case what = casefile::load_case(test::in_checkout(row.what), {row.preset, overrides}).value;
     MachineSpeed speed{std::stod(row.speed), 10'000, std::stoi(row.threads), std::stoi(row.at_once)};
     speed.in_reference_mode = std::stod(row.reference_speed);
     return plan_run(what, speed);
@@ -224,7 +225,7 @@ struct Judged {
 Judged judge(const std::string& use) {
     std::map<std::string, RunPlan> plans;
     Judged judged;
-    for (const Recorded& row : read_recorded(source + "/tests/reference/planned_runs.csv")) {
+    for (const Recorded& row : read_recorded(test::in_checkout("tests/reference/planned_runs.csv"))) {
         if (row.use != use) {
             continue;
         }

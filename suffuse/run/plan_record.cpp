@@ -1,5 +1,6 @@
 #include "suffuse/run/plan_record.hpp"
 
+#include "suffuse/base/quantile.hpp"
 #include "suffuse/run/folder.hpp"
 
 #include <algorithm>
@@ -24,16 +25,6 @@ bool is_priced(const json& stage) {
 
 double error_of(const Range& planned, double truth) {
     return std::abs(middle(planned) / truth - 1);
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return 0;
-    }
-    const auto half = values.begin() + std::ssize(values) / 2;
-    std::nth_element(values.begin(), half, values.end());
-    const double upper = *half;
-    return values.size() % 2 == 1 ? upper : 0.5 * (upper + *std::max_element(values.begin(), half));
 }
 
 } // namespace
@@ -72,8 +63,8 @@ std::optional<PlanError> measure_plan_error(const std::vector<StageOutcome>& out
         return std::nullopt;
     }
     found.stages = static_cast<int>(seconds.size());
-    found.of_steps = median(std::move(steps));
-    found.of_seconds = median(std::move(seconds));
+    found.of_steps = steps.empty() ? 0 : quantile(std::move(steps), 0.5); // a flow makes none
+    found.of_seconds = quantile(std::move(seconds), 0.5);
     found.of_all_seconds = error_of(found.planned_seconds, found.seconds);
     return found;
 }

@@ -4,7 +4,9 @@
 #include "suffuse/run/folder.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "tests/support/reference.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace suffuse::run {
@@ -30,7 +32,7 @@ TEST(PlanError, IsTheDistanceOfTheMiddleFromTheTruth) {
 }
 
 RunPlan plan_of(double seconds) {
-    const std::string text = SUFFUSE_SOURCE_DIR "/examples/replay/case.toml";
+    const std::string text = test::in_checkout("examples/replay/case.toml");
     RunPlan plan = plan_run(casefile::load_case(text).value, {1e7, 500, 1});
     for (StageEstimate& stage : plan.stages) {
         stage.seconds = {seconds, seconds};

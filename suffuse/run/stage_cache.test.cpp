@@ -3,6 +3,7 @@
 #include "suffuse/run/folder.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/support/temp_folder.hpp"
 #include <chrono>

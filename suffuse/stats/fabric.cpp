@@ -1,5 +1,6 @@
 #include "suffuse/stats/fabric.hpp"
 
+#include "suffuse/base/quantile.hpp"
 #include "suffuse/dem/inspect.hpp"
 
 #include <algorithm>
@@ -17,14 +18,6 @@ Mat3 deviatoric(const Mat3& tensor) {
 /// Compression carried along the normal [N].
 double compression(const dem::ContactView& c) {
     return -dot(c.normal_force, c.normal);
-}
-
-/// Value below which `share` of the sorted values lie, between two of them by linear interpolation.
-double quantile(const std::vector<double>& sorted, double share) {
-    const double place = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
 } // namespace
@@ -93,8 +86,8 @@ ForceDistribution measure_forces(const dem::World& world) {
     result.strong_pressure_share = strong_pressure / pressure;
     result.variation = std::sqrt(std::max(0.0, square - mean * mean)) / mean;
     std::sort(force.begin(), force.end());
-    result.median_ratio = quantile(force, 0.5) / mean;
-    result.p90_ratio = quantile(force, 0.9) / mean;
+    result.median_ratio = quantile_of_sorted(force, 0.5) / mean;
+    result.p90_ratio = quantile_of_sorted(force, 0.9) / mean;
     result.max_ratio = force.back() / mean;
     return result;
 }

@@ -3,11 +3,10 @@
 
 #include "suffuse/base/vec3.hpp"
 
-#include "tests/support/reference.hpp"
 #include <cmath>
 #include <cstdint>
 #include <random>
-#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,30 +21,7 @@ struct Packing {
 };
 
 /// `packing500`, `packing2000` or `packing10k` of the reference.
-inline Packing reference_spheres(const std::string& name) {
-    Packing packing;
-    const nlohmann::json about = read_reference_json(name + ".json");
-    for (int a = 0; a < 3; ++a) {
-        for (int b = 0; b < 3; ++b) {
-            packing.h(a, b) = about["hSize"][static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
-        }
-    }
-    std::istringstream rows(read_reference(name + ".csv.gz"));
-    std::string line;
-    std::getline(rows, line);
-    while (std::getline(rows, line)) {
-        for (char& c : line) {
-            c = c == ',' ? ' ' : c;
-        }
-        std::istringstream row(line);
-        Vec3 x;
-        double r = 0;
-        row >> x.x >> x.y >> x.z >> r;
-        packing.position.push_back(x);
-        packing.radius.push_back(r);
-    }
-    return packing;
-}
+Packing reference_spheres(const std::string& name);
 
 /// `cells`^3 cubes of side `a` with spheres of radius `r` at the given places, in sides.
 inline Packing lattice(int cells, double a, double r, const std::vector<Vec3>& places) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/reference.hpp"
 #include "tests/support/temp_folder.hpp"
 #include <cerrno>
 #include <chrono>
@@ -19,7 +20,7 @@
 
 namespace suffuse::test {
 
-inline const std::string examples = SUFFUSE_SOURCE_DIR "/examples/";
+inline const std::string examples = in_checkout("examples/");
 
 struct Said {
     int code = -1; ///< minus the signal where one ended it

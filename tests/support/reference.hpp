@@ -1,34 +1,18 @@
 #pragma once
-// The reference's files for the tests: JSON, compressed or not, from tests/reference.
+// Files of the checkout for the tests, above all the reference's: JSON, compressed or not, from tests/reference.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
-#include <fstream>
-#include <stdexcept>
 #include <string>
-#include <vector>
-#include <zlib.h>
 
 namespace suffuse::test {
 
-/// Text of a file under tests/reference, decompressed where it is compressed.
-inline std::string read_reference(const std::string& name) {
-    const std::string path = std::string(SUFFUSE_SOURCE_DIR) + "/tests/reference/" + name;
-    gzFile file = gzopen(path.c_str(), "rb");
-    if (file == nullptr) {
-        throw std::runtime_error("cannot open " + path);
-    }
-    std::string text;
-    std::vector<char> buffer(1 << 16);
-    for (int count = 0; (count = gzread(file, buffer.data(), static_cast<unsigned>(buffer.size()))) > 0;) {
-        text.append(buffer.data(), static_cast<std::size_t>(count));
-    }
-    gzclose(file);
-    return text;
-}
+/// Where a file or folder of the checkout is, `examples/replay` say.
+std::string in_checkout(const std::string& path);
 
-inline nlohmann::json read_reference_json(const std::string& name) {
-    return nlohmann::json::parse(read_reference(name));
-}
+/// Text of a file under tests/reference, decompressed where it is compressed.
+std::string read_reference(const std::string& name);
+
+nlohmann::json read_reference_json(const std::string& name);
 
 } // namespace suffuse::test

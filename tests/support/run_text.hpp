@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/reference.hpp"
 #include "tests/support/temp_folder.hpp"
 #include <string>
 
@@ -37,8 +38,8 @@ viscosity = "1 mPa*s"
 
 /// The reference's Fontainebleau-like sand, fines below 0.26 mm.
 inline std::string reference_soil() {
-    return "[soil.sand]\npsd = \"" + std::string(SUFFUSE_SOURCE_DIR) +
-           "/examples/fontainebleau-2016/data/fontainebleau.csv\"\nfines = { finer_than = \"0.26 mm\" }\n";
+    return "[soil.sand]\npsd = \"" + in_checkout("examples/fontainebleau-2016/data/fontainebleau.csv") +
+           "\"\nfines = { finer_than = \"0.26 mm\" }\n";
 }
 
 /// Two narrow fractions of size ratio 2, so that a few hundred grains are a sample.
@@ -65,13 +66,13 @@ prepare  = { friction = "10 deg" }
 
 /// A study that starts from one of the reference's packings, settled at 100 kPa in the stage "settled".
 inline std::string study_of_packing(const std::string& name) {
-    const nlohmann::json about = run::read_json(std::string(SUFFUSE_SOURCE_DIR) + "/tests/reference/" + name + ".json");
+    const nlohmann::json about = run::read_json(in_checkout("tests/reference/" + name + ".json"));
     std::string edges;
     for (const double edge : about.at("cell")) {
         edges += (edges.empty() ? "\"" : ", \"") + fmt::format("{} m", edge) + "\"";
     }
     return "[study.s]\nsoil = \"sand\"\n[[study.s.stage]]\nname = \"start\"\ndo = \"import\"\npacking = \"" +
-           std::string(SUFFUSE_SOURCE_DIR) + "/tests/reference/" + name + ".csv.gz\"\ncell = [" + edges +
+           in_checkout("tests/reference/" + name + ".csv.gz") + "\"\ncell = [" + edges +
            "]\n[[study.s.stage]]\nname = \"settled\"\ndo = \"settle\"\npressure = \"100 kPa\"\n";
 }
 

@@ -4,9 +4,7 @@
 #include "suffuse/dem/step.hpp"
 #include "suffuse/dem/world.hpp"
 
-#include "tests/support/reference.hpp"
 #include <cmath>
-#include <sstream>
 #include <string>
 
 namespace suffuse::test {
@@ -70,31 +68,7 @@ inline void advance(dem::World& world, dem::StepCaches& caches, const dem::StepP
 }
 
 /// One of the reference's settled packings, `packing500` say, with its cell and its law. Contacts carry no memory yet.
-inline dem::World reference_packing(const std::string& name) {
-    const nlohmann::json about = nlohmann::json::parse(read_reference(name + ".json"));
-    const nlohmann::json& law = about["params"];
-    dem::World world;
-    world.material.modulus = law["young"];
-    world.material.shear_ratio = law["poisson"];
-    world.material.friction = radians(law["phiDeg"]);
-    world.material.density = law["density"];
-    world.material.rolling_stiffness = law["alphaKr"];
-    world.material.rolling_friction = law["etaRoll"];
-    world.cell.h = diagonal({about["cell"][0], about["cell"][1], about["cell"][2]});
-    world.reference_h = world.cell.h;
-    std::istringstream rows(read_reference(name + ".csv.gz"));
-    std::string line;
-    std::getline(rows, line); // the names of the columns
-    while (std::getline(rows, line)) {
-        std::istringstream row(line);
-        Vec3 x;
-        double r = 0;
-        char comma = 0;
-        row >> x.x >> comma >> x.y >> comma >> x.z >> comma >> r;
-        add(world, x, r);
-    }
-    return world;
-}
+dem::World reference_packing(const std::string& name);
 
 /// Marks the grains smaller than `diameter` [m] as fine.
 inline void split_at(dem::World& world, double diameter) {

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
-namespace suffuse::report {
+namespace suffuse {
 
 /// The `share` quantile of values sorted upward; not a number for an empty sample.
-inline double quantile_of_sorted(const std::vector<double>& sorted, double share) {
+inline double quantile_of_sorted(std::span<const double> sorted, double share) {
     if (sorted.empty()) {
         return std::numeric_limits<double>::quiet_NaN();
     }
@@ -24,4 +25,4 @@ inline double quantile(std::vector<double> values, double share) {
     return quantile_of_sorted(values, share);
 }
 
-} // namespace suffuse::report
+} // namespace suffuse
