@@ -22,8 +22,9 @@ std::string now_text() {
 
 } // namespace
 
-LiveReport::LiveReport(fs::path folder, std::string title, run::RunPlan plan)
-    : folder_(std::move(folder)), title_(title.empty() ? "A run without a title" : std::move(title)), left_(plan) {
+LiveReport::LiveReport(fs::path folder, std::string title, std::string command, run::RunPlan plan)
+    : folder_(std::move(folder)), title_(title.empty() ? "A run without a title" : std::move(title)),
+      command_(std::move(command)), left_(plan) {
     for (const run::StageEstimate& stage : plan.stages) {
         if (stage.is_cached) {
             stages_.push_back({stage.study, stage.stage, stage.verb, "done", "earlier", ""});
@@ -34,7 +35,7 @@ LiveReport::LiveReport(fs::path folder, std::string title, run::RunPlan plan)
         }
     }
     all_ = static_cast<int>(stages_.size());
-    write("", "");
+    write("");
 }
 
 LiveReport::Stage& LiveReport::stage_of(const run::Progress& progress) {
@@ -66,15 +67,15 @@ void LiveReport::show(const run::Progress& progress) {
     const auto now = std::chrono::steady_clock::now();
     if (now - written_ >= interval) {
         written_ = now;
-        write("", "");
+        write("");
     }
 }
 
-void LiveReport::close(const std::string& ending, const std::string& command) {
-    write(ending, command);
+void LiveReport::close(const std::string& ending) {
+    write(ending);
 }
 
-void LiveReport::write(const std::string& ending, const std::string& command) const {
+void LiveReport::write(const std::string& ending) const {
     report::LivePage page;
     page.title = title_;
     page.run = folder_.filename().string();
@@ -83,7 +84,7 @@ void LiveReport::write(const std::string& ending, const std::string& command) co
     page.progress = fmt::format("{} of {}", done_, plural(all_, "stage"));
     page.left = duration_range_text(left_.left());
     page.ending = ending;
-    page.command = command;
+    page.command = command_;
     const auto is_over = [](const Stage& stage) { return stage.status == "done"; };
     std::ptrdiff_t spare = std::ssize(stages_) - static_cast<std::ptrdiff_t>(most_rows);
     for (const Stage& stage : stages_) {

@@ -15,12 +15,13 @@ namespace suffuse::apps {
 
 class LiveReport {
 public:
-    LiveReport(std::filesystem::path folder, std::string title, run::RunPlan plan);
+    /// @param command with which the run goes on when it was stopped
+    LiveReport(std::filesystem::path folder, std::string title, std::string command, run::RunPlan plan);
 
     void show(const run::Progress& progress);
 
     /// The last page, which does not change any more: where there is no report to take its place.
-    void close(const std::string& ending, const std::string& command);
+    void close(const std::string& ending);
 
 private:
     struct Stage {
@@ -28,11 +29,11 @@ private:
     };
 
     void learn(const run::Progress& progress);
-    void write(const std::string& ending, const std::string& command) const;
+    void write(const std::string& ending) const;
     Stage& stage_of(const run::Progress& progress);
 
     std::filesystem::path folder_;
-    std::string title_;
+    std::string title_, command_;
     std::vector<Stage> stages_;
     TimeLeft left_;
     int done_ = 0, all_ = 0;

@@ -37,7 +37,7 @@ run::Progress at(const std::string& stage, bool finished, double void_ratio) {
 
 TEST(LiveReport, IsThereFromTheStartAndTellsWhatIsDoneAndWhatWaits) {
     const test::TempFolder folder;
-    LiveReport live(folder.path(), "Dyke", two_stages());
+    LiveReport live(folder.path(), "Dyke", "suffuse resume x", two_stages());
     std::string page = test::read_all(folder / "report.html");
     EXPECT_NE(page.find("http-equiv=\"refresh\""), std::string::npos);
     EXPECT_NE(page.find("0 of 2 stages"), std::string::npos);
@@ -51,11 +51,11 @@ TEST(LiveReport, IsThereFromTheStartAndTellsWhatIsDoneAndWhatWaits) {
 
 TEST(LiveReport, IsWrittenEveryFewSecondsOnly) {
     const test::TempFolder folder;
-    LiveReport live(folder.path(), "Dyke", two_stages());
+    LiveReport live(folder.path(), "Dyke", "suffuse resume x", two_stages());
     live.show(at("initial", false, 0.7));
     live.show(at("initial", false, 0.6));
     EXPECT_EQ(test::read_all(folder / "report.html").find("e 0.6"), std::string::npos);
-    live.close("The run ended early: stopped.", "suffuse resume x");
+    live.close("The run ended early: stopped.");
     const std::string page = test::read_all(folder / "report.html");
     EXPECT_NE(page.find("e 0.6"), std::string::npos); // the last page has the last state
     EXPECT_EQ(page.find("http-equiv=\"refresh\""), std::string::npos);
@@ -64,9 +64,9 @@ TEST(LiveReport, IsWrittenEveryFewSecondsOnly) {
 
 TEST(LiveReport, AFolderThatCannotBeWrittenStopsNothing) {
     EXPECT_NO_THROW({
-        LiveReport live("/dev/null/nowhere", "", two_stages());
+        LiveReport live("/dev/null/nowhere", "", "", two_stages());
         live.show(at("initial", true, 0.7));
-        live.close("x", "");
+        live.close("x");
     });
 }
 

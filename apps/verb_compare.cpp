@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/shell_word.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
@@ -112,11 +113,17 @@ int verify_verb(const CommandLine& line, const Console& console) {
     for (const run::Damage& damage : found.damages) {
         console.result(fmt::format("  {} {}", damage.file, damage.what));
     }
+    const bool is_complete = found.missing.empty();
     console.result(fmt::format(
         "{}: {} against their checksums, {} against what their stages tell",
-        found.damages.empty() ? "whole and unchanged" : plural(std::ssize(found.damages), "difference"),
+        !found.damages.empty() ? plural(std::ssize(found.damages), "difference")
+        : is_complete          ? "whole and unchanged"
+                               : "unchanged, but not complete",
         plural(found.files, "file"), plural(found.states, "state")
     ));
+    if (!is_complete) {
+        console.result(fmt::format("{}; suffuse resume {} goes on", found.missing, quoted(line.subject)));
+    }
     for (const std::string& name : found.more) {
         console.detail("came later: " + name);
     }
@@ -124,7 +131,7 @@ int verify_verb(const CommandLine& line, const Console& console) {
         console.talk(fmt::format("{} came after the checksums; -v lists them", plural(std::ssize(found.more), "file")));
     }
     console.document(json_text(found));
-    return found.damages.empty() ? Done : Differs;
+    return found.damages.empty() && is_complete ? Done : Differs;
 }
 
 } // namespace suffuse::apps

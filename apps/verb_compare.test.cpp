@@ -126,11 +126,29 @@ TEST_F(Compare, AStateThatIsNotTheOneToldIsFound) {
     expect_in(file + " tells the state 0123456789abcdef, and state.h5 holds", said.out);
 }
 
-TEST_F(Compare, ARunUnderWayHasNothingToVerify) {
+TEST_F(Compare, ARunThatWasInterruptedIsSaidToBeWithWhatIsMissing) {
     std::filesystem::remove(folder / "first/SHA256SUMS");
+    const Said ended = say({"verify", "first"});
+    EXPECT_EQ(ended.code, 74);
+    expect_in("suffuse report first writes them", ended.error);
+    std::filesystem::remove(folder / "first/studies/replay/seep/stage.json");
     const Said said = say({"verify", "first"});
     EXPECT_EQ(said.code, 74);
-    expect_in("suffuse resume", said.error);
+    expect_in("1 of 4 stages are missing: replay/seep; suffuse resume first goes on", said.error);
+
+    ASSERT_EQ(say({"report", "first"}).code, 0);
+    expect_in(
+        "<b>This run is not complete.</b> 1 of 4 stages are missing: replay/seep.",
+        read_all(folder / "first/report.html")
+    );
+    const Said partial = say({"verify", "first"});
+    EXPECT_EQ(partial.code, 5);
+    expect_in("unchanged, but not complete", partial.out);
+    expect_in("suffuse resume first goes on", partial.out);
+
+    ASSERT_EQ(say({"resume", "first"}).code, 0);
+    EXPECT_EQ(read_all(folder / "first/report.html").find("not complete"), std::string::npos);
+    EXPECT_EQ(say({"verify", "first"}).code, 0);
     EXPECT_EQ(say({"verify", "soil"}).code, 74);
 }
 

@@ -95,7 +95,7 @@ Screen standard_error(const Console& console) {
 run::RunReport run_to_its_end(const Job& job, const run::RunOptions& options, std::optional<LiveReport>& live) {
     const auto close = [&](const std::string& ending) {
         if (live) {
-            live->close(ending, "suffuse resume " + quoted(job.folder.string()));
+            live->close(ending);
         }
     };
     try {
@@ -127,7 +127,7 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
     ProgressFile published(line.sample.empty() ? job.folder : job.folder / "studies" / line.sample, job.plan);
     std::optional<LiveReport> live;
     if (line.sample.empty()) {
-        live.emplace(job.folder, job.what.title, job.plan);
+        live.emplace(job.folder, job.what.title, "suffuse resume " + quoted(job.folder.string()), job.plan);
     }
     bool told_stop = false;
     options.on_progress = [&](const run::Progress& progress) {

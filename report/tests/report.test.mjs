@@ -217,6 +217,20 @@ test("the plain report has everything but the charts, and says how to get them",
   await context.close();
 });
 
+test("a run that is not complete says so on the first screen, with what is missing and how to go on", async () => {
+  const { page, context } = await open(browser, "plain");
+  const banner = page.locator("#unfinished"), box = await banner.boundingBox();
+  assert.ok(box.y > 0 && box.y + box.height < page.viewportSize().height / 2, `from ${box.y}, ${box.height} high`);
+  assert.match(await banner.textContent(), /not complete\.\s2\sof\s9\sstages\sare\smissing:\serosion\/erosion/);
+  assert.equal(await banner.locator("code").textContent(), "suffuse resume runs/x-0001");
+  await page.getByRole("link", { name: "Quality" }).last().click();
+  assert.ok(await page.getByText("W602: a narrow cell").isVisible());
+  await context.close();
+  const whole = await open(browser, "sample");
+  assert.equal(await whole.page.locator("#unfinished").count(), 0);
+  await whole.context.close();
+});
+
 test("the live page loads itself anew, without script or server, and ends in the report", async () => {
   const folder = join(samples, "ends");
   rmSync(folder, { recursive: true, force: true });

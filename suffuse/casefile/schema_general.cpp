@@ -14,7 +14,11 @@ std::vector<Key> top_rows() {
     return {
         required(count("", "schema", {1, 1, false, false}, "Version of this format.")),
         text("", "title", "Title of the report."),
-        text("", "paper", "Paper that the case follows; the report and every figure name it."),
+        text(
+            "", "paper",
+            "Paper that the case follows: the report judges its findings, and every figure names it. Not for a soil of "
+            "your own."
+        ),
         count(
             "", "seed", count_from_zero,
             "Seed of all random numbers: the same seed gives the same results, bit for bit."

@@ -1,5 +1,9 @@
 #include "suffuse/report/html.hpp"
 
+#include "suffuse/report/words.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <regex>
 
@@ -79,6 +83,18 @@ std::string html_table(const Table& table, std::size_t most_rows) {
         rows.push_back(std::move(cells));
     }
     return html_table(header, rows, numeric, "numbers");
+}
+
+std::string typeset(const std::string& text) {
+    return with_indices(escaped(kept_together(text)));
+}
+
+std::string html_list(const std::vector<std::string>& lines, std::string_view css_class) {
+    std::string out = fmt::format("<ul class=\"{}\">\n", css_class);
+    for (const std::string& line : lines) {
+        out += "<li>" + typeset(line) + "</li>\n";
+    }
+    return out + "</ul>\n";
 }
 
 } // namespace suffuse::report

@@ -16,6 +16,12 @@ std::string escaped(std::string_view text);
 /// FC_threshold. A name of the user's with an underscore stays as it is.
 std::string with_indices(std::string html);
 
+/// Text of ours or of the run, set for reading: escaped, numbers kept with their units, indices low.
+std::string typeset(const std::string& text);
+
+/// An unordered list of such texts.
+std::string html_list(const std::vector<std::string>& lines, std::string_view css_class);
+
 /// A table whose first row is the header; `numeric[c]` says which columns are set flush right.
 std::string html_table(
     const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,

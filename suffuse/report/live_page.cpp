@@ -35,6 +35,13 @@ std::string ending_of(const LivePage& page) {
     return out + "</div>\n";
 }
 
+/// A run that was killed says no goodbye, and its page goes on loading itself.
+std::string if_killed(const std::string& command) {
+    return command.empty() ? ""
+                           : " Where that time stands still for minutes, the run was killed: <code>" +
+                                 escaped(command) + "</code> goes on.";
+}
+
 } // namespace
 
 std::string render_live_page(const LivePage& page) {
@@ -63,8 +70,8 @@ std::string render_live_page(const LivePage& page) {
     out += is_live
                ? fmt::format(
                      "<p class=\"quiet\">As of {}. This page loads itself anew every {} s and turns into the report "
-                     "when the run ends.</p>\n",
-                     escaped(page.at), page.refresh_seconds
+                     "when the run ends.{}</p>\n",
+                     escaped(page.at), page.refresh_seconds, if_killed(page.command)
                  )
                : ending_of(page) + "<p class=\"quiet\">As of " + escaped(page.at) + ".</p>\n";
     out += "<div class=\"scroll\"><table class=\"page-table\"><thead><tr><th>stage</th><th>verb</th><th>status</th>"

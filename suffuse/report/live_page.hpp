@@ -22,7 +22,7 @@ struct LivePage {
     std::string left;     ///< how long the rest may take; empty once nothing more comes
     std::vector<LiveRow> rows;
     std::string ending;      ///< why nothing more comes, in a sentence; empty while the run is under way
-    std::string command;     ///< with which it goes on; may be empty
+    std::string command;     ///< with which it goes on after a stop; may be empty
     int refresh_seconds = 3; ///< heeded while the run is under way
 };
 

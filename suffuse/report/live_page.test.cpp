@@ -13,6 +13,7 @@ LivePage under_way() {
     page.share = 0.3;
     page.progress = "3 of 10 stages";
     page.left = "4-5 min";
+    page.command = "suffuse resume runs/dyke-0001";
     page.rows = {
         {"erosion/initial", "compact", "done", "12 s", "e 0.686"}, {"erosion/probe", "detach", "running", "3 s", ""}};
     return page;
@@ -26,12 +27,12 @@ TEST(LivePage, LoadsItselfAnewWhileTheRunIsUnderWayAndNeedsNeitherScriptNorServe
     EXPECT_EQ(text.find("https:"), std::string::npos);
     EXPECT_NE(text.find("3 of 10 stages, 4-5 min left"), std::string::npos);
     EXPECT_NE(text.find("e 0.686"), std::string::npos);
+    EXPECT_NE(text.find("the run was killed: <code>suffuse resume runs/dyke-0001</code>"), std::string::npos);
 }
 
 TEST(LivePage, StopsLoadingItselfWhenNothingMoreComes) {
     LivePage page = under_way();
     page.ending = "The run was stopped.";
-    page.command = "suffuse resume runs/dyke-0001";
     const std::string text = render_live_page(page);
     EXPECT_EQ(text.find("http-equiv=\"refresh\""), std::string::npos);
     EXPECT_EQ(text.find("min left"), std::string::npos);

@@ -1,6 +1,7 @@
 #include "suffuse/report/page.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/report/answer_section.hpp"
 #include "suffuse/report/html.hpp"
 #include "suffuse/report/packed.hpp"
 #include "suffuse/report/scene_section.hpp"
@@ -118,85 +119,6 @@ std::string with_metadata(const Figure& figure, const ReportData& report) {
     return drawing.insert(drawing.find('>') + 1, "<metadata>\n" + lines + "</metadata>");
 }
 
-/// Text of ours or of the run, set for reading.
-std::string typeset(const std::string& text) {
-    return with_indices(escaped(kept_together(text)));
-}
-
-std::string list(const std::vector<std::string>& lines, const char* css_class) {
-    std::string out = fmt::format("<ul class=\"{}\">\n", css_class);
-    for (const std::string& line : lines) {
-        out += "<li>" + typeset(line) + "</li>\n";
-    }
-    return out + "</ul>\n";
-}
-
-std::string findings_table(const std::vector<Finding>& findings) {
-    std::string out =
-        "<div class=\"scroll\" tabindex=\"0\"><table class=\"findings\"><thead><tr><th></th><th>Criterion</th>"
-        "<th>Paper</th><th>This run</th><th>Verdict</th></tr></thead><tbody>\n";
-    for (const Finding& finding : findings) {
-        const bool known = finding.met.has_value();
-        const char* css_class = !known ? "unknown" : *finding.met ? "met" : "not-met";
-        const char* verdict = !known ? "? cannot tell" : *finding.met ? "✓ met" : "✗ not met";
-        out += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td data-label=\"Paper\">{}</td><td data-label=\"This "
-            "run\">{}</td>"
-            "<td class=\"verdict {}\">{}</td></tr>\n",
-            escaped(finding.id), typeset(finding.claim), typeset(finding.paper), typeset(finding.ours), css_class,
-            verdict
-        );
-    }
-    return out + "</tbody></table></div>\n";
-}
-
-std::string headline_list(const std::vector<Headline>& headlines) {
-    std::string out = "<dl class=\"headlines\">\n";
-    for (const Headline& headline : headlines) {
-        out += fmt::format(
-            "<div><dt>{}</dt><dd class=\"value\">{}</dd><dd class=\"quiet\">{}</dd></div>\n", typeset(headline.label),
-            typeset(headline.value), typeset(headline.detail)
-        );
-    }
-    return out + "</dl>\n";
-}
-
-std::string answer_section(const ReportData& report) {
-    std::string out = "<div class=\"opening\">\n<div>\n";
-    for (const std::string& line : report.answer) {
-        out += "<p class=\"answer\">" + typeset(line) + "</p>\n";
-    }
-    out += "</div>\n" + (report.headlines.empty() ? "" : headline_list(report.headlines)) + "</div>\n";
-    if (!report.warnings.empty()) {
-        out +=
-            "<div class=\"warnings\" role=\"note\"><h3>Warnings</h3>\n" + list(report.warnings, "plain") + "</div>\n";
-    }
-    if (!report.findings.empty()) {
-        std::size_t met = 0, unknown = 0;
-        for (const Finding& finding : report.findings) {
-            met += finding.met == true ? 1U : 0U;
-            unknown += finding.met ? 0U : 1U;
-        }
-        out += fmt::format(
-            "<h3>The paper's findings: {} of {} met{}</h3>\n", met, report.findings.size(),
-            unknown > 0 ? fmt::format(", {} cannot be told from this run", unknown) : ""
-        );
-        out += findings_table(report.findings);
-    }
-    if (!report.assumed.empty()) {
-        std::vector<std::vector<std::string>> rows;
-        for (const AssumedValue& value : report.assumed) {
-            rows.push_back({value.key, value.value, value.note});
-        }
-        out += fmt::format(
-            "<details><summary>{} that the paper does not give: our choice</summary>\n",
-            report.assumed.size() == 1 ? "1 value" : fmt::format("{} values", report.assumed.size())
-        );
-        out += html_table({"key", "value", "remark"}, rows, {}, "assumed") + "</details>\n";
-    }
-    return section("Answer", out);
-}
-
 /// The drawing with the page's title and caption as its own.
 std::string described_by_page(std::string drawing, const std::string& id) {
     const std::string opening = "<svg";
@@ -222,7 +144,7 @@ std::string figure_block(const Figure& figure, const ReportData& report) {
     } else {
         out += "<div class=\"drawing\">" + described_by_page(figure.drawing, id) + "</div>\n";
     }
-    const std::string number = figure.id.starts_with("fig")
+    const std::string number = figure.id.starts_with("fig") && !report.paper.empty()
                                    ? "Figure " + std::to_string(std::atoi(figure.id.c_str() + 3)) + " of the paper. "
                                    : "";
     out += fmt::format(
@@ -340,7 +262,7 @@ const char* const no_script_sentence =
     "numbers are in the tables: open “Numbers” below each figure.</p>\n";
 
 std::string render(const ReportData& report, const std::optional<PageScript>& script) {
-    std::string sections = answer_section(report), links = "<a href=\"#answer\">Answer</a>\n";
+    std::string sections = section("Answer", answer_content(report)), links = "<a href=\"#answer\">Answer</a>\n";
     for (const char* name : figure_sections) {
         const std::string tables = section_tables(report, name);
         std::string figures;
@@ -359,8 +281,11 @@ std::string render(const ReportData& report, const std::optional<PageScript>& sc
         sections += section("In 3D", scene_section(report.scene, script.has_value()));
         links += "<a href=\"#in-3d\">In 3D</a>\n";
     }
-    if (!report.stages.empty()) {
-        sections += section("Quality", quality_section(report.stages));
+    if (!report.stages.empty() || !report.case_warnings.empty()) {
+        const std::string of_case = report.case_warnings.empty() ? ""
+                                                                 : "<h3>What the check of the case warns of</h3>\n" +
+                                                                       html_list(report.case_warnings, "plain");
+        sections += section("Quality", of_case + (report.stages.empty() ? "" : quality_section(report.stages)));
         links += "<a href=\"#quality\">Quality</a>\n";
     }
     sections += provenance_section(report, script);
@@ -369,7 +294,8 @@ std::string render(const ReportData& report, const std::optional<PageScript>& sc
     page +=
         "<body>\n<a class=\"skip\" href=\"#answer\">Skip to the answer</a>\n<header>\n<p class=\"quiet\">suffuse · " +
         escaped(report.run) + "</p>\n<h1>" + escaped(report.title) + "</h1>\n<nav aria-label=\"Sections\">\n" + links +
-        "</nav>\n</header>\n<main>\n" + (script ? no_script_sentence : plain_sentence) + sections + "</main>\n";
+        "</nav>\n</header>\n<main>\n" + unfinished_banner(report.unfinished) +
+        (script ? no_script_sentence : plain_sentence) + sections + "</main>\n";
     if (script) {
         page += data_element("report-data", charts_json(report));
         if (!report.scene.states.empty()) {

@@ -16,7 +16,7 @@
 
 namespace suffuse::report {
 
-/// A value that the paper does not give: our choice, marked `#~` in the case.
+/// A value that the paper does not give, or the soil's investigation: a choice, marked `#~` in the case.
 struct AssumedValue {
     std::string key, value, note;
 };
@@ -28,13 +28,22 @@ struct Headline {
     std::string detail; ///< "in 2 passes at i = 0.05"; may be empty
 };
 
+/// What the run lacks: it was interrupted, failed in part, was to end early, or is still under way.
+struct Unfinished {
+    std::string missing; ///< in words, with the names of stages; empty: nothing
+    std::string command; ///< with which it goes on
+};
+
 struct ReportData {
-    std::string title;               ///< of the case
-    std::string run;                 ///< name of the run folder
+    std::string title; ///< of the case
+    std::string run;   ///< name of the run folder
+    std::string paper; ///< that the case follows; empty: none, and the page speaks of none
+    Unfinished unfinished;
     std::vector<std::string> answer; ///< about five sentences with numbers
     std::vector<Headline> headlines; ///< about four
     std::vector<Finding> findings;
     std::vector<std::string> warnings;
+    std::vector<std::string> case_warnings; ///< of the check of the case, before anything ran
     std::vector<AssumedValue> assumed;
     /// Each stands before the figures of its section.
     std::vector<PageTable> tables;

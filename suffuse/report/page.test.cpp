@@ -89,6 +89,39 @@ TEST_F(Page, WithItsScriptCarriesTheDataAndTheHash) {
     }
 }
 
+TEST_F(Page, OfARunThatIsNotCompleteSaysSoBeforeAnythingElse) {
+    ReportData report = test::sample_report("Sand");
+    const auto page = [&] { return read_all(write_report(folder.path(), report, folder / "nowhere").file); };
+    EXPECT_EQ(page().find("id=\"unfinished\""), std::string::npos);
+    report.unfinished = {"2 of 3 stages are missing: a/<b>, a/c", "suffuse resume runs/a-0001"};
+    const std::string text = page();
+    const std::size_t banner = text.find("2 of 3 stages are missing: a/&lt;b&gt;, a/c");
+    ASSERT_NE(banner, std::string::npos);
+    EXPECT_LT(banner, text.find("id=\"answer\""));
+    EXPECT_NE(text.find("<code>suffuse resume runs/a-0001</code>"), std::string::npos);
+}
+
+TEST_F(Page, WarningsOfTheCheckOfTheCaseStandUnderQuality) {
+    ReportData report = test::sample_report("Sand");
+    report.case_warnings = {"W602: a narrow cell; take more grains"};
+    const std::string text = read_all(write_report(folder.path(), report, folder / "nowhere").file);
+    EXPECT_GT(text.find("W602: a narrow cell; take more grains"), text.find("<section id=\"quality\""));
+    EXPECT_LT(text.find("warned of 1 thing before the run"), text.find("<section id=\"quality\""));
+}
+
+TEST_F(Page, OfACaseThatFollowsNoPaperSpeaksOfNone) {
+    ReportData report = test::sample_report("My dyke");
+    EXPECT_NE(
+        read_all(write_report(folder.path(), report, folder / "nowhere").file).find("of the paper"), std::string::npos
+    );
+    report.paper.clear();
+    report.findings.clear();
+    report.headlines = erosion_headlines({}, {});
+    const std::string text = read_all(write_report(folder.path(), report, folder / "nowhere").file);
+    EXPECT_EQ(text.find("the paper"), std::string::npos) << text.substr(text.find("the paper") - 100, 200);
+    EXPECT_EQ(text.find("The paper"), std::string::npos);
+}
+
 TEST_F(Page, TextThatIsNotUtf8IsMended) {
     write_script("1");
     const std::string page =
@@ -183,9 +216,11 @@ TEST(SampleRun, IsWrittenWhereTheBrowserTestsWantIt) {
     live.rows = {{"erosion/cloud", "pack", "done", "0.1 s", ""}, {hostile, "compact", "running", "3.2 s", "e 0.7"}};
     fs::create_directories(fs::path(folder) / "live");
     std::ofstream(fs::path(folder) / "live/report.html") << render_live_page(live);
-    EXPECT_FALSE(
-        write_report(fs::path(folder) / "plain", test::sample_report("Suffusion of a synthetic sand")).has_charts
-    );
+    ReportData plain = test::sample_report("Suffusion of a synthetic sand");
+    plain.unfinished = {
+        "2 of 9 stages are missing: erosion/erosion, erosion/shear-after", "suffuse resume runs/x-0001"};
+    plain.case_warnings = {"W602: a narrow cell; take more grains"};
+    EXPECT_FALSE(write_report(fs::path(folder) / "plain", plain).has_charts);
 }
 
 } // namespace

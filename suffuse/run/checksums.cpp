@@ -6,6 +6,8 @@
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/missing_stages.hpp"
+#include "suffuse/run/refine.hpp"
 
 #include <fmt/format.h>
 
@@ -49,17 +51,29 @@ std::set<std::string> list_results(const fs::path& run) {
     return names;
 }
 
+std::string missing_in(const fs::path& run) {
+    return tell_missing(find_missing_stages(load_run(run), run));
+}
+
 std::map<std::string, std::string> read_checksums(const fs::path& run) {
     std::ifstream file(run / checksums_file);
     if (!file) {
         if (!fs::exists(run / "case.resolved.toml")) {
             throw IoError(fmt::format("{}: holds no run", run.string()));
         }
-        throw IoError(fmt::format(
-            "{}: has no {}: the run has not ended yet (suffuse resume goes on), or an earlier version made it (suffuse "
-            "report writes them for what is there now)",
-            run.string(), checksums_file
-        ));
+        const std::string missing = missing_in(run);
+        throw IoError(
+            missing.empty() ? fmt::format(
+                                  "{0}: has no {1}: an earlier version made it, or it was stopped in its last moment; "
+                                  "suffuse report {0} writes them for what is there now",
+                                  run.string(), checksums_file
+                              )
+                            : fmt::format(
+                                  "{0}: the run has not ended: {1}; suffuse resume {0} goes on, and suffuse watch {0} "
+                                  "shows whether it still runs",
+                                  run.string(), missing
+                              )
+        );
     }
     constexpr std::size_t digits = 64, gap = 2;
     std::map<std::string, std::string> sums;
@@ -114,6 +128,9 @@ Verification verify_run(const fs::path& run) {
             found.more.push_back(name);
         }
     }
+    if (!broken.contains("case.resolved.toml")) {
+        found.missing = missing_in(run);
+    }
     for (const auto& [name, sum] : sums) {
         const fs::path file = name;
         const std::string state = (file.parent_path() / "state.h5").string();
@@ -129,7 +146,12 @@ void to_json(nlohmann::json& json, const Verification& found) {
     for (const Damage& damage : found.damages) {
         damages.push_back({{"file", damage.file}, {"what", damage.what}});
     }
-    json = {{"files", found.files}, {"states", found.states}, {"damages", damages}, {"came_later", found.more}};
+    json = {
+        {"files", found.files},
+        {"states", found.states},
+        {"damages", damages},
+        {"came_later", found.more},
+        {"missing_stages", found.missing}};
 }
 
 } // namespace suffuse::run

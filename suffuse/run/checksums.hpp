@@ -26,10 +26,11 @@ struct Verification {
     int states = 0; ///< read, and hashed anew
     std::vector<Damage> damages;
     std::vector<std::string> more; ///< files that came after the checksums
+    std::string missing;           ///< stages that the case has and the folder has not, in words; empty: none
 };
 
 /// Checks every file against its checksum, and every state against the hash that its stage.json tells.
-/// @throws IoError where the folder is no run, or its run has not ended yet
+/// @throws IoError where the folder is no run, or its run was interrupted
 Verification verify_run(const std::filesystem::path& run);
 
 void to_json(nlohmann::json& json, const Verification& found);

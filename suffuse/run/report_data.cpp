@@ -6,7 +6,6 @@
 #include "suffuse/report/warnings.hpp"
 #include "suffuse/run/assumed_values.hpp"
 #include "suffuse/run/erosion_figures.hpp"
-#include "suffuse/run/findings_by_seed.hpp"
 #include "suffuse/run/fines_findings.hpp"
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/report_answer.hpp"
@@ -105,7 +104,7 @@ void mark_thresholds(const std::vector<report::ContentThreshold>& thresholds, re
 
 report::ReportData describe_run(
     const casefile::Case& what, const std::filesystem::path& folder, const std::vector<FinishedStage>& stages,
-    const json& provenance, const std::vector<std::string>& warnings, const std::vector<std::string>& flaws
+    const json& provenance, RunRemarks remarks
 ) {
     const ErosionStory story = find_story(stages);
     report::ReportData data;
@@ -123,9 +122,9 @@ report::ReportData describe_run(
     for (std::string& sentence : answer_of_erosion(story, stages)) {
         data.answer.push_back(std::move(sentence));
     }
-    data.findings = judge_fines_of(fines);
-    for (report::Finding& finding : judge_erosion_by_seed(stages)) {
-        data.findings.push_back(std::move(finding));
+    data.paper = what.paper;
+    if (!what.paper.empty()) { // another soil has nothing to meet
+        data.findings = std::move(remarks.findings);
     }
     if (auto table = thresholds_table(fines)) {
         data.tables.push_back(std::move(*table));
@@ -139,9 +138,11 @@ report::ReportData describe_run(
     for (report::Headline& headline : report::erosion_headlines(story.erosion, data.findings)) {
         data.headlines.push_back(std::move(headline));
     }
-    data.warnings = flaws;
-    data.warnings.insert(data.warnings.end(), warnings.begin(), warnings.end());
+    data.warnings = std::move(remarks.flaws);
+    data.warnings.insert(data.warnings.end(), remarks.warnings.begin(), remarks.warnings.end());
     data.warnings = report::merged_warnings(data.warnings);
+    data.case_warnings = std::move(remarks.case_warnings);
+    data.unfinished = std::move(remarks.unfinished);
     if (const std::filesystem::path given = folder / "case.toml"; std::filesystem::exists(given)) {
         data.assumed = assumed_values(io::read_text(given)); // a program that runs cases of its own leaves none
     }

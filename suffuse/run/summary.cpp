@@ -6,8 +6,10 @@
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/report/page.hpp"
 #include "suffuse/run/checksums.hpp"
+#include "suffuse/run/findings_by_seed.hpp"
 #include "suffuse/run/fines_findings.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/missing_stages.hpp"
 #include "suffuse/run/refine.hpp"
 #include "suffuse/run/report_data.hpp"
 #include "suffuse/run/result_json.hpp"
@@ -111,6 +113,41 @@ json findings_json(const std::vector<report::Finding>& findings) {
     return list;
 }
 
+std::vector<report::Finding> judge(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
+    std::vector<report::Finding> findings = judge_fines_of(gather_fines(what, stages));
+    for (report::Finding& finding : judge_erosion_by_seed(stages)) {
+        findings.push_back(std::move(finding));
+    }
+    return findings;
+}
+
+/// What the check of the case says of its physics, as it did on the terminal before the run.
+std::vector<casefile::Diagnostic> check_again(const std::filesystem::path& folder) {
+    std::vector<casefile::Diagnostic> found;
+    try {
+        found = casefile::load_case((folder / "case.resolved.toml").string()).warnings;
+    } catch (const CaseError&) { // a packing has gone meanwhile: no reason to lose the report
+    }
+    std::erase_if(found, [](const casefile::Diagnostic& d) { return !d.code.starts_with("W6"); });
+    return found;
+}
+
+std::vector<std::string> in_lines(const std::vector<casefile::Diagnostic>& diagnostics) {
+    std::vector<std::string> lines;
+    for (const casefile::Diagnostic& d : diagnostics) {
+        lines.push_back(fmt::format("{}: {}; {}", d.code, d.message, d.help));
+    }
+    return lines;
+}
+
+json diagnostics_json(const std::vector<casefile::Diagnostic>& diagnostics) {
+    json list = json::array();
+    for (const casefile::Diagnostic& d : diagnostics) {
+        list.push_back({{"code", d.code}, {"message", d.message}, {"help", d.help}});
+    }
+    return list;
+}
+
 void append(const json& texts, std::vector<std::string>& to) {
     for (const json& text : texts) {
         to.push_back(text);
@@ -132,10 +169,18 @@ Summary summarize_run(
         append(stage.numbers.at("flaws"), summary.flaws);
     }
     summary.failures = read_failures(folder, what);
+    const MissingStages missing = find_missing_stages(what, folder);
+    const std::vector<casefile::Diagnostic> of_case = check_again(folder);
+    const std::vector<report::Finding> findings = judge(what, stages);
     const report::ReportData data = describe_run(
-        what, folder, stages, provenance, summary.warnings, with_failures(summary.flaws, summary.failures)
+        what, folder, stages, provenance,
+        {summary.warnings,
+         with_failures(summary.flaws, summary.failures),
+         in_lines(of_case),
+         findings,
+         {tell_missing(missing), "suffuse resume " + folder.string()}}
     );
-    summary.findings = findings_json(data.findings);
+    summary.findings = findings_json(data.findings); // what the page shows
     write_json(
         folder / "summary.json", {{"schema", 1},
                                   {"version", version()},
@@ -145,9 +190,11 @@ Summary summarize_run(
                                   {"wall_seconds", provenance.at("wall_seconds")},
                                   {"mode", provenance.at("mode")},
                                   {"preparation", provenance.at("preparation")},
+                                  {"case_warnings", diagnostics_json(of_case)},
+                                  {"missing_stages", missing.names},
                                   {"warnings", summary.warnings},
                                   {"flaws", summary.flaws},
-                                  {"findings", summary.findings},
+                                  {"findings", findings_json(findings)},
                                   {"thresholds", thresholds_json(gather_fines(what, stages))},
                                   {"samples", count_samples(what, folder, summary.failures.size())},
                                   {"failures", failures_json(summary.failures)},

@@ -15,7 +15,7 @@ namespace suffuse::run {
 struct Summary {
     std::filesystem::path report; ///< report.html
     std::vector<std::string> warnings, flaws;
-    nlohmann::json findings;
+    nlohmann::json findings; ///< of the paper that the case follows; empty where it follows none
     std::vector<FailedSample> failures;
 };
 

@@ -125,6 +125,29 @@ TEST(StudyReport, FiguresOneToSixHoldTheNumbersOfTheStages) {
           "Strength and deformation", "How quiet each stage is"}) {
         EXPECT_NE(page.find(words), std::string::npos) << words;
     }
+    // The case follows no paper: what the paper found is for those who ask the summary.
+    const json summary = run::read_json(folder / "run/summary.json");
+    EXPECT_FALSE(summary.at("findings").empty());
+    EXPECT_EQ(page.find("he paper"), std::string::npos);
+    EXPECT_TRUE(summary.at("missing_stages").empty());
+    EXPECT_EQ(page.find("not complete"), std::string::npos);
+    // 250 grains make a narrow cell, of which only the terminal spoke.
+    ASSERT_FALSE(summary.at("case_warnings").empty());
+    EXPECT_EQ(summary.at("case_warnings").at(0).at("code"), "W602");
+    EXPECT_GT(page.find("W602"), page.find("<section id=\"quality\""));
+}
+
+TEST(StudyReport, OfARunThatWasToEndEarlySaysWhichStagesAreMissing) {
+    const TempFolder folder;
+    run::RunOptions options;
+    options.until = "cloud";
+    run_text(reference_constants + fines_sweep, folder.path(), options);
+    const json missing = run::read_json(folder / "run/summary.json").at("missing_stages");
+    EXPECT_EQ(missing.size(), 2U * (3 + 4 + 2)) << missing; // of two seeds at 0, 20 and 100 %
+    EXPECT_EQ(missing.at(0), "s/fc=0/rep=1/loose");
+    const std::string page = read_all(folder / "run/report.html");
+    EXPECT_NE(page.find("<b>This run is not complete.</b> "), std::string::npos);
+    EXPECT_NE(page.find("s/fc=0/rep=1/loose, "), std::string::npos);
 }
 
 /// What may differ between two runs of one case: times, and where the run lies.

@@ -208,6 +208,7 @@ inline report::ReportData sample_report(const std::string& title) {
     ReportData report;
     report.title = title;
     report.run = "synthetic-0001";
+    report.paper = "A paper that was never written";
     report.answer = {
         "These numbers are invented: this page exists to test the report.",
         "The sample of 1,000 grains was settled at 100 kPa with a void ratio of 0.672 (porosity 0.402).",
