@@ -145,6 +145,24 @@ std::optional<double> kenney_lau_split(const Grading& grading) {
     return begin;
 }
 
+Grading part_between(const Grading& grading, double finest, double coarsest) {
+    const double below = passing(grading, finest), up_to = passing(grading, coarsest);
+    expects(up_to > below, "a part of a grading has mass");
+    Grading part;
+    part.origin = grading.origin;
+    part.diameter.push_back(finest);
+    part.passing.push_back(0);
+    for (std::size_t k = 0; k < grading.diameter.size(); ++k) {
+        if (grading.diameter[k] > finest && grading.diameter[k] < coarsest) {
+            part.diameter.push_back(grading.diameter[k]);
+            part.passing.push_back((grading.passing[k] - below) / (up_to - below));
+        }
+    }
+    part.diameter.push_back(coarsest);
+    part.passing.push_back(1);
+    return part;
+}
+
 Grading mixture(const Grading& coarse, const Grading& fines, double fines_content) {
     Grading mixed;
     mixed.diameter = coarse.diameter;

@@ -28,6 +28,9 @@ double kenney_lau_increment(const Grading& grading, double diameter);
 /// soil that the criterion calls stable.
 std::optional<double> kenney_lau_split(const Grading& grading);
 
+/// The curve of the grains between two sizes [m] alone, from 0 to 100 %. @throws Bug where it has no mass there.
+Grading part_between(const Grading& grading, double finest, double coarsest);
+
 /// The curve of `coarse` and `fines` mixed so that the fines are `fines_content` of the mass.
 Grading mixture(const Grading& coarse, const Grading& fines, double fines_content);
 

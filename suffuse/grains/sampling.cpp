@@ -3,6 +3,7 @@
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/modeled_part.hpp"
 
 #include <fmt/format.h>
 
@@ -152,6 +153,24 @@ SampledGrains sample_whole(const Soil& soil, std::size_t particles) {
     return sample;
 }
 
+/// How `soil` could be followed: by more grains, or where its curve may be cut without losing fines or skeleton.
+std::string what_to_do(const Soil& soil, const Grading& asked, int particles) {
+    constexpr double out_of_reach = 1e9;
+    const double needed = grains_needed(asked, soil.grading_tolerance);
+    std::string text = needed < out_of_reach ? fmt::format("take about {:.0f} particles", needed)
+                                             : std::string("more than a thousand million would be needed");
+    text += ", allow a larger difference (grading_tolerance)";
+    const double limit = soil.coarse ? 0 : fines_limit(soil).value_or(0); // 0: no part needs it
+    const auto above = followed_above(asked, particles, soil.grading_tolerance);
+    const auto below = followed_below(asked, particles, soil.grading_tolerance);
+    std::string parts = above && (limit == 0 || *above < limit) ? fmt::format("above {:.3g} mm", *above * 1e3) : "";
+    if (below && *below > limit) {
+        parts += fmt::format("{}below {:.3g} mm", parts.empty() ? "" : ", or that ", *below * 1e3);
+    }
+    return parts.empty() ? text
+                         : fmt::format("{}, or cut the curve: {} particles follow its part {}", text, particles, parts);
+}
+
 double content_of(const SampledGrains& sample) {
     double fines = 0, all = 0;
     for (std::size_t g = sample.radius.size(); g-- > 0;) { // smallest first: small terms add up before large ones
@@ -235,6 +254,10 @@ double grains_per_volume(const Grading& grading) {
     return 6 / pi * NumberCurve(grading).total();
 }
 
+bool can_follow(const Grading& grading, double count, double tolerance) {
+    return coarse_difference(grading, NumberCurve(grading), static_cast<std::size_t>(count)) <= tolerance;
+}
+
 double grains_needed(const Grading& grading, double tolerance) {
     constexpr double most = 1e12;
     const NumberCurve curve(grading);
@@ -302,11 +325,9 @@ SampledGrains sample_soil(const Soil& soil, int particles) {
     if (sample.largest_difference > soil.grading_tolerance) {
         throw CaseError(
             fmt::format(
-                "{} particles cannot follow {}: largest difference of percent passing {:.3g} %, allowed "
-                "{:.3g} "
-                "%; take about {:.0f} particles, allow a larger difference, or cut the coarse end of the curve",
+                "{} particles cannot follow {}: largest difference of percent passing {:.3g} %, allowed {:.3g} %; {}",
                 particles, named(asked), sample.largest_difference * 100, soil.grading_tolerance * 100,
-                grains_needed(asked, soil.grading_tolerance)
+                what_to_do(soil, asked, particles)
             ),
             asked.origin
         );

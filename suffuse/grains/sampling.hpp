@@ -45,6 +45,10 @@ double largest_difference(std::span<const double> radius, const Grading& grading
 /// Number of grains in one m3 of solid that follows `grading` [1/m3].
 double grains_per_volume(const Grading& grading);
 
+/// Whether `count` grains follow `grading` within `tolerance`, judged from the coarsest ones: they carry most mass
+/// each.
+bool can_follow(const Grading& grading, double count, double tolerance);
+
 /// Estimate of the least number of grains that follow `grading` within `tolerance`.
 double grains_needed(const Grading& grading, double tolerance);
 

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/modeled_part.hpp"
 
 #include <gtest/gtest.h>
 
@@ -109,6 +110,25 @@ TEST(Sampling, TooFewGrainsAreRefusedWithTheNumberThatWouldDo) {
     EXPECT_NE(message.find(std::to_string(static_cast<long>(needed))), std::string::npos) << message;
     EXPECT_NO_THROW(sample_soil(soil, static_cast<int>(needed)));
     EXPECT_NE(complaint(soil, static_cast<int>(0.8 * needed)), ""); // the estimate is not wasteful either
+}
+
+TEST(Sampling, ACurveThatIsTooWideIsRefusedWithTheSizesAtWhichToCutIt) {
+    Soil soil;
+    soil.whole = Grading{{0.01e-3, 100e-3}, {0, 1}, "moraine.csv"};
+    const std::string message = complaint(soil, 5000);
+    EXPECT_NE(message.find("more than a thousand million"), std::string::npos) << message;
+    const auto above = followed_above(*soil.whole, 5000, 0.02), below = followed_below(*soil.whole, 5000, 0.02);
+    ASSERT_TRUE(above && below);
+    EXPECT_GT(*above, 1e-3);
+    EXPECT_LT(*below, 1e-3);
+    const std::string ends = std::to_string(*above * 1e3).substr(0, 3);
+    EXPECT_NE(message.find("above " + ends), std::string::npos) << message;
+    soil.whole = part_between(*soil.whole, *above, 100e-3);
+    EXPECT_NO_THROW(sample_soil(soil, 5000));
+    soil.whole = Grading{{0.01e-3, 100e-3}, {0, 1}, "moraine.csv"};
+    soil.finer_than = 0.1e-3; // cut above 1 mm, no fines would be left
+    EXPECT_EQ(complaint(soil, 5000).find("above"), std::string::npos);
+    EXPECT_NE(complaint(soil, 5000).find("below"), std::string::npos);
 }
 
 TEST(Sampling, FinesByKenneyAndLauWhereTheSplitExists) {

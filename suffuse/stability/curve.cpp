@@ -28,6 +28,11 @@ double surface_up_to(const Grading& grading, std::size_t k, double diameter) {
     return rise / width * (1 / grading.diameter[k] - 1 / diameter);
 }
 
+void expect_both_sides(const Grading& grading, double split) {
+    const double below = grains::passing(grading, split);
+    expects(below > 0 && below < 1, "a split of a grading has mass on both sides");
+}
+
 } // namespace
 
 std::vector<ShapePoint> shape_curve(const Grading& grading, double from, double to) {
@@ -86,34 +91,13 @@ double coarse_end_at(const Grading& grading, double fraction) {
 }
 
 Grading fine_part(const Grading& grading, double split) {
-    const double below = grains::passing(grading, split);
-    expects(below > 0 && below < 1, "a split of a grading has mass on both sides");
-    Grading part;
-    part.origin = grading.origin;
-    for (std::size_t k = 0; k < grading.diameter.size() && grading.diameter[k] < split; ++k) {
-        part.diameter.push_back(grading.diameter[k]);
-        part.passing.push_back(grading.passing[k] / below);
-    }
-    part.diameter.push_back(split);
-    part.passing.push_back(1);
-    return part;
+    expect_both_sides(grading, split);
+    return grains::part_between(grading, grading.diameter.front(), split);
 }
 
 Grading coarse_part(const Grading& grading, double split) {
-    const double below = grains::passing(grading, split);
-    expects(below > 0 && below < 1, "a split of a grading has mass on both sides");
-    Grading part;
-    part.origin = grading.origin;
-    part.diameter.push_back(split);
-    part.passing.push_back(0);
-    for (std::size_t k = 0; k < grading.diameter.size(); ++k) {
-        if (grading.diameter[k] > split) {
-            part.diameter.push_back(grading.diameter[k]);
-            part.passing.push_back((grading.passing[k] - below) / (1 - below));
-        }
-    }
-    part.passing.back() = 1;
-    return part;
+    expect_both_sides(grading, split);
+    return grains::part_between(grading, split, grading.diameter.back());
 }
 
 double size_by_surface(const Grading& grading, double share) {

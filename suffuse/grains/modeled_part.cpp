@@ -1,0 +1,124 @@
+#include "suffuse/grains/modeled_part.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/sample_size.hpp"
+#include "suffuse/grains/sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::grains {
+namespace {
+
+constexpr int steps = 100;    // of the mass of a fraction
+constexpr int most_left = 90; // of these may be left out
+
+/// To three digits, up or down.
+double round_size(double size, bool up) {
+    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
+    constexpr double rounding = 1e-9;
+    return unit * (up ? std::ceil(size / unit - rounding) : std::floor(size / unit + rounding));
+}
+
+/// The number of grains that the counts of fines and coarse grains and the width of the cell ask for.
+double counted(const Grading& grading, double finer_than, const Representative& spec) {
+    const double finest = grading.diameter.front(), coarsest = grading.diameter.back();
+    const double content = passing(grading, finer_than), all = grains_per_volume(grading);
+    const double fine = content * grains_per_volume(part_between(grading, finest, finer_than));
+    const double coarse = (1 - content) * grains_per_volume(part_between(grading, finer_than, coarsest));
+    const double largest = size_at(grading, 1);
+    const double width = all * std::pow(spec.cell_width * largest, 3) * (1 - sized_porosity);
+    return std::max({spec.fine * all / fine, spec.coarse * all / coarse, width});
+}
+
+/// The curve without these shares of its fine and of its coarse mass.
+struct Cut {
+    Cut(const Grading& grading, double finer_than, int fine_left, int coarse_left) {
+        const double content = passing(grading, finer_than);
+        const auto share = [](int left) { return static_cast<double>(left) / steps; };
+        finest =
+            fine_left == 0 ? grading.diameter.front() : round_size(size_at(grading, content * share(fine_left)), true);
+        coarsest = coarse_left == 0 ? grading.diameter.back()
+                                    : round_size(size_at(grading, 1 - (1 - content) * share(coarse_left)), false);
+        has_both = passing(grading, finest) < content && passing(grading, coarsest) > content;
+    }
+
+    double finest, coarsest;
+    bool has_both; ///< some mass of either fraction stays
+};
+
+/// A size between `good` and `bad` as near to `bad` as the curve can be followed, by halves on a logarithmic scale.
+template <class IsGood>
+double last_good(double good, double bad, IsGood is_good) {
+    constexpr double near = 1.005;
+    while (std::max(good / bad, bad / good) > near) {
+        const double middle = std::sqrt(good * bad);
+        (is_good(middle) ? good : bad) = middle;
+    }
+    return good;
+}
+
+} // namespace
+
+double representative_count(const Grading& grading, double finer_than, const Representative& spec) {
+    const double content = passing(grading, finer_than);
+    expects(content > 0 && content < 1, "fines and coarse grains both have mass");
+    return std::max(counted(grading, finer_than, spec), grains_needed(grading, spec.tolerance));
+}
+
+std::optional<ModeledPart>
+find_modeled_part(const Grading& grading, double finer_than, double most, const Representative& spec) {
+    const auto is_enough = [&](int fine_left, int coarse_left) {
+        const Cut cut(grading, finer_than, fine_left, coarse_left);
+        if (!cut.has_both) {
+            return false;
+        }
+        const Grading part = part_between(grading, cut.finest, cut.coarsest);
+        return counted(part, finer_than, spec) <= most && can_follow(part, most, spec.tolerance);
+    };
+    int both = 0; // share left out of either fraction
+    while (both <= most_left && !is_enough(both, both)) {
+        ++both;
+    }
+    if (both > most_left) {
+        return std::nullopt;
+    }
+    int fine_left = both, coarse_left = both; // and then as little as will do, of the one that gains more
+    while (fine_left > 0 && is_enough(fine_left - 1, both)) {
+        --fine_left;
+    }
+    while (coarse_left > 0 && is_enough(both, coarse_left - 1)) {
+        --coarse_left;
+    }
+    (fine_left <= coarse_left ? coarse_left : fine_left) = both;
+    const Cut cut(grading, finer_than, fine_left, coarse_left);
+    const double content = passing(grading, finer_than);
+    return ModeledPart{
+        cut.finest, cut.coarsest, 1 - passing(grading, cut.finest) / content,
+        (passing(grading, cut.coarsest) - content) / (1 - content)};
+}
+
+std::optional<double> followed_above(const Grading& grading, double particles, double tolerance) {
+    const double finest = size_at(grading, 0), coarsest = size_at(grading, 1), most_of_it = size_at(grading, 0.9);
+    const auto is_good = [&](double size) {
+        return can_follow(part_between(grading, size, coarsest), particles, tolerance);
+    };
+    if (!is_good(most_of_it)) {
+        return std::nullopt;
+    }
+    return round_size(last_good(most_of_it, finest, is_good), true);
+}
+
+std::optional<double> followed_below(const Grading& grading, double particles, double tolerance) {
+    const double finest = size_at(grading, 0), coarsest = size_at(grading, 1), least_of_it = size_at(grading, 0.1);
+    const auto is_good = [&](double size) {
+        return can_follow(part_between(grading, finest, size), particles, tolerance);
+    };
+    if (!is_good(least_of_it)) {
+        return std::nullopt;
+    }
+    return round_size(last_good(least_of_it, coarsest, is_good), false);
+}
+
+} // namespace suffuse::grains
