@@ -1,9 +1,8 @@
 #pragma once
-// A grading curve from a CSV file: columns `d [mm]` and `passing [%]` by mass, `#` starts a comment. A unit in the
-// header is honored, without one sizes are in mm and passing in %. Sizes may rise or fall from line to line, but not
-// both.
+// A grading curve from a CSV file: columns `d [mm]` and `passing [%]` by mass, `#` starts a comment; grading_csv.hpp
+// says what else is read. Sizes may rise or fall from line to line, but not both.
 
-#include "suffuse/casefile/diagnostics.hpp"
+#include "suffuse/casefile/grading_csv.hpp"
 #include "suffuse/grains/soil.hpp"
 
 #include <memory>
@@ -12,13 +11,6 @@
 #include <vector>
 
 namespace suffuse::casefile {
-
-/// One point of a curve and where it was written.
-struct GradingPoint {
-    double diameter = 0; ///< [m]
-    double passing = 0;  ///< [-]
-    Place diameter_place, passing_place;
-};
 
 /// Grains are drawn from a curve that runs from 0 to 100 %; criteria may be asked of one that does not.
 enum class CurveEnds { Closed, MayBeOpen };

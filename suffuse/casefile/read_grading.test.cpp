@@ -39,6 +39,29 @@ TEST(ReadGrading, MillimetersAndPercentUnlessTheHeaderSaysOtherwise) {
     }
 }
 
+TEST(ReadGrading, SieveAnalysesAsLaboratoriesWriteThemGiveTheSameCurve) {
+    const std::vector<double> sizes{1e-4, 2e-4, 4e-4}, shares{0, 0.5, 1};
+    for (const char* text : {
+             "D [MM];PASSING [%]\n0,1;0\n0,2;50,0\n0,4;100\n",                    // decimal comma, capitals
+             "Sieve size (mm)\t% passing\n0,4\t100\n0,2\t50\n0,1\t0\n",           // tabs, descending
+             "Sieve (\u00b5m),Percent finer\n100,0%\n200,50 %\n400,100%\n",       // percent signs
+             "\"Sieve, mm\",Size (mm),Passing\n1,0.1,0\n2,0.2,50\n3,0.4,100\n",   // quotes
+             "Grain size;Finer by mass\n100 um;0 %\n200 um;50 %\n0.4 mm;100 %\n", // units at every number
+             "sieve [um];Cumulative retained [%]\r\n400;0\r\n200;50\r\n100;100\r\n",
+             "d [mm];retained [%];passing [%];;\n0,4;0;100;;\n0,2;50;50;;\n0,1;50;0;;\n", // empty cells
+             "\"d [mm]\";\"passing [%]\"\n\"0,1\";\"0\"\n\"0,2\";\"50\"\n\"0,4\";\"100\"\n",
+         }) {
+        const Parsed parsed = parse(text);
+        ASSERT_TRUE(parsed.grading) << text << render(parsed.problems);
+        EXPECT_EQ(parsed.grading->diameter, sizes) << text;
+        EXPECT_EQ(parsed.grading->passing, shares) << text;
+    }
+    const std::string path = data_folder() + "/data/marked.csv";
+    std::ofstream(path) << "\xEF\xBB\xBF"
+                        << "d [mm],passing [%]\n0.1,0\n0.2,50\n0.4,100\n"; // a byte order mark
+    EXPECT_EQ(read_grading(path).diameter, sizes);
+}
+
 struct WrongGrading {
     std::string code;
     int line, column;
@@ -63,7 +86,17 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
         {"E502", 3, 1, "\"abc\" is not a number", "d,passing\n0.1,0\nabc,50\n"},
         {"E502", 3, 5, "a value is missing", "d,passing\n0.1,0\n0.2,\n"},
         {"E502", 3, 1, "3 values where the header names 2 columns", "d,passing\n0.1,0\n0,2,50\n"},
-        {"E502", 2, 1, "has its own unit", "d,passing\n0.1 mm,0\n0.2,100\n"},
+        {"E502", 2, 1, "has its own unit", "d [um],passing\n0.1 mm,0\n200,100\n"},
+        {"E502", 2, 1, "has its own unit", "d,passing\n100 um,0\n0.2,100\n"}, // the other line has none
+        {"E502", 3, 5, "has its own unit", "d,passing [-]\n0.1,0\n0.2,100 %\n"},
+        {"E502", 2, 3, "a pressure", "d,passing\n1,0 kPa\n2,100 kPa\n"},
+        {"E502", 2, 1, "decimal comma, columns are separated by ;", "d,passing\n0,1,0,5\n0,2,100,0\n"},
+        {"E502", 3, 1, "write a decimal point", "d,passing\n0.1,0\n\"1,000\",100\n"},
+        {"E502", 3, 1, "the same mark everywhere", "d;passing\n0.1;0\n1,000;100\n"},
+        {"E502", 3, 1, "is not a number", "d;passing\n4;100\npan;0\n"},
+        {"E506", 1, 1, "100 minus", "sieve [mm],retained [g]\n0.2,10\n0.1,30\n"},
+        {"E506", 1, 3, "`d` and `size` mean the same", "d,size,passing\n0.1,1,0\n"},
+        {"E506", 1, 3, "is a mass", "d,passing [g]\n0.1,0\n0.2,100\n"},
         {"E505", 0, 0, "empty", ""},
         {"E505", 0, 0, "empty", "# nothing\n\n"},
         {"E505", 0, 0, "at least two points", "d,passing\n0.1,0\n"},
