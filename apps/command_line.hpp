@@ -45,6 +45,7 @@ struct CommandLine {
     std::optional<double> cache_limit; ///< [GB]
     bool clear = false;                ///< the cache
     std::string from;                  ///< template of `new`
+    std::string psd, sizes;            ///< grading curve of `new`, and the part of it that is modeled
     std::string bench;                 ///< "step" or "flow"
     std::string mode = "reference";    ///< of `bench step`
     std::string packing, cell, time_step, density, format;

@@ -28,7 +28,7 @@ constexpr std::array examples{
     Example{"compare", "suffuse compare runs/dyke-0001 runs/dyke-0002 --tolerance 1%"},
     Example{"verify", "suffuse verify runs/dyke-0001"},
     Example{"watch", "suffuse watch runs/dyke-0001"},
-    Example{"new", "suffuse new my-dyke --from fontainebleau-2016"},
+    Example{"new", "suffuse new my-dyke --psd dyke.csv\nsuffuse new my-dyke --from fontainebleau-2016"},
     Example{"check", "suffuse check my-dyke/case.toml"},
     Example{"plan", "suffuse plan my-dyke/case.toml --preset paper"},
     Example{"explain", "suffuse explain fines_content"},
@@ -99,7 +99,7 @@ std::string path_of(const CLI::App& verb) {
 
 std::string overview(const CLI::App& app) {
     std::string text = "suffuse: internal erosion of soils, grain by grain, from grading to report\n\n"
-                       "  suffuse new my-dyke --from fontainebleau-2016\n"
+                       "  suffuse new my-dyke --psd dyke.csv\n"
                        "  suffuse run my-dyke/case.toml\n\nverbs\n";
     for (const CLI::App* verb : verbs_of(app)) {
         text += fmt::format("  {:12} {}\n", verb->get_name(), verb->get_description());

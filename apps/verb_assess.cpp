@@ -13,6 +13,7 @@
 #include "apps/assessed_soil.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/page_folder.hpp"
+#include "apps/shell_word.hpp"
 #include "apps/verbs.hpp"
 #include <filesystem>
 
@@ -107,7 +108,10 @@ int assess_verb(const CommandLine& line, const Console& console) {
         }
     }
     console.result(text);
-    console.talk("a simulation tells how many grains are free to go: suffuse new my-soil --from fontainebleau-2016");
+    console.talk(fmt::format(
+        "a simulation tells how many grains are free to go: suffuse {} {}",
+        line.subject.ends_with(".toml") ? "run" : "new --psd", quoted(line.subject)
+    ));
     console.document(json_text({{"soils", soils}}));
     return Done;
 }

@@ -1,33 +1,16 @@
-// new, check, explain, schema: a case before it is run.
+// check, explain, schema: a case before it is run.
 
 #include "suffuse/casefile/schema.hpp"
-#include "suffuse/io/atomic_file.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "apps/exit_code.hpp"
 #include "apps/explain_word.hpp"
-#include "apps/templates.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
-#include <algorithm>
-#include <filesystem>
 
 namespace suffuse::apps {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::vector<std::string> template_names() {
-    std::vector<std::string> names;
-    for (const TemplateFile& file : template_files()) {
-        if (names.empty() || names.back() != file.name) {
-            names.emplace_back(file.name);
-        }
-    }
-    return names;
-}
 
 nlohmann::json key_json(const casefile::Key& key) {
     return {
@@ -41,42 +24,6 @@ nlohmann::json key_json(const casefile::Key& key) {
 }
 
 } // namespace
-
-int new_verb(const CommandLine& line, const Console& console) {
-    const std::vector<std::string> names = template_names();
-    if (std::find(names.begin(), names.end(), line.from) == names.end()) {
-        throw UsageError(fmt::format(
-            "no template {}{}; there are {}", shown(line.from), near_hint(line.from, names), fmt::join(names, ", ")
-        ));
-    }
-    const fs::path folder = line.subject.empty() ? line.from : line.subject;
-    std::vector<std::string> written;
-    for (const TemplateFile& file : template_files()) {
-        if (file.name == line.from && fs::exists(folder / file.path)) {
-            throw UsageError(fmt::format(
-                "{} exists; give another folder, so that nothing of yours is overwritten",
-                shown((folder / file.path).string())
-            ));
-        }
-    }
-    for (const TemplateFile& file : template_files()) {
-        if (file.name != line.from) {
-            continue;
-        }
-        const fs::path path = folder / file.path;
-        std::error_code error;
-        fs::create_directories(path.parent_path(), error);
-        if (error) {
-            throw IoError(fmt::format("{}: cannot be made: {}", path.parent_path().string(), error.message()));
-        }
-        io::write_file(path, file.text);
-        written.push_back(path.string());
-    }
-    console.result(fmt::format("{}", fmt::join(written, "\n")));
-    console.document(json_text({{"written", written}}));
-    console.talk(fmt::format("next: suffuse run {}", (folder / "case.toml").string()));
-    return Done;
-}
 
 int check_verb(const CommandLine& line, const Console& console) {
     const casefile::LoadedCase loaded = casefile::load_case(line.subject, {line.preset, line.overrides, line.studies});

@@ -1,8 +1,13 @@
 #include "apps/verb_flags.hpp"
 
+#include "suffuse/io/text_file.hpp"
+
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "apps/command_line.hpp"
+#include <limits>
+#include <type_traits>
 
 namespace suffuse::apps {
 namespace {
@@ -14,6 +19,33 @@ const std::string packing_text =
 const std::string cell_text =
     "edges of its cell in meters, or nine numbers, its matrix by rows; the file's own unless given";
 const std::string format_text = "csv, yade, xyz, lammps, dump or vtp; by the file's ending unless given";
+
+/// Empty where `text` is a number from `least` to `most`, else what it should be: CLI11's own words have all the digits
+/// of the largest number there is.
+template <class T>
+std::string complaint_of_range(const std::string& text, T least, T most, const std::string& expected) {
+    const std::optional<T> value = io::number_of<T>(text);
+    const bool is_good = value && *value >= least && *value <= most;
+    return is_good ? "" : fmt::format("{} is not {}", text, expected);
+}
+
+template <class T>
+CLI::Validator number_in(T least, T most) {
+    const char* const kind = std::is_integral_v<T> ? "a whole number" : "a number";
+    const std::string expected = fmt::format("{} from {} to {}", kind, least, most);
+    return CLI::Validator(
+        [=](std::string& text) { return complaint_of_range(text, least, most, expected); }, std::string()
+    );
+}
+
+CLI::Validator number_from_zero() {
+    return CLI::Validator(
+        [](std::string& text) {
+            return complaint_of_range(text, 0.0, std::numeric_limits<double>::max(), "a number of 0 or more");
+        },
+        std::string()
+    );
+}
 
 void add_everywhere(CLI::App& app, CommandLine& line) {
     app.add_flag("-q,--quiet", line.quiet, "say nothing but results and errors");
@@ -43,7 +75,7 @@ void add_case_changes(CLI::App& verb, CommandLine& line) {
 void add_threads(CLI::App& verb, CommandLine& line) {
     verb.add_option("-j,--threads", line.threads, "threads; all cores unless given. Results do not depend on it")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+        ->check(number_in(1, 1024));
 }
 
 void add_cache(CLI::App& verb, CommandLine& line) {
@@ -129,7 +161,7 @@ void add_sweep_verb(CLI::App& app, CommandLine& line) {
         ->type_name("DIR");
     sweep->add_option("-j,--threads", line.threads, "threads of each task, 1 unless given")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+        ->check(number_in(1, 1024));
     sweep
         ->add_option(
             "--time-limit", line.time_limit, "wall time of each task, as in 2h; what is not done goes on later"
@@ -144,14 +176,24 @@ void add_cache_verb(CLI::App& app, CommandLine& line) {
     cache->add_option("DIR", line.subject, "folder of the cache; runs/suffuse-cache unless given");
     CLI::Option* limit =
         cache->add_option("--limit", line.cache_limit, "most that it may hold from now on, in GB; 10 at first");
-    limit->type_name("GB")->check(CLI::NonNegativeNumber);
+    limit->type_name("GB")->check(number_from_zero());
     cache->add_flag("--clear", line.clear, "drop all that it holds")->excludes(limit);
 }
 
 void add_case_verbs(CLI::App& app, CommandLine& line) {
     CLI::App* make = app.add_subcommand("new", "write a commented case and its data to start from");
-    make->add_option("DIR", line.subject, "folder to write it to; the template's name unless given");
-    make->add_option("--from", line.from, "template to start from")->type_name("NAME")->required();
+    make->add_option(
+        "DIR", line.subject, "folder to write it to; the name of the template or of the curve unless given"
+    );
+    CLI::Option* from = make->add_option("--from", line.from, "an example to start from");
+    from->type_name("NAME");
+    CLI::Option* psd = make->add_option(
+        "--psd", line.psd, "grading curve of a soil of yours: CSV with the columns d [mm], passing [%]"
+    );
+    psd->type_name("FILE")->excludes(from);
+    make->add_option("--sizes", line.sizes, "with --psd: the part of the curve to model, as in 0.1mm,4mm")
+        ->type_name("FROM,TO")
+        ->needs(psd);
 
     CLI::App* check = app.add_subcommand("check", "read a case and tell all that is wrong with it");
     add_subject(*check, line, "CASE", case_text);
@@ -181,7 +223,7 @@ void add_bench_verbs(CLI::App& app, CommandLine& line) {
     CLI::App* step = bench->add_subcommand("step", "settle a packing at 100 kPa, then time slow shear");
     step->add_option("--steps", line.steps, "steps that are timed, 2000 unless given")
         ->type_name("N")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+        ->check(number_in(1, 1'000'000'000));
     step->add_option("--time-step", line.time_step, "in seconds; 4.1e-8 unless given")->type_name("DT");
     step->add_option("--mode", line.mode, "of the timed steps: reference or fast; reference unless given")
         ->type_name("NAME")
@@ -193,7 +235,7 @@ void add_bench_verbs(CLI::App& app, CommandLine& line) {
         add_threads(*verb, line);
         verb->add_option("--replicate", line.replicate, "copies of the packing along each axis")
             ->type_name("N")
-            ->check(CLI::Range(1, 30));
+            ->check(number_in(1, 30));
         verb->callback([verb, &line] { line.bench = verb->get_name(); });
     }
 }
@@ -221,17 +263,17 @@ void add_assess_verb(CLI::App& app, CommandLine& line) {
         ->type_name("D");
     assess->add_option("-i,--gradient", line.seepage_gradient, "hydraulic gradient of upward seepage")
         ->type_name("I")
-        ->check(CLI::NonNegativeNumber);
+        ->check(number_from_zero());
     assess->add_option("--relative-density", line.relative_density, "0 loosest, 1 densest; both unless given")
         ->type_name("ID")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(number_in(0.0, 1.0));
     assess->add_option("--porosity", line.porosity, "with -i; 0.40 unless given")
         ->type_name("N")
-        ->check(CLI::Range(0.05, 0.95));
+        ->check(number_in(0.05, 0.95));
     assess->add_option("--density", line.density, "of the grains, with -i; 2650kg/m^3 unless given")->type_name("RHO");
     assess->add_option("--alpha", line.stress_share, "with -i: mean stress of the fines over that of the soil")
         ->type_name("A")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(number_in(0.0, 1.0));
     assess->add_flag("--coarse-fabric", line.coarse_fabric, "D60/D10 of the coarse part decides how far to look at F");
     assess->add_option("-o,--output", line.output, "folder for a page, its figures and numbers")->type_name("DIR");
 }

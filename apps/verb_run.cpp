@@ -171,12 +171,12 @@ void tell_plan(const Job& job, const std::string& verb, const Console& console) 
 
 /// What a larger preset would cost, and where to go from here.
 void tell_next(const CommandLine& line, const Job& job, const Console& console) {
-    std::string next = "suffuse new my-soil --from fontainebleau-2016";
+    std::string next = "a soil of yours, suffuse new --psd FILE";
     if (job.what.preset == "quick") {
         const casefile::Case larger =
             casefile::load_case(line.subject, {"standard", line.overrides, line.studies}).value;
         const run::RunPlan plan = run::plan_run(larger, job.plan.speed);
-        next = fmt::format("--preset standard ({}), or {}", duration_range_text(plan.seconds), next);
+        next = fmt::format("--preset standard ({}); {}", duration_range_text(plan.seconds), next);
     }
     console.talk("next: " + next);
 }

@@ -1,0 +1,111 @@
+// The text of a case for a soil of the user's.
+
+#include <fmt/format.h>
+
+#include "apps/command_line.hpp"
+#include "apps/own_soil.hpp"
+#include <filesystem>
+#include <string_view>
+
+namespace suffuse::apps {
+namespace {
+
+constexpr std::string_view case_form =
+    R"(# Suffusion of {name}: a sample is packed from its grading, compacted, eroded, and sheared before and after.
+# `#~` marks what was assumed for you; the report lists all of it on its first page. Two of these values decide what you
+# will see: the `pressure` on the soil and the `gradient` of the water. What a key means: suffuse explain KEY.
+schema = 1
+title  = "Suffusion of {name}"
+seed   = 1
+preset = "quick"                      # quick: minutes | standard: as written below; --preset NAME picks one
+
+[presets.quick]
+particles       = {quick:<20}#~ enough for the largest grains, the fines and the coarse ones
+inertial_number = "loose"             #~ 1e-3 while shearing
+triaxial_strain = "5 %"               #~
+
+[grain]
+density = "2650 kg/m^3"               #~ quartz
+
+[contact]                             # linear springs, Coulomb slip, rolling resistance
+law               = "linear-rolling"
+modulus           = "356 MPa"         #~ kn = 2 E r1 r2/(r1 + r2)
+shear_ratio       = 0.42              #~ ks/kn
+friction          = "37 deg"          #~ between grains, in tests; preparation uses another
+rolling_stiffness = 7.5               #~ kr = this x ks r1 r2
+rolling_friction  = 0.22              #~ limits the rolling moment to this x min(r1, r2) x Fn
+damping           = 0.2               #~ local, non-viscous
+
+[fluid]
+density   = "1000 kg/m^3"
+viscosity = "1 mPa*s"
+
+[soil.{name}]
+psd   = "data/{name}.csv"             # d [mm], passing [%]{left_out}
+fines = {{ finer_than = "{limit:.4g} mm" }} #~ {content:.3g} % of the mass; {reason}
+
+[study.erosion]
+soil      = "{name}"
+particles = {standard:<26}#~ cost grows with it; suffuse plan tells how much
+
+[[study.erosion.stage]]
+name     = "cloud"
+do       = "pack"                     # no overlaps, periodic cell
+porosity = 0.65                       #~
+
+[[study.erosion.stage]]
+name     = "initial"
+do       = "compact"
+pressure = "100 kPa"                  #~ yours: the effective stress at the depth that you ask about
+prepare  = {{ friction = "10 deg" }}    #~ during compaction only: lower is denser
+measure  = ["void-ratios", "porosity", "permeability"]
+
+[[study.erosion.stage]]
+name      = "erosion"
+do        = "erode"
+gradient  = 0.05                      #~ yours: the hydraulic gradient i of the seepage
+direction = "z"
+passes    = 2                         #~ each takes out what is free to go, then lets the soil settle
+measure   = ["flow", "constrictions", "coordination-of-eroded", "stress", "volumetric-strain", "porosity", "grading"]
+
+[[study.erosion.stage]]               # strength with its fines, and without those that left
+name    = "shear-before"
+from    = "initial"
+do      = "triaxial"                  # drained: lateral stress held
+strain  = "10 %"                      #~
+measure = ["stress-strain"]
+
+[[study.erosion.stage]]
+name    = "shear-after"
+from    = "erosion"
+do      = "triaxial"
+strain  = "10 %"                      #~
+measure = ["stress-strain"]
+)";
+
+} // namespace
+
+std::string own_case_text(const OwnSoil& soil) {
+    constexpr std::int64_t standard_over_quick = 4;
+    return fmt::format(
+        case_form, fmt::arg("name", soil.name), fmt::arg("quick", soil.quick_grains),
+        fmt::arg("standard", standard_over_quick * soil.quick_grains), fmt::arg("limit", 1e3 * soil.finer_than),
+        fmt::arg("content", 100 * soil.fines_content), fmt::arg("reason", soil.reason),
+        fmt::arg("left_out", soil.left_out.empty() ? "" : "; #~ without " + soil.left_out)
+    );
+}
+
+std::string own_grading_text(const OwnSoil& soil, const std::string& path) {
+    std::string text =
+        fmt::format("# {}: percent passing by mass.\n", shown(std::filesystem::path(path).filename().string()));
+    if (!soil.left_out.empty()) {
+        text += fmt::format("# Without {}; the rest is 100 %.\n", soil.left_out);
+    }
+    text += "d [mm],passing [%]\n";
+    for (std::size_t k = 0; k < soil.grading.diameter.size(); ++k) {
+        text += fmt::format("{:.10g},{:.10g}\n", 1e3 * soil.grading.diameter[k], 100 * soil.grading.passing[k]);
+    }
+    return text;
+}
+
+} // namespace suffuse::apps

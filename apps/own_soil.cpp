@@ -1,0 +1,147 @@
+#include "apps/own_soil.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/grouped.hpp"
+#include "suffuse/casefile/read_grading.hpp"
+#include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/modeled_part.hpp"
+#include "suffuse/stability/fine_fraction.hpp"
+#include "suffuse/stability/kenney_lau.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/shell_word.hpp"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace suffuse::apps {
+namespace {
+
+using grains::Grading;
+
+std::string mm(double size) {
+    return fmt::format("{:.4g} mm", 1e3 * size);
+}
+
+/// The file's name without its ending, in letters, digits, - and _, as tables of a case are named.
+std::string name_of(const std::string& path) {
+    constexpr std::size_t most = 64;
+    std::string name = std::filesystem::path(path).stem().string().substr(0, most);
+    const auto is_plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    for (char& c : name) {
+        c = is_plain(c) ? c : '-';
+    }
+    name.erase(0, std::min(name.find_first_not_of('-'), name.size()));
+    return name.empty() ? "soil" : name;
+}
+
+/// Where the fines end. A soil that is stable by every sign has no such size: then where it is nearest to unstable.
+stability::FineFraction guess_fines(const Grading& grading) {
+    if (auto found = stability::find_fine_fraction(grading, std::nullopt)) {
+        found->basis = found->basis == "fine end of the gap"
+                           ? "the fine end of the gap in the curve"
+                           : "Kenney and Lau's split: above it the soil holds its finer part no better than H/F = 1";
+        return *found;
+    }
+    const double limit = stability::finer_limit(grains::uniformity(grading));
+    const stability::LeastRatio least = stability::least_shape_ratio(grading, limit);
+    return {
+        least.at.diameter, least.at.finer,
+        fmt::format(
+            "the curve has no gap and is stable by Kenney and Lau 1986; here it is nearest to unstable, H/F = {:.2g}",
+            least.value
+        )};
+}
+
+/// A size that reads well, where the curve still has grains on both sides of it.
+double rounded(const Grading& grading, double size) {
+    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
+    const double round = std::round(size / unit) * unit;
+    const double content = grains::passing(grading, round);
+    return content > 0 && content < 1 ? round : size;
+}
+
+/// What lies beyond the modeled sizes, of the mass that was measured or not.
+std::string left_out_of(const Grading& measured, double finest, double coarsest) {
+    const double fine = grains::passing(measured, finest), coarse = 1 - grains::passing(measured, coarsest);
+    std::string text;
+    if (fine > 0) {
+        text = fmt::format("the {:.3g} % finer than {}", 100 * fine, mm(finest));
+    }
+    if (coarse > 0) {
+        text += fmt::format("{}the {:.3g} % coarser than {}", text.empty() ? "" : " and ", 100 * coarse, mm(coarsest));
+    }
+    return text;
+}
+
+/// The ends of the measured curve, or those asked for within them.
+SizeRange modeled_sizes(const Grading& measured, const std::optional<SizeRange>& asked, double finer_than) {
+    const double finest = grains::size_at(measured, 0), coarsest = grains::size_at(measured, 1);
+    if (!asked) {
+        return {finest, coarsest};
+    }
+    const double content = grains::passing(measured, finer_than);
+    const SizeRange sizes{std::max(asked->first, finest), std::min(asked->second, coarsest)};
+    if (!(grains::passing(measured, sizes.first) < content && grains::passing(measured, sizes.second) > content)) {
+        throw CaseError(fmt::format(
+            "--sizes: from {} to {} there are no fines or no skeleton; the curve runs from {} to {}, its fines are "
+            "finer than {}: choose sizes on both sides of that",
+            mm(asked->first), mm(asked->second), mm(finest), mm(coarsest), mm(finer_than)
+        ));
+    }
+    return sizes;
+}
+
+[[noreturn]] void refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, double needed) {
+    const std::string found = fmt::format(
+        "{}: sizes from {} to {} are too far apart for one sample: with {:.3g} % of fines (below {}) it takes {} "
+        "grains, and a run of minutes has at most {}",
+        path, mm(grading.diameter.front()), mm(grading.diameter.back()), 100 * soil.fines_content, mm(soil.finer_than),
+        needed < 1e6 ? "about " + grouped(std::llround(needed)) : fmt::format("more than {:.0e}", 0.9 * needed),
+        grouped(std::llround(most_quick_grains))
+    );
+    const auto part = grains::find_modeled_part(grading, soil.finer_than, most_quick_grains);
+    if (!part) {
+        throw CaseError(fmt::format(
+            "{}. No cut of its ends helps: the fines are too small beside the coarse grains. What the criteria of "
+            "stability say: suffuse assess {}",
+            found, quoted(path)
+        ));
+    }
+    throw CaseError(fmt::format(
+        "{}. Cut the curve: suffuse new --psd {} --sizes {:.4g}mm,{:.4g}mm keeps {:.0f} % of the fines and {:.0f} % "
+        "of the coarse grains",
+        found, quoted(path), 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept
+    ));
+}
+
+} // namespace
+
+OwnSoil model_own_soil(const std::string& path, const std::optional<SizeRange>& asked) {
+    constexpr double least_grains = 2000;
+    const Grading measured = casefile::read_grading(path, casefile::CurveEnds::MayBeOpen);
+    if (measured.passing.front() >= measured.passing.back()) {
+        throw CaseError(fmt::format("{}: nothing lies between its sizes; measure more of the curve", path), path);
+    }
+    const Grading whole = grains::part_between(measured, measured.diameter.front(), measured.diameter.back());
+    const stability::FineFraction fines = guess_fines(whole);
+    OwnSoil soil;
+    soil.name = name_of(path);
+    soil.finer_than = rounded(whole, fines.finer_than);
+    soil.reason = fines.basis;
+    const auto [finest, coarsest] = modeled_sizes(whole, asked, soil.finer_than);
+    soil.grading = grains::part_between(whole, finest, coarsest);
+    soil.fines_content = grains::passing(soil.grading, soil.finer_than);
+    soil.left_out = left_out_of(measured, finest, coarsest);
+    const double needed = grains::representative_count(soil.grading, soil.finer_than);
+    if (needed > most_quick_grains) {
+        refuse(path, soil.grading, soil, needed);
+    }
+    soil.quick_grains = std::llround(std::max(least_grains, std::ceil(needed / 100) * 100));
+    return soil;
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,38 @@
+#pragma once
+// A soil of the user's as a case can model it: from a measured grading curve to a closed one, with the size below which
+// its grains are fine and the number of grains that stand for it. What was decided on the way is kept as sentences.
+
+#include "suffuse/grains/soil.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace suffuse::apps {
+
+/// Grains of a sample whose run takes minutes.
+inline constexpr double most_quick_grains = 20'000;
+
+struct OwnSoil {
+    std::string name;              ///< of the file, fit for a table of a case and a folder
+    grains::Grading grading;       ///< from 0 to 100 %
+    std::string left_out;          ///< "the 4 % finer than 0.063 mm, which were not measured"; empty where nothing is
+    double finer_than = 0;         ///< [m]
+    double fines_content = 0;      ///< of the modeled curve [-]
+    std::string reason;            ///< why that size
+    std::int64_t quick_grains = 0; ///< of the quick preset
+};
+
+/// Sizes [m] between which a curve is modeled.
+using SizeRange = std::pair<double, double>;
+
+/// @throws CaseError where the sizes are too far apart for a sample, saying at which sizes to cut; the problems of the
+/// file as read_grading() tells them.
+OwnSoil model_own_soil(const std::string& path, const std::optional<SizeRange>& asked);
+
+/// The case and its grading as files, and where they belong in its folder.
+std::string own_case_text(const OwnSoil& soil);
+std::string own_grading_text(const OwnSoil& soil, const std::string& path);
+
+} // namespace suffuse::apps

@@ -1,0 +1,145 @@
+// new: a commented case and its data, from an example or from a grading curve of the user's.
+
+#include "suffuse/io/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/exit_code.hpp"
+#include "apps/own_soil.hpp"
+#include "apps/shell_word.hpp"
+#include "apps/templates.hpp"
+#include "apps/verbs.hpp"
+#include "apps/wording.hpp"
+#include <algorithm>
+#include <filesystem>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NewFile {
+    fs::path path;
+    std::string text;
+};
+
+std::vector<std::string> template_names() {
+    std::vector<std::string> names;
+    for (const TemplateFile& file : template_files()) {
+        if (names.empty() || names.back() != file.name) {
+            names.emplace_back(file.name);
+        }
+    }
+    return names;
+}
+
+/// Writes all, or none where one exists. @return their paths.
+std::vector<std::string> write_new(const std::vector<NewFile>& files) {
+    for (const NewFile& file : files) {
+        if (fs::exists(file.path)) {
+            throw UsageError(fmt::format(
+                "{} exists; give another folder, so that nothing of yours is overwritten", shown(file.path.string())
+            ));
+        }
+    }
+    std::vector<std::string> written;
+    for (const NewFile& file : files) {
+        std::error_code error;
+        fs::create_directories(file.path.parent_path(), error);
+        if (error) {
+            throw IoError(fmt::format("{}: cannot be made: {}", file.path.parent_path().string(), error.message()));
+        }
+        io::write_file(file.path, file.text);
+        written.push_back(file.path.string());
+    }
+    return written;
+}
+
+void tell_next(const fs::path& folder, const Console& console) {
+    const std::string path = quoted((folder / "case.toml").string());
+    console.talk(fmt::format("next: suffuse check {}, suffuse plan {}, suffuse run {}", path, path, path));
+}
+
+int new_from_template(const CommandLine& line, const Console& console) {
+    const std::vector<std::string> names = template_names();
+    if (std::find(names.begin(), names.end(), line.from) == names.end()) {
+        throw UsageError(fmt::format(
+            "no template {}{}; there are {}", shown(line.from), near_hint(line.from, names), fmt::join(names, ", ")
+        ));
+    }
+    const fs::path folder = line.subject.empty() ? line.from : line.subject;
+    std::vector<NewFile> files;
+    for (const TemplateFile& file : template_files()) {
+        if (file.name == line.from) {
+            files.push_back({folder / file.path, std::string(file.text)});
+        }
+    }
+    const std::vector<std::string> written = write_new(files);
+    console.result(fmt::format("{}", fmt::join(written, "\n")));
+    console.document(json_text({{"written", written}}));
+    tell_next(folder, console);
+    return Done;
+}
+
+/// "0.1mm,4mm".
+std::optional<SizeRange> sizes_of(const std::string& text) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
+        throw UsageError(fmt::format("--sizes {}: it wants the finest and the coarsest size, 0.1mm,4mm", shown(text)));
+    }
+    const auto size = [](const std::string& word) { return quantity_of(word, dimension::length, "--sizes", false); };
+    const SizeRange range{size(text.substr(0, comma)), size(text.substr(comma + 1))};
+    if (!(range.first > 0 && range.second > range.first)) {
+        throw UsageError(fmt::format("--sizes {}: the finest size comes first, and is above 0", shown(text)));
+    }
+    return range;
+}
+
+int new_from_soil(const CommandLine& line, const Console& console) {
+    const OwnSoil soil = model_own_soil(line.psd, sizes_of(line.sizes));
+    const fs::path folder = line.subject.empty() ? soil.name : line.subject;
+    const std::vector<std::string> written = write_new(
+        {{folder / "case.toml", own_case_text(soil)},
+         {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, line.psd)}}
+    );
+    console.result(fmt::format("{}", fmt::join(written, "\n")));
+    console.document(json_text(
+        {{"written", written},
+         {"finer_than", soil.finer_than},
+         {"fines_content", soil.fines_content},
+         {"reason", soil.reason},
+         {"left_out", soil.left_out},
+         {"particles", soil.quick_grains}}
+    ));
+    console.talk(fmt::format(
+        "fines: finer than {:.4g} mm, {:.3g} % of the mass: {}", 1e3 * soil.finer_than, 100 * soil.fines_content,
+        soil.reason
+    ));
+    if (!soil.left_out.empty()) {
+        console.talk("left out: " + soil.left_out);
+    }
+    console.talk(fmt::format(
+        "{} grains in the preset quick; a pressure of 100 kPa and a gradient of 0.05 are assumed: put yours into {}",
+        count_text(soil.quick_grains), shown((folder / "case.toml").string())
+    ));
+    tell_next(folder, console);
+    return Done;
+}
+
+} // namespace
+
+int new_verb(const CommandLine& line, const Console& console) {
+    if (line.from.empty() == line.psd.empty()) {
+        throw UsageError(fmt::format(
+            "new: --psd FILE for a soil of yours, from its grading curve; or --from NAME for an example: {}",
+            fmt::join(template_names(), ", ")
+        ));
+    }
+    return line.psd.empty() ? new_from_template(line, console) : new_from_soil(line, console);
+}
+
+} // namespace suffuse::apps

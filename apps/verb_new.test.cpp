@@ -1,0 +1,115 @@
+// suffuse new --psd: a case from a grading curve of the user's.
+
+#include "tests/support/program.hpp"
+
+namespace suffuse {
+namespace {
+
+using namespace test;
+
+/// A sand without the sizes from 0.3 to 0.8 mm, as a laboratory would write it.
+const char* const gap_graded = "Sieve (mm);% passing\n2;100\n1,25;60\n0,8;20\n0,3;20\n0,2;8\n0,15;0\n";
+const char* const well_graded = "d [mm],passing [%]\n0.1,0\n0.15,10\n0.25,30\n0.4,55\n0.63,80\n1,100\n";
+/// Sandy gravel; what passes the finest sieve was not measured further.
+const char* const wide =
+    "d [mm],passing [%]\n0.063,4\n0.1,9\n0.2,17\n0.3,21\n1,24\n2,31\n4,45\n8,66\n16,88\n31.5,100\n";
+
+class NewSoil : public Cli {
+protected:
+    void SetUp() override {
+        write_to(folder / "gap.csv", gap_graded);
+        write_to(folder / "well.csv", well_graded);
+        write_to(folder / "wide gravel.csv", wide);
+    }
+};
+
+TEST_F(NewSoil, TheCaseIsCheckedAndPlannedAsItStands) {
+    for (const auto& [name, reason] :
+         {std::pair{"gap", "the fine end of the gap"}, std::pair{"well", "stable by Kenney and Lau"}}) {
+        const std::string path = std::string(name) + "/case.toml";
+        const Said made = say({"new", "--psd", std::string(name) + ".csv"});
+        ASSERT_EQ(made.code, 0) << made.error;
+        expect_in(path, made.out);
+        expect_in(reason, made.error);
+        expect_in("suffuse run " + path, made.error);
+        expect_in(reason, read_all(folder / path));
+        const Said checked = say({"check", path, "--json"});
+        ASSERT_EQ(checked.code, 0) << checked.error;
+        EXPECT_EQ(checked.json().at("preset"), "quick");
+        EXPECT_EQ(say({"check", path, "--preset", "standard"}).code, 0);
+        const Said plan = say({"plan", path, "--json"});
+        ASSERT_EQ(plan.code, 0) << plan.error;
+        EXPECT_EQ(plan.json().at("stages").size(), 5U);
+    }
+    const std::string gap = read_all(folder / "gap/case.toml");
+    expect_in("finer_than = \"0.3 mm\"", gap);
+    expect_in("#~ yours: the hydraulic gradient", gap);
+    expect_in("0.15,0\n", read_all(folder / "gap/data/gap.csv"));
+    EXPECT_EQ(say({"new", "--psd", "gap.csv"}).code, 2); // nothing is overwritten
+}
+
+TEST_F(NewSoil, ItRuns) {
+    ASSERT_EQ(say({"new", "dyke", "--psd", "gap.csv"}).code, 0);
+    const Said ran = say({"run", "dyke/case.toml", "-o", "runs/dyke", "--until", "cloud", "-q"});
+    ASSERT_EQ(ran.code, 0) << ran.error;
+    const auto summary = nlohmann::json::parse(read_all(folder / "runs/dyke/summary.json"));
+    const auto& cloud = summary.at("stages").at("erosion/cloud");
+    EXPECT_NEAR(cloud.at("fines_content").get<double>(), 0.2, 0.02); // the tolerance of a grading
+}
+
+TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
+    const Said refused = say({"new", "gravel", "--psd", "wide gravel.csv"});
+    EXPECT_EQ(refused.code, 3);
+    expect_in("too far apart for one sample", refused.error);
+    const std::string& text = refused.error;
+    const std::size_t at = text.find("--sizes ") + 8;
+    const std::string sizes = text.substr(at, text.find(' ', at) - at);
+    expect_in("'wide gravel.csv' --sizes " + sizes, text);
+    EXPECT_FALSE(std::filesystem::exists(folder / "gravel"));
+    const Said made = say({"new", "gravel", "--psd", "wide gravel.csv", "--sizes", sizes});
+    ASSERT_EQ(made.code, 0) << made.error;
+    expect_in("left out: the ", made.error);
+    expect_in("[soil.wide-gravel]", read_all(folder / "gravel/case.toml"));
+    expect_in("#~ without the ", read_all(folder / "gravel/case.toml"));
+    EXPECT_EQ(say({"check", "gravel/case.toml"}).code, 0);
+    write_to(folder / "far.csv", "d,passing\n0.002,0\n0.004,30\n10,30\n20,100\n");
+    expect_in("No cut of its ends helps", say({"new", "--psd", "far.csv"}).error);
+}
+
+TEST_F(NewSoil, AnOpenCurveIsModeledAsFarAsItWasMeasured) {
+    write_to(folder / "open.csv", "d,passing\n0.1,5\n0.2,30\n0.4,70\n0.8,95\n");
+    const Said made = say({"new", "--psd", "open.csv", "--json"});
+    ASSERT_EQ(made.code, 0) << made.error;
+    EXPECT_EQ(made.json().at("left_out"), "the 5 % finer than 0.1 mm and the 5 % coarser than 0.8 mm");
+    expect_in("\n0.1,0\n", read_all(folder / "open/data/open.csv"));
+    EXPECT_EQ(say({"check", "open/case.toml"}).code, 0);
+}
+
+TEST_F(NewSoil, WrongUseSaysWhatToWrite) {
+    const Said neither = say({"new", "dyke"});
+    EXPECT_EQ(neither.code, 2);
+    expect_in("--psd FILE", neither.error);
+    expect_in("fontainebleau-2016", neither.error);
+    for (const auto& [words, part] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"--psd", "gap.csv", "--from", "replay"}, "excludes"},
+             {{"--from", "replay", "--sizes", "1mm,2mm"}, "--psd"},
+             {{"--psd", "gap.csv", "--sizes", "1mm"}, "0.1mm,4mm"},
+             {{"--psd", "gap.csv", "--sizes", "1,2"}, "1mm"},
+             {{"--psd", "gap.csv", "--sizes", "2mm,1mm"}, "comes first"}}) {
+        std::vector<std::string> all{"new", "dyke"};
+        all.insert(all.end(), words.begin(), words.end());
+        const Said said = say(all);
+        EXPECT_EQ(said.code, 2) << words.back();
+        expect_in(part, said.error);
+    }
+    const Said outside = say({"new", "dyke", "--psd", "gap.csv", "--sizes", "0.8mm,2mm"});
+    EXPECT_EQ(outside.code, 3);
+    expect_in("choose sizes on both sides", outside.error);
+    EXPECT_EQ(say({"new", "--psd", "nowhere.csv"}).code, 74);
+    write_to(folder / "flat.csv", "d,passing\n1,50\n2,50\n");
+    EXPECT_EQ(say({"new", "--psd", "flat.csv"}).code, 3);
+    EXPECT_FALSE(std::filesystem::exists(folder / "dyke"));
+}
+
+} // namespace
+} // namespace suffuse
