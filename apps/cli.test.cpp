@@ -57,6 +57,8 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
     for (const Wrong& wrong : std::vector<Wrong>{
              {{"rnu", "case.toml"}, "run"},
              {{"run", "case.toml", "--presett", "quick"}, "--preset"},
+             {{"check", "case.toml", "--until", "initial"}, "run, resume, plan have it"},
+             {{"watch", "runs/a", "--sample", "b"}, "resume has it"},
              {{"nonsense", "--help"}, "unknown verb nonsense"},
              {{"hlep"}, "help"},
              {{"help", "rnu"}, "run"},
@@ -82,6 +84,27 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
         EXPECT_EQ(said.code, 2) << wrong.words[0] << ": " << said.error;
         EXPECT_EQ(said.out, "");
         expect_in(wrong.part, said.error);
+    }
+}
+
+TEST_F(Cli, NumbersOutOfRangeAreToldWithTheRangeInWords) {
+    struct Wrong {
+        std::vector<std::string> words;
+        std::string part;
+    };
+
+    for (const Wrong& wrong : std::vector<Wrong>{
+             {{"assess", "a.csv", "-i", "-1"}, "-1 is not a number of 0 or more"},
+             {{"assess", "a.csv", "-i", "nan"}, "nan is not a number of 0 or more"},
+             {{"assess", "a.csv", "--porosity", "2"}, "2 is not a number from 0.05 to 0.95"},
+             {{"cache", "--limit", "-3"}, "-3 is not a number of 0 or more"},
+             {{"run", "a.toml", "-j", "0"}, "0 is not a whole number from 1 to 1024"},
+             {{"run", "a.toml", "-j", "1.5"}, "1.5 is not a whole number from 1 to 1024"},
+         }) {
+        const Said said = say(wrong.words);
+        EXPECT_EQ(said.code, 2) << said.error;
+        expect_in(wrong.part, said.error);
+        EXPECT_LT(said.error.size(), 200U) << said.error;
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/completions.hpp"
 #include "apps/help.hpp"
@@ -36,6 +37,17 @@ std::vector<std::string> names_of_flags(const CLI::App& app) {
     return names;
 }
 
+/// "; run, resume have it": verbs that understand a flag which the one that was called does not.
+std::string verbs_that_have(const CLI::App& app, const std::string& flag) {
+    std::vector<std::string> verbs;
+    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (verb->get_option_no_throw(flag) != nullptr) {
+            verbs.push_back(verb->get_name());
+        }
+    }
+    return verbs.empty() ? "" : fmt::format("; {} {} it", fmt::join(verbs, ", "), verbs.size() == 1 ? "has" : "have");
+}
+
 /// The verb, or verb below it, that was recognized last.
 const CLI::App& innermost(const CLI::App& app) {
     const CLI::App* level = &app;
@@ -52,9 +64,9 @@ const CLI::App& innermost(const CLI::App& app) {
     const std::string help = &verb == &app ? "suffuse --help" : fmt::format("suffuse {} --help", path_of(verb));
     if (word.rfind('-', 0) == 0) {
         const std::string flag = word.substr(0, word.find('='));
-        throw UsageError(
-            fmt::format("unknown flag {}{}; {} lists them", shown(flag), near_hint(flag, names_of_flags(verb)), help)
-        );
+        const std::string elsewhere = verbs_that_have(app, flag);
+        const std::string hint = elsewhere.empty() ? near_hint(flag, names_of_flags(verb)) : elsewhere;
+        throw UsageError(fmt::format("unknown flag {}{}; {} lists them", shown(flag), hint, help));
     }
     std::vector<std::string> verbs = names_of_verbs(verb);
     if (!verbs.empty()) {

@@ -59,7 +59,9 @@ constexpr std::array code_table = {
     Code{"E408", "unknown study", "--study NAME takes the NAME of a [study.NAME] table of the case."},
     Code{"E501", "no such file", "A path in a case starts at the folder of the case."},
     Code{
-        "E502", "bad value in a data file", "A grading holds plain numbers with a decimal point, one for each column."},
+        "E502", "bad value in a data file",
+        "A grading holds plain numbers, one for each column: with a decimal point, or with a decimal comma in all of "
+        "them where columns are separated by semicolons or tabs."},
     Code{"E503", "grading not monotonic", "Percent passing cannot fall as the size grows, and no size stands twice."},
     Code{
         "E504", "impossible grading value",
@@ -67,7 +69,8 @@ constexpr std::array code_table = {
     Code{"E505", "empty grading", "A grading has a header and at least two points."},
     Code{
         "E506", "bad header of a grading",
-        "The first line names the columns, `d [mm],passing [%]`; other units may stand in the brackets."},
+        "The first line names the columns, `d [mm],passing [%]`; other units may stand in the brackets. Sizes may be "
+        "called size, sieve or aperture, and shares finer or cumulative retained."},
     Code{
         "E601", "a sample too small for its largest grain",
         "The cell would be narrower than three of its largest grains, which then meet their own images. Take more "
@@ -85,7 +88,9 @@ constexpr std::array code_table = {
         "E606", "the grains cannot be drawn",
         "Grains are drawn from the grading before the first step: the limit of the fines must lie within the curve, "
         "Kenney and Lau's split must exist where it is asked for, and there must be enough grains to follow the curve "
-        "within `grading_tolerance`."},
+        "within `grading_tolerance`. Where the curve is too wide, the message says at which size to cut it: number "
+        "goes "
+        "as 1/d^3, so that its fine end takes most of the grains. suffuse new --psd FILE --sizes FROM,TO does it."},
     Code{
         "W607", "few fines, or few coarse grains",
         "Below 100 fine or 50 coarse grains, shares of what leaves and the constrictions of the skeleton are the "
@@ -100,17 +105,56 @@ constexpr std::array code_table = {
         "Without fines nothing can leave; without coarse grains there is no skeleton."},
 };
 
-constexpr std::string_view conventions =
-    "conventions\n"
-    "  stress, strain   compression positive; volumetric strain positive when the sample contracts\n"
-    "  q, p             q = sigma_1 - sigma_3, p = (sigma_1 + 2 sigma_3)/3\n"
-    "  e, n             e = voids/solid, n = e/(1 + e)\n"
-    "  e_g, e_eq        voids with all fines counted as voids, with inactive fines counted as voids\n"
-    "  active           a grain with at least two contacts; b = active fines/fines, by volume\n"
-    "  fines content    fines/all, by mass\n"
-    "  gradient i       grad p = -i rho_w g along the direction of flow, g = 9.81 m/s2 exactly\n"
-    "  gradings         percent passing by mass against size, linear in log size between points\n"
-    "  units            SI inside; in a case, a value with a dimension is a text with its unit\n";
+/// A word or symbol with its sign and meaning; docs/notation.md has them all.
+struct Convention {
+    std::string_view words, text; ///< words between commas: each is known to `explain`
+};
+
+constexpr std::array convention_table = {
+    Convention{"stress, strain", "compression positive; volumetric strain positive when the sample contracts"},
+    Convention{"q, p", "q = sigma_1 - sigma_3, p = (sigma_1 + 2 sigma_3)/3"},
+    Convention{"e, n", "e = voids/solid, n = e/(1 + e)"},
+    Convention{"e_g, e_eq", "voids with all fines counted as voids, with inactive fines counted as voids"},
+    Convention{"active, b", "a grain with at least two contacts; b = active fines/fines, by volume"},
+    Convention{"fines_content", "fines/all, by mass"},
+    Convention{"Z, Z_m", "contacts per grain, 2 contacts/grains; without rattlers"},
+    Convention{"I", "inertial number: strain rate x d50 x sqrt(density/p); slow below 1e-3"},
+    Convention{"LL, LS, SS", "contacts of two coarse grains, of a coarse and a fine one, of two fines"},
+    Convention{"gradient, i", "grad p = -i rho_w g along the direction of flow, g = 9.81 m/s2 exactly"},
+    Convention{"gradings", "percent passing by mass against size, linear in log size between points"},
+    Convention{"units", "SI inside; in a case, a value with a dimension is a text with its unit"},
+};
+
+std::vector<std::string_view> words_of(const Convention& convention) {
+    std::vector<std::string_view> words;
+    for (std::size_t at = 0; at < convention.words.size();) {
+        const std::size_t end = std::min(convention.words.find(", ", at), convention.words.size());
+        words.push_back(convention.words.substr(at, end - at));
+        at = end + 2;
+    }
+    return words;
+}
+
+std::string all_conventions() {
+    std::string text = "conventions\n";
+    for (const Convention& convention : convention_table) {
+        text += fmt::format("  {:16} {}\n", convention.words, convention.text);
+    }
+    return text;
+}
+
+/// The line of one word; nothing where it is none.
+std::string convention_of(std::string_view what) {
+    for (const Convention& convention : convention_table) {
+        const auto words = words_of(convention);
+        if (std::find(words.begin(), words.end(), what) != words.end()) {
+            return fmt::format(
+                "{}\n  {}\n  all of them: suffuse explain conventions\n", convention.words, convention.text
+            );
+        }
+    }
+    return {};
+}
 
 std::string describe(const Key& key) {
     std::string text = fmt::format("{}\n  {}\n  value    {}\n", key_place(key), key.text, value_text(key));
@@ -142,14 +186,14 @@ std::vector<std::string> codes() {
 
 std::optional<std::string> explain(std::string_view what) {
     if (what == "conventions") {
-        return std::string(conventions);
+        return all_conventions();
     }
     for (const Code& code : code_table) {
         if (edit_distance(code.code, what) == 0) {
             return fmt::format("{}: {}\n  {}\n", code.code, code.title, code.text);
         }
     }
-    std::string text;
+    std::string text = convention_of(what);
     for (const Key& key : schema()) {
         if (!what.empty() && is_meant(key, what)) {
             text += fmt::format("{}{}", text.empty() ? "" : "\n", describe(key));
@@ -161,6 +205,11 @@ std::optional<std::string> explain(std::string_view what) {
 std::vector<std::string> topics() {
     std::vector<std::string> words = codes();
     words.emplace_back("conventions");
+    for (const Convention& convention : convention_table) {
+        for (const std::string_view word : words_of(convention)) {
+            words.emplace_back(word);
+        }
+    }
     for (const Key& key : schema()) {
         words.push_back(key.name);
     }

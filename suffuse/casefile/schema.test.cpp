@@ -6,6 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/reference.hpp"
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <set>
 
 namespace {
@@ -42,6 +47,49 @@ TEST(Schema, DefaultsAreThoseOfTheSpecs) {
     EXPECT_EQ(key_of("stage.detach", "gradients").default_text, "[0.0, 0.01, 0.05, 0.1]");
     EXPECT_EQ(key_of("output", "checkpoint").default_text, "\"600 s\"");
     EXPECT_EQ(key_of("stage.compact", "pressure").default_text, "") << "a required key has none";
+}
+
+/// Codes in quotes, "E312", in the sources of the program.
+std::set<std::string> codes_in_use() {
+    std::set<std::string> found;
+    const std::regex quoted_code("\"([EW][0-9]{3})\"");
+    for (const char* folder : {"suffuse", "apps", "python/bindings"}) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(test::in_checkout(folder))) {
+            const std::string name = entry.path().filename().string();
+            if (!name.ends_with("pp") || name.find(".test.") != std::string::npos || name == "explain.cpp") {
+                continue;
+            }
+            std::ifstream file(entry.path());
+            const std::string text{std::istreambuf_iterator<char>(file), {}};
+            for (std::sregex_iterator at(text.begin(), text.end(), quoted_code), end; at != end; ++at) {
+                found.insert((*at)[1]);
+            }
+        }
+    }
+    return found;
+}
+
+TEST(Schema, EveryCodeIsExplainedAndEveryExplainedCodeIsInUse) {
+    const std::vector<std::string> list = codes();
+    EXPECT_EQ(codes_in_use(), std::set<std::string>(list.begin(), list.end()));
+    for (const std::string& code : list) {
+        EXPECT_GT(explain(code).value_or("").size(), code.size() + 20) << code;
+    }
+}
+
+TEST(Schema, EveryKeyAndEveryConventionIsExplained) {
+    for (const Key& key : schema()) {
+        const std::string full = key.table.empty() ? key.name : key.table + "." + key.name;
+        for (const std::string& word : {key.name, full}) {
+            EXPECT_NE(explain(word).value_or("").find(key.text), std::string::npos) << word;
+        }
+    }
+    for (const std::string& word : topics()) {
+        EXPECT_TRUE(explain(word)) << word;
+    }
+    EXPECT_NE(explain("e_eq")->find("inactive fines"), std::string::npos);
+    EXPECT_NE(explain("stress")->find("compression positive"), std::string::npos);
+    EXPECT_EQ(explain("e_qe"), std::nullopt);
 }
 
 TEST(Schema, EveryVerbHasKeys) {

@@ -1,0 +1,43 @@
+#include "apps/explain_word.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/reference.hpp"
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+
+namespace suffuse::apps {
+namespace {
+
+TEST(ExplainWord, KnowsEveryWordThatItOffers) {
+    EXPECT_GT(explained_words().size(), 150U);
+    for (const std::string& word : explained_words()) {
+        EXPECT_GT(explain_word(word).size(), word.size() + 20) << word;
+    }
+}
+
+TEST(ExplainWord, KnowsEveryFigureThatAReportCanDraw) {
+    const std::regex quoted_id("\"((own|fig)-?[a-z0-9]+(-[a-z0-9]+)*)\"");
+    std::set<std::string> ids;
+    for (const auto& entry : std::filesystem::directory_iterator(test::in_checkout("suffuse/report"))) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("figures_") && !name.starts_with("stability_")) {
+            continue;
+        }
+        std::ifstream file(entry.path());
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        for (std::sregex_iterator at(text.begin(), text.end(), quoted_id), end; at != end; ++at) {
+            ids.insert((*at)[1]);
+        }
+    }
+    EXPECT_GE(ids.size(), 15U);
+    for (const std::string& id : ids) {
+        EXPECT_NO_THROW(explain_word(id)) << id;
+    }
+}
+
+} // namespace
+} // namespace suffuse::apps
