@@ -273,7 +273,10 @@ Checkpoint load_world(const std::filesystem::path& path) {
     if (!file.has("kind") || !file.has("schema") || file.read_text("kind") != kind) {
         file.complain("it is not a state saved by suffuse");
     }
-    const std::int64_t found = file.read<std::int64_t>("schema").at(0);
+    if (!file.shape("schema").empty()) {
+        file.complain("its schema is not one number");
+    }
+    const std::int64_t found = file.read<std::int64_t>("schema").front();
     if (found != schema) {
         file.complain(
             fmt::format("it is of schema {}, this program reads {}; use the version that wrote it", found, schema)

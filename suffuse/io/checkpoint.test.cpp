@@ -221,6 +221,11 @@ TEST(Checkpoint, FilesThatAreNoStateAreRefused) {
     EXPECT_NE(
         complaint_about([&](Hdf5Writer& f) { start(f, 99); }).find("schema 99, this program reads 1"), std::string::npos
     );
+    const auto without_schema = [](Hdf5Writer& f) {
+        f.write_text("kind", "suffuse state");
+        f.write<std::int64_t>("schema", {0}, nullptr, "");
+    };
+    EXPECT_NE(complaint_about(without_schema).find("schema is not one number"), std::string::npos);
     EXPECT_NE(complaint_about([&](Hdf5Writer& f) { start(f, 1); }).find("cell/h is missing"), std::string::npos);
     const std::vector<double> h(9, 1.0);
     const auto misshapen = [&](Hdf5Writer& f) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <string_view>
 #include <type_traits>
@@ -113,6 +114,25 @@ Handle create_dataset(hid_t file, const std::string& name, hid_t type, hid_t spa
     const Handle groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "a property list");
     H5Pset_create_intermediate_group(groups, 1);
     return {H5Dcreate2(file, name.c_str(), type, space, groups, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, "to add " + name};
+}
+
+/// Values of an array, or the largest number there is where the product is beyond that.
+std::size_t count_of(const Shape& sizes) {
+    std::size_t count = 1;
+    for (const std::size_t size : sizes) {
+        if (__builtin_mul_overflow(count, size, &count)) {
+            return std::numeric_limits<std::size_t>::max();
+        }
+    }
+    return count;
+}
+
+/// Whether what is stored can be `count` values of `size` bytes: of a damaged file, a shape may ask for more than any
+/// memory holds.
+bool can_hold(hid_t data, std::size_t count, std::size_t size) {
+    constexpr std::size_t best_compression = 1100; // of gzip, for files that were packed again
+    const std::size_t stored = H5Dget_storage_size(data);
+    return count == 0 || (size > 0 && (count - 1) / best_compression <= stored / size);
 }
 
 std::string stripped(std::string text) { // the one blank that stands for an empty text, and padding
@@ -223,7 +243,11 @@ std::vector<T> Hdf5Reader::read(const std::string& name) const {
     if (H5Tequal(type, memory_type<T>()) <= 0) {
         complain(fmt::format("{} is of another type than expected", name));
     }
-    std::vector<T> values(std::accumulate(sizes.begin(), sizes.end(), std::size_t{1}, std::multiplies<>()));
+    const std::size_t count = count_of(sizes);
+    if (!can_hold(data, count, sizeof(T))) {
+        complain(fmt::format("the values of {} are damaged", name));
+    }
+    std::vector<T> values(count);
     if (!values.empty() && H5Dread(data, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
         complain(fmt::format("the values of {} are damaged", name));
     }
@@ -239,7 +263,12 @@ std::string Hdf5Reader::read_text(const std::string& name) const {
     if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) {
         complain(fmt::format("{} is no text", name));
     }
-    std::string text(H5Tget_size(type), '\0');
+    const Handle space(H5Dget_space(data), H5Sclose, name);
+    const std::size_t size = H5Tget_size(type);
+    if (H5Sget_simple_extent_npoints(space) != 1 || !can_hold(data, 1, size)) {
+        complain(fmt::format("{} is no single text", name));
+    }
+    std::string text(size, '\0');
     if (H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0) {
         complain(fmt::format("the text {} is damaged", name));
     }
@@ -262,7 +291,11 @@ std::string Hdf5Reader::attached(const std::string& object, const std::string& n
     const Handle attribute(
         H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, what
     );
-    const Handle type(H5Aget_type(attribute), H5Tclose, what);
+    const Handle type(H5Aget_type(attribute), H5Tclose, what), space(H5Aget_space(attribute), H5Sclose, what);
+    const bool is_text = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
+    if (!is_text || H5Sget_simple_extent_npoints(space) != 1) {
+        complain(what + " is no single text");
+    }
     std::string text(H5Tget_size(type), '\0');
     require(H5Aread(attribute, type, text.data()) >= 0, what);
     return stripped(std::move(text));

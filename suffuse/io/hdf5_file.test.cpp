@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
 #include "tests/support/temp_folder.hpp"
 #include <atomic>
@@ -86,6 +87,34 @@ TEST(Hdf5File, WhatDoesNotFitIsRefused) {
     EXPECT_THROW(Hdf5Reader(folder / "text.h5"), IoError);
     write_file(folder / "half.h5", test::read_all(folder / "f.h5").substr(0, 900));
     EXPECT_THROW(Hdf5Reader(folder / "half.h5"), IoError);
+}
+
+// A damaged file may hold what our writer never makes.
+TEST(Hdf5File, ShapesThatCannotBeAreRefusedBeforeTheyAskForMemory) {
+    const TempFolder folder;
+    const std::string path = (folder / "f.h5").string();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const auto add = [&](const char* name, hid_t type, const std::vector<hsize_t>& sizes) {
+        const hid_t space = H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr);
+        const hid_t data = H5Dcreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+        EXPECT_GE(data, 0);
+        const hid_t unit = H5Acreate2(data, "unit", type, space, H5P_DEFAULT, H5P_DEFAULT);
+        H5Aclose(unit);
+        H5Dclose(data);
+        H5Sclose(space);
+    };
+    const hid_t text = H5Tcopy(H5T_C_S1);
+    H5Tset_size(text, 8);
+    add("huge", H5T_NATIVE_DOUBLE, {hsize_t{1} << 50});
+    add("texts", text, {1000});
+    H5Tclose(text);
+    H5Fclose(file);
+
+    const Hdf5Reader reader(path);
+    EXPECT_THROW((void)reader.read<double>("huge"), IoError);
+    EXPECT_THROW((void)reader.read_text("texts"), IoError); // one text has room for one
+    EXPECT_THROW((void)reader.unit("texts"), IoError);
 }
 
 } // namespace
