@@ -30,8 +30,12 @@ py::tuple read_packing(const std::filesystem::path& path, const py::object& cell
             path.string() + ": carries no cell; give cell=(LX, LY, LZ) in meters, or its 3 x 3 matrix", path.string()
         );
     }
+    const Mat3 h = own ? *own : packing.cell->h;
+    if (auto narrow = io::narrow_cell_warning(packing.grains, h, path.string())) {
+        packing.warnings.push_back(std::move(*narrow));
+    }
     dem::World world;
-    world.cell.h = world.reference_h = own ? *own : packing.cell->h;
+    world.cell.h = world.reference_h = h;
     world.grains = std::move(packing.grains);
     world.material = material;
     return py::make_tuple(std::make_shared<WorldHandle>(std::move(world)), packing.warnings);

@@ -57,17 +57,22 @@ void add_claim(py::class_<GrainTable>& type, const char* name, std::vector<Byte>
 } // namespace
 
 void bind_grain_columns(py::class_<GrainTable>& type) {
-    add_vectors(type, "position", &Grains::position, "Centers, not wrapped into the cell [m]; may be changed.");
-    add_vectors(type, "velocity", &Grains::velocity, "With the cell's mean motion [m/s]; may be changed.");
-    add_vectors(type, "spin", &Grains::spin, "[rad/s]; may be changed.");
-    add_claim(type, "fine", &Grains::fine, "Belongs to the fine fraction; may be changed.");
-    add_claim(type, "held", &Grains::motion, "Keeps its velocity and spin, whatever the forces; may be changed.");
-    add_column(type, "force", &Grains::force, "Contact force of the last step [N].");
-    add_column(type, "torque", &Grains::torque, "Contact torque of the last step [N m].");
-    add_column(type, "radius", &Grains::radius, "[m]");
-    add_column(type, "mass", &Grains::mass, "[kg]");
-    add_column(type, "inertia", &Grains::inertia, "[kg m2]");
-    add_column(type, "id", &Grains::id, "Stable, never reused.");
+    add_vectors(
+        type, "position", &Grains::position, "grains x 3: centers, not wrapped into the cell [m]; may be changed."
+    );
+    add_vectors(type, "velocity", &Grains::velocity, "grains x 3: with the cell's mean motion [m/s]; may be changed.");
+    add_vectors(type, "spin", &Grains::spin, "grains x 3: angular velocity [rad/s]; may be changed.");
+    add_claim(type, "fine", &Grains::fine, "grains: belongs to the fine fraction, true or false; may be changed.");
+    add_claim(
+        type, "held", &Grains::motion,
+        "grains: keeps its velocity and spin, whatever the forces, true or false; may be changed."
+    );
+    add_column(type, "force", &Grains::force, "grains x 3: contact force of the last step [N].");
+    add_column(type, "torque", &Grains::torque, "grains x 3: contact torque of the last step [N m].");
+    add_column(type, "radius", &Grains::radius, "grains: of the sphere [m].");
+    add_column(type, "mass", &Grains::mass, "grains: density x volume [kg].");
+    add_column(type, "inertia", &Grains::inertia, "grains: 0.4 mass x radius^2 [kg m2].");
+    add_column(type, "id", &Grains::id, "grains: number of each, stable, never reused [-].");
 }
 
 void WorldHandle::follow_density() const {

@@ -83,11 +83,11 @@ void bind_constrictions(py::module_& m) {
         "Circles inscribed in the facets of the weighted Delaunay triangulation that lie between voids."
     );
     type.def("__len__", [](const Constrictions& c) { return c.diameter.size(); });
-    add_column(type, "diameter", &Constrictions::diameter, "[m]");
-    add_column(type, "center", &Constrictions::center, "[m]");
-    type.def_readonly("mean", &Constrictions::mean, "By number of facets, as the next two [m].");
-    type.def_readonly("median", &Constrictions::median, "[m]");
-    type.def_readonly("d35", &Constrictions::d35, "35 % are smaller [m].");
+    add_column(type, "diameter", &Constrictions::diameter, "constrictions: of the circle [m].");
+    add_column(type, "center", &Constrictions::center, "constrictions x 3: of the circle [m].");
+    type.def_readonly("mean", &Constrictions::mean, "Mean diameter by number of facets [m].");
+    type.def_readonly("median", &Constrictions::median, "Half of the facets are smaller [m].");
+    type.def_readonly("d35", &Constrictions::d35, "35 % of the facets are smaller [m].");
     m.def(
         "constrictions",
         [](const py::object& first, const py::object& position, const py::object& radius, const std::string& of,
@@ -144,37 +144,57 @@ void bind_network(py::module_& m) {
         }),
         py::arg("packing_or_cell"), py::arg("position") = py::none(), py::arg("radius") = py::none()
     );
-    type.def_property_readonly("cell", [](const PoreNetwork& net) { return to_array(net.h); });
+    type.def_property_readonly(
+        "cell", [](const PoreNetwork& net) { return to_array(net.h); }, "3 x 3: columns are the cell vectors [m]."
+    );
     type.def_property_readonly(
         "pores", [](const PoreNetwork& net) { return net.pores.size(); }, "How many."
     );
     type.def_property_readonly(
         "throats", [](const PoreNetwork& net) { return net.throats.size(); }, "How many."
     );
-    add_column(type, "pore_grain", &PoreNetwork::pores, &Pores::grain, "n x 4: rows of the corners.");
+    add_column(type, "pore_grain", &PoreNetwork::pores, &Pores::grain, "pores x 4: rows of the corners [-].");
     add_column(
-        type, "pore_neighbor", &PoreNetwork::pores, &Pores::neighbor, "n x 4: across the facet opposite to each."
+        type, "pore_neighbor", &PoreNetwork::pores, &Pores::neighbor,
+        "pores x 4: the pore across the facet opposite to each corner [-]."
     );
-    add_column(type, "pore_throat", &PoreNetwork::pores, &Pores::throat, "n x 4: through that facet.");
-    add_column(type, "pore_center", &PoreNetwork::pores, &Pores::center, "Power center of the four grains [m].");
-    add_column(type, "pore_volume", &PoreNetwork::pores, &Pores::volume, "Of the tetrahedron [m3].");
-    add_column(type, "void_volume", &PoreNetwork::pores, &Pores::void_volume, "Without the grains [m3].");
-    add_column(type, "side", &PoreNetwork::throats, &Throats::side, "n x 2: the pores that a throat joins.");
-    add_column(type, "throat_grain", &PoreNetwork::throats, &Throats::grain, "n x 3: rows of its grains.");
-    add_column(type, "area", &PoreNetwork::throats, &Throats::area, "From side 0 to side 1 [m2].");
-    add_column(type, "void_area", &PoreNetwork::throats, &Throats::void_area, "[m2]");
-    add_column(type, "hydraulic_radius", &PoreNetwork::throats, &Throats::hydraulic_radius, "[m]");
-    add_column(type, "inscribed_radius", &PoreNetwork::throats, &Throats::inscribed_radius, "The constriction [m].");
-    add_column(type, "length", &PoreNetwork::throats, &Throats::length, "Between the pore centers [m].");
-    add_column(type, "throat_center", &PoreNetwork::throats, &Throats::center, "Of the inscribed circle [m].");
-    add_column(type, "hidden", &PoreNetwork::hidden, "Grains buried in others.");
+    add_column(
+        type, "pore_throat", &PoreNetwork::pores, &Pores::throat, "pores x 4: the throat through that facet [-]."
+    );
+    add_column(
+        type, "pore_center", &PoreNetwork::pores, &Pores::center, "pores x 3: power center of the four grains [m]."
+    );
+    add_column(type, "pore_volume", &PoreNetwork::pores, &Pores::volume, "pores: of the tetrahedron [m3].");
+    add_column(type, "void_volume", &PoreNetwork::pores, &Pores::void_volume, "pores: without the grains [m3].");
+    add_column(type, "side", &PoreNetwork::throats, &Throats::side, "throats x 2: the pores that it joins [-].");
+    add_column(type, "throat_grain", &PoreNetwork::throats, &Throats::grain, "throats x 3: rows of its grains [-].");
+    add_column(type, "area", &PoreNetwork::throats, &Throats::area, "throats x 3: vector from side 0 to side 1 [m2].");
+    add_column(
+        type, "void_area", &PoreNetwork::throats, &Throats::void_area, "throats: without its sections of grains [m2]."
+    );
+    add_column(
+        type, "hydraulic_radius", &PoreNetwork::throats, &Throats::hydraulic_radius,
+        "throats: volume of its water over the surface that it wets [m]."
+    );
+    add_column(
+        type, "inscribed_radius", &PoreNetwork::throats, &Throats::inscribed_radius,
+        "throats: of the circle between its grains, the constriction [m]."
+    );
+    add_column(type, "length", &PoreNetwork::throats, &Throats::length, "throats: between the pore centers [m].");
+    add_column(
+        type, "throat_center", &PoreNetwork::throats, &Throats::center,
+        "throats x 3: center of the inscribed circle [m]."
+    );
+    add_column(type, "hidden", &PoreNetwork::hidden, "n: rows of grains that are buried in others [-].");
     type.def_property_readonly(
         "pore_grain_image", [](const Net& net) { return images(net->pores.grain_image, hold(net)); },
-        "n x 4 x 3: corner k is at position[pore_grain] + cell @ image."
+        "pores x 4 x 3: corner k is at position[pore_grain] + cell @ image [-]."
     );
-    type.def("constrictions", [](const PoreNetwork& net) {
-        return std::make_shared<Constrictions>(pores::find_constrictions(net));
-    });
+    type.def(
+        "constrictions",
+        [](const PoreNetwork& net) { return std::make_shared<Constrictions>(pores::find_constrictions(net)); },
+        "Its constrictions, one for each throat."
+    );
     type.def(
         "widest_paths",
         [](const PoreNetwork& net, const py::object& direction) {
@@ -183,7 +203,7 @@ void bind_network(py::module_& m) {
             return pores::widest_paths(net, axis);
         },
         py::arg("direction") = "z",
-        "For each pore the largest diameter that travels from it to its own image one period further [m]."
+        "pores: the largest diameter that travels from it to its own image one period further [m]."
     );
 }
 
@@ -206,35 +226,38 @@ void bind_seepage(py::module_& m) {
     py::class_<Seepage, Water> type(
         m, "Seepage", "Steady flow through a frozen packing, and what it does to the grains."
     );
-    type.def_property_readonly("network", [](const Water& water) {
-        return std::shared_ptr<PoreNetwork>(water, &water->network);
-    });
-    add_column(type, "conductance", &Seepage::conductance, "Per throat [m3/(Pa s)].");
-    add_column(type, "pressure", &Seepage::field, &flow::FlowField::pressure, "Per pore [Pa].");
-    add_column(type, "flux", &Seepage::field, &flow::FlowField::flux, "Per throat, from side 0 to side 1 [m3/s].");
-    add_column(type, "grain_force", &Seepage::grain_force, "Of the fluid on each grain, without buoyancy [N].");
-    type.def_readonly("permeability", &Seepage::permeability, "Along the direction [m2].");
+    type.def_property_readonly(
+        "network", [](const Water& water) { return std::shared_ptr<PoreNetwork>(water, &water->network); },
+        "The pore network that the water flows through."
+    );
+    add_column(type, "conductance", &Seepage::conductance, "throats: flux per difference of pressure [m3/(Pa s)].");
+    add_column(type, "pressure", &Seepage::field, &flow::FlowField::pressure, "pores: excess pressure [Pa].");
+    add_column(type, "flux", &Seepage::field, &flow::FlowField::flux, "throats: from side 0 to side 1 [m3/s].");
+    add_column(
+        type, "grain_force", &Seepage::grain_force, "grains x 3: of the fluid on each grain, without buoyancy [N]."
+    );
+    type.def_readonly("permeability", &Seepage::permeability, "Intrinsic, along the direction [m2].");
     type.def_property_readonly(
         "tensor",
         [](const Seepage& water) -> py::object {
             return water.tensor ? py::object(to_array(*water.tensor)) : py::object(py::none());
         },
-        "Permeability tensor, where asked [m2]."
+        "3 x 3: permeability, where asked; else None [m2]."
     );
     type.def_property_readonly(
-        "pressure_gradient", [](const Seepage& water) { return to_array(water.pressure_gradient); }, "Mean [Pa/m]."
+        "pressure_gradient", [](const Seepage& water) { return to_array(water.pressure_gradient); }, "3: mean [Pa/m]."
     );
     type.def_property_readonly(
-        "mean_velocity", [](const Seepage& water) { return to_array(water.mean_velocity); }, "Superficial [m/s]."
+        "mean_velocity", [](const Seepage& water) { return to_array(water.mean_velocity); }, "3: superficial [m/s]."
     );
     type.def_property_readonly(
-        "force_sum", [](const Seepage& water) { return to_array(water.force_sum); }, "Over all grains [N]."
+        "force_sum", [](const Seepage& water) { return to_array(water.force_sum); }, "3: over all grains [N]."
     );
     type.def_readonly(
         "force_sum_error", &Seepage::force_sum_error, "|force_sum + V grad p| / |V grad p|: the balance of forces [-]."
     );
     type.def_property_readonly(
-        "residual", [](const Seepage& water) { return water.field.residual; }, "[-]"
+        "residual", [](const Seepage& water) { return water.field.residual; }, "Of the pressures, relative [-]."
     );
     const std::string doc = "Solves the flow through a World, or through cell, positions and radii [m].\n\ngradient: " +
                             key_doc(key_of("stage.flow", "gradient")) +

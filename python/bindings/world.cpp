@@ -135,13 +135,15 @@ void bind_contacts(py::module_& m) {
         m, "Contacts", "The touching contacts as the last step left them, a row each. Later steps do not change them."
     );
     type.def("__len__", [](const ContactTable& table) { return table.rows.size(); });
-    add_contact_column(type, "i", &ContactView::i, "Row of the first grain.");
-    add_contact_column(type, "j", &ContactView::j, "Row of the second grain.");
-    add_contact_column(type, "overlap", &ContactView::overlap, "[m]");
-    add_contact_vectors(type, "normal", &ContactView::normal, "From the first grain to the second [-].");
-    add_contact_vectors(type, "normal_force", &ContactView::normal_force, "On the first grain [N].");
-    add_contact_vectors(type, "shear_force", &ContactView::shear_force, "On the first grain [N].");
-    add_contact_vectors(type, "moment", &ContactView::moment, "Bending and twisting, on the first grain [N m].");
+    add_contact_column(type, "i", &ContactView::i, "contacts: row of the first grain [-].");
+    add_contact_column(type, "j", &ContactView::j, "contacts: row of the second grain [-].");
+    add_contact_column(type, "overlap", &ContactView::overlap, "contacts: sum of the radii less the distance [m].");
+    add_contact_vectors(type, "normal", &ContactView::normal, "contacts x 3: from the first grain to the second [-].");
+    add_contact_vectors(type, "normal_force", &ContactView::normal_force, "contacts x 3: on the first grain [N].");
+    add_contact_vectors(type, "shear_force", &ContactView::shear_force, "contacts x 3: on the first grain [N].");
+    add_contact_vectors(
+        type, "moment", &ContactView::moment, "contacts x 3: bending and twisting, on the first grain [N m]."
+    );
     type.def_property_readonly(
         "image",
         [](const Contacts& table) {
@@ -149,7 +151,7 @@ void bind_contacts(py::module_& m) {
             const std::int16_t* first = table->rows.empty() ? nullptr : &table->rows.front().image.a;
             return look_at(first, table->rows.size(), 3, sizeof(ContactView), hold(table));
         },
-        "Periods by which the second grain is moved: it is met at position[j] + cell @ image."
+        "contacts x 3: periods by which the second grain is moved, it is met at position[j] + cell @ image [-]."
     );
     type.def_property_readonly(
         "compression",
@@ -161,7 +163,7 @@ void bind_contacts(py::module_& m) {
             }
             return values;
         },
-        "Normal force, compression positive [N]; a new array."
+        "contacts: normal force, compression positive [N]; a new array."
     );
 }
 
@@ -183,7 +185,7 @@ void bind_grains(py::module_& m) {
             std::transform(radius.begin(), radius.end(), values.mutable_data(), [](double r) { return 2 * r; });
             return values;
         },
-        "[m]; a new array."
+        "grains: twice the radius [m]; a new array."
     );
     type.def_property_readonly(
         "coordination",
@@ -191,7 +193,7 @@ void bind_grains(py::module_& m) {
             const std::vector<int> counts = dem::coordination(table.handle->world());
             return py::array_t<int>(static_cast<py::ssize_t>(counts.size()), counts.data());
         },
-        "Number of touching contacts; a new array."
+        "grains: number of touching contacts [-]; a new array."
     );
 }
 
@@ -201,43 +203,45 @@ void bind_cell(py::class_<WorldHandle, Handle>& type) {
     type.def_property(
         "cell", [](const WorldHandle& w) { return to_array(w.world().cell.h); },
         [](WorldHandle& w, const py::object& value) { w.world().cell.h = cell_of(value); },
-        "The periodic cell: columns are its vectors [m]. Grains do not move when it is set."
+        "3 x 3: the periodic cell, columns are its vectors [m]. Grains do not move when it is set."
     );
     type.def_property(
         "reference_cell", [](const WorldHandle& w) { return to_array(w.world().reference_h); },
         [](WorldHandle& w, const py::object& value) { w.world().reference_h = cell_of(value); },
-        "The cell at which the strain counts as zero [m]."
+        "3 x 3: the cell at which the strain counts as zero [m]."
     );
     type.def_property(
         "velocity_gradient", [](const WorldHandle& w) { return to_array(w.world().cell.velocity_gradient); },
         [](WorldHandle& w, const py::object& value) {
             w.world().cell.velocity_gradient = matrix_of(value, dimension::rate, "velocity_gradient");
         },
-        "dv/dx of the cell, extension positive [1/s]."
+        "3 x 3: dv/dx of the cell, extension positive [1/s]."
     );
 }
 
 void bind_measures(py::class_<WorldHandle, Handle>& type) {
     type.def_property_readonly(
         "stress", [](const WorldHandle& w) { return to_array(dem::mean_stress_tensor(w.world())); },
-        "3 x 3, compression positive [Pa]."
+        "3 x 3: mean stress of the contact forces, compression positive [Pa]."
     );
     type.def_property_readonly(
-        "mean_stress", [](const WorldHandle& w) { return dem::mean_stress(dem::mean_stress_tensor(w.world())); }, "[Pa]"
+        "mean_stress", [](const WorldHandle& w) { return dem::mean_stress(dem::mean_stress_tensor(w.world())); },
+        "A third of the trace of the stress [Pa]."
     );
     type.def_property_readonly(
         "deviator_stress",
-        [](const WorldHandle& w) { return dem::deviator_stress(dem::mean_stress_tensor(w.world())); }, "sqrt(3 J2) [Pa]"
+        [](const WorldHandle& w) { return dem::deviator_stress(dem::mean_stress_tensor(w.world())); },
+        "sqrt(3 J2) of the stress [Pa]."
     );
     type.def_property_readonly(
         "strain", [](const WorldHandle& w) { return to_array(dem::strain(w.world())); },
-        "Logarithmic, along the axes since reference_cell, compression positive [-]."
+        "3: logarithmic, along the axes since reference_cell, compression positive [-]."
     );
     type.def_property_readonly(
         "void_ratio", [](const WorldHandle& w) { return dem::void_ratio(w.world()); }, "Voids / solid [-]."
     );
     type.def_property_readonly(
-        "porosity", [](const WorldHandle& w) { return dem::porosity(w.world()); }, "[-]"
+        "porosity", [](const WorldHandle& w) { return dem::porosity(w.world()); }, "Voids / all [-]."
     );
     type.def_property_readonly(
         "balance", [](const WorldHandle& w) { return describe(dem::measure_equilibrium(w.world())); },
@@ -334,21 +338,31 @@ void bind_world(py::module_& m) {
         py::arg("velocity") = py::none(), py::arg("spin") = py::none(), py::arg("fine") = py::none(),
         py::arg("material") = grains::Material{}, py::arg("seed") = 0
     );
-    type.def_property_readonly("grains", [](const Handle& w) { return GrainTable{w}; });
-    type.def_property_readonly("contacts", [](const WorldHandle& w) {
-        return std::make_shared<ContactTable>(ContactTable{dem::inspect_contacts(w.world())});
-    });
+    type.def_property_readonly(
+        "grains", [](const Handle& w) { return GrainTable{w}; }, "The grain table: a row a grain."
+    );
+    type.def_property_readonly(
+        "contacts",
+        [](const WorldHandle& w) {
+            return std::make_shared<ContactTable>(ContactTable{dem::inspect_contacts(w.world())});
+        },
+        "The touching contacts as they are now: a row a contact."
+    );
     type.def_property(
         "material", [](WorldHandle& w) -> grains::Material& { return w.world().material; },
         [](WorldHandle& w, const grains::Material& material) { w.world().material = material; },
         py::return_value_policy::reference_internal,
         "Constants of the contact law; fields may be set. Masses follow the density."
     );
-    type.def_property_readonly("step_number", [](const WorldHandle& w) { return w.world().clock.step; });
     type.def_property_readonly(
-        "time", [](const WorldHandle& w) { return w.world().clock.time; }, "[s]"
+        "step_number", [](const WorldHandle& w) { return w.world().clock.step; }, "Steps made so far [-]."
     );
-    type.def_property_readonly("seed", [](const WorldHandle& w) { return w.world().seed; });
+    type.def_property_readonly(
+        "time", [](const WorldHandle& w) { return w.world().clock.time; }, "Simulated so far [s]."
+    );
+    type.def_property_readonly(
+        "seed", [](const WorldHandle& w) { return w.world().seed; }, "Of all random numbers [-]."
+    );
     type.def("__len__", [](const WorldHandle& w) { return w.world().grains.size(); });
     type.def("__repr__", [](const WorldHandle& w) {
         return fmt::format(

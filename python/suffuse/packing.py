@@ -10,7 +10,9 @@ def read_packing(path, cell=None, material=None):
     dump, extended XYZ, VTK's .vtp; plain or gzipped.
 
     cell: three edges or a 3 x 3 matrix whose columns are the cell vectors [m]; the file's own unless given.
-    What the file says beyond that is warned of. An imported packing carries no contact memory: settle it first.
+    material: a Material, whose density [kg/m3] gives the masses; suffuse.Material() unless given
+    What the file says beyond that is warned of, and so is a cell narrower than ten of the largest grains. An imported
+    packing carries no contact memory: settle it first.
     """
     world, remarks = _core.read_packing(path, cell, material or _core.Material())
     for remark in remarks:

@@ -29,6 +29,16 @@ def _read_table(path):
     return table
 
 
+def _there(path, folder, pattern):
+    """The path of a file of a stage. @raises IoError, naming those that there are, where it was not written."""
+    if not path.exists():
+        found = sorted(other.name for other in folder.glob(pattern))
+        raise _core.IoError(
+            f"{path}: this run did not write it; there {'are ' + ', '.join(found) if found else 'is none of its kind'}"
+        )
+    return path
+
+
 def _read_json(path):
     try:
         return json.loads(path.read_text(encoding="utf-8"))
@@ -96,7 +106,7 @@ class Stage:
     @functools.cached_property
     def world(self):
         """The state at the end of the stage: a World."""
-        return _core.World.load(self.folder / "state.h5")
+        return _core.World.load(_there(self.folder / "state.h5", self.folder, "*.h5"))
 
     @property
     def grains(self):
@@ -113,7 +123,7 @@ class Stage:
 
     def table(self, name):
         """A CSV table of the stage ("throats.csv", "constrictions.csv") as a structured array."""
-        return _read_table(self.folder / name)
+        return _read_table(_there(self.folder / name, self.folder, "*.csv"))
 
     @functools.cached_property
     def results(self):
@@ -217,8 +227,16 @@ class Run:
     def __getitem__(self, name):
         folder = self.folder / "studies" / name
         if not (folder / "stage.json").exists():
-            raise KeyError(f"{name}: not a finished stage of this run; there are {', '.join(self.stages)}")
+            raise KeyError(self._why_missing(name))
         return Stage(folder, name)
+
+    def _why_missing(self, name):
+        resolved = self.folder / "case.resolved.toml"
+        planned = Case(resolved).stages if resolved.exists() else []
+        done = ", ".join(self.stages) or "none yet"
+        if name in planned:
+            return f"{name}: not a finished stage of this run, which has not come to it: run.resume(); finished: {done}"
+        return f"{name}: not a finished stage of this run, nor one of its case; finished: {done}"
 
     def __iter__(self):
         return iter(self.stages)

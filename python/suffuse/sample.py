@@ -8,7 +8,7 @@ _COLUMNS = ("i", "j", "overlap", "normal", "normal_force", "shear_force", "force
 
 
 def _force_n(contacts):
-    """Normal force of each contact, compression positive [N]."""
+    """contacts: normal force, compression positive [N]."""
     return -numpy.einsum("ca,ca->c", contacts.normal_force, contacts.normal)
 
 

@@ -30,12 +30,18 @@ def test_what_is_not_used_is_warned_of(tmp_path):
 
 
 def test_a_file_without_a_cell_asks_for_it(tmp_path):
-    (tmp_path / "p.csv").write_text("x,y,z,r\n0.5,0.5,0.5,0.1\n")
+    (tmp_path / "p.csv").write_text("x,y,z,r\n0.5,0.5,0.5,0.04\n")
     with pytest.raises(suffuse.CaseError, match="carries no cell; give cell="):
         suffuse.read_packing(tmp_path / "p.csv")
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert len(suffuse.read_packing(tmp_path / "p.csv", cell=("1 m", 1, "100 cm"))) == 1
+
+
+def test_a_narrow_cell_is_warned_of(tmp_path):
+    (tmp_path / "p.csv").write_text("x,y,z,r\n0.5,0.5,0.5,0.1\n")
+    with pytest.warns(UserWarning, match="5.0 times as wide as the largest grain"):
+        suffuse.read_packing(tmp_path / "p.csv", cell=(1, 1, 1))
 
 
 def test_an_unknown_format_names_those_there_are(settled, tmp_path):

@@ -139,6 +139,20 @@ def test_until_and_time_limit(small_case, tmp_path):
         suffuse.Case(small_case).run(tmp_path / "run", time_limit="3 kPa")
 
 
+def test_what_a_run_has_not_is_told_with_what_it_has(small_case, tmp_path):
+    run = suffuse.Case(small_case).run(tmp_path / "run", until="settled")
+    with pytest.raises(KeyError, match="has not come to it: run.resume.*finished: replay/start, replay/settled"):
+        run["replay/seep"]
+    with pytest.raises(KeyError, match="nor one of its case"):
+        run["replay/seap"]
+    stage = run["replay/settled"]
+    with pytest.raises(suffuse.IoError, match="throats.csv: this run did not write it; there are .*history.csv"):
+        stage.table("throats.csv")
+    (stage.folder / "state.h5").unlink()
+    with pytest.raises(suffuse.IoError, match="state.h5: this run did not write it"):
+        stage.world
+
+
 def test_a_folder_that_is_taken_is_refused(small_case, tmp_path):
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "letter.txt").write_text("dear")
