@@ -154,6 +154,7 @@ from = "initial"
 do = "erode"
 passes = 3
 until_nothing_leaves = true
+until_eroded = { share = "40 %", of = "solids" }
 gradient = 0.1
 direction = "-y"
 detached = { by = "velocity", rule = "above", over = "1e-5 m/s" }
@@ -176,6 +177,9 @@ name = "emptied"
 from = "initial"
 do = "remove"
 grains = "inactive-fines"
+share = "50 %"
+order = "least-stressed"
+passes = 5
 max_strain = "10 %"
 [study.other]
 soil = "whole"

@@ -182,6 +182,10 @@ template <class V>
 void fields(V& v, erosion::ErodeSpec& s) {
     v.field("passes", s.passes);
     v.field("until_nothing_leaves", s.until_nothing_leaves);
+    v.table("until_eroded", s.until_eroded, [](auto& inner, erosion::ErodedTarget& target) {
+        inner.field("share", target.share);
+        inner.choice("of", target.of, names::eroded_of);
+    });
     v.field("gradient", s.gradient);
     v.direction(s.direction);
     probe_fields(v, s.probe, s.detached);
@@ -201,6 +205,9 @@ void fields(V& v, erosion::ErodeSpec& s) {
 template <class V>
 void fields(V& v, erosion::RemoveSpec& s) {
     v.choice("grains", s.grains, names::removed_fines);
+    v.field("share", s.share);
+    v.choice("order", s.order, names::removal_order);
+    v.field("passes", s.passes);
     v.field("max_strain", s.max_strain);
 }
 

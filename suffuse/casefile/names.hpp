@@ -71,6 +71,16 @@ inline constexpr std::array removed_fines = {
     Word<erosion::RemovedFines>{erosion::RemovedFines::Inactive, "inactive-fines"},
     Word<erosion::RemovedFines>{erosion::RemovedFines::Active, "active-fines"}};
 
+inline constexpr std::array eroded_of = {
+    Word<erosion::ErodedTarget::Of>{erosion::ErodedTarget::Of::Fines, name_of(erosion::ErodedTarget::Of::Fines)},
+    Word<erosion::ErodedTarget::Of>{erosion::ErodedTarget::Of::Solids, name_of(erosion::ErodedTarget::Of::Solids)}};
+
+inline constexpr std::array removal_order = {
+    Word<erosion::RemovalOrder>{erosion::RemovalOrder::Random, "random"},
+    Word<erosion::RemovalOrder>{erosion::RemovalOrder::Smallest, "smallest"},
+    Word<erosion::RemovalOrder>{erosion::RemovalOrder::LeastStressed, "least-stressed"},
+    Word<erosion::RemovalOrder>{erosion::RemovalOrder::FewestContacts, "fewest-contacts"}};
+
 inline constexpr std::array snapshots = {
     Word<Snapshots::When>{Snapshots::When::PerStage, "per-stage"},
     Word<Snapshots::When>{Snapshots::When::Never, "none"}};

@@ -252,6 +252,15 @@ std::vector<Key> erosion_rows() {
                 "Passes of flow, probe, extraction and new equilibrium, at most."
             ),
             flag("stage.erode", "until_nothing_leaves", "Goes on beyond `passes` until nothing more leaves."),
+            table(
+                "stage.erode", "until_eroded",
+                "No pass after the one by whose end so much has left; `passes` and what else ends the stage still do."
+            ),
+            required(ratio("stage.erode.until_eroded", "share", {0, 1, true, false}, "Mass to leave.")),
+            choice(
+                "stage.erode.until_eroded", "of", names::words_of(names::eroded_of),
+                "Of which mass before the first pass: of the fines, or of all grains."
+            ),
             ratio("stage.erode", "gradient", above_zero, "Hydraulic gradient i."),
         }
     );
@@ -289,13 +298,27 @@ std::vector<Key> erosion_rows() {
             ),
             choice(
                 "stage.remove", "grains", names::words_of(names::removed_fines),
-                "What is taken out at once, without water: all fines, those with fewer than two contacts, or those "
-                "with "
-                "at least two. The rest comes to rest at constant volume, then under the stresses held before."
+                "What is taken out without water: all fines, those with fewer than two contacts, or those with at "
+                "least two. The rest comes to rest at constant volume, then under the stresses held before."
+            ),
+            ratio(
+                "stage.remove", "share", {0, 1, true, false},
+                "How much of their mass, as it is when the stage begins, to within half a grain."
+            ),
+            choice(
+                "stage.remove", "order", names::words_of(names::removal_order),
+                "Which grains go first where not all go at once: by chance, by diameter, by the mean stress in the "
+                "grain, or by number of contacts; among equals the seed decides."
+            ),
+            count(
+                "stage.remove", "passes", {1, 10'000, false, false},
+                "Equal parts in which they go, each followed by a new equilibrium, after which stresses and contacts "
+                "are looked at anew."
             ),
             ratio(
                 "stage.remove", "max_strain", {0, 2, true, false},
-                "Strain of an axis beyond which the skeleton counts as failed; the stage then ends as it is."
+                "Strain of an axis in one pass beyond which the skeleton counts as failed; the stage then ends as it "
+                "is."
             ),
         }
     );

@@ -13,6 +13,9 @@
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -98,6 +101,27 @@ std::string reason_of(const ErodeSpec& spec) {
     return spec.detached.by == DetachBy::Velocity ? "velocity" : "displacement";
 }
 
+/// Whether this pass is the last, and why.
+void judge_end(const dem::World& world, const ErodeSpec& spec, double initial_mass, PassResult& pass) {
+    const std::optional<std::string> complaint = skeleton_complaint(world);
+    if (noise_decides(spec.detached, pass.probe)) {
+        pass.verdict = "what leaves cannot be told from the twin's noise";
+    } else if (pass.removed == 0) {
+        pass.verdict = "nothing leaves any more";
+    } else if (complaint) {
+        pass.verdict = *complaint;
+    } else if (spec.until_eroded) {
+        const double share = eroded_share(world, initial_mass, spec.until_eroded->of);
+        pass.reached_target = share >= spec.until_eroded->share;
+        if (pass.reached_target) {
+            pass.verdict = fmt::format(
+                "{:.3g} % of the {} has left, {:.3g} % was asked for", 100 * share, name_of(spec.until_eroded->of),
+                100 * spec.until_eroded->share
+            );
+        }
+    }
+}
+
 } // namespace
 
 ErosionResult begin_erosion(const dem::World& world) {
@@ -153,16 +177,18 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.throat_flux_after = after.throat_flux;
     pass.wall_seconds["flow"] += watch.lap();
 
-    const std::optional<std::string> complaint = skeleton_complaint(next);
-    pass.verdict = noise_decides(spec.detached, pass.probe) ? "what leaves cannot be told from the twin's noise"
-                   : pass.removed == 0                      ? "nothing leaves any more"
-                                                            : complaint.value_or("");
-    const bool go_on = pass.verdict.empty();
+    judge_end(next, spec, result.initial_mass, pass);
     world = std::move(next);
     result.ledger = std::move(ledger);
     result.path.insert(result.path.end(), path.begin(), path.end());
     result.passes.push_back(std::move(pass));
-    return go_on;
+    return result.passes.back().verdict.empty();
+}
+
+double eroded_share(const dem::World& world, double initial_mass, ErodedTarget::Of of) {
+    const double left = total_mass(world.grains), gone = std::max(0.0, initial_mass - left); // all of it fines
+    const double of_mass = of == ErodedTarget::Of::Solids ? initial_mass : gone + fines_content(world.grains) * left;
+    return gone > 0 ? gone / of_mass : 0;
 }
 
 std::vector<ProbeResult>

@@ -30,6 +30,9 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
 /// Begins a result at the equilibrium `world`.
 ErosionResult begin_erosion(const dem::World& world);
 
+/// Mass that has left over that of the fines, or of all grains, before the first pass [-].
+double eroded_share(const dem::World& world, double initial_mass, ErodedTarget::Of of);
+
 /// The probe alone at several gradients, nothing removed (Figure 9). One flow solution serves all gradients.
 std::vector<ProbeResult>
 probe_gradients(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around);

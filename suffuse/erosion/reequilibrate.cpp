@@ -131,7 +131,8 @@ std::vector<PathRow> reequilibrate(
     const dem::BalanceState settled = run_phase("servo", most_steps_under_stress, [&](const auto& state) {
         return state.balanced_steps >= around.balance.patience || has_failed();
     });
-    if (has_failed()) {
+    pass.failed = has_failed();
+    if (pass.failed) {
         pass.verdict = fmt::format(
             "the skeleton fails: it does not carry its stresses any more and strained by more than {:.3g} %",
             100 * most_strain

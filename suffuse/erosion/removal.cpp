@@ -6,9 +6,13 @@
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/erosion/extraction.hpp"
 #include "suffuse/erosion/reequilibrate.hpp"
+#include "suffuse/erosion/removal_order.hpp"
 #include "suffuse/stats/coordination.hpp"
 
-#include <cmath>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace suffuse::erosion {
 namespace {
@@ -17,6 +21,28 @@ std::string reason_of(RemovedFines which) {
     return which == RemovedFines::All      ? "removed"
            : which == RemovedFines::Active ? "removed, active"
                                            : "removed, inactive";
+}
+
+/// What pass.pass takes, in the order of the grain table: all of the class where all goes at once, else as much as is
+/// still to go by the end of the pass.
+std::vector<Leaver>
+choose_leavers(const dem::World& world, const RemoveSpec& spec, const RemovalResult& result, PassResult& pass) {
+    std::vector<std::uint32_t> rows = fines_to_remove(world, spec.grains);
+    const bool takes_all = spec.share >= 1 && spec.passes == 1;
+    if (!takes_all) {
+        const double gone = result.erosion.initial_mass - total_mass(world.grains);
+        const double by_now = result.asked_mass * pass.pass / spec.passes;
+        rows = take_mass(world, put_in_order(world, std::move(rows), spec.order), by_now - gone);
+        std::sort(rows.begin(), rows.end());
+    }
+    const std::vector<int> contacts = dem::coordination(world);
+    std::vector<Leaver> leavers;
+    for (const std::uint32_t g : rows) {
+        leavers.push_back({g, contacts[g]});
+        ++pass.coordination_histogram[contacts[g]];
+    }
+    pass.detachable = pass.removed = static_cast<std::int64_t>(leavers.size());
+    return leavers;
 }
 
 } // namespace
@@ -34,36 +60,59 @@ std::vector<std::uint32_t> fines_to_remove(const dem::World& world, RemovedFines
     return rows;
 }
 
-RemovalResult remove_fines(dem::World& world, const RemoveSpec& spec, const Surroundings& around) {
-    RemovalResult result;
-    result.erosion = begin_erosion(world);
+RemovalResult begin_removal(const dem::World& world, const RemoveSpec& spec) {
+    double mass = 0;
+    for (const std::uint32_t g : fines_to_remove(world, spec.grains)) {
+        mass += world.grains.mass[g];
+    }
+    return {begin_erosion(world), world.cell.h, spec.share * mass};
+}
+
+bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& around, RemovalResult& result) {
     dem::World next = world;
     dem::sort_along_curve(next);
     PassResult pass;
-    pass.pass = 1;
+    pass.pass = static_cast<int>(result.erosion.passes.size()) + 1;
     describe_before(next, pass);
-    const Mat3 start_h = next.cell.h;
-    const std::vector<int> contacts = dem::coordination(next);
-    std::vector<Leaver> leavers;
-    for (const std::uint32_t g : fines_to_remove(next, spec.grains)) {
-        leavers.push_back({g, contacts[g]});
-        ++pass.coordination_histogram[contacts[g]];
-    }
+    const double mass = total_mass(next.grains);
+    const std::vector<Leaver> leavers = choose_leavers(next, spec, result, pass);
     if (leavers.size() == next.grains.size()) {
         throw StateError("all grains are fines and would be removed: nothing stays to carry the stresses; leave this "
                          "fines content out (key `only`)");
     }
-    pass.detachable = pass.removed = static_cast<std::int64_t>(leavers.size());
-    extract(next, leavers, pass.pass, reason_of(spec.grains), result.erosion.ledger);
-    check_ledger(next, result.erosion.ledger, result.erosion.initial_mass);
-    result.removed_share = 1 - total_mass(next.grains) / result.erosion.initial_mass;
-    pass.eroded_mass_percent = pass.eroded_mass_percent_of_initial = 100 * result.removed_share;
+    std::vector<LedgerRow> ledger = result.erosion.ledger;
+    extract(next, leavers, pass.pass, reason_of(spec.grains), ledger);
+    check_ledger(next, ledger, result.erosion.initial_mass);
+    const double left = total_mass(next.grains);
+    pass.eroded_mass_percent = 100 * (1 - left / mass);
+    pass.eroded_mass_percent_of_initial = 100 * (mass - left) / result.erosion.initial_mass;
     const double dt = dem::stable_time_step(next);
-    result.erosion.path = reequilibrate(next, dt, result.erosion, around, pass, spec.max_strain);
-    result.strain = edge_strains(start_h, next.cell.h);
+    const std::vector<PathRow> path = reequilibrate(next, dt, result.erosion, around, pass, spec.max_strain);
+    const bool is_last = pass.pass >= spec.passes;
+    if (!is_last && pass.verdict.empty() && fines_to_remove(next, spec.grains).empty()) {
+        pass.verdict = fmt::format("no grain is left to be removed after pass {} of {}", pass.pass, spec.passes);
+    }
+    const bool go_on = !is_last && pass.verdict.empty();
+    result.erosion.ledger = std::move(ledger);
+    result.erosion.path.insert(result.erosion.path.end(), path.begin(), path.end());
     result.erosion.passes.push_back(std::move(pass));
     world = std::move(next);
+    return go_on;
+}
+
+RemovalResult remove_fines(dem::World& world, const RemoveSpec& spec, const Surroundings& around) {
+    RemovalResult result = begin_removal(world, spec);
+    while (remove_once(world, spec, around, result)) {
+    }
     return result;
+}
+
+double removed_share(const dem::World& world, const RemovalResult& result) {
+    return 1 - total_mass(world.grains) / result.erosion.initial_mass;
+}
+
+Vec3 removal_strain(const dem::World& world, const RemovalResult& result) {
+    return edge_strains(result.start_h, world.cell.h);
 }
 
 } // namespace suffuse::erosion

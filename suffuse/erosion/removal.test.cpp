@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/settle.hpp"
+#include "suffuse/erosion/extraction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +56,7 @@ TEST(Removal, OfFinesThatLieLooseChangesNothing) {
     const PassResult& pass = result.erosion.passes.at(0);
     EXPECT_EQ(pass.removed, 64);
     EXPECT_EQ(world.grains.size(), 64U);
-    EXPECT_NEAR(result.removed_share, std::pow(0.3, 3) / (std::pow(0.3, 3) + std::pow(0.5, 3)), 1e-12);
+    EXPECT_NEAR(removed_share(world, result), std::pow(0.3, 3) / (std::pow(0.3, 3) + std::pow(0.5, 3)), 1e-12);
     EXPECT_NEAR(dem::mean_stress(pass.stress_constant_volume) / p, 1, 1e-9);
     // The servo follows the rounding of the stress: less than a millionth of the lattice's elastic strain.
     EXPECT_LE(std::abs(pass.volumetric_strain), 1e-6 * 3 * overlap / edge);
@@ -75,7 +76,7 @@ TEST(Removal, OfFinesThatCarryLoadLeavesTheStressOfTheCoarseLatticeAndThenItsStr
     const double k = world.material.modulus * r;
     const double spacing = (-k + std::sqrt(k * k + 8 * before * k * r)) / (2 * before);
     EXPECT_NEAR(pass.volumetric_strain, -3 * std::log(spacing / edge), 0.005 * 3 * overlap / edge * before / left);
-    EXPECT_NEAR(result.strain.x, pass.volumetric_strain / 3, 1e-9);
+    EXPECT_NEAR(removal_strain(world, result).x, pass.volumetric_strain / 3, 1e-9);
 }
 
 TEST(Removal, TakesTheClassAskedFor) {
@@ -94,7 +95,74 @@ TEST(Removal, ASkeletonThatStrainsTooFarHasFailedAndTheStageEnds) {
     spec.max_strain = 1e-6; // less than the lattice needs
     const RemovalResult result = remove_fines(world, spec, {});
     EXPECT_NE(result.erosion.passes.at(0).verdict.find("fails"), std::string::npos);
+    EXPECT_TRUE(result.erosion.passes.at(0).failed);
     EXPECT_EQ(world.grains.size(), 64U);
+}
+
+TEST(Removal, InPassesTakesEqualPartsOfTheShareToWithinAGrain) {
+    dem::World world = lattice(0.3e-3);
+    const double fines = 64 * world.grains.mass[1], all = total_mass(world.grains);
+    RemoveSpec spec;
+    spec.share = 0.5;
+    spec.passes = 3;
+    const RemovalResult result = remove_fines(world, spec, {});
+    ASSERT_EQ(result.erosion.passes.size(), 3U);
+    double gone = 0;
+    for (const PassResult& pass : result.erosion.passes) {
+        gone += pass.eroded_mass_percent_of_initial / 100 * all;
+        EXPECT_NEAR(gone, 0.5 * fines * pass.pass / 3, 0.5 * fines / 64 * (1 + 1e-9)) << pass.pass; // half a grain
+    }
+    EXPECT_NEAR(gone, 0.5 * fines, 1e-12 * fines);
+    EXPECT_EQ(result.erosion.ledger.size(), 32U);
+    EXPECT_EQ(result.erosion.ledger.back().pass, 3);
+    EXPECT_EQ(result.erosion.path.back().pass, 3);
+    EXPECT_NEAR(result.erosion.path.back().eroded_mass, gone / all, 1e-12);
+}
+
+TEST(Removal, OfTheWholeShareInPassesEndsWithAllGone) {
+    dem::World world = lattice(0.3e-3);
+    RemoveSpec spec;
+    spec.passes = 7;
+    spec.order = RemovalOrder::FewestContacts;
+    const RemovalResult result = remove_fines(world, spec, {});
+    EXPECT_TRUE(fines_to_remove(world, RemovedFines::All).empty());
+    EXPECT_EQ(result.erosion.passes.size(), 7U);
+    EXPECT_EQ(result.erosion.passes.back().verdict, "");
+}
+
+TEST(Removal, LooksAtTheClassAnewInEachPassAndEndsWhenNoneIsLeft) {
+    const double fine_radius = std::sqrt(0.75) * edge - r + 1e-6; // presses 1 um into its eight neighbors
+    dem::World world = lattice(fine_radius);
+    world.grains.radius[1] = 0.3e-3; // lies loose: the only one without contacts
+    dem::StepCaches caches;
+    dem::StepPlan plan;
+    plan.dt = 1e-9;
+    plan.loading = dem::constant_volume();
+    dem::step(world, caches, plan);
+    ASSERT_EQ(fines_to_remove(world, RemovedFines::Inactive).size(), 1U);
+    RemoveSpec spec;
+    spec.grains = RemovedFines::Inactive;
+    spec.passes = 4;
+    const RemovalResult result = remove_fines(world, spec, {});
+    EXPECT_EQ(result.erosion.ledger.size(), 1U);
+    EXPECT_NE(result.erosion.passes.back().verdict.find("no grain is left"), std::string::npos);
+    EXPECT_FALSE(result.erosion.passes.back().failed);
+}
+
+TEST(Removal, ByChanceTakesTheSameGrainsForTheSameSeedOnly) {
+    RemoveSpec spec;
+    spec.share = 0.5;
+    const auto taken = [&](std::uint64_t seed) {
+        dem::World world = lattice(0.3e-3);
+        world.seed = seed;
+        std::vector<std::uint32_t> ids;
+        for (const LedgerRow& row : remove_fines(world, spec, {}).erosion.ledger) {
+            ids.push_back(row.grain);
+        }
+        return std::pair(ids, dem::state_hash(world));
+    };
+    EXPECT_EQ(taken(1), taken(1));
+    EXPECT_NE(taken(1).first, taken(2).first);
 }
 
 TEST(Removal, OfASampleOfFinesAloneIsRefused) {

@@ -94,7 +94,9 @@ struct PassResult {
     flow::ThroatFlux throat_flux_before, throat_flux_after; ///< how the flow spreads over the throats
     std::int64_t steps = 0;
     std::map<std::string, double>
-        wall_seconds;    ///< by part: "flow", "relax", "probe", "constrictions", "constant volume", "servo"
+        wall_seconds;            ///< by part: "flow", "relax", "probe", "constrictions", "constant volume", "servo"
+    bool failed = false;         ///< the skeleton does not carry its stresses any more
+    bool reached_target = false; ///< it stops because as much has left as was asked
     std::string verdict; ///< empty, or why the procedure stops here ("nothing leaves", "coarse skeleton too small ...")
 };
 

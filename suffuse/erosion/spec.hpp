@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace suffuse::erosion {
@@ -59,6 +60,18 @@ struct ForcedRemoval {
     int max_contacts = 3;
 };
 
+/// As much mass as an erosion is to take.
+struct ErodedTarget {
+    enum class Of { Fines, Solids };
+    double share = 1; ///< of the mass before the first pass [-]
+    Of of = Of::Fines;
+};
+
+/// "fines", "solids".
+constexpr std::string_view name_of(ErodedTarget::Of of) {
+    return of == ErodedTarget::Of::Fines ? "fines" : "solids";
+}
+
 /// `do = "erode"`: passes of flow, probe, extraction and new equilibrium. Figures 10 to 14.
 struct ErodeSpec {
     int passes = 2; ///< at most; stops earlier when nothing more leaves
@@ -69,16 +82,33 @@ struct ErodeSpec {
     ConstrictionSize passes_constriction = ConstrictionSize::Mean;
     pores::VoidMerge merge = pores::VoidMerge::None; ///< of the voids between which constrictions are counted
     std::optional<ForcedRemoval> forced;
-    bool until_nothing_leaves = false; ///< go on beyond `passes`
+    bool until_nothing_leaves = false;        ///< go on beyond `passes`
+    std::optional<ErodedTarget> until_eroded; ///< no pass after the one that reaches it
 };
 
 /// Which fines a removal takes; active ones have at least two contacts.
 enum class RemovedFines { All, Inactive, Active };
 
-/// `do = "remove"`: fines are taken out at once, without water, and the rest finds a new equilibrium.
+/// Which of them go first, where not all go at once; among equals chance decides, by the seed.
+enum class RemovalOrder {
+    Random,
+    Smallest,       ///< by diameter [MuirWood2010]
+    LeastStressed,  ///< by the mean stress in the grain [Scholtes2010]
+    FewestContacts, ///< [He2025]
+};
+
+/// `do = "remove"`: fines are taken out without water, and the rest finds a new equilibrium, in one pass or several.
 struct RemoveSpec {
     RemovedFines grains = RemovedFines::All;
-    double max_strain = 0.2; ///< of an axis, beyond which the skeleton counts as failed and is left as it is [-]
+    double share = 1; ///< of their mass when the stage begins [-]
+    RemovalOrder order = RemovalOrder::Random;
+    int passes = 1;          ///< equal parts of that mass, with a new equilibrium after each
+    double max_strain = 0.2; ///< of an axis in a pass, beyond which the skeleton counts as failed and is left as it is
+
+    /// The question of the paper's active fines content.
+    [[nodiscard]] bool takes_all_fines_at_once() const {
+        return grains == RemovedFines::All && share >= 1 && passes == 1;
+    }
 };
 
 } // namespace suffuse::erosion

@@ -77,7 +77,7 @@ std::optional<FinesResults> gather_fines(const casefile::Case& what, const std::
     }
     for (const FinishedStage& stage : stages) {
         const auto* spec = std::get_if<erosion::RemoveSpec>(&stage.stage->spec);
-        if (spec != nullptr && spec->grains == erosion::RemovedFines::All) {
+        if (spec != nullptr && spec->takes_all_fines_at_once()) {
             found.removals.push_back(describe_removal(stages, stage));
         }
     }

@@ -73,9 +73,10 @@ json flow_of(const json& numbers) {
                                       : pick(numbers, {"gradient", "permeability", "mean_velocity", "force_sum"});
 }
 
+/// Of each pass of an erosion; of a removal all together.
 json eroded(const json& numbers) {
-    return numbers.contains("passes") ? pick_of_passes(numbers, {"removed", "coordination_histogram"})
-                                      : pick(numbers, {"removed", "coordination_histogram"});
+    return numbers.contains("coordination_histogram") ? pick(numbers, {"removed", "coordination_histogram"})
+                                                      : pick_of_passes(numbers, {"removed", "coordination_histogram"});
 }
 
 json measure(const std::string& group, const StageWork& work, const json& numbers) {

@@ -216,19 +216,24 @@ public:
 
     StagePrice operator()(const erosion::RemoveSpec& spec) {
         const double before = 1 - sample_.solid_fraction * (1 - fines_content(sample_));
-        if (spec.grains == erosion::RemovedFines::All) {
+        const bool empties = spec.grains == erosion::RemovedFines::All && spec.share >= 1;
+        if (empties) {
             take_fines(sample_);
-        } else if (spec.grains == erosion::RemovedFines::Inactive) {
-            sample_.fines_left = {sample_.fines.carrying, sample_.fines.carrying};
+        } else {
+            const double chosen = spec.grains == erosion::RemovedFines::All        ? 1
+                                  : spec.grains == erosion::RemovedFines::Inactive ? 1 - sample_.fines.carrying
+                                                                                   : sample_.fines.carrying;
+            const double left = 1 - spec.share * chosen;
+            sample_.fines_left = {left * sample_.fines_left.least, left * sample_.fines_left.most};
         }
-        const double closing = spec.grains == erosion::RemovedFines::All
-                                   ? std::max(0.0, strain_between(before, 1 - sample_.solid_fraction))
-                                   : 0;
+        const double closing = empties ? std::max(0.0, strain_between(before, 1 - sample_.solid_fraction)) : 0;
         const double a_strain = 1 / (resettling_rate * settled_time_step(sample_, case_.material));
         return {
-            .steps = closing * a_strain * slow_collapse + rest_after_removal + 2 * waited({}),
+            .steps = closing * a_strain * slow_collapse +
+                     static_cast<double>(spec.passes) * (rest_after_removal + 2 * waited({})),
             .memory_a_grain = 2 * grain_memory,
-            .basis = "two new equilibria, after all asked have gone"};
+            .basis = spec.passes == 1 ? "two new equilibria, after all asked have gone"
+                                      : fmt::format("two new equilibria after each of {} passes", spec.passes)};
     }
 
 private:

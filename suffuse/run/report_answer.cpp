@@ -58,6 +58,27 @@ std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
     return text + " are detachable.";
 }
 
+/// Of stages that take fines out without water, as long as these are few.
+std::vector<std::string> answers_to_removals(const std::vector<FinishedStage>& stages) {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> sentences;
+    for (const FinishedStage& stage : stages) {
+        const json& n = stage.numbers;
+        if (!std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec) || !n.contains("passes")) {
+            continue;
+        }
+        const std::size_t passes = n.at("passes").size();
+        sentences.push_back(fmt::format(
+            "{}/{}: {} fines taken out in {} {}, {} of the mass; under the stresses held before the skeleton {} by {}.",
+            stage.variant->folder, stage.stage->name, grouped(n.at("removed").get<std::int64_t>()), passes,
+            passes == 1 ? "pass" : "passes", percent_or_none(100 * n.at("removed_mass_share").get<double>()),
+            n.at("failed").get<bool>() ? "failed, after it had strained" : "strained",
+            percent_or_none(100 * n.at("volumetric_strain").get<double>())
+        ));
+    }
+    return sentences.size() <= most ? sentences : std::vector<std::string>{};
+}
+
 /// Of the tests outside sweeps.
 std::string answer_to_tests(const std::vector<FinishedStage>& stages) {
     std::string text;
@@ -116,6 +137,9 @@ std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std:
     for (const FinishedStage* other : story.others) {
         const std::string start = other->variant->stages[static_cast<std::size_t>(other->stage->parent)].name;
         sentences.push_back(fmt::format("From the state {}: {}", start, answer_to_erosion(*other->findings.erosion)));
+    }
+    for (std::string& sentence : answers_to_removals(stages)) {
+        sentences.push_back(std::move(sentence));
     }
     if (std::string tests = answer_to_tests(stages); !tests.empty()) {
         sentences.push_back(std::move(tests));

@@ -155,7 +155,7 @@ report::ReportData describe_run(
     }
     show_stability(what, story, data);
     for (std::optional<report::PageTable> table :
-         {tabulate_tests(what, stages), tabulate_water(folder, stages, story)}) {
+         {tabulate_removals(stages), tabulate_tests(what, stages), tabulate_water(folder, stages, story)}) {
         if (table) {
             data.tables.push_back(std::move(*table));
         }

@@ -3,7 +3,7 @@
 // all their bits. A field is written once, here; its meaning and unit stand at its declaration.
 
 #include "suffuse/dem/settle.hpp"
-#include "suffuse/erosion/result.hpp"
+#include "suffuse/erosion/removal.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/triaxial/run_path.hpp"
 
@@ -113,9 +113,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack 
     eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,
     stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after,
     fines_content_after, volumetric_strain, permeability_before, permeability_after, throat_flux_before,
-    throat_flux_after, steps, wall_seconds, verdict
+    throat_flux_after, steps, wall_seconds, failed, reached_target, verdict
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemovalResult, erosion, start_h, asked_mass)
 } // namespace erosion
 
 } // namespace suffuse

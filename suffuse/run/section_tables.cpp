@@ -1,6 +1,7 @@
 #include "suffuse/run/section_tables.hpp"
 
 #include "suffuse/base/constants.hpp"
+#include "suffuse/base/grouped.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/report/fines_study.hpp"
 #include "suffuse/report/words.hpp"
@@ -13,6 +14,7 @@
 namespace suffuse::run {
 namespace {
 
+using nlohmann::json;
 using report::short_number;
 
 /// Mean, and the standard deviation where there are several samples.
@@ -95,6 +97,26 @@ void add_passes(
     }
 }
 
+/// A row of the table on removal, from a pass, or from a whole stage with its last pass.
+std::vector<std::string>
+removal_row(const std::string& name, const json& whole, const json& pass, double mass_percent, double strain) {
+    std::int64_t grains = 0, contacts = 0;
+    for (const auto& [number, count] : whole.at("coordination_histogram").items()) {
+        grains += count.get<std::int64_t>();
+        contacts += std::stoll(number) * count.get<std::int64_t>();
+    }
+    const double mean = grains > 0 ? static_cast<double>(contacts) / static_cast<double>(grains) : 0;
+    return {
+        name,
+        fmt::format("{}", pass.at("pass").get<int>()),
+        grouped(grains),
+        short_number(mass_percent),
+        fmt::format("{:.2f}", mean),
+        short_number(100 * pass.at("stress_loss").get<double>(), 2),
+        short_number(100 * strain, 2),
+        fmt::format("{:.4f}", pass.at("porosity_after").get<double>())};
+}
+
 } // namespace
 
 double kozeny_carman(const std::vector<double>& radius, double porosity) {
@@ -145,6 +167,48 @@ std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, cons
         }
     }
     return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
+}
+
+std::optional<report::PageTable> tabulate_removals(const std::vector<FinishedStage>& stages) {
+    constexpr std::size_t most_rows = 60;
+    std::vector<std::vector<std::string>> by_pass, by_stage;
+    for (const FinishedStage& stage : stages) {
+        const auto* spec = std::get_if<erosion::RemoveSpec>(&stage.stage->spec);
+        if (spec == nullptr || spec->takes_all_fines_at_once() || !stage.numbers.contains("passes")) {
+            continue;
+        }
+        const std::string name = stage.variant->folder + "/" + stage.stage->name;
+        double mass = 0;
+        for (const json& pass : stage.numbers.at("passes")) {
+            mass += pass.at("eroded_mass_percent_of_initial").get<double>();
+            by_pass.push_back(removal_row(name, pass, pass, mass, pass.at("volumetric_strain")));
+        }
+        by_stage.push_back(removal_row(
+            name, stage.numbers, stage.numbers.at("passes").back(), mass, stage.numbers.at("volumetric_strain")
+        ));
+    }
+    if (by_stage.empty()) {
+        return std::nullopt;
+    }
+    report::PageTable table;
+    table.section = "Tests";
+    table.title = "Fines taken out without water";
+    table.note =
+        "Mass removed so far is of the mass before the first pass; contacts are those of the grains that went. The "
+        "loss of mean stress is at constant volume, the strain under the stresses held before, contraction positive.";
+    table.header = {
+        "stage",
+        by_pass.size() <= most_rows ? "pass" : "passes",
+        "grains",
+        "mass removed so far [%]",
+        "contacts a grain [-]",
+        "loss of mean stress [%]",
+        "εᵥ [%]",
+        "porosity after [-]"};
+    table.numeric.assign(table.header.size(), true);
+    table.numeric[0] = false;
+    table.rows = by_pass.size() <= most_rows ? std::move(by_pass) : std::move(by_stage);
+    return table;
 }
 
 std::optional<report::PageTable> tabulate_water(

@@ -1,5 +1,5 @@
 #pragma once
-// The tables at the head of the report's sections on tests and on water.
+// The tables at the head of the report's sections on tests, on removal and on water.
 
 #include "suffuse/report/page_table.hpp"
 #include "suffuse/run/erosion_story.hpp"
@@ -18,6 +18,10 @@ std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, cons
 std::optional<report::PageTable> tabulate_water(
     const std::filesystem::path& folder, const std::vector<FinishedStage>& stages, const ErosionStory& story
 );
+
+/// Fines taken out without water in part or in passes, a row a pass, or a row a stage where these are many; nothing
+/// without such a stage. What takes all fines at once is in report::removal_table.
+std::optional<report::PageTable> tabulate_removals(const std::vector<FinishedStage>& stages);
 
 /// k by Kozeny and Carman [m2] of spheres with these radii [m] at a porosity [-].
 double kozeny_carman(const std::vector<double>& radius, double porosity);

@@ -15,5 +15,32 @@ TEST(KozenyCarman, TheSauterDiameterIsThatOfEqualSurfacePerVolume) {
     EXPECT_NEAR(kozeny_carman({0.5e-3, 1.5e-3}, 0.4), kozeny_carman({1.4e-3}, 0.4), 1e-20); // rounding
 }
 
+TEST(RemovalTable, HasARowForEachPassAndNoneForWhatTakesAllAtOnce) {
+    casefile::Variant variant;
+    variant.folder = "s/order=random";
+    casefile::Stage in_part{.name = "removed", .spec = erosion::RemoveSpec{.share = 0.5, .passes = 2}};
+    casefile::Stage at_once{.name = "emptied", .spec = erosion::RemoveSpec{}};
+    const auto pass = [](int number, double mass) {
+        return nlohmann::json{
+            {"pass", number},
+            {"eroded_mass_percent_of_initial", mass},
+            {"coordination_histogram", {{"0", 3}, {"4", 1}}},
+            {"stress_loss", 0.02},
+            {"volumetric_strain", 0.001},
+            {"porosity_after", 0.4}};
+    };
+    const nlohmann::json numbers = {
+        {"passes", {pass(1, 5), pass(2, 7)}}, {"coordination_histogram", {{"0", 6}}}, {"volumetric_strain", 0.002}};
+    const report::PageTable table =
+        *tabulate_removals({{nullptr, &variant, &in_part, numbers, {}}, {nullptr, &variant, &at_once, numbers, {}}});
+    ASSERT_EQ(table.rows.size(), 2U);
+    EXPECT_EQ(
+        table.rows[1],
+        (std::vector<std::string>{"s/order=random/removed", "2", "4", "12", "1.00", "2", "0.1", "0.4000"})
+    );
+    EXPECT_EQ(table.header.size(), table.rows[0].size());
+    EXPECT_FALSE(tabulate_removals({{nullptr, &variant, &at_once, numbers, {}}}).has_value());
+}
+
 } // namespace
 } // namespace suffuse::run

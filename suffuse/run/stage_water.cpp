@@ -89,6 +89,7 @@ json pass_numbers(const erosion::PassResult& pass) {
         {"half_carried_by_after", pass.throat_flux_after.half_carried_by},
         {"steps", pass.steps},
         {"wall_seconds", pass.wall_seconds},
+        {"reached_target", pass.reached_target},
         {"verdict", pass.verdict},
         {"probe", probe_numbers(pass.probe)},
     };
@@ -130,6 +131,19 @@ void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion:
             "overstates "
             "how far they move",
             work.place(), static_cast<double>(probe.ramp + probe.watch) * probe.time_step, probe.viscous_time
+        ));
+    }
+}
+
+void note_target(StageWork& work, const erosion::ErodeSpec& spec, const erosion::ErosionResult& result) {
+    if (!spec.until_eroded) {
+        return;
+    }
+    const double share = erosion::eroded_share(work.world, result.initial_mass, spec.until_eroded->of);
+    if (share < spec.until_eroded->share) {
+        work.warnings.push_back(fmt::format(
+            "{}: {:.3g} % of the {} left in {} passes, less than the {:.3g} % of `until_eroded`", work.place(),
+            100 * share, name_of(spec.until_eroded->of), result.passes.size(), 100 * spec.until_eroded->share
         ));
     }
 }
@@ -226,9 +240,8 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
             );
         }
         goes_on = erosion::erode_once(work.world, spec, surroundings(work), result);
-        work.save_partial({{"result", result}, {"goes_on", goes_on}});
         work.history.record(work.world, true);
-        note_probe(work, spec.detached, result.passes.back().probe);
+        work.save_partial({{"result", result}, {"goes_on", goes_on}});
     }
     json passes = json::array();
     std::int64_t steps = 0; // of the relaxation, of probe and twin, and of the new equilibrium
@@ -239,15 +252,21 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         steps += probe_steps + pass.steps;
         work.grain_steps += (probe_steps + pass.steps) * static_cast<std::int64_t>(work.world.grains.size());
         work.time_step = pass.probe.time_step;
-        if (!pass.verdict.empty()) {
+        note_probe(work, spec.detached, pass.probe);
+        if (!pass.verdict.empty() && !pass.reached_target) {
             work.warnings.push_back(fmt::format("{}: pass {}: {}", work.place(), pass.pass, pass.verdict));
         }
     }
+    note_target(work, spec, result);
     if (!result.passes.empty()) {
         const erosion::PassResult& last = result.passes.back();
         note_open_packing(work, fmt::format("after pass {}", last.pass), last.porosity_after);
     }
     work.numbers["passes"] = passes;
+    for (const auto of : {erosion::ErodedTarget::Of::Fines, erosion::ErodedTarget::Of::Solids}) {
+        work.numbers[fmt::format("eroded_share_of_{}", name_of(of))] =
+            erosion::eroded_share(work.world, result.initial_mass, of);
+    }
     work.numbers["steps"] = steps;
     write_ledger(work.folder, result);
 }

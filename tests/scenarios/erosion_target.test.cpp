@@ -1,0 +1,89 @@
+// Stages of several passes: an erosion that ends at a target, and stops between two passes.
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_text.hpp"
+#include <atomic>
+#include <fstream>
+#include <sstream>
+
+namespace suffuse::test {
+namespace {
+
+using nlohmann::json;
+using std::filesystem::path;
+
+std::string erosion(const std::string& name, const std::string& keys) {
+    return "[[study.s.stage]]\nname = \"" + name +
+           "\"\nfrom = \"settled\"\ndo = \"erode\"\nforced = { max_contacts = 2 }\nrelax_limit = 500\n" + keys;
+}
+
+std::string start() {
+    return reference_constants + reference_soil() + study_of_packing("packing500");
+}
+
+TEST(ErosionTarget, EndsTheStageWithThePassThatReachesIt) {
+    const TempFolder folder;
+    run_text(
+        start() + erosion("little", "passes = 5\nuntil_eroded = { share = \"5 %\" }\n") +
+            erosion("much", "passes = 1\nuntil_eroded = { share = \"90 %\", of = \"solids\" }\n"),
+        folder.path()
+    );
+    const json little = stage_of(folder.path(), "little"), pass = little.at("passes").at(0);
+    EXPECT_EQ(little.at("passes").size(), 1U);
+    EXPECT_TRUE(pass.at("reached_target"));
+    EXPECT_NE(pass.at("verdict").get<std::string>().find("5 % was asked for"), std::string::npos);
+    EXPECT_EQ(little.at("warnings").dump().find("asked for"), std::string::npos)
+        << "a target that is met is no warning";
+    const double solids = little.at("eroded_share_of_solids"), fines = little.at("eroded_share_of_fines");
+    EXPECT_GE(fines, 0.05);
+    EXPECT_NEAR(100 * solids, pass.at("eroded_mass_percent_of_initial").get<double>(), 1e-9);
+    // What has left and what is left are all the fines that there were.
+    const double left = pass.at("fines_content_after").get<double>() * (1 - solids);
+    EXPECT_NEAR(fines, solids / (solids + left), 1e-9);
+
+    const json much = stage_of(folder.path(), "much");
+    EXPECT_FALSE(much.at("passes").at(0).at("reached_target"));
+    EXPECT_NE(much.at("warnings").dump().find("less than the 90 % of `until_eroded`"), std::string::npos);
+}
+
+std::string text_of(const path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+/// Runs to the first sign that the stage has a pass behind it, stops, and goes on to the end.
+void run_with_a_stop_between_passes(const std::string& text, const path& folder, const std::string& stage) {
+    const path partial = folder / "run/studies/s" / stage / "partial.h5";
+    std::atomic<bool> stop{false};
+    run::RunOptions options;
+    options.stop = &stop;
+    options.on_progress = [&](const run::Progress&) { stop = stop || std::filesystem::exists(partial); };
+    ASSERT_EQ(run_text(text, folder, options).outcome, run::Outcome::Stopped);
+    ASSERT_TRUE(std::filesystem::exists(partial));
+    run_text(text, folder);
+}
+
+TEST(SeveralPasses, StoppedBetweenTwoLeaveTheSameStateHistoryLedgerAndWarnings) {
+    for (const std::string& keys :
+         {std::string("do = \"erode\"\nforced = { max_contacts = 2 }\nrelax_limit = 500\npasses = 2\n"),
+          std::string("do = \"remove\"\nshare = \"60 %\"\norder = \"least-stressed\"\npasses = 3\n")}) {
+        const std::string text = start() + "[[study.s.stage]]\nname = \"last\"\n" + keys;
+        const TempFolder straight, broken;
+        run_text(text, straight.path());
+        run_with_a_stop_between_passes(text, broken.path(), "last");
+        const json a = stage_of(straight.path(), "last"), b = stage_of(broken.path(), "last");
+        EXPECT_GE(a.at("passes").size(), 2U) << keys;
+        EXPECT_EQ(a.at("state_hash"), b.at("state_hash")) << keys;
+        EXPECT_EQ(a.at("warnings"), b.at("warnings")) << keys;
+        EXPECT_EQ(a.at("steps"), b.at("steps")) << keys;
+        for (const char* file : {"history.csv", "eroded.csv"}) {
+            EXPECT_EQ(text_of(straight / "run/studies/s/last" / file), text_of(broken / "run/studies/s/last" / file))
+                << keys;
+        }
+    }
+}
+
+} // namespace
+} // namespace suffuse::test
