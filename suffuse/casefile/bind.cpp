@@ -111,8 +111,11 @@ Case bind_case(const Node& root, const std::string& folder, const std::string& p
         check_name(context, "soil", entry.key, entry.place);
         c.soils[entry.key] = read_soil(context, entry.value, entry.place, "soil." + entry.key);
     });
-    const Node::Entry* soils = root.find("soil");
-    const StudySurroundings around{c, soils != nullptr ? &soils->value : nullptr};
+    const auto tree_at = [&](std::string_view name) {
+        const Node::Entry* entry = root.find(name);
+        return entry != nullptr && entry->value.is_table() ? &entry->value : nullptr;
+    };
+    const StudySurroundings around{c, tree_at("soil"), tree_at("contact")};
     for_each_member(context, root, "study", [&](const Node::Entry& entry) {
         c.studies.push_back(read_study(context, around, entry));
     });

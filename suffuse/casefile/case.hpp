@@ -31,7 +31,7 @@ using Scalar = std::variant<bool, std::int64_t, double, std::string>;
 
 /// Values of one key, each of which makes a copy of the study.
 struct Sweep {
-    std::string key; ///< of the study, of its soil, or "stage.NAME.KEY"
+    std::string key; ///< of the study, of its soil, "stage.NAME.KEY" or "contact.KEY"
     std::vector<Scalar> values;
 };
 
@@ -55,6 +55,8 @@ struct Variant {
     std::optional<grains::Soil> soil;
     std::int64_t particles = 0;
     std::optional<grains::SizedBy> sized_by; ///< the rule that decided on `particles`, where the study has rules
+    grains::Material material;               ///< of the case, but for what is swept
+    double damping = 0.2;                    ///< likewise [-]
     std::vector<Stage> stages;
 };
 
@@ -105,8 +107,8 @@ struct Case {
     std::string title, paper;
     std::uint64_t seed = 1;
     std::string preset = "standard"; ///< in force; "standard" = the case as written
-    grains::Material material;
-    double damping = 0.2; ///< local, non-viscous [-]
+    grains::Material material;       ///< where no study sweeps it
+    double damping = 0.2;            ///< likewise; local, non-viscous [-]
     dem::Mode mode = dem::Mode::Reference;
     dem::BalanceSpec balance;
     flow::Fluid fluid;

@@ -28,6 +28,8 @@ Stage nameless(Stage stage) {
 
 std::string dependencies_of(const Case& c, const Variant& variant, const Stage& stage) {
     Case copy = c;
+    grains::Material material = variant.material;
+    double damping = variant.damping;
     const auto write = [](const std::string& pattern, auto body) {
         Writer v({pattern});
         body(v);
@@ -40,8 +42,8 @@ std::string dependencies_of(const Case& c, const Variant& variant, const Stage& 
     if (is<packing::PackSpec>(stage)) {
         root.set("particles", make_node(Scalar(variant.particles)));
     }
-    root.set("grain", write("grain", [&](Writer& v) { grain_fields(v, copy.material); }));
-    root.set("contact", write("contact", [&](Writer& v) { contact_fields(v, copy.material, copy.damping); }));
+    root.set("grain", write("grain", [&](Writer& v) { grain_fields(v, material); }));
+    root.set("contact", write("contact", [&](Writer& v) { contact_fields(v, material, damping); }));
     root.set("balance", write("balance", [&](Writer& v) { fields(v, copy.balance); }));
     if (is<flow::FlowSpec>(stage) || is<erosion::DetachStageSpec>(stage) || is<erosion::ErodeSpec>(stage)) {
         root.set("fluid", write("fluid", [&](Writer& v) { fields(v, copy.fluid); }));

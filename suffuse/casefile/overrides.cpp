@@ -243,6 +243,9 @@ bool apply_sweep_value(SweepTarget target, const std::string& key, const Node& v
     if (path.size() > 2 && path[0] == "stage") {
         return !set_at(target.study, path, value, value.place);
     }
+    if (path.size() > 1 && path[0] == "contact") {
+        return !set_at(target.contact, {path.begin() + 1, path.end()}, value, value.place);
+    }
     if (target.soil == nullptr) {
         return false;
     }

@@ -19,13 +19,14 @@ void apply_override(Node& root, const std::string& text, Problems& problems);
 /// Leaves out the studies that are not among `names`; without names, none.
 void keep_studies(Node& root, const std::vector<std::string>& names, Problems& problems);
 
-/// What a swept key changes: the study or its soil.
+/// What a swept key changes: the study, its soil, or the contact law.
 struct SweepTarget {
     Node& study;
-    Node* soil; ///< null where the study has none
+    Node* soil;    ///< null where the study has none
+    Node& contact; ///< [contact] as this study has it
 };
 
-/// Sets one value of a sweep; false where the study and its soil have no such key.
+/// Sets one value of a sweep; false where none of them has such a key.
 bool apply_sweep_value(SweepTarget target, const std::string& key, const Node& value);
 
 /// Sets the key at the end of `path`; says what is missing on the way, nothing where all went well.

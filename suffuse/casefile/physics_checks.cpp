@@ -78,7 +78,7 @@ public:
     }
 
     void check_pressure(const Stage& stage, std::string_view key, double pressure) {
-        const double overlap = overlap_at(std::abs(pressure), settings_.material.modulus);
+        const double overlap = overlap_at(std::abs(pressure), variant_.material.modulus);
         if (overlap <= large_overlap) {
             return;
         }
@@ -88,7 +88,7 @@ public:
         );
         const std::string advice = fmt::format(
             "a stiffer contact `modulus` of {} keeps it below 1 %",
-            print_quantity(round_up(settings_.material.modulus * overlap / 0.01), dimension::pressure)
+            print_quantity(round_up(variant_.material.modulus * overlap / 0.01), dimension::pressure)
         );
         const Place place = stage_place(stage, key);
         if (overlap > largest_overlap) {
@@ -99,7 +99,7 @@ public:
     }
 
     void check_gradient(const Stage& stage, std::string_view key, double gradient) {
-        const double critical = (1 - settled_porosity) * (settings_.material.density / settings_.fluid.density - 1);
+        const double critical = (1 - settled_porosity) * (variant_.material.density / settings_.fluid.density - 1);
         if (!(std::abs(gradient) > critical)) {
             return;
         }

@@ -1,5 +1,7 @@
 // Stages that start from stages, sweeps and replicates, presets and --set.
+#include "suffuse/base/constants.hpp"
 #include "suffuse/casefile/case_for_tests.hpp"
+#include "suffuse/casefile/dependencies.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +59,43 @@ TEST(Studies, SweepsMultiplyAndReplicatesHaveTheirOwnSeeds) {
     EXPECT_EQ(std::get<packing::CompactSpec>(study.variants[0].stages[1].spec).pressure, 5e4);
     EXPECT_EQ(std::get<packing::CompactSpec>(study.variants[2].stages[1].spec).pressure, 1e5);
     EXPECT_EQ(std::get<packing::CompactSpec>(study.stages[1].spec).pressure, 1e5) << "as written";
+}
+
+TEST(Studies, ASweptContactKeyHoldsForItsCopyAndOtherKeysStay) {
+    std::string text = good_case + "[contact]\nmodulus = \"200 MPa\"\n";
+    text.replace(
+        text.find("particles"), 0,
+        "sweep = { \"contact.friction\" = [\"20 deg\", \"30 deg\"], \"contact.adhesion.normal\" = [\"0 kPa\", \"1 "
+        "kPa\"], \"contact.damping\" = [0.3] }\n"
+    );
+    const Case c = load(text);
+    const std::vector<Variant>& copies = c.studies[0].variants;
+    EXPECT_EQ(
+        folders(c.studies[0]),
+        (std::vector<std::string>{
+            "one/friction=20deg/normal=0kPa/damping=0.3", "one/friction=20deg/normal=1kPa/damping=0.3",
+            "one/friction=30deg/normal=0kPa/damping=0.3", "one/friction=30deg/normal=1kPa/damping=0.3"})
+    );
+    EXPECT_EQ(copies[1].material.friction, radians(20));
+    EXPECT_EQ(copies[2].material.friction, radians(30));
+    EXPECT_EQ(copies[1].material.adhesion_normal, 1000);
+    EXPECT_EQ(copies[2].material.adhesion_normal, 0);
+    EXPECT_EQ(copies[3].material.modulus, 200e6);
+    EXPECT_EQ(copies[3].damping, 0.3);
+    EXPECT_EQ(c.material.friction, radians(37)) << "of studies that do not sweep it";
+    const Stage& compacted = copies[0].stages[1];
+    EXPECT_NE(dependencies_of(c, copies[0], compacted), dependencies_of(c, copies[2], compacted)) << "one cache entry";
+}
+
+TEST(Studies, ASweptContactKeyIsCheckedLikeAnyOther) {
+    const auto problem = [](const std::string& sweep, const std::string& code) {
+        std::string text = good_case;
+        text.replace(text.find("particles"), 0, "sweep = { " + sweep + " }\n");
+        return find_problem(problems_of(text), code);
+    };
+    EXPECT_EQ(problem("\"contact.frction\" = [0.3]", "E203").line, 7);
+    EXPECT_EQ(problem("\"contact.friction\" = [\"95 deg\"]", "E312").line, 7);
+    EXPECT_EQ(problem("\"contact.friction\" = [0.3]", "E310").line, 7);
 }
 
 TEST(Studies, OnlyRunsAStageForItsValues) {

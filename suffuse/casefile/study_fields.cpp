@@ -300,6 +300,15 @@ void read_body(ReadContext& context, const StudySurroundings& around, Reader& v,
     check_size_keys(v, around, study, packs);
 }
 
+/// The contact law of one variant: the case's, with what is swept.
+void read_contact(ReadContext& context, const StudySurroundings& around, const Node& contact, Variant& variant) {
+    variant.material = around.settings.material;
+    variant.damping = around.settings.damping;
+    Reader v(context, contact, contact.place, {"contact"}, "contact");
+    contact_fields(v, variant.material, variant.damping);
+    v.finish();
+}
+
 /// One copy of the study: the tree with its sweep values set, read again.
 void read_variant(
     ReadContext& context, const StudySurroundings& around, const Node::Entry& entry, Study& study, Variant variant
@@ -315,15 +324,18 @@ void read_variant(
     if (soil_entry != nullptr && soil_entry->value.is_table()) {
         soil_node = soil_entry->value;
     }
+    Node contact_node = around.contact != nullptr ? *around.contact : Node{};
     const Node& sweeps = study_node.find("sweep") != nullptr ? entry.value.find("sweep")->value : entry.value;
     for (const auto& [key, value] : variant.values) {
         const Node::Entry* list = sweeps.find(key);
         Node node = make_node(value);
         node.place = place_in_sweep(list->value, value);
-        if (!apply_sweep_value({study_node, soil_node ? &*soil_node : nullptr}, key, node)) {
+        if (!apply_sweep_value({study_node, soil_node ? &*soil_node : nullptr, contact_node}, key, node)) {
             context.problems.error(
-                "E203", list->place, fmt::format("`{}` cannot be swept: the study and its soil have no such key", key),
-                "sweep `particles`, a key of the soil such as `fines_content`, or \"stage.NAME.KEY\""
+                "E203", list->place,
+                fmt::format("`{}` cannot be swept: study, soil and contact law have no such key", key),
+                "sweep `particles`, a key of the soil such as `fines_content`, \"stage.NAME.KEY\" or "
+                "\"contact.KEY\""
             );
             return;
         }
@@ -335,6 +347,7 @@ void read_variant(
     if (soil_node) {
         variant.soil = read_soil(context, *soil_node, soil_entry->place, "soil." + soil_entry->key);
     }
+    read_contact(context, around, contact_node, variant);
     variant.particles = copy.particles;
     if (copy.sample_size && variant.soil && variant.soil->coarse && variant.soil->fines) {
         const grains::SampleSize size = grains::size_sample(*variant.soil, *copy.sample_size);

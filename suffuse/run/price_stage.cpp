@@ -66,7 +66,7 @@ public:
         : case_(what), variant_(variant), sample_(sample) {}
 
     StagePrice operator()(const casefile::ImportSpec& spec) {
-        io::ImportedPacking packing = io::read_packing(spec.path, case_.material.density);
+        io::ImportedPacking packing = io::read_packing(spec.path, variant_.material.density);
         mark_fines(variant_, spec.path, packing.grains);
         const double volume = std::abs(determinant(imported_cell(spec, packing)));
         sample_ = describe(packing.grains);
@@ -86,7 +86,7 @@ public:
         const grains::SampledGrains drawn = grains::sample_soil(*variant_.soil, asked);
         grains::Grains grains;
         for (std::size_t g = 0; g < drawn.radius.size(); ++g) {
-            add_grain(grains, {}, drawn.radius[g], case_.material.density);
+            add_grain(grains, {}, drawn.radius[g], variant_.material.density);
             grains.fine[g] = drawn.fine[g];
         }
         sample_ = describe(grains);
@@ -106,7 +106,7 @@ public:
         const double start =
             std::min(cloud, spec.start_porosity.value_or(leaves_out_gas(spec) ? packing::open_porosity : 1));
         const Range pushing = start < cloud ? count(sample_) * geometry_seconds : Range{};
-        const double gas_time_step = compaction_time_step(spec, loose_time_step(sample_, case_.material));
+        const double gas_time_step = compaction_time_step(spec, loose_time_step(sample_, variant_.material));
         const packing::EqualGrains state = asks ? state_at(sample_, solid_fraction_asked(spec))
                                                 : packing::equal_grains(friction_of(spec), adheres(spec));
         take_state(sample_, state);
@@ -124,8 +124,8 @@ public:
         const Range trials = asks ? trials_for_a_density : Range{1, 1};
         const double end = 1 - sample_.solid_fraction;
         const double open = adheres(spec) ? start : std::min(start, packing::open_porosity);
-        const double time_step = compaction_time_step(spec, settled_time_step(sample_, case_.material, true));
-        const double rate = packing::largest_rate(spec, case_.material.density, sample_.median);
+        const double time_step = compaction_time_step(spec, settled_time_step(sample_, variant_.material, true));
+        const double rate = packing::largest_rate(spec, variant_.material.density, sample_.median);
         const double gas = strain_between(start, open) / (rate * gas_time_step);
         const double loaded = strain_between(open, end) / (rate * time_step);
         return {
@@ -155,11 +155,11 @@ public:
 
     StagePrice operator()(const triaxial::TriaxialSpec& spec) {
         const double rate = dem::rate_of_inertial_number(
-            spec.inertial_number, sample_.median, case_.material.density, sample_.pressure
+            spec.inertial_number, sample_.median, variant_.material.density, sample_.pressure
         );
         const bool is_loose = sample_.coordination < yielding_coordination;
         take_critical_state(sample_); // within the first percents of strain
-        const double dt = spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, case_.material);
+        const double dt = spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, variant_.material);
         const double a_strain = 1 / (rate * dt); // steps
         const std::string pace = fmt::format("at {:.3g} 1/s (inertial number {:.1e})", rate, spec.inertial_number);
         if (spec.deviator_stress || spec.stress_ratio) {
@@ -227,7 +227,7 @@ public:
             sample_.fines_left = {left * sample_.fines_left.least, left * sample_.fines_left.most};
         }
         const double closing = empties ? std::max(0.0, strain_between(before, 1 - sample_.solid_fraction)) : 0;
-        const double a_strain = 1 / (resettling_rate * settled_time_step(sample_, case_.material));
+        const double a_strain = 1 / (resettling_rate * settled_time_step(sample_, variant_.material));
         return {
             .steps = closing * a_strain * slow_collapse +
                      static_cast<double>(spec.passes) * (rest_after_removal + 2 * waited({})),
@@ -238,12 +238,12 @@ public:
 
 private:
     [[nodiscard]] double friction_of(const packing::CompactSpec& spec) const {
-        return spec.prepare.friction.value_or(case_.material.friction);
+        return spec.prepare.friction.value_or(variant_.material.friction);
     }
 
     [[nodiscard]] bool adheres(const packing::CompactSpec& spec) const {
-        return spec.prepare.adhesion_normal.value_or(case_.material.adhesion_normal) > 0 ||
-               spec.prepare.adhesion_shear.value_or(case_.material.adhesion_shear) > 0;
+        return spec.prepare.adhesion_normal.value_or(variant_.material.adhesion_normal) > 0 ||
+               spec.prepare.adhesion_shear.value_or(variant_.material.adhesion_shear) > 0;
     }
 
     [[nodiscard]] bool leaves_out_gas(const packing::CompactSpec& spec) const {
@@ -267,7 +267,7 @@ private:
             return spec.time_step;
         }
         return spec.protocol == packing::Protocol::Slow
-                   ? packing::slow_time_step(0.5 * smallest_diameter(sample_), case_.material)
+                   ? packing::slow_time_step(0.5 * smallest_diameter(sample_), variant_.material)
                    : stable;
     }
 
@@ -307,7 +307,7 @@ private:
             return {at_most(strain.least), at_most(strain.most)};
         }
         const double q = ratio * sample_.pressure / std::max(1 - ratio / 3, 0.1);
-        const double strain = q / case_.material.modulus;
+        const double strain = q / variant_.material.modulus;
         return {at_most(strain / stiffest), at_most(strain / softest)};
     }
 

@@ -95,7 +95,7 @@ struct RunReport {
     std::vector<FailedSample> failures;
     std::filesystem::path report; ///< report.html
     std::vector<std::string> warnings, flaws;
-    nlohmann::json findings; ///< as in summary.json
+    nlohmann::json findings; ///< as in summary.json; empty where the case follows no paper
 };
 
 /// Runs a case. Stages that the folder already holds, for the same resolved case, are taken as they are. Samples run

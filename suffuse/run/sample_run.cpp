@@ -238,7 +238,7 @@ dem::World SampleRun::start_of(const casefile::Stage& stage) const {
         const casefile::Stage& parent = sample_.variant->stages[static_cast<std::size_t>(stage.parent)];
         world = io::load_world(stage_folder(options_.folder, *sample_.variant, parent) / "state.h5").world;
     }
-    world.material = what_.material;
+    world.material = sample_.variant->material;
     world.seed = sample_.variant->seed;
     world.reference_h = world.cell.h;
     return world;

@@ -18,7 +18,7 @@ constexpr std::int64_t time_step_interval = 2000;
 dem::StepPlan plan_for(const StageWork& work, const cell::Loading& loading) {
     dem::StepPlan plan;
     plan.dt = work.time_step;
-    plan.damping = work.what.damping;
+    plan.damping = work.variant.damping;
     plan.mode = work.what.mode;
     plan.loading = loading;
     return plan;
@@ -85,8 +85,9 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     dem::StepCaches caches;
     bool over = false;
     while (!over) {
-        over =
-            triaxial::path_burst(work.world, caches, spec, work.what.balance, work.what.damping, work.what.mode, state);
+        over = triaxial::path_burst(
+            work.world, caches, spec, work.what.balance, work.variant.damping, work.what.mode, state
+        );
         work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
         work.note_state();
         if (!over) {

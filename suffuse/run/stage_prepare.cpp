@@ -83,7 +83,7 @@ void warn_of_shear_stress(StageWork& work, double pressure) {
 } // namespace
 
 void do_import(StageWork& work, const casefile::ImportSpec& spec) {
-    io::ImportedPacking packing = io::read_packing(spec.path, work.what.material.density);
+    io::ImportedPacking packing = io::read_packing(spec.path, work.variant.material.density);
     work.world.cell.h = imported_cell(spec, packing);
     work.world.grains = std::move(packing.grains);
     const double overlap = io::check_overlaps(work.world.grains, work.world.cell, spec.max_overlap, spec.path);
@@ -110,7 +110,7 @@ void do_pack(StageWork& work, const packing::PackSpec& spec) {
     expects(work.variant.soil.has_value(), "a pack stage without a soil passed the checks of the case");
     const grains::SampledGrains sample =
         grains::sample_soil(*work.variant.soil, static_cast<int>(work.variant.particles));
-    packing::Cloud cloud = packing::make_cloud(sample, spec, work.what.material.density, work.variant.seed);
+    packing::Cloud cloud = packing::make_cloud(sample, spec, work.variant.material.density, work.variant.seed);
     work.world.cell = cloud.cell;
     work.world.reference_h = cloud.cell.h;
     work.world.grains = std::move(cloud.grains);
@@ -133,15 +133,15 @@ void do_compact(StageWork& work, const packing::CompactSpec& asked) {
         const auto reach = [&](const packing::CompactSpec& trial) {
             work.world = cloud;
             work.pictures.begin_anew(cloud);
-            compact(work, trial, packing::begin_compaction(work.world, trial, work.what.damping, work.what.mode));
+            compact(work, trial, packing::begin_compaction(work.world, trial, work.variant.damping, work.what.mode));
             return dem::void_ratio(work.world);
         };
         const packing::FoundDensity found = packing::search_void_ratio(spec, work.world.material, reach);
-        work.numbers["preparation_friction"] = found.spec.prepare.friction.value_or(work.what.material.friction);
+        work.numbers["preparation_friction"] = found.spec.prepare.friction.value_or(work.variant.material.friction);
         work.numbers["preparation_trials"] = found.trials;
     } else if (work.resumed.is_null()) {
         const packing::CompactState start =
-            packing::begin_compaction(work.world, spec, work.what.damping, work.what.mode);
+            packing::begin_compaction(work.world, spec, work.variant.damping, work.what.mode);
         compact(work, spec, start);
     } else {
         compact(work, spec, work.resumed.get<packing::CompactState>());

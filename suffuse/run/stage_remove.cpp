@@ -111,7 +111,7 @@ json removal_numbers(const dem::World& end, const erosion::RemovalResult& remova
 
 void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
     const erosion::Surroundings around{
-        work.what.fluid, work.what.balance, work.what.damping, work.what.mode, work.control.pulse()};
+        work.what.fluid, work.what.balance, work.variant.damping, work.what.mode, work.control.pulse()};
     erosion::RemovalResult removal = erosion::begin_removal(work.world, spec);
     bool goes_on = true;
     if (!work.resumed.is_null()) {

@@ -24,7 +24,7 @@ namespace {
 using nlohmann::json;
 
 erosion::Surroundings surroundings(StageWork& work) {
-    return {work.what.fluid, work.what.balance, work.what.damping, work.what.mode, work.control.pulse()};
+    return {work.what.fluid, work.what.balance, work.variant.damping, work.what.mode, work.control.pulse()};
 }
 
 json probe_numbers(const erosion::ProbeResult& probe) {

@@ -1,7 +1,9 @@
 // The samples of a sweep: the same bits one after the other and side by side, across a stop, and when one of them
 // fails.
 
+#include "suffuse/base/constants.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/io/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -75,6 +77,28 @@ TEST_F(Sweep, SamplesSideBySideEndWithTheBitsOfOneAfterTheOther) {
         EXPECT_EQ(hashes(folder), expected) << threads << " threads";
         EXPECT_EQ(stages_of_sample, (std::map<int, int>{{1, 3}, {2, 3}, {3, 3}, {4, 3}}));
     }
+}
+
+TEST_F(Sweep, ACopyWithASweptContactKeyHasTheBitsOfACaseWithThatValue) {
+    const TempFolder swept, single;
+    run_text(sweep_case(R"("contact.friction" = ["20 deg", "37 deg"])"), swept.path());
+    std::string text = sweep_case();
+    for (const auto& [from, to] :
+         {std::pair<std::string, std::string>{"\"37 deg\"", "\"20 deg\""},
+          {"sweep      = { " + usual_sweep + " }\n", ""}}) {
+        text.replace(text.find(from), from.size(), to);
+    }
+    run_text(text, single.path());
+    const auto of_swept = hashes(swept), of_single = hashes(single);
+    for (const std::string stage : {"cloud", "initial", "sheared"}) {
+        const std::string end = "/rep=1/" + stage;
+        EXPECT_EQ(of_swept.at("s/friction=20deg" + end), of_single.at("s" + end)) << stage;
+    }
+    EXPECT_NE(of_swept.at("s/friction=20deg/rep=1/initial"), of_swept.at("s/friction=37deg/rep=1/initial"));
+    EXPECT_EQ(
+        io::load_world(swept / "run/studies/s/friction=20deg/rep=1/sheared/state.h5").world.material.friction,
+        radians(20)
+    );
 }
 
 TEST_F(Sweep, AStopSavesEverySampleAndTheRunGoesOnToTheSameBits) {
