@@ -16,9 +16,11 @@ namespace suffuse::packing {
 namespace {
 
 constexpr std::int64_t time_step_interval = 1000; // steps between two looks at the stable time step
+constexpr double denser_network = 1.2;            // swift: so many times the contacts ask for another look
 constexpr std::int64_t most_steps = 3'000'000, most_swift_steps = 60'000;
 constexpr std::int64_t most_relax_steps = 1500;
 constexpr double relaxed_load = 0.1;      // share of the pressure that overlaps left by geometry may still cause
+constexpr double surely_denser = 1.5;     // tolerances below the void ratio asked: no servo lets go of so much again
 constexpr double least_void_ratio = 0.05; // spheres overlap beyond any meaning before this
 
 /// Removes what the preparation lent: friction goes to its final value, bonds are cut.
@@ -70,6 +72,29 @@ void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state
     state.start_porosity = dem::porosity(world);
 }
 
+/// The longest step of the network as it is.
+void renew_time_step(const dem::World& world, const CompactSpec& spec, CompactState& state) {
+    state.time_step = choose_time_step(world, spec);
+    state.known_contacts = state.balance.equilibrium.contacts;
+}
+
+/// Swift: grains that are pushed together touch within a burst or two, and then roll against more than one neighbor:
+/// with the step of a pair that would grow until they slip, and a lowered friction would hold nothing.
+bool has_unknown_contacts(const CompactSpec& spec, const CompactState& state) {
+    return spec.protocol == Protocol::Swift && static_cast<double>(state.balance.equilibrium.contacts) >
+                                                   denser_network * static_cast<double>(state.known_contacts);
+}
+
+/// Swift, asked for a void ratio: whether the sample gave way further from its start than it should under what it
+/// carries. Its friction has then been low for long enough.
+bool gave_way(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
+    if (spec.protocol != Protocol::Swift || !spec.void_ratio || state.phase != CompactState::Phase::Compact) {
+        return false;
+    }
+    const double carried = std::clamp(dem::mean_stress(state.balance.stress) / spec.pressure, 0.0, 1.0);
+    return state.start_porosity - dem::porosity(world) >= carried * swift_settling;
+}
+
 /// What a burst has to show for its phase to end.
 dem::BalanceSpec goal_of(const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state) {
     dem::BalanceSpec goal = balance;
@@ -78,6 +103,8 @@ dem::BalanceSpec goal_of(const CompactSpec& spec, const dem::BalanceSpec& balanc
         if (state.phase == CompactState::Phase::Compact) {
             goal.unbalanced_force =
                 swift_calm(balance); // frictionless grains creep on for long: friction will hold them
+        } else {
+            goal.unbalanced_force = 0.5 * balance.unbalanced_force; // a burst now, four without drag
         }
     }
     return goal;
@@ -90,7 +117,7 @@ void go_on(dem::World& world, const CompactSpec& spec, CompactState& state) {
     if (state.phase == Phase::Compact) {
         state.void_ratio_compacted = dem::void_ratio(world);
         take_final_parameters(world, state.material);
-        state.time_step = choose_time_step(world, spec); // springs that had nothing to do may act now
+        renew_time_step(world, spec, state); // springs that had nothing to do may act now
         state.phase = Phase::Settle;
         return;
     }
@@ -103,7 +130,7 @@ void end_relaxation(dem::World& world, const CompactSpec& spec, CompactState& st
     const bool relaxed = dem::mean_stress(state.balance.stress) < relaxed_load * spec.pressure;
     if (relaxed || state.steps >= most_relax_steps) {
         world.material.friction = spec.prepare.friction.value_or(state.material.friction);
-        state.time_step = choose_time_step(world, spec);
+        renew_time_step(world, spec, state);
         state.phase = CompactState::Phase::Compact;
     }
 }
@@ -128,8 +155,15 @@ CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double
 }
 
 bool misses_void_ratio(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
-    return spec.void_ratio && state.phase == CompactState::Phase::Prove && state.balance.balanced_steps == 0 &&
-           std::abs(dem::void_ratio(world) - *spec.void_ratio) > spec.void_ratio_tolerance;
+    if (!spec.void_ratio) {
+        return false;
+    }
+    using Phase = CompactState::Phase;
+    const double off = dem::void_ratio(world) - *spec.void_ratio;
+    const bool too_dense = spec.protocol == Protocol::Swift && state.phase == Phase::Settle &&
+                           off < -surely_denser * spec.void_ratio_tolerance;
+    const bool settled = state.phase == Phase::Prove && state.balance.balanced_steps == 0;
+    return too_dense || (settled && std::abs(off) > spec.void_ratio_tolerance);
 }
 
 bool compact_burst(
@@ -141,9 +175,9 @@ bool compact_burst(
         lend_inertia(world, state.median_diameter, state.lent, lent);
         state.lent = lent;
         caches = {}; // they hold copies of what has changed
-        state.time_step = choose_time_step(world, spec);
-    } else if (state.steps % time_step_interval == 0) {
-        state.time_step = choose_time_step(world, spec);
+        renew_time_step(world, spec, state);
+    } else if (state.steps % time_step_interval == 0 || has_unknown_contacts(spec, state)) {
+        renew_time_step(world, spec, state);
     }
     const Pace pace = choose_pace(world, spec, balance, state);
     const bool settled =
@@ -155,7 +189,7 @@ bool compact_burst(
     }
     if (state.phase == CompactState::Phase::Relax) {
         end_relaxation(world, spec, state);
-    } else if (settled) {
+    } else if (settled || gave_way(world, spec, state)) {
         go_on(world, spec, state);
     }
     return state.phase == CompactState::Phase::Done;

@@ -15,6 +15,14 @@ namespace suffuse::packing {
 /// Far from touching: here `faithful` makes its first step, unless grains adhere [-].
 inline constexpr double open_porosity = 0.50;
 
+/// What a swift sample gives, of porosity, from where its grains are pushed together to a pressure of 100 kPa or so
+/// [-].
+inline constexpr double swift_settling = 0.002;
+
+inline double porosity_of(double void_ratio) {
+    return void_ratio / (1 + void_ratio);
+}
+
 /// Where a compaction stands; part of what a checkpoint saves.
 struct CompactState {
     enum class Phase : std::int32_t {
@@ -27,9 +35,10 @@ struct CompactState {
 
     Phase phase = Phase::Compact;
     dem::BalanceState balance;
-    double time_step = 0;      ///< of the bursts now [s]
-    grains::Material material; ///< with the final parameters
-    double damping = 0.2;      ///< local [-]
+    double time_step = 0;            ///< of the bursts now [s]
+    std::int64_t known_contacts = 0; ///< touching when it was chosen
+    grains::Material material;       ///< with the final parameters
+    double damping = 0.2;            ///< local [-]
     dem::Mode mode = dem::Mode::Reference;
     double median_diameter = 0;      ///< by mass [m]
     double start_porosity = 0;       ///< when the first step was made [-]

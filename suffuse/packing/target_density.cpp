@@ -1,6 +1,7 @@
 #include "suffuse/packing/target_density.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/packing/compact.hpp"
 
 #include <fmt/format.h>
 
@@ -31,12 +32,11 @@ CompactSpec preparation(const CompactSpec& wanted, const grains::Material& final
 /// the next start.
 FoundDensity search_start(const CompactSpec& wanted, const std::function<double(const CompactSpec&)>& reach) {
     constexpr int most_starts = 8;
-    constexpr double settling = 0.002;                     // of porosity, from the start to 100 kPa or so
     constexpr double least_start = 0.25, most_start = 0.5; // beyond, overlaps never clear or nothing touches
-    const double target = *wanted.void_ratio, wanted_porosity = target / (1 + target);
+    const double target = *wanted.void_ratio, wanted_porosity = porosity_of(target);
     FoundDensity found;
     found.spec = wanted;
-    double start = wanted.start_porosity.value_or(wanted_porosity + settling);
+    double start = wanted.start_porosity.value_or(wanted_porosity + swift_settling);
     double densest = std::numeric_limits<double>::max(), loosest = 0;
     while (found.trials < most_starts && start > least_start && start < most_start) {
         found.spec.start_porosity = start;
@@ -46,7 +46,7 @@ FoundDensity search_start(const CompactSpec& wanted, const std::function<double(
         if (std::abs(found.void_ratio - target) <= wanted.void_ratio_tolerance) {
             return found;
         }
-        start += wanted_porosity - found.void_ratio / (1 + found.void_ratio);
+        start += wanted_porosity - porosity_of(found.void_ratio);
     }
     throw StateError(
         found.trials == 0

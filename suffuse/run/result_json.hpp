@@ -51,9 +51,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibr
 
 namespace packing {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Lent, mass, rotation)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    CompactState, phase, balance, time_step, material, damping, mode, median_diameter, start_porosity, lent, steps,
-    void_ratio_compacted
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // states of earlier runs lack known_contacts
+    CompactState, phase, balance, time_step, known_contacts, material, damping, mode, median_diameter, start_porosity,
+    lent, steps, void_ratio_compacted
 )
 } // namespace packing
 

@@ -4,6 +4,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/target_density.hpp"
@@ -118,21 +119,53 @@ TEST(Preparation, InFastModeTakeAnotherPathToTheSameState) {
     EXPECT_NEAR(dem::void_ratio(fast.world), dem::void_ratio(exact.world), 0.01); // 500 grains scatter by that much
 }
 
-TEST(Swift, MeetsAVoidRatioInAFewThousandSteps) {
-    for (const double wanted : {0.60, 0.68}) {
-        CompactSpec spec = spec_of(Protocol::Swift);
-        spec.void_ratio = wanted;
-        std::int64_t steps = 0;
-        dem::World world;
-        search_void_ratio(spec, {}, [&](const CompactSpec& trial) {
-            const Prepared sample = prepare(trial);
-            steps += sample.state.steps;
-            world = sample.world;
-            return dem::void_ratio(world);
-        });
-        EXPECT_NEAR(dem::void_ratio(world), wanted, spec.void_ratio_tolerance);
-        EXPECT_LE(steps, 3000) << wanted;
+class SwiftAtAVoidRatio : public testing::TestWithParam<std::tuple<double, double>> {};
+
+TEST_P(SwiftAtAVoidRatio, MeetsItInAFewThousandStepsWhateverTheFrictionWhileItIsCompacted) {
+    const auto [wanted, friction] = GetParam();
+    CompactSpec spec = spec_of(Protocol::Swift);
+    spec.void_ratio = wanted;
+    spec.prepare.friction = radians(friction);
+    std::int64_t steps = 0;
+    Prepared sample;
+    search_void_ratio(spec, {}, [&](const CompactSpec& trial) {
+        sample = prepare(trial);
+        steps += sample.state.steps;
+        return dem::void_ratio(sample.world);
+    });
+    EXPECT_NEAR(dem::void_ratio(sample.world), wanted, spec.void_ratio_tolerance);
+    EXPECT_EQ(sample.state.phase, CompactState::Phase::Done);
+    EXPECT_EQ(sample.world.material.friction, sample.state.material.friction);
+    EXPECT_LE(steps, 3000);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Preparation, SwiftAtAVoidRatio, testing::Combine(testing::Values(0.60, 0.68), testing::Values(0.0, 10.0, 37.0))
+);
+
+TEST(Swift, StepsNoLongerThanItsContactsAllow) {
+    CompactSpec spec = spec_of(Protocol::Swift);
+    spec.start_porosity = 0.405; // touching within a burst
+    spec.prepare.friction = radians(10);
+    dem::World world = cloud();
+    dem::StepCaches caches;
+    CompactState state = begin_compaction(world, spec, 0.2);
+    while (state.phase == CompactState::Phase::Compact) {
+        const double stable = state.steps > 0 ? dem::stable_time_step(world) : 1;
+        compact_burst(world, caches, spec, {}, state);
+        EXPECT_LE(state.time_step, 1.2 * stable) << state.steps; // contacts come and go between two looks
     }
+}
+
+TEST(Swift, DropsATrialThatIsTooDenseBeforeItHasSettled) {
+    CompactSpec spec = spec_of(Protocol::Swift);
+    const Prepared sample = prepare(spec);
+    CompactState state;
+    state.phase = CompactState::Phase::Settle;
+    spec.void_ratio = dem::void_ratio(sample.world) + 2 * spec.void_ratio_tolerance;
+    EXPECT_TRUE(misses_void_ratio(sample.world, spec, state));
+    spec.void_ratio = dem::void_ratio(sample.world) - 2 * spec.void_ratio_tolerance; // it may still give way
+    EXPECT_FALSE(misses_void_ratio(sample.world, spec, state));
 }
 
 TEST(Swift, SaysWhatItReachesWhenAVoidRatioIsOutOfReach) {
