@@ -56,6 +56,7 @@ void price_asked_alone(
             stage.memory = stage.disk = 0;
         }
     }
+    plan.refined = only.empty() ? run::price_refined(plan, what) : run::RefinedEstimate{}; // whoever gathers refines
 }
 
 void keep_asked_alone(run::RunPlan& plan, const casefile::Case& what, const std::string& until) {

@@ -260,5 +260,25 @@ TEST(TimeLeft, IsSharedAmongSamplesButNoLessThanTheLongest) {
     EXPECT_DOUBLE_EQ(left.left().most, 200); // what it left undone will not be done
 }
 
+TEST(TimeLeft, CountsTheSamplesThatRefineWillAdd) {
+    run::RunPlan plan = three_stages();
+    plan.refined = {{1, 4}, {30, 50}};
+    TimeLeft left(plan);
+    EXPECT_DOUBLE_EQ(left.left().least, 300 + 30);
+    EXPECT_DOUBLE_EQ(left.left().most, 600 + 4 * 50);
+    for (const int number : {1, 2, 3}) {
+        left.see(at_stage(number, run::middle({100, 200}), true));
+    }
+    run::Progress added = at_stage(2, 1, false); // numbered as if it stood among the listed ones
+    added.study = "one/fc=32.5";
+    added.samples = 3; // two more than before
+    left.see(added);
+    EXPECT_NEAR(left.left().least, 2 * 30, 1e-9);
+    EXPECT_NEAR(left.left().most, 2 * 50, 1e-9);
+    added.sample_ended = true;
+    left.see(added);
+    EXPECT_NEAR(left.left().most, 50, 1e-9);
+}
+
 } // namespace
 } // namespace suffuse::apps

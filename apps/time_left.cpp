@@ -15,9 +15,24 @@ double TimeLeft::correction() const {
     return (taken_ + trust * pace_) / (expected_ + trust);
 }
 
+/// How many samples are added is known when the first of them begins; none of their stages is in the plan.
+void TimeLeft::see_refined(const run::Progress& progress) {
+    listed_ = listed_ > 0 ? listed_ : progress.samples;
+    const auto is_of = [&](const run::StageEstimate& stage) { return stage.study == progress.study; };
+    if (progress.sample_ended && std::ranges::none_of(plan_.stages, is_of)) {
+        ++refined_done_;
+    }
+    if (progress.samples > listed_) {
+        const double rest = std::max(progress.samples - listed_ - refined_done_, 0);
+        plan_.refined.samples = {rest, rest};
+    }
+}
+
 void TimeLeft::see(const run::Progress& progress) {
+    see_refined(progress);
     const auto row = static_cast<Row>(progress.stage_number - 1);
-    const bool is_known = progress.stage_number >= 1 && row < plan_.stages.size();
+    const bool is_known =
+        progress.stage_number >= 1 && row < plan_.stages.size() && plan_.stages[row].study == progress.study;
     if (progress.sample_ended) { // what a failed sample leaves undone will not be done
         for (Row k = 0; k < plan_.stages.size(); ++k) {
             if (plan_.stages[k].study == progress.study) {
@@ -53,7 +68,8 @@ run::Range TimeLeft::left() const {
         run::Range& rest = stages[row].seconds;
         rest = {std::max(rest.least - gone, 0.0), std::max(rest.most - gone, 0.5 * gone)};
     }
-    return run::side_by_side(stages, plan_.speed.at_once);
+    return run::side_by_side(stages, plan_.speed.at_once) +
+           factor * run::seconds_of_refined(plan_.refined, plan_.speed.at_once);
 }
 
 } // namespace suffuse::apps

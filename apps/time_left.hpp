@@ -25,7 +25,11 @@ private:
     /// Wall time over the middle of the plan's range, of the stages that are done [-].
     [[nodiscard]] double correction() const;
 
+    void see_refined(const run::Progress& progress);
+
     run::RunPlan plan_;
+    int listed_ = 0;                  ///< samples, before any was refined
+    int refined_done_ = 0;            ///< samples beside them
     std::map<Row, double> running_;   ///< stage -> seconds that it took so far
     double pace_ = 1;                 ///< priced speed of the stage that runs over its own [-]
     double taken_ = 0, expected_ = 0; ///< by the stages that are done [s]

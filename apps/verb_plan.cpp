@@ -161,7 +161,7 @@ nlohmann::json rows_json(const std::vector<SampleRow>& rows) {
 }
 
 /// What a plan cannot know yet: samples that the results will ask for.
-void tell_refinements(const casefile::Case& what, const Console& console) {
+void tell_refinements(const casefile::Case& what, const run::RunPlan& plan, const Console& console) {
     for (const casefile::Study& study : what.studies) {
         if (!study.refine) {
             continue;
@@ -171,9 +171,10 @@ void tell_refinements(const casefile::Case& what, const Console& console) {
         });
         const std::size_t curves = study.refine->at.size() * study.variants.size() / sweep->values.size();
         console.talk(fmt::format(
-            "refine adds up to {} to study {}, around the {} of {}",
+            "refine adds up to {} to study {}, around the {} of {}; all that is refined takes {} of the time above",
             plural(static_cast<std::ptrdiff_t>(2 * static_cast<std::size_t>(study.refine->add) * curves), "sample"),
-            study.name, study.refine->maximum ? "maximum" : "minimum", study.refine->of
+            study.name, study.refine->maximum ? "maximum" : "minimum", study.refine->of,
+            duration_range_text(run::seconds_of_refined(plan.refined, plan.speed.at_once))
         ));
     }
 }
@@ -213,7 +214,7 @@ int plan_verb(const CommandLine& line, const Console& console) {
             console.is_verbose() ? "" : "; -v lists their stages"
         ));
     }
-    tell_refinements(what, console);
+    tell_refinements(what, plan, console);
     if (cached > 0) {
         console.talk(fmt::format("{} are in {}: they take no time", plural(cached, "stage"), cache.string()));
     }

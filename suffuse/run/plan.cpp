@@ -120,6 +120,7 @@ RunPlan plan_run(const casefile::Case& what, const MachineSpeed& speed) {
             plan_variant(what, variant, plan);
         }
     }
+    plan.refined = price_refined(plan, what);
     sum_up(plan);
     return plan;
 }
@@ -131,7 +132,7 @@ void sum_up(RunPlan& plan) {
         plan.steps += stage.steps;
         plan.disk += stage.disk;
     }
-    plan.seconds = side_by_side(plan.stages, plan.speed.at_once);
+    plan.seconds = side_by_side(plan.stages, plan.speed.at_once) + seconds_of_refined(plan.refined, plan.speed.at_once);
     plan.memory = memory_of(plan);
 }
 

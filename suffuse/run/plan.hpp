@@ -33,12 +33,19 @@ struct StageEstimate {
     bool is_cached = false;              ///< the cache holds it
 };
 
+/// Samples that `refine` will add when the others have been run: their results decide which, and how many.
+struct RefinedEstimate {
+    Range samples; ///< how many
+    Range seconds; ///< wall time of one of them [s]
+};
+
 struct RunPlan {
     MachineSpeed speed;
     std::vector<StageEstimate> stages; ///< in the order in which they run
+    RefinedEstimate refined;           ///< beside these stages
     int studies = 0;
     Range steps;
-    Range seconds;     ///< wall time, `speed.at_once` samples side by side [s]
+    Range seconds;     ///< wall time, `speed.at_once` samples side by side, those that refine adds among them [s]
     double memory = 0; ///< of the greediest stages that can run at once, the process included [B]
     double disk = 0;   ///< of all stages [B]
 };
@@ -49,6 +56,13 @@ int samples_at_once(const casefile::Case& what);
 /// How long stages take when each sample's run one after the other, and `at_once` samples side by side: their sum,
 /// shared, but no less than the longest sample [s].
 Range side_by_side(const std::vector<StageEstimate>& stages, int at_once);
+
+/// What `refine` may add to the case: values on either side of the extreme of each curve, or on one side where curves
+/// agree and end there, each as dear as some sample of its study.
+RefinedEstimate price_refined(const RunPlan& plan, const casefile::Case& what);
+
+/// Wall time of samples that were refined, `at_once` of them side by side [s].
+Range seconds_of_refined(const RefinedEstimate& refined, int at_once);
 
 /// The most grains that a stage of the case holds. @throws as plan_run.
 std::int64_t largest_sample(const casefile::Case& what);

@@ -117,6 +117,45 @@ TEST(Plan, ACompactionPaysForItsProtocolAndForTheSearchOfADensity) {
     EXPECT_GT(slow.most, 54'850);
 }
 
+TEST(Plan, WithoutFrictionASampleCreepsTheLongerTheMoreMedianGrainsWideItIs) {
+    const auto steps = [](const std::string& fines_content) {
+        const casefile::Case what =
+            casefile::load_case(
+                test::in_checkout("examples/silty-sand-2016/case.toml"),
+                {"standard", {"study.fines.sweep.fines_content=[\"" + fines_content + "\"]"}, {"fines"}}
+            ).value;
+        return stage_named(plan_run(what, a_machine), "dense").steps;
+    };
+    // Seeds of the study took 250,000 to 410,000 steps at 80 % (34,500 grains), 20,400 at 30 %, of coarse median.
+    const Range many = steps("80 %"), few = steps("30 %");
+    EXPECT_LT(many.least, 250'000);
+    EXPECT_GT(many.most, 410'000);
+    EXPECT_LT(few.least, 20'400);
+    EXPECT_GT(few.most, 20'400);
+    EXPECT_LT(few.most, 100'000);
+}
+
+TEST(Plan, SamplesThatRefineAddsAreCountedFromTheCheapestToTheDearest) {
+    const auto plan = [](const std::string& refine) {
+        std::vector<std::string> overrides{"study.fines.replicates=2"};
+        if (!refine.empty()) {
+            overrides.push_back("study.fines.refine=" + refine);
+        }
+        const std::string file = test::in_checkout("examples/silty-sand-2016/case.toml");
+        return plan_run(casefile::load_case(file, {"quick", overrides, {"fines"}}).value, a_machine);
+    };
+    const RunPlan listed = plan("");
+    const RunPlan refined =
+        plan(R"({key="fines_content", around="minimum", of="void_ratio", at=["loose","dense"], add=1})");
+    EXPECT_EQ(listed.refined.samples.most, 0);
+    EXPECT_EQ(refined.refined.samples.least, 1 * 2);    // one side of an extreme that both curves share
+    EXPECT_EQ(refined.refined.samples.most, 2 * 2 * 2); // both sides of an extreme of each curve
+    EXPECT_GT(refined.refined.seconds.least, 0);
+    EXPECT_LT(refined.refined.seconds.least, refined.refined.seconds.most);
+    EXPECT_GT(refined.seconds.least, listed.seconds.least);
+    EXPECT_NEAR(refined.seconds.most, listed.seconds.most + 8 * refined.refined.seconds.most, 1e-9);
+}
+
 TEST(Plan, AStressIsReachedInAStrainThatGrowsWithIt) {
     const auto steps = [](const std::string& ratio) {
         return stage_named(

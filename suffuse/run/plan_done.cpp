@@ -2,6 +2,7 @@
 
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/plan.hpp"
+#include "suffuse/run/refine.hpp"
 #include "suffuse/run/samples.hpp"
 
 namespace suffuse::run {
@@ -45,6 +46,9 @@ void leave_out_done(
                 estimate.memory = 0;
             }
         }
+    }
+    if (is_refined(folder)) {
+        plan.refined = {}; // those samples stand among the others
     }
     sum_up(plan);
 }

@@ -39,6 +39,7 @@ void to_json(nlohmann::json& json, const RunPlan& plan) {
     json = {
         {"studies", plan.studies},
         {"stages", stages},
+        {"refined", {{"samples", range_json(plan.refined.samples)}, {"seconds", range_json(plan.refined.seconds)}}},
         {"steps", range_json(plan.steps)},
         {"seconds", range_json(plan.seconds)},
         {"memory", plan.memory},

@@ -12,12 +12,12 @@ namespace suffuse::run {
 
 struct PreparationPrice {
     std::string_view kind; ///< protocol, and how grains met: stage_kind
-    Range steps;           ///< over those that the strain takes at the largest rate [-]
+    Range steps; ///< over those that the strain takes at the largest rate, of 2,000 median grains if it creeps [-]
 };
 
 inline constexpr std::array<PreparationPrice, 6> preparation_prices = {{
     {"faithful, adhesive", {2.2, 5.4}},
-    {"faithful, frictionless", {1.5, 8.3}},
+    {"faithful, frictionless", {3.3, 17}},
     {"faithful, frictional", {3.1, 6.8}},
     {"slow, adhesive", {3.5, 7.5}},
     {"slow, frictionless", {3.5, 7.5}},

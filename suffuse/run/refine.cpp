@@ -197,8 +197,12 @@ void keep_refinements(const std::filesystem::path& run, const std::vector<Refine
     write_json(run / refinement_file, list);
 }
 
+bool is_refined(const std::filesystem::path& run) {
+    return !run.empty() && std::filesystem::exists(run / refinement_file);
+}
+
 casefile::Case with_refinements(casefile::Case what, const std::filesystem::path& run) {
-    if (!std::filesystem::exists(run / refinement_file)) {
+    if (!is_refined(run)) {
         return what;
     }
     const casefile::Case listed = what;

@@ -23,6 +23,9 @@ std::vector<Refinement> find_refinements(const casefile::Case& what, const std::
 
 void keep_refinements(const std::filesystem::path& run, const std::vector<Refinement>& refinements);
 
+/// Whether samples were added to the run.
+bool is_refined(const std::filesystem::path& run);
+
 /// The case with the samples that refinement.json of the run adds; as it is where there is none.
 casefile::Case with_refinements(casefile::Case what, const std::filesystem::path& run);
 
