@@ -1,0 +1,25 @@
+// Any bytes are a grading curve, or are refused as one.
+
+#include "suffuse/grains/grading.hpp"
+
+#include "suffuse/casefile/read_grading.hpp"
+
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    using namespace suffuse;
+    const auto source = std::make_shared<casefile::Source>(casefile::Source{
+        "sand.csv", std::string(reinterpret_cast<const char*>(bytes), size)});
+    for (const auto ends : {casefile::CurveEnds::Closed, casefile::CurveEnds::MayBeOpen}) {
+        casefile::Problems problems;
+        const auto grading = casefile::parse_grading(source, problems, ends);
+        casefile::render(problems.sorted());
+        if (grading.has_value() == problems.has_errors()) {
+            std::abort(); // a curve, or a reason why not
+        }
+        if (grading && ends == casefile::CurveEnds::Closed) {
+            grains::check(*grading); // what is read is a curve in the sense of those who use it
+        }
+    }
+    return 0;
+}
