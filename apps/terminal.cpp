@@ -44,7 +44,7 @@ bool is_worth_showing(const nlohmann::json& state, const ShownNumber& number) {
 }
 
 std::string bar(double share, std::size_t cells, bool utf8) {
-    const auto full = std::min(cells, static_cast<std::size_t>(share * static_cast<double>(cells) + 0.5));
+    const auto full = std::min(cells, static_cast<std::size_t>(std::lround(share * static_cast<double>(cells))));
     std::string text;
     for (std::size_t k = 0; k < cells; ++k) {
         text += utf8 ? (k < full ? "\u2588" : "\u2591") : (k < full ? "#" : ".");

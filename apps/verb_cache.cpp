@@ -22,7 +22,7 @@ int cache_verb(const CommandLine& line, const Console& console) {
             shown(folder.string())
         ));
     }
-    const run::StageCache cache(folder);
+    run::StageCache cache(folder);
     if (line.cache_limit) {
         cache.set_limit(static_cast<std::int64_t>(*line.cache_limit * gigabyte));
     }

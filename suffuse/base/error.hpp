@@ -16,8 +16,8 @@ struct Error : std::runtime_error {
 
 /// A case or data file asks for something that cannot be. The message is complete as it stands, place included.
 struct CaseError : Error {
-    CaseError(std::string message, std::string file_path = {}, int line_number = 0)
-        : Error(std::move(message)), file(std::move(file_path)), line(line_number) {}
+    CaseError(const std::string& message, std::string file_path = {}, int line_number = 0)
+        : Error(message), file(std::move(file_path)), line(line_number) {}
 
     std::string file;
     int line; ///< 1-based; 0 where there is none
@@ -30,8 +30,8 @@ struct GeometryError : Error {
 
 /// A linear solver that did not reach its tolerance.
 struct SolverError : Error {
-    SolverError(std::string message, int iterations_done, double residual_left)
-        : Error(std::move(message)), iterations(iterations_done), residual(residual_left) {}
+    SolverError(const std::string& message, int iterations_done, double residual_left)
+        : Error(message), iterations(iterations_done), residual(residual_left) {}
 
     int iterations;
     double residual; ///< relative [-]

@@ -175,6 +175,37 @@ struct Limits {
     Real touching;      ///< 1: force and memory, 0: none
 };
 
+/// What holds two grains together beside their springs.
+template <class Real>
+struct Bond {
+    Real bonded{};         ///< 1: not broken, 0: none
+    Real pull_off{};       ///< [N]
+    Real shear_strength{}; ///< [N]
+};
+
+template <class Real>
+[[gnu::always_inline]] inline Bond<Real> bond_between(
+    const LawConstantsOf<Real>& law, const Real& was_touching, const Real& was_bonded, const Real& smaller
+) noexcept {
+    const Real zero{}, one(1);
+    const Real bondable = law.adhesion_normal > 0 || law.adhesion_shear > 0 ? one : zero;
+    const Real bonded = was_touching > zero ? was_bonded : bondable;
+    return {bonded, bonded * law.adhesion_normal * smaller * smaller, bonded * law.adhesion_shear * smaller * smaller};
+}
+
+/// A bond breaks where the Coulomb limit is exceeded.
+template <class Real>
+[[gnu::always_inline]] inline void break_where_exceeded(
+    const Triple<Real>& shear_force, const Real& friction, Bond<Real>& bond, Limits<Real>& limits
+) noexcept {
+    const Real zero{}, one(1), trial_normal = limits.normal_force;
+    const Real exceeds = dot(shear_force, shear_force) > limits.slip * limits.slip ? one : zero;
+    const Real broken_limit = friction > zero ? friction : zero;
+    limits.slip = exceeds * bond.bonded > zero ? broken_limit : limits.slip;
+    limits.normal_force = exceeds > zero ? (trial_normal < zero ? zero : trial_normal) : trial_normal;
+    bond.bonded = exceeds > zero ? zero : bond.bonded;
+}
+
 /// Second part: turns the memory with the contact, and stretches its springs as if they had no limits.
 /// @param dt time step [s]
 template <bool Adhesive, bool Twisting, class Real>
@@ -191,14 +222,11 @@ template <bool Adhesive, bool Twisting, class Real>
 
     // Does the pair touch? An old contact lives until its pull exceeds the adhesion (nothing, without adhesion).
     const Real was_touching = size_1(memory.normal) > zero ? one : zero;
-    Real bonded = zero, pull_off = zero, shear_strength = zero;
+    Bond<Real> bond;
     if constexpr (Adhesive) {
-        const Real bondable = law.adhesion_normal > 0 || law.adhesion_shear > 0 ? one : zero;
-        bonded = was_touching > zero ? memory.bonded : bondable;
-        pull_off = bonded * law.adhesion_normal * smaller * smaller;
-        shear_strength = bonded * law.adhesion_shear * smaller * smaller;
+        bond = bond_between(law, was_touching, memory.bonded, smaller);
     }
-    const Real lives = zero - trial_normal > pull_off ? zero : one;
+    const Real lives = zero - trial_normal > bond.pull_off ? zero : one;
     limits.touching = was_touching > zero ? lives : meeting.within_reach;
 
     // Relative motion at the contact. The factor on the velocity removes granular ratcheting [reference 1.3, point 2].
@@ -213,17 +241,13 @@ template <bool Adhesive, bool Twisting, class Real>
 
     memory.shear_force = turned(memory.shear_force, turn) - (dt * ks) * slip;
     limits.normal_force = trial_normal;
-    limits.slip = shear_strength + trial_normal * law.tan_friction;
+    const Real friction = trial_normal * law.tan_friction;
+    limits.slip = bond.shear_strength + friction;
     limits.slip = limits.slip > zero ? limits.slip : zero;
-    if constexpr (Adhesive) { // a bond breaks where the Coulomb limit is exceeded
-        const Real exceeds = dot(memory.shear_force, memory.shear_force) > limits.slip * limits.slip ? one : zero;
-        Real broken_limit = trial_normal * law.tan_friction;
-        broken_limit = broken_limit > zero ? broken_limit : zero;
-        limits.slip = exceeds * bonded > zero ? broken_limit : limits.slip;
-        limits.normal_force = exceeds > zero ? (trial_normal < zero ? zero : trial_normal) : trial_normal;
-        bonded = exceeds > zero ? zero : bonded;
+    if constexpr (Adhesive) {
+        break_where_exceeded(memory.shear_force, friction, bond, limits);
     }
-    memory.bonded = limits.touching * bonded;
+    memory.bonded = limits.touching * bond.bonded;
 
     const Real carried = limits.normal_force < zero ? zero - limits.normal_force : limits.normal_force;
     const Real arm_stiffness = dt * ks * r1 * r2;

@@ -147,6 +147,21 @@ void check_input(const Mat3& h, std::span<const Vec3> position) {
     }
 }
 
+/// Periods in which a grain within `reach` [m] may be, both grains inside the cell. @param width of the cell [m]
+std::vector<cell::Image> images_within(double reach, const Vec3& width) {
+    const int na = static_cast<int>(reach / width.x) + 1, nb = static_cast<int>(reach / width.y) + 1;
+    const int nc = static_cast<int>(reach / width.z) + 1;
+    std::vector<cell::Image> images;
+    for (int a = -na; a <= na; ++a) {
+        for (int b = -nb; b <= nb; ++b) {
+            for (int c = -nc; c <= nc; ++c) {
+                images.push_back({a, b, c});
+            }
+        }
+    }
+    return images;
+}
+
 } // namespace
 
 std::vector<Pair>
@@ -174,20 +189,11 @@ find_pairs_exhaustively(const Mat3& h, std::span<const Vec3> position, std::span
     for (std::uint32_t i = 0; i < position.size(); ++i) {
         for (std::uint32_t j = i; j < position.size(); ++j) {
             const double reach = radius[i] + radius[j] + margin;
-            const int na = static_cast<int>(reach / width.x) + 1, nb = static_cast<int>(reach / width.y) + 1;
-            const int nc = static_cast<int>(reach / width.z) + 1;
-            for (int a = -na; a <= na; ++a) {
-                for (int b = -nb; b <= nb; ++b) {
-                    for (int c = -nc; c <= nc; ++c) {
-                        const cell::Image image{a, b, c};
-                        if (i == j && image <= cell::Image{}) {
-                            continue;
-                        }
-                        const Vec3 d = home.position[j] + cell::shift(h, image) - home.position[i];
-                        if (norm2(d) <= reach * reach) {
-                            pairs.push_back({i, j, image - home.period[j] + home.period[i]});
-                        }
-                    }
+            for (const cell::Image& image : images_within(reach, width)) {
+                const Vec3 d = home.position[j] + cell::shift(h, image) - home.position[i];
+                const bool is_new = i != j || image > cell::Image{}; // a grain and its image: once
+                if (is_new && norm2(d) <= reach * reach) {
+                    pairs.push_back({i, j, image - home.period[j] + home.period[i]});
                 }
             }
         }

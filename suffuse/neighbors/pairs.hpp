@@ -14,8 +14,8 @@
 namespace suffuse::neighbors {
 
 struct Pair {
-    std::uint32_t first, second; ///< rows of the grain table, first <= second
-    cell::Image image;           ///< period of `second` seen from `first`; for a grain and its own image, image > 0
+    std::uint32_t first = 0, second = 0; ///< rows of the grain table, first <= second
+    cell::Image image; ///< period of `second` seen from `first`; for a grain and its own image, image > 0
 
     auto operator<=>(const Pair&) const = default;
 };

@@ -19,6 +19,7 @@ namespace suffuse::run {
 
 /// Where one sample of a run is, and how much of the run is done; handed out several times a second, one call at a
 /// time.
+// NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without throwing, which clang-tidy does not see
 struct Progress {
     std::string study;           ///< folder of the sample
     int sample = 0, samples = 0; ///< over the whole run, 1-based
@@ -90,6 +91,7 @@ struct FailedSample {
     std::string message; ///< what went wrong and what to do
 };
 
+// NOLINTNEXTLINE(bugprone-exception-escape): likewise
 struct RunReport {
     Outcome outcome = Outcome::Done;
     std::vector<FailedSample> failures;

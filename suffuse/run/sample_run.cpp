@@ -194,8 +194,9 @@ bool SampleRun::take_from_cache(
 }
 
 /// A cache that cannot be written costs time later, and no result now.
-void SampleRun::keep_in_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key)
-    const {
+void SampleRun::keep_in_cache(
+    const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key
+) {
     if (key.empty()) {
         return;
     }

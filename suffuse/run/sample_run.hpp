@@ -30,7 +30,7 @@ public:
 private:
     void run_stage(const casefile::Stage& stage);
     bool take_from_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
-    void keep_in_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key) const;
+    void keep_in_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
     [[nodiscard]] StageWork
     begin_work(const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start);
     [[nodiscard]] dem::World start_of(const casefile::Stage& stage) const;

@@ -199,7 +199,7 @@ bool StageCache::take(
     return false;
 }
 
-void StageCache::keep(const std::string& key, const fs::path& stage_folder) const {
+void StageCache::keep(const std::string& key, const fs::path& stage_folder) {
     if (folder_.empty() || read_entry(place_of(key))) {
         return;
     }
@@ -291,12 +291,12 @@ void StageCache::set_limit(std::int64_t bytes) const {
     );
 }
 
-int StageCache::clear() const {
+int StageCache::clear() {
     return drop_leftovers(std::chrono::hours(0)) + shrink(0);
 }
 
 /// What killed programs began and never finished, and entries that cannot be read. @return how many of the latter
-int StageCache::drop_leftovers(std::chrono::hours age) const {
+int StageCache::drop_leftovers(std::chrono::hours age) {
     int damaged = 0;
     std::error_code error;
     const auto now = fs::file_time_type::clock::now();
@@ -312,7 +312,7 @@ int StageCache::drop_leftovers(std::chrono::hours age) const {
     return damaged;
 }
 
-int StageCache::shrink(std::int64_t bytes) const {
+int StageCache::shrink(std::int64_t bytes) {
     int dropped = drop_leftovers(std::chrono::hours(24)); // nobody takes a day to copy a stage
     std::int64_t held = 0;
     for (const CacheEntry& entry : entries()) {

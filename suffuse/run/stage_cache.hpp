@@ -47,14 +47,14 @@ public:
 
     /// Puts the files of the entry into the folder of a stage, under that stage's name; false where there is no such
     /// entry, or none any more. A damaged one is dropped.
-    bool take(
+    [[nodiscard]] bool take(
         const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage,
         const std::filesystem::path& stage_folder
     ) const;
 
     /// Keeps a finished stage, then drops entries that were not used for the longest time until the limit is met.
     /// @throws IoError where the cache cannot be written; it is as before then.
-    void keep(const std::string& key, const std::filesystem::path& stage_folder) const;
+    void keep(const std::string& key, const std::filesystem::path& stage_folder);
 
     /// All entries, those used last first.
     [[nodiscard]] std::vector<CacheEntry> entries() const;
@@ -64,16 +64,16 @@ public:
     void set_limit(std::int64_t bytes) const;
 
     /// Drops entries until the rest takes at most so many bytes, and what cannot be read; returns how many went.
-    int shrink(std::int64_t bytes) const;
+    int shrink(std::int64_t bytes);
 
     /// Drops all entries and what programs that were killed have left; returns how many entries went.
-    int clear() const;
+    int clear();
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
 private:
     [[nodiscard]] std::filesystem::path place_of(const std::string& key) const;
-    int drop_leftovers(std::chrono::hours age) const;
+    int drop_leftovers(std::chrono::hours age);
 
     std::filesystem::path folder_;
 };
