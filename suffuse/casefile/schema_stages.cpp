@@ -259,7 +259,7 @@ std::vector<Key> erosion_rows() {
             required(ratio("stage.erode.until_eroded", "share", {0, 1, true, false}, "Mass to leave.")),
             choice(
                 "stage.erode.until_eroded", "of", names::words_of(names::eroded_of),
-                "Of which mass before the first pass: of the fines, or of all grains."
+                "Of which mass before the first pass: of the fines (unless said), or of all grains."
             ),
             ratio("stage.erode", "gradient", above_zero, "Hydraulic gradient i."),
         }

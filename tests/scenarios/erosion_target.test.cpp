@@ -19,7 +19,7 @@ std::string erosion(const std::string& name, const std::string& keys) {
 }
 
 std::string start() {
-    return reference_constants + reference_soil() + study_of_packing("packing500");
+    return reference_constants + reference_soil() + study_of_packing("packing2000");
 }
 
 TEST(ErosionTarget, EndsTheStageWithThePassThatReachesIt) {
