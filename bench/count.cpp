@@ -5,6 +5,8 @@
 #include "suffuse/flow/conductance.hpp"
 #include "suffuse/flow/pressure.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "bench/scenes.hpp"
 #include <charconv>
 #include <iostream>
