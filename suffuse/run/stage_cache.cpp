@@ -223,7 +223,8 @@ void StageCache::keep(const std::string& key, const fs::path& stage_folder) {
         std::string made_as;
         for (fs::path part = stage_folder; part.filename() != "studies" && part.has_relative_path();
              part = part.parent_path()) {
-            made_as = part.filename().string() + (made_as.empty() ? "" : "/" + made_as);
+            made_as.insert(0, made_as.empty() ? 0 : 1, '/');
+            made_as.insert(0, part.filename().string());
         }
         write_json(
             making / entry_file, {{"made_as", made_as},
@@ -267,6 +268,7 @@ std::vector<CacheEntry> StageCache::entries() const {
         return a.first != b.first ? a.first > b.first : a.second.folder < b.second.folder;
     });
     std::vector<CacheEntry> list;
+    list.reserve(found.size());
     for (auto& [time, entry] : found) {
         list.push_back(std::move(entry));
     }
