@@ -2,7 +2,7 @@
 
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/removal.hpp"
-#include "suffuse/io/csv_writer.hpp"
+#include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
 
@@ -17,27 +17,11 @@ namespace {
 
 using nlohmann::json;
 
-void write_removed(const std::filesystem::path& file, const erosion::ErosionResult& result) {
-    io::CsvWriter removed(file, "pass,id,d,mass,coordination,reason");
-    for (const erosion::LedgerRow& row : result.ledger) {
-        removed.row(row.pass, row.grain, row.diameter, row.mass, row.coordination, row.reason);
-    }
-    removed.finish();
-}
-
 /// What a triaxial test calls the deviator: between the axes of the cell. Shear stresses along them, which small
 /// samples have at any state, do not count [Pa].
 double axial_difference(const Mat3& stress) {
     const auto [least, most] = std::minmax({stress(0, 0), stress(1, 1), stress(2, 2)});
     return most - least;
-}
-
-json histogram_of(const std::map<int, std::int64_t>& coordination) {
-    json histogram = json::object(); // contacts -> number of removed grains
-    for (const auto& [contacts, grains] : coordination) {
-        histogram[std::to_string(contacts)] = grains;
-    }
-    return histogram;
 }
 
 /// Of the mean stress, at constant volume: a share.
@@ -47,26 +31,9 @@ double stress_loss(const erosion::PassResult& pass) {
 }
 
 json pass_numbers(const erosion::PassResult& pass) {
-    return {
-        {"pass", pass.pass},
-        {"removed", pass.removed},
-        {"eroded_mass_percent", pass.eroded_mass_percent},
-        {"eroded_mass_percent_of_initial", pass.eroded_mass_percent_of_initial},
-        {"coordination_histogram", histogram_of(pass.coordination_histogram)},
-        {"stress_before", pass.stress_before},
-        {"stress_after_removal", pass.stress_after_removal},
-        {"stress_constant_volume", pass.stress_constant_volume},
-        {"stress_after", pass.stress_after},
-        {"stress_loss", stress_loss(pass)},
-        {"porosity_before", pass.porosity_before},
-        {"porosity_after_removal", pass.porosity_after_removal},
-        {"porosity_after", pass.porosity_after},
-        {"void_ratio_after", pass.void_ratio_after},
-        {"fines_content_after", pass.fines_content_after},
-        {"volumetric_strain", pass.volumetric_strain},
-        {"steps", pass.steps},
-        {"wall_seconds", pass.wall_seconds},
-        {"verdict", pass.verdict}};
+    json numbers = pass_record(pass);
+    numbers["stress_loss"] = stress_loss(pass);
+    return numbers;
 }
 
 /// What the passes did together. Stresses before are the first one's, those after the last one's.
@@ -129,7 +96,7 @@ void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
     if (const std::string& verdict = removal.erosion.passes.back().verdict; !verdict.empty()) {
         work.warnings.push_back(fmt::format("{}: {}", work.place(), verdict));
     }
-    write_removed(work.folder / "eroded.csv", removal.erosion);
+    write_eroded(work.folder, removal.erosion);
 }
 
 } // namespace suffuse::run

@@ -10,6 +10,7 @@
 #include "suffuse/io/flow_tables.hpp"
 #include "suffuse/io/tables.hpp"
 #include "suffuse/run/case_hash.hpp"
+#include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/scene_data.hpp"
 #include "suffuse/run/stage_work.hpp"
@@ -52,47 +53,27 @@ json probe_numbers(const erosion::ProbeResult& probe) {
 }
 
 json pass_numbers(const erosion::PassResult& pass) {
-    json histogram = json::object();
-    for (const auto& [contacts, grains] : pass.coordination_histogram) {
-        histogram[std::to_string(contacts)] = grains;
-    }
     json by_merge = json::object();
     for (std::size_t way = 0; way < pores::every_merge.size(); ++way) {
         by_merge[std::string(pores::name_of(pores::every_merge[way]))] = pass.constrictions_by_merge[way];
     }
-    return {
-        {"pass", pass.pass},
+    json numbers = pass_record(pass);
+    numbers.update({
         {"detachable", pass.detachable},
         {"held_back", pass.held_back},
-        {"removed", pass.removed},
-        {"eroded_mass_percent", pass.eroded_mass_percent},
-        {"eroded_mass_percent_of_initial", pass.eroded_mass_percent_of_initial},
-        {"coordination_histogram", histogram},
         {"constriction_mean", pass.constrictions.mean},
         {"constriction_median", pass.constrictions.median},
         {"constriction_d35", pass.constrictions.d35},
         {"constrictions", pass.constrictions.diameter.size()},
         {"constrictions_by_merge", by_merge},
-        {"stress_before", pass.stress_before},
-        {"stress_after_removal", pass.stress_after_removal},
-        {"stress_constant_volume", pass.stress_constant_volume},
-        {"stress_after", pass.stress_after},
-        {"porosity_before", pass.porosity_before},
-        {"porosity_after_removal", pass.porosity_after_removal},
-        {"porosity_after", pass.porosity_after},
-        {"void_ratio_after", pass.void_ratio_after},
-        {"fines_content_after", pass.fines_content_after},
-        {"volumetric_strain", pass.volumetric_strain},
         {"permeability_before", pass.permeability_before},
         {"permeability_after", pass.permeability_after},
         {"half_carried_by_before", pass.throat_flux_before.half_carried_by},
         {"half_carried_by_after", pass.throat_flux_after.half_carried_by},
-        {"steps", pass.steps},
-        {"wall_seconds", pass.wall_seconds},
         {"reached_target", pass.reached_target},
-        {"verdict", pass.verdict},
         {"probe", probe_numbers(pass.probe)},
-    };
+    });
+    return numbers;
 }
 
 /// Below this the network's permeability is too high by 40 % and more: validation/permeability.md.
@@ -148,12 +129,8 @@ void note_target(StageWork& work, const erosion::ErodeSpec& spec, const erosion:
     }
 }
 
-void write_ledger(const std::filesystem::path& folder, const erosion::ErosionResult& result) {
-    io::CsvWriter eroded(folder / "eroded.csv", "pass,id,d,mass,coordination,reason");
-    for (const erosion::LedgerRow& row : result.ledger) {
-        eroded.row(row.pass, row.grain, row.diameter, row.mass, row.coordination, row.reason);
-    }
-    eroded.finish();
+/// Of the last pass.
+void write_constrictions(const std::filesystem::path& folder, const erosion::ErosionResult& result) {
     if (result.passes.empty()) {
         return;
     }
@@ -268,7 +245,8 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
             erosion::eroded_share(work.world, result.initial_mass, of);
     }
     work.numbers["steps"] = steps;
-    write_ledger(work.folder, result);
+    write_eroded(work.folder, result);
+    write_constrictions(work.folder, result);
 }
 
 } // namespace suffuse::run
