@@ -121,7 +121,7 @@ void go_on(dem::World& world, const CompactSpec& spec, CompactState& state) {
         state.phase = Phase::Settle;
         return;
     }
-    const bool lent_some = state.lent != Lent{};
+    const bool lent_some = state.lent != dem::Lent{};
     state.phase = state.phase == Phase::Settle && lent_some ? Phase::Prove : Phase::Done;
 }
 
@@ -170,9 +170,9 @@ bool compact_burst(
     dem::World& world, dem::StepCaches& caches, const CompactSpec& spec, const dem::BalanceSpec& balance,
     CompactState& state
 ) {
-    const Lent lent = choose_lent(world, spec, state);
+    const dem::Lent lent = choose_lent(world, spec, state);
     if (lent != state.lent) {
-        lend_inertia(world, state.median_diameter, state.lent, lent);
+        dem::lend_inertia(world, state.median_diameter, state.lent, lent);
         state.lent = lent;
         caches = {}; // they hold copies of what has changed
         renew_time_step(world, spec, state);
@@ -197,7 +197,7 @@ bool compact_burst(
 
 void give_back(dem::World& world, const CompactState& state) {
     take_final_parameters(world, state.material);
-    lend_inertia(world, state.median_diameter, state.lent, {});
+    dem::lend_inertia(world, state.median_diameter, state.lent, {});
 }
 
 } // namespace suffuse::packing

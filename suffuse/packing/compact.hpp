@@ -4,8 +4,8 @@
 // capped in three steps as the load builds up, inertial servo), `faithful` follows it with fewer steps, `swift` is the
 // quickest.
 
+#include "suffuse/dem/lent_inertia.hpp"
 #include "suffuse/dem/settle.hpp"
-#include "suffuse/packing/lent_inertia.hpp"
 #include "suffuse/packing/spec.hpp"
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct CompactState {
     dem::Mode mode = dem::Mode::Reference;
     double median_diameter = 0;      ///< by mass [m]
     double start_porosity = 0;       ///< when the first step was made [-]
-    Lent lent;                       ///< inertia that grains have beyond their own
+    dem::Lent lent;                  ///< inertia that grains have beyond their own
     std::int64_t steps = 0;          ///< in all
     double void_ratio_compacted = 0; ///< at the end of compaction, before the final parameters
 };

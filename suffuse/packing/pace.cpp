@@ -128,13 +128,13 @@ double slow_time_step(double smallest, const grains::Material& material) {
     return p_wave_share * smallest * std::sqrt(material.density / material.modulus);
 }
 
-Lent choose_lent(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
+dem::Lent choose_lent(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
     using Phase = CompactState::Phase;
     if (spec.protocol == Protocol::Slow || spec.time_step > 0 || state.phase == Phase::Prove) {
         return {};
     }
     if (spec.protocol == Protocol::Swift) {
-        return {false, true};
+        return {true, true};
     }
     // Bonded grains go where they are pushed, and near balance nothing moves much; a skeleton that collapses in
     // between, its bonds cut, would end looser with heavier grains.

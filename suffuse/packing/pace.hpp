@@ -31,6 +31,6 @@ double choose_time_step(const dem::World& world, const CompactSpec& spec);
 double slow_time_step(double smallest, const grains::Material& material);
 
 /// The inertia that the protocol lends for this burst.
-Lent choose_lent(const dem::World& world, const CompactSpec& spec, const CompactState& state);
+dem::Lent choose_lent(const dem::World& world, const CompactSpec& spec, const CompactState& state);
 
 } // namespace suffuse::packing

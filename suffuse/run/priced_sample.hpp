@@ -55,7 +55,7 @@ double smallest_diameter(const PricedSample& sample); ///< [m]
 double count(const PricedSample& sample);             ///< grains before any erosion
 
 /// The stable time step of the settled sample [s].
-/// @param lends_mass grains below the median are made as quick as it, as packing::lend_inertia does
+/// @param lends_mass grains below the median are made as quick as it, as dem::lend_inertia does
 double settled_time_step(const PricedSample& sample, const grains::Material& material, bool lends_mass = false);
 
 /// The same of a cloud whose grains just touch [s].

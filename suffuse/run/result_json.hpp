@@ -46,11 +46,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Equilibrium, unbalanced_force, unbalanced_force_all, mean_contact_force, kinetic_energy, max_overlap_ratio,
     contacts, rattlers, single_contact
 )
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Lent, mass, rotation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibrium, stress)
 } // namespace dem
 
 namespace packing {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Lent, mass, rotation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // states of earlier runs lack known_contacts
     CompactState, phase, balance, time_step, known_contacts, material, damping, mode, median_diameter, start_porosity,
     lent, steps, void_ratio_compacted

@@ -91,7 +91,7 @@ TEST_P(Protocols, EndBalancedAtThePressureAndGiveBackWhatWasLent) {
     EXPECT_EQ(sample.world.grains.mass, start.grains.mass);
     EXPECT_EQ(sample.world.grains.inertia, start.grains.inertia);
     EXPECT_EQ(sample.world.material.friction, start.material.friction);
-    EXPECT_EQ(sample.state.lent, Lent{});
+    EXPECT_EQ(sample.state.lent, dem::Lent{});
 }
 
 TEST_P(Protocols, HaveTheSameBitsForAnyThreadsAndAfterAStopAnywhere) {

@@ -1,10 +1,10 @@
 #pragma once
-// Inertia lent to grains while a sample is prepared, so that the time step can be longer: a quasi-static path does not
-// depend on it. All factors are powers of two: giving back is exact.
+// Inertia lent to grains while a sample is prepared or probed, so that the time step can be longer: a quasi-static path
+// does not depend on it. All factors are powers of two: giving back is exact.
 
 #include "suffuse/dem/world.hpp"
 
-namespace suffuse::packing {
+namespace suffuse::dem {
 
 /// What grains have beyond their own.
 struct Lent {
@@ -16,6 +16,6 @@ struct Lent {
 };
 
 /// Changes the grains' inertia from what `has` lends to what `wanted` does. @param median_diameter by mass [m]
-void lend_inertia(dem::World& world, double median_diameter, const Lent& has, const Lent& wanted);
+void lend_inertia(World& world, double median_diameter, const Lent& has, const Lent& wanted);
 
-} // namespace suffuse::packing
+} // namespace suffuse::dem

@@ -1,20 +1,20 @@
-#include "suffuse/packing/lent_inertia.hpp"
+#include "suffuse/dem/lent_inertia.hpp"
 
 #include "suffuse/dem/stable_dt.hpp"
-#include "suffuse/packing/pace.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.hpp"
+#include <cmath>
 
-namespace suffuse::packing {
+namespace suffuse::dem {
 namespace {
 
 constexpr double median = 0.4e-3; // diameter [m]
 
 /// Grains of a tenth of the median size up to twice it.
-dem::World graded() {
-    dem::World world = test::empty_world(1e-2);
+World graded() {
+    World world = test::empty_world(1e-2);
     for (const double size : {0.1, 0.13, 0.35, 0.77, 1.0, 2.0}) {
         test::add(world, {}, size * median / 2);
     }
@@ -22,18 +22,18 @@ dem::World graded() {
 }
 
 TEST(LentInertia, LetsTheTimeStepBeThatOfTheMedianGrainWithinItsPowerOfTwo) {
-    dem::World world = graded(), median_grain = test::empty_world(1e-2);
+    World world = graded(), median_grain = test::empty_world(1e-2);
     test::add(median_grain, {}, median / 2);
     lend_inertia(world, median, {}, {true, false});
-    const double longest = dem::stable_time_step(median_grain);
-    EXPECT_LE(dem::stable_time_step(world), longest);
-    EXPECT_GE(dem::stable_time_step(world), longest / std::sqrt(2));
-    EXPECT_LT(dem::stable_time_step(graded()), 0.11 * longest);
+    const double longest = stable_time_step(median_grain);
+    EXPECT_LE(stable_time_step(world), longest);
+    EXPECT_GE(stable_time_step(world), longest / std::sqrt(2));
+    EXPECT_LT(stable_time_step(graded()), 0.11 * longest);
 }
 
 TEST(LentInertia, MakesNoGrainAsHeavyAsALargerOneNorChangesTheLargeOnes) {
-    const dem::World own = graded();
-    dem::World world = own;
+    const World own = graded();
+    World world = own;
     lend_inertia(world, median, {}, {true, true});
     for (std::size_t g = 1; g < own.grains.size(); ++g) {
         EXPECT_LT(world.grains.mass[g - 1], world.grains.mass[g]);
@@ -44,8 +44,8 @@ TEST(LentInertia, MakesNoGrainAsHeavyAsALargerOneNorChangesTheLargeOnes) {
 }
 
 TEST(LentInertia, IsGivenBackToTheBitWhateverWasLentInBetween) {
-    const dem::World own = graded();
-    dem::World world = own;
+    const World own = graded();
+    World world = own;
     lend_inertia(world, median, {}, {true, true});
     lend_inertia(world, median, {true, true}, {true, false});
     lend_inertia(world, median, {true, false}, {false, true});
@@ -54,16 +54,5 @@ TEST(LentInertia, IsGivenBackToTheBitWhateverWasLentInBetween) {
     EXPECT_EQ(world.grains.inertia, own.grains.inertia);
 }
 
-TEST(LargestRate, IsTheReferencesForItsSandAndOneInertialNumberForAll) {
-    CompactSpec spec;
-    spec.pressure = 100e3;
-    EXPECT_NEAR(largest_rate(spec, 2600, 0.21e-3), 250, 0.1);
-    EXPECT_NEAR(largest_rate(spec, 2600, 21e-3), 2.5, 0.001);
-    spec.pressure = 400e3;
-    EXPECT_NEAR(largest_rate(spec, 2600, 0.21e-3), 500, 0.2);
-    spec.max_rate = 7;
-    EXPECT_EQ(largest_rate(spec, 2600, 0.21e-3), 7);
-}
-
 } // namespace
-} // namespace suffuse::packing
+} // namespace suffuse::dem

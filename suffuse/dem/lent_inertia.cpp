@@ -1,8 +1,8 @@
-#include "suffuse/packing/lent_inertia.hpp"
+#include "suffuse/dem/lent_inertia.hpp"
 
 #include <cmath>
 
-namespace suffuse::packing {
+namespace suffuse::dem {
 namespace {
 
 constexpr double rotation_factor = 4;
@@ -15,7 +15,7 @@ double mass_factor(double median, double radius) {
 
 } // namespace
 
-void lend_inertia(dem::World& world, double median_diameter, const Lent& has, const Lent& wanted) {
+void lend_inertia(World& world, double median_diameter, const Lent& has, const Lent& wanted) {
     grains::Grains& grains = world.grains;
     const double turn = (wanted.rotation ? rotation_factor : 1) / (has.rotation ? rotation_factor : 1);
     for (std::size_t g = 0; g < grains.size(); ++g) {
@@ -26,4 +26,4 @@ void lend_inertia(dem::World& world, double median_diameter, const Lent& has, co
     }
 }
 
-} // namespace suffuse::packing
+} // namespace suffuse::dem
