@@ -9,6 +9,7 @@
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/triaxial/run_path.hpp"
+#include "suffuse/triaxial/stress_probe.hpp"
 
 #include <fmt/format.h>
 
@@ -263,6 +264,35 @@ py::object run_triaxial(
     return to_python(result);
 }
 
+py::object run_stress_probe(
+    WorldHandle& w, const py::object& increment, int directions, double unbalanced_force, const py::object& time_step,
+    double damping, const py::object& on_progress
+) {
+    triaxial::StressProbeSpec spec;
+    spec.increment = quantity_of(increment, dimension::none, "increment");
+    spec.directions = directions;
+    spec.unbalanced_force = unbalanced_force;
+    spec.time_step = optional_quantity(time_step, dimension::time, "time_step").value_or(0);
+    if (!(spec.increment > 0) || directions < 1 || !(unbalanced_force > 0)) {
+        throw CaseError(fmt::format(
+            "stress_probe: found increment {}, directions {}, unbalanced_force {}; expected all of them above 0",
+            spec.increment, directions, unbalanced_force
+        ));
+    }
+    std::vector<triaxial::StressProbe> probes;
+    Attention attention(on_progress);
+    const dem::World& world = begin(w);
+    {
+        const Working working;
+        const Pulse pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };
+        const triaxial::ProbedState state = triaxial::rest_for_probes(world, spec, damping, pulse);
+        for (int number = 0; number < directions; ++number) {
+            probes.push_back(triaxial::probe_direction(state, spec, number, damping, pulse));
+        }
+    }
+    return to_python(nlohmann::json(probes));
+}
+
 Handle make_cloud(
     const py::object& radius, const py::object& porosity, const py::object& fine, const grains::Material& material,
     std::uint64_t seed
@@ -366,6 +396,21 @@ void bind_steps(py::module_& m) {
             "Compresses along z, as a stage that does \"triaxial\"; returns `curve`, a list of rows, `response`, "
             "`steps`, `strain_rate` and `median_diameter`.\n",
             {{"stage.triaxial", "strain"}, {"stage.triaxial", "path"}, {"stage.triaxial", "inertial_number"}}
+        ).c_str()
+    );
+    type.def(
+        "stress_probe", &run_stress_probe, py::arg("increment") = triaxial::StressProbeSpec{}.increment, py::kw_only(),
+        py::arg("directions") = triaxial::StressProbeSpec{}.directions,
+        py::arg("unbalanced_force") = triaxial::StressProbeSpec{}.unbalanced_force, py::arg("time_step") = py::none(),
+        py::arg("damping") = usual_damping, py::arg("on_progress") = py::none(),
+        with_keys(
+            "Puts small loads of all directions of axisymmetric stress (z against x and y) on copies of the world, as "
+            "a "
+            "stage that does \"stress-probe\"; returns a list with `angle`, `stress`, `strain`, `second_order_work`, "
+            "`normalized`, `answer` and `steps` of each. The world stays as it is.\n",
+            {{"stage.stress-probe", "increment"},
+             {"stage.stress-probe", "directions"},
+             {"stage.stress-probe", "unbalanced_force"}}
         ).c_str()
     );
     m.def(

@@ -1,6 +1,7 @@
 """Worlds: views that never dangle, steps that meet closed forms."""
 
 import gc
+import math
 import pathlib
 
 import numpy
@@ -253,6 +254,19 @@ def test_a_triaxial_test_without_stress_or_pace_is_refused(cloud, settled):
     for wrong in ({"inertial_number": 0}, {"strain": 0}, {"rows": 0}):
         with pytest.raises(suffuse.CaseError, match="above 0"):
             settled.triaxial(**wrong)
+
+
+def test_stress_probes_leave_the_world_as_it_is(cloud, settled):
+    before = settled.grains.position.copy()
+    probes = settled.stress_probe("2 %", directions=4)
+    assert [round(math.degrees(probe["angle"])) for probe in probes] == [0, 90, 180, 270]
+    assert all(probe["answer"] == "rests" and probe["normalized"] > 0.9 for probe in probes)
+    assert probes[1]["stress"][2] == pytest.approx(0.02 * settled.mean_stress, rel=0.02)
+    assert (settled.grains.position == before).all()
+    with pytest.raises(suffuse.StateError, match="carries a stress"):
+        cloud.stress_probe()
+    with pytest.raises(suffuse.CaseError, match="above 0"):
+        settled.stress_probe(directions=0)
 
 
 def test_masses_follow_the_density(two_grains):

@@ -23,8 +23,9 @@
 namespace suffuse::casefile {
 
 using StageSpec = std::variant<
-    ImportSpec, packing::PackSpec, packing::CompactSpec, dem::SettleSpec, triaxial::TriaxialSpec, dem::AdvanceSpec,
-    flow::FlowSpec, erosion::DetachStageSpec, erosion::ErodeSpec, erosion::RemoveSpec>;
+    ImportSpec, packing::PackSpec, packing::CompactSpec, dem::SettleSpec, triaxial::TriaxialSpec,
+    triaxial::StressProbeSpec, dem::AdvanceSpec, flow::FlowSpec, erosion::DetachStageSpec, erosion::ErodeSpec,
+    erosion::RemoveSpec>;
 
 /// A value as it stands in the case file: a quantity stays a text with its unit.
 using Scalar = std::variant<bool, std::int64_t, double, std::string>;

@@ -173,6 +173,16 @@ stress_ratio = 0.5
 inertial_number = "strict"
 rows = 100
 [[study.main.stage]]
+name = "stability"
+do = "stress-probe"
+axis = "y"
+directions = 36
+increment = "2 %"
+ramp = 2000
+unbalanced_force = 1e-6
+max_strain = "2 %"
+max_steps = 10_000
+[[study.main.stage]]
 name = "emptied"
 from = "initial"
 do = "remove"

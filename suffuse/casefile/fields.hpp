@@ -147,6 +147,18 @@ void fields(V& v, triaxial::TriaxialSpec& s) {
 }
 
 template <class V>
+void fields(V& v, triaxial::StressProbeSpec& s) {
+    v.choice("axis", s.axis, names::axis);
+    v.field("directions", s.directions);
+    v.field("increment", s.increment);
+    v.field("ramp", s.ramp);
+    v.field("unbalanced_force", s.unbalanced_force);
+    v.field("max_strain", s.max_strain);
+    v.field("max_steps", s.max_steps);
+    v.time_step(s.time_step);
+}
+
+template <class V>
 void fields(V& v, flow::FlowSpec& s) {
     v.field("gradient", s.gradient);
     v.direction(s.direction);

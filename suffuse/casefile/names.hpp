@@ -90,8 +90,8 @@ inline constexpr std::array size_axis = {Word<bool>{false, "left-to-right"}, Wor
 inline constexpr std::array dilation = {Word<bool>{false, "down"}, Word<bool>{true, "up"}};
 
 /// In the order of StageSpec.
-inline constexpr std::array<std::string_view, 10> verbs = {"import",  "pack", "compact", "settle", "triaxial",
-                                                           "advance", "flow", "detach",  "erode",  "remove"};
+inline constexpr std::array<std::string_view, 11> verbs = {
+    "import", "pack", "compact", "settle", "triaxial", "stress-probe", "advance", "flow", "detach", "erode", "remove"};
 
 inline constexpr std::array<std::string_view, 14> measures = {
     "void-ratios",  "active-fines",      "contact-classes", "strong-contacts", "stress-strain",

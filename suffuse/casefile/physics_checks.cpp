@@ -154,7 +154,7 @@ public:
         }
     }
 
-    /// A triaxial test shears what a stage before it has loaded; its pace follows from that stress.
+    /// A test loads what a stage before it has loaded; its pace or its loads follow from that stress.
     void check_start_of_test(const Stage& test) {
         if (test.parent < 0) {
             return;
@@ -247,7 +247,8 @@ void check_stage(Checks& checks, const Stage& stage) {
         check_loading(checks, stage, settle->loading, checks.stage_place(stage, "pressure").source != nullptr);
     } else if (const auto* advance = std::get_if<dem::AdvanceSpec>(&stage.spec)) {
         check_loading(checks, stage, advance->loading, false);
-    } else if (std::holds_alternative<triaxial::TriaxialSpec>(stage.spec)) {
+    } else if (std::holds_alternative<triaxial::TriaxialSpec>(stage.spec) ||
+               std::holds_alternative<triaxial::StressProbeSpec>(stage.spec)) {
         checks.check_start_of_test(stage);
     } else if (const auto* flow = std::get_if<flow::FlowSpec>(&stage.spec)) {
         checks.check_gradient(stage, "gradient", flow->gradient);

@@ -120,6 +120,34 @@ std::vector<Key> triaxial_rows() {
     };
 }
 
+std::vector<Key> stress_probe_rows() {
+    return {
+        choice(
+            "stage.stress-probe", "axis", names::words_of(names::axis),
+            "The axis of symmetry: the two other stresses change alike."
+        ),
+        count(
+            "stage.stress-probe", "directions", {4, 3600, false, false},
+            "Loads, spaced equally over all directions of axial against lateral stress."
+        ),
+        ratio("stage.stress-probe", "increment", {0, 1, true, false}, "Size of each load / mean stress of the sample."),
+        count("stage.stress-probe", "ramp", {50, 1e15, false, false}, "Steps in which a load grows to its size."),
+        ratio(
+            "stage.stress-probe", "unbalanced_force", above_zero,
+            "The sample rests at this before the loads, and again under each."
+        ),
+        ratio(
+            "stage.stress-probe", "max_strain", {0, 1, true, false},
+            "Size of the strain beyond which the sample counts as failing under a load."
+        ),
+        count(
+            "stage.stress-probe", "max_steps", from_one,
+            "Steps under the whole load after which a sample that has not come to rest counts as creeping."
+        ),
+        time_step("stage.stress-probe"),
+    };
+}
+
 std::vector<Key> probe_rows(const std::string& stage) {
     const std::string detached = stage + ".detached";
     return {
@@ -233,6 +261,7 @@ std::vector<Key> preparation_rows() {
     );
     append(rows, movement_rows());
     append(rows, triaxial_rows());
+    append(rows, stress_probe_rows());
     return rows;
 }
 

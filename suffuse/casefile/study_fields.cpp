@@ -78,6 +78,7 @@ bool makes_sample(const Stage& stage) {
 
 bool leaves_state(const Stage& stage) {
     return stage.restore || std::holds_alternative<erosion::DetachStageSpec>(stage.spec) ||
+           std::holds_alternative<triaxial::StressProbeSpec>(stage.spec) ||
            std::holds_alternative<flow::FlowSpec>(stage.spec);
 }
 

@@ -1,40 +1,23 @@
-// Elastic constants of regular packings, measured through the periodic cell. Formulas: sums of kn n n n n and
-// ks (n n n t ...) over the bonds of the lattice, diameter D, contacts that may pull (here: bonded).
+// Elastic constants of regular packings, measured through the periodic cell; contacts that may pull (here: bonded).
 
 #include "suffuse/dem/inspect.hpp"
 
 #include <gtest/gtest.h>
 
+#include "tests/support/lattices.hpp"
 #include "tests/support/worlds.hpp"
-#include <ostream>
 #include <string>
-#include <vector>
 
 namespace suffuse::dem {
 namespace {
 
-constexpr double radius = 1e-4, diameter = 2 * radius; // [m]
+using test::body_centered;
+using test::face_centered;
+using test::Lattice;
+using test::simple_cubic;
+
+constexpr double radius = test::lattice_radius, diameter = 2 * radius; // [m]
 constexpr double strain_size = 1e-6;
-
-struct Constants {
-    double c11, c12, c44; ///< [Pa]
-};
-
-struct Lattice {
-    std::string name;
-    double edge;            ///< of the cubic cell, in diameters
-    std::vector<Vec3> site; ///< in edges
-    int coordination;
-};
-
-/// Named in test reports.
-void PrintTo(const Lattice& lattice, std::ostream* out) {
-    *out << lattice.name;
-}
-
-const Lattice simple_cubic{"SC", 1, {{0, 0, 0}}, 6};
-const Lattice body_centered{"BCC", 2 / std::sqrt(3.0), {{0, 0, 0}, {0.5, 0.5, 0.5}}, 8};
-const Lattice face_centered{"FCC", std::sqrt(2.0), {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}}, 12};
 
 grains::Material bonded() {
     grains::Material material;
@@ -42,36 +25,8 @@ grains::Material bonded() {
     return material;
 }
 
-Constants expected(const Lattice& lattice, const grains::Material& material) {
-    const double kn = material.modulus * radius, ks = material.shear_ratio * kn, d = diameter;
-    if (lattice.name == "SC") {
-        return {kn / d, 0, ks / (2 * d)};
-    }
-    if (lattice.name == "BCC") {
-        return {
-            (kn + 2 * ks) / (std::sqrt(3.0) * d), (kn - ks) / (std::sqrt(3.0) * d),
-            (kn + 0.5 * ks) / (std::sqrt(3.0) * d)};
-    }
-    const double root2 = std::sqrt(2.0);
-    return {root2 * (kn + ks) / d, (kn - ks) / (root2 * d), (kn + ks) / (root2 * d)};
-}
-
-/// `repeat` unit cells along each axis, the contacts overlapping by a hair so that all begin.
 World build(const Lattice& lattice, int repeat) {
-    constexpr double closer = 1 - 1e-10;
-    const double edge = lattice.edge * diameter * closer;
-    World world = test::empty_world(repeat * edge, bonded());
-    for (int i = 0; i < repeat; ++i) {
-        for (int j = 0; j < repeat; ++j) {
-            for (int k = 0; k < repeat; ++k) {
-                for (const Vec3& s : lattice.site) {
-                    const Vec3 corner{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
-                    test::add(world, edge * (corner + s), radius);
-                }
-            }
-        }
-    }
-    return world;
+    return test::lattice_world(lattice, repeat, bonded());
 }
 
 struct Response {
@@ -97,7 +52,7 @@ class LatticeElasticity : public testing::TestWithParam<std::pair<Lattice, int>>
 TEST_P(LatticeElasticity, MeetsTheSumsOverBonds) {
     const auto& [lattice, repeat] = GetParam();
     const World world = build(lattice, repeat);
-    const Constants want = expected(lattice, world.material);
+    const test::ElasticConstants want = test::elastic_constants(lattice, world.material);
 
     const Response axial = deform(world, diagonal({1, 0, 0}));
     ASSERT_NEAR(axial.strain(0, 0), strain_size, 0.2 * strain_size);

@@ -100,6 +100,11 @@ constexpr std::array guides = {
         "Deviator stress against mean stress, and void ratio against the logarithm of the mean stress.",
         "`triaxial` stages of a study swept over fines_content"},
     Guide{
+        "own-stress-probes", "stability against small loads in all directions",
+        "Second-order work of loads of one size in all directions of axial against lateral stress, and the strains "
+        "that they lead to: where the work is not above zero the sample can fail without more load.",
+        "a `stress-probe` stage"},
+    Guide{
         "own-stability-grading", "the grading and the criteria's sizes",
         "The grading with its gap, the split into fines and the sizes at which criteria look.",
         "a soil; also `suffuse assess`"},

@@ -23,6 +23,7 @@ namespace {
 constexpr Range settling{500, 6'000};                                 // a packing from elsewhere
 constexpr Range swift_start{2'500, 9'000}, swift_density{300, 1'500}; // from near touching; from an asked density
 constexpr Range first_relaxation{600, 4'500}, next_relaxation{50, 1'200};
+constexpr Range rest_under_load{500, 4'000};
 constexpr Range rest_after_removal{1'500, 8'000}; // after many grains were taken at once
 constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
 constexpr Range trials_for_a_density{2, 6}; // compactions until an asked void ratio is met
@@ -177,6 +178,15 @@ public:
             .steps = a_strain * spec.strain * error,
             .memory_a_grain = grain_memory,
             .basis = fmt::format("{:.3g} % {}", 100 * spec.strain, pace)};
+    }
+
+    StagePrice operator()(const triaxial::StressProbeSpec& spec) {
+        const double loads = spec.directions + 1;
+        const auto ramp = static_cast<double>(spec.ramp);
+        return {
+            .reference_steps = first_relaxation + loads * rest_under_load + Range{loads * ramp, loads * ramp},
+            .memory_a_grain = 2 * grain_memory,
+            .basis = fmt::format("relaxation, {} loads and one without", spec.directions)};
     }
 
     StagePrice operator()(const flow::FlowSpec& spec) {

@@ -4,6 +4,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/report/findings.hpp"
 #include "suffuse/report/words.hpp"
+#include "suffuse/run/probed_samples.hpp"
 
 #include <fmt/format.h>
 
@@ -143,6 +144,9 @@ std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std:
     }
     if (std::string tests = answer_to_tests(stages); !tests.empty()) {
         sentences.push_back(std::move(tests));
+    }
+    for (const report::ProbedSample& sample : gather_probed_samples(stages)) {
+        sentences.push_back(report::tell_stability(sample));
     }
     return sentences;
 }

@@ -6,6 +6,7 @@
 #include "suffuse/erosion/removal.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/triaxial/run_path.hpp"
+#include "suffuse/triaxial/stress_probe.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -65,6 +66,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // curves of earlier runs lack 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     PathState, phase, start_h, start_stress, strain_rate, median_diameter, time_step, balance, steps, rows
 )
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Answer, {{Answer::Rests, "rests"}, {Answer::Creeps, "creeps"}, {Answer::Fails, "fails"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressProbe, angle, stress, strain, second_order_work, normalized, answer, steps)
 
 inline void to_json(nlohmann::json& json, const Instability& at) {
     json = {{"q", at.deviator_stress}, {"p", at.mean_stress}, {"strain", at.axial_strain}};

@@ -1,4 +1,4 @@
-// The verbs that load a sample: settle, triaxial, advance.
+// The verbs that load a sample: settle, triaxial, stress-probe, advance.
 
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
@@ -7,8 +7,12 @@
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
+#include "suffuse/triaxial/stress_probe.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace suffuse::run {
 namespace {
@@ -31,6 +35,22 @@ void remember_held_stress(const cell::Loading& loading, cell::ServoState& servo)
         if (axis.control == cell::Control::Stress) {
             servo.held_stress[a] = axis.value;
         }
+    }
+}
+
+/// A sample that strains by itself answers to no load.
+void note_drift(StageWork& work, double drift, const std::vector<triaxial::StressProbe>& probes) {
+    constexpr double much = 0.1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const triaxial::StressProbe& probe : probes) {
+        least = std::min(least, norm(probe.strain));
+    }
+    if (drift > much * least) {
+        work.warnings.push_back(fmt::format(
+            "{}: without load the sample strains by {:.1e}, under the loads by {:.1e} and more: take a larger "
+            "increment, or a smaller unbalanced_force",
+            work.place(), drift, least
+        ));
     }
 }
 
@@ -104,6 +124,33 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     work.numbers["strain_rate"] = state.strain_rate;
     work.numbers["response"] = triaxial::summarize(state.rows, spec.path);
     work.findings.curve = state.rows;
+}
+
+void do_stress_probe(StageWork& work, const triaxial::StressProbeSpec& spec) {
+    std::vector<triaxial::StressProbe> probes;
+    if (!work.resumed.is_null()) {
+        probes = work.resumed.at("probes").get<std::vector<triaxial::StressProbe>>();
+    }
+    work.control.save_with([&] { work.save_partial({{"probes", probes}}); });
+    std::int64_t steps = 0; // of rest and of the probes that are over
+    const Pulse pulse = [&](std::string_view part, long long now) { work.control.beat(part, steps + now); };
+    const triaxial::ProbedState state = triaxial::rest_for_probes(work.world, spec, work.variant.damping, pulse);
+    steps = state.steps;
+    for (const triaxial::StressProbe& probe : probes) {
+        steps += probe.steps;
+    }
+    while (std::ssize(probes) < spec.directions) {
+        const auto number = static_cast<int>(probes.size());
+        probes.push_back(triaxial::probe_direction(state, spec, number, work.variant.damping, pulse));
+        steps += probes.back().steps;
+    }
+    work.time_step = state.time_step;
+    work.grain_steps = steps * static_cast<std::int64_t>(work.world.grains.size());
+    work.numbers["steps"] = steps;
+    work.numbers["stress_probed"] = state.stress;
+    work.numbers["drift"] = state.drift;
+    work.numbers["stress_probes"] = probes;
+    note_drift(work, state.drift, probes);
 }
 
 void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {

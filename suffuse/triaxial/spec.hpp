@@ -1,6 +1,8 @@
 #pragma once
-// `do = "triaxial"`: compression along one axis from the state that the stage starts from.
+// `do = "triaxial"`: compression along one axis from the state that the stage starts from. `do = "stress-probe"`: its
+// answers to small loads of all directions.
 
+#include <cstdint>
 #include <optional>
 
 namespace suffuse::triaxial {
@@ -20,6 +22,18 @@ struct TriaxialSpec {
     double inertial_number = 1e-3;         ///< sets the axial strain rate [-]
     double time_step = 0;                  ///< [s]; 0 = computed
     int rows = 400;                        ///< stress-strain rows recorded over the asked strain
+};
+
+/// Loads of one size, in directions spaced equally over the plane of axisymmetric stress.
+struct StressProbeSpec {
+    int axis = 2; ///< 0, 1, 2: the axis of symmetry
+    int directions = 24;
+    double increment = 0.05;         ///< norm of the stress increment / mean stress [-]
+    std::int64_t ramp = 1000;        ///< steps from none of it to all
+    double unbalanced_force = 1e-5;  ///< of the state probed, and of each answer [-]
+    double max_strain = 0.01;        ///< norm of a strain beyond which the sample counts as failing [-]
+    std::int64_t max_steps = 30'000; ///< of a probe; a sample not at rest by then creeps
+    double time_step = 0;            ///< [s]; 0 = computed
 };
 
 } // namespace suffuse::triaxial

@@ -1,0 +1,50 @@
+#include "suffuse/report/stress_probes.hpp"
+
+#include "suffuse/base/constants.hpp"
+
+#include <gtest/gtest.h>
+
+namespace suffuse::report {
+namespace {
+
+/// Four directions with these normalized works; strains in proportion to their number.
+ProbedSample sample(const std::vector<double>& works) {
+    ProbedSample sample;
+    sample.name = "soil/probed";
+    for (std::size_t k = 0; k < works.size(); ++k) {
+        const auto number = static_cast<double>(k);
+        const double angle = 2 * pi * number / static_cast<double>(works.size());
+        sample.directions.push_back({angle, works[k], 1e3, 2e3, 1e-4 * number, 2e-4 * number, "rests"});
+    }
+    return sample;
+}
+
+TEST(StressProbes, AStableSampleIsSaidToBeSo) {
+    EXPECT_EQ(
+        tell_stability(sample({0.9, 1, 0.25, 0.8})),
+        "soil/probed: stable in all 4 directions of load; the least normalized second-order work is 0.25 at 180°."
+    );
+}
+
+TEST(StressProbes, UnstableDirectionsAreNamedAsRanges) {
+    ProbedSample broken = sample({0.9, -0.1, -0.2, 0.8, 0, 0.7, 0.6, 0.5});
+    broken.directions.back().answer = "fails";
+    EXPECT_EQ(
+        tell_stability(broken), "soil/probed: not stable in 4 of 8 directions of load (45° to 90°, 180°, 315°); the "
+                                "least normalized second-order work is −0.2 at 90°."
+    );
+}
+
+TEST(StressProbes, TheCurveOfASampleIsClosedAndItsStrainsAreInPercent) {
+    const Figure figure = *stability_in_directions({sample({0.9, 1, 0.25, 0.8}), sample({1, 1, 1, 1})});
+    const std::vector<double>& angle = figure.table.numbers("angle");
+    ASSERT_EQ(angle.size(), 10U);
+    EXPECT_DOUBLE_EQ(angle[4], 360);
+    EXPECT_DOUBLE_EQ(figure.table.numbers("normalized_work")[4], 0.9);
+    EXPECT_DOUBLE_EQ(figure.table.numbers("lateral_strain")[1], 0.02);
+    EXPECT_DOUBLE_EQ(figure.table.numbers("axial_stress")[1], 1);
+    EXPECT_FALSE(stability_in_directions({}).has_value());
+}
+
+} // namespace
+} // namespace suffuse::report

@@ -1,0 +1,159 @@
+#include "suffuse/triaxial/stress_probe.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/base/error.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/lent_inertia.hpp"
+#include "suffuse/dem/relax.hpp"
+#include "suffuse/dem/settle.hpp"
+#include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/stats/gradation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace suffuse::triaxial {
+namespace {
+
+constexpr double stress_share = 0.01; // of an increment: how closely it is met
+
+Vec3 axial_stress(const Mat3& stress) {
+    return {stress(0, 0), stress(1, 1), stress(2, 2)};
+}
+
+Vec3 strain_between(const Mat3& before, const Mat3& after) {
+    Vec3 strain;
+    for (int a = 0; a < 3; ++a) {
+        strain[a] = -std::log(after(a, a) / before(a, a));
+    }
+    return strain;
+}
+
+/// Of unit norm, in the plane where the two lateral stresses are equal.
+Vec3 direction_of(double angle, int axis) {
+    const double lateral = std::cos(angle) / std::numbers::sqrt2;
+    Vec3 direction{lateral, lateral, lateral};
+    direction[axis] = std::sin(angle);
+    return direction;
+}
+
+cell::Loading held(const Vec3& stress) {
+    cell::Loading loading;
+    for (int a = 0; a < 3; ++a) {
+        loading.axis[static_cast<std::size_t>(a)] = {cell::Control::Stress, stress[a]};
+    }
+    return loading;
+}
+
+/// Where a load has brought a world so far.
+struct Watched {
+    dem::World world;
+    dem::StepCaches caches;
+    dem::BalanceState balance;
+    bool rests = false;
+};
+
+/// Over-damped, so that no inertia takes a contact over its limit that the load itself leaves below.
+void burst(Watched& watched, const Vec3& stress, double time_step, double damping, const dem::BalanceSpec& goal) {
+    dem::StepPlan plan;
+    plan.dt = time_step;
+    plan.damping = damping;
+    plan.drag = dem::slowest_mode_drag(watched.world.grains.size(), time_step);
+    plan.loading = held(stress);
+    watched.rests = dem::settle_burst(watched.world, watched.caches, plan, goal, watched.balance);
+}
+
+dem::BalanceSpec goal_of(const StressProbeSpec& spec) {
+    dem::BalanceSpec goal;
+    goal.unbalanced_force = spec.unbalanced_force;
+    goal.stress_error = stress_share * spec.increment;
+    goal.patience = dem::burst_steps;
+    return goal;
+}
+
+/// The increment grows over the ramp, and is then held until the sample rests.
+StressProbe
+load(const ProbedState& state, const StressProbeSpec& spec, const Vec3& increment, double damping, const Pulse& pulse) {
+    Watched watched{state.world, {}, {}, false};
+    StressProbe probe;
+    const dem::BalanceSpec goal = goal_of(spec);
+    while (probe.answer == Answer::Rests && !(watched.rests && probe.steps >= spec.ramp)) {
+        probe.steps += dem::burst_steps;
+        const double share = std::min(1.0, static_cast<double>(probe.steps) / static_cast<double>(spec.ramp));
+        burst(watched, state.stress + share * increment, state.time_step, damping, goal);
+        probe.strain = strain_between(state.world.cell.h, watched.world.cell.h);
+        if (norm(probe.strain) > spec.max_strain) {
+            probe.answer = Answer::Fails;
+        } else if (!watched.rests && probe.steps >= spec.ramp + spec.max_steps) {
+            probe.answer = Answer::Creeps;
+        }
+        beat(pulse, "probe", probe.steps);
+    }
+    probe.stress = axial_stress(watched.balance.stress) - state.stress;
+    return probe;
+}
+
+} // namespace
+
+ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec, double damping, const Pulse& pulse) {
+    const Mat3 carried = dem::mean_stress_tensor(world);
+    if (!(dem::mean_stress(carried) > 0)) {
+        throw StateError(fmt::format(
+            "stress probes need a sample that carries a stress, and this one's mean stress is {:.4g} kPa: compact or "
+            "settle it under a pressure first",
+            dem::mean_stress(carried) / 1e3
+        ));
+    }
+    const Vec3 stress = axial_stress(carried);
+    const dem::BalanceSpec goal = goal_of(spec);
+    Watched watched{world, {}, {}, false};
+    const double median = stats::size_at(stats::measure_gradation(world.grains), 0.5);
+    dem::lend_inertia(watched.world, median, {}, {true, true}); // where grains rest does not depend on it
+    ProbedState state;
+    state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(watched.world);
+    while (!watched.rests) {
+        burst(watched, stress, state.time_step, damping, goal);
+        state.steps += dem::burst_steps;
+        const double strain = norm(strain_between(world.cell.h, watched.world.cell.h));
+        if (strain > spec.max_strain || state.steps >= spec.max_steps) {
+            throw StateError(fmt::format(
+                "the sample does not rest under the stress that it carries: after {} steps it has strained by {:.2e} "
+                "and its unbalanced force is {:.1e} (wanted {:.1e}); probe a state further from failure, or ask for "
+                "less by unbalanced_force",
+                state.steps, strain, watched.balance.equilibrium.unbalanced_force, spec.unbalanced_force
+            ));
+        }
+        beat(pulse, "rest", state.steps);
+    }
+    state.world = std::move(watched.world);
+    state.stress = axial_stress(watched.balance.stress);
+    state.drift = norm(load(state, spec, {}, damping, pulse).strain);
+    return state;
+}
+
+StressProbe
+probe_direction(const ProbedState& state, const StressProbeSpec& spec, int number, double damping, const Pulse& pulse) {
+    const double angle = 2 * pi * number / spec.directions;
+    const double size = spec.increment * (state.stress.x + state.stress.y + state.stress.z) / 3;
+    StressProbe probe = load(state, spec, size * direction_of(angle, spec.axis), damping, pulse);
+    probe.angle = angle;
+    probe.second_order_work = dot(probe.stress, probe.strain);
+    const double sizes = norm(probe.stress) * norm(probe.strain);
+    probe.normalized = sizes > 0 ? probe.second_order_work / sizes : 0;
+    return probe;
+}
+
+const StressProbe* least_stable(const std::vector<StressProbe>& probes) {
+    const auto rank = [](const StressProbe& probe) {
+        return std::pair(probe.answer == Answer::Fails ? 0 : 1, probe.normalized);
+    };
+    const auto least = std::min_element(probes.begin(), probes.end(), [&](const StressProbe& a, const StressProbe& b) {
+        return rank(a) < rank(b);
+    });
+    return least == probes.end() ? nullptr : &*least;
+}
+
+} // namespace suffuse::triaxial
