@@ -2,6 +2,7 @@
 add_library(suffuse_options INTERFACE)
 target_compile_options(suffuse_options INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    -Wno-missing-field-initializers # what a designated initializer leaves out has its default in the struct
     # The same bits on every processor: no fused multiply-add unless written. No traps or errno are read, and saying so
     # lets the compiler turn branches into selects; neither changes a value.
     -ffp-contract=off -fno-math-errno -fno-trapping-math

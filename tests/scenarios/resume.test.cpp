@@ -21,6 +21,10 @@ do           = "triaxial"
 stress_ratio = 0.5
 strain       = "5 %"
 [[study.s.stage]]
+name       = "probed"
+do         = "stress-probe"
+directions = 4
+[[study.s.stage]]
 name        = "moved"
 do          = "advance"
 steps       = 700
@@ -40,7 +44,7 @@ std::string hash_of(const TempFolder& folder, const std::string& stage) {
     return stage_of(folder.path(), stage).at("state_hash");
 }
 
-const std::vector<std::string> names{"cloud", "initial", "sheared", "moved", "erosion"};
+const std::vector<std::string> names{"cloud", "initial", "sheared", "probed", "moved", "erosion"};
 
 TEST(Resume, AfterStopsInTheMiddleOfStagesTheBitsAreTheSame) {
     const TempFolder straight, broken;
@@ -69,6 +73,9 @@ TEST(Resume, AfterStopsInTheMiddleOfStagesTheBitsAreTheSame) {
     for (const std::string& stage : names) {
         EXPECT_EQ(hash_of(broken, stage), hash_of(straight, stage)) << stage;
     }
+    EXPECT_EQ(
+        stage_of(broken.path(), "probed").at("stress_probes"), stage_of(straight.path(), "probed").at("stress_probes")
+    );
     EXPECT_EQ(
         stage_of(broken.path(), "erosion").at("passes").at(0).at("permeability_after"),
         stage_of(straight.path(), "erosion").at("passes").at(0).at("permeability_after")
