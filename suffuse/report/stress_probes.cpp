@@ -13,19 +13,15 @@ namespace {
 
 using nlohmann::json;
 
-bool is_unstable(const ProbedDirection& direction) {
-    return direction.answer == "fails" || direction.normalized_work <= 0;
-}
-
 /// As literature draws it: a direction without second-order work lies on the circle of radius 1, with the most that it
 /// can have on that of radius 2. Curves are closed.
-Table probe_table(const std::vector<ProbedSample>& samples) {
-    std::vector<std::string> sample, answer;
-    std::vector<double> row, angle, work, axial_stress, lateral_stress, axial_strain, lateral_strain;
-    for (const ProbedSample& each : samples) {
+Table probe_table(const std::vector<ProbedState>& states) {
+    std::vector<std::string> state;
+    std::vector<double> row, angle, work, axial_stress, lateral_stress, axial_strain, lateral_strain, unstable, samples;
+    for (const ProbedState& each : states) {
         for (std::size_t k = 0; k <= each.directions.size(); ++k) {
             const ProbedDirection& d = each.directions[k % each.directions.size()];
-            sample.push_back(each.name);
+            state.push_back(each.name);
             row.push_back(static_cast<double>(k));
             angle.push_back(degrees(d.angle) + (k == each.directions.size() ? 360 : 0));
             work.push_back(d.normalized_work);
@@ -33,11 +29,12 @@ Table probe_table(const std::vector<ProbedSample>& samples) {
             lateral_stress.push_back(d.lateral_stress / 1e3);
             axial_strain.push_back(100 * d.axial_strain);
             lateral_strain.push_back(100 * d.lateral_strain);
-            answer.push_back(d.answer);
+            unstable.push_back(d.unstable);
+            samples.push_back(each.samples);
         }
     }
     Table table;
-    table.add("sample", std::move(sample));
+    table.add("state", std::move(state));
     table.add("row", "", std::move(row));
     table.add("angle", "deg", std::move(angle));
     table.add("normalized_work", "-", std::move(work));
@@ -45,7 +42,8 @@ Table probe_table(const std::vector<ProbedSample>& samples) {
     table.add("lateral_stress", "kPa", std::move(lateral_stress));
     table.add("axial_strain", "%", std::move(axial_strain));
     table.add("lateral_strain", "%", std::move(lateral_strain));
-    table.add("answer", std::move(answer));
+    table.add("unstable", "", std::move(unstable));
+    table.add("samples", "", std::move(samples));
     return table;
 }
 
@@ -87,15 +85,15 @@ const char* const chart_text = R"json({
     "resolve": {"scale": {"color": "shared"}}
 })json";
 
-/// "180° to 210°": the directions as ranges of neighbors.
+/// "180° to 210°": the directions in which some sample is unstable, as ranges of neighbors.
 std::string ranges_of(const std::vector<ProbedDirection>& directions) {
     std::string text;
     for (std::size_t k = 0; k < directions.size(); ++k) {
-        if (!is_unstable(directions[k])) {
+        if (directions[k].unstable == 0) {
             continue;
         }
         std::size_t last = k;
-        while (last + 1 < directions.size() && is_unstable(directions[last + 1])) {
+        while (last + 1 < directions.size() && directions[last + 1].unstable > 0) {
             ++last;
         }
         text += text.empty() ? "" : ", ";
@@ -106,51 +104,65 @@ std::string ranges_of(const std::vector<ProbedDirection>& directions) {
     return text;
 }
 
+const ProbedDirection& least_stable(const ProbedState& state) {
+    return *std::min_element(state.directions.begin(), state.directions.end(), [](const auto& a, const auto& b) {
+        return a.normalized_work < b.normalized_work;
+    });
+}
+
+std::string least_work(const ProbedState& state) {
+    const ProbedDirection& least = least_stable(state);
+    return fmt::format("{} at {:.0f}°", short_number(least.normalized_work, 2), degrees(least.angle));
+}
+
 } // namespace
 
-std::string tell_stability(const ProbedSample& sample) {
-    const auto least =
-        std::min_element(sample.directions.begin(), sample.directions.end(), [](const auto& a, const auto& b) {
-            return a.normalized_work < b.normalized_work;
-        });
-    const std::string where = fmt::format(
-        "the least normalized second-order work is {} at {:.0f}°", short_number(least->normalized_work, 3),
-        degrees(least->angle)
-    );
-    const auto unstable = std::count_if(sample.directions.begin(), sample.directions.end(), is_unstable);
+std::string tell_stability(const ProbedState& state) {
+    const auto count = state.directions.size();
+    std::string text = state.name + ": ";
+    const auto unstable = std::count_if(state.directions.begin(), state.directions.end(), [](const auto& direction) {
+        return direction.unstable > 0;
+    });
     if (unstable == 0) {
-        return fmt::format(
-            "{}: stable in all {} directions of load; {}.", sample.name, sample.directions.size(), where
-        );
+        text += fmt::format("stable in all {} directions of load", count);
+    } else {
+        const auto most = std::max_element(state.directions.begin(), state.directions.end(), [](const auto& a, const auto& b) {
+            return a.unstable < b.unstable;
+        });
+        text += fmt::format("not stable in {} of {} directions of load ({}", unstable, count, ranges_of(state.directions));
+        text += state.samples > 1 ? fmt::format("; {} samples of {})", most->unstable, state.samples) : ")";
     }
     return fmt::format(
-        "{}: not stable in {} of {} directions of load ({}); {}.", sample.name, unstable, sample.directions.size(),
-        ranges_of(sample.directions), where
+        "{}; the least normalized second-order work is {}{}.", text, least_work(state),
+        state.samples > 1 ? ", on the mean" : ""
     );
 }
 
-std::optional<Figure> stability_in_directions(const std::vector<ProbedSample>& samples) {
-    if (samples.empty()) {
+std::optional<Figure> stability_in_directions(const std::vector<ProbedState>& states) {
+    if (states.empty()) {
         return std::nullopt;
     }
     Figure figure;
     figure.id = "own-stress-probes";
     figure.section = "Tests";
     figure.title = "Stability against small loads in all directions";
-    for (const ProbedSample& sample : samples) {
-        figure.caption += as_sentence(tell_stability(sample)) + " ";
+    std::string least;
+    int most = 1;
+    for (const ProbedState& state : states) {
+        least += fmt::format("{}{} {}", least.empty() ? "Least normalized W₂: " : "; ", state.name, least_work(state));
+        most = std::max(most, state.samples);
     }
-    figure.caption += "0° is lateral stress added, 90° axial stress; a curve that touches the dashed circle can fail "
-                      "without more load. Right: a line through the middle would be a sample that answers elastically "
-                      "alike to loads put on and taken off.";
-    figure.table = probe_table(samples);
+    figure.caption = least + ". 0° is lateral stress added, 90° axial stress; where a curve enters the dashed circle the "
+                             "state can fail without more load.";
+    figure.caption += most > 1 ? fmt::format(" Means over up to {} samples.", most) : " One sample a curve.";
+    figure.table = probe_table(states);
     figure.chart = json::parse(chart_text);
     std::vector<std::string> names;
-    for (const ProbedSample& sample : samples) {
-        names.push_back(sample.name);
+    for (const ProbedState& state : states) {
+        names.push_back(state.name);
     }
     const json tooltip = json::parse(R"json([
-        {"field": "sample", "title": "sample"}, {"field": "angle", "title": "direction [°]", "format": ".0f"},
+        {"field": "state", "title": "state"}, {"field": "angle", "title": "direction [°]", "format": ".0f"},
         {"field": "normalized_work", "title": "normalized W₂", "format": ".3f"},
         {"field": "axial_strain", "title": "dε₁ [%]", "format": ".2e"},
         {"field": "lateral_strain", "title": "dε₃ [%]", "format": ".2e"}, {"field": "answer", "title": "the sample"}])json"
@@ -158,7 +170,7 @@ std::optional<Figure> stability_in_directions(const std::vector<ProbedSample>& s
     for (json* marks : {&figure.chart["hconcat"][0]["layer"][2], &figure.chart["hconcat"][1]}) {
         (*marks)["encoding"]["tooltip"] = tooltip;
         (*marks)["encoding"]["color"] = {
-            {"field", "sample"},
+            {"field", "state"},
             {"type", "nominal"},
             {"title", nullptr},
             {"scale", {{"domain", names}, {"range", color::sequence()}}},

@@ -4,7 +4,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/report/findings.hpp"
 #include "suffuse/report/words.hpp"
-#include "suffuse/run/probed_samples.hpp"
+#include "suffuse/run/probed_states.hpp"
 
 #include <fmt/format.h>
 
@@ -145,8 +145,8 @@ std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std:
     if (std::string tests = answer_to_tests(stages); !tests.empty()) {
         sentences.push_back(std::move(tests));
     }
-    for (const report::ProbedSample& sample : gather_probed_samples(stages)) {
-        sentences.push_back(report::tell_stability(sample));
+    for (const report::ProbedState& state : gather_probed_states(stages)) {
+        sentences.push_back(report::tell_stability(state));
     }
     return sentences;
 }

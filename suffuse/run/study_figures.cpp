@@ -5,7 +5,7 @@
 #include "suffuse/report/figures_fines.hpp"
 #include "suffuse/run/erosion_figures.hpp"
 #include "suffuse/run/folder.hpp"
-#include "suffuse/run/probed_samples.hpp"
+#include "suffuse/run/probed_states.hpp"
 #include "suffuse/run/study_curves.hpp"
 
 #include <fmt/format.h>
@@ -220,7 +220,7 @@ std::vector<report::Figure> draw_study(
         add(report::strong_contacts(sweep->curves), figures);
     }
     draw_tests(what, tests, shown, figures);
-    add(report::stability_in_directions(gather_probed_samples(stages)), figures);
+    add(report::stability_in_directions(gather_probed_states(stages)), figures);
     return figures;
 }
 

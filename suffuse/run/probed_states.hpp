@@ -8,7 +8,7 @@
 
 namespace suffuse::run {
 
-/// Of the first such stages, as many as a figure can show.
-std::vector<report::ProbedSample> gather_probed_samples(const std::vector<FinishedStage>& stages);
+/// The mean over the seeds of each such stage at each set of swept values; the first ones, as many as a figure can show.
+std::vector<report::ProbedState> gather_probed_states(const std::vector<FinishedStage>& stages);
 
 } // namespace suffuse::run
