@@ -126,11 +126,13 @@ std::string tell_stability(const ProbedState& state) {
     if (unstable == 0) {
         text += fmt::format("stable in all {} directions of load", count);
     } else {
-        const auto most = std::max_element(state.directions.begin(), state.directions.end(), [](const auto& a, const auto& b) {
-            return a.unstable < b.unstable;
-        });
-        text += fmt::format("not stable in {} of {} directions of load ({}", unstable, count, ranges_of(state.directions));
-        text += state.samples > 1 ? fmt::format("; {} samples of {})", most->unstable, state.samples) : ")";
+        const auto most =
+            std::max_element(state.directions.begin(), state.directions.end(), [](const auto& a, const auto& b) {
+                return a.unstable < b.unstable;
+            });
+        text +=
+            fmt::format("not stable in {} of {} directions of load ({}", unstable, count, ranges_of(state.directions));
+        text += state.samples > 1 ? fmt::format("; {} of {} samples)", most->unstable, state.samples) : ")";
     }
     return fmt::format(
         "{}; the least normalized second-order work is {}{}.", text, least_work(state),
@@ -152,8 +154,9 @@ std::optional<Figure> stability_in_directions(const std::vector<ProbedState>& st
         least += fmt::format("{}{} {}", least.empty() ? "Least normalized W₂: " : "; ", state.name, least_work(state));
         most = std::max(most, state.samples);
     }
-    figure.caption = least + ". 0° is lateral stress added, 90° axial stress; where a curve enters the dashed circle the "
-                             "state can fail without more load.";
+    figure.caption = least +
+                     ". 0° is lateral stress added, 90° axial stress; where a curve enters the dashed circle the "
+                     "state can fail without more load.";
     figure.caption += most > 1 ? fmt::format(" Means over up to {} samples.", most) : " One sample a curve.";
     figure.table = probe_table(states);
     figure.chart = json::parse(chart_text);

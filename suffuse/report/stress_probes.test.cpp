@@ -40,7 +40,7 @@ TEST(StressProbes, OfSeveralSamplesItIsSaidHowManyAreUnstable) {
     seeds.samples = 3;
     seeds.directions[2].unstable = 2;
     EXPECT_EQ(
-        tell_stability(seeds), "probed: not stable in 1 of 4 directions of load (180°; 2 samples of 3); the least "
+        tell_stability(seeds), "probed: not stable in 1 of 4 directions of load (180°; 2 of 3 samples); the least "
                                "normalized second-order work is −0.1 at 180°, on the mean."
     );
 }

@@ -23,7 +23,7 @@ namespace {
 constexpr Range settling{500, 6'000};                                 // a packing from elsewhere
 constexpr Range swift_start{2'500, 9'000}, swift_density{300, 1'500}; // from near touching; from an asked density
 constexpr Range first_relaxation{600, 4'500}, next_relaxation{50, 1'200};
-constexpr Range rest_under_load{500, 4'000};
+constexpr Range rest_under_load{150, 4'500};      // after the ramp of a stress probe
 constexpr Range rest_after_removal{1'500, 8'000}; // after many grains were taken at once
 constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
 constexpr Range trials_for_a_density{2, 6}; // compactions until an asked void ratio is met

@@ -8,7 +8,8 @@
 
 namespace suffuse::run {
 
-/// The mean over the seeds of each such stage at each set of swept values; the first ones, as many as a figure can show.
+/// The mean over the seeds of each such stage at each set of swept values; the first ones, as many as a figure can
+/// show.
 std::vector<report::ProbedState> gather_probed_states(const std::vector<FinishedStage>& stages);
 
 } // namespace suffuse::run
