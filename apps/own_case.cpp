@@ -1,9 +1,14 @@
 // The text of a case for a soil of the user's.
 
+#include "suffuse/base/units.hpp"
+#include "suffuse/casefile/physics_checks.hpp"
+
 #include <fmt/format.h>
 
 #include "apps/command_line.hpp"
 #include "apps/own_soil.hpp"
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 
@@ -29,7 +34,7 @@ density = "2650 kg/m^3"               #~ quartz
 
 [contact]                             # linear springs, Coulomb slip, rolling resistance
 law               = "linear-rolling"
-modulus           = "356 MPa"         #~ kn = 2 E r1 r2/(r1 + r2)
+modulus           = {modulus:<18}#~ kn = 2 E r1 r2/(r1 + r2){stiffer}
 shear_ratio       = 0.42              #~ ks/kn
 friction          = "37 deg"          #~ between grains, in tests; preparation uses another
 rolling_stiffness = 7.5               #~ kr = this x ks r1 r2
@@ -83,14 +88,32 @@ strain  = "10 %"                      #~
 measure = ["stress-strain"]
 )";
 
+constexpr double assumed_pressure = 100e3; // [Pa]
+constexpr double usual_modulus = 356e6;    // [Pa]
+
+/// Stiff enough for the finest grains, to two digits [Pa].
+double modulus_for(const grains::Grading& grading) {
+    const double ratio = grading.diameter.back() / grading.diameter.front();
+    const double squeezed = casefile::squeezed_overlap_at(assumed_pressure, usual_modulus, ratio);
+    const double wanted = std::max(usual_modulus, usual_modulus * squeezed / casefile::good_squeezed);
+    const double unit = std::pow(10.0, std::floor(std::log10(wanted)) - 1);
+    return wanted > usual_modulus ? std::ceil(wanted / unit) * unit : usual_modulus;
+}
+
 } // namespace
 
 std::string own_case_text(const OwnSoil& soil) {
     constexpr std::int64_t standard_over_quick = 4;
+    const double modulus = modulus_for(soil.grading);
     return fmt::format(
         case_form, fmt::arg("name", soil.name), fmt::arg("quick", soil.quick_grains),
         fmt::arg("standard", standard_over_quick * soil.quick_grains), fmt::arg("limit", 1e3 * soil.finer_than),
         fmt::arg("content", 100 * soil.fines_content), fmt::arg("reason", soil.reason),
+        fmt::arg("modulus", '"' + print_quantity(modulus, dimension::pressure) + '"'),
+        fmt::arg(
+            "stiffer",
+            modulus > usual_modulus ? "; so that the finest grains between the coarsest overlap by some 5 %" : ""
+        ),
         fmt::arg("left_out", soil.left_out.empty() ? "" : "; #~ without " + soil.left_out)
     );
 }

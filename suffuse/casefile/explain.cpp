@@ -98,8 +98,15 @@ constexpr std::array code_table = {
         "one sample: take more grains, or several seeds."},
     Code{
         "E608", "a test of a sample without stress",
-        "The pace of a triaxial test follows from the stress that the sample carries: a stage that compacts or settles "
-        "it comes before."},
+        "The pace of a triaxial test, and the size of the loads of stress probes, follow from the stress that the "
+        "sample "
+        "carries: a stage that compacts or settles it comes before."},
+    Code{
+        "W609", "fine grains squeezed between coarse ones",
+        "Contact forces grow as the square of the size, the stiffness of a contact as the size of its smaller grain: "
+        "fine "
+        "grains in the force chains of much coarser ones overlap by far more than grains do on average. A modulus that "
+        "grows as the square of the ratio of sizes keeps that small, and costs steps as the ratio."},
     Code{
         "W605", "nothing or everything is fine",
         "Without fines nothing can leave; without coarse grains there is no skeleton."},

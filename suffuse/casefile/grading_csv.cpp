@@ -140,7 +140,20 @@ Meaning meaning_of(const std::string& name) {
                                                      : Meaning::Retained;
 }
 
-/// "Sieve size (mm)" -> its name in small letters and its unit; "% passing" has one too.
+/// The last word of a heading, where that is a unit: of "d_mm", "passing percent". @return it and what stands before.
+std::pair<std::string_view, std::string_view> split_last_word(std::string_view text) {
+    constexpr std::array units{"mm", "um", "µm", "cm", "m", "percent", "pct"};
+    text = text.substr(0, text.find_last_not_of(' ') + 1);
+    const std::size_t blank = text.find_last_of(" _");
+    if (blank == std::string_view::npos) {
+        return {"", text};
+    }
+    const std::string_view word = text.substr(blank + 1);
+    return std::find(units.begin(), units.end(), word) == units.end() ? std::pair{std::string_view(), text}
+                                                                      : std::pair{word, text.substr(0, blank)};
+}
+
+/// "Sieve size (mm)" -> its name in small letters and its unit; "% passing" and "d_mm" have one too.
 std::pair<std::string, std::string> split_heading(std::string_view text) {
     std::string name, unit;
     const std::size_t open = text.find_first_of("[(");
@@ -148,6 +161,10 @@ std::pair<std::string, std::string> split_heading(std::string_view text) {
     if (close != std::string_view::npos) {
         unit = trimmed(text.substr(open + 1, close - open - 1));
         text = text.substr(0, open);
+    } else {
+        const auto [word, rest] = split_last_word(text);
+        unit = word.starts_with('p') ? "%" : std::string(word);
+        text = rest;
     }
     for (const char c : text) {
         if (c == '%') {

@@ -22,6 +22,8 @@ constexpr double contacts_per_grain = 4; ///< of the grains that carry load
 constexpr double narrowest_cell = 3;     ///< below which a grain meets its own image's neighbors [-]
 constexpr std::ptrdiff_t few_fines = 100, few_coarse = 50;
 constexpr double large_overlap = 0.02;   ///< of the radius: doubtful [-]
+constexpr double large_squeezed = 0.1;   ///< of the finest radius: what a run warns of when it is seen [-]
+constexpr double wide_grading = 4;       ///< coarsest over finest grain, below which that rule was not looked at
 constexpr double largest_overlap = 0.05; ///< of the radius: the contact law no longer describes grains [-]
 
 std::optional<Grading> whole_grading(const grains::Soil& soil) {
@@ -80,6 +82,7 @@ public:
     void check_pressure(const Stage& stage, std::string_view key, double pressure) {
         const double overlap = overlap_at(std::abs(pressure), variant_.material.modulus);
         if (overlap <= large_overlap) {
+            check_squeezed(stage_place(stage, key), std::abs(pressure));
             return;
         }
         const std::string message = fmt::format(
@@ -96,6 +99,31 @@ public:
         } else {
             context_.problems.warning("W603", place, message, advice);
         }
+    }
+
+    /// The finest grains of a wide grading, where the mean overlap is small.
+    void check_squeezed(const Place& place, double pressure) {
+        const auto grading = variant_.soil ? whole_grading(*variant_.soil) : std::nullopt;
+        if (!grading) {
+            return;
+        }
+        const double ratio = largest_grain(*grading) / grains::size_at(*grading, 0);
+        const double modulus = variant_.material.modulus, overlap = squeezed_overlap_at(pressure, modulus, ratio);
+        if (overlap <= large_squeezed || ratio < wide_grading) {
+            return;
+        }
+        context_.problems.warning(
+            "W609", place,
+            fmt::format(
+                "at {} the finest grains, {:.3g} times smaller than the coarsest, overlap by some {:.0f} % of their "
+                "radius where they are caught between those",
+                print_quantity(pressure, dimension::pressure), ratio, 100 * overlap
+            ),
+            fmt::format(
+                "a stiffer contact `modulus` of {} makes that some {:.0f} %; steps grow with its root",
+                print_quantity(round_up(modulus * overlap / good_squeezed), dimension::pressure), 100 * good_squeezed
+            )
+        );
     }
 
     void check_gradient(const Stage& stage, std::string_view key, double gradient) {
@@ -274,6 +302,11 @@ double width_in_grains(const grains::Soil& soil, std::int64_t particles) {
     }
     const double solid = static_cast<double>(particles) * mean_grain_volume(*grading);
     return std::cbrt(solid / (1 - settled_porosity)) / largest_grain(*grading);
+}
+
+double squeezed_overlap_at(double pressure, double modulus, double size_ratio) {
+    constexpr double of_chains = 4; // over pressure and modulus: forces of the strongest chains
+    return of_chains * pressure / modulus * size_ratio * size_ratio;
 }
 
 double overlap_at(double pressure, double modulus) {

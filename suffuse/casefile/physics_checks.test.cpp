@@ -57,6 +57,25 @@ TEST(PhysicsChecks, APressureThatSqueezesGrainsIsDoubtfulThenAnError) {
     EXPECT_NE(found.help.find("modulus"), std::string::npos);
 }
 
+TEST(PhysicsChecks, FineGrainsBetweenMuchCoarserOnesNeedAStifferContact) {
+    EXPECT_DOUBLE_EQ(squeezed_overlap_at(2e5, 356e6, 8), 8 * squeezed_overlap_at(1e5, 356e6, 4));
+    const std::string wide = replaced(
+        replaced(
+            good_case, "psd = \"data/sand.csv\"",
+            "psd = { d = [\"0.1 mm\", \"1.2 mm\"], passing = [\"0 %\", \"100 %\"] }"
+        ),
+        "20000", "300000"
+    );
+    const Diagnostic found = find_problem(problems_of(wide), "W609");
+    EXPECT_EQ(found.line, 14);
+    const std::string advised =
+        found.help.substr(found.help.find("of ") + 3, found.help.find(" makes") - found.help.find("of ") - 3);
+    const std::string stiffer =
+        replaced(wide, "schema = 1\n", "schema = 1\n[contact]\nmodulus = \"" + advised + "\"\n");
+    EXPECT_EQ(find_problem(problems_of(stiffer), "W609").code, "");
+    EXPECT_EQ(find_problem(problems_of(good_case), "W609").code, "");
+}
+
 TEST(PhysicsChecks, StressesOfOtherStagesAreCheckedToo) {
     const std::string head = good_case + "[[study.one.stage]]\nname = \"x\"\n";
     EXPECT_EQ(find_problem(problems_of(head + "do = \"settle\"\npressure = \"20 MPa\"\n"), "E603").line, 18);

@@ -49,6 +49,8 @@ TEST(ReadGrading, SieveAnalysesAsLaboratoriesWriteThemGiveTheSameCurve) {
              "Grain size;Finer by mass\n100 um;0 %\n200 um;50 %\n0.4 mm;100 %\n", // units at every number
              "sieve [um];Cumulative retained [%]\r\n400;0\r\n200;50\r\n100;100\r\n",
              "d [mm];retained [%];passing [%];;\n0,4;0;100;;\n0,2;50;50;;\n0,1;50;0;;\n", // empty cells
+             "d_mm,passing_percent\n0.1,0\n0.2,50\n0.4,100\n",                            // as scripts name columns
+             "particle size um,finer pct\n100,0\n200,50\n400,100\n",
              "\"d [mm]\";\"passing [%]\"\n\"0,1\";\"0\"\n\"0,2\";\"50\"\n\"0,4\";\"100\"\n",
          }) {
         const Parsed parsed = parse(text);
