@@ -161,6 +161,7 @@ std::optional<Figure> stability_in_directions(const std::vector<ProbedState>& st
     figure.table = probe_table(states);
     figure.chart = json::parse(chart_text);
     std::vector<std::string> names;
+    names.reserve(states.size());
     for (const ProbedState& state : states) {
         names.push_back(state.name);
     }

@@ -80,19 +80,46 @@ std::vector<std::string> answers_to_removals(const std::vector<FinishedStage>& s
     return sentences.size() <= most ? sentences : std::vector<std::string>{};
 }
 
+/// "75.17 kPa at 1.8 % axial strain", or between which values the peaks of samples lie that differ in their seed only.
+std::string tell_peaks(const std::vector<json>& responses) {
+    const json& first = responses.front();
+    const auto kilopascals = [](const json& response) { return response.at("peak_deviator").get<double>() / 1e3; };
+    if (responses.size() == 1) {
+        return fmt::format(
+            "{} kPa at {} % axial strain", report::short_number(kilopascals(first), 4),
+            report::short_number(100 * first.at("peak_strain").get<double>(), 2)
+        );
+    }
+    double lowest = kilopascals(first), highest = lowest;
+    for (const json& response : responses) {
+        lowest = std::min(lowest, kilopascals(response)), highest = std::max(highest, kilopascals(response));
+    }
+    return fmt::format(
+        "{} to {} kPa ({} samples)", report::short_number(lowest, 4), report::short_number(highest, 4), responses.size()
+    );
+}
+
 /// Of the tests outside sweeps.
 std::string answer_to_tests(const std::vector<FinishedStage>& stages) {
-    std::string text;
+    std::vector<std::pair<const casefile::Study*, std::string>> tests;
+    std::vector<std::vector<json>> responses;
     for (const FinishedStage& stage : stages) {
         if (!stage.numbers.contains("response") || !stage.study->sweep.empty()) {
             continue;
         }
-        const json& response = stage.numbers.at("response");
+        const std::pair test(stage.study, stage.stage->name);
+        const auto number = static_cast<std::size_t>(std::find(tests.begin(), tests.end(), test) - tests.begin());
+        if (number == tests.size()) {
+            tests.push_back(test);
+            responses.emplace_back();
+        }
+        responses[number].push_back(stage.numbers.at("response"));
+    }
+    std::string text;
+    for (std::size_t k = 0; k < tests.size(); ++k) {
         text += fmt::format(
-            "{}{} kPa at {} % axial strain in {}",
-            text.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
-            report::short_number(response.at("peak_deviator").get<double>() / 1e3, 4),
-            report::short_number(100 * response.at("peak_strain").get<double>(), 2), stage.stage->name
+            "{}{} in {}", text.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
+            tell_peaks(responses[k]), tests[k].second
         );
     }
     return text.empty() ? text : text + ".";
