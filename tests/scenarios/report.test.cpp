@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <regex>
+#include <sstream>
 
 namespace suffuse::test {
 namespace {
@@ -185,6 +186,59 @@ TEST(StudyReport, TwoRunsOfOneCaseDifferInTimesOnly) {
         return html;
     };
     EXPECT_EQ(page(first), page(second));
+}
+
+TEST(StudyReport, SamplesThatDifferInTheirSeedAreToldTogether) {
+    const std::string study = mixed_soil + R"(
+[study.s]
+soil       = "mixture"
+particles  = 250
+replicates = 2
+[[study.s.stage]]
+name     = "cloud"
+do       = "pack"
+[[study.s.stage]]
+name     = "dense"
+do       = "compact"
+protocol = "swift"
+pressure = "100 kPa"
+[[study.s.stage]]
+name   = "shear"
+do     = "triaxial"
+strain = "0.5 %"
+[[study.s.stage]]
+name       = "probed"
+from       = "dense"
+do         = "stress-probe"
+directions = 4
+)";
+    const TempFolder folder;
+    run_text(reference_constants + study, folder.path());
+    double work = 0;
+    std::vector<double> peak;
+    for (const int seed : {1, 2}) {
+        const std::string sample = fmt::format("rep={}/", seed);
+        work += stage_of(folder.path(), sample + "probed").at("stress_probes")[1].at("normalized").get<double>() / 2;
+        peak.push_back(
+            stage_of(folder.path(), sample + "shear").at("response").at("peak_deviator").get<double>() / 1e3
+        );
+    }
+    const auto rows = rows_of(folder / "run/figures/own-stress-probes.csv");
+    ASSERT_EQ(rows.size(), 5U); // four directions, and the first again
+    EXPECT_EQ(rows[1].at("samples"), "2");
+    EXPECT_NEAR(std::stod(rows[1].at("normalized_work")), work, 1e-12); // rounding
+    const std::string page = read_all(folder / "run/report.html");
+    EXPECT_NE(page.find("probed: stable in all 4 directions of load"), std::string::npos);
+    std::sort(peak.begin(), peak.end());
+    const std::size_t begin = page.find("triaxial compression: "),
+                      end = page.find("\u00a0kPa (2 samples) in shear.", begin);
+    ASSERT_NE(end, std::string::npos);
+    std::istringstream told(page.substr(begin, end - begin));
+    double lowest = 0, highest = 0;
+    std::string word;
+    told >> word >> word >> lowest >> word >> highest;
+    EXPECT_NEAR(lowest, peak[0], 0.1) << told.str(); // four digits are told
+    EXPECT_NEAR(highest, peak[1], 0.1) << told.str();
 }
 
 } // namespace
