@@ -146,14 +146,4 @@ probe_direction(const ProbedState& state, const StressProbeSpec& spec, int numbe
     return probe;
 }
 
-const StressProbe* least_stable(const std::vector<StressProbe>& probes) {
-    const auto rank = [](const StressProbe& probe) {
-        return std::pair(probe.answer == Answer::Fails ? 0 : 1, probe.normalized);
-    };
-    const auto least = std::min_element(probes.begin(), probes.end(), [&](const StressProbe& a, const StressProbe& b) {
-        return rank(a) < rank(b);
-    });
-    return least == probes.end() ? nullptr : &*least;
-}
-
 } // namespace suffuse::triaxial

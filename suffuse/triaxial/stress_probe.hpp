@@ -7,8 +7,6 @@
 #include "suffuse/dem/world.hpp"
 #include "suffuse/triaxial/spec.hpp"
 
-#include <vector>
-
 namespace suffuse::triaxial {
 
 enum class Answer : std::int32_t {
@@ -47,8 +45,5 @@ ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec
 /// Direction `number` of `spec.directions`.
 StressProbe
 probe_direction(const ProbedState& state, const StressProbeSpec& spec, int number, double damping, const Pulse& pulse);
-
-/// The answer with the least normalized second-order work, a failing one before all others; nullptr without any.
-const StressProbe* least_stable(const std::vector<StressProbe>& probes);
 
 } // namespace suffuse::triaxial
