@@ -4,15 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace suffuse::neighbors {
 namespace {
 
 constexpr int most_classes = 32;
 
-double fractional_part(double s) {
-    const double f = s - std::floor(s);
-    return f < 1.0 ? f : 0.0;
+/// Of a home position, which rounding may put on either face of the cell: kept on the side where it is, for the grid to
+/// find it there.
+double within_cell(double s) {
+    return std::clamp(s, 0.0, 1.0 - std::numeric_limits<double>::epsilon() / 2);
 }
 
 Grid build_grid(
@@ -67,7 +69,7 @@ HomePositions bring_home(const Mat3& h, std::span<const Vec3> position) {
             home.period[g] = cell::period_of(inverse_h, position[g]);
             home.position[g] = position[g] - cell::shift(h, home.period[g]);
             const Vec3 s = inverse_h * home.position[g];
-            home.fraction[g] = {fractional_part(s.x), fractional_part(s.y), fractional_part(s.z)};
+            home.fraction[g] = {within_cell(s.x), within_cell(s.y), within_cell(s.z)};
         }
     });
     return home;

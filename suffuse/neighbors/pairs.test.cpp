@@ -60,6 +60,21 @@ TEST(Pairs, SeveralImagesOfOnePairAreAllFound) {
     EXPECT_EQ(pairs.size(), 2U); // to the left and to the right
 }
 
+TEST(Pairs, OnTheFacesOfTheCellNoneIsLostToRounding) {
+    constexpr int edge = 5; // grains along each axis of a lattice whose first layer lies on a face of the cell
+    for (const double layer : {0.0, -1e-20, 1e-20, -5e-17, 5e-17, 1 - 0x1p-53, 1 - 0x1p-52}) {
+        std::vector<Vec3> position;
+        for (int k = 0; k < edge * edge * edge; ++k) {
+            const Vec3 place{k % edge * 0.2, k / edge % edge * 0.2, k / (edge * edge) * 0.2};
+            position.push_back({place.x == 0 ? layer : place.x, place.y, place.z});
+        }
+        const std::vector<double> radius(position.size(), 0.1 + 1e-9);
+        const auto pairs = find_pairs(identity(), position, radius, 0);
+        EXPECT_EQ(pairs.size(), 3U * position.size()) << layer;
+        EXPECT_EQ(pairs, find_pairs_exhaustively(identity(), position, radius, 0)) << layer;
+    }
+}
+
 TEST(Pairs, APositionFarOutIsNotTakenForOneThatIsNotFinite) {
     const std::vector<Vec3> position{{1e300, 0, 0}};
     const std::vector<double> radius{0.25};
