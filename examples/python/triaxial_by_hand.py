@@ -30,7 +30,7 @@ loading = suffuse.Loading(strain_rate=(None, None, rate), stress=(start[0], star
 
 curve, bursts = [(0.0, start[2] - 0.5 * (start[0] + start[1]), 0.0)], 0
 while world.strain[2] < STRAIN:
-    if bursts % 40 == 0:
+    if bursts % 20 == 0:
         time_step = world.stable_time_step()
     stress = world.step(50, loading, time_step=time_step)
     bursts += 1

@@ -1,5 +1,6 @@
 // What moves a world: steps under a loading and under forces, settling, relaxing, compaction, triaxial tests.
 
+#include "suffuse/casefile/names.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/dem/relax.hpp"
@@ -8,7 +9,7 @@
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/run/result_json.hpp"
-#include "suffuse/triaxial/run_path.hpp"
+#include "suffuse/triaxial/response.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +27,6 @@ namespace {
 
 using Handle = std::shared_ptr<WorldHandle>;
 
-constexpr std::int64_t time_step_interval = 2000; // steps after which a computed time step is computed again
 constexpr const char* usual_mode = "reference";
 constexpr double usual_damping = 0.2; // local, non-viscous; [contact] damping of a case
 
@@ -42,7 +42,8 @@ dem::Mode mode_of(const std::string& word) {
 /// What the caller of a step asked for.
 struct Asked {
     dem::StepPlan plan;
-    bool computed = true; ///< the time step
+    bool computed = true;            ///< the time step
+    std::int64_t known_contacts = 0; ///< touching when it was
     grains::GrainLoad load;
 };
 
@@ -69,8 +70,10 @@ std::shared_ptr<Asked> read_asked(
 }
 
 void renew_time_step(Asked& asked, const dem::World& world, std::int64_t done) {
-    if (asked.computed && done % time_step_interval == 0) {
+    const std::int64_t contacts = asked.computed ? dem::measure_equilibrium(world).contacts : 0;
+    if (asked.computed && dem::time_step_is_due(done, contacts, asked.known_contacts)) {
         asked.plan.dt = dem::stable_time_step(world);
+        asked.known_contacts = contacts;
     }
 }
 
@@ -87,7 +90,7 @@ py::array_t<double> step(
         for (std::int64_t done = 0; done < steps;) {
             renew_time_step(*asked, w.world(), done);
             const std::int64_t burst =
-                std::min({steps - done, dem::burst_steps, time_step_interval - done % time_step_interval});
+                std::min({steps - done, dem::burst_steps, dem::time_step_interval - done % dem::time_step_interval});
             report = dem::advance(w.world(), caches, asked->plan, burst);
             done += burst;
             w.remember_place(); // before an exception may end the work
@@ -219,26 +222,28 @@ py::object compact(
 }
 
 triaxial::Path path_of(const std::string& word) {
-    if (word == "drained") {
-        return triaxial::Path::Drained;
+    std::string all;
+    for (const auto& [path, name] : casefile::names::triaxial_path) {
+        if (word == name) {
+            return path;
+        }
+        all += fmt::format("{}{}", all.empty() ? "" : ", ", name);
     }
-    if (word == "constant-mean") {
-        return triaxial::Path::ConstantMean;
-    }
-    if (word == "undrained") {
-        return triaxial::Path::Undrained;
-    }
-    throw CaseError(fmt::format("path: found \"{}\", expected drained, constant-mean or undrained", word));
+    throw CaseError(fmt::format("path: found \"{}\", expected one of {}", word, all));
 }
 
 py::object run_triaxial(
-    WorldHandle& w, const py::object& strain, const std::string& path, const py::object& inertial_number,
+    WorldHandle& w, const py::object& strain, const std::string& path, const py::object& strain_ratio,
+    const py::object& deviator_stress, const py::object& stress_ratio, const py::object& inertial_number,
     const py::object& time_step, int rows, double damping, const std::string& mode, const py::object& on_progress
 ) {
     const dem::Mode asked_mode = mode_of(mode);
     triaxial::TriaxialSpec spec;
     spec.strain = quantity_of(strain, dimension::none, "strain");
     spec.path = path_of(path);
+    spec.strain_ratio = optional_quantity(strain_ratio, dimension::none, "strain_ratio");
+    spec.deviator_stress = optional_quantity(deviator_stress, dimension::pressure, "deviator_stress");
+    spec.stress_ratio = optional_quantity(stress_ratio, dimension::none, "stress_ratio");
     spec.inertial_number = quantity_of(inertial_number, dimension::none, "inertial_number");
     spec.time_step = optional_quantity(time_step, dimension::time, "time_step").value_or(0);
     spec.rows = rows;
@@ -389,13 +394,19 @@ void bind_steps(py::module_& m) {
     );
     type.def(
         "triaxial", &run_triaxial, py::arg("strain") = triaxial::TriaxialSpec{}.strain, py::kw_only(),
-        py::arg("path") = "drained", py::arg("inertial_number") = triaxial::TriaxialSpec{}.inertial_number,
+        py::arg("path") = "drained", py::arg("strain_ratio") = py::none(), py::arg("deviator_stress") = py::none(),
+        py::arg("stress_ratio") = py::none(), py::arg("inertial_number") = triaxial::TriaxialSpec{}.inertial_number,
         py::arg("time_step") = py::none(), py::arg("rows") = triaxial::TriaxialSpec{}.rows,
         py::arg("damping") = usual_damping, py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
         with_keys(
             "Compresses along z, as a stage that does \"triaxial\"; returns `curve`, a list of rows, `response`, "
             "`steps`, `strain_rate` and `median_diameter`.\n",
-            {{"stage.triaxial", "strain"}, {"stage.triaxial", "path"}, {"stage.triaxial", "inertial_number"}}
+            {{"stage.triaxial", "strain"},
+             {"stage.triaxial", "path"},
+             {"stage.triaxial", "strain_ratio"},
+             {"stage.triaxial", "deviator_stress"},
+             {"stage.triaxial", "stress_ratio"},
+             {"stage.triaxial", "inertial_number"}}
         ).c_str()
     );
     type.def(

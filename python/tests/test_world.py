@@ -256,6 +256,20 @@ def test_a_triaxial_test_without_stress_or_pace_is_refused(cloud, settled):
             settled.triaxial(**wrong)
 
 
+def test_triaxial_paths_bear_the_names_of_cases(settled):
+    oedometer = settled.copy().triaxial("0.1 %", path="proportional", strain_ratio=1, inertial_number=3e-3)
+    last = oedometer["curve"][-1]
+    assert last["volumetric_strain"] == pytest.approx(last["axial_strain"], rel=1e-5)
+    sheared = settled.copy()
+    sheared.triaxial(stress_ratio=0.4, inertial_number=3e-3)
+    rise = sheared.triaxial("0.2 %", path="constant-deviator", inertial_number=3e-3)
+    assert rise["response"]["excess_pore_pressure"] > 0
+    with pytest.raises(suffuse.CaseError, match="expected one of drained, .*, proportional"):
+        settled.triaxial(path="oedometer")
+    with pytest.raises(suffuse.CaseError, match="strain_ratio"):
+        settled.triaxial(path="proportional")
+
+
 def test_stress_probes_leave_the_world_as_it_is(cloud, settled):
     before = settled.grains.position.copy()
     probes = settled.stress_probe("2 %", directions=4)

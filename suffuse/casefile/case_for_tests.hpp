@@ -169,9 +169,15 @@ path = "undrained"
 axis = "x"
 strain = "20 %"
 deviator_stress = "50 kPa"
-stress_ratio = 0.5
 inertial_number = "strict"
 rows = 100
+[[study.main.stage]]
+name = "widened"
+from = "initial"
+do = "triaxial"
+path = "proportional"
+strain_ratio = -0.5
+stress_ratio = 0.5
 [[study.main.stage]]
 name = "stability"
 do = "stress-probe"

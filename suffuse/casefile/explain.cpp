@@ -97,10 +97,9 @@ constexpr std::array code_table = {
         "chance of "
         "one sample: take more grains, or several seeds."},
     Code{
-        "E608", "a test of a sample without stress",
+        "E608", "a start from a sample without stress",
         "The pace of a triaxial test, and the size of the loads of stress probes, follow from the stress that the "
-        "sample "
-        "carries: a stage that compacts or settles it comes before."},
+        "sample carries, and an eroded skeleton settles under it: a stage that compacts or settles it comes before."},
     Code{
         "W609", "fine grains squeezed between coarse ones",
         "Contact forces grow as the square of the size, the stiffness of a contact as the size of its smaller grain: "

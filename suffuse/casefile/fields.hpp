@@ -139,11 +139,13 @@ void fields(V& v, triaxial::TriaxialSpec& s) {
     v.choice("path", s.path, names::triaxial_path);
     v.choice("axis", s.axis, names::axis);
     v.field("strain", s.strain);
+    v.field("strain_ratio", s.strain_ratio);
     v.field("deviator_stress", s.deviator_stress);
     v.field("stress_ratio", s.stress_ratio);
     inertial_number_field(v, s.inertial_number);
     v.time_step(s.time_step);
     v.field("rows", s.rows);
+    check_path(v, s);
 }
 
 template <class V>
@@ -210,6 +212,7 @@ void fields(V& v, erosion::ErodeSpec& s) {
     v.table("forced", s.forced, [](auto& inner, erosion::ForcedRemoval& f) {
         inner.field("max_contacts", f.max_contacts);
     });
+    v.field("max_strain", s.max_strain);
     auto then = names::Then::Settle;
     v.choice("then", then, names::then);
 }

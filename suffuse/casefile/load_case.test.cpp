@@ -70,6 +70,10 @@ TEST(LoadCase, EveryValueReachesItsSpecInSi) {
     EXPECT_EQ(shear.path, triaxial::Path::Undrained);
     EXPECT_EQ(shear.axis, 0);
     EXPECT_EQ(shear.inertial_number, 1e-4);
+    const auto& widened = spec_of<triaxial::TriaxialSpec>(c, "main", "widened");
+    EXPECT_EQ(widened.path, triaxial::Path::Proportional);
+    EXPECT_EQ(widened.strain_ratio, -0.5);
+    EXPECT_EQ(widened.stress_ratio, 0.5);
     const auto& import = spec_of<ImportSpec>(c, "other", "start");
     EXPECT_EQ(import.cell(0, 1), 1e-4);
     EXPECT_EQ(import.cell(1, 0), 0);

@@ -250,6 +250,35 @@ void check_servo(Reader& v, const cell::ServoSpec& s) {
 
 void check_servo(Writer&, const cell::ServoSpec&) {}
 
+void check_path(Reader& v, const triaxial::TriaxialSpec& s) {
+    const bool proportional = s.path == triaxial::Path::Proportional;
+    if (proportional && !s.strain_ratio) {
+        v.error(
+            "E207", v.place(), fmt::format("{} keeps to a `strain_ratio`, and gives none", v.title()),
+            "the volumetric over the axial strain: strain_ratio = 1 is an oedometer, below 0 the sample is made to "
+            "dilate"
+        );
+    } else if (!proportional && s.strain_ratio) {
+        v.error(
+            "E207", v.place(), fmt::format("{} gives `strain_ratio`, and its path keeps to none", v.title()),
+            "add path = \"proportional\", or take it out"
+        );
+    }
+    if (s.deviator_stress && s.stress_ratio) {
+        v.error(
+            "E207", v.place(), fmt::format("{} stops at a `deviator_stress` and at a `stress_ratio`", v.title()),
+            "keep one of them"
+        );
+    } else if (s.deviator_stress && s.path == triaxial::Path::ConstantDeviator) {
+        v.error(
+            "E207", v.place(), fmt::format("{} holds the deviator stress, and stops at another", v.title()),
+            "stop at a stress_ratio instead, or take the key out"
+        );
+    }
+}
+
+void check_path(Writer&, const triaxial::TriaxialSpec&) {}
+
 void check_start(Reader& v, const packing::CompactSpec& s) {
     if (s.start_porosity && s.protocol != packing::Protocol::Swift) {
         v.error(

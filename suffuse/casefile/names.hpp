@@ -42,7 +42,9 @@ inline constexpr std::array protocol = {
 inline constexpr std::array triaxial_path = {
     Word<triaxial::Path>{triaxial::Path::Drained, "drained"},
     Word<triaxial::Path>{triaxial::Path::ConstantMean, "constant-mean"},
-    Word<triaxial::Path>{triaxial::Path::Undrained, "undrained"}};
+    Word<triaxial::Path>{triaxial::Path::ConstantDeviator, "constant-deviator"},
+    Word<triaxial::Path>{triaxial::Path::Undrained, "undrained"},
+    Word<triaxial::Path>{triaxial::Path::Proportional, "proportional"}};
 
 inline constexpr std::array detach_by = {
     Word<erosion::DetachBy>{erosion::DetachBy::Velocity, "velocity"},

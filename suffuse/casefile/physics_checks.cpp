@@ -183,16 +183,18 @@ public:
     }
 
     /// A test loads what a stage before it has loaded; its pace or its loads follow from that stress.
-    void check_start_of_test(const Stage& test) {
-        if (test.parent < 0) {
+    /// A test, an erosion and a removal start from a sample that carries a stress.
+    void check_start(const Stage& stage) {
+        if (stage.parent < 0) {
             return;
         }
-        const Stage& before = variant_.stages[static_cast<std::size_t>(test.parent)];
+        const Stage& before = variant_.stages[static_cast<std::size_t>(stage.parent)];
         if (std::holds_alternative<packing::PackSpec>(before.spec) || std::holds_alternative<ImportSpec>(before.spec)) {
             context_.problems.error(
-                "E608", stage_place(test, "do"),
+                "E608", stage_place(stage, "do"),
                 fmt::format(
-                    "stage \"{}\" tests the sample of stage \"{}\", which carries no stress yet", test.name, before.name
+                    "stage \"{}\" starts from the sample of stage \"{}\", which carries no stress yet", stage.name,
+                    before.name
                 ),
                 "compact or settle it under a pressure first"
             );
@@ -277,7 +279,7 @@ void check_stage(Checks& checks, const Stage& stage) {
         check_loading(checks, stage, advance->loading, false);
     } else if (std::holds_alternative<triaxial::TriaxialSpec>(stage.spec) ||
                std::holds_alternative<triaxial::StressProbeSpec>(stage.spec)) {
-        checks.check_start_of_test(stage);
+        checks.check_start(stage);
     } else if (const auto* flow = std::get_if<flow::FlowSpec>(&stage.spec)) {
         checks.check_gradient(stage, "gradient", flow->gradient);
     } else if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {
@@ -288,8 +290,10 @@ void check_stage(Checks& checks, const Stage& stage) {
     } else if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec)) {
         checks.check_gradient(stage, "gradient", erode->gradient);
         checks.check_fines(stage);
+        checks.check_start(stage);
     } else if (std::holds_alternative<erosion::RemoveSpec>(stage.spec)) {
         checks.check_fines(stage);
+        checks.check_start(stage);
     }
 }
 

@@ -91,7 +91,7 @@ TEST(PhysicsChecks, AGradientAboveTheCriticalOneIsDoubtful) {
     EXPECT_EQ(find_problem(problems_of(head + "gradient = -1.1\n"), "W604").line, 18);
 }
 
-TEST(PhysicsChecks, ATriaxialTestNeedsASampleThatCarriesAStress) {
+TEST(PhysicsChecks, TestsAndErosionNeedASampleThatCarriesAStress) {
     const std::string test = "[[study.one.stage]]\nname = \"x\"\ndo = \"triaxial\"\n";
     EXPECT_EQ(problems_of(good_case + test).size(), 0U);
     EXPECT_EQ(find_problem(problems_of(good_case + test + "from = \"cloud\"\n"), "E608").line, 17);
@@ -103,6 +103,10 @@ path = "packing.csv"
 cell = ["1 cm", "1 cm", "1 cm"]
 )";
     EXPECT_EQ(find_problem(problems_of(import + test), "E608").line, 9);
+    for (const std::string verb : {"erode", "remove"}) {
+        const std::string stage = "[[study.one.stage]]\nname = \"x\"\nfrom = \"cloud\"\ndo = \"" + verb + "\"\n";
+        EXPECT_EQ(find_problem(problems_of(good_case + stage), "E608").line, 18) << verb;
+    }
 }
 
 TEST(PhysicsChecks, ErosionNeedsFines) {

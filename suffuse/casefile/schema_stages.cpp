@@ -102,10 +102,19 @@ std::vector<Key> triaxial_rows() {
     return {
         choice(
             "stage.triaxial", "path", names::words_of(names::triaxial_path),
-            "What is held: lateral stresses, mean stress, or volume."
+            "What is held: lateral stresses, mean stress, deviator stress while the cell widens as if pore pressure "
+            "rose, "
+            "volume, or the ratio of strains."
         ),
         choice("stage.triaxial", "axis", names::words_of(names::axis), "The axis that is compressed."),
-        ratio("stage.triaxial", "strain", {0, 2, true, false}, "Axial strain to stop at."),
+        ratio(
+            "stage.triaxial", "strain", {0, 2, true, false},
+            "Axial strain to stop at; at a constant deviator, where a sample first lengthens, also twice its widening."
+        ),
+        ratio(
+            "stage.triaxial", "strain_ratio", any,
+            "Path \"proportional\": volumetric over axial strain. 1: oedometer, 0: undrained, below 0: dilation."
+        ),
         quantity(
             "stage.triaxial", "deviator_stress", dimension::pressure, above_zero,
             "Deviator stress q to stop at and settle; the strain is then a limit."
@@ -316,10 +325,17 @@ std::vector<Key> erosion_rows() {
                 "the triangulation counts, as in the reference), those where the center of the void sphere of one lies "
                 "in that of the other, or those whose void spheres overlap. Of no effect on the widest path."
             ),
-            table("stage.erode", "forced", "Forced removal instead of the probe: fines with few contacts leave."),
+            table(
+                "stage.erode", "forced",
+                "Forced removal, whatever probe and constrictions say: fines with few contacts leave."
+            ),
             count(
                 "stage.erode.forced", "max_contacts", {0, 1000, false, false},
                 "Fines with at most this many contacts leave."
+            ),
+            ratio(
+                "stage.erode", "max_strain", {0, 2, true, false},
+                "Strain of an axis in one pass beyond which the skeleton counts as failed; the erosion then ends."
             ),
             choice(
                 "stage.erode", "then", names::words_of(names::then),

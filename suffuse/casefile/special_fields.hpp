@@ -32,6 +32,9 @@ void loading_fields(Reader& v, cell::Loading& loading);
 void loading_fields(Writer& v, const cell::Loading& loading);
 
 /// An inertial servo needs its mass.
+void check_path(Reader& v, const triaxial::TriaxialSpec& s);
+void check_path(Writer& v, const triaxial::TriaxialSpec& s);
+
 void check_servo(Reader& v, const cell::ServoSpec& s);
 void check_servo(Writer& v, const cell::ServoSpec& s);
 

@@ -21,14 +21,22 @@ World graded() {
     return world;
 }
 
-TEST(LentInertia, LetsTheTimeStepBeThatOfTheMedianGrainWithinItsPowerOfTwo) {
+/// Of two grains like grain `g` [rad/s].
+double frequency_of_two(const World& world, std::size_t g) {
+    const Inertia grain{world.grains.radius[g], world.grains.mass[g], world.grains.inertia[g]};
+    return pair_frequency(world.material, world.material.shear_ratio, grain, grain);
+}
+
+TEST(LentInertia, MakesPairsOfSmallGrainsAsQuickAsThatOfTheMedianGrainWithinItsPowerOfTwo) {
     World world = graded(), median_grain = test::empty_world(1e-2);
     test::add(median_grain, {}, median / 2);
+    const double own = frequency_of_two(world, 0), wanted = frequency_of_two(median_grain, 0);
+    EXPECT_NEAR(own / wanted, 10, 1e-9);
     lend_inertia(world, median, {}, {true, false});
-    const double longest = stable_time_step(median_grain);
-    EXPECT_LE(stable_time_step(world), longest);
-    EXPECT_GE(stable_time_step(world), longest / std::sqrt(2));
-    EXPECT_LT(stable_time_step(graded()), 0.11 * longest);
+    for (std::size_t g = 0; g < 5; ++g) { // up to the median size
+        EXPECT_GE(frequency_of_two(world, g), wanted * (1 - 1e-12)) << g;
+        EXPECT_LE(frequency_of_two(world, g), wanted * std::sqrt(2)) << g;
+    }
 }
 
 TEST(LentInertia, MakesNoGrainAsHeavyAsALargerOneNorChangesTheLargeOnes) {

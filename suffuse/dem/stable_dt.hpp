@@ -9,13 +9,39 @@ namespace suffuse::dem {
 /// Share of the stability limit that is taken: the power iteration is a few percent low, and contacts come and go.
 inline constexpr double default_step_safety = 0.75;
 
-/// Highest angular frequency of the network of touching contacts [rad/s]; 0 without contacts. All of them stick, but
-/// for frictionless grains at rest in rotation: only their normal springs act. Power iteration on M^-1 K: it comes from
-/// below, within a few percent after `iterations`.
+/// A grain as its springs feel it.
+struct Inertia {
+    double radius = 0;  ///< [m]
+    double mass = 0;    ///< [kg]
+    double turning = 0; ///< moment of inertia [kg m2]
+};
+
+/// Highest angular frequency of the network of touching contacts [rad/s], before the first step of those that overlap;
+/// 0 without contacts. All of them stick, but for frictionless grains at rest in rotation: only their normal springs
+/// act. Power iteration on M^-1 K: it comes from below, within a few percent after `iterations`.
 double highest_frequency(const World& world, int iterations = 40);
 
-/// `safety` x 2 / highest frequency, and never above `safety` x what an uncompressed pair of the smallest grains
-/// allows, so that it holds for contacts still to come [s].
+/// Highest angular frequency of two free grains that touch [rad/s], in closed form: pressed together; slipping and
+/// rolling, which grains of unequal size couple; twisting. @param shear_ratio that of the material, or 0 without shear
+double
+pair_frequency(const grains::Material& material, double shear_ratio, const Inertia& first, const Inertia& second);
+
+/// `safety` x 2 / highest frequency of the network, and of what contacts may still come: two equal grains, or one and
+/// the largest [s]. Grains with several neighbors are quicker than pairs: look again when `network_has_grown`.
 double stable_time_step(const World& world, double safety = default_step_safety);
+
+inline constexpr std::int64_t time_step_interval = 1000; ///< steps after which a computed time step is computed again
+
+/// Whether so many more contacts touch than when the time step was computed that it may be too long now: with them a
+/// vibration would grow within a burst until they slip.
+inline bool network_has_grown(std::int64_t contacts, std::int64_t known_contacts) {
+    constexpr double denser = 1.2;
+    return static_cast<double>(contacts) > denser * static_cast<double>(known_contacts);
+}
+
+/// Whether a computed time step is to be computed again, after `steps`.
+inline bool time_step_is_due(std::int64_t steps, std::int64_t contacts, std::int64_t known_contacts) {
+    return steps % time_step_interval == 0 || network_has_grown(contacts, known_contacts);
+}
 
 } // namespace suffuse::dem

@@ -116,15 +116,58 @@ TEST(StabilityLimit, BeyondItTheStepStopsWhenForcesAreBeyondAllReason) {
     EXPECT_THROW(growth(1.05, 1000), StateError);
 }
 
+/// A grain of `radius` that touches one so many times as large.
+World unequal_pair(double times, double twisting = 0.7) {
+    grains::Material material;
+    material.shear_ratio = 0.42;
+    material.rolling_stiffness = 7.5;
+    material.twisting_stiffness = twisting;
+    World world = test::two_grains(radius, times * radius, overlap, material);
+    test::add_contact(world, 0, 1);
+    return world;
+}
+
+Inertia inertia_of(const World& world, std::size_t g) {
+    return {world.grains.radius[g], world.grains.mass[g], world.grains.inertia[g]};
+}
+
+TEST(PairFrequency, IsThatOfTheNetworkOfTwoGrains) {
+    for (const double times : {1.0, 1.2, 2.0, 4.5, 10.0}) {
+        for (const double twisting : {0.7, 40.0}) {
+            const World world = unequal_pair(times, twisting);
+            const double closed = pair_frequency(world.material, 0.42, inertia_of(world, 0), inertia_of(world, 1));
+            EXPECT_NEAR(highest_frequency(world, 2000) / closed, 1, 1e-6) << times; // converged
+        }
+    }
+}
+
 TEST(StableTimeStep, IsAShareOfTheLimitAndHoldsForContactsToCome) {
-    World world = pair_of(0.42, 7.5, 0);
-    const double limit = 2 / highest_frequency(world, 400);
-    const double dt = stable_time_step(world, 0.5);
-    EXPECT_LE(dt, 0.5 * limit);
-    EXPECT_GE(dt, 0.4 * limit);
-    world.contacts = {}; // a cloud: what an uncompressed pair of the smallest grains allows
-    EXPECT_LE(stable_time_step(world, 0.5), 0.5 * limit * (1 + 1e-9));
-    EXPECT_GE(stable_time_step(world, 0.5), 0.4 * limit);
+    for (const double times : {1.0, 2.0, 4.5, 10.0}) {
+        World world = unequal_pair(times);
+        const double limit = 2 / highest_frequency(world, 2000);
+        EXPECT_NEAR(stable_time_step(world, 0.5) / limit, 0.5, 1e-6) << times;
+        world.contacts = {};
+        world.grains.position[1] += Vec3{4 * radius, 4 * radius, 4 * radius}; // apart
+        EXPECT_NEAR(stable_time_step(world, 0.5) / limit, 0.5, 1e-6) << times;
+    }
+}
+
+TEST(StableTimeStep, BeforeTheFirstStepIsThatOfTheContactsThatItWillFind) {
+    World world = test::reference_packing("packing2000");
+    ASSERT_EQ(world.contacts.size(), 0U);
+    const double before = stable_time_step(world);
+    StepCaches caches;
+    step(world, caches, test::plan_of(1e-12));
+    EXPECT_NEAR(stable_time_step(world) / before, 1, 1e-6); // the cell has moved by a step of 1e-12 s
+    EXPECT_LE(before, 2 / highest_frequency(world, 2000));
+}
+
+TEST(StableTimeStep, IsDueAgainAfterAThousandStepsAndWhenTheNetworkHasGrown) {
+    EXPECT_TRUE(time_step_is_due(0, 100, 100));
+    EXPECT_FALSE(time_step_is_due(50, 120, 100));
+    EXPECT_TRUE(time_step_is_due(50, 121, 100));
+    EXPECT_TRUE(time_step_is_due(50, 1, 0));
+    EXPECT_TRUE(time_step_is_due(1000, 100, 100));
 }
 
 TEST(StableTimeStep, OfThePackingIsNearTheReferencesAndCalm) {

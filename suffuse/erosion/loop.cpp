@@ -1,5 +1,6 @@
 #include "suffuse/erosion/loop.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
@@ -103,8 +104,11 @@ std::string reason_of(const ErodeSpec& spec) {
 
 /// Whether this pass is the last, and why.
 void judge_end(const dem::World& world, const ErodeSpec& spec, double initial_mass, PassResult& pass) {
+    if (pass.failed) {
+        return; // its verdict stands
+    }
     const std::optional<std::string> complaint = skeleton_complaint(world);
-    if (noise_decides(spec.detached, pass.probe)) {
+    if (!spec.forced && noise_decides(spec.detached, pass.probe)) {
         pass.verdict = "what leaves cannot be told from the twin's noise";
     } else if (pass.removed == 0) {
         pass.verdict = "nothing leaves any more";
@@ -125,6 +129,14 @@ void judge_end(const dem::World& world, const ErodeSpec& spec, double initial_ma
 } // namespace
 
 ErosionResult begin_erosion(const dem::World& world) {
+    const double pressure = dem::mean_stress(dem::mean_stress_tensor(world));
+    if (!(pressure > 0)) {
+        throw StateError(fmt::format(
+            "an erosion needs a skeleton that carries a stress, and this one's mean stress is {:.4g} kPa: compact or "
+            "settle it under a pressure first",
+            pressure / 1e3
+        ));
+    }
     ErosionResult result;
     result.initial_mass = total_mass(world.grains);
     return result;
@@ -170,7 +182,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.eroded_mass_percent_of_initial = 100 * (mass - total_mass(next.grains)) / result.initial_mass;
 
     // 6 new equilibrium
-    std::vector<PathRow> path = reequilibrate(next, dt, result, around, pass);
+    std::vector<PathRow> path = reequilibrate(next, spec.max_strain, result, around, pass);
     watch.lap();
     const Seeping after = seep(next, {}, spec.direction, around.fluid);
     pass.permeability_after = after.permeability;

@@ -27,7 +27,7 @@ struct Surroundings {
 /// @throws SolverError, GeometryError, StateError; the world is then as before.
 bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result);
 
-/// Begins a result at the equilibrium `world`.
+/// Begins a result at the equilibrium `world`. @throws StateError where that carries no stress.
 ErosionResult begin_erosion(const dem::World& world);
 
 /// Mass that has left over that of the fines, or of all grains, before the first pass [-].

@@ -2,9 +2,12 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/stopwatch.hpp"
+#include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/settle.hpp"
+#include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/erosion/extraction.hpp"
+#include "suffuse/stats/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -17,8 +20,8 @@ namespace {
 constexpr std::int64_t most_steps_at_constant_volume = 200'000;
 constexpr std::int64_t most_steps_under_stress = 3'000'000;
 constexpr std::int64_t bursts_a_row = 4; // of the recorded path, beyond its dense beginning
-constexpr double resettling_rate = 20;   // largest strain rate of an axis, as in the last part of a compaction [1/s]
-constexpr double lost_stress = 1e-6;     // share of the stress before: the skeleton carries nothing any more
+constexpr std::int64_t dense_bursts = 20;
+constexpr double lost_stress = 1e-6; // share of the stress before: the skeleton carries nothing any more
 
 /// Appends rows to the path of one pass.
 class PathRecorder {
@@ -81,79 +84,115 @@ Vec3 edge_strains(const Mat3& start_h, const Mat3& h) {
     return strain;
 }
 
-std::vector<PathRow> reequilibrate(
-    dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass,
-    double most_strain
-) {
-    const Mat3 start_h = world.cell.h;
-    PathRecorder recorder(world, so_far, pass);
-    dem::StepCaches caches;
-    dem::StepPlan plan;
-    plan.dt = dt;
-    plan.damping = around.damping;
-    plan.mode = around.mode;
-    plan.loading = dem::constant_volume();
+namespace {
 
+/// A skeleton on its way to a new equilibrium.
+struct Resettling {
+    dem::World& world;
+    const Surroundings& around;
+    PathRecorder recorder;
+    dem::StepPlan plan;
+    dem::StepCaches caches;
+    std::int64_t steps = 0;
+
+    void take_step(PassResult& pass);
+
+    template <class IsOver>
+    dem::BalanceState run_phase(const std::string& phase, std::int64_t most_steps, const IsOver& is_over);
+};
+
+/// The first step without the grains that left: what the rest carries where it is.
+void Resettling::take_step(PassResult& pass) {
+    plan.dt = dem::stable_time_step(world);
     pass.porosity_after_removal = dem::porosity(world);
     pass.stress_after_removal = dem::step(world, caches, plan).stress;
-    recorder.add("removal", world, pass.stress_after_removal, dem::measure_equilibrium(world).unbalanced_force, 1);
-    std::int64_t steps = 1;
+    steps = 1;
+    recorder.add("removal", world, pass.stress_after_removal, dem::measure_equilibrium(world).unbalanced_force, steps);
+}
 
-    Stopwatch watch;
-    const auto run_phase = [&](const std::string& phase, std::int64_t most_steps, const auto& is_over) {
-        dem::BalanceState state;
-        for (std::int64_t burst = 1;; ++burst) {
-            dem::settle_burst(world, caches, plan, around.balance, state);
-            steps += dem::burst_steps;
-            const bool over = is_over(state);
-            if (over || burst <= 20 || burst % bursts_a_row == 0) {
-                recorder.add(phase, world, state.stress, state.equilibrium.unbalanced_force, steps);
-            }
-            if (over || state.steps >= most_steps) {
-                return state;
-            }
-            beat(around.pulse, phase, state.steps);
+template <class IsOver>
+dem::BalanceState Resettling::run_phase(const std::string& phase, std::int64_t most_steps, const IsOver& is_over) {
+    dem::BalanceState state;
+    std::int64_t known_contacts = 0; // a collapse makes contacts that the time step must know
+    for (std::int64_t burst = 1;; ++burst) {
+        if (dem::time_step_is_due(state.steps, state.equilibrium.contacts, known_contacts)) {
+            plan.dt = dem::stable_time_step(world);
+            known_contacts = state.equilibrium.contacts;
         }
-    };
-    const double before = dem::mean_stress(pass.stress_before);
-    const dem::BalanceState still = run_phase("constant volume", most_steps_at_constant_volume, [&](const auto& state) {
-        return rests(state, around.balance, before);
-    });
-    pass.stress_constant_volume = still.stress;
-    pass.wall_seconds["constant volume"] = watch.lap();
+        dem::settle_burst(world, caches, plan, around.balance, state);
+        steps += dem::burst_steps;
+        const bool over = is_over(state);
+        if (over || burst <= dense_bursts || burst % bursts_a_row == 0) {
+            recorder.add(phase, world, state.stress, state.equilibrium.unbalanced_force, steps);
+        }
+        if (over || state.steps >= most_steps) {
+            return state;
+        }
+        beat(around.pulse, phase, state.steps);
+    }
+}
 
-    plan.loading = held_loading(world, pass.stress_before);
-    plan.loading.servo.max_rate = resettling_rate;
-    const auto has_failed = [&] {
-        const Vec3 strain = edge_strains(start_h, world.cell.h);
-        return std::max({std::abs(strain.x), std::abs(strain.y), std::abs(strain.z)}) > most_strain;
-    };
-    const dem::BalanceState settled = run_phase("servo", most_steps_under_stress, [&](const auto& state) {
-        return state.balanced_steps >= around.balance.patience || has_failed();
-    });
-    pass.failed = has_failed();
+/// As quickly as the last part of a compaction [1/s].
+double resettling_rate(const dem::World& world, double pressure) {
+    const double median = stats::size_at(stats::measure_gradation(world.grains), 0.5);
+    return dem::rate_of_inertial_number(dem::loaded_inertial_number, median, world.material.density, pressure);
+}
+
+/// Whether the skeleton came to rest, or failed.
+void judge(const dem::BalanceState& settled, const dem::BalanceSpec& balance, double most_strain, PassResult& pass) {
     if (pass.failed) {
         pass.verdict = fmt::format(
             "the skeleton fails: it does not carry its stresses any more and strained by more than {:.3g} %",
             100 * most_strain
         );
-    } else if (settled.balanced_steps < around.balance.patience) {
+    } else if (settled.balanced_steps < balance.patience) {
         throw StateError(fmt::format(
             "pass {}: the eroded skeleton does not come to rest under its stresses within {} steps: unbalanced force "
-            "{:.1e}, "
-            "mean stress {:.4g} kPa of {:.4g} kPa; it has failed, or [balance] asks too much",
+            "{:.1e}, mean stress {:.4g} kPa of {:.4g} kPa; it has failed, or [balance] asks too much",
             pass.pass, settled.steps, settled.equilibrium.unbalanced_force, dem::mean_stress(settled.stress) / 1e3,
-            before / 1e3
+            dem::mean_stress(pass.stress_before) / 1e3
         ));
     }
+}
+
+} // namespace
+
+std::vector<PathRow> reequilibrate(
+    dem::World& world, double most_strain, const ErosionResult& so_far, const Surroundings& around, PassResult& pass
+) {
+    const Mat3 start_h = world.cell.h;
+    const double before = dem::mean_stress(pass.stress_before);
+    Resettling resettling{world, around, PathRecorder(world, so_far, pass), {}, {}};
+    dem::StepPlan& plan = resettling.plan;
+    plan.damping = around.damping;
+    plan.mode = around.mode;
+    plan.loading = dem::constant_volume();
+    resettling.take_step(pass);
+
+    Stopwatch watch;
+    const dem::BalanceState still =
+        resettling.run_phase("constant volume", most_steps_at_constant_volume, [&](const auto& state) {
+            return rests(state, around.balance, before);
+        });
+    pass.stress_constant_volume = still.stress;
+    pass.wall_seconds["constant volume"] = watch.lap();
+
+    plan.loading = held_loading(world, pass.stress_before);
+    plan.loading.servo.max_rate = resettling_rate(world, before);
+    const dem::BalanceState settled = resettling.run_phase("servo", most_steps_under_stress, [&](const auto& state) {
+        const Vec3 strain = edge_strains(start_h, world.cell.h);
+        pass.failed = std::max({std::abs(strain.x), std::abs(strain.y), std::abs(strain.z)}) > most_strain;
+        return pass.failed || state.balanced_steps >= around.balance.patience;
+    });
+    judge(settled, around.balance, most_strain, pass);
     pass.stress_after = settled.stress;
     pass.wall_seconds["servo"] = watch.lap();
 
-    pass.steps = steps;
+    pass.steps = resettling.steps;
     pass.porosity_after = dem::porosity(world);
     pass.void_ratio_after = dem::void_ratio(world);
     pass.fines_content_after = fines_content(world.grains);
-    std::vector<PathRow> path = recorder.take();
+    std::vector<PathRow> path = resettling.recorder.take();
     pass.volumetric_strain =
         path.back().volumetric_strain - (so_far.path.empty() ? 0 : so_far.path.back().volumetric_strain);
     return path;

@@ -4,8 +4,6 @@
 
 #include "suffuse/erosion/loop.hpp"
 
-#include <limits>
-
 namespace suffuse::erosion {
 
 /// Fills in what the pass starts from.
@@ -13,10 +11,10 @@ void describe_before(const dem::World& world, PassResult& pass);
 
 /// Runs both phases, fills in what they did, and returns the path from the first step after the removal on.
 /// @param most_strain of an axis: a skeleton that strains further has failed, is left there, and the pass's verdict
-/// says so; without it a skeleton that finds no rest is an error (StateError)
+/// says so
+/// @throws StateError for one that finds no rest
 std::vector<PathRow> reequilibrate(
-    dem::World& world, double dt, const ErosionResult& so_far, const Surroundings& around, PassResult& pass,
-    double most_strain = std::numeric_limits<double>::infinity()
+    dem::World& world, double most_strain, const ErosionResult& so_far, const Surroundings& around, PassResult& pass
 );
 
 /// Logarithmic strain of each edge of the cell since it was `start_h`, compression positive [-].

@@ -3,7 +3,6 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
-#include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/erosion/extraction.hpp"
 #include "suffuse/erosion/reequilibrate.hpp"
 #include "suffuse/erosion/removal_order.hpp"
@@ -61,11 +60,12 @@ std::vector<std::uint32_t> fines_to_remove(const dem::World& world, RemovedFines
 }
 
 RemovalResult begin_removal(const dem::World& world, const RemoveSpec& spec) {
+    ErosionResult erosion = begin_erosion(world);
     double mass = 0;
     for (const std::uint32_t g : fines_to_remove(world, spec.grains)) {
         mass += world.grains.mass[g];
     }
-    return {begin_erosion(world), world.cell.h, spec.share * mass};
+    return {std::move(erosion), world.cell.h, spec.share * mass};
 }
 
 bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& around, RemovalResult& result) {
@@ -86,8 +86,7 @@ bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& 
     const double left = total_mass(next.grains);
     pass.eroded_mass_percent = 100 * (1 - left / mass);
     pass.eroded_mass_percent_of_initial = 100 * (mass - left) / result.erosion.initial_mass;
-    const double dt = dem::stable_time_step(next);
-    const std::vector<PathRow> path = reequilibrate(next, dt, result.erosion, around, pass, spec.max_strain);
+    const std::vector<PathRow> path = reequilibrate(next, spec.max_strain, result.erosion, around, pass);
     const bool is_last = pass.pass >= spec.passes;
     if (!is_last && pass.verdict.empty() && fines_to_remove(next, spec.grains).empty()) {
         pass.verdict = fmt::format("no grain is left to be removed after pass {} of {}", pass.pass, spec.passes);

@@ -19,23 +19,23 @@ constexpr double edge = 2 * r - overlap;
 
 /// A simple cubic lattice of coarse grains, a fine one of `fine_radius` in the middle of each void, under the stress
 /// that this lattice has, which the servo is to hold.
-dem::World lattice(double fine_radius) {
+dem::World lattice(double fine_radius, double scale = 1) {
     constexpr int cells = 4;
     dem::World world;
-    world.cell.h = cells * edge * identity();
+    world.cell.h = cells * edge * scale * identity();
     for (int a = 0; a < cells; ++a) {
         for (int b = 0; b < cells; ++b) {
             for (int c = 0; c < cells; ++c) {
                 const Vec3 corner = edge * Vec3{double(a), double(b), double(c)};
-                add_grain(world.grains, corner, r, 2600);
-                add_grain(world.grains, corner + 0.5 * edge * Vec3{1, 1, 1}, fine_radius, 2600);
+                add_grain(world.grains, scale * corner, scale * r, 2600);
+                add_grain(world.grains, scale * (corner + 0.5 * edge * Vec3{1, 1, 1}), scale * fine_radius, 2600);
                 world.grains.fine[world.grains.size() - 1] = 1;
             }
         }
     }
     dem::StepCaches caches;
     dem::StepPlan plan;
-    plan.dt = 1e-9;
+    plan.dt = 1e-9 * scale;
     plan.loading = dem::constant_volume();
     dem::step(world, caches, plan); // finds the contacts
     const double p = dem::mean_stress(dem::mean_stress_tensor(world));
@@ -77,6 +77,22 @@ TEST(Removal, OfFinesThatCarryLoadLeavesTheStressOfTheCoarseLatticeAndThenItsStr
     const double spacing = (-k + std::sqrt(k * k + 8 * before * k * r)) / (2 * before);
     EXPECT_NEAR(pass.volumetric_strain, -3 * std::log(spacing / edge), 0.005 * 3 * overlap / edge * before / left);
     EXPECT_NEAR(removal_strain(world, result).x, pass.volumetric_strain / 3, 1e-9);
+}
+
+TEST(Removal, ResettlesInTheSameStepsByTheSameStrainWhateverTheSizeOfTheGrains) {
+    const auto removed = [](double scale) {
+        dem::World world = lattice(std::sqrt(0.75) * edge - r + 1e-6, scale);
+        return remove_fines(world, {}, {}).erosion.passes.at(0);
+    };
+    const PassResult sand = removed(1), boulders = removed(128); // a power of two: the same bits
+    EXPECT_EQ(sand.steps, boulders.steps);
+    EXPECT_NEAR(boulders.volumetric_strain / sand.volumetric_strain, 1, 1e-12); // rounding of a cube root and a log
+}
+
+TEST(Removal, NeedsASkeletonThatCarriesAStress) {
+    dem::World world = lattice(0.3e-3);
+    world.contacts = {};
+    EXPECT_THROW(remove_fines(world, {}, {}), StateError);
 }
 
 TEST(Removal, TakesTheClassAskedFor) {

@@ -84,6 +84,7 @@ struct ErodeSpec {
     std::optional<ForcedRemoval> forced;
     bool until_nothing_leaves = false;        ///< go on beyond `passes`
     std::optional<ErodedTarget> until_eroded; ///< no pass after the one that reaches it
+    double max_strain = 0.2; ///< of an axis in a pass, beyond which the skeleton counts as failed and is left as it is
 };
 
 /// Which fines a removal takes; active ones have at least two contacts.

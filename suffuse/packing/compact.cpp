@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/packing/overlaps.hpp"
 #include "suffuse/packing/pace.hpp"
 #include "suffuse/stats/gradation.hpp"
@@ -15,8 +16,6 @@
 namespace suffuse::packing {
 namespace {
 
-constexpr std::int64_t time_step_interval = 1000; // steps between two looks at the stable time step
-constexpr double denser_network = 1.2;            // swift: so many times the contacts ask for another look
 constexpr std::int64_t most_steps = 3'000'000, most_swift_steps = 60'000;
 constexpr std::int64_t most_relax_steps = 1500;
 constexpr double relaxed_load = 0.1;      // share of the pressure that overlaps left by geometry may still cause
@@ -76,13 +75,6 @@ void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state
 void renew_time_step(const dem::World& world, const CompactSpec& spec, CompactState& state) {
     state.time_step = choose_time_step(world, spec);
     state.known_contacts = state.balance.equilibrium.contacts;
-}
-
-/// Swift: grains that are pushed together touch within a burst or two, and then roll against more than one neighbor:
-/// with the step of a pair that would grow until they slip, and a lowered friction would hold nothing.
-bool has_unknown_contacts(const CompactSpec& spec, const CompactState& state) {
-    return spec.protocol == Protocol::Swift && static_cast<double>(state.balance.equilibrium.contacts) >
-                                                   denser_network * static_cast<double>(state.known_contacts);
 }
 
 /// Swift, asked for a void ratio: whether the sample gave way further from its start than it should under what it
@@ -174,9 +166,8 @@ bool compact_burst(
     if (lent != state.lent) {
         dem::lend_inertia(world, state.median_diameter, state.lent, lent);
         state.lent = lent;
-        caches = {}; // they hold copies of what has changed
         renew_time_step(world, spec, state);
-    } else if (state.steps % time_step_interval == 0 || has_unknown_contacts(spec, state)) {
+    } else if (dem::time_step_is_due(state.steps, state.balance.equilibrium.contacts, state.known_contacts)) {
         renew_time_step(world, spec, state);
     }
     const Pace pace = choose_pace(world, spec, balance, state);

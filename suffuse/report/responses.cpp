@@ -45,12 +45,14 @@ const StressStrainRow& peak_of(const ResponseCurve& test) {
 
 Table response_table(const std::vector<ResponseCurve>& tests, std::size_t most) {
     std::vector<std::string> name;
-    std::vector<double> axial, deviator, mean, volumetric, void_ratio, q_deviation, v_deviation, samples;
+    std::vector<double> row_number, axial, deviator, mean, volumetric, void_ratio, pore_pressure, u_deviation;
+    std::vector<double> q_deviation, v_deviation, samples;
     for (const ResponseCurve& test : tests) {
         for (const std::size_t k : drawn_rows(test.rows.size(), most)) {
             const StressStrainRow& row = test.rows[k];
             const StressStrainRow spread = test.deviation.empty() ? StressStrainRow{} : test.deviation[k];
             name.push_back(test.name);
+            row_number.push_back(static_cast<double>(k));
             axial.push_back(rounded(100 * row.axial_strain));
             deviator.push_back(rounded(row.deviator_stress / 1e3));
             q_deviation.push_back(rounded(spread.deviator_stress / 1e3));
@@ -58,6 +60,8 @@ Table response_table(const std::vector<ResponseCurve>& tests, std::size_t most) 
             volumetric.push_back(rounded(100 * row.volumetric_strain));
             v_deviation.push_back(rounded(100 * spread.volumetric_strain));
             void_ratio.push_back(rounded(row.void_ratio));
+            pore_pressure.push_back(rounded(row.excess_pore_pressure / 1e3));
+            u_deviation.push_back(rounded(spread.excess_pore_pressure / 1e3));
             samples.push_back(test.samples);
         }
     }
@@ -71,6 +75,9 @@ Table response_table(const std::vector<ResponseCurve>& tests, std::size_t most) 
     table.add("deviator_stress_deviation", "kPa", std::move(q_deviation));
     table.add("volumetric_strain_deviation", "%", std::move(v_deviation));
     table.add("samples", "", std::move(samples));
+    table.add("row", "", std::move(row_number));
+    table.add("excess_pore_pressure", "kPa", std::move(pore_pressure));
+    table.add("excess_pore_pressure_deviation", "kPa", std::move(u_deviation));
     return table;
 }
 
@@ -220,10 +227,11 @@ json strain_panel(const std::vector<ResponseCurve>& tests, const std::string& va
         encoding["y"]["scale"] = {{"domain", {{"unionWith", {-0.01, 0.01}}}}};
     }
     color_by_test(tests, encoding);
-    encoding["order"] = {{"field", "axial_strain"}};
+    encoding["order"] = {{"field", "row"}};
     encoding["tooltip"] = json::parse(R"json([
         {"field": "test", "title": "test"}, {"field": "axial_strain", "title": "ε₁ [%]", "format": ".3g"},
         {"field": "deviator_stress", "title": "q [kPa]", "format": ".4g"},
+        {"field": "mean_stress", "title": "p [kPa]", "format": ".4g"},
         {"field": "volumetric_strain", "title": "εᵥ [%]", "format": ".3g"},
         {"field": "void_ratio", "title": "void ratio e", "format": ".4g"}])json");
     if (!has_bands) {
@@ -276,7 +284,9 @@ std::string bands(const std::vector<ResponseCurve>& tests) {
 Figure response_figure(const std::vector<ResponseCurve>& tests) {
     Figure figure;
     figure.section = "Tests";
-    json upper = strain_panel(tests, "deviator_stress", "deviator stress q = σ₁ − σ₃ [kPa]", 240);
+    json upper = tests.front().borne_pore_pressure
+                     ? strain_panel(tests, "excess_pore_pressure", "excess pore pressure Δu [kPa]", 240)
+                     : strain_panel(tests, "deviator_stress", "deviator stress q = σ₁ − σ₃ [kPa]", 240);
     hide_axis(upper);
     figure.chart = {
         {"vconcat", {upper, strain_panel(tests, "volumetric_strain", "volumetric strain εᵥ [%]", 160)}},
@@ -318,10 +328,15 @@ triaxial_response(const std::vector<ResponseCurve>& all, const std::string& id, 
     figure.title = title;
     std::string claim;
     for (const ResponseCurve& test : tests) {
+        claim += claim.empty() ? "" : "; ";
+        if (test.borne_pore_pressure) {
+            claim += fmt::format("{}: bears Δu = {} kPa", test.name, short_number(*test.borne_pore_pressure / 1e3));
+            continue;
+        }
         const StressStrainRow& peak = peak_of(test);
         claim += fmt::format(
-            "{}{}: highest q {} kPa at ε₁ = {} %", claim.empty() ? "" : "; ", test.name,
-            short_number(peak.deviator_stress / 1e3), short_number(100 * peak.axial_strain)
+            "{}: highest q {} kPa at ε₁ = {} %", test.name, short_number(peak.deviator_stress / 1e3),
+            short_number(100 * peak.axial_strain)
         );
     }
     figure.caption = as_sentence(claim) + ". Contraction positive." + bands(tests);
@@ -364,7 +379,7 @@ std::optional<Figure> test_paths(const std::vector<ResponseCurve>& all) {
     }
     for (json& panel : figure.chart["vconcat"]) {
         by_stage ? color_by_mixture(tests, panel["encoding"]) : color_by_test(tests, panel["encoding"]);
-        panel["encoding"]["order"] = {{"field", "axial_strain"}};
+        panel["encoding"]["order"] = {{"field", "row"}};
         panel["encoding"]["tooltip"] = json::parse(R"json([
             {"field": "test", "title": "test"}, {"field": "mean_stress", "title": "p [kPa]", "format": ".4g"},
             {"field": "deviator_stress", "title": "q [kPa]", "format": ".4g"},

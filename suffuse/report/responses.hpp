@@ -16,6 +16,7 @@ struct StressStrainRow {
     double axial_strain = 0, volumetric_strain = 0; ///< [-]
     double deviator_stress = 0, mean_stress = 0;    ///< q, p [Pa]
     double void_ratio = 0;                          ///< [-]
+    double excess_pore_pressure = 0;                ///< where the test has one [Pa]
 };
 
 /// A test, or the mean over tests of samples that differ in their seed only.
@@ -25,15 +26,21 @@ struct ResponseCurve {
     std::vector<StressStrainRow> deviation = {}; ///< standard deviation over the samples; empty for one
     int samples = 1;
     double fines_content = std::numeric_limits<double>::quiet_NaN(); ///< where that is swept: gives its color [-]
+    /// Where the pore pressure rises at a constant deviator stress: the most that the sample bears [Pa]
+    std::optional<double> borne_pore_pressure = std::nullopt;
 };
 
-/// The mean over `of_sample`, at the axial strains of the first of them as far as all reach, linear between rows.
-ResponseCurve average_response(const std::string& name, const std::vector<std::vector<StressStrainRow>>& of_sample);
+/// The mean over `of_sample`, at the axial strains of the first of them as far as all reach, linear between rows; where
+/// the deviator is held at its widening first, axial minus volumetric strain, for a sample then lengthens.
+ResponseCurve average_response(
+    const std::string& name, const std::vector<std::vector<StressStrainRow>>& of_sample, bool holds_deviator = false
+);
 
 /// Figure 2: drained compression of the loose samples, a curve for each fines content, with bands over the replicates.
 std::optional<Figure> loose_compression(const std::vector<ResponseCurve>& tests);
 
-/// Ours: the same for other tests; `id` is that of the figure.
+/// Ours: the same for other tests, all of them or none with a held deviator, of which the pore pressure is drawn; `id`
+/// is that of the figure.
 std::optional<Figure> triaxial_response(
     const std::vector<ResponseCurve>& tests, const std::string& id = "own-triaxial",
     const std::string& title = "Triaxial compression"

@@ -20,7 +20,7 @@ namespace suffuse::run {
 namespace {
 
 // Steps, beside the `patience` that comes on top where a balance is waited for.
-constexpr Range settling{500, 6'000};                                 // a packing from elsewhere
+constexpr Range settling{250, 6'000};                                 // a packing from elsewhere
 constexpr Range swift_start{2'500, 9'000}, swift_density{300, 1'500}; // from near touching; from an asked density
 constexpr Range first_relaxation{600, 4'500}, next_relaxation{50, 1'200};
 constexpr Range rest_under_load{150, 4'500};      // after the ramp of a stress probe
@@ -29,7 +29,6 @@ constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
 constexpr Range trials_for_a_density{2, 6}; // compactions until an asked void ratio is met
 constexpr int endless = 5;                  // passes that "until nothing leaves" may add to those asked
 constexpr Range slow_collapse{0.55, 1.1};   // of the steps in which the largest rate would close what removal opened
-constexpr double resettling_rate = 20;      // erosion/reequilibrate.cpp [1/s]
 constexpr double swept_rattlers = 0.65;     // of the fines without load, at least this share leaves with an erosion
 
 // Axial strain until a stress: of samples that carry it elastically, deviator stress over strain, over the contact
@@ -238,7 +237,10 @@ public:
             sample_.fines_left = {left * sample_.fines_left.least, left * sample_.fines_left.most};
         }
         const double closing = empties ? std::max(0.0, strain_between(before, 1 - sample_.solid_fraction)) : 0;
-        const double a_strain = 1 / (resettling_rate * settled_time_step(sample_, variant_.material));
+        const double rate = dem::rate_of_inertial_number(
+            dem::loaded_inertial_number, sample_.median, variant_.material.density, sample_.pressure
+        );
+        const double a_strain = 1 / (rate * settled_time_step(sample_, variant_.material));
         return {
             .steps = closing * a_strain * slow_collapse +
                      static_cast<double>(spec.passes) * (rest_after_removal + 2 * waited({})),

@@ -1,5 +1,6 @@
 #include "suffuse/run/priced_sample.hpp"
 
+#include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/stats/gradation.hpp"
 
 #include <algorithm>
@@ -14,10 +15,9 @@ namespace {
 
 // The stable time step over that of the stiffest pair, and how steeply it falls with that pair's stiffness: power
 // iterations on the networks of examples/silty-sand-2016, whose fines touch grains 3.5 times their size.
-constexpr double loose_share = 0.57, dense_share = 0.505;
+constexpr double loose_share = 0.535, dense_share = 0.474;
 constexpr double dense_coordination = 6.2, loose_coordination = 3.4;
 constexpr double stiffness_exponent = 0.57;
-constexpr double step_safety = 0.75;
 
 // Work of a step: a grain's own, and that of its contacts, in grains of the lattice of measure_speed [-].
 constexpr double work_of_grain = 0.3, work_of_contact = 0.25;
@@ -71,19 +71,13 @@ double largest_diameter(const PricedSample& sample) {
     return std::max(sample.coarse.largest, sample.fines.largest);
 }
 
-/// Frequency at which two touching grains roll against each other, slip spring included, or press each other [rad/s].
-/// @param heavier what their inertia is multiplied by
+/// Of two touching grains [rad/s]. @param heavier what their inertia is multiplied by
 double pair_frequency(std::array<double, 2> radius, std::array<double, 2> heavier, const grains::Material& m) {
-    const auto [r, other] = radius;
-    const double normal = 2 * m.modulus * r * other / (r + other), shear = m.shear_ratio * normal;
-    const double roll = std::max(m.rolling_stiffness, m.twisting_stiffness) * shear * r * other;
-    double turning = 0, pressing = 0;
-    for (std::size_t k = 0; k < radius.size(); ++k) {
+    const auto grain = [&](std::size_t k) {
         const double mass = heavier[k] * m.density * sphere_volume(radius[k]);
-        turning += (roll + shear * radius[k] * radius[k]) / sphere_inertia(mass, radius[k]);
-        pressing = std::max(pressing, 2 * normal / mass);
-    }
-    return std::sqrt(std::max(pressing, turning));
+        return dem::Inertia{radius[k], mass, sphere_inertia(mass, radius[k])};
+    };
+    return dem::pair_frequency(m, m.shear_ratio, grain(0), grain(1));
 }
 
 /// (median/r)^2, which makes a grain below the median as quick as it.
@@ -174,8 +168,10 @@ double count(const PricedSample& sample) {
 }
 
 double loose_time_step(const PricedSample& sample, const grains::Material& material) {
-    const double r = 0.5 * smallest_diameter(sample);
-    return step_safety * 2 / pair_frequency({r, r}, {1, 1}, material);
+    const double r = 0.5 * smallest_diameter(sample), large = 0.5 * largest_diameter(sample);
+    const double alike = pair_frequency({r, r}, {1, 1}, material),
+                 unlike = pair_frequency({r, large}, {1, 1}, material);
+    return dem::default_step_safety * 2 / std::max(alike, unlike);
 }
 
 double settled_time_step(const PricedSample& sample, const grains::Material& material, bool lends_mass) {
@@ -185,7 +181,7 @@ double settled_time_step(const PricedSample& sample, const grains::Material& mat
     const double stiffer = std::max(1.0, pair_frequency({r, large}, {heavier(r), heavier(large)}, material) / alike);
     const double dense = (sample.coordination - loose_coordination) / (dense_coordination - loose_coordination);
     const double share = loose_share + std::clamp(dense, 0.0, 1.0) * (dense_share - loose_share);
-    return share * std::pow(stiffer, -stiffness_exponent) * step_safety * 2 / alike;
+    return share * std::pow(stiffer, -stiffness_exponent) * dem::default_step_safety * 2 / alike;
 }
 
 Range work_of_step(const PricedSample& sample) {

@@ -26,13 +26,15 @@ TEST(PricedSample, KnowsItsFractions) {
     EXPECT_DOUBLE_EQ(sample.coarse.median, 4e-4);
 }
 
-TEST(PricedSample, ATouchingPairOfItsSmallestGrainsSetsTheLooseTimeStep) {
+TEST(PricedSample, ATouchingPairOfItsGrainsSetsTheLooseTimeStep) {
     // The step's own bound for grains that do not touch.
     const grains::Material material;
-    dem::World pair;
-    pair.material = material;
-    add_grain(pair.grains, {}, 1e-4, material.density);
-    EXPECT_NEAR(loose_time_step(two_sizes(10, 2e-4, 80, 1e-4), material), dem::stable_time_step(pair), 1e-15);
+    dem::World apart;
+    apart.material = material;
+    apart.cell.h = identity();
+    add_grain(apart.grains, {}, 1e-4, material.density);
+    add_grain(apart.grains, {0.5, 0.5, 0.5}, 2e-4, material.density);
+    EXPECT_NEAR(loose_time_step(two_sizes(10, 2e-4, 80, 1e-4), material), dem::stable_time_step(apart), 1e-15);
 }
 
 TEST(PricedSample, LargeNeighborsShortenTheSettledTimeStep) {

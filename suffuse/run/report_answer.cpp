@@ -80,17 +80,18 @@ std::vector<std::string> answers_to_removals(const std::vector<FinishedStage>& s
     return sentences.size() <= most ? sentences : std::vector<std::string>{};
 }
 
-/// "75.17 kPa at 1.8 % axial strain", or between which values the peaks of samples lie that differ in their seed only.
-std::string tell_peaks(const std::vector<json>& responses) {
-    const json& first = responses.front();
-    const auto kilopascals = [](const json& response) { return response.at("peak_deviator").get<double>() / 1e3; };
+/// "75.17 kPa at 1.8 % axial strain", or between which values those of samples lie that differ in their seed only.
+/// @param pressure, strain which of a response are told
+std::string tell_peaks(const std::vector<json>& responses, const char* pressure, const char* strain) {
+    const auto kilopascals = [&](const json& response) { return response.at(pressure).get<double>() / 1e3; };
     if (responses.size() == 1) {
+        const json& only = responses.front();
         return fmt::format(
-            "{} kPa at {} % axial strain", report::short_number(kilopascals(first), 4),
-            report::short_number(100 * first.at("peak_strain").get<double>(), 2)
+            "{} kPa at {} % axial strain", report::short_number(kilopascals(only), 4),
+            report::short_number(100 * only.at(strain).get<double>(), 2)
         );
     }
-    double lowest = kilopascals(first), highest = lowest;
+    double lowest = kilopascals(responses.front()), highest = lowest;
     for (const json& response : responses) {
         lowest = std::min(lowest, kilopascals(response)), highest = std::max(highest, kilopascals(response));
     }
@@ -99,30 +100,59 @@ std::string tell_peaks(const std::vector<json>& responses) {
     );
 }
 
-/// Of the tests outside sweeps.
-std::string answer_to_tests(const std::vector<FinishedStage>& stages) {
-    std::vector<std::pair<const casefile::Study*, std::string>> tests;
-    std::vector<std::vector<json>> responses;
+/// The responses of a test outside sweeps, of all seeds.
+struct ToldTest {
+    const casefile::Study* study;
+    std::string name;
+    bool holds_deviator; ///< and fails by its pore pressure
+    std::vector<json> responses;
+};
+
+std::vector<ToldTest> gather_told_tests(const std::vector<FinishedStage>& stages) {
+    std::vector<ToldTest> tests;
     for (const FinishedStage& stage : stages) {
         if (!stage.numbers.contains("response") || !stage.study->sweep.empty()) {
             continue;
         }
-        const std::pair test(stage.study, stage.stage->name);
-        const auto number = static_cast<std::size_t>(std::find(tests.begin(), tests.end(), test) - tests.begin());
-        if (number == tests.size()) {
-            tests.push_back(test);
-            responses.emplace_back();
+        auto test = std::find_if(tests.begin(), tests.end(), [&](const ToldTest& other) {
+            return other.study == stage.study && other.name == stage.stage->name;
+        });
+        if (test == tests.end()) {
+            const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
+            const bool holds = spec != nullptr && spec->path == triaxial::Path::ConstantDeviator;
+            test = tests.insert(test, {stage.study, stage.stage->name, holds, {}});
         }
-        responses[number].push_back(stage.numbers.at("response"));
+        test->responses.push_back(stage.numbers.at("response"));
     }
-    std::string text;
-    for (std::size_t k = 0; k < tests.size(); ++k) {
-        text += fmt::format(
-            "{}{} in {}", text.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
-            tell_peaks(responses[k]), tests[k].second
-        );
+    return tests;
+}
+
+std::vector<std::string> answers_to_tests(const std::vector<FinishedStage>& stages) {
+    std::string strength;
+    std::vector<std::string> sentences;
+    for (const ToldTest& test : gather_told_tests(stages)) {
+        if (!test.holds_deviator) {
+            strength += fmt::format(
+                "{}{} in {}", strength.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
+                tell_peaks(test.responses, "peak_deviator", "peak_strain"), test.name
+            );
+            continue;
+        }
+        const auto liquefied = std::ranges::count_if(test.responses, [](const json& response) {
+            return response.at("liquefied") == true;
+        });
+        sentences.push_back(fmt::format(
+            "{}: with the deviator stress held, an excess pore pressure of {} is the most that is borne{}.", test.name,
+            tell_peaks(test.responses, "excess_pore_pressure", "peak_strain"),
+            liquefied == 0               ? ""
+            : test.responses.size() == 1 ? "; the sample liquefies"
+                                         : fmt::format("; {} of the samples liquefy", liquefied)
+        ));
     }
-    return text.empty() ? text : text + ".";
+    if (!strength.empty()) {
+        sentences.insert(sentences.begin(), strength + ".");
+    }
+    return sentences;
 }
 
 } // namespace
@@ -169,8 +199,8 @@ std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std:
     for (std::string& sentence : answers_to_removals(stages)) {
         sentences.push_back(std::move(sentence));
     }
-    if (std::string tests = answer_to_tests(stages); !tests.empty()) {
-        sentences.push_back(std::move(tests));
+    for (std::string& sentence : answers_to_tests(stages)) {
+        sentences.push_back(std::move(sentence));
     }
     for (const report::ProbedState& state : gather_probed_states(stages)) {
         sentences.push_back(report::tell_stability(state));

@@ -5,7 +5,7 @@
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/erosion/removal.hpp"
 #include "suffuse/packing/compact.hpp"
-#include "suffuse/triaxial/run_path.hpp"
+#include "suffuse/triaxial/response.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
 
 #include <nlohmann/json.hpp>
@@ -63,8 +63,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // curves of earlier runs lack 
     PathRow, axial_strain, volumetric_strain, stress, mean_stress, deviator_stress, void_ratio, coordination,
     mechanical_coordination, unbalanced_force, inertial_number, second_order_work, excess_pore_pressure
 )
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    PathState, phase, start_h, start_stress, strain_rate, median_diameter, time_step, balance, steps, rows
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // states of earlier runs lack some
+    PathState, phase, start_h, start_stress, strain_rate, pace, median_diameter, time_step, known_contacts, balance,
+    steps, rows
 )
 
 NLOHMANN_JSON_SERIALIZE_ENUM(Answer, {{Answer::Rests, "rests"}, {Answer::Creeps, "creeps"}, {Answer::Fails, "fails"}})

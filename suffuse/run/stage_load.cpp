@@ -17,8 +17,6 @@
 namespace suffuse::run {
 namespace {
 
-constexpr std::int64_t time_step_interval = 2000;
-
 dem::StepPlan plan_for(const StageWork& work, const cell::Loading& loading) {
     dem::StepPlan plan;
     plan.dt = work.time_step;
@@ -60,20 +58,25 @@ void note_drift(StageWork& work, double drift, const std::vector<triaxial::Stres
 // imported packing lost 27 of its 7,210 active grains without it, and none with it).
 void do_settle(StageWork& work, const dem::SettleSpec& spec) {
     dem::BalanceState state;
+    std::int64_t known_contacts = 0; // when the time step was chosen
     if (work.resumed.is_null()) {
         dem::sort_along_curve(work.world);
     } else {
         state = work.resumed.at("balance").get<dem::BalanceState>();
         work.time_step = work.resumed.at("time_step");
+        known_contacts = work.resumed.at("known_contacts");
     }
-    work.control.save_with([&] { work.save_partial({{"balance", state}, {"time_step", work.time_step}}); });
+    work.control.save_with([&] {
+        work.save_partial({{"balance", state}, {"time_step", work.time_step}, {"known_contacts", known_contacts}});
+    });
     dem::StepCaches caches;
     bool settled = false;
     while (!settled) {
         if (spec.time_step > 0) {
             work.time_step = spec.time_step;
-        } else if (state.steps % time_step_interval == 0) {
+        } else if (dem::time_step_is_due(state.steps, state.equilibrium.contacts, known_contacts)) {
             work.time_step = dem::stable_time_step(work.world);
+            known_contacts = state.equilibrium.contacts;
         }
         dem::StepPlan plan = plan_for(work, spec.loading);
         plan.drag = dem::slowest_mode_drag(work.world.grains.size(), work.time_step);
@@ -154,24 +157,29 @@ void do_stress_probe(StageWork& work, const triaxial::StressProbeSpec& spec) {
 }
 
 void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {
-    std::int64_t done = 0;
+    std::int64_t done = 0, known_contacts = 0;
     if (work.resumed.is_null()) {
         work.history.record(work.world, true);
     } else {
         done = work.resumed.at("done");
         work.time_step = work.resumed.at("time_step");
+        known_contacts = work.resumed.at("known_contacts");
     }
-    work.control.save_with([&] { work.save_partial({{"done", done}, {"time_step", work.time_step}}); });
+    work.control.save_with([&] {
+        work.save_partial({{"done", done}, {"time_step", work.time_step}, {"known_contacts", known_contacts}});
+    });
     dem::StepCaches caches;
     while (done < spec.steps) {
+        const std::int64_t contacts = spec.time_step > 0 ? 0 : dem::measure_equilibrium(work.world).contacts;
         if (spec.time_step > 0) {
             work.time_step = spec.time_step;
-        } else if (done % time_step_interval == 0) {
+        } else if (dem::time_step_is_due(done, contacts, known_contacts)) {
             work.time_step = dem::stable_time_step(work.world);
+            known_contacts = contacts;
         }
         const std::int64_t burst = std::min(
-            {spec.steps - done, work.history.steps_to_next(work.world.clock.step),
-             time_step_interval - done % time_step_interval}
+            {spec.steps - done, work.history.steps_to_next(work.world.clock.step), dem::burst_steps,
+             dem::time_step_interval - done % dem::time_step_interval}
         );
         const dem::StepPlan plan = plan_for(work, spec.loading);
         dem::advance(work.world, caches, plan, burst);

@@ -79,9 +79,11 @@ json removal_numbers(const dem::World& end, const erosion::RemovalResult& remova
 void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
     const erosion::Surroundings around{
         work.what.fluid, work.what.balance, work.variant.damping, work.what.mode, work.control.pulse()};
-    erosion::RemovalResult removal = erosion::begin_removal(work.world, spec);
+    erosion::RemovalResult removal;
     bool goes_on = true;
-    if (!work.resumed.is_null()) {
+    if (work.resumed.is_null()) {
+        removal = erosion::begin_removal(work.world, spec);
+    } else {
         removal = work.resumed.at("removal").get<erosion::RemovalResult>();
     }
     while (goes_on) {

@@ -91,7 +91,8 @@ void note_open_packing(StageWork& work, const std::string& when, double porosity
     }
 }
 
-void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion::ProbeResult& probe) {
+/// @param decides whether the probe says what leaves
+void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion::ProbeResult& probe, bool decides) {
     if (probe.reached_floor) {
         work.warnings.push_back(fmt::format(
             "{}: the equilibrium could be relaxed to an unbalanced force of {:.1e} only: double precision, or grains "
@@ -99,7 +100,7 @@ void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion:
             work.place(), probe.unbalanced_force
         ));
     }
-    if (noise_decides(rule, probe)) {
+    if (decides && noise_decides(rule, probe)) {
         work.flaws.push_back(fmt::format(
             "{}: {} of {} fines move with the water, but not faster than the noise of the twin, which moves without: "
             "what detaches cannot be told; take another seed, more `relax_limit`, or `by = \"displacement\"`",
@@ -190,7 +191,7 @@ void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
     json probes = json::array();
     for (const erosion::ProbeResult& probe : work.findings.probes) {
         probes.push_back(probe_numbers(probe));
-        note_probe(work, spec.detached, probe);
+        note_probe(work, spec.detached, probe, true);
     }
     work.numbers["probes"] = probes;
     const erosion::ProbeResult& first = work.findings.probes.front();
@@ -201,9 +202,11 @@ void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
 }
 
 void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
-    erosion::ErosionResult& result = work.findings.erosion.emplace(erosion::begin_erosion(work.world));
+    erosion::ErosionResult& result = work.findings.erosion.emplace();
     bool goes_on = true;
-    if (!work.resumed.is_null()) {
+    if (work.resumed.is_null()) {
+        result = erosion::begin_erosion(work.world);
+    } else {
         result = work.resumed.at("result").get<erosion::ErosionResult>();
         goes_on = work.resumed.at("goes_on");
     }
@@ -229,7 +232,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         steps += probe_steps + pass.steps;
         work.grain_steps += (probe_steps + pass.steps) * static_cast<std::int64_t>(work.world.grains.size());
         work.time_step = pass.probe.time_step;
-        note_probe(work, spec.detached, pass.probe);
+        note_probe(work, spec.detached, pass.probe, !spec.forced);
         if (!pass.verdict.empty() && !pass.reached_target) {
             work.warnings.push_back(fmt::format("{}: pass {}: {}", work.place(), pass.pass, pass.verdict));
         }

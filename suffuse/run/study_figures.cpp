@@ -37,7 +37,10 @@ struct Test {
 Rows rows_of(const std::vector<triaxial::PathRow>& curve) {
     Rows rows;
     for (const triaxial::PathRow& row : curve) {
-        rows.push_back({row.axial_strain, row.volumetric_strain, row.deviator_stress, row.mean_stress, row.void_ratio});
+        rows.push_back(
+            {row.axial_strain, row.volumetric_strain, row.deviator_stress, row.mean_stress, row.void_ratio,
+             row.excess_pore_pressure}
+        );
     }
     return rows;
 }
@@ -54,6 +57,15 @@ std::string values_name(const casefile::Study& study, const report::SweepPoint& 
     return name;
 }
 
+double or_zero(const nlohmann::json& number) {
+    return number.is_number() ? number.get<double>() : 0;
+}
+
+bool holds_deviator(const casefile::Stage& stage) {
+    const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.spec);
+    return spec != nullptr && spec->path == triaxial::Path::ConstantDeviator;
+}
+
 /// All tests of the run, in the order of stages and of sweep values.
 std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
     std::vector<Test> tests;
@@ -63,17 +75,23 @@ std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<Fin
         for (std::size_t k = 0; k < study.stages.size(); ++k) {
             for (const report::SweepPoint& point : traced[s].stages[k].points) {
                 std::vector<Rows> of_seed;
+                double borne = 0; // pore pressure, summed over the seeds [Pa]
                 for (const FinishedStage& stage : stages) {
                     if (stage.study == &study && stage.stage->name == study.stages[k].name &&
                         !stage.findings.curve.empty() && sweep_values(study, *stage.variant) == point.written) {
                         of_seed.push_back(rows_of(stage.findings.curve));
+                        borne += or_zero(stage.numbers.at("response").at("excess_pore_pressure"));
                     }
                 }
                 if (of_seed.empty()) {
                     continue;
                 }
                 const std::string values = values_name(study, point);
-                Test test{&study, &study.stages[k], point.written, report::average_response(values, of_seed)};
+                const bool holds = holds_deviator(study.stages[k]);
+                Test test{&study, &study.stages[k], point.written, report::average_response(values, of_seed, holds)};
+                if (holds) {
+                    test.curve.borne_pore_pressure = borne / static_cast<double>(of_seed.size());
+                }
                 for (std::size_t key = 0; key < study.sweep.size(); ++key) {
                     if (study.sweep[key].key == "fines_content") {
                         test.curve.fines_content = point.value[key];
@@ -88,12 +106,19 @@ std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<Fin
 
 std::string kind_of_test(const casefile::Stage& stage) {
     const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.spec);
-    if (spec == nullptr) {
-        return "Compression";
+    switch (spec == nullptr ? triaxial::Path::Drained : spec->path) {
+    case triaxial::Path::Drained:
+        return "Drained compression";
+    case triaxial::Path::ConstantMean:
+        return "Compression at constant mean stress";
+    case triaxial::Path::ConstantDeviator:
+        return "Rise of the pore pressure at constant deviator stress";
+    case triaxial::Path::Undrained:
+        return "Undrained compression";
+    case triaxial::Path::Proportional:
+        return fmt::format("Compression with dεᵥ/dε₁ = {:g}", *spec->strain_ratio);
     }
-    return spec->path == triaxial::Path::Drained        ? "Drained compression"
-           : spec->path == triaxial::Path::ConstantMean ? "Compression at constant mean stress"
-                                                        : "Undrained compression";
+    return {};
 }
 
 /// As names of figures are: lower-case letters, digits and hyphens.
@@ -142,12 +167,15 @@ void draw_tests(
     const casefile::Case& what, const std::vector<Test>& tests, const casefile::Stage* shown,
     std::vector<report::Figure>& figures
 ) {
-    std::vector<report::ResponseCurve> single;
+    std::vector<report::ResponseCurve> single, deviator_held;
     std::vector<const casefile::Stage*> drawn;
     for (const Test& test : tests) {
         if (test.study->sweep.empty()) {
             single.push_back(test.curve);
             single.back().name = (what.studies.size() > 1 ? test.study->name + ", " : "") + test.stage->name;
+            if (test.curve.borne_pore_pressure) {
+                deviator_held.push_back(single.back());
+            }
             continue;
         }
         if (test.stage == shown || std::find(drawn.begin(), drawn.end(), test.stage) != drawn.end()) {
@@ -166,7 +194,13 @@ void draw_tests(
             ),
             figures);
     }
-    add(report::triaxial_response(single), figures);
+    add(report::triaxial_response(
+            deviator_held, "own-pore-pressure", "Rise of the pore pressure at constant deviator stress"
+        ),
+        figures);
+    std::vector<report::ResponseCurve> compressed = single;
+    std::erase_if(compressed, [](const report::ResponseCurve& test) { return test.borne_pore_pressure.has_value(); });
+    add(report::triaxial_response(compressed), figures);
     draw_paths(tests, std::move(single), figures);
 }
 

@@ -1,7 +1,8 @@
 // What is read off a stress-strain curve, on curves whose answers are known.
 
+#include "suffuse/triaxial/response.hpp"
+
 #include "suffuse/base/error.hpp"
-#include "suffuse/triaxial/run_path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,32 @@ TEST(Summarize, ATestLiquefiesWhereLessThanATwentiethOfTheMeanStressIsLeft) {
     EXPECT_FALSE(summarize(flows(0.051), Path::Undrained).liquefied.value());
     EXPECT_FALSE(summarize(flows(0.049), Path::Drained).liquefied);
     EXPECT_FALSE(summarize(flows(0.049), Path::ConstantMean).excess_pore_pressure);
+}
+
+TEST(Summarize, AtConstantDeviatorASampleFailsAtTheHighestPorePressure) {
+    // q = 60 kPa held; the pore pressure rises to 50 kPa, where the sample begins to contract, and falls again.
+    std::vector<PathRow> rows = curve([](double) { return 6e4; }, [](double e) { return 0.1 * (e - 0.02); }, 0.04);
+    for (PathRow& row : rows) {
+        row.excess_pore_pressure = 5e4 * (1 - std::pow(row.axial_strain / 0.02 - 1, 2));
+        row.mean_stress = 1.2e5 - row.excess_pore_pressure;
+    }
+    const Response response = summarize(rows, Path::ConstantDeviator);
+    EXPECT_NEAR(*response.excess_pore_pressure, 5e4, 1e-6);
+    EXPECT_NEAR(response.peak_ratio, 6.0 / 7, 1e-9);
+    EXPECT_NEAR(response.peak_strain, 0.02, 1e-12);
+    EXPECT_NEAR(response.friction_angle, std::asin(6.0 / (6 + 10)), 1e-9); // of 110 and 50 kPa
+    EXPECT_EQ(response.stiffness, 0);
+    ASSERT_TRUE(response.instability); // it contracts from the start while the mean stress falls
+    EXPECT_NEAR(response.instability->axial_strain, 0, 1.1e-3);
+    EXPECT_EQ(response.liquefied, false);
+    // Where q is lost at 1 % strain, the sample fails there, whatever it bears afterwards.
+    for (std::size_t k = 100; k < 120; ++k) {
+        rows[k].deviator_stress = 0.94 * 6e4;
+    }
+    const double before = rows[99].excess_pore_pressure;
+    rows[110].mean_stress = 1e3;
+    EXPECT_EQ(summarize(rows, Path::ConstantDeviator).excess_pore_pressure, before);
+    EXPECT_EQ(summarize(rows, Path::ConstantDeviator).liquefied, true);
 }
 
 TEST(Summarize, OfNothingIsNothing) {

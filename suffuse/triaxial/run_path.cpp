@@ -11,17 +11,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <optional>
 
 namespace suffuse::triaxial {
 namespace {
 
-constexpr std::int64_t time_step_interval = 2000;
-constexpr double creep_room = 1.1;       // axial strain until at rest, at most, over the largest during the test [-]
-constexpr double smoothed_span = 1e-3;   // axial strain over which rows are averaged before their work is looked at [-]
-constexpr double least_smoothed = 2;     // rows
-constexpr double liquefied_share = 0.05; // of the mean stress at the start [-]
-constexpr double fastest_lateral = 2;    // rate of an axis whose stress is held, at most, over the axial rate [-]
+constexpr double creep_room = 1.1;   // axial strain until at rest, at most, over the largest during the test [-]
+constexpr double fastest_held = 2;   // rate of an axis whose stress is held, at most, over the axial rate [-]
+constexpr double least_ratio = 0.05; // q/p that a constant deviator needs, for servos to hold it [-]
+constexpr double held_within = 0.02; // of its value, a constant deviator [-]
+constexpr double first_pace = 0.01, quicker = 1.2, slower = 0.5;
 
 double lateral_mean(const Mat3& stress, int axis) {
     return 0.5 * (trace(stress) - stress(axis, axis));
@@ -31,50 +30,76 @@ double deviator(const Mat3& stress, int axis) {
     return stress(axis, axis) - lateral_mean(stress, axis);
 }
 
+/// Volumetric over axial strain, where the path imposes it.
+std::optional<double> imposed_strain_ratio(const TriaxialSpec& spec) {
+    return spec.path == Path::Undrained ? std::optional(0.0) : spec.strain_ratio;
+}
+
+/// All stresses held, the lateral ones alike.
+cell::Loading held_stresses(const TriaxialSpec& spec, double p, double q) {
+    cell::Loading loading;
+    loading.axis.fill({cell::Control::Stress, p - q / 3});
+    loading.axis[static_cast<std::size_t>(spec.axis)].value = p + 2 * q / 3;
+    return loading;
+}
+
+/// What drives the test, beside what is held.
 cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
+    using cell::Control;
+    const Mat3 &start = state.start_stress, &now = state.balance.stress;
+    cell::AxisControl axial{Control::StrainRate, state.strain_rate}, lateral;
+    if (const std::optional<double> ratio = imposed_strain_ratio(spec)) {
+        lateral = {Control::StrainRate, -0.5 * (1 - *ratio) * state.strain_rate};
+    } else if (spec.path == Path::ConstantMean) {
+        lateral = {Control::Stress, 0.5 * (trace(start) - now(spec.axis, spec.axis))};
+    } else if (spec.path == Path::ConstantDeviator) {
+        // A sample that fails flows at constant volume, with the axial rate of the other paths.
+        lateral = {Control::StrainRate, -0.5 * state.pace * state.strain_rate};
+        axial = {Control::Stress, lateral_mean(now, spec.axis) + deviator(start, spec.axis)};
+    }
     cell::Loading loading;
     // A sample widens at half of its axial rate and its dilatancy together: the servo must be able to follow, but no
     // axis may be faster than quasi-static.
-    loading.servo.max_rate = fastest_lateral * state.strain_rate;
+    loading.servo.max_rate = fastest_held * state.strain_rate;
     for (int a = 0; a < 3; ++a) {
-        cell::AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
-        if (a == spec.axis) {
-            axis = {cell::Control::StrainRate, state.strain_rate};
-        } else if (spec.path == Path::Undrained) {
-            axis = {cell::Control::StrainRate, -0.5 * state.strain_rate};
-        } else if (spec.path == Path::ConstantMean) {
-            const double missing = trace(state.start_stress) - state.balance.stress(spec.axis, spec.axis);
-            axis = {cell::Control::Stress, 0.5 * missing};
-        } else {
-            axis = {cell::Control::Stress, state.start_stress(a, a)};
+        if (spec.path == Path::Drained) { // what each held at the start, which need not be the same
+            lateral = {Control::Stress, start(a, a)};
         }
+        loading.axis[static_cast<std::size_t>(a)] = a == spec.axis ? axial : lateral;
     }
     return loading;
 }
 
-/// The deviator stress asked for, at the lateral or mean stress that the path holds [Pa].
-double wanted_deviator(const TriaxialSpec& spec, const PathState& state) {
-    if (spec.deviator_stress) {
-        return *spec.deviator_stress;
+/// Before a sample fails its stresses fall so quickly that the axial servo would lag behind: the cell waits for it.
+void keep_pace(const TriaxialSpec& spec, PathState& state) {
+    const double q = deviator(state.start_stress, spec.axis);
+    const double lag = std::abs(deviator(state.balance.stress, spec.axis) - q) / (held_within * q);
+    if (lag > 1) {
+        state.pace = std::max(first_pace, slower * state.pace);
+    } else if (lag < 0.5) {
+        state.pace = std::min(1.0, quicker * state.pace);
     }
-    const double eta = *spec.stress_ratio; // q = eta p, with p = lateral + q/3
-    return spec.path == Path::ConstantMean ? eta * dem::mean_stress(state.start_stress)
-                                           : eta * lateral_mean(state.start_stress, spec.axis) / (1 - eta / 3);
 }
 
-/// The stresses to come to rest at: the deviator stress asked for, beside what is held during the test.
+/// The stresses to come to rest at: the one asked for, beside what is held during the test.
 cell::Loading final_loading(const TriaxialSpec& spec, const PathState& state) {
-    if (spec.path == Path::Undrained) {
+    if (imposed_strain_ratio(spec)) {
         return dem::constant_volume();
     }
-    cell::Loading loading = loading_of(spec, state);
-    const double q = wanted_deviator(spec, state), p = dem::mean_stress(state.start_stress);
-    double axial = lateral_mean(state.start_stress, spec.axis) + q;
-    if (spec.path == Path::ConstantMean) {
-        loading.axis.fill({cell::Control::Stress, p - q / 3});
-        axial = p + 2 * q / 3;
+    const double start_mean = dem::mean_stress(state.start_stress), start_q = deviator(state.start_stress, spec.axis);
+    if (spec.path == Path::ConstantDeviator) {
+        return held_stresses(spec, start_q / *spec.stress_ratio, start_q);
     }
-    loading.axis[static_cast<std::size_t>(spec.axis)] = {cell::Control::Stress, axial};
+    if (spec.path == Path::ConstantMean) {
+        return held_stresses(
+            spec, start_mean, spec.deviator_stress ? *spec.deviator_stress : *spec.stress_ratio * start_mean
+        );
+    }
+    const double lateral = lateral_mean(state.start_stress, spec.axis);
+    const double q = spec.deviator_stress ? *spec.deviator_stress // or q = eta p, with p = lateral + q/3
+                                          : *spec.stress_ratio * lateral / (1 - *spec.stress_ratio / 3);
+    cell::Loading loading = loading_of(spec, state);
+    loading.axis[static_cast<std::size_t>(spec.axis)] = {cell::Control::Stress, lateral + q};
     return loading;
 }
 
@@ -89,6 +114,16 @@ bool target_reached(const TriaxialSpec& spec, const PathRow& row) {
 
 double axial_strain(const Mat3& stretch, int axis) {
     return -std::log(stretch(axis, axis));
+}
+
+/// How far the test has come [-]. At a constant deviator a sample widens and lengthens until it fails.
+double progress(const TriaxialSpec& spec, const PathRow& row) {
+    const double widening = spec.path == Path::ConstantDeviator ? row.axial_strain - row.volumetric_strain : 0;
+    return std::max(row.axial_strain, widening);
+}
+
+bool holds_total_stress(Path path) {
+    return path == Path::Undrained || path == Path::ConstantDeviator;
 }
 
 PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const PathState& state) {
@@ -110,7 +145,7 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
     if (!state.rows.empty()) {
         row.second_order_work = second_order_work(state.rows.back(), row);
     }
-    if (spec.path == Path::Undrained) { // the total lateral stress is held: water takes what grains no longer carry
+    if (holds_total_stress(spec.path)) { // laterally: water takes what grains no longer carry
         row.excess_pore_pressure = lateral_mean(state.start_stress, spec.axis) - lateral_mean(stress, spec.axis);
     }
     return row;
@@ -128,24 +163,35 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
 void check_settling(
     const dem::World& world, const TriaxialSpec& spec, const dem::BalanceSpec& balance, const PathState& state
 ) {
-    const double strain = axial_strain(world.cell.h * inverse(state.start_h), spec.axis);
-    if (strain > creep_room * std::max(spec.strain, state.rows.back().axial_strain)) {
-        report_out_of_reach(measure_row(world, spec, state));
+    const PathRow row = measure_row(world, spec, state);
+    if (progress(spec, row) > creep_room * std::max(spec.strain, progress(spec, state.rows.back()))) {
+        report_out_of_reach(row);
     }
     if (state.balance.steps >= dem::SettleSpec{}.max_steps) {
         dem::report_not_balanced(final_loading(spec, state), balance, state.balance);
     }
 }
 
-} // namespace
-
-PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress, double time_step) {
+void check_spec(const TriaxialSpec& spec) {
     if (!(spec.strain > 0) || !(spec.inertial_number > 0) || spec.rows < 1) {
         throw CaseError(fmt::format(
             "triaxial: found strain {}, inertial_number {}, rows {}; expected all of them above 0", spec.strain,
             spec.inertial_number, spec.rows
         ));
     }
+    if (spec.strain_ratio.has_value() != (spec.path == Path::Proportional)) {
+        throw CaseError("triaxial: strain_ratio belongs to the path \"proportional\", and is needed there");
+    }
+    if (spec.path == Path::ConstantDeviator && spec.deviator_stress) {
+        throw CaseError("triaxial: the path \"constant-deviator\" holds q; give stress_ratio instead of deviator_stress"
+        );
+    }
+}
+
+} // namespace
+
+PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress, double time_step) {
+    check_spec(spec);
     const double pressure = dem::mean_stress(stress);
     if (!(pressure > 0)) {
         throw StateError(fmt::format(
@@ -155,6 +201,15 @@ PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& st
             pressure / 1e3
         ));
     }
+    const double q = deviator(stress, spec.axis);
+    if (spec.path == Path::ConstantDeviator && !(q >= least_ratio * pressure)) {
+        throw StateError(fmt::format(
+            "a path at constant deviator stress holds the one that the sample starts with, and this one's is {:.4g} "
+            "kPa "
+            "at a mean stress of {:.4g} kPa: shear it first, as with stress_ratio = 0.5",
+            q / 1e3, pressure / 1e3
+        ));
+    }
     PathState state;
     state.start_h = world.cell.h;
     state.start_stress = stress;
@@ -162,6 +217,7 @@ PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& st
     state.median_diameter = stats::size_at(stats::measure_gradation(world.grains), 0.5);
     state.strain_rate =
         dem::rate_of_inertial_number(spec.inertial_number, state.median_diameter, world.material.density, pressure);
+    state.pace = spec.path == Path::ConstantDeviator ? first_pace : 1;
     state.time_step = time_step;
     state.balance.equilibrium = dem::measure_equilibrium(world);
     state.rows.push_back(measure_row(world, spec, state));
@@ -172,8 +228,10 @@ bool path_burst(
     dem::World& world, dem::StepCaches& caches, const TriaxialSpec& spec, const dem::BalanceSpec& balance,
     double damping, dem::Mode mode, PathState& state
 ) {
-    if (spec.time_step <= 0 && state.steps % time_step_interval == 0) {
+    const std::int64_t contacts = state.balance.equilibrium.contacts;
+    if (spec.time_step <= 0 && dem::time_step_is_due(state.steps, contacts, state.known_contacts)) {
         state.time_step = dem::stable_time_step(world);
+        state.known_contacts = contacts;
     }
     const bool settling = state.phase == PathState::Phase::Settle;
     dem::StepPlan plan;
@@ -191,10 +249,14 @@ bool path_burst(
         }
         return settled;
     }
+    if (spec.path == Path::ConstantDeviator) {
+        keep_pace(spec, state);
+    }
     const PathRow row = measure_row(world, spec, state);
     const bool reached = target_reached(spec, row);
-    const bool over = reached || row.axial_strain >= spec.strain;
-    if (over || row.axial_strain - state.rows.back().axial_strain >= spec.strain / spec.rows) {
+    const double now = progress(spec, row);
+    const bool over = reached || now >= spec.strain;
+    if (over || now - progress(spec, state.rows.back()) >= spec.strain / spec.rows) {
         state.rows.push_back(row);
     }
     if (!over) {
@@ -213,93 +275,6 @@ double second_order_work(const PathRow& before, const PathRow& after) {
     const double shear = after.axial_strain - before.axial_strain - volumetric / 3;
     return (after.mean_stress - before.mean_stress) * volumetric +
            (after.deviator_stress - before.deviator_stress) * shear;
-}
-
-namespace {
-
-/// Strains and stresses only.
-PathRow mean_row(std::span<const PathRow> rows) {
-    const double share = 1 / static_cast<double>(rows.size());
-    PathRow mean;
-    for (const PathRow& row : rows) {
-        mean.axial_strain += share * row.axial_strain;
-        mean.volumetric_strain += share * row.volumetric_strain;
-        mean.mean_stress += share * row.mean_stress;
-        mean.deviator_stress += share * row.deviator_stress;
-    }
-    return mean;
-}
-
-/// From the mean of some rows to that of as many after them, so that the noise of single rows is no instability.
-std::optional<Instability> find_instability(std::span<const PathRow> rows) {
-    const double strain = rows.back().axial_strain - rows.front().axial_strain;
-    const double wanted = std::ceil(smoothed_span / strain * static_cast<double>(rows.size() - 1));
-    if (!(strain > 0) || 2 * wanted > static_cast<double>(rows.size())) {
-        return {};
-    }
-    const auto span = static_cast<std::size_t>(std::max(least_smoothed, wanted));
-    for (std::size_t k = span; k + span <= rows.size(); ++k) {
-        if (second_order_work(mean_row(rows.subspan(k - span, span)), mean_row(rows.subspan(k, span))) <= 0) {
-            const PathRow here = mean_row(rows.subspan(k - span, 2 * span));
-            return Instability{here.deviator_stress, here.mean_stress, here.axial_strain};
-        }
-    }
-    return {};
-}
-
-} // namespace
-
-Response summarize(const std::vector<PathRow>& rows, Path path) {
-    Response response;
-    if (rows.empty()) {
-        return response;
-    }
-    const double start = rows.front().deviator_stress;
-    for (const PathRow& row : rows) {
-        if (row.deviator_stress > response.peak_deviator) {
-            response.peak_deviator = row.deviator_stress;
-            response.peak_strain = row.axial_strain;
-            response.peak_ratio = row.deviator_stress / row.mean_stress;
-            const double lateral = row.mean_stress - row.deviator_stress / 3;
-            response.friction_angle = std::asin(row.deviator_stress / (row.deviator_stress + 2 * lateral));
-        }
-        response.largest_contraction = std::max(response.largest_contraction, row.volumetric_strain);
-    }
-    const double half = start + 0.5 * (response.peak_deviator - start);
-    for (std::size_t k = 1; k < rows.size() && response.stiffness == 0; ++k) {
-        const PathRow &a = rows[k - 1], &b = rows[k];
-        if (b.deviator_stress < half) {
-            continue;
-        }
-        const double share = (half - a.deviator_stress) / (b.deviator_stress - a.deviator_stress);
-        const double strain = a.axial_strain + share * (b.axial_strain - a.axial_strain);
-        if (strain > 0) {
-            response.stiffness = (half - start) / strain;
-        }
-    }
-    // Slope over one percent of strain, so that the noise of single rows does not count as dilatancy.
-    constexpr double slope_span = 0.01;
-    for (std::size_t k = 0, first = 0; k < rows.size(); ++k) {
-        while (rows[k].axial_strain - rows[first].axial_strain > slope_span) {
-            ++first;
-        }
-        const double run = rows[k].axial_strain - rows[first].axial_strain;
-        if (run < 0.8 * slope_span) {
-            continue;
-        }
-        const double slope = -(rows[k].volumetric_strain - rows[first].volumetric_strain) / run;
-        response.dilatancy = std::max(response.dilatancy, slope);
-    }
-    response.final_deviator = rows.back().deviator_stress;
-    response.final_volumetric_strain = rows.back().volumetric_strain;
-    response.instability = find_instability(rows);
-    if (path == Path::Undrained) {
-        response.liquefied = std::any_of(rows.begin(), rows.end(), [&](const PathRow& row) {
-            return row.mean_stress < liquefied_share * rows.front().mean_stress;
-        });
-        response.excess_pore_pressure = rows.back().excess_pore_pressure;
-    }
-    return response;
 }
 
 } // namespace suffuse::triaxial

@@ -8,15 +8,18 @@
 namespace suffuse::triaxial {
 
 enum class Path {
-    Drained,      ///< lateral stresses held
-    ConstantMean, ///< mean stress held
-    Undrained,    ///< volume held
+    Drained,          ///< lateral stresses held
+    ConstantMean,     ///< mean stress held
+    ConstantDeviator, ///< deviator stress of the start held while the cell widens: pore pressure rises
+    Undrained,        ///< volume held
+    Proportional,     ///< ratio of volumetric to axial strain held
 };
 
 struct TriaxialSpec {
     Path path = Path::Drained;
-    int axis = 2;                          ///< 0, 1, 2: the axis compressed
-    double strain = 0.2;                   ///< axial strain to stop at [-]
+    int axis = 2;                       ///< 0, 1, 2: the axis compressed
+    double strain = 0.2;                ///< axial strain to stop at; constant deviator: or axial minus volumetric [-]
+    std::optional<double> strain_ratio; ///< proportional: volumetric over axial strain; 1 is an oedometer [-]
     std::optional<double> deviator_stress; ///< q to stop at, then settle there; the strain is then a limit [Pa]
     std::optional<double> stress_ratio;    ///< q/p to stop at, instead [-]
     double inertial_number = 1e-3;         ///< sets the axial strain rate [-]

@@ -6,7 +6,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/settle.hpp"
-#include "suffuse/triaxial/run_path.hpp"
+#include "suffuse/triaxial/response.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Stages of several passes: an erosion that ends at a target, and stops between two passes.
+// Stages of several passes: an erosion that ends at a target, one by force, and stops between two passes.
 
 #include <gtest/gtest.h>
 
@@ -45,6 +45,23 @@ TEST(ErosionTarget, EndsTheStageWithThePassThatReachesIt) {
     const json much = stage_of(folder.path(), "much");
     EXPECT_FALSE(much.at("passes").at(0).at("reached_target"));
     EXPECT_NE(much.at("warnings").dump().find("less than the 90 % of `until_eroded`"), std::string::npos);
+}
+
+TEST(ForcedErosion, GoesOnWhateverTheNoiseOfTheProbe) {
+    const TempFolder folder;
+    // So small a gradient that no motion can be told from the twin's.
+    run_text(
+        start() + erosion("forced", "passes = 2\ngradient = 1e-4\nwatch = 100\nramp = 100\n") +
+            "[[study.s.stage]]\nname = \"probed\"\nfrom = \"settled\"\ndo = \"erode\"\nrelax_limit = 500\npasses = 2\n"
+            "gradient = 1e-4\nwatch = 100\nramp = 100\n",
+        folder.path()
+    );
+    const auto first = [&](const std::string& stage) {
+        return stage_of(folder.path(), stage).at("passes").at(0).at("verdict").get<std::string>();
+    };
+    EXPECT_NE(first("probed").find("noise"), std::string::npos);
+    EXPECT_EQ(first("forced"), "");
+    EXPECT_EQ(stage_of(folder.path(), "forced").at("passes").size(), 2U);
 }
 
 std::string text_of(const path& file) {

@@ -6,7 +6,7 @@
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/stats/coordination.hpp"
-#include "suffuse/triaxial/run_path.hpp"
+#include "suffuse/triaxial/response.hpp"
 
 #include <gtest/gtest.h>
 
@@ -232,6 +232,94 @@ TEST(Triaxial, AStressThatIsReachedButNotHeldEndsTheTest) {
     } catch (const StateError& error) {
         EXPECT_NE(std::string(error.what()).find("out of reach: at 1.1"), std::string::npos) << error.what();
     }
+}
+
+/// Sheared to q/p = 0.4, as what a path at constant deviator stress starts from.
+Sample sheared_sample() {
+    Sample s = settled_at(1e5);
+    triaxial::TriaxialSpec spec;
+    spec.stress_ratio = 0.4;
+    spec.inertial_number = 3e-3;
+    s.state = compress(s, spec).balance;
+    return s;
+}
+
+TEST(Triaxial, AtConstantDeviatorThePorePressureRisesUntilTheSampleFails) {
+    Sample s = sheared_sample(), drained = s;
+    triaxial::TriaxialSpec spec;
+    spec.path = triaxial::Path::ConstantDeviator;
+    spec.strain = 0.03;
+    spec.inertial_number = 3e-3;
+    const triaxial::PathState state = compress(s, spec);
+    const double start = dem::mean_stress(state.start_stress), q = state.rows.front().deviator_stress;
+    double squares = 0;
+    for (const triaxial::PathRow& row : state.rows) {
+        // The axial stress follows the lateral one of the burst before; contacts that give way at once drop more.
+        EXPECT_NEAR(row.deviator_stress, q, 0.1 * q) << row.axial_strain;
+        squares += std::pow(row.deviator_stress / q - 1, 2);
+        const double fall = start - row.mean_stress + (row.deviator_stress - q) / 3;
+        EXPECT_NEAR(row.excess_pore_pressure, fall, 1e-6); // rounding
+    }
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(state.rows.size())), 0.02); // as closely as the cell waits
+    const triaxial::Response response = triaxial::summarize(state.rows, spec.path);
+    EXPECT_EQ(response.liquefied, false);
+    EXPECT_GT(*response.excess_pore_pressure, 0.3 * start);
+    // It fails on the line of strength that the drained path finds as well, within the scatter of 500 grains.
+    spec.path = triaxial::Path::Drained;
+    const triaxial::Response strength = triaxial::summarize(compress(drained, spec).rows);
+    EXPECT_NEAR(response.peak_ratio, strength.peak_ratio, 0.15 * strength.peak_ratio);
+    RecordProperty("ratios", std::to_string(response.peak_ratio) + " " + std::to_string(strength.peak_ratio));
+}
+
+TEST(Triaxial, AtConstantDeviatorItComesToRestAtTheRatioAskedFor) {
+    Sample s = sheared_sample();
+    triaxial::TriaxialSpec spec;
+    spec.path = triaxial::Path::ConstantDeviator;
+    spec.stress_ratio = 0.6;
+    spec.inertial_number = 3e-3;
+    const triaxial::PathState state = compress(s, spec);
+    ASSERT_EQ(state.phase, triaxial::PathState::Phase::Done);
+    const double q = state.rows.front().deviator_stress, p = q / 0.6;
+    EXPECT_NEAR(state.balance.stress(2, 2), p + 2 * q / 3, 5e-3 * (p + 2 * q / 3)); // what "settled" promises
+    EXPECT_NEAR(state.balance.stress(0, 0), p - q / 3, 5e-3 * (p + 2 * q / 3));
+}
+
+TEST(Triaxial, AtConstantDeviatorThereMustBeOne) {
+    Sample s = settled_at(1e5);
+    triaxial::TriaxialSpec spec;
+    spec.path = triaxial::Path::ConstantDeviator;
+    EXPECT_NE(failure_of(s, spec).find("shear it first"), std::string::npos);
+}
+
+TEST(Triaxial, AProportionalPathKeepsTheRatioOfItsStrains) {
+    for (const double ratio : {1.0, 0.5, -0.5}) { // 1: an oedometer
+        Sample s = settled_at(1e5);
+        triaxial::TriaxialSpec spec;
+        spec.path = triaxial::Path::Proportional;
+        spec.strain_ratio = ratio;
+        spec.strain = 0.002;
+        spec.inertial_number = 3e-3;
+        const Mat3 h = s.world.cell.h;
+        const triaxial::PathRow last = compress(s, spec).rows.back();
+        // Rates are constant, but each step grows the cell by (1 + rate dt): of second order in each.
+        EXPECT_NEAR(last.volumetric_strain, ratio * last.axial_strain, 1e-5 * last.axial_strain) << ratio;
+        EXPECT_NEAR(s.world.cell.h(0, 0) / h(0, 0), std::exp(0.5 * (1 - ratio) * last.axial_strain), 1e-8);
+        EXPECT_EQ(last.excess_pore_pressure, 0);
+    }
+}
+
+TEST(Triaxial, KeysThatDoNotBelongToThePathAreRefused) {
+    Sample s = sheared_sample();
+    const auto refused = [&](triaxial::Path path, std::optional<double> strain_ratio, std::optional<double> q) {
+        triaxial::TriaxialSpec spec;
+        spec.path = path;
+        spec.strain_ratio = strain_ratio;
+        spec.deviator_stress = q;
+        EXPECT_THROW(triaxial::begin_path(s.world, spec, s.state.stress, 4e-8), CaseError);
+    };
+    refused(triaxial::Path::Proportional, std::nullopt, std::nullopt);
+    refused(triaxial::Path::Drained, 1.0, std::nullopt);
+    refused(triaxial::Path::ConstantDeviator, std::nullopt, 5e4);
 }
 
 } // namespace

@@ -207,6 +207,11 @@ name   = "shear"
 do     = "triaxial"
 strain = "0.5 %"
 [[study.s.stage]]
+name   = "pressed"
+do     = "triaxial"
+path   = "constant-deviator"
+strain = "0.2 %"
+[[study.s.stage]]
 name       = "probed"
 from       = "dense"
 do         = "stress-probe"
@@ -229,6 +234,8 @@ directions = 4
     EXPECT_NEAR(std::stod(rows[1].at("normalized_work")), work, 1e-12); // rounding
     const std::string page = read_all(folder / "run/report.html");
     EXPECT_NE(page.find("probed: stable in all 4 directions of load"), std::string::npos);
+    EXPECT_NE(page.find("pressed: with the deviator stress held, an excess pore pressure of"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "run/figures/own-pore-pressure.csv"));
     std::sort(peak.begin(), peak.end());
     const std::size_t begin = page.find("triaxial compression: "),
                       end = page.find("\u00a0kPa (2 samples) in shear.", begin);

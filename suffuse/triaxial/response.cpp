@@ -1,0 +1,127 @@
+#include "suffuse/triaxial/response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace suffuse::triaxial {
+
+namespace {
+
+constexpr double smoothed_span = 1e-3;   // axial strain over which rows are averaged before their work is looked at [-]
+constexpr double least_smoothed = 2;     // rows
+constexpr double liquefied_share = 0.05; // of the mean stress at the start [-]
+constexpr double lost_share = 0.05;      // of the deviator stress held: more of it is missing than a servo lets go [-]
+
+/// Strains and stresses only.
+PathRow mean_row(std::span<const PathRow> rows) {
+    const double share = 1 / static_cast<double>(rows.size());
+    PathRow mean;
+    for (const PathRow& row : rows) {
+        mean.axial_strain += share * row.axial_strain;
+        mean.volumetric_strain += share * row.volumetric_strain;
+        mean.mean_stress += share * row.mean_stress;
+        mean.deviator_stress += share * row.deviator_stress;
+    }
+    return mean;
+}
+
+/// From the mean of some rows to that of as many after them, so that the noise of single rows is no instability.
+std::optional<Instability> find_instability(std::span<const PathRow> rows) {
+    const double strain = rows.back().axial_strain - rows.front().axial_strain;
+    const double wanted = std::ceil(smoothed_span / strain * static_cast<double>(rows.size() - 1));
+    if (!(strain > 0) || 2 * wanted > static_cast<double>(rows.size())) {
+        return {};
+    }
+    const auto span = static_cast<std::size_t>(std::max(least_smoothed, wanted));
+    for (std::size_t k = span; k + span <= rows.size(); ++k) {
+        if (second_order_work(mean_row(rows.subspan(k - span, span)), mean_row(rows.subspan(k, span))) <= 0) {
+            const PathRow here = mean_row(rows.subspan(k - span, 2 * span));
+            return Instability{here.deviator_stress, here.mean_stress, here.axial_strain};
+        }
+    }
+    return {};
+}
+
+/// Highest q. Where q is held: the highest pore pressure until it is lost, since loads that stay would not come back.
+const PathRow& peak_of(const std::vector<PathRow>& rows, Path path) {
+    if (path != Path::ConstantDeviator) {
+        return *std::max_element(rows.begin(), rows.end(), [](const PathRow& a, const PathRow& b) {
+            return a.deviator_stress < b.deviator_stress;
+        });
+    }
+    const double held = (1 - lost_share) * rows.front().deviator_stress;
+    const auto lost =
+        std::find_if(rows.begin() + 1, rows.end(), [&](const PathRow& row) { return row.deviator_stress < held; });
+    return *std::max_element(rows.begin(), lost, [](const PathRow& a, const PathRow& b) {
+        return a.excess_pore_pressure < b.excess_pore_pressure;
+    });
+}
+
+/// Secant from the start to half of the increase of q, 0 where there is none [Pa].
+double stiffness_until(const std::vector<PathRow>& rows, double peak) {
+    const double start = rows.front().deviator_stress, half = start + 0.5 * (peak - start);
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+        const PathRow &a = rows[k - 1], &b = rows[k];
+        if (b.deviator_stress < half) {
+            continue;
+        }
+        const double share = (half - a.deviator_stress) / (b.deviator_stress - a.deviator_stress);
+        const double strain = a.axial_strain + share * (b.axial_strain - a.axial_strain);
+        if (strain > 0) {
+            return (half - start) / strain;
+        }
+    }
+    return 0;
+}
+
+/// Largest -d eps_v / d eps_1 [-], over one percent of strain: the noise of single rows is no dilatancy.
+double largest_dilatancy(const std::vector<PathRow>& rows) {
+    constexpr double slope_span = 0.01;
+    double dilatancy = 0;
+    for (std::size_t k = 0, first = 0; k < rows.size(); ++k) {
+        while (rows[k].axial_strain - rows[first].axial_strain > slope_span) {
+            ++first;
+        }
+        const double run = rows[k].axial_strain - rows[first].axial_strain;
+        if (run >= 0.8 * slope_span) {
+            dilatancy = std::max(dilatancy, -(rows[k].volumetric_strain - rows[first].volumetric_strain) / run);
+        }
+    }
+    return dilatancy;
+}
+
+} // namespace
+
+Response summarize(const std::vector<PathRow>& rows, Path path) {
+    Response response;
+    if (rows.empty()) {
+        return response;
+    }
+    const PathRow& peak = peak_of(rows, path);
+    if (peak.deviator_stress > 0) {
+        response.peak_deviator = peak.deviator_stress;
+        response.peak_strain = peak.axial_strain;
+        response.peak_ratio = peak.deviator_stress / peak.mean_stress;
+        const double lateral = peak.mean_stress - peak.deviator_stress / 3;
+        response.friction_angle = std::asin(peak.deviator_stress / (peak.deviator_stress + 2 * lateral));
+    }
+    for (const PathRow& row : rows) {
+        response.largest_contraction = std::max(response.largest_contraction, row.volumetric_strain);
+    }
+    response.stiffness = path == Path::ConstantDeviator ? 0 : stiffness_until(rows, response.peak_deviator);
+    response.dilatancy = largest_dilatancy(rows);
+    response.final_deviator = rows.back().deviator_stress;
+    response.final_volumetric_strain = rows.back().volumetric_strain;
+    response.instability = find_instability(rows);
+    if (path == Path::Undrained || path == Path::ConstantDeviator) {
+        response.liquefied = std::any_of(rows.begin(), rows.end(), [&](const PathRow& row) {
+            return row.mean_stress < liquefied_share * rows.front().mean_stress;
+        });
+        response.excess_pore_pressure = path == Path::Undrained ? rows.back().excess_pore_pressure //
+                                                                : peak.excess_pore_pressure;
+    }
+    return response;
+}
+
+} // namespace suffuse::triaxial

@@ -1,0 +1,39 @@
+#pragma once
+// What is read off a stress-strain curve: strength, stiffness, dilatancy, instability. Rows in, numbers out.
+
+#include "suffuse/triaxial/run_path.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace suffuse::triaxial {
+
+/// Where a sample would fail under loads instead of strains.
+struct Instability {
+    double deviator_stress = 0; ///< q [Pa]
+    double mean_stress = 0;     ///< p [Pa]
+    double axial_strain = 0;    ///< [-]
+};
+
+/// Peak strength, stiffness, dilatancy and instability of a curve. The peak is that of q; at a constant
+/// deviator that of the pore pressure, until q is lost.
+struct Response {
+    double peak_deviator = 0;               ///< q there [Pa]
+    double peak_strain = 0;                 ///< axial strain at the peak [-]
+    double peak_ratio = 0;                  ///< q/p at the peak [-]
+    double friction_angle = 0;              ///< at the peak, sin = (s1 - s3)/(s1 + s3) [rad]
+    double final_deviator = 0;              ///< at the last row [Pa]
+    double stiffness = 0;                   ///< secant E50: half the peak deviator over the strain there; 0: none [Pa]
+    double dilatancy = 0;                   ///< largest -d eps_v / d eps_1 after the first percent [-]
+    double largest_contraction = 0;         ///< volumetric strain [-]
+    double final_volumetric_strain = 0;     ///< [-]
+    std::optional<Instability> instability; ///< where the second-order work is first no longer above zero
+    /// Undrained, constant deviator: whether the mean stress fell below 5 % of its start
+    std::optional<bool> liquefied;
+    /// Undrained: at the last row; constant deviator: the most that the sample bears [Pa]
+    std::optional<double> excess_pore_pressure;
+};
+
+Response summarize(const std::vector<PathRow>& rows, Path path = Path::Drained);
+
+} // namespace suffuse::triaxial
