@@ -17,15 +17,25 @@ namespace {
 
 using casefile::Key;
 
-/// A field that a key of the case sets: a number in SI, or a text with its unit; documented by the schema.
+/// A number in SI, or a text with its unit, in the range that the case has for this key.
+double value_of(const Key& key, const py::object& value, std::string_view name) {
+    const double number = quantity_of(value, key.dimension, name);
+    if (!key.range.contains(number)) {
+        throw CaseError(fmt::format(
+            "{}: found {}, expected it to be {}; a bare number is in SI", name,
+            print_quantity(number, key.dimension), casefile::range_text(key)
+        ));
+    }
+    return number;
+}
+
+/// A field that a key of the case sets, documented by the schema.
 template <class Spec>
 void quantity_field(py::class_<Spec>& type, const char* table, const char* name, double Spec::*field) {
     const Key& key = key_of(table, name);
     type.def_property(
         name, [field](const Spec& spec) { return spec.*field; },
-        [field, name, dimension = key.dimension](Spec& spec, const py::object& value) {
-            spec.*field = quantity_of(value, dimension, name);
-        },
+        [field, name, &key](Spec& spec, const py::object& value) { spec.*field = value_of(key, value, name); },
         key_doc(key).c_str()
     );
 }
@@ -76,8 +86,8 @@ void bind_material(py::module_& m) {
         type.def_property(
             fmt::format("adhesion_{}", name).c_str(),
             [field = field](const Material& material) { return material.*field; },
-            [field = field](Material& material, const py::object& value) {
-                material.*field = quantity_of(value, dimension::pressure, "adhesion");
+            [field = field, &key](Material& material, const py::object& value) {
+                material.*field = value_of(key, value, "adhesion");
             },
             key_doc(key).c_str()
         );

@@ -283,6 +283,19 @@ def test_stress_probes_leave_the_world_as_it_is(cloud, settled):
         settled.stress_probe(directions=0)
 
 
+def test_constants_out_of_their_range_are_refused():
+    material = suffuse.Material()
+    for name, wrong in (("friction", 30), ("modulus", -1), ("shear_ratio", 0), ("adhesion_normal", "-1 MPa")):
+        before = getattr(material, name)
+        with pytest.raises(suffuse.CaseError, match="expected it to be"):
+            setattr(material, name, wrong)
+        assert getattr(material, name) == before
+    with pytest.raises(suffuse.CaseError, match="friction: found 1719 deg, .*below 90 deg"):
+        suffuse.Material(friction=30)  # degrees were meant
+    with pytest.raises(suffuse.CaseError, match="above 0"):
+        suffuse.Balance(unbalanced_force=0)
+
+
 def test_masses_follow_the_density(two_grains):
     other = two_grains.copy()
     two_grains.material.density = 5200
@@ -307,7 +320,6 @@ def test_steps_after_a_new_density_are_those_of_a_world_that_had_it(settled, tmp
 
 def test_a_density_that_cannot_be_is_refused(two_grains):
     material = two_grains.material
-    material.density = 0
-    with pytest.raises(suffuse.CaseError, match="density: found 0 kg/m3"):
-        two_grains.step(1, time_step=1e-9)
+    with pytest.raises(suffuse.CaseError, match="density: found 0 kg/m.*above 0"):
+        material.density = 0
     assert material.density == 2600 and has_its_own_masses(two_grains)

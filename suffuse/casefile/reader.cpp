@@ -82,9 +82,7 @@ bool Reader::in_range(const Key& key, double value, const Node& node) {
         );
         return false;
     }
-    const bool is_low = key.range.without_least ? value <= key.range.least : value < key.range.least;
-    const bool is_high = key.range.without_most ? value >= key.range.most : value > key.range.most;
-    if (!is_low && !is_high) {
+    if (key.range.contains(value)) {
         return true;
     }
     error(

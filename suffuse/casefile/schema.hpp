@@ -28,6 +28,10 @@ struct Range {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
     bool without_least = false, without_most = false; ///< the bound itself is not allowed
+
+    [[nodiscard]] bool contains(double value) const {
+        return (without_least ? value > least : value >= least) && (without_most ? value < most : value <= most);
+    }
 };
 
 struct Key {

@@ -284,12 +284,21 @@ std::string bands(const std::vector<ResponseCurve>& tests) {
 Figure response_figure(const std::vector<ResponseCurve>& tests) {
     Figure figure;
     figure.section = "Tests";
-    json upper = tests.front().borne_pore_pressure
-                     ? strain_panel(tests, "excess_pore_pressure", "excess pore pressure Δu [kPa]", 240)
-                     : strain_panel(tests, "deviator_stress", "deviator stress q = σ₁ − σ₃ [kPa]", 240);
-    hide_axis(upper);
+    const bool holds_deviator = tests.front().borne_pore_pressure.has_value();
+    json panels = json::array();
+    if (holds_deviator) {
+        panels.push_back(strain_panel(tests, "excess_pore_pressure", "excess pore pressure Δu [kPa]", 200));
+    }
+    panels.push_back(
+        strain_panel(tests, "deviator_stress", holds_deviator ? "q = σ₁ − σ₃ [kPa]" : "deviator stress q = σ₁ − σ₃ [kPa]",
+        holds_deviator ? 120 : 240)
+    );
+    for (json& panel : panels) {
+        hide_axis(panel);
+    }
+    panels.push_back(strain_panel(tests, "volumetric_strain", "volumetric strain εᵥ [%]", 160));
     figure.chart = {
-        {"vconcat", {upper, strain_panel(tests, "volumetric_strain", "volumetric strain εᵥ [%]", 160)}},
+        {"vconcat", panels},
         {"spacing", 8},
         {"resolve", {{"scale", {{"x", "shared"}, {"color", "shared"}, {"strokeDash", "shared"}}}}}};
     figure.table = response_table(tests, most_rows);
@@ -340,6 +349,9 @@ triaxial_response(const std::vector<ResponseCurve>& all, const std::string& id, 
         );
     }
     figure.caption = as_sentence(claim) + ". Contraction positive." + bands(tests);
+    if (tests.front().borne_pore_pressure) {
+        figure.caption += " A pore pressure is borne as long as q is.";
+    }
     return figure;
 }
 

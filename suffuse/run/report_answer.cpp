@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace suffuse::run {
 namespace {
@@ -43,6 +44,22 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
     return text;
 }
 
+/// Whether gradients that differ ten times and more detach the same fines, to a fiftieth.
+bool hardly_depends_on_gradient(const std::vector<erosion::ProbeResult>& probes) {
+    constexpr double wide = 10, alike = 0.02;
+    double least_gradient = std::numeric_limits<double>::infinity(), most_gradient = 0;
+    double fewest = least_gradient, most = 0;
+    for (const erosion::ProbeResult& probe : probes) {
+        if (probe.gradient <= 0) {
+            continue;
+        }
+        const auto count = static_cast<double>(report::count_detached(probe).yes);
+        least_gradient = std::min(least_gradient, probe.gradient), most_gradient = std::max(most_gradient, probe.gradient);
+        fewest = std::min(fewest, count), most = std::max(most, count);
+    }
+    return most > 0 && most_gradient >= wide * least_gradient && most - fewest <= alike * most;
+}
+
 std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
     const report::Detached first = report::count_detached(probes.front());
     std::string text = fmt::format("Of {} fines ", grouped(first.yes + first.no));
@@ -56,7 +73,12 @@ std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
             yes == 0 ? "none" : grouped(yes), probes[k].gradient
         );
     }
-    return text + " are detachable.";
+    text += " are detachable.";
+    if (hardly_depends_on_gradient(probes)) {
+        text += " That the number hardly depends on the gradient says that these fines carry no load: without gravity any "
+                "water moves them, and none of these gradients is a critical one.";
+    }
+    return text;
 }
 
 /// Of stages that take fines out without water, as long as these are few.
@@ -70,10 +92,11 @@ std::vector<std::string> answers_to_removals(const std::vector<FinishedStage>& s
         }
         const std::size_t passes = n.at("passes").size();
         sentences.push_back(fmt::format(
-            "{}/{}: {} fines taken out in {} {}, {} of the mass; under the stresses held before the skeleton {} by {}.",
+            "{}/{}: {} fines taken out in {} {}, {} of the mass; under the stresses held before the skeleton {} {} of its "
+            "volume.",
             stage.variant->folder, stage.stage->name, grouped(n.at("removed").get<std::int64_t>()), passes,
             passes == 1 ? "pass" : "passes", percent_or_none(100 * n.at("removed_mass_share").get<double>()),
-            n.at("failed").get<bool>() ? "failed, after it had strained" : "strained",
+            n.at("failed").get<bool>() ? "failed, after it had lost" : "lost",
             percent_or_none(100 * n.at("volumetric_strain").get<double>())
         ));
     }
@@ -98,6 +121,24 @@ std::string tell_peaks(const std::vector<json>& responses, const char* pressure,
     return fmt::format(
         "{} to {} kPa ({} samples)", report::short_number(lowest, 4), report::short_number(highest, 4), responses.size()
     );
+}
+
+/// " (2 samples liquefied)", " (lost its confinement at 1.1 % axial strain)"; empty where nothing of the kind happened.
+std::string tell_failures(const std::vector<json>& responses) {
+    const auto liquefied = std::ranges::count_if(responses, [](const json& r) { return r.at("liquefied") == true; });
+    const auto lost = std::ranges::count_if(responses, [](const json& r) { return r.at("lost_at").is_number(); });
+    if (responses.size() == 1 && lost > 0) {
+        return fmt::format(
+            " (and collapsed at {} % axial strain)",
+            report::short_number(100 * responses.front().at("lost_at").get<double>(), 2)
+        );
+    }
+    if (responses.size() == 1) {
+        return liquefied > 0 ? " (and liquefied)" : "";
+    }
+    return liquefied > 0 ? fmt::format(" ({} of them liquefied)", liquefied)
+           : lost > 0    ? fmt::format(" ({} of them collapsed)", lost)
+                         : "";
 }
 
 /// The responses of a test outside sweeps, of all seeds.
@@ -133,20 +174,14 @@ std::vector<std::string> answers_to_tests(const std::vector<FinishedStage>& stag
     for (const ToldTest& test : gather_told_tests(stages)) {
         if (!test.holds_deviator) {
             strength += fmt::format(
-                "{}{} in {}", strength.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
-                tell_peaks(test.responses, "peak_deviator", "peak_strain"), test.name
+                "{}{} in {}{}", strength.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
+                tell_peaks(test.responses, "peak_deviator", "peak_strain"), test.name, tell_failures(test.responses)
             );
             continue;
         }
-        const auto liquefied = std::ranges::count_if(test.responses, [](const json& response) {
-            return response.at("liquefied") == true;
-        });
         sentences.push_back(fmt::format(
             "{}: with the deviator stress held, an excess pore pressure of {} is the most that is borne{}.", test.name,
-            tell_peaks(test.responses, "excess_pore_pressure", "peak_strain"),
-            liquefied == 0               ? ""
-            : test.responses.size() == 1 ? "; the sample liquefies"
-                                         : fmt::format("; {} of the samples liquefy", liquefied)
+            tell_peaks(test.responses, "excess_pore_pressure", "peak_strain"), tell_failures(test.responses)
         ));
     }
     if (!strength.empty()) {
@@ -190,11 +225,14 @@ std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std:
         sentences.push_back(answer_to_probes(story.probes));
     }
     if (!story.erosion.passes.empty()) {
-        sentences.push_back(answer_to_erosion(story.erosion));
+        const std::string name = story.others.empty() ? "" : story.eroded->stage->name + ": ";
+        sentences.push_back(name + answer_to_erosion(story.erosion));
     }
     for (const FinishedStage* other : story.others) {
         const std::string start = other->variant->stages[static_cast<std::size_t>(other->stage->parent)].name;
-        sentences.push_back(fmt::format("From the state {}: {}", start, answer_to_erosion(*other->findings.erosion)));
+        sentences.push_back(
+            fmt::format("{}, from the state {}: {}", other->stage->name, start, answer_to_erosion(*other->findings.erosion))
+        );
     }
     for (std::string& sentence : answers_to_removals(stages)) {
         sentences.push_back(std::move(sentence));

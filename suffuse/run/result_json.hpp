@@ -86,6 +86,7 @@ inline void to_json(nlohmann::json& json, const Response& response) {
         {"dilatancy", response.dilatancy},
         {"largest_contraction", response.largest_contraction},
         {"final_volumetric_strain", response.final_volumetric_strain},
+        {"lost_at", or_null(response.lost_at)},
         {"instability", or_null(response.instability)},
         {"liquefied", or_null(response.liquefied)},
         {"excess_pore_pressure", or_null(response.excess_pore_pressure)}};

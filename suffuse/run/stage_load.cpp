@@ -125,7 +125,15 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     work.time_step = state.time_step;
     work.numbers["steps"] = state.steps;
     work.numbers["strain_rate"] = state.strain_rate;
-    work.numbers["response"] = triaxial::summarize(state.rows, spec.path);
+    const triaxial::Response response = triaxial::summarize(state.rows, spec.path);
+    if (response.lost_at) {
+        work.flaws.push_back(fmt::format(
+            "{}: at {:.2g} % axial strain the stress that this path holds was lost, for the sample gave way faster than a "
+            "quasi-static servo may follow: it collapses under such loads, and the rows from there on are no test of it",
+            work.place(), 100 * *response.lost_at
+        ));
+    }
+    work.numbers["response"] = response;
     work.findings.curve = state.rows;
 }
 

@@ -11,6 +11,7 @@ namespace {
 constexpr double smoothed_span = 1e-3;   // axial strain over which rows are averaged before their work is looked at [-]
 constexpr double least_smoothed = 2;     // rows
 constexpr double liquefied_share = 0.05; // of the mean stress at the start [-]
+constexpr double lost_hold_share = 0.2;  // of a held stress: servos of small samples let go of a tenth for a moment [-]
 constexpr double lost_share = 0.05;      // of the deviator stress held: more of it is missing than a servo lets go [-]
 
 /// Strains and stresses only.
@@ -56,6 +57,19 @@ const PathRow& peak_of(const std::vector<PathRow>& rows, Path path) {
     return *std::max_element(rows.begin(), lost, [](const PathRow& a, const PathRow& b) {
         return a.excess_pore_pressure < b.excess_pore_pressure;
     });
+}
+
+/// Axial strain of the first row at which the stress that the path holds is lost.
+std::optional<double> loss_of_hold(const std::vector<PathRow>& rows, Path path) {
+    if (path != Path::Drained && path != Path::ConstantMean) {
+        return {};
+    }
+    const auto held = [&](const PathRow& row) {
+        return path == Path::Drained ? row.mean_stress - row.deviator_stress / 3 : row.mean_stress;
+    };
+    const double least = (1 - lost_hold_share) * held(rows.front());
+    const auto lost = std::find_if(rows.begin(), rows.end(), [&](const PathRow& row) { return held(row) < least; });
+    return lost == rows.end() ? std::nullopt : std::optional(lost->axial_strain);
 }
 
 /// Secant from the start to half of the increase of q, 0 where there is none [Pa].
@@ -113,6 +127,7 @@ Response summarize(const std::vector<PathRow>& rows, Path path) {
     response.dilatancy = largest_dilatancy(rows);
     response.final_deviator = rows.back().deviator_stress;
     response.final_volumetric_strain = rows.back().volumetric_strain;
+    response.lost_at = loss_of_hold(rows, path);
     response.instability = find_instability(rows);
     if (path == Path::Undrained || path == Path::ConstantDeviator) {
         response.liquefied = std::any_of(rows.begin(), rows.end(), [&](const PathRow& row) {

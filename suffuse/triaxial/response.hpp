@@ -27,6 +27,9 @@ struct Response {
     double dilatancy = 0;                   ///< largest -d eps_v / d eps_1 after the first percent [-]
     double largest_contraction = 0;         ///< volumetric strain [-]
     double final_volumetric_strain = 0;     ///< [-]
+    /// Drained, constant mean: axial strain at which the stress held was lost, for the sample gave way faster than a
+    /// servo may follow; what comes later is no test of this path [-]
+    std::optional<double> lost_at;
     std::optional<Instability> instability; ///< where the second-order work is first no longer above zero
     /// Undrained, constant deviator: whether the mean stress fell below 5 % of its start
     std::optional<bool> liquefied;

@@ -177,6 +177,16 @@ TEST(Summarize, AtConstantDeviatorASampleFailsAtTheHighestPorePressure) {
     EXPECT_EQ(summarize(rows, Path::ConstantDeviator).liquefied, true);
 }
 
+TEST(Summarize, AHeldStressThatIsLostIsToldWithTheStrainAtWhichItWas) {
+    std::vector<PathRow> rows = curve(peaked, zero);
+    EXPECT_FALSE(summarize(rows).lost_at);
+    rows[50].mean_stress -= 0.19 * lateral;
+    EXPECT_FALSE(summarize(rows).lost_at);
+    rows[60].mean_stress -= 0.21 * lateral;
+    EXPECT_EQ(summarize(rows).lost_at, rows[60].axial_strain);
+    EXPECT_FALSE(summarize(rows, Path::Undrained).lost_at); // holds no stress
+}
+
 TEST(Summarize, OfNothingIsNothing) {
     EXPECT_EQ(summarize({}).peak_deviator, 0);
     EXPECT_EQ(summarize(std::vector<PathRow>(1)).stiffness, 0);
