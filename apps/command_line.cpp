@@ -1,5 +1,6 @@
 #include "apps/command_line.hpp"
 
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 
 #include <CLI/CLI.hpp>
@@ -9,7 +10,6 @@
 #include "apps/completions.hpp"
 #include "apps/help.hpp"
 #include "apps/man_page.hpp"
-#include "apps/shell_word.hpp"
 #include "apps/verb_flags.hpp"
 #include <algorithm>
 

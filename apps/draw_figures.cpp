@@ -1,6 +1,7 @@
 #include "apps/draw_figures.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/report/figure_options.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ std::vector<Source> sources_in(const fs::path& run) {
     if (error || sources.empty()) {
         throw IoError(fmt::format(
             "{}: holds no figures; give the folder of a run, or write them with suffuse report {}", folder.string(),
-            shown(run.string())
+            quoted(run.string())
         ));
     }
     std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) { return a.id < b.id; });

@@ -1,9 +1,10 @@
 #include "apps/failures.hpp"
 
+#include "suffuse/base/shell_word.hpp"
+
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
-#include "apps/shell_word.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
 

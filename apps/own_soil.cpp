@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/grouped.hpp"
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/casefile/read_grading.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/modeled_part.hpp"
@@ -10,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "apps/shell_word.hpp"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -1,6 +1,7 @@
 #include "apps/run_ending.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/run/plan_record.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 
 #include "apps/exit_code.hpp"
 #include "apps/failures.hpp"
-#include "apps/shell_word.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"

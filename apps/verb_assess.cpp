@@ -1,5 +1,6 @@
 // assess: internal stability of a soil from its grading, without simulation.
 
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/read_grading.hpp"
 #include "suffuse/grains/sampling.hpp"
@@ -13,7 +14,6 @@
 #include "apps/assessed_soil.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/page_folder.hpp"
-#include "apps/shell_word.hpp"
 #include "apps/verbs.hpp"
 #include <filesystem>
 

@@ -1,5 +1,6 @@
 // compare and verify: what differs between two runs, from the paper, or from what a run was when it ended.
 
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/run/checksums.hpp"
 #include "suffuse/run/compare_runs.hpp"
 #include "suffuse/run/folder.hpp"
@@ -7,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
-#include "apps/shell_word.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>

@@ -1,5 +1,6 @@
 // new: a commented case and its data, from an example or from a grading curve of the user's.
 
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/io/atomic_file.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,6 @@
 
 #include "apps/exit_code.hpp"
 #include "apps/own_soil.hpp"
-#include "apps/shell_word.hpp"
 #include "apps/templates.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/stopwatch.hpp"
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/casefile/read_text.hpp"
 #include "suffuse/run/plan_record.hpp"
 #include "suffuse/run/refine.hpp"
@@ -19,7 +20,6 @@
 #include "apps/progress_file.hpp"
 #include "apps/run_ending.hpp"
 #include "apps/run_folder.hpp"
-#include "apps/shell_word.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/terminal.hpp"
 #include "apps/verbs.hpp"

@@ -1,6 +1,7 @@
 // sweep: the samples of a case as tasks that any machine can run, and one run folder gathered from what they leave.
 
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/read_text.hpp"
 #include "suffuse/io/atomic_file.hpp"
@@ -14,7 +15,6 @@
 #include "apps/failures.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/run_folder.hpp"
-#include "apps/shell_word.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
@@ -204,7 +204,7 @@ int collect(const CommandLine& line, const Console& console) {
     if (!unfinished.empty()) {
         console.talk(fmt::format(
             "{} not finished: suffuse sweep {} --emit slurm writes tasks for them, suffuse resume {} runs them here",
-            plural(std::ssize(unfinished), "sample"), folder.string(), folder.string()
+            plural(std::ssize(unfinished), "sample"), quoted(folder.string()), quoted(folder.string())
         ));
     }
     const int code = !report.failures.empty() ? code_of(report.failures)

@@ -1,5 +1,6 @@
 // watch: a run followed from another terminal, through what its folder holds; or, when it is over, how it went.
 
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/run/folder.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include "apps/exit_code.hpp"
 #include "apps/progress_file.hpp"
 #include "apps/run_folder.hpp"
-#include "apps/shell_word.hpp"
 #include "apps/verbs.hpp"
 #include <chrono>
 #include <cstdio>
@@ -151,7 +151,7 @@ int watch_verb(const CommandLine& line, const Console& console) {
     } else if (!watch.is_over()) {
         console.result(fmt::format(
             "nobody works on this run and it has not ended: it was killed; go on with suffuse resume {}",
-            shown(line.subject)
+            quoted(line.subject)
         ));
     }
     console.document(

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/sha256.hpp"
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/checkpoint.hpp"
@@ -65,13 +66,13 @@ std::map<std::string, std::string> read_checksums(const fs::path& run) {
         throw IoError(
             missing.empty() ? fmt::format(
                                   "{0}: has no {1}: an earlier version made it, or it was stopped in its last moment; "
-                                  "suffuse report {0} writes them for what is there now",
-                                  run.string(), checksums_file
+                                  "suffuse report {2} writes them for what is there now",
+                                  run.string(), checksums_file, quoted(run.string())
                               )
                             : fmt::format(
                                   "{0}: the run has not ended: {1}; suffuse resume {0} goes on, and suffuse watch {0} "
                                   "shows whether it still runs",
-                                  run.string(), missing
+                                  run.string(), missing, quoted(run.string())
                               )
         );
     }

@@ -1,5 +1,6 @@
 #include "suffuse/run/report_data.hpp"
 
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/io/text_file.hpp"
 #include "suffuse/report/headlines.hpp"
 #include "suffuse/report/removal_table.hpp"
@@ -168,7 +169,7 @@ report::ReportData describe_run(
     for (const auto& [key, value] : provenance.items()) {
         data.provenance.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
     }
-    data.redraw = "suffuse report " + folder.string();
+    data.redraw = "suffuse report " + quoted(folder.string());
     return data;
 }
 

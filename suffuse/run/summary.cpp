@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/report/page.hpp"
@@ -178,7 +179,7 @@ Summary summarize_run(
          with_failures(summary.flaws, summary.failures),
          in_lines(of_case),
          findings,
-         {tell_missing(missing), "suffuse resume " + folder.string()}}
+         {tell_missing(missing), "suffuse resume " + quoted(folder.string())}}
     );
     summary.findings = findings_json(data.findings); // what the page shows
     write_json(

@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace suffuse::apps {
+namespace suffuse {
 
 /// A word for a shell, in quotes where it needs them.
 std::string quoted(const std::string& word);
 
-} // namespace suffuse::apps
+} // namespace suffuse

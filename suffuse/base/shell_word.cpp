@@ -1,6 +1,6 @@
-#include "apps/shell_word.hpp"
+#include "suffuse/base/shell_word.hpp"
 
-namespace suffuse::apps {
+namespace suffuse {
 
 std::string quoted(const std::string& word) {
     const bool is_plain =
@@ -17,4 +17,4 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-} // namespace suffuse::apps
+} // namespace suffuse
