@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -15,6 +17,7 @@ namespace suffuse::io {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 18;
+constexpr std::string_view partial_suffix = ".partial";
 
 std::string advice(int error) {
     switch (error) {
@@ -34,11 +37,14 @@ std::string advice(int error) {
     }
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : ".";
+}
+
 /// The new name itself must reach the disk too. Some file systems refuse to sync a folder; the file is safe all the
 /// same.
 void sync_folder(const std::filesystem::path& file) {
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int descriptor = ::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) {
         return;
     }
@@ -46,12 +52,75 @@ void sync_folder(const std::filesystem::path& file) {
     ::close(descriptor);
 }
 
+int lock(int descriptor, int kind) {
+    while (::flock(descriptor, kind) != 0) {
+        if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
+}
+
+/// Another name for each writer, of any program: writers of one file do not meet.
+std::filesystem::path next_partial(const std::filesystem::path& path) {
+    static std::atomic<int> count{0};
+    std::filesystem::path partial = path;
+    partial += fmt::format("{}-{}-{}", partial_suffix, ::getpid(), ++count);
+    return partial;
+}
+
+/// A new file, held for as long as its writer lives; -1 and errno where there is none, EEXIST where the name is taken.
+int open_held(const std::filesystem::path& partial) {
+    constexpr int everybody_may_read = 0644;
+    const int descriptor = ::open(partial.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, everybody_may_read);
+    if (descriptor < 0) {
+        return -1;
+    }
+    lock(descriptor, LOCK_SH);                  // where there are no locks, leftovers stay
+    if (::access(partial.c_str(), F_OK) != 0) { // taken for a leftover before it was held
+        ::close(descriptor);
+        errno = EEXIST;
+        return -1;
+    }
+    return descriptor;
+}
+
+/// Removes what dead programs left beside the file: nobody holds it. A program's number would tell less, for several
+/// machines may write into one folder.
+void remove_leftovers(const std::filesystem::path& path) {
+    const std::string start = path.filename().string() + std::string(partial_suffix);
+    std::error_code error;
+    std::filesystem::directory_iterator entry(folder_of(path), error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name.rfind(start, 0) != 0 || !is_partial(name)) {
+            continue;
+        }
+        const int descriptor = ::open(entry->path().c_str(), O_RDWR | O_CLOEXEC);
+        if (descriptor < 0) {
+            continue;
+        }
+        if (lock(descriptor, LOCK_EX | LOCK_NB) == 0) {
+            ::unlink(entry->path().c_str());
+        }
+        ::close(descriptor);
+    }
+}
+
 } // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), partial_(path_) {
-    partial_ += ".partial";
-    constexpr int everybody_may_read = 0644;
-    descriptor_ = ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, everybody_may_read);
+bool is_partial(std::string_view name) {
+    const std::size_t at = name.rfind(partial_suffix);
+    return at != std::string_view::npos &&
+           name.find_first_not_of("0123456789-", at + partial_suffix.size()) == std::string_view::npos;
+}
+
+AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
+    remove_leftovers(path_);
+    do {
+        partial_ = next_partial(path_);
+        descriptor_ = open_held(partial_);
+    } while (descriptor_ < 0 && errno == EEXIST);
     if (descriptor_ < 0) {
         fail(errno);
     }
@@ -62,8 +131,8 @@ AtomicFile::~AtomicFile() {
     if (descriptor_ < 0) {
         return;
     }
-    ::close(descriptor_);
     ::unlink(partial_.c_str());
+    ::close(descriptor_);
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -82,11 +151,10 @@ void AtomicFile::commit() {
     if (::fsync(descriptor_) != 0) {
         fail(errno);
     }
-    if (::close(std::exchange(descriptor_, -1)) != 0 || std::rename(partial_.c_str(), path_.c_str()) != 0) {
-        const int error = errno;
-        ::unlink(partial_.c_str());
-        fail(error);
+    if (std::rename(partial_.c_str(), path_.c_str()) != 0) {
+        fail(errno);
     }
+    ::close(std::exchange(descriptor_, -1)); // only now: let go before, it would pass for a leftover
     sync_folder(path_);
 }
 

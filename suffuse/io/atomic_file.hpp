@@ -1,6 +1,6 @@
 #pragma once
 // A file that is either complete or not there: it is written under another name, brought to the disk and then renamed.
-// A full disk, a killed program or a power cut leaves what was there before.
+// A full disk, a killed program or a power cut leaves what was there before. Of several writers, the last one's stays.
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,8 @@ namespace suffuse::io {
 
 class AtomicFile {
 public:
-    /// Starts writing beside `path`. Every member throws IoError where the system refuses.
+    /// Starts writing beside `path`, and removes what a killed program began of it. Every member throws IoError where
+    /// the system refuses.
     explicit AtomicFile(std::filesystem::path path);
     ~AtomicFile(); ///< without `commit`, nothing remains
     AtomicFile(const AtomicFile&) = delete;
@@ -30,6 +31,9 @@ private:
     std::string buffer_;
     int descriptor_ = -1;
 };
+
+/// Whether a file of this name is one that is being written, or was when its program was killed.
+bool is_partial(std::string_view name);
 
 /// Brings a file that was written by other means to the disk. Throws IoError.
 void sync_file(const std::filesystem::path& path);

@@ -8,6 +8,8 @@
 #include <csignal>
 #include <string>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace suffuse::io {
 namespace {
@@ -65,6 +67,46 @@ TEST(AtomicFile, WritesMoreThanItsBufferHoldsInOrder) {
     }
     file.commit();
     EXPECT_EQ(read_all(folder / "a.txt"), all);
+}
+
+TEST(AtomicFile, TwoWritersOfOneFileDoNotMeet) {
+    const TempFolder folder;
+    AtomicFile first(folder / "a.txt"), second(folder / "a.txt");
+    EXPECT_EQ(folder.entries(), 2);
+    first.write("first");
+    second.write("second, longer");
+    second.commit();
+    EXPECT_EQ(read_all(folder / "a.txt"), "second, longer");
+    first.commit();
+    EXPECT_EQ(read_all(folder / "a.txt"), "first");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(AtomicFile, WhatAKilledProgramLeftGoesWithTheNextWriting) {
+    const TempFolder folder;
+    const AtomicFile other(folder / "a.txt.csv"); // another file's, and alive
+    const pid_t child = fork();
+    if (child == 0) {
+        AtomicFile file(folder / "a.txt");
+        file.write(std::string(1'000'000, 'x'));
+        _exit(0);
+    }
+    waitpid(child, nullptr, 0);
+    ASSERT_EQ(folder.entries(), 2);
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+        EXPECT_TRUE(is_partial(entry.path().filename().string())) << entry.path();
+    }
+    write_file(folder / "a.txt", "whole");
+    EXPECT_EQ(folder.entries(), 2);
+    EXPECT_EQ(read_all(folder / "a.txt"), "whole");
+}
+
+TEST(AtomicFile, NamesOfFilesThatAreWholeAreNotTakenForHalfWrittenOnes) {
+    for (const char* const name : {"partial.h5", "a.partial.csv", "grains.csv", "a.partial-x"}) {
+        EXPECT_FALSE(is_partial(name)) << name;
+    }
+    EXPECT_TRUE(is_partial("partial.h5.partial-12-3"));
+    EXPECT_TRUE(is_partial("report.html.partial"));
 }
 
 TEST(AtomicFile, FullDiskIsAnErrorAndTheOldFileRemains) {

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 5> changing = {
-    checksums_file, "events.jsonl", "progress.json", "plan.json", "partial.h5"};
+    checksums_file, "events.jsonl", "progress.json", "plan.json", partial_file};
 
 std::string checksum_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -45,7 +45,8 @@ std::set<std::string> list_results(const fs::path& run) {
     std::set<std::string> names;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(run)) {
         const std::string name = entry.path().filename();
-        if (entry.is_regular_file() && name.front() != '.' && std::ranges::count(changing, name) == 0) {
+        const bool is_result = name.front() != '.' && !io::is_partial(name) && std::ranges::count(changing, name) == 0;
+        if (entry.is_regular_file() && is_result) {
             names.insert(entry.path().lexically_relative(run).string());
         }
     }

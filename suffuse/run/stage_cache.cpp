@@ -54,8 +54,8 @@ const std::string& program() {
 /// An entry's folder without what is the entry's own.
 bool belongs_to_stage(const fs::directory_entry& file) {
     const std::string name = file.path().filename();
-    return file.is_regular_file() && name != entry_file && name != "stage.json" && name != "partial.h5" &&
-           name != failure_file;
+    return file.is_regular_file() && name != entry_file && name != "stage.json" && name != partial_file &&
+           name != failure_file && !io::is_partial(name);
 }
 
 /// How the folder of an entry, and one that becomes an entry, is named; what else lies there is not the cache's.

@@ -1,8 +1,10 @@
 #include "suffuse/run/stage_work.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/version.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/run/folder.hpp"
 
 #include <fmt/format.h>
 
@@ -26,8 +28,12 @@ void check_time_step(const dem::World& world, double asked) {
 
 void StageWork::save_partial(const nlohmann::json& state) const {
     const nlohmann::json all{
-        {"state", state}, {"history", history.to_json()}, {"grain_steps", grain_steps}, {"seconds", seconds()}};
-    io::save_world(folder / "partial.h5", world, {{"stage", all.dump()}});
+        {"state", state},
+        {"history", history.to_json()},
+        {"grain_steps", grain_steps},
+        {"seconds", seconds()},
+        {"commit", commit()}};
+    io::save_world(folder / partial_file, world, {{"stage", all.dump()}});
 }
 
 void StageWork::note_state() {
