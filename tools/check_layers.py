@@ -42,7 +42,7 @@ def complaint_about(header, quoted, room, is_test, modules, libraries):
     """What is wrong with including `header` from module `room` (apps, tests: any other folder), or None."""
     for start, rooms in libraries.items():
         if header.startswith(start) and not quoted and room not in rooms and not is_test:
-            return f"<{header}> is let into {', '.join(sorted(rooms))} only"
+            return f"<{header}> is let into {', '.join(sorted(rooms)) or 'tests'} only"
     if header.startswith("suffuse/"):
         parts = header.split("/")
         if len(parts) == 2:
