@@ -19,13 +19,16 @@ async function open() {
   return run;
 }
 
+let scene; // begun once, however often the window changes its size meanwhile
+
 /** One after the other, so that the first is seen while the last is still being drawn. */
 async function drawAll(run) {
   for (const chart of charts) {
     await chart.draw();
     await new Promise((resume) => setTimeout(resume));
   }
-  if (!document.documentElement.dataset.drawn) showScene(run, await unpacked("scene-data"));
+  scene ??= unpacked("scene-data").then((data) => showScene(run, data));
+  await scene;
   document.documentElement.dataset.drawn = "all";
 }
 

@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { drawnAfter, launch, open, pixels, samples, settled } from "./browser.mjs";
+import { colorModes } from "../src/scene/colors.js";
 import { grainAt } from "../src/scene/pick.js";
 import { roundLength } from "../src/scene/overlay.js";
 import { isSoftware, softwareLimit, thinned } from "../src/scene/thin.js";
@@ -220,6 +221,13 @@ test("in print the still pictures take the place of the view", async () => {
   assert.equal(await page.locator(".view3d").isVisible(), false);
   assert.ok(await page.locator(".still img").first().isVisible());
   await context.close();
+});
+
+test("a logarithmic scale over one value only still has colors", () => {
+  const state = { present: [1, 1], coordination: [2, 3], speed: [1e-6, 1e-6] };
+  const { speed } = colorModes({ id: [0, 1], fine: [1, 1], leftIn: [0, 0], states: [state], gradient: 0.05 });
+  assert.ok(speed.color(state, 0).every(Number.isFinite));
+  assert.deepEqual(speed.legend(state, [0, 1]).range, ["1·10⁻⁶", "1·10⁻⁶", "1·10⁻⁶"]);
 });
 
 test("a slow renderer is given at most its share: all coarse grains, an even part of the fines", () => {

@@ -59,7 +59,7 @@ function scale(scene, valueOf, { log = false, unit, missing }) {
   });
   const low = values.length ? quantile(values, log ? 0.02 : 0) : 0;
   const high = values.length ? quantile(values, 0.99) : 1;
-  const place = log ? (x) => Math.log(x / low) / Math.log(high / low || Math.E) : (x) => (x - low) / (high - low || 1);
+  const place = log ? (x) => Math.log(x / low) / (Math.log(high / low) || 1) : (x) => (x - low) / (high - low || 1);
   const has = (state, row) => Number.isFinite(valueOf(state, row));
   return {
     color: (state, row) => {
