@@ -1,5 +1,5 @@
-// The program: the command line in, an exit code out. The only place that catches, so that every error of the library
-// ends here, once, with its words and its code.
+// The program: the command line in, an exit code out. Every error that nothing below can answer for ends here, once,
+// with its words and its code.
 
 #include "suffuse/base/error.hpp"
 
