@@ -61,6 +61,20 @@ TEST(Studies, SweepsMultiplyAndReplicatesHaveTheirOwnSeeds) {
     EXPECT_EQ(std::get<packing::CompactSpec>(study.stages[1].spec).pressure, 1e5) << "as written";
 }
 
+TEST(Studies, ValuesThatWouldShareAFolderAreRefusedByName) {
+    std::string text = good_case;
+    const std::string sweep = "sweep = { particles = [100, 200, 100] }\n";
+    text.insert(text.find("particles"), sweep);
+    const Diagnostic twice = find_problem(problems_of(text), "E204");
+    EXPECT_NE(twice.message.find("100 and 100 of `particles` would share"), std::string::npos) << twice.message;
+    text.replace(text.find(sweep), sweep.size(), "sweep = { fines_content = [0.2, 0.2000000001, \"20 %\"] }\n");
+    const std::vector<Diagnostic> problems = problems_of(text);
+    EXPECT_EQ(std::count_if(problems.begin(), problems.end(), [](const auto& d) { return d.code == "E204"; }), 2);
+    const Diagnostic close = find_problem(problems, "E204");
+    EXPECT_NE(close.message.find("0.2 and 0.2000000001 of"), std::string::npos) << close.message;
+    EXPECT_EQ(close.column, 33);
+}
+
 TEST(Studies, ASweptContactKeyHoldsForItsCopyAndOtherKeysStay) {
     std::string text = good_case + "[contact]\nmodulus = \"200 MPa\"\n";
     text.replace(

@@ -268,6 +268,24 @@ void check_refine(ReadContext& context, const Study& study, const std::string& p
     }
 }
 
+/// A value is known by its folder: two that are written alike there would take each other's results for their own.
+void check_folders(ReadContext& context, const Study& study, const Node& node) {
+    for (const Sweep& sweep : study.sweep) {
+        std::map<std::string, std::string> taken; // folder -> value
+        for (const Scalar& value : sweep.values) {
+            const std::string text = print_value(make_node(value)), folder = folder_of(sweep.key, value);
+            const auto [known, is_new] = taken.emplace(folder, text);
+            if (!is_new) {
+                context.problems.error(
+                    "E204", place_in_sweep(node.find("sweep")->value.find(sweep.key)->value, value),
+                    fmt::format("{} and {} of `{}` would share the folder {}", known->second, text, sweep.key, folder),
+                    "keep one of them, or values that differ in their first six digits"
+                );
+            }
+        }
+    }
+}
+
 /// The study and its soil as one variant has them.
 void read_body(ReadContext& context, const StudySurroundings& around, Reader& v, Study& study) {
     v.field("soil", study.soil);
@@ -390,6 +408,7 @@ Study read_study(ReadContext& context, const StudySurroundings& around, const No
     Reader v(context, entry.value, entry.place, {"study.*"}, "study." + entry.key);
     read_body(context, around, v, study);
     check_refine(context, study, v.path());
+    check_folders(context, study, entry.value);
     const auto count = count_variants(study);
     if (count > most_variants) {
         v.error(

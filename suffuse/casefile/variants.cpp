@@ -40,7 +40,17 @@ bool same_value(const Scalar& a, const Scalar& b) {
     }
 }
 
-/// A value as part of a folder's name: fc=20, gradient=0.05, finer_than=0.18mm.
+bool is_chosen(const Stage& stage, const std::map<std::string, Scalar>& values) {
+    return std::all_of(stage.only.begin(), stage.only.end(), [&](const Sweep& only) {
+        const auto found = values.find(only.key);
+        return found != values.end() && std::any_of(only.values.begin(), only.values.end(), [&](const Scalar& value) {
+                   return same_value(value, found->second);
+               });
+    });
+}
+
+} // namespace
+
 std::string folder_of(const std::string& key, const Scalar& value) {
     std::string text = print_value(make_node(value));
     std::string name = key.substr(key.rfind('.') + 1);
@@ -66,17 +76,6 @@ std::string folder_of(const std::string& key, const Scalar& value) {
     }
     return name + "=" + plain;
 }
-
-bool is_chosen(const Stage& stage, const std::map<std::string, Scalar>& values) {
-    return std::all_of(stage.only.begin(), stage.only.end(), [&](const Sweep& only) {
-        const auto found = values.find(only.key);
-        return found != values.end() && std::any_of(only.values.begin(), only.values.end(), [&](const Scalar& value) {
-                   return same_value(value, found->second);
-               });
-    });
-}
-
-} // namespace
 
 std::size_t count_variants(const Study& study) {
     constexpr std::size_t countless = 1'000'000'000;

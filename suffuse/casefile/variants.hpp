@@ -10,6 +10,9 @@
 
 namespace suffuse::casefile {
 
+/// A value of a sweep as part of a folder's name: fc=20, gradient=0.05, finer_than=0.18mm.
+std::string folder_of(const std::string& key, const Scalar& value);
+
 std::size_t count_variants(const Study& study);
 
 /// Folder, values, replicate and seed of each copy; its soil and stages are still to be read. The first replicate has
