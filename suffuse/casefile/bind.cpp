@@ -96,7 +96,7 @@ void read_top(ReadContext& context, const Node& root, Case& c) {
 } // namespace
 
 Case bind_case(const Node& root, const std::string& folder, const std::string& preset, Problems& problems) {
-    ReadContext context{problems, folder, {}, {}};
+    ReadContext context{problems, folder, {}, {}, root.find("applied_preset") != nullptr};
     Case c;
     c.preset = preset;
     read_top(context, root, c);

@@ -92,6 +92,8 @@ const std::vector<Wrong> keys = {
      with_line(14, "measure = [\"void-ratios\", \"stress-strain\"]\npressure = \"100 kPa\"")},
     {"E206", 14, 12, 12, "\"void-ratios\"", with_line(14, "measure = [\"void-ratio\"]\npressure = \"100 kPa\"")},
     {"E501", 3, 7, 10, "no file", with_line(3, "psd = \"nope.csv\"")},
+    {"E501", 16, 54, 10, "no file",
+     good_case + "[report]\noverlay = { figure-2 = \"data/points.csv\", figure-3 = \"nope.csv\" }\n"},
 };
 
 const std::vector<Wrong> values = {

@@ -22,6 +22,7 @@ struct ReadContext {
     std::string folder;                  ///< of the case file: relative paths start here
     std::map<std::string, Place> places; ///< "study.erosion.particles" -> where its value stands
     std::map<std::string, std::optional<grains::Grading>> gradings; ///< by path; empty where it could not be read
+    bool is_resolved = false;                                       ///< a run's own copy, and not what a user wrote
 };
 
 class Reader {

@@ -19,6 +19,13 @@ Key over_key(Dimension dimension) {
     return key;
 }
 
+void check_file(Reader& v, const Place& place, const std::string& path) {
+    std::error_code failed;
+    if (!std::filesystem::is_regular_file(path, failed)) {
+        v.error("E501", place, fmt::format("there is no file {}", path), "paths start at the folder of the case");
+    }
+}
+
 } // namespace
 
 std::string resolved_path(const std::string& folder, const std::string& path) {
@@ -63,6 +70,9 @@ void overlay_field(Reader& v, std::map<std::string, std::string>& overlay) {
     for (const auto& [figure, place, file] : node->entries) {
         if (const auto path = v.text("overlay", file)) {
             overlay[figure] = resolved_path(v.context().folder, *path);
+            if (!v.context().is_resolved) { // a run whose points have gone meanwhile still has its report
+                check_file(v, file.place, overlay[figure]);
+            }
         }
     }
 }
@@ -88,12 +98,7 @@ void packing_field(Reader& v, ImportSpec& s) {
         return;
     }
     s.path = resolved_path(v.context().folder, *path);
-    std::error_code failed;
-    if (!std::filesystem::is_regular_file(s.path, failed)) {
-        v.error(
-            "E501", node->place, fmt::format("there is no file {}", s.path), "paths start at the folder of the case"
-        );
-    }
+    check_file(v, node->place, s.path);
 }
 
 void packing_field(Writer& v, const ImportSpec& s) {
