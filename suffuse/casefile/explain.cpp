@@ -118,7 +118,9 @@ struct Convention {
 
 constexpr std::array convention_table = {
     Convention{"stress, strain", "compression positive; volumetric strain positive when the sample contracts"},
-    Convention{"q, p", "q = sigma_1 - sigma_3, p = (sigma_1 + 2 sigma_3)/3"},
+    Convention{
+        "q, p",
+        "p = tr sigma/3; q = sqrt(3 J2) of a state, in a triaxial curve the axial minus the mean lateral stress"},
     Convention{"e, n", "e = voids/solid, n = e/(1 + e)"},
     Convention{"e_g, e_eq", "voids with all fines counted as voids, with inactive fines counted as voids"},
     Convention{"active, b", "a grain with at least two contacts; b = active fines/fines, by volume"},

@@ -163,7 +163,7 @@ std::vector<Key> soil_and_study_rows() {
         count("study.*.sample_size", "at_least", {1, 2e9, false, false}, "But never fewer grains of both fractions."),
         other(
             "study.*", "sweep", "{ KEY = [values] }",
-            "One copy of the study per value; lists multiply. KEY is `particles`, a key of the soil, "
+            "One copy of the study per value; lists multiply. KEY is `particles`, `soil`, a key of the soil, "
             "\"stage.NAME.KEY\", or \"contact.KEY\", which then holds for all stages of the copy."
         ),
         table(
