@@ -15,12 +15,6 @@ namespace {
 using erosion::ErosionResult;
 using erosion::PassResult;
 
-/// Share of the mean stress lost at constant volume [-]; below zero where there is no stress to lose.
-double stress_loss(const PassResult& pass) {
-    const double before = mean_stress(pass.stress_before);
-    return before > 0 ? 1 - mean_stress(pass.stress_constant_volume) / before : -1;
-}
-
 void add_passes(const ErosionResult& erosion, std::vector<Headline>& headlines) {
     const auto& passes = erosion.passes;
     double eroded = 0;
@@ -43,8 +37,8 @@ void add_passes(const ErosionResult& erosion, std::vector<Headline>& headlines) 
     const auto worst = std::max_element(passes.begin(), passes.end(), [](const PassResult& a, const PassResult& b) {
         return stress_loss(a) < stress_loss(b);
     });
-    if (stress_loss(*worst) > -1) {
-        const double change = -100 * stress_loss(*worst);
+    if (const std::optional<double> loss = stress_loss(*worst)) {
+        const double change = -100 * *loss;
         headlines.push_back(
             {std::abs(change) < 0.01 ? "unchanged" : short_number(change, 2) + " %", "mean stress at constant volume",
              std::abs(change) < 0.01 ? std::string("to 0.01 %, in all passes")

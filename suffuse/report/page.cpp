@@ -1,6 +1,7 @@
 #include "suffuse/report/page.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/io/atomic_file.hpp"
 #include "suffuse/report/answer_section.hpp"
 #include "suffuse/report/html.hpp"
 #include "suffuse/report/packed.hpp"
@@ -40,26 +41,6 @@ std::optional<std::string> read_text(const std::filesystem::path& path) {
     std::ostringstream text;
     text << in.rdbuf();
     return std::move(text).str();
-}
-
-/// Whole or not at all: a reader never meets half a file.
-void write_text(const std::filesystem::path& path, const std::string& text) {
-    const std::filesystem::path part = path.string() + ".part";
-    {
-        std::ofstream out(part, std::ios::binary | std::ios::trunc);
-        out << text;
-        out.flush();
-        if (!out) {
-            std::error_code ignored;
-            std::filesystem::remove(part, ignored);
-            throw IoError("cannot write " + path.string() + ": is the disk full, or the folder not writable?");
-        }
-    }
-    std::error_code failure;
-    std::filesystem::rename(part, path, failure);
-    if (failure) {
-        throw IoError("cannot write " + path.string() + ": " + failure.message());
-    }
 }
 
 std::optional<PageScript> read_page_script(const std::filesystem::path& folder) {
@@ -332,22 +313,22 @@ WrittenReport write_report(
         throw IoError("cannot make the folder " + figures.string() + ": " + failure.message());
     }
     for (const Figure& figure : report.figures) {
-        write_text(figures / (figure.id + ".csv"), to_csv(figure.table, csv_remarks(figure, report)));
+        io::write_file(figures / (figure.id + ".csv"), to_csv(figure.table, csv_remarks(figure, report)));
         if (figure.drawing.empty()) {
             const json chart = complete_specification(figure);
-            write_text(
+            io::write_file(
                 figures / (figure.id + ".vl.json"), chart.dump(1, ' ', false, json::error_handler_t::replace) + "\n"
             );
         } else {
-            write_text(figures / (figure.id + ".svg"), with_metadata(figure, report));
+            io::write_file(figures / (figure.id + ".svg"), with_metadata(figure, report));
         }
     }
     for (const std::size_t k : still_states(report.scene)) {
         const std::string name = fmt::format("own-grains-{}.png", k);
-        write_text(figures / name, still_picture(report.scene, report.scene.states[k]));
+        io::write_file(figures / name, still_picture(report.scene, report.scene.states[k]));
     }
     const std::optional<PageScript> script = read_page_script(page_folder);
-    write_text(run_folder / "report.html", render(report, script));
+    io::write_file(run_folder / "report.html", render(report, script));
     return {run_folder / "report.html", script.has_value()};
 }
 

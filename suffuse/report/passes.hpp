@@ -3,6 +3,7 @@
 
 #include "suffuse/erosion/result.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,12 @@ inline std::vector<std::string> pass_names(const erosion::ErosionResult& erosion
 /// p, compression positive [Pa].
 inline double mean_stress(const Mat3& stress) {
     return trace(stress) / 3;
+}
+
+/// Share of the mean stress lost at constant volume [-]; nothing where there was no stress to lose.
+inline std::optional<double> stress_loss(const erosion::PassResult& pass) {
+    const double before = mean_stress(pass.stress_before);
+    return before > 0 ? std::optional(1 - mean_stress(pass.stress_constant_volume) / before) : std::nullopt;
 }
 
 } // namespace suffuse::report

@@ -2,6 +2,7 @@
 
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/removal.hpp"
+#include "suffuse/report/passes.hpp"
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
@@ -24,10 +25,9 @@ double axial_difference(const Mat3& stress) {
     return most - least;
 }
 
-/// Of the mean stress, at constant volume: a share.
+/// A sample that carried none before, as after a collapse in an earlier pass, has lost all.
 double stress_loss(const erosion::PassResult& pass) {
-    const double before = dem::mean_stress(pass.stress_before);
-    return before > 0 ? 1 - dem::mean_stress(pass.stress_constant_volume) / before : 1;
+    return report::stress_loss(pass).value_or(1);
 }
 
 json pass_numbers(const erosion::PassResult& pass) {
