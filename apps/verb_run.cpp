@@ -1,8 +1,9 @@
 // run, resume, report: the job.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
-#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/casefile/read_text.hpp"
 #include "suffuse/run/plan_record.hpp"
 #include "suffuse/run/refine.hpp"
@@ -169,16 +170,21 @@ void tell_plan(const Job& job, const std::string& verb, const Console& console) 
     }
 }
 
-/// What a larger preset would cost, and where to go from here.
-void tell_next(const CommandLine& line, const Job& job, const Console& console) {
-    std::string next = "a soil of yours, suffuse new --psd FILE";
-    if (job.what.preset == "quick") {
+/// "--preset standard (20-40 min); " after a quick run. The case is read anew for it, and what it holds by then, or
+/// says of that preset, must not turn a run that succeeded into a failure: nothing where it has errors.
+std::string larger_hint(const CommandLine& line, const Job& job) {
+    if (job.what.preset != "quick") {
+        return "";
+    }
+    try {
         const casefile::Case larger =
             casefile::load_case(line.subject, {"standard", line.overrides, line.studies}).value;
-        const run::RunPlan plan = run::plan_run(larger, job.plan.speed);
-        next = fmt::format("--preset standard ({}); {}", duration_range_text(plan.seconds), next);
+        return fmt::format(
+            "--preset standard ({}); ", duration_range_text(run::plan_run(larger, job.plan.speed).seconds)
+        );
+    } catch (const Error&) {
+        return "";
     }
-    console.talk("next: " + next);
 }
 
 } // namespace
@@ -210,7 +216,7 @@ int run_verb(const CommandLine& line, const Console& console) {
     tell_plan(job, "into", console);
     const int code = conduct(job, line, console);
     if (code == Done) {
-        tell_next(line, job, console);
+        console.talk(fmt::format("next: {}a soil of yours, suffuse new --psd FILE", larger_hint(line, job)));
     }
     return code;
 }
