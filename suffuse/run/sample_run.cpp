@@ -1,6 +1,7 @@
 #include "suffuse/run/sample_run.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/version.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/tables.hpp"
 #include "suffuse/io/vtk.hpp"
@@ -27,15 +28,49 @@ std::string stage_name(const casefile::Variant& variant, const casefile::Stage& 
     return variant.folder + "/" + stage.name;
 }
 
+/// What a program of another version saved in the middle of a stage may have other names, or mean something else.
+IoError strange_partial(const StageWork& work) {
+    const std::string file = (work.folder / partial_file).string();
+    return IoError(fmt::format(
+        "{0}: does not hold what this version needs to go on with the stage; go on with the version that wrote it, or "
+        "remove {0} and resume: the stage then begins anew",
+        file
+    ));
+}
+
 void take_up(StageWork& work) {
-    io::Checkpoint partial = io::load_world(work.folder / "partial.h5");
-    const json saved = json::parse(partial.attributes.at("stage"));
-    work.world = std::move(partial.world);
-    work.pictures = StrainPictures(work.what.output, work.folder, work.world);
-    work.history.restore(saved.at("history"));
-    work.grain_steps = saved.at("grain_steps");
-    work.earlier_seconds = saved.at("seconds");
-    work.resumed = saved.at("state");
+    io::Checkpoint partial = io::load_world(work.folder / partial_file);
+    try {
+        const json saved = json::parse(partial.attributes["stage"]);
+        work.world = std::move(partial.world);
+        work.pictures = StrainPictures(work.what.output, work.folder, work.world);
+        work.history.restore(saved.at("history"));
+        work.grain_steps = saved.at("grain_steps");
+        work.earlier_seconds = saved.at("seconds");
+        work.resumed = saved.at("state");
+        if (const std::string writer = saved.value("commit", "unknown"); writer != commit()) {
+            work.has_two_makers = true;
+            work.warnings.push_back(fmt::format(
+                "{}: commit {} began it and commit {} went on; its numbers may be those of neither alone",
+                stage_name(work.variant, work.stage), writer, commit()
+            ));
+        }
+    } catch (const json::exception&) {
+        throw strange_partial(work);
+    }
+}
+
+/// The verb itself; what it saved is read there.
+void do_stage_or_go_on(StageWork& work) {
+    const bool goes_on = !work.resumed.is_null();
+    try {
+        do_stage(work);
+    } catch (const json::exception&) {
+        if (!goes_on) {
+            throw;
+        }
+        throw strange_partial(work);
+    }
 }
 
 bool has_fractions(const casefile::Variant& variant) {
@@ -165,7 +200,7 @@ void SampleRun::run_stage(const casefile::Stage& stage) {
     StageWork work = begin_work(stage, folder, std::move(start));
     control_.begin(place());
     try {
-        do_stage(work);
+        do_stage_or_go_on(work);
     } catch (const Interrupted&) {
         tell("stage interrupted", stage);
         throw;
@@ -174,7 +209,9 @@ void SampleRun::run_stage(const casefile::Stage& stage) {
         throw;
     }
     finish(work);
-    keep_in_cache(stage, folder, key);
+    if (!work.has_two_makers) {
+        keep_in_cache(stage, folder, key);
+    }
 }
 
 bool SampleRun::take_from_cache(
@@ -183,7 +220,7 @@ bool SampleRun::take_from_cache(
     if (!cache_.take(key, *sample_.variant, stage, folder)) {
         return false;
     }
-    std::filesystem::remove(folder / "partial.h5");
+    std::filesystem::remove(folder / partial_file);
     overview_.count_stage();
     tell("stage taken from the cache", stage);
     Progress taken = place();
@@ -226,8 +263,9 @@ StageWork SampleRun::begin_work(const casefile::Stage& stage, const std::filesys
         0,
         0,
         0,
-        {}};
-    if (std::filesystem::exists(folder / "partial.h5")) {
+        {},
+        false};
+    if (std::filesystem::exists(folder / partial_file)) {
         take_up(work);
     }
     return work;
@@ -250,7 +288,7 @@ void SampleRun::finish(StageWork& work) {
     const json numbers = describe_stage(work);
     write_files(work, what_.output);
     write_json(work.folder / "stage.json", numbers);
-    std::filesystem::remove(work.folder / "partial.h5");
+    std::filesystem::remove(work.folder / partial_file);
     overview_.count_stage();
     tell("stage done", work.stage, {{"wall_seconds", numbers["wall_seconds"]}});
     control_.finish(numbers);

@@ -53,7 +53,8 @@ struct StageWork {
 
     /// Saves the half-done stage with the verb's own `state`; the verb finds it again in `resumed`.
     void save_partial(const nlohmann::json& state) const;
-    nlohmann::json resumed; ///< null: from the start
+    nlohmann::json resumed;      ///< null: from the start
+    bool has_two_makers = false; ///< another version of the program began it: no result of this one alone
 };
 
 /// Runs the stage's verb.

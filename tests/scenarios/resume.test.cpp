@@ -1,6 +1,7 @@
 // A run that is stopped half-way and resumed ends with the same bits as one that is not.
 
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/io/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,42 @@ TEST(Resume, AfterStopsInTheMiddleOfStagesTheBitsAreTheSame) {
         stage_of(broken.path(), "erosion").at("passes").at(0).at("permeability_after"),
         stage_of(straight.path(), "erosion").at("passes").at(0).at("permeability_after")
     );
+}
+
+TEST(Resume, WhatAnotherVersionSavedInTheMiddleOfAStageIsRefusedOrSaidToBeOfIt) {
+    const TempFolder folder;
+    const std::string text = reference_constants + reference_soil() + R"(
+[study.s]
+soil      = "sand"
+particles = 300
+)" + cloud_and_initial;
+    const std::filesystem::path partial = folder / "run/studies/s/initial/partial.h5";
+    std::atomic<bool> stop{false};
+    run::RunOptions options;
+    options.stop = &stop;
+    options.on_progress = [&](const run::Progress& progress) {
+        stop = progress.stage == "initial" && progress.steps > 0;
+    };
+    ASSERT_EQ(run_text(text, folder.path(), options).outcome, run::Outcome::Stopped);
+    const io::Checkpoint left = io::load_world(partial);
+    const nlohmann::json saved = nlohmann::json::parse(left.attributes.at("stage"));
+
+    nlohmann::json without_history = saved, with_other_state = saved, of_another = saved;
+    without_history.erase("history");
+    with_other_state["state"] = "burst 3";
+    of_another["commit"] = "0123456789";
+    for (const nlohmann::json& strange : {without_history, with_other_state, nlohmann::json(nullptr)}) {
+        io::save_world(partial, left.world, {{"stage", strange.dump()}});
+        const run::RunReport report = run_text(text, folder.path());
+        ASSERT_EQ(report.failures.size(), 1U) << strange.dump();
+        EXPECT_EQ(report.failures[0].kind, "io");
+        const std::string& message = report.failures[0].message;
+        EXPECT_NE(message.find("remove " + partial.string() + " and resume"), std::string::npos) << message;
+    }
+    io::save_world(partial, left.world, {{"stage", of_another.dump()}});
+    EXPECT_TRUE(run_text(text, folder.path()).failures.empty());
+    const std::string warnings = stage_of(folder.path(), "initial").at("warnings").dump();
+    EXPECT_NE(warnings.find("s/initial: commit 0123456789 began it"), std::string::npos) << warnings;
 }
 
 TEST(Resume, ATimeLimitOfZeroStopsAtOnceAndLeavesARunThatGoesOn) {
