@@ -185,10 +185,16 @@ bool StageCache::take(
         return false;
     }
     try {
+        std::uintmax_t bytes = 0;
         for (const fs::directory_entry& file : fs::directory_iterator(entry->folder)) {
             if (belongs_to_stage(file)) {
-                copy_to_disk(file.path(), stage_folder / file.path().filename());
+                const fs::path copy = stage_folder / file.path().filename();
+                copy_to_disk(file.path(), copy);
+                bytes += fs::file_size(copy);
             }
+        }
+        if (bytes != static_cast<std::uintmax_t>(entry->bytes)) { // another program dropped some of it meanwhile
+            return false;
         }
         fs::last_write_time(entry->folder, fs::file_time_type::clock::now(), error);
         write_json(stage_folder / "stage.json", *numbers);
