@@ -26,12 +26,17 @@ namespace {
 
 using nlohmann::json;
 
-/// The largest error of the stresses that the stage was to end at, over that stress; not a number without such a
-/// stress.
+/// The largest error of the stresses that a stage was to be in balance under, over that stress; not a number for other
+/// stages.
 double stress_error(const casefile::Stage& stage, const Mat3& stress) {
     Vec3 wanted{};
     if (const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec)) {
         wanted = {compact->pressure, compact->pressure, compact->pressure};
+    } else if (const auto* settle = std::get_if<dem::SettleSpec>(&stage.spec)) {
+        for (int a = 0; a < 3; ++a) {
+            const cell::AxisControl& axis = settle->loading.axis[static_cast<std::size_t>(a)];
+            wanted[a] = axis.control == cell::Control::Stress ? axis.value : 0;
+        }
     }
     double error = std::numeric_limits<double>::quiet_NaN();
     for (int a = 0; a < 3; ++a) {
