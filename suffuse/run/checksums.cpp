@@ -71,7 +71,7 @@ std::map<std::string, std::string> read_checksums(const fs::path& run) {
                                   run.string(), checksums_file, quoted(run.string())
                               )
                             : fmt::format(
-                                  "{0}: the run has not ended: {1}; suffuse resume {0} goes on, and suffuse watch {0} "
+                                  "{0}: the run has not ended: {1}; suffuse resume {2} goes on, and suffuse watch {2} "
                                   "shows whether it still runs",
                                   run.string(), missing, quoted(run.string())
                               )
