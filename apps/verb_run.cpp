@@ -252,7 +252,12 @@ int resume_verb(const CommandLine& line, const Console& console) {
 }
 
 int report_verb(const CommandLine& line, const Console& console) {
-    const run::RunReport report = run::rebuild_report(line.subject, page_folder());
+    const fs::path folder = line.subject;
+    if (!fs::exists(folder / "case.resolved.toml")) {
+        throw IoError(fmt::format("{}: holds no run", shown(line.subject)));
+    }
+    const FolderLock lock(folder, console);
+    const run::RunReport report = run::rebuild_report(folder, page_folder(), line.typed);
     tell_results(report, "written", console);
     console.document(json_text(
         {{"report", report.report.string()},

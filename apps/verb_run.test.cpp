@@ -84,6 +84,8 @@ TEST_F(Cli, AnUnwritableOrUnreadablePlaceIsCode74) {
     say({"new", "soil", "--from", "replay"});
     EXPECT_EQ(say({"run", "soil/case.toml", "-o", "/proc/nothing"}).code, 74);
     EXPECT_EQ(say({"report", "nowhere"}).code, 74);
+    EXPECT_EQ(say({"report", "soil"}).code, 74);
+    EXPECT_FALSE(std::filesystem::exists(folder / "soil/.lock"));           // no run: nothing of it is touched
     EXPECT_EQ(say({"export", "soil/packing.csv", "-o", "x.csv"}).code, 74); // no state of a run
     EXPECT_EQ(say({"new", "/proc/nothing", "--from", "replay"}).code, 74);
 }
@@ -158,17 +160,50 @@ TEST_F(Cli, TwoProgramsDoNotWorkInOneFolder) {
     const Said second = say({"resume", "here"});
     EXPECT_EQ(second.code, 2);
     expect_in("another suffuse", second.error);
+    const Said report = say({"report", "here"});
+    EXPECT_EQ(report.code, 2);
+    expect_in("another suffuse", report.error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "here/provenance.json")); // the run itself has yet to write it
     kill(first, SIGKILL);
     wait_for(first);
 }
 
 TEST_F(Cli, ReportIsWrittenAgainWithoutComputing) {
     say({"new", "soil", "--from", "replay"});
-    ASSERT_EQ(say({"run", "soil/case.toml", "-o", "here"}).code, 0);
-    std::filesystem::remove(folder / "here/report.html");
-    const Said said = say({"report", "here"});
+    ASSERT_EQ(say({"run", "soil/case.toml", "-o", "my run"}).code, 0);
+    std::filesystem::remove(folder / "my run/report.html");
+    const auto command = [&] {
+        return nlohmann::json::parse(read_all(folder / "my run/provenance.json")).at("command").get<std::string>();
+    };
+    ASSERT_EQ(command(), "suffuse run soil/case.toml -o 'my run'");
+    const Said said = say({"report", "my run"});
     EXPECT_EQ(said.code, 0) << said.error;
-    EXPECT_TRUE(std::filesystem::exists(folder / "here/report.html"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "my run/report.html"));
+    EXPECT_EQ(command(), "suffuse run soil/case.toml -o 'my run'") << "of the run, not of the report";
+    std::filesystem::remove(folder / "my run/provenance.json"); // as after a sample alone, or a run that was killed
+    EXPECT_EQ(say({"report", "my run"}).code, 0);
+    EXPECT_EQ(command(), "suffuse report 'my run'");
+}
+
+TEST_F(Cli, ASucceededRunStaysOneWhateverItsCaseHasBecomeMeanwhile) {
+    write_to(folder / "case.toml", R"(schema = 1
+preset = "quick"
+[soil.sand]
+psd = { d = ["0.2 mm", "0.4 mm"], passing = ["0 %", "100 %"] }
+[presets.quick]
+particles = 200
+[study.s]
+soil      = "sand"
+particles = 0
+[[study.s.stage]]
+name     = "cloud"
+do       = "pack"
+porosity = 0.6
+)");
+    const Said said = say({"run", "case.toml", "-o", "here", "--json"});
+    EXPECT_EQ(said.code, 0) << said.error;
+    EXPECT_EQ(said.json().at("outcome"), "done"); // one document
+    expect_in("next: a soil of yours", said.error);
 }
 
 } // namespace

@@ -179,7 +179,7 @@ int collect(const CommandLine& line, const Console& console) {
         run::keep_refinements(folder, refined);
     }
     const casefile::Case what = run::load_run(folder);
-    const run::RunReport report = run::rebuild_report(folder, page_folder());
+    const run::RunReport report = run::rebuild_report(folder, page_folder(), line.typed);
     std::vector<std::string> unfinished;
     const std::vector<run::Sample> samples = run::list_samples(what);
     for (const run::Sample& sample : samples) {

@@ -212,7 +212,8 @@ void bind_runs(py::module_& m) {
     });
     m.def("rebuild_report", [](const fs::path& folder, const fs::path& page_folder) {
         const Working working;
-        return run::rebuild_report(folder, page_folder).report;
+        const apps::FolderLock lock(folder, apps::Console());
+        return run::rebuild_report(folder, page_folder, "suffuse.Run.rebuild_report() in Python").report;
     });
 }
 

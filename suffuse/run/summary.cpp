@@ -206,11 +206,13 @@ Summary summarize_run(
     return summary;
 }
 
-RunReport rebuild_report(const std::filesystem::path& folder, const std::filesystem::path& page_folder) {
+RunReport rebuild_report(
+    const std::filesystem::path& folder, const std::filesystem::path& page_folder, const std::string& command
+) {
     const casefile::Case what = load_run(folder);
     if (!std::filesystem::exists(folder / "provenance.json")) {
         RunOptions options;
-        options.command = "suffuse sweep --collect " + folder.string();
+        options.command = command;
         write_json(folder / "provenance.json", describe_provenance(what, options, longest_sample(what, folder)));
     }
     const Summary summary = summarize_run(what, folder, page_folder);
