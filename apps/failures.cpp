@@ -17,16 +17,6 @@ int code_of(const std::vector<run::FailedSample>& failures) {
     return !is_one_kind ? Failed : kind == "case" ? BadCase : kind == "io" ? InputOutput : Failed;
 }
 
-nlohmann::json failures_json(const std::vector<run::FailedSample>& failures) {
-    nlohmann::json list = nlohmann::json::array();
-    for (const run::FailedSample& failure : failures) {
-        list.push_back(
-            {{"sample", failure.sample}, {"stage", failure.stage}, {"kind", failure.kind}, {"message", failure.message}}
-        );
-    }
-    return list;
-}
-
 void tell_failures(
     const std::vector<run::FailedSample>& failures, std::int64_t samples, const std::filesystem::path& folder,
     const Console& console

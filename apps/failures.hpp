@@ -12,8 +12,6 @@ namespace suffuse::apps {
 /// The exit code of the failures where all are of one kind, and of a failure while running otherwise.
 int code_of(const std::vector<run::FailedSample>& failures);
 
-nlohmann::json failures_json(const std::vector<run::FailedSample>& failures);
-
 /// @param samples of the whole run
 void tell_failures(
     const std::vector<run::FailedSample>& failures, std::int64_t samples, const std::filesystem::path& folder,

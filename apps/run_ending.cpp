@@ -80,14 +80,14 @@ void tell_results(const run::RunReport& report, const std::string& headline, con
     }
 }
 
-int exit_code_of(run::Outcome outcome) {
-    switch (outcome) {
+int exit_code_of(const run::RunReport& report) {
+    switch (report.outcome) {
     case run::Outcome::Done:
         return Done;
     case run::Outcome::DoneWithFlaws:
         return Flawed;
     case run::Outcome::SomeFailed:
-        return Failed;
+        return code_of(report.failures);
     case run::Outcome::Stopped:
         return signal_exit_code();
     case run::Outcome::TimeLimit:
@@ -99,7 +99,7 @@ int exit_code_of(run::Outcome outcome) {
 int tell_end(const EndedRun& ended, const run::RunReport& report, const Console& console) {
     const std::string_view word = run::word_of(report.outcome);
     const bool has_failed = report.outcome == run::Outcome::SomeFailed;
-    const int code = has_failed ? code_of(report.failures) : exit_code_of(report.outcome);
+    const int code = exit_code_of(report);
     if (!ended.sample.empty() && !run::is_resumable(report.outcome)) {
         console.result(fmt::format(
             "{}: {} in {}; suffuse sweep --collect {} gathers", ended.sample, word, duration_text(ended.seconds),
@@ -128,7 +128,7 @@ int tell_end(const EndedRun& ended, const run::RunReport& report, const Console&
          {"wall_seconds", ended.seconds},
          {"warnings", report.warnings},
          {"flaws", report.flaws},
-         {"failures", failures_json(report.failures)},
+         {"failures", report.failures},
          {"findings", report.findings}}
     ));
     return code;

@@ -20,7 +20,7 @@ struct EndedRun {
 /// Report, warnings, flaws and findings, after a headline.
 void tell_results(const run::RunReport& report, const std::string& headline, const Console& console);
 
-int exit_code_of(run::Outcome outcome);
+int exit_code_of(const run::RunReport& report);
 
 /// All of it. @return the exit code
 int tell_end(const EndedRun& ended, const run::RunReport& report, const Console& console);

@@ -265,7 +265,7 @@ int report_verb(const CommandLine& line, const Console& console) {
          {"flaws", report.flaws},
          {"findings", report.findings}}
     ));
-    return exit_code_of(report.outcome);
+    return exit_code_of(report);
 }
 
 } // namespace suffuse::apps

@@ -218,7 +218,7 @@ int collect(const CommandLine& line, const Console& console) {
          {"samples", samples.size()},
          {"done", done},
          {"unfinished", unfinished},
-         {"failures", failures_json(report.failures)},
+         {"failures", report.failures},
          {"warnings", report.warnings},
          {"flaws", report.flaws},
          {"findings", report.findings}}

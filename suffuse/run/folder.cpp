@@ -140,16 +140,16 @@ void open_folder(const std::filesystem::path& run, const casefile::Case& what, c
     io::write_file(kept, resolved);
 }
 
+void to_json(nlohmann::json& json, const FailedSample& failure) {
+    json = {{"sample", failure.sample}, {"stage", failure.stage}, {"kind", failure.kind}, {"message", failure.message}};
+}
+
 void keep_failure(const std::filesystem::path& run, const FailedSample& failure) {
     const std::filesystem::path folder = run / "studies" / failure.sample / failure.stage;
     std::filesystem::create_directories(folder);
-    write_json(
-        folder / failure_file, {{"sample", failure.sample},
-                                {"stage", failure.stage},
-                                {"kind", failure.kind},
-                                {"message", failure.message},
-                                {"at", now_utc()}}
-    );
+    nlohmann::json kept = failure;
+    kept["at"] = now_utc();
+    write_json(folder / failure_file, kept);
 }
 
 std::vector<FailedSample> read_failures(const std::filesystem::path& run, const casefile::Case& what) {

@@ -91,6 +91,9 @@ struct FailedSample {
     std::string message; ///< what went wrong and what to do
 };
 
+/// As summary.json and the program's documents list it.
+void to_json(nlohmann::json& json, const FailedSample& failure);
+
 // NOLINTNEXTLINE(bugprone-exception-escape): likewise
 struct RunReport {
     Outcome outcome = Outcome::Done;

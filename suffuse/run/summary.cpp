@@ -61,16 +61,6 @@ std::vector<FinishedStage> read_stages(const casefile::Case& what, const std::fi
     return stages;
 }
 
-json failures_json(const std::vector<FailedSample>& failures) {
-    json list = json::array();
-    for (const FailedSample& failure : failures) {
-        list.push_back(
-            {{"sample", failure.sample}, {"stage", failure.stage}, {"kind", failure.kind}, {"message", failure.message}}
-        );
-    }
-    return list;
-}
-
 /// What the page's reader must know first: what is missing.
 std::vector<std::string> with_failures(std::vector<std::string> flaws, const std::vector<FailedSample>& failures) {
     for (const FailedSample& failure : failures) {
@@ -198,7 +188,7 @@ Summary summarize_run(
                                   {"findings", findings_json(findings)},
                                   {"thresholds", thresholds_json(gather_fines(what, stages))},
                                   {"samples", count_samples(what, folder, summary.failures.size())},
-                                  {"failures", failures_json(summary.failures)},
+                                  {"failures", summary.failures},
                                   {"stages", by_name},
                                   {"studies", curves_json(trace_curves(what, stages))}}
     );
