@@ -22,8 +22,8 @@ double value_of(const Key& key, const py::object& value, std::string_view name) 
     const double number = quantity_of(value, key.dimension, name);
     if (!key.range.contains(number)) {
         throw CaseError(fmt::format(
-            "{}: found {}, expected it to be {}; a bare number is in SI", name,
-            print_quantity(number, key.dimension), casefile::range_text(key)
+            "{}: found {}, expected it to be {}; a bare number is in SI", name, print_quantity(number, key.dimension),
+            casefile::range_text(key)
         ));
     }
     return number;

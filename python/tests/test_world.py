@@ -290,7 +290,7 @@ def test_constants_out_of_their_range_are_refused():
         with pytest.raises(suffuse.CaseError, match="expected it to be"):
             setattr(material, name, wrong)
         assert getattr(material, name) == before
-    with pytest.raises(suffuse.CaseError, match="friction: found 1719 deg, .*below 90 deg"):
+    with pytest.raises(suffuse.CaseError, match="friction: found 30 rad, .*below 90 deg"):
         suffuse.Material(friction=30)  # degrees were meant
     with pytest.raises(suffuse.CaseError, match="above 0"):
         suffuse.Balance(unbalanced_force=0)

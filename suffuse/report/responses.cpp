@@ -289,10 +289,10 @@ Figure response_figure(const std::vector<ResponseCurve>& tests) {
     if (holds_deviator) {
         panels.push_back(strain_panel(tests, "excess_pore_pressure", "excess pore pressure Δu [kPa]", 200));
     }
-    panels.push_back(
-        strain_panel(tests, "deviator_stress", holds_deviator ? "q = σ₁ − σ₃ [kPa]" : "deviator stress q = σ₁ − σ₃ [kPa]",
-        holds_deviator ? 120 : 240)
-    );
+    panels.push_back(strain_panel(
+        tests, "deviator_stress", holds_deviator ? "q = σ₁ − σ₃ [kPa]" : "deviator stress q = σ₁ − σ₃ [kPa]",
+        holds_deviator ? 120 : 240
+    ));
     for (json& panel : panels) {
         hide_axis(panel);
     }

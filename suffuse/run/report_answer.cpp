@@ -1,8 +1,8 @@
 // What a run found, in sentences with its numbers.
 #include "suffuse/run/report_answer.hpp"
 
-#include "suffuse/dem/inspect.hpp"
 #include "suffuse/report/findings.hpp"
+#include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/probed_states.hpp"
 
@@ -25,8 +25,7 @@ std::string percent_or_none(double percent) {
 std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
     std::string text;
     for (const erosion::PassResult& pass : erosion.passes) {
-        const double before = dem::mean_stress(pass.stress_before);
-        const double loss = before > 0 ? 100 * (1 - dem::mean_stress(pass.stress_constant_volume) / before) : 0;
+        const double loss = 100 * report::stress_loss(pass).value_or(0);
         text += fmt::format(
             "Pass {}: {} of {} detachable fines left, {:.2f} % of the initial mass; porosity {:.4f} to {:.4f}, "
             "permeability "
@@ -54,7 +53,8 @@ bool hardly_depends_on_gradient(const std::vector<erosion::ProbeResult>& probes)
             continue;
         }
         const auto count = static_cast<double>(report::count_detached(probe).yes);
-        least_gradient = std::min(least_gradient, probe.gradient), most_gradient = std::max(most_gradient, probe.gradient);
+        least_gradient = std::min(least_gradient, probe.gradient),
+        most_gradient = std::max(most_gradient, probe.gradient);
         fewest = std::min(fewest, count), most = std::max(most, count);
     }
     return most > 0 && most_gradient >= wide * least_gradient && most - fewest <= alike * most;
@@ -75,8 +75,9 @@ std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
     }
     text += " are detachable.";
     if (hardly_depends_on_gradient(probes)) {
-        text += " That the number hardly depends on the gradient says that these fines carry no load: without gravity any "
-                "water moves them, and none of these gradients is a critical one.";
+        text +=
+            " That the number hardly depends on the gradient says that these fines carry no load: without gravity any "
+            "water moves them, and none of these gradients is a critical one.";
     }
     return text;
 }
@@ -92,7 +93,8 @@ std::vector<std::string> answers_to_removals(const std::vector<FinishedStage>& s
         }
         const std::size_t passes = n.at("passes").size();
         sentences.push_back(fmt::format(
-            "{}/{}: {} fines taken out in {} {}, {} of the mass; under the stresses held before the skeleton {} {} of its "
+            "{}/{}: {} fines taken out in {} {}, {} of the mass; under the stresses held before the skeleton {} {} of "
+            "its "
             "volume.",
             stage.variant->folder, stage.stage->name, grouped(n.at("removed").get<std::int64_t>()), passes,
             passes == 1 ? "pass" : "passes", percent_or_none(100 * n.at("removed_mass_share").get<double>()),
@@ -230,9 +232,9 @@ std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std:
     }
     for (const FinishedStage* other : story.others) {
         const std::string start = other->variant->stages[static_cast<std::size_t>(other->stage->parent)].name;
-        sentences.push_back(
-            fmt::format("{}, from the state {}: {}", other->stage->name, start, answer_to_erosion(*other->findings.erosion))
-        );
+        sentences.push_back(fmt::format(
+            "{}, from the state {}: {}", other->stage->name, start, answer_to_erosion(*other->findings.erosion)
+        ));
     }
     for (std::string& sentence : answers_to_removals(stages)) {
         sentences.push_back(std::move(sentence));

@@ -18,15 +18,15 @@ struct Instability {
 /// Peak strength, stiffness, dilatancy and instability of a curve. The peak is that of q; at a constant
 /// deviator that of the pore pressure, until q is lost.
 struct Response {
-    double peak_deviator = 0;               ///< q there [Pa]
-    double peak_strain = 0;                 ///< axial strain at the peak [-]
-    double peak_ratio = 0;                  ///< q/p at the peak [-]
-    double friction_angle = 0;              ///< at the peak, sin = (s1 - s3)/(s1 + s3) [rad]
-    double final_deviator = 0;              ///< at the last row [Pa]
-    double stiffness = 0;                   ///< secant E50: half the peak deviator over the strain there; 0: none [Pa]
-    double dilatancy = 0;                   ///< largest -d eps_v / d eps_1 after the first percent [-]
-    double largest_contraction = 0;         ///< volumetric strain [-]
-    double final_volumetric_strain = 0;     ///< [-]
+    double peak_deviator = 0;           ///< q there [Pa]
+    double peak_strain = 0;             ///< axial strain at the peak [-]
+    double peak_ratio = 0;              ///< q/p at the peak [-]
+    double friction_angle = 0;          ///< at the peak, sin = (s1 - s3)/(s1 + s3) [rad]
+    double final_deviator = 0;          ///< at the last row [Pa]
+    double stiffness = 0;               ///< secant E50: half the peak deviator over the strain there; 0: none [Pa]
+    double dilatancy = 0;               ///< largest -d eps_v / d eps_1 after the first percent [-]
+    double largest_contraction = 0;     ///< volumetric strain [-]
+    double final_volumetric_strain = 0; ///< [-]
     /// Drained, constant mean: axial strain at which the stress held was lost, for the sample gave way faster than a
     /// servo may follow; what comes later is no test of this path [-]
     std::optional<double> lost_at;
