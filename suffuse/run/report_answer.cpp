@@ -4,6 +4,7 @@
 #include "suffuse/report/findings.hpp"
 #include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
+#include "suffuse/run/erosion_table.hpp"
 #include "suffuse/run/probed_states.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace suffuse::run {
 namespace {
@@ -194,6 +196,28 @@ std::vector<std::string> answers_to_tests(const std::vector<FinishedStage>& stag
 
 } // namespace
 
+namespace {
+
+/// Where several samples were eroded: which is told, and how far apart they lie.
+std::optional<std::string> tell_range(const ErosionStory& story, const std::vector<FinishedStage>& stages) {
+    std::vector<double> percent;
+    for (const FinishedStage& stage : stages) {
+        if (stage.findings.erosion && !stage.findings.erosion->passes.empty()) {
+            percent.push_back(eroded_percent(*stage.findings.erosion));
+        }
+    }
+    if (story.eroded == nullptr || percent.size() < 2 || percent.size() == story.others.size() + 1) {
+        return std::nullopt; // all of one sample, and told one after the other
+    }
+    const auto [least, most] = std::minmax_element(percent.begin(), percent.end());
+    return fmt::format(
+        "{} erosions took {:.2f} to {:.2f} % of the mass (table “All erosions”); what follows is of the sample {}.",
+        percent.size(), *least, *most, story.eroded->variant->folder
+    );
+}
+
+} // namespace
+
 std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std::vector<FinishedStage>& stages) {
     std::vector<std::string> sentences;
     if (!story.erosion.passes.empty() && !story.erosion.passes.front().probe.id.empty()) {
@@ -205,6 +229,9 @@ std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std:
             story.eroded->study->soil, story.erosion.passes.front().probe.gradient, passes,
             passes == 1 ? "pass" : "passes", passes == 1 ? "does" : "do"
         ));
+    }
+    if (auto range = tell_range(story, stages)) {
+        sentences.push_back(std::move(*range));
     }
     if (story.eroded != nullptr) {
         const std::size_t parent = static_cast<std::size_t>(std::max(0, story.eroded->stage->parent));

@@ -7,6 +7,7 @@
 #include "suffuse/report/warnings.hpp"
 #include "suffuse/run/assumed_values.hpp"
 #include "suffuse/run/erosion_figures.hpp"
+#include "suffuse/run/erosion_table.hpp"
 #include "suffuse/run/fines_findings.hpp"
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/report_answer.hpp"
@@ -161,7 +162,8 @@ report::ReportData describe_run(
     }
     show_stability(what, story, data);
     for (std::optional<report::PageTable> table :
-         {tabulate_removals(stages), tabulate_tests(what, stages), tabulate_water(folder, stages, story)}) {
+         {tabulate_removals(stages), tabulate_tests(what, stages), tabulate_water(folder, stages, story),
+          tabulate_erosions(stages)}) {
         if (table) {
             data.tables.push_back(std::move(*table));
         }

@@ -47,6 +47,12 @@ TEST(ErosionTarget, EndsTheStageWithThePassThatReachesIt) {
     EXPECT_NE(much.at("warnings").dump().find("less than the 90 % of `until_eroded`"), std::string::npos);
 }
 
+std::string text_of(const path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
 TEST(ForcedErosion, GoesOnWhateverTheNoiseOfTheProbe) {
     const TempFolder folder;
     // So small a gradient that no motion can be told from the twin's.
@@ -64,10 +70,17 @@ TEST(ForcedErosion, GoesOnWhateverTheNoiseOfTheProbe) {
     EXPECT_EQ(stage_of(folder.path(), "forced").at("passes").size(), 2U);
 }
 
-std::string text_of(const path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
+TEST(ErosionReport, TellsOfAllErosionsAndWhichOfThemItShows) {
+    const TempFolder folder;
+    std::string swept = start();
+    const std::string study = "[study.s]\n";
+    ASSERT_NE(swept.find(study), std::string::npos);
+    swept.insert(swept.find(study) + study.size(), "sweep = { \"stage.forced.forced.max_contacts\" = [0, 2] }\n");
+    run_text(swept + erosion("forced", "passes = 1\nwatch = 100\nramp = 100\n"), folder.path());
+    const std::string page = text_of(folder.path() / "run/report.html");
+    EXPECT_NE(page.find("All erosions"), std::string::npos);
+    EXPECT_NE(page.find("2 erosions took "), std::string::npos);
+    EXPECT_NE(page.find("what follows is of the sample s/max_contacts=0"), std::string::npos);
 }
 
 /// Runs to the first sign that the stage has a pass behind it, stops, and goes on to the end.
