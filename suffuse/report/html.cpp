@@ -86,7 +86,8 @@ std::string html_table(const Table& table, std::size_t most_rows) {
 }
 
 std::string typeset(const std::string& text) {
-    return with_indices(escaped(kept_together(text)));
+    static const std::regex quoted("`([^`]+)`");
+    return std::regex_replace(with_indices(escaped(kept_together(text))), quoted, "<code>$1</code>");
 }
 
 std::string html_list(const std::vector<std::string>& lines, std::string_view css_class) {

@@ -16,7 +16,8 @@ std::string escaped(std::string_view text);
 /// FC_threshold. A name of the user's with an underscore stays as it is.
 std::string with_indices(std::string html);
 
-/// Text of ours or of the run, set for reading: escaped, numbers kept with their units, indices low.
+/// Text of ours or of the run, set for reading: escaped, numbers kept with their units, indices low, what stands in
+/// backticks as code.
 std::string typeset(const std::string& text);
 
 /// An unordered list of such texts.

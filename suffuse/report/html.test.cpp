@@ -5,6 +5,11 @@
 namespace suffuse::report {
 namespace {
 
+TEST(Html, WhatStandsInBackticksIsCodeAndStaysEscaped) {
+    EXPECT_EQ(typeset("take `a<b>` or `order`"), "take <code>a&lt;b&gt;</code> or <code>order</code>");
+    EXPECT_EQ(typeset("one ` alone"), "one ` alone");
+}
+
 TEST(Html, IndicesOfOurSymbolsAreSetLowAndNamesOfTheUserStay) {
     EXPECT_EQ(
         with_indices("FC_active, e_min = 0.4 and (e_g)"),
