@@ -1,23 +1,21 @@
 #include "suffuse/contact/stress.hpp"
 
+#include "suffuse/contact/sum_touching.hpp"
+
 namespace suffuse::contact {
 
 Vec3 affine_moduli(
     const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, const Mat3& h
 ) {
-    Vec3 sum; // one after the other over the contacts that touch: which others are listed must change no bit
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (!contacts.touches(c)) {
-            continue;
-        }
+    const Vec3 sum = sum_touching(contacts, grains.size(), Vec3{}, [&](Vec3& part, std::size_t c) {
         const double r1 = grains.radius[contacts.first[c]], r2 = grains.radius[contacts.second[c]];
         const double kn = normal_stiffness(material, r1, r2), length = r1 + r2 - contacts.overlap[c];
         const Vec3 n = contacts.normal[c];
         for (int a = 0; a < 3; ++a) {
             const double square = n[a] * n[a];
-            sum[a] += kn * length * length * square * (square + material.shear_ratio * (1 - square));
+            part[a] += kn * length * length * square * (square + material.shear_ratio * (1 - square));
         }
-    }
+    });
     return (1 / determinant(h)) * sum;
 }
 

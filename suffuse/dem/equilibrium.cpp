@@ -1,6 +1,8 @@
 #include "suffuse/dem/equilibrium.hpp"
 
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/contact/stress.hpp"
+#include "suffuse/contact/sum_touching.hpp"
 #include "suffuse/dem/inspect.hpp"
 
 #include <algorithm>
@@ -14,54 +16,73 @@ struct ContactSums {
     std::int64_t count = 0;
 };
 
+ContactSums operator+(const ContactSums& a, const ContactSums& b) {
+    return {a.force + b.force, std::max(a.overlap_ratio, b.overlap_ratio), a.count + b.count};
+}
+
 ContactSums sum_contacts(const World& world) {
     const contact::Contacts& contacts = world.contacts;
-    ContactSums sums; // one after the other over the contacts that touch: which others are listed must change no bit
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (!contacts.touches(c)) {
-            continue;
-        }
-        const double r1 = world.grains.radius[contacts.first[c]], r2 = world.grains.radius[contacts.second[c]];
+    const std::vector<double>& radius = world.grains.radius;
+    return contact::sum_touching(contacts, radius.size(), ContactSums{}, [&](ContactSums& sum, std::size_t c) {
         const double normal = contact::normal_force(world.grains, contacts, world.material, c);
-        sums.force += std::sqrt(normal * normal + norm2(contacts.shear_force[c]));
-        sums.overlap_ratio = std::max(sums.overlap_ratio, contacts.overlap[c] / std::min(r1, r2));
-        ++sums.count;
-    }
-    return sums;
+        sum.force += std::sqrt(normal * normal + norm2(contacts.shear_force[c]));
+        const double smaller = std::min(radius[contacts.first[c]], radius[contacts.second[c]]);
+        sum.overlap_ratio = std::max(sum.overlap_ratio, contacts.overlap[c] / smaller);
+        ++sum.count;
+    });
+}
+
+struct GrainSums {
+    double force = 0, active_force = 0, kinetic_energy = 0;
+    std::int64_t rattlers = 0, single_contact = 0;
+};
+
+GrainSums operator+(const GrainSums& a, const GrainSums& b) {
+    return {
+        a.force + b.force, a.active_force + b.active_force, a.kinetic_energy + b.kinetic_energy,
+        a.rattlers + b.rattlers, a.single_contact + b.single_contact};
+}
+
+GrainSums sum_grains(const World& world) {
+    const grains::Grains& grains = world.grains;
+    const std::vector<int> count = coordination(world);
+    return parallel_sum(grains.size(), 1024, GrainSums{}, [&](std::size_t begin, std::size_t end) {
+        GrainSums sum;
+        for (std::size_t g = begin; g < end; ++g) {
+            const double size = norm(grains.force[g]);
+            sum.force += size;
+            sum.active_force += count[g] >= 2 ? size : 0;
+            sum.rattlers += count[g] < 2 ? 1 : 0;
+            sum.single_contact += count[g] == 1 ? 1 : 0;
+            const Vec3 fluctuation = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
+            sum.kinetic_energy +=
+                0.5 * (grains.mass[g] * norm2(fluctuation) + grains.inertia[g] * norm2(grains.spin[g]));
+        }
+        return sum;
+    });
 }
 
 } // namespace
 
 Equilibrium measure_equilibrium(const World& world) {
-    const grains::Grains& grains = world.grains;
     const ContactSums contacts = sum_contacts(world);
+    const GrainSums grains = sum_grains(world);
     Equilibrium result;
     result.contacts = contacts.count;
     result.max_overlap_ratio = contacts.overlap_ratio;
-    const std::vector<int> count = coordination(world);
-    double active_sum = 0, all_sum = 0;
-    for (std::size_t g = 0; g < grains.size(); ++g) {
-        const double size = norm(grains.force[g]);
-        all_sum += size;
-        if (count[g] >= 2) {
-            active_sum += size;
-        }
-        result.rattlers += count[g] < 2 ? 1 : 0;
-        result.single_contact += count[g] == 1 ? 1 : 0;
-        const Vec3 fluctuation = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
-        result.kinetic_energy +=
-            0.5 * (grains.mass[g] * norm2(fluctuation) + grains.inertia[g] * norm2(grains.spin[g]));
-    }
+    result.rattlers = grains.rattlers;
+    result.single_contact = grains.single_contact;
+    result.kinetic_energy = grains.kinetic_energy;
     if (contacts.count == 0) {
         return result;
     }
-    const auto total = static_cast<double>(grains.size());
-    const double active = total - static_cast<double>(result.rattlers);
+    const auto total = static_cast<double>(world.grains.size());
+    const double active = total - static_cast<double>(grains.rattlers);
     result.mean_contact_force = contacts.force / static_cast<double>(contacts.count);
     if (active > 0) {
-        result.unbalanced_force = active_sum / active / result.mean_contact_force;
+        result.unbalanced_force = grains.active_force / active / result.mean_contact_force;
     }
-    result.unbalanced_force_all = all_sum / total / result.mean_contact_force;
+    result.unbalanced_force_all = grains.force / total / result.mean_contact_force;
     return result;
 }
 

@@ -1,6 +1,7 @@
 #include "suffuse/dem/inspect.hpp"
 
 #include "suffuse/contact/stress.hpp"
+#include "suffuse/contact/sum_touching.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,16 +35,12 @@ std::vector<ContactView> inspect_contacts(const World& world) {
 }
 
 Mat3 mean_stress_tensor(const World& world) {
-    Mat3 sum{};
-    for (std::size_t c = 0; c < world.contacts.size(); ++c) {
-        if (!world.contacts.touches(c)) {
-            continue;
-        }
+    const std::vector<Vec3>& position = world.grains.position;
+    const Mat3 sum = contact::sum_touching(world.contacts, position.size(), Mat3{}, [&](Mat3& part, std::size_t c) {
         const ContactView view = view_of(world, c);
-        const Vec3 branch =
-            world.grains.position[view.j] + cell::shift(world.cell.h, view.image) - world.grains.position[view.i];
-        sum += outer(-(view.normal_force + view.shear_force), branch);
-    }
+        const Vec3 branch = position[view.j] + cell::shift(world.cell.h, view.image) - position[view.i];
+        part += outer(-(view.normal_force + view.shear_force), branch);
+    });
     return (1 / cell::volume(world.cell)) * sum;
 }
 

@@ -1,103 +1,57 @@
 #include "suffuse/dem/stable_dt.hpp"
 
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/dem/inspect.hpp"
-#include "suffuse/neighbors/pairs.hpp"
+#include "suffuse/dem/spring_network.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace suffuse::dem {
-namespace {
-
-struct Motions {
-    std::vector<Vec3> shift; ///< of each grain
-    std::vector<Vec3> turn;
-};
-
-/// Where springs act.
-struct Touching {
-    std::uint32_t first, second;
-    Vec3 normal;
-};
-
-/// The contacts that the last step found; before the first step those of the geometry.
-std::vector<Touching> touching_pairs(const World& world) {
-    std::vector<Touching> pairs;
-    const contact::Contacts& contacts = world.contacts;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (contacts.touches(c)) {
-            pairs.push_back({contacts.first[c], contacts.second[c], contacts.normal[c]});
-        }
-    }
-    if (contacts.size() > 0) {
-        return pairs;
-    }
-    const grains::Grains& grains = world.grains;
-    for (const neighbors::Pair& pair : neighbors::find_pairs(world.cell.h, grains.position, grains.radius, 0)) {
-        const Vec3 branch =
-            grains.position[pair.second] + cell::shift(world.cell.h, pair.image) - grains.position[pair.first];
-        pairs.push_back({pair.first, pair.second, branch / norm(branch)});
-    }
-    return pairs;
-}
-
-/// `out` = K `in`: forces and torques that the springs of all touching contacts oppose to the motions.
-void apply_stiffness(
-    const World& world, const std::vector<Touching>& pairs, double shear_ratio, const Motions& in, Motions& out
-) {
-    const grains::Material& material = world.material;
-    std::fill(out.shift.begin(), out.shift.end(), Vec3{});
-    std::fill(out.turn.begin(), out.turn.end(), Vec3{});
-    for (const auto& [i, j, n] : pairs) {
-        const double r1 = world.grains.radius[i], r2 = world.grains.radius[j];
-        const double kn = contact::normal_stiffness(material, r1, r2), ks = shear_ratio * kn;
-        const Vec3 apart = in.shift[j] - in.shift[i];
-        const double opening = dot(n, apart);
-        const Vec3 slip = apart - opening * n - cross(r1 * in.turn[i] + r2 * in.turn[j], n);
-        const Vec3 roll = in.turn[j] - in.turn[i];
-        const Vec3 twist = dot(n, roll) * n;
-        const Vec3 force = kn * opening * n + ks * slip;
-        const Vec3 moment =
-            ks * r1 * r2 * (material.rolling_stiffness * (roll - twist) + material.twisting_stiffness * twist);
-        const Vec3 arm = cross(n, ks * slip);
-        out.shift[i] -= force;
-        out.shift[j] += force;
-        out.turn[i] -= r1 * arm + moment;
-        out.turn[j] += moment - r2 * arm;
-    }
-}
-
-} // namespace
 
 double highest_frequency(const World& world, int iterations) {
     const grains::Grains& grains = world.grains;
-    Motions x{std::vector<Vec3>(grains.size()), std::vector<Vec3>(grains.size())}, force = x;
+    const SpringNetwork network(world, contacts_only_push(world) ? 0 : world.material.shear_ratio);
+    Motions x{std::vector<Vec3>(grains.size()), std::vector<Vec3>(grains.size())};
+    Motions force{std::vector<Vec3>(network.rows()), std::vector<Vec3>(network.rows())};
     for (std::size_t g = 0; g < grains.size(); ++g) { // any start that is not orthogonal to the stiffest mode
         const double phase = 1.7 * static_cast<double>(g);
         x.shift[g] = {std::sin(phase), std::cos(1.3 * phase), std::sin(2.1 * phase)};
         x.turn[g] = (1 / grains.radius[g]) * Vec3{std::cos(phase), std::sin(1.9 * phase), std::cos(2.3 * phase)};
     }
-    const double shear_ratio = contacts_only_push(world) ? 0 : world.material.shear_ratio;
-    const std::vector<Touching> pairs = touching_pairs(world);
+    constexpr std::size_t block = 1024;
     double square = 0;
     for (int k = 0; k < iterations; ++k) {
-        apply_stiffness(world, pairs, shear_ratio, x, force);
-        double energy = 0, inertia = 0;
-        for (std::size_t g = 0; g < grains.size(); ++g) {
-            energy += dot(x.shift[g], force.shift[g]) + dot(x.turn[g], force.turn[g]);
-            inertia += grains.mass[g] * norm2(x.shift[g]) + grains.inertia[g] * norm2(x.turn[g]);
-        }
+        network.apply(x, force);
+
+        struct Sums {
+            double energy = 0, inertia = 0;
+
+            Sums operator+(const Sums& b) const { return {energy + b.energy, inertia + b.inertia}; }
+        };
+
+        const auto [energy, inertia] =
+            parallel_sum(grains.size(), block, Sums{}, [&](std::size_t begin, std::size_t end) {
+                Sums sum;
+                for (std::size_t g = begin; g < end; ++g) {
+                    sum.energy += dot(x.shift[g], force.shift[g]) + dot(x.turn[g], force.turn[g]);
+                    sum.inertia += grains.mass[g] * norm2(x.shift[g]) + grains.inertia[g] * norm2(x.turn[g]);
+                }
+                return sum;
+            });
         if (!(energy > 0)) {
             return 0;
         }
         square = energy / inertia;
         const double scale = 1 / (square * std::sqrt(inertia));
-        for (std::size_t g = 0; g < grains.size(); ++g) {
-            x.shift[g] = scale / grains.mass[g] * force.shift[g];
-            x.turn[g] = scale / grains.inertia[g] * force.turn[g];
-        }
+        parallel_for(grains.size(), block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t g = begin; g < end; ++g) {
+                x.shift[g] = scale / grains.mass[g] * force.shift[g];
+                x.turn[g] = scale / grains.inertia[g] * force.turn[g];
+            }
+        });
     }
     return std::sqrt(square);
 }

@@ -1,8 +1,10 @@
 // The same input gives the same bits: for any number of threads, and across saving, loading and sorting.
 
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/dem/settle.hpp"
+#include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/io/checkpoint.hpp"
 
 #include <gtest/gtest.h>
@@ -36,9 +38,9 @@ World full_sample() {
     return world;
 }
 
-class AnyNumberOfThreads : public testing::TestWithParam<bool> {};
+class AnyThreads : public testing::TestWithParam<bool> {};
 
-TEST_P(AnyNumberOfThreads, GivesTheSameHashAfter2000StepsUnderServo) {
+TEST_P(AnyThreads, GivesTheSameHashAfter2000StepsUnderServo) {
     std::vector<std::uint64_t> hashes;
     for (const int threads : {1, 2, 4}) {
         set_thread_count(threads);
@@ -52,9 +54,32 @@ TEST_P(AnyNumberOfThreads, GivesTheSameHashAfter2000StepsUnderServo) {
     EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, AnyNumberOfThreads, testing::Values(false, true), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Samples, AnyThreads, testing::Values(false, true), [](const auto& test) {
     return std::string(test.param ? "Bonded" : "Plain");
 });
+
+TEST(AnyNumberOfThreads, GivesTheSameHashTimeStepAndBalanceOfASampleOfTenDomains) {
+    std::vector<std::uint64_t> hashes;
+    std::vector<double> numbers;
+    for (const int threads : {1, 2, 3}) {
+        set_thread_count(threads);
+        World world = test::reference_packing("packing10k");
+        StepCaches caches;
+        test::advance(world, caches, under_servo(), 100);
+        hashes.push_back(state_hash(world));
+        const Equilibrium balance = measure_equilibrium(world);
+        for (const double number :
+             {stable_time_step(world), balance.unbalanced_force, balance.kinetic_energy, balance.max_overlap_ratio,
+              mean_stress(mean_stress_tensor(world))}) {
+            numbers.push_back(number);
+        }
+    }
+    set_thread_count(1);
+    EXPECT_EQ(hashes, std::vector(3, hashes[0]));
+    for (std::size_t k = 5; k < numbers.size(); ++k) {
+        EXPECT_EQ(numbers[k], numbers[k - 5]) << k;
+    }
+}
 
 /// Hash after twice `steps`, with `at_half` done to the world in the middle.
 std::uint64_t hash_after(World world, std::int64_t steps, const std::function<void(World&, StepCaches&)>& at_half) {
