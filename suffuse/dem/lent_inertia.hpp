@@ -8,9 +8,9 @@ namespace suffuse::dem {
 
 /// What grains have beyond their own.
 struct Lent {
-    bool mass = false; ///< grains below the median size (by mass) are as heavy as makes all equally quick
-    bool rotation =
-        false; ///< moments of inertia are four times as large: rolling springs are no quicker than normal ones
+    bool mass = false;     ///< grains below the median size (by mass) are as heavy as makes all equally quick
+    bool rotation = false; ///< moments of inertia are four times as large, and of grains below the median size so large
+                           ///< that they roll on the largest one no quicker than the median grain does
 
     friend bool operator==(const Lent&, const Lent&) = default;
 };

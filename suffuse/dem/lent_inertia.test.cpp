@@ -39,6 +39,22 @@ TEST(LentInertia, MakesPairsOfSmallGrainsAsQuickAsThatOfTheMedianGrainWithinItsP
     }
 }
 
+TEST(LentInertia, LetsNoSmallGrainRollOnTheLargestQuickerThanTheMedianGrainDoes) {
+    World world = graded();
+    lend_inertia(world, median, {}, {true, true});
+    const auto rolling_on_the_largest = [&](std::size_t g) {
+        const auto of = [&](std::size_t k) {
+            return Inertia{world.grains.radius[k], world.grains.mass[k], world.grains.inertia[k]};
+        };
+        return pair_frequency(world.material, world.material.shear_ratio, of(g), of(5));
+    };
+    const double most = rolling_on_the_largest(4);
+    for (std::size_t g = 0; g < 4; ++g) {
+        EXPECT_LE(rolling_on_the_largest(g), most * 1.2) << g; // masses are lent by powers of two below
+        EXPECT_GE(rolling_on_the_largest(g), most / 2) << g;
+    }
+}
+
 TEST(LentInertia, MakesNoGrainAsHeavyAsALargerOneNorChangesTheLargeOnes) {
     const World own = graded();
     World world = own;
