@@ -55,7 +55,7 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("runs", nargs="+", type=pathlib.Path, metavar="RUN")
     options.add_argument("--speed", type=float)
-    options.add_argument("--use", choices=["fitted", "held"], default="held")
+    options.add_argument("--use", choices=["fitted", "held", "lent"], default="held")
     options.add_argument("--cpu", type=pathlib.Path)
     options.add_argument("--preparation", action="store_true")
     given = options.parse_args()

@@ -38,7 +38,7 @@ while world.strain[2] < STRAIN:
 curve = numpy.array(curve)
 
 # ---- by the program
-test = reference.triaxial(STRAIN, inertial_number=INERTIAL_NUMBER)
+test = reference.triaxial(STRAIN, inertial_number=INERTIAL_NUMBER, inertia="own")
 theirs = numpy.array([(row["axial_strain"], row["deviator_stress"]) for row in test["curve"]])
 
 print(" strain   q by hand   q by suffuse")

@@ -167,24 +167,25 @@ packing::Protocol protocol_of(const std::string& word) {
     throw CaseError(fmt::format("protocol: found \"{}\", expected faithful, swift or slow", word));
 }
 
-/// Takes back what a compaction has lent, unless it came to its end: the world lives on in Python.
+/// Takes back what a compaction or a test has lent, unless it came to its end: the world lives on in Python.
+template <class State>
 class Loan {
 public:
-    Loan(WorldHandle& handle, const packing::CompactState& state) : handle_(handle), state_(state) {}
+    Loan(WorldHandle& handle, State& state) : handle_(handle), state_(state) {}
 
     Loan(const Loan&) = delete;
     Loan& operator=(const Loan&) = delete;
 
     ~Loan() {
-        if (state_.phase != packing::CompactState::Phase::Done) {
-            packing::give_back(handle_.world(), state_);
+        if (state_.phase != State::Phase::Done) {
+            give_back(handle_.world(), state_);
             handle_.drop_caches();
         }
     }
 
 private:
     WorldHandle& handle_;
-    const packing::CompactState& state_;
+    State& state_;
 };
 
 py::object compact(
@@ -221,26 +222,30 @@ py::object compact(
     return dict;
 }
 
-triaxial::Path path_of(const std::string& word) {
+/// @param key whose word it is
+template <class T, std::size_t N>
+T word_of(const std::string& word, const std::array<casefile::names::Word<T>, N>& words, const char* key) {
     std::string all;
-    for (const auto& [path, name] : casefile::names::triaxial_path) {
+    for (const auto& [value, name] : words) {
         if (word == name) {
-            return path;
+            return value;
         }
         all += fmt::format("{}{}", all.empty() ? "" : ", ", name);
     }
-    throw CaseError(fmt::format("path: found \"{}\", expected one of {}", word, all));
+    throw CaseError(fmt::format("{}: found \"{}\", expected one of {}", key, word, all));
 }
 
 py::object run_triaxial(
     WorldHandle& w, const py::object& strain, const std::string& path, const py::object& strain_ratio,
     const py::object& deviator_stress, const py::object& stress_ratio, const py::object& inertial_number,
-    const py::object& time_step, int rows, double damping, const std::string& mode, const py::object& on_progress
+    const std::string& inertia, const py::object& time_step, int rows, double damping, const std::string& mode,
+    const py::object& on_progress
 ) {
     const dem::Mode asked_mode = mode_of(mode);
     triaxial::TriaxialSpec spec;
+    spec.inertia = word_of(inertia, casefile::names::grain_inertia, "inertia");
     spec.strain = quantity_of(strain, dimension::none, "strain");
-    spec.path = path_of(path);
+    spec.path = word_of(path, casefile::names::triaxial_path, "path");
     spec.strain_ratio = optional_quantity(strain_ratio, dimension::none, "strain_ratio");
     spec.deviator_stress = optional_quantity(deviator_stress, dimension::pressure, "deviator_stress");
     spec.stress_ratio = optional_quantity(stress_ratio, dimension::none, "stress_ratio");
@@ -252,8 +257,8 @@ py::object run_triaxial(
     dem::World& world = begin(w);
     {
         const Working working;
-        const double dt = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(world);
-        state = triaxial::begin_path(world, spec, dem::mean_stress_tensor(world), dt);
+        const Loan loan(w, state);
+        state = triaxial::begin_path(world, spec, dem::mean_stress_tensor(world));
         for (bool over = false; !over;) {
             over = triaxial::path_burst(world, w.caches(), spec, {}, damping, asked_mode, state);
             w.remember_place();
@@ -396,7 +401,7 @@ void bind_steps(py::module_& m) {
         "triaxial", &run_triaxial, py::arg("strain") = triaxial::TriaxialSpec{}.strain, py::kw_only(),
         py::arg("path") = "drained", py::arg("strain_ratio") = py::none(), py::arg("deviator_stress") = py::none(),
         py::arg("stress_ratio") = py::none(), py::arg("inertial_number") = triaxial::TriaxialSpec{}.inertial_number,
-        py::arg("time_step") = py::none(), py::arg("rows") = triaxial::TriaxialSpec{}.rows,
+        py::arg("inertia") = "lent", py::arg("time_step") = py::none(), py::arg("rows") = triaxial::TriaxialSpec{}.rows,
         py::arg("damping") = usual_damping, py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
         with_keys(
             "Compresses along z, as a stage that does \"triaxial\"; returns `curve`, a list of rows, `response`, "
@@ -406,7 +411,8 @@ void bind_steps(py::module_& m) {
              {"stage.triaxial", "strain_ratio"},
              {"stage.triaxial", "deviator_stress"},
              {"stage.triaxial", "stress_ratio"},
-             {"stage.triaxial", "inertial_number"}}
+             {"stage.triaxial", "inertial_number"},
+             {"stage.triaxial", "inertia"}}
         ).c_str()
     );
     type.def(

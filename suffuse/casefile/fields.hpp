@@ -143,6 +143,7 @@ void fields(V& v, triaxial::TriaxialSpec& s) {
     v.field("deviator_stress", s.deviator_stress);
     v.field("stress_ratio", s.stress_ratio);
     inertial_number_field(v, s.inertial_number);
+    v.choice("inertia", s.inertia, names::grain_inertia);
     v.time_step(s.time_step);
     v.field("rows", s.rows);
     check_path(v, s);

@@ -46,6 +46,10 @@ inline constexpr std::array triaxial_path = {
     Word<triaxial::Path>{triaxial::Path::Undrained, "undrained"},
     Word<triaxial::Path>{triaxial::Path::Proportional, "proportional"}};
 
+inline constexpr std::array grain_inertia = {
+    Word<triaxial::GrainInertia>{triaxial::GrainInertia::Lent, "lent"},
+    Word<triaxial::GrainInertia>{triaxial::GrainInertia::Own, "own"}};
+
 inline constexpr std::array detach_by = {
     Word<erosion::DetachBy>{erosion::DetachBy::Velocity, "velocity"},
     Word<erosion::DetachBy>{erosion::DetachBy::Displacement, "displacement"}};

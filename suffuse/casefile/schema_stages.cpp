@@ -124,6 +124,12 @@ std::vector<Key> triaxial_rows() {
             "Ratio q/p to stop at and settle; the strain is then a limit."
         ),
         inertial,
+        choice(
+            "stage.triaxial", "inertia", names::words_of(names::grain_inertia),
+            "Whether small grains and rotations are lent inertia during the test, for longer steps. A given "
+            "`time_step` "
+            "and the path \"constant-deviator\" leave grains their own."
+        ),
         time_step("stage.triaxial"),
         count("stage.triaxial", "rows", {1, 1e6, false, false}, "Stress-strain rows over the asked strain."),
     };

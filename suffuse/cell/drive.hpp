@@ -10,13 +10,15 @@ namespace suffuse::cell {
 
 /// Strain rate of an axis under the secant servo [1/s], compression positive. The error alone would leave a lag as
 /// large as what the stress changes by in a response time: the lateral stress of a sample that dilates in compression,
-/// say. So the change over that time which the strain rate does not explain is taken off.
+/// say. So the change over that time which the strain rate does not explain is taken off; and what the wanted stress
+/// itself changed by is added, where it follows that of another axis.
 inline double
-secant_rate(const ServoSpec& spec, const ServoState& servo, int a, double missing, double stress, double dt) {
-    const double response = spec.response * dt;
+secant_rate(const Loading& loading, const ServoState& servo, int a, double wanted, double stress, double dt) {
+    const double response = loading.servo.response * dt;
     const double drift = (stress - servo.mean_stress[a]) / response - servo.modulus[a] * servo.mean_rate[a];
+    const double lead = (wanted - wanted_stress(loading, a, servo.mean_stress)) / response;
     // A sample without contacts has no stiffness: any missing stress then asks for the largest rate.
-    return (missing / response - drift) / std::max(servo.modulus[a], 1e-300);
+    return ((wanted - stress) / response - drift + lead) / std::max(servo.modulus[a], 1e-300);
 }
 
 /// Takes this step into the servo's means.
@@ -45,14 +47,15 @@ inline Mat3 drive(const Cell& cell, const Loading& loading, const Mat3& stress, 
             continue;
         }
         const ServoSpec& spec = loading.servo;
-        const double missing = axis.value - stress(a, a); // compression positive
-        double rate = 0;                                  // compression positive
+        const double wanted = wanted_stress(loading, a, {stress(0, 0), stress(1, 1), stress(2, 2)});
+        const double missing = wanted - stress(a, a); // compression positive
+        double rate = 0;                              // compression positive
         if (spec.kind == ServoKind::Inertial) {
             rate = -cell.velocity_gradient(a, a);
             const double sense = rate * missing > 0 ? -1.0 : rate * missing < 0 ? 1.0 : 0.0;
             rate += (1 + sense * spec.damping) * dt * missing / spec.mass;
         } else {
-            rate = secant_rate(spec, servo, a, missing, stress(a, a), dt);
+            rate = secant_rate(loading, servo, a, wanted, stress(a, a), dt);
         }
         gradient(a, a) = -std::clamp(rate, -spec.max_rate, spec.max_rate);
     }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace suffuse::cell {
 namespace {
 
@@ -62,6 +64,32 @@ TEST(SecantServo, LeavesNoLagUnderAStressThatChangesByItself) {
     double most = 0;
     elastic_response(secant(), 3000, &most, 2e9);
     EXPECT_LE(most, 1e5 + 0.37 * 2e9 * 100 * 1e-7 * 1.1); // drift x response time / e, at the start
+}
+
+TEST(SecantServo, LeavesNoLagUnderAMeanStressWhileAnotherAxisIsCompressed) {
+    constexpr double modulus = 2e8, dt = 1e-7, rate = 10, pressure = 1e5;
+    Loading loading;
+    loading.axis[0] = loading.axis[1] = {Control::MeanStress, pressure};
+    loading.axis[2] = {Control::StrainRate, rate};
+    loading.servo = secant();
+    Cell cell;
+    ServoState servo;
+    servo.modulus = {modulus, modulus, modulus};
+    Vec3 stress{pressure, pressure, pressure};
+    double most = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const double mean = (stress.x + stress.y + stress.z) / 3;
+        most = std::max(most, mean);
+        cell.velocity_gradient = drive(cell, loading, diagonal(stress), dt, servo);
+        for (int a = 0; a < 3; ++a) {
+            stress[a] -= dt * modulus * cell.velocity_gradient(a, a);
+        }
+    }
+    EXPECT_NEAR((stress.x + stress.y + stress.z) / 3, pressure, 1e-2);
+    EXPECT_EQ(stress.x, stress.y);
+    EXPECT_LE(
+        most, pressure + modulus * rate * 100 * dt / 3
+    ); // what the axis rises by in a response time, at the start
 }
 
 TEST(SecantServo, IsCalmWhenTheBodyIsTwiceAsStiffOrAsSoftAsItBelieves) {

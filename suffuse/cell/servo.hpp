@@ -8,11 +8,15 @@
 
 namespace suffuse::cell {
 
-enum class Control { StrainRate, Stress };
+enum class Control {
+    StrainRate,
+    Stress,
+    MeanStress, ///< of all axes: the axes under this control bear alike what the others leave to it
+};
 
 struct AxisControl {
     Control control = Control::StrainRate;
-    double value = 0; ///< strain rate, compression positive [1/s], or stress, compression positive [Pa]
+    double value = 0; ///< strain rate [1/s] or stress [Pa], compression positive
 };
 
 enum class ServoKind {
@@ -34,6 +38,22 @@ struct Loading {
     std::optional<Mat3> velocity_gradient; ///< dv/dx, extension positive [1/s]; replaces `axis` where given
     ServoSpec servo;
 };
+
+/// Stress that an axis under stress control should have [Pa]. @param stress of each axis
+inline double wanted_stress(const Loading& loading, int a, const Vec3& stress) {
+    const AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
+    if (axis.control != Control::MeanStress) {
+        return axis.value;
+    }
+    double left = 3 * axis.value;
+    int shared = 0;
+    for (int b = 0; b < 3; ++b) {
+        const bool shares = loading.axis[static_cast<std::size_t>(b)].control == Control::MeanStress;
+        left -= shares ? 0 : stress[b];
+        shared += shares ? 1 : 0;
+    }
+    return left / shared;
+}
 
 /// What the servo remembers between steps.
 struct ServoState {

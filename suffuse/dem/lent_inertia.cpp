@@ -6,8 +6,6 @@
 namespace suffuse::dem {
 namespace {
 
-constexpr double rotation_factor = 4; // of grains of the median size and above
-
 /// A grain's own frequency is as 1/r, its inertial number at its own mass as r: with (r_median/r)^2 times its mass it
 /// has those of the median grain. The power of two below that.
 double mass_factor(double median, double radius) {
@@ -18,24 +16,29 @@ double mass_factor(double median, double radius) {
 /// factor none is quicker than the median grain. The power of two above that.
 double turning_factor(double median, double largest, double radius) {
     const double quicker = median * (median + largest) / (radius * (radius + largest));
-    return rotation_factor * (quicker > 1 ? std::exp2(std::ceil(std::log2(quicker))) : 1);
+    return slower_turning * slower_turning * (quicker > 1 ? std::exp2(std::ceil(std::log2(quicker))) : 1);
 }
 
 } // namespace
 
+InertiaFactors lent_factors(const Lent& lent, double radius, double median, double largest) {
+    return {lent.mass ? mass_factor(median, radius) : 1, lent.rotation ? turning_factor(median, largest, radius) : 1};
+}
+
 void lend_inertia(World& world, double median_diameter, const Lent& has, const Lent& wanted) {
     grains::Grains& grains = world.grains;
-    if (grains.size() == 0) {
+    if (has == wanted || grains.size() == 0) {
         return;
     }
-    const double median = median_diameter / 2, largest = *std::ranges::max_element(grains.radius);
+    const double largest = *std::ranges::max_element(grains.radius);
     for (std::size_t g = 0; g < grains.size(); ++g) {
-        const double radius = grains.radius[g];
-        const double heavier = has.mass == wanted.mass ? 1 : mass_factor(median, radius);
-        const double turning = has.rotation == wanted.rotation ? 1 : turning_factor(median, largest, radius);
-        const double mass = wanted.mass ? heavier : 1 / heavier;
-        grains.mass[g] *= mass;
-        grains.inertia[g] *= mass * (wanted.rotation ? turning : 1 / turning);
+        const auto factors = [&](const Lent& lent) {
+            return lent_factors(lent, grains.radius[g], median_diameter / 2, largest);
+        };
+        const InertiaFactors before = factors(has), after = factors(wanted);
+        const double heavier = after.mass / before.mass; // powers of two: exact
+        grains.mass[g] *= heavier;
+        grains.inertia[g] *= heavier * (after.turning / before.turning);
     }
 }
 

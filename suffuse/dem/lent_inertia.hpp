@@ -15,6 +15,17 @@ struct Lent {
     friend bool operator==(const Lent&, const Lent&) = default;
 };
 
+/// Where rotation is lent, every grain turns so many times as slowly: the root of the factor on its moment of inertia.
+inline constexpr double slower_turning = 2;
+
+/// What mass and moment of inertia of a grain are multiplied by.
+struct InertiaFactors {
+    double mass = 1, turning = 1; ///< the second beyond the first, which turning grains feel too
+};
+
+/// Radii of the grain, of the grain of the median size by mass, and of the largest [m].
+InertiaFactors lent_factors(const Lent& lent, double radius, double median, double largest);
+
 /// Changes the grains' inertia from what `has` lends to what `wanted` does. @param median_diameter by mass [m]
 void lend_inertia(World& world, double median_diameter, const Lent& has, const Lent& wanted);
 

@@ -17,11 +17,12 @@ double stress_error(const cell::Loading& loading, const Mat3& stress) {
     double largest = 0, error = 0;
     for (int a = 0; a < 3; ++a) {
         const cell::AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
-        if (axis.control != cell::Control::Stress) {
+        if (axis.control == cell::Control::StrainRate) {
             continue;
         }
-        largest = std::max(largest, std::abs(axis.value));
-        error = std::max(error, std::abs(axis.value - stress(a, a)));
+        const double wanted = cell::wanted_stress(loading, a, {stress(0, 0), stress(1, 1), stress(2, 2)});
+        largest = std::max(largest, std::abs(wanted));
+        error = std::max(error, std::abs(wanted - stress(a, a)));
     }
     return largest > 0 ? error / largest : 0;
 }

@@ -21,7 +21,7 @@ bool has_secant_servo(const cell::Loading& loading) {
         return false;
     }
     for (const cell::AxisControl& axis : loading.axis) {
-        if (axis.control == cell::Control::Stress) {
+        if (axis.control != cell::Control::StrainRate) {
             return true;
         }
     }

@@ -9,6 +9,7 @@
 #include "suffuse/run/imported_cell.hpp"
 #include "suffuse/run/mark_fines.hpp"
 #include "suffuse/run/preparation_price.hpp"
+#include "suffuse/triaxial/run_path.hpp"
 
 #include <fmt/format.h>
 
@@ -124,7 +125,8 @@ public:
         const Range trials = asks ? trials_for_a_density : Range{1, 1};
         const double end = 1 - sample_.solid_fraction;
         const double open = adheres(spec) ? start : std::min(start, packing::open_porosity);
-        const double time_step = compaction_time_step(spec, settled_time_step(sample_, variant_.material, true));
+        const double time_step =
+            compaction_time_step(spec, settled_time_step(sample_, variant_.material, {.mass = true}));
         const double rate = packing::largest_rate(spec, variant_.material.density, sample_.median);
         const double gas = strain_between(start, open) / (rate * gas_time_step);
         const double loaded = strain_between(open, end) / (rate * time_step);
@@ -155,12 +157,10 @@ public:
     }
 
     StagePrice operator()(const triaxial::TriaxialSpec& spec) {
-        const double rate = dem::rate_of_inertial_number(
-            spec.inertial_number, sample_.median, variant_.material.density, sample_.pressure
-        );
+        const double rate = triaxial::strain_rate_of(spec, variant_.material, sample_.median, sample_.pressure);
         const bool is_loose = sample_.coordination < yielding_coordination;
         take_critical_state(sample_); // within the first percents of strain
-        const double dt = spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, variant_.material);
+        const double dt = triaxial_time_step(spec);
         const double a_strain = 1 / (rate * dt); // steps
         const std::string pace = fmt::format("at {:.3g} 1/s (inertial number {:.1e})", rate, spec.inertial_number);
         if (spec.deviator_stress || spec.stress_ratio) {
@@ -250,6 +250,11 @@ public:
     }
 
 private:
+    [[nodiscard]] double triaxial_time_step(const triaxial::TriaxialSpec& spec) const {
+        const dem::Lent lent = triaxial::lent_during(spec, variant_.material);
+        return spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, variant_.material, lent);
+    }
+
     [[nodiscard]] double friction_of(const packing::CompactSpec& spec) const {
         return spec.prepare.friction.value_or(variant_.material.friction);
     }

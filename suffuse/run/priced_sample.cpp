@@ -71,18 +71,17 @@ double largest_diameter(const PricedSample& sample) {
     return std::max(sample.coarse.largest, sample.fines.largest);
 }
 
-/// Of two touching grains [rad/s]. @param heavier what their inertia is multiplied by
-double pair_frequency(std::array<double, 2> radius, std::array<double, 2> heavier, const grains::Material& m) {
-    const auto grain = [&](std::size_t k) {
-        const double mass = heavier[k] * m.density * sphere_volume(radius[k]);
-        return dem::Inertia{radius[k], mass, sphere_inertia(mass, radius[k])};
+/// Of two touching grains of the sample [rad/s].
+double pair_frequency(
+    const PricedSample& sample, double first, double second, const dem::Lent& lent, const grains::Material& material
+) {
+    const auto grain = [&](double radius) {
+        const dem::InertiaFactors more =
+            dem::lent_factors(lent, radius, 0.5 * sample.median, 0.5 * largest_diameter(sample));
+        const double mass = more.mass * material.density * sphere_volume(radius);
+        return dem::Inertia{radius, mass, more.turning * sphere_inertia(mass, radius)};
     };
-    return dem::pair_frequency(m, m.shear_ratio, grain(0), grain(1));
-}
-
-/// (median/r)^2, which makes a grain below the median as quick as it.
-double lent_mass(const PricedSample& sample, double r) {
-    return std::max(1.0, std::pow(0.5 * sample.median / r, 2));
+    return dem::pair_frequency(material, material.shear_ratio, grain(first), grain(second));
 }
 
 } // namespace
@@ -169,16 +168,19 @@ double count(const PricedSample& sample) {
 
 double loose_time_step(const PricedSample& sample, const grains::Material& material) {
     const double r = 0.5 * smallest_diameter(sample), large = 0.5 * largest_diameter(sample);
-    const double alike = pair_frequency({r, r}, {1, 1}, material),
-                 unlike = pair_frequency({r, large}, {1, 1}, material);
+    const double alike = pair_frequency(sample, r, r, {}, material),
+                 unlike = pair_frequency(sample, r, large, {}, material);
     return dem::default_step_safety * 2 / std::max(alike, unlike);
 }
 
-double settled_time_step(const PricedSample& sample, const grains::Material& material, bool lends_mass) {
-    const double r = 0.5 * smallest_diameter(sample), large = 0.5 * largest_diameter(sample);
-    const auto heavier = [&](double radius) { return lends_mass ? lent_mass(sample, radius) : 1; };
-    const double alike = pair_frequency({r, r}, {heavier(r), heavier(r)}, material);
-    const double stiffer = std::max(1.0, pair_frequency({r, large}, {heavier(r), heavier(large)}, material) / alike);
+double settled_time_step(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent) {
+    const double large = 0.5 * largest_diameter(sample);
+    double alike = 0, unlike = 0; // the smallest are the quickest, unless they are lent inertia
+    for (const double r : {0.5 * smallest_diameter(sample), 0.5 * sample.median, large}) {
+        alike = std::max(alike, pair_frequency(sample, r, r, lent, material));
+        unlike = std::max(unlike, pair_frequency(sample, r, large, lent, material));
+    }
+    const double stiffer = std::max(1.0, unlike / alike);
     const double dense = (sample.coordination - loose_coordination) / (dense_coordination - loose_coordination);
     const double share = loose_share + std::clamp(dense, 0.0, 1.0) * (dense_share - loose_share);
     return share * std::pow(stiffer, -stiffness_exponent) * dem::default_step_safety * 2 / alike;

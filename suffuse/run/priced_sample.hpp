@@ -2,6 +2,7 @@
 // What a plan knows of a sample at the end of a stage before it is run: its grains, how dense they will lie, how many
 // of them will carry load, and so how long a stable time step is and how much work a step.
 
+#include "suffuse/dem/lent_inertia.hpp"
 #include "suffuse/grains/grains.hpp"
 #include "suffuse/grains/material.hpp"
 #include "suffuse/packing/expected_state.hpp"
@@ -55,8 +56,7 @@ double smallest_diameter(const PricedSample& sample); ///< [m]
 double count(const PricedSample& sample);             ///< grains before any erosion
 
 /// The stable time step of the settled sample [s].
-/// @param lends_mass grains below the median are made as quick as it, as dem::lend_inertia does
-double settled_time_step(const PricedSample& sample, const grains::Material& material, bool lends_mass = false);
+double settled_time_step(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent = {});
 
 /// The same of a cloud whose grains just touch [s].
 double loose_time_step(const PricedSample& sample, const grains::Material& material);

@@ -53,10 +53,10 @@ TEST(PricedSample, GrainsThatAreLentMassStepAsTheMedianGrain) {
     take_state(coarse, packing::equal_grains(0, true));
     // A pair of fine grains is then as quick as one of coarse ones; what is left is how fine grains turn on coarse
     // ones.
-    const double own = settled_time_step(mixed, material), lent = settled_time_step(mixed, material, true);
+    const double own = settled_time_step(mixed, material), lent = settled_time_step(mixed, material, {.mass = true});
     EXPECT_GT(lent, 2 * own);
     EXPECT_LE(lent, settled_time_step(coarse, material));
-    EXPECT_DOUBLE_EQ(settled_time_step(coarse, material, true), settled_time_step(coarse, material));
+    EXPECT_DOUBLE_EQ(settled_time_step(coarse, material, {.mass = true}), settled_time_step(coarse, material));
 }
 
 TEST(PricedSample, FinesInTheVoidsAreHardlyAnyWork) {

@@ -64,8 +64,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // curves of earlier runs lack 
     mechanical_coordination, unbalanced_force, inertial_number, second_order_work, excess_pore_pressure
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // states of earlier runs lack some
-    PathState, phase, start_h, start_stress, strain_rate, pace, median_diameter, time_step, known_contacts, balance,
-    steps, rows
+    PathState, phase, start_h, start_stress, strain_rate, pace, median_diameter, lent, time_step, known_contacts,
+    balance, steps, rows
 )
 
 NLOHMANN_JSON_SERIALIZE_ENUM(Answer, {{Answer::Rests, "rests"}, {Answer::Creeps, "creeps"}, {Answer::Fails, "fails"}})

@@ -98,8 +98,7 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     triaxial::PathState state;
     if (work.resumed.is_null()) {
         dem::sort_along_curve(work.world);
-        const double dt = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(work.world);
-        state = triaxial::begin_path(work.world, spec, dem::mean_stress_tensor(work.world), dt);
+        state = triaxial::begin_path(work.world, spec, dem::mean_stress_tensor(work.world));
     } else {
         state = work.resumed.get<triaxial::PathState>();
     }
@@ -125,6 +124,7 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     work.time_step = state.time_step;
     work.numbers["steps"] = state.steps;
     work.numbers["strain_rate"] = state.strain_rate;
+    work.numbers["inertia"] = triaxial::lent_during(spec, work.world.material).mass ? "lent" : "own";
     const triaxial::Response response = triaxial::summarize(state.rows, spec.path);
     if (response.lost_at) {
         work.flaws.push_back(fmt::format(

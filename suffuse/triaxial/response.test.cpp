@@ -3,6 +3,7 @@
 #include "suffuse/triaxial/response.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/dem/inspect.hpp"
 
 #include <gtest/gtest.h>
 
@@ -198,11 +199,11 @@ TEST(BeginPath, SetsTheStrainRateFromTheInertialNumber) {
     dem::step(world, caches, test::plan_of(1e-9));
     TriaxialSpec spec;
     spec.inertial_number = 1e-3;
-    const PathState state = begin_path(world, spec, diagonal({1e5, 1e5, 1e5}), 4e-8);
+    const PathState state = begin_path(world, spec, diagonal({1e5, 1e5, 1e5}));
     // I = rate d sqrt(rho/p): back to what was asked with the mean diameter by mass, between the smallest and the
     // largest.
     const double inertial = state.strain_rate * state.median_diameter * std::sqrt(2600 / 1e5);
-    EXPECT_NEAR(inertial, 1e-3, 1e-15);
+    EXPECT_NEAR(inertial, 1e-3 / dem::slower_turning, 1e-15); // grains are lent inertia, and turn so much more slowly
     const auto [least, most] = std::minmax_element(world.grains.radius.begin(), world.grains.radius.end());
     EXPECT_GT(state.median_diameter, 2 * *least);
     EXPECT_LT(state.median_diameter, 2 * *most);
@@ -210,10 +211,44 @@ TEST(BeginPath, SetsTheStrainRateFromTheInertialNumber) {
     EXPECT_EQ(state.rows[0].axial_strain, 0);
 }
 
+TEST(BeginPath, LendsInertiaThatTheEndOfTheShearGivesBackToTheBit) {
+    for (const GrainInertia inertia : {GrainInertia::Lent, GrainInertia::Own}) {
+        dem::World world = test::reference_packing("packing500");
+        dem::StepCaches caches;
+        dem::advance(world, caches, test::plan_of(1e-9), 1);
+        const dem::World before = world;
+        TriaxialSpec spec;
+        spec.inertia = inertia;
+        spec.strain = 2e-4;
+        PathState state = begin_path(world, spec, dem::mean_stress_tensor(world));
+        EXPECT_EQ(world.grains.mass != before.grains.mass, inertia == GrainInertia::Lent);
+        while (!path_burst(world, caches, spec, {}, 0.2, dem::Mode::Reference, state)) {
+        }
+        EXPECT_EQ(world.grains.mass, before.grains.mass);
+        EXPECT_EQ(world.grains.inertia, before.grains.inertia);
+    }
+}
+
+TEST(BeginPath, LendsNothingWithAGivenTimeStepNorAtAConstantDeviatorNorRotationWithoutFriction) {
+    TriaxialSpec spec;
+    const grains::Material sand;
+    EXPECT_EQ(lent_during(spec, sand), (dem::Lent{true, true}));
+    spec.time_step = 1e-8;
+    EXPECT_EQ(lent_during(spec, sand), dem::Lent{});
+    spec.time_step = 0;
+    spec.path = Path::ConstantDeviator;
+    EXPECT_EQ(lent_during(spec, sand), dem::Lent{});
+    spec.path = Path::Undrained;
+    grains::Material smooth = sand;
+    smooth.friction = 0;
+    EXPECT_EQ(lent_during(spec, smooth), (dem::Lent{true, false}));
+    EXPECT_EQ(strain_rate_of(spec, smooth, 1e-3, 1e5), 2 * strain_rate_of(spec, sand, 1e-3, 1e5));
+}
+
 TEST(BeginPath, RefusesASampleWithoutStress) {
     dem::World world = test::reference_packing("packing500");
     for (const double pressure : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW(begin_path(world, {}, diagonal({pressure, pressure, pressure}), 4e-8), StateError) << pressure;
+        EXPECT_THROW(begin_path(world, {}, diagonal({pressure, pressure, pressure})), StateError) << pressure;
     }
 }
 
@@ -224,7 +259,7 @@ TEST(BeginPath, RefusesAPaceAStrainOrRowsThatAreNotAboveZero) {
         spec.inertial_number = inertial_number;
         spec.strain = strain;
         spec.rows = rows;
-        begin_path(world, spec, diagonal({1e5, 1e5, 1e5}), 4e-8);
+        begin_path(world, spec, diagonal({1e5, 1e5, 1e5}));
     };
     EXPECT_THROW(begin(0, 0.2, 400), CaseError);
     EXPECT_THROW(begin(1e-3, 0, 400), CaseError);

@@ -51,7 +51,7 @@ cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
     if (const std::optional<double> ratio = imposed_strain_ratio(spec)) {
         lateral = {Control::StrainRate, -0.5 * (1 - *ratio) * state.strain_rate};
     } else if (spec.path == Path::ConstantMean) {
-        lateral = {Control::Stress, 0.5 * (trace(start) - now(spec.axis, spec.axis))};
+        lateral = {Control::MeanStress, dem::mean_stress(start)};
     } else if (spec.path == Path::ConstantDeviator) {
         // A sample that fails flows at constant volume, with the axial rate of the other paths.
         lateral = {Control::StrainRate, -0.5 * state.pace * state.strain_rate};
@@ -188,9 +188,24 @@ void check_spec(const TriaxialSpec& spec) {
     }
 }
 
+void renew_time_step(const dem::World& world, const TriaxialSpec& spec, PathState& state) {
+    state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(world);
+    state.known_contacts = state.balance.equilibrium.contacts;
+}
+
 } // namespace
 
-PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress, double time_step) {
+dem::Lent lent_during(const TriaxialSpec& spec, const grains::Material& material) {
+    const bool lends = spec.inertia == GrainInertia::Lent && spec.time_step <= 0 && spec.path != Path::ConstantDeviator;
+    return {lends, lends && material.friction > 0};
+}
+
+double strain_rate_of(const TriaxialSpec& spec, const grains::Material& material, double median, double pressure) {
+    const double slower = lent_during(spec, material).rotation ? dem::slower_turning : 1;
+    return dem::rate_of_inertial_number(spec.inertial_number / slower, median, material.density, pressure);
+}
+
+PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress) {
     check_spec(spec);
     const double pressure = dem::mean_stress(stress);
     if (!(pressure > 0)) {
@@ -215,11 +230,11 @@ PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& st
     state.start_stress = stress;
     state.balance.stress = stress;
     state.median_diameter = stats::size_at(stats::measure_gradation(world.grains), 0.5);
-    state.strain_rate =
-        dem::rate_of_inertial_number(spec.inertial_number, state.median_diameter, world.material.density, pressure);
+    state.strain_rate = strain_rate_of(spec, world.material, state.median_diameter, pressure);
     state.pace = spec.path == Path::ConstantDeviator ? first_pace : 1;
-    state.time_step = time_step;
     state.balance.equilibrium = dem::measure_equilibrium(world);
+    state.lent = lent_during(spec, world.material);
+    dem::lend_inertia(world, state.median_diameter, {}, state.lent);
     state.rows.push_back(measure_row(world, spec, state));
     return state;
 }
@@ -228,10 +243,8 @@ bool path_burst(
     dem::World& world, dem::StepCaches& caches, const TriaxialSpec& spec, const dem::BalanceSpec& balance,
     double damping, dem::Mode mode, PathState& state
 ) {
-    const std::int64_t contacts = state.balance.equilibrium.contacts;
-    if (spec.time_step <= 0 && dem::time_step_is_due(state.steps, contacts, state.known_contacts)) {
-        state.time_step = dem::stable_time_step(world);
-        state.known_contacts = contacts;
+    if (dem::time_step_is_due(state.steps, state.balance.equilibrium.contacts, state.known_contacts)) {
+        renew_time_step(world, spec, state);
     }
     const bool settling = state.phase == PathState::Phase::Settle;
     dem::StepPlan plan;
@@ -267,7 +280,14 @@ bool path_burst(
     }
     state.balance.steps = state.balance.balanced_steps = 0;
     state.phase = reached ? PathState::Phase::Settle : PathState::Phase::Done;
+    give_back(world, state); // a balance is proved with the grains' own inertia
+    renew_time_step(world, spec, state);
     return !reached;
+}
+
+void give_back(dem::World& world, PathState& state) {
+    dem::lend_inertia(world, state.median_diameter, state.lent, {});
+    state.lent = {};
 }
 
 double second_order_work(const PathRow& before, const PathRow& after) {

@@ -1,6 +1,7 @@
 #pragma once
 // Triaxial compression from the state given, along one of the paths of `Path`. World in, rows out.
 
+#include "suffuse/dem/lent_inertia.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/triaxial/spec.hpp"
 
@@ -36,6 +37,7 @@ struct PathState {
     double strain_rate = 0;     ///< axial, compression positive; constant deviator: twice the lateral extension's [1/s]
     double pace = 1;            ///< constant deviator: share of that rate, so that the axial servo keeps up [-]
     double median_diameter = 0; ///< by mass, of the inertial number [m]
+    dem::Lent lent;             ///< inertia that grains have beyond their own
     double time_step = 0;       ///< [s]
     std::int64_t known_contacts = 0; ///< touching when it was chosen
     dem::BalanceState balance;
@@ -43,10 +45,19 @@ struct PathState {
     std::vector<PathRow> rows;
 };
 
+/// What a test lends: nothing with a given time step, nor at a constant deviator, where a sample that fails under the
+/// loads that it bears flows as its own inertia lets it; frictionless grains do not turn.
+dem::Lent lent_during(const TriaxialSpec& spec, const grains::Material& material);
+
+/// Axial rate at which the test is quasi-static [1/s]: its inertial number reckons with the turning that it slows down.
+/// @param median by mass [m]; @param pressure at the start [Pa]
+double strain_rate_of(const TriaxialSpec& spec, const grains::Material& material, double median, double pressure);
+
+/// Lends the grains what inertia the test may lend; its last burst of shear takes it back.
 /// @param stress of the state that the test starts from [Pa]
 /// @throws StateError when the sample carries none, or no deviator stress to hold; CaseError when strain, inertial
 /// number or rows are not above zero, or keys do not belong to the path.
-PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress, double time_step);
+PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress);
 
 /// One burst of steps; appends a row when the strain has grown by the interval asked. @return whether the test is over.
 /// @throws StateError when the stress asked for is not reached within the strain, or not held.
@@ -54,6 +65,9 @@ bool path_burst(
     dem::World& world, dem::StepCaches& caches, const TriaxialSpec& spec, const dem::BalanceSpec& balance,
     double damping, dem::Mode mode, PathState& state
 );
+
+/// Takes back what the test has lent: of a test that did not come to its end.
+void give_back(dem::World& world, PathState& state);
 
 /// Second-order work between two rows, d stress : d strain, for equal lateral strains [J/m3] [Hill 1958]
 double second_order_work(const PathRow& before, const PathRow& after);

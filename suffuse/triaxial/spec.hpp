@@ -15,9 +15,15 @@ enum class Path {
     Proportional,     ///< ratio of volumetric to axial strain held
 };
 
+enum class GrainInertia {
+    Lent, ///< as compactions lend it, so that steps are longer: a quasi-static test does not depend on it
+    Own,
+};
+
 struct TriaxialSpec {
     Path path = Path::Drained;
-    int axis = 2;                       ///< 0, 1, 2: the axis compressed
+    GrainInertia inertia = GrainInertia::Lent; ///< a given time step, and a constant deviator, leave grains their own
+    int axis = 2;                              ///< 0, 1, 2: the axis compressed
     double strain = 0.2;                ///< axial strain to stop at; constant deviator: or axial minus volumetric [-]
     std::optional<double> strain_ratio; ///< proportional: volumetric over axial strain; 1 is an oedometer [-]
     std::optional<double> deviator_stress; ///< q to stop at, then settle there; the strain is then a limit [Pa]

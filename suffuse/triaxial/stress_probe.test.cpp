@@ -94,7 +94,7 @@ dem::World sheared_sample(double deviator_stress) {
     spec.deviator_stress = deviator_stress;
     spec.inertial_number = 1e-3;
     dem::StepCaches caches;
-    PathState state = begin_path(world, spec, dem::mean_stress_tensor(world), 4e-8);
+    PathState state = begin_path(world, spec, dem::mean_stress_tensor(world));
     while (!path_burst(world, caches, spec, {}, damping, dem::Mode::Reference, state)) {
     }
     return world;

@@ -80,7 +80,7 @@ TEST(Relax, BringsThePackingToEquilibriumFarBelowWhatAStageNeeds) {
 }
 
 triaxial::PathState compress(Sample& s, const triaxial::TriaxialSpec& spec) {
-    triaxial::PathState state = triaxial::begin_path(s.world, spec, s.state.stress, 4e-8);
+    triaxial::PathState state = triaxial::begin_path(s.world, spec, s.state.stress);
     while (!triaxial::path_burst(s.world, s.caches, spec, s.balance, 0.2, dem::Mode::Reference, state)) {
         EXPECT_LT(state.steps, 400'000);
         if (state.steps >= 400'000) {
@@ -137,16 +137,15 @@ TEST(Triaxial, AnUndrainedPathKeepsTheVolume) {
     }
 }
 
-TEST(Triaxial, AConstantMeanPathHoldsTheMeanStressWithinFivePercent) {
+TEST(Triaxial, AConstantMeanPathHoldsTheMeanStressWithinFivePercentAndSoonWithinTwo) {
     Sample s = settled_at(1e5);
     triaxial::TriaxialSpec spec;
     spec.path = triaxial::Path::ConstantMean;
     spec.strain = 0.005;
     const triaxial::PathState state = compress(s, spec);
     for (const triaxial::PathRow& row : state.rows) {
-        EXPECT_NEAR(
-            row.mean_stress, 1e5, 0.05 * 1e5
-        ); // the lateral target follows the axial stress of the burst before
+        const double within = row.axial_strain < 0.003 ? 0.05 : 0.02; // the servo has to learn how the sample answers
+        EXPECT_NEAR(row.mean_stress, 1e5, within * 1e5) << row.axial_strain;
     }
     EXPECT_GT(state.rows.back().deviator_stress, 5e4);
 }
@@ -218,7 +217,7 @@ TEST(Triaxial, AStressThatIsReachedButNotHeldEndsTheTest) {
     triaxial::TriaxialSpec spec;
     spec.deviator_stress = 1e5;
     spec.strain = 0.01;
-    triaxial::PathState state = triaxial::begin_path(s.world, spec, s.state.stress, 4e-8);
+    triaxial::PathState state = triaxial::begin_path(s.world, spec, s.state.stress);
     while (state.phase == triaxial::PathState::Phase::Shear) {
         triaxial::path_burst(s.world, s.caches, spec, s.balance, 0.2, dem::Mode::Reference, state);
     }
@@ -301,9 +300,9 @@ TEST(Triaxial, AProportionalPathKeepsTheRatioOfItsStrains) {
         spec.inertial_number = 3e-3;
         const Mat3 h = s.world.cell.h;
         const triaxial::PathRow last = compress(s, spec).rows.back();
-        // Rates are constant, but each step grows the cell by (1 + rate dt): of second order in each.
-        EXPECT_NEAR(last.volumetric_strain, ratio * last.axial_strain, 1e-5 * last.axial_strain) << ratio;
-        EXPECT_NEAR(s.world.cell.h(0, 0) / h(0, 0), std::exp(0.5 * (1 - ratio) * last.axial_strain), 1e-8);
+        // Rates are constant, but each step grows the cell by (1 + rate dt): of second order in each, which is 1e-5.
+        EXPECT_NEAR(last.volumetric_strain, ratio * last.axial_strain, 2e-5 * last.axial_strain) << ratio;
+        EXPECT_NEAR(s.world.cell.h(0, 0) / h(0, 0), std::exp(0.5 * (1 - ratio) * last.axial_strain), 2e-8);
         EXPECT_EQ(last.excess_pore_pressure, 0);
     }
 }
@@ -315,7 +314,7 @@ TEST(Triaxial, KeysThatDoNotBelongToThePathAreRefused) {
         spec.path = path;
         spec.strain_ratio = strain_ratio;
         spec.deviator_stress = q;
-        EXPECT_THROW(triaxial::begin_path(s.world, spec, s.state.stress, 4e-8), CaseError);
+        EXPECT_THROW(triaxial::begin_path(s.world, spec, s.state.stress), CaseError);
     };
     refused(triaxial::Path::Proportional, std::nullopt, std::nullopt);
     refused(triaxial::Path::Drained, 1.0, std::nullopt);
