@@ -49,21 +49,23 @@ void add_passes(const ErosionResult& erosion, std::vector<Headline>& headlines) 
 
 } // namespace
 
-std::vector<Headline> erosion_headlines(const ErosionResult& erosion, const std::vector<Finding>& findings) {
+std::vector<Headline> erosion_headlines(const ErosionResult& erosion) {
     std::vector<Headline> headlines;
     if (!erosion.passes.empty()) {
         add_passes(erosion, headlines);
     }
-    if (!findings.empty()) {
-        const auto met =
-            std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.met == true; });
-        const auto open = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.met; });
-        headlines.push_back(
-            {fmt::format("{} of {}", met, findings.size()), "findings of the paper met",
-             open > 0 ? fmt::format("{} cannot be told from this run", open) : ""}
-        );
-    }
     return headlines;
+}
+
+std::optional<Headline> findings_headline(const std::vector<Finding>& findings) {
+    if (findings.empty()) {
+        return std::nullopt;
+    }
+    const auto met = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.met == true; });
+    const auto open = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.met; });
+    return Headline{
+        fmt::format("{} of {}", met, findings.size()), "findings of the paper met",
+        open > 0 ? fmt::format("{} cannot be told from this run", open) : ""};
 }
 
 std::vector<Headline> fines_headlines(const std::vector<ContentThreshold>& thresholds) {

@@ -5,13 +5,16 @@
 #include "suffuse/report/fines_thresholds.hpp"
 #include "suffuse/report/page.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace suffuse::report {
 
-/// Eroded mass, change of permeability, largest loss of mean stress at constant volume, findings met: those that the
-/// run can tell.
-std::vector<Headline> erosion_headlines(const erosion::ErosionResult& erosion, const std::vector<Finding>& findings);
+/// Eroded mass, change of permeability, largest loss of mean stress at constant volume: those that the run can tell.
+std::vector<Headline> erosion_headlines(const erosion::ErosionResult& erosion);
+
+/// How many findings were met; nothing without findings.
+std::optional<Headline> findings_headline(const std::vector<Finding>& findings);
 
 /// The fines contents of lowest void ratio, loose and densest, and those from which on fines carry: those that were
 /// found.

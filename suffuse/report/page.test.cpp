@@ -116,7 +116,7 @@ TEST_F(Page, OfACaseThatFollowsNoPaperSpeaksOfNone) {
     );
     report.paper.clear();
     report.findings.clear();
-    report.headlines = erosion_headlines({}, {});
+    report.headlines = erosion_headlines({});
     const std::string text = read_all(write_report(folder.path(), report, folder / "nowhere").file);
     EXPECT_EQ(text.find("the paper"), std::string::npos) << text.substr(text.find("the paper") - 100, 200);
     EXPECT_EQ(text.find("The paper"), std::string::npos);

@@ -6,6 +6,7 @@
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/erosion_table.hpp"
 #include "suffuse/run/probed_states.hpp"
+#include "suffuse/run/strength_words.hpp"
 
 #include <fmt/format.h>
 
@@ -129,8 +130,11 @@ std::string tell_peaks(const std::vector<json>& responses, const char* pressure,
 
 /// " (2 samples liquefied)", " (lost its confinement at 1.1 % axial strain)"; empty where nothing of the kind happened.
 std::string tell_failures(const std::vector<json>& responses) {
-    const auto liquefied = std::ranges::count_if(responses, [](const json& r) { return r.at("liquefied") == true; });
-    const auto lost = std::ranges::count_if(responses, [](const json& r) { return r.at("lost_at").is_number(); });
+    const auto liquefied =
+        std::ranges::count_if(responses, [](const json& r) { return r.value("liquefied", json()) == true; });
+    const auto lost = std::ranges::count_if(responses, [](const json& r) {
+        return r.value("lost_at", json()).is_number(); // runs of earlier programs lack it
+    });
     if (responses.size() == 1 && lost > 0) {
         return fmt::format(
             " (and collapsed at {} % axial strain)",
@@ -153,10 +157,21 @@ struct ToldTest {
     std::vector<json> responses;
 };
 
-std::vector<ToldTest> gather_told_tests(const std::vector<FinishedStage>& stages) {
+/// Tests that were compared are told already; those that stop at a stress lead to a state, and show no strength.
+bool is_told_alone(const FinishedStage& stage, const std::vector<StrengthChange>& strength) {
+    const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
+    const bool stops = spec != nullptr && (spec->deviator_stress || spec->stress_ratio);
+    return !stops && std::ranges::none_of(strength, [&](const StrengthChange& change) {
+        const std::string& name = stage.stage->name;
+        return change.study == stage.study && (change.before->name == name || change.after->name == name);
+    });
+}
+
+std::vector<ToldTest>
+gather_told_tests(const std::vector<FinishedStage>& stages, const std::vector<StrengthChange>& strength) {
     std::vector<ToldTest> tests;
     for (const FinishedStage& stage : stages) {
-        if (!stage.numbers.contains("response") || !stage.study->sweep.empty()) {
+        if (!stage.numbers.contains("response") || !stage.study->sweep.empty() || !is_told_alone(stage, strength)) {
             continue;
         }
         auto test = std::find_if(tests.begin(), tests.end(), [&](const ToldTest& other) {
@@ -172,10 +187,11 @@ std::vector<ToldTest> gather_told_tests(const std::vector<FinishedStage>& stages
     return tests;
 }
 
-std::vector<std::string> answers_to_tests(const std::vector<FinishedStage>& stages) {
+std::vector<std::string>
+answers_to_tests(const std::vector<FinishedStage>& stages, const std::vector<StrengthChange>& changes) {
     std::string strength;
     std::vector<std::string> sentences;
-    for (const ToldTest& test : gather_told_tests(stages)) {
+    for (const ToldTest& test : gather_told_tests(stages, changes)) {
         if (!test.holds_deviator) {
             strength += fmt::format(
                 "{}{} in {}{}", strength.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
@@ -218,7 +234,9 @@ std::optional<std::string> tell_range(const ErosionStory& story, const std::vect
 
 } // namespace
 
-std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std::vector<FinishedStage>& stages) {
+std::vector<std::string> answer_of_erosion(
+    const ErosionStory& story, const std::vector<FinishedStage>& stages, const std::vector<StrengthChange>& strength
+) {
     std::vector<std::string> sentences;
     if (!story.erosion.passes.empty() && !story.erosion.passes.front().probe.id.empty()) {
         const std::size_t passes = story.erosion.passes.size();
@@ -266,7 +284,10 @@ std::vector<std::string> answer_of_erosion(const ErosionStory& story, const std:
     for (std::string& sentence : answers_to_removals(stages)) {
         sentences.push_back(std::move(sentence));
     }
-    for (std::string& sentence : answers_to_tests(stages)) {
+    for (std::string& sentence : tell_strength(strength)) {
+        sentences.push_back(std::move(sentence));
+    }
+    for (std::string& sentence : answers_to_tests(stages, strength)) {
         sentences.push_back(std::move(sentence));
     }
     for (const report::ProbedState& state : gather_probed_states(stages)) {

@@ -15,6 +15,7 @@
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/scene_data.hpp"
 #include "suffuse/run/section_tables.hpp"
+#include "suffuse/run/strength_words.hpp"
 #include "suffuse/run/study_figures.hpp"
 #include "suffuse/run/water_figures.hpp"
 
@@ -126,7 +127,8 @@ report::ReportData describe_run(
     if (sweep && fines) {
         mark_thresholds(fines->thresholds, sweep->curves);
     }
-    for (std::string& sentence : answer_of_erosion(story, stages)) {
+    const std::vector<StrengthChange> strength = compare_strength(stages);
+    for (std::string& sentence : answer_of_erosion(story, stages, strength)) {
         data.answer.push_back(std::move(sentence));
     }
     data.paper = what.paper;
@@ -142,8 +144,14 @@ report::ReportData describe_run(
         }
         data.headlines = report::fines_headlines(fines->thresholds);
     }
-    for (report::Headline& headline : report::erosion_headlines(story.erosion, data.findings)) {
+    for (report::Headline& headline : report::erosion_headlines(story.erosion)) {
         data.headlines.push_back(std::move(headline));
+    }
+    if (auto headline = strength_headline(strength)) {
+        data.headlines.push_back(std::move(*headline));
+    }
+    if (auto headline = report::findings_headline(data.findings)) {
+        data.headlines.push_back(std::move(*headline));
     }
     data.warnings = std::move(remarks.flaws);
     data.warnings.insert(data.warnings.end(), remarks.warnings.begin(), remarks.warnings.end());
@@ -162,8 +170,8 @@ report::ReportData describe_run(
     }
     show_stability(what, story, data);
     for (std::optional<report::PageTable> table :
-         {tabulate_removals(stages), tabulate_tests(what, stages), tabulate_water(folder, stages, story),
-          tabulate_erosions(stages)}) {
+         {tabulate_removals(stages), tabulate_strength(strength), tabulate_tests(what, stages),
+          tabulate_water(folder, stages, story), tabulate_erosions(stages)}) {
         if (table) {
             data.tables.push_back(std::move(*table));
         }

@@ -30,13 +30,8 @@ std::string cell(const report::SweepPoint& point, const std::string& number, dou
 
 std::string
 name_of(const report::StudyCurves& study, const report::StageCurve& stage, const report::SweepPoint& point) {
-    std::string name = study.study + ", " + stage.stage;
-    for (std::size_t k = 0; k < study.keys.size(); ++k) {
-        const std::string& key = study.keys[k];
-        name += key == "fines_content" ? ", FC " + report::percent_name(point.value[k])
-                                       : ", " + key.substr(key.rfind('.') + 1) + " " + point.written[k];
-    }
-    return name;
+    const std::string values = values_name(study.keys, point);
+    return study.study + ", " + stage.stage + (values.empty() ? "" : ", " + values);
 }
 
 /// A row of the table on water.

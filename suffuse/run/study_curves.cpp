@@ -2,6 +2,7 @@
 
 #include "suffuse/base/units.hpp"
 #include "suffuse/casefile/node.hpp"
+#include "suffuse/report/fines_study.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,16 +121,29 @@ trace_stage(const casefile::Study& study, const std::string& name, const std::ve
     return curve;
 }
 
-json point_json(const report::StudyCurves& study, const SweepPoint& point) {
-    json values = json::object(), numbers = json::object();
-    for (std::size_t k = 0; k < study.keys.size(); ++k) {
-        values[study.keys[k]] = std::isnan(point.value[k]) ? json(point.written[k]) : json(point.value[k]);
+std::vector<std::string> keys_of(const casefile::Study& study) {
+    std::vector<std::string> keys;
+    for (const casefile::Sweep& sweep : study.sweep) {
+        keys.push_back(sweep.key);
     }
+    return keys;
+}
+
+json values_json(const std::vector<std::string>& keys, const SweepPoint& point) {
+    json values = json::object();
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        values[keys[k]] = std::isnan(point.value[k]) ? json(point.written[k]) : json(point.value[k]);
+    }
+    return values;
+}
+
+json point_json(const report::StudyCurves& study, const SweepPoint& point) {
+    json numbers = json::object();
     for (const auto& [name, scatter] : point.number) {
         numbers[name] = {
             {"mean", scatter.mean}, {"standard_deviation", scatter.standard_deviation}, {"of_seed", scatter.of_seed}};
     }
-    return {{"values", values}, {"seeds", point.seed}, {"numbers", numbers}};
+    return {{"values", values_json(study.keys, point)}, {"seeds", point.seed}, {"numbers", numbers}};
 }
 
 } // namespace
@@ -137,10 +151,7 @@ json point_json(const report::StudyCurves& study, const SweepPoint& point) {
 std::vector<report::StudyCurves> trace_curves(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
     std::vector<report::StudyCurves> studies;
     for (const casefile::Study& study : what.studies) {
-        report::StudyCurves curves{study.name, {}, study.replicates, {}};
-        for (const casefile::Sweep& sweep : study.sweep) {
-            curves.keys.push_back(sweep.key);
-        }
+        report::StudyCurves curves{study.name, keys_of(study), study.replicates, {}};
         for (const casefile::Stage& stage : study.stages) {
             curves.stages.push_back(trace_stage(study, stage.name, stages));
         }
@@ -151,6 +162,24 @@ std::vector<report::StudyCurves> trace_curves(const casefile::Case& what, const 
 
 std::vector<std::string> sweep_values(const casefile::Study& study, const casefile::Variant& variant) {
     return point_of(study, variant).written;
+}
+
+std::string values_name(const std::vector<std::string>& keys, const SweepPoint& point) {
+    std::string name;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        name += name.empty() ? "" : ", ";
+        name += keys[k] == "fines_content" ? "FC " + report::percent_name(point.value[k])
+                                           : keys[k].substr(keys[k].rfind('.') + 1) + " " + point.written[k];
+    }
+    return name;
+}
+
+std::string values_name(const casefile::Study& study, const casefile::Variant& variant) {
+    return values_name(keys_of(study), point_of(study, variant));
+}
+
+json values_json(const casefile::Study& study, const casefile::Variant& variant) {
+    return values_json(keys_of(study), point_of(study, variant));
 }
 
 json curves_json(const std::vector<report::StudyCurves>& studies) {

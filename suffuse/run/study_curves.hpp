@@ -12,6 +12,13 @@ std::vector<report::StudyCurves> trace_curves(const casefile::Case& what, const 
 /// Values of the study's swept keys, as written in the case.
 std::vector<std::string> sweep_values(const casefile::Study& study, const casefile::Variant& variant);
 
+/// "FC 10 %", "gradient 0.1, friction 30 deg"; empty without a sweep.
+std::string values_name(const std::vector<std::string>& keys, const report::SweepPoint& point);
+std::string values_name(const casefile::Study& study, const casefile::Variant& variant);
+
+/// As in summary.json: key -> value in SI, words as they are.
+nlohmann::json values_json(const casefile::Study& study, const casefile::Variant& variant);
+
 /// As in summary.json: study -> keys, replicates, stages -> points.
 nlohmann::json curves_json(const std::vector<report::StudyCurves>& studies);
 

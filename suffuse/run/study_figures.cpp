@@ -45,18 +45,6 @@ Rows rows_of(const std::vector<triaxial::PathRow>& curve) {
     return rows;
 }
 
-/// "FC 10 %", "gradient 0.1"; empty without a sweep.
-std::string values_name(const casefile::Study& study, const report::SweepPoint& point) {
-    std::string name;
-    for (std::size_t k = 0; k < study.sweep.size(); ++k) {
-        const std::string& key = study.sweep[k].key;
-        name += name.empty() ? "" : ", ";
-        name += key == "fines_content" ? "FC " + report::percent_name(point.value[k])
-                                       : key.substr(key.rfind('.') + 1) + " " + point.written[k];
-    }
-    return name;
-}
-
 double or_zero(const nlohmann::json& number) {
     return number.is_number() ? number.get<double>() : 0;
 }
@@ -86,7 +74,7 @@ std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<Fin
                 if (of_seed.empty()) {
                     continue;
                 }
-                const std::string values = values_name(study, point);
+                const std::string values = values_name(traced[s].keys, point);
                 const bool holds = holds_deviator(study.stages[k]);
                 Test test{&study, &study.stages[k], point.written, report::average_response(values, of_seed, holds)};
                 if (holds) {

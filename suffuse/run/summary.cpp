@@ -16,6 +16,7 @@
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/runner.hpp"
 #include "suffuse/run/sample_run.hpp"
+#include "suffuse/run/strength_change.hpp"
 #include "suffuse/run/study_curves.hpp"
 
 #include <fmt/format.h>
@@ -187,6 +188,7 @@ Summary summarize_run(
                                   {"flaws", summary.flaws},
                                   {"findings", findings_json(findings)},
                                   {"thresholds", thresholds_json(gather_fines(what, stages))},
+                                  {"strength", strength_json(compare_strength(stages))},
                                   {"samples", count_samples(what, folder, summary.failures.size())},
                                   {"failures", summary.failures},
                                   {"stages", by_name},

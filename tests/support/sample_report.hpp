@@ -218,7 +218,8 @@ inline report::ReportData sample_report(const std::string& title) {
         "Permeability rose from 5.4e-11 to 1.9e-10 m²; the peak deviator stress fell from 340 to 260 kPa."};
     report.findings = judge_erosion(probes, erosion);
     report.findings.back().met = std::nullopt;
-    report.headlines = erosion_headlines(erosion, report.findings);
+    report.headlines = erosion_headlines(erosion);
+    report.headlines.push_back(findings_headline(report.findings).value());
     report.warnings = {
         "The cell is 9.7 times as wide as the largest grain; ten is the least for a representative sample."};
     report.assumed = {

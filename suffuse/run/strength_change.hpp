@@ -1,0 +1,45 @@
+#pragma once
+// What erosion did to the strength: compression before fines went and the same test after, on one sample, sample by
+// sample. Same means path, axis, strain and rate; what a test could not show is told instead of compared. The rise of
+// the pore pressure at a constant deviator stress is no compression, and told on its own.
+
+#include "suffuse/report/study_curves.hpp"
+#include "suffuse/run/finished_stage.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::run {
+
+/// A number before and after, over the seeds.
+struct BeforeAfter {
+    report::Scatter before, after;
+    report::Scatter change; ///< of each seed: relative for stresses, a difference for angles and void ratios
+};
+
+/// At one set of sweep values.
+struct StrengthChange {
+    const casefile::Study* study = nullptr;
+    const casefile::Variant* variant = nullptr; ///< of the first seed
+    const casefile::Stage* before = nullptr;    ///< the tests, of the first seed
+    const casefile::Stage* after = nullptr;
+    std::vector<std::uint64_t> seeds;
+    report::Scatter removed_mass; ///< share of the mass before [-]
+    BeforeAfter peak_deviator;    ///< [Pa]
+    BeforeAfter final_deviator;   ///< [Pa]
+    BeforeAfter friction_angle;   ///< mobilized at the peak [rad]
+    BeforeAfter void_ratio;       ///< before fines went, and where the second test starts [-]
+    std::vector<std::string> remarks;
+
+    /// By the peak; nothing where the change is none beside the scatter of samples.
+    [[nodiscard]] std::optional<bool> is_weaker() const;
+};
+
+/// In the order of the stages. Tests that stop at a stress are none of strength.
+std::vector<StrengthChange> compare_strength(const std::vector<FinishedStage>& stages);
+
+/// As in summary.json.
+nlohmann::json strength_json(const std::vector<StrengthChange>& changes);
+
+} // namespace suffuse::run

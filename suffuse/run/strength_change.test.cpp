@@ -1,0 +1,184 @@
+#include "suffuse/run/strength_change.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/run/result_json.hpp"
+#include "suffuse/run/strength_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <list>
+
+namespace suffuse::run {
+namespace {
+
+using nlohmann::json;
+
+/// A study whose samples are compressed as they are, and after an erosion: initial, erosion, before, after.
+struct ErodedStudy {
+    casefile::Study study;
+    std::list<casefile::Variant> variants; ///< stages are told by their address
+    std::vector<FinishedStage> stages;
+
+    static json state(double void_ratio, double pressure = 100e3) {
+        return {
+            {"void_ratio", void_ratio},
+            {"mean_stress", pressure},
+            {"stress", Mat3(diagonal({pressure, pressure, pressure}))},
+            {"flaws", json::array()}};
+    }
+
+    static json test(double peak, double peak_strain = 0.02) {
+        json numbers = state(0.8);
+        numbers["response"] = {
+            {"peak_deviator", peak},
+            {"peak_strain", peak_strain},
+            {"final_deviator", 0.8 * peak},
+            {"friction_angle", radians(peak / 10e3)},
+            {"lost_at", nullptr}};
+        return numbers;
+    }
+
+    FinishedStage& at(int row) { return stages[stages.size() - 4 + static_cast<std::size_t>(row)]; }
+
+    void add_sample(double before, double after) {
+        casefile::Variant& variant = variants.emplace_back();
+        variant.folder = study.name;
+        variant.seed = variants.size();
+        const triaxial::TriaxialSpec compression{.strain = 0.1};
+        variant.stages = {
+            {.name = "initial", .spec = packing::CompactSpec{}},
+            {.name = "erosion", .spec = erosion::ErodeSpec{}, .parent = 0},
+            {.name = "before", .spec = compression, .parent = 0},
+            {.name = "after", .spec = compression, .parent = 1}};
+        json eroded = state(0.9);
+        eroded["eroded_share_of_solids"] = 0.12;
+        const std::vector<json> numbers = {state(0.7), eroded, test(before), test(after)};
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            stages.push_back({&study, &variant, &variant.stages[k], numbers[k], {}});
+        }
+    }
+};
+
+TEST(StrengthChange, IsThatOfTheSameTestOnTheSameSample) {
+    ErodedStudy study;
+    study.add_sample(400e3, 300e3);
+    const std::vector<StrengthChange> changes = compare_strength(study.stages);
+    ASSERT_EQ(changes.size(), 1U);
+    const StrengthChange& change = changes.front();
+    EXPECT_EQ(change.before->name + ", " + change.after->name, "before, after");
+    EXPECT_DOUBLE_EQ(change.peak_deviator.change.mean, -0.25);
+    EXPECT_DOUBLE_EQ(change.final_deviator.before.mean, 320e3);
+    EXPECT_NEAR(degrees(change.friction_angle.change.mean), -10, 1e-9); // rounding
+    EXPECT_DOUBLE_EQ(change.void_ratio.before.mean, 0.7);
+    EXPECT_DOUBLE_EQ(change.void_ratio.after.mean, 0.9);
+    EXPECT_DOUBLE_EQ(change.removed_mass.mean, 0.12);
+    EXPECT_EQ(change.is_weaker(), true);
+    EXPECT_EQ(strength_json(changes).at(0).at("weaker"), true);
+    EXPECT_EQ(
+        tell_strength(changes),
+        (std::vector<std::string>{
+            "Strength, after against before: the soil without 12 % of its mass is weaker. Its highest deviator stress "
+            "goes "
+            "from 400 to 300 kPa (−25 %), the friction angle there from 40 to 30°, the deviator stress at 10 % axial "
+            "strain from 320 to 240 kPa (−25 %), the void ratio from 0.7 to 0.9. One sample: the strengths of others "
+            "differ by some 10 %."})
+    );
+    EXPECT_EQ(strength_headline(changes).value().value, "−25 %");
+    EXPECT_EQ(tabulate_strength(changes).value().rows.front().size(), tabulate_strength(changes).value().header.size());
+}
+
+TEST(StrengthChange, OfOneSampleWithinATenthIsNone) {
+    ErodedStudy study;
+    study.add_sample(400e3, 370e3);
+    EXPECT_EQ(compare_strength(study.stages).front().is_weaker(), std::nullopt);
+    study = {};
+    study.add_sample(300e3, 400e3);
+    EXPECT_EQ(compare_strength(study.stages).front().is_weaker(), false);
+    EXPECT_NE(
+        tell_strength(compare_strength(study.stages)).front().find("is not weaker but stronger"), std::string::npos
+    );
+}
+
+TEST(StrengthChange, OfSeveralSamplesIsJudgedByTheirScatter) {
+    ErodedStudy study;
+    study.add_sample(400e3, 380e3); // -5 %
+    study.add_sample(400e3, 372e3); // -7 %
+    EXPECT_EQ(compare_strength(study.stages).front().is_weaker(), true);
+    EXPECT_EQ(strength_headline(compare_strength(study.stages)).value().value, "−6 ± 1.4 %"); // sqrt(2)
+    study.add_sample(400e3, 440e3);
+    EXPECT_EQ(compare_strength(study.stages).front().is_weaker(), std::nullopt);
+}
+
+TEST(StrengthChange, LeavesOutTestsThatAreNoneAndSaysSo) {
+    ErodedStudy study;
+    study.add_sample(400e3, 300e3);
+    study.at(3).numbers["response"]["lost_at"] = 0.011;
+    const std::vector<StrengthChange> lost = compare_strength(study.stages);
+    EXPECT_EQ(lost.front().peak_deviator.change.seeds, 0);
+    EXPECT_EQ(
+        lost.front().remarks, std::vector<std::string>{"not compared, for after collapsed at 1.1 % axial strain"}
+    );
+    EXPECT_TRUE(strength_json(lost).at(0).at("peak_deviator").is_null());
+    EXPECT_FALSE(strength_headline(lost).has_value());
+    EXPECT_EQ(
+        tell_strength(lost).front(),
+        "Strength, after against before: the soil without 12 % of its mass cannot be compared; the void ratio goes "
+        "from 0.7 to 0.9. Not compared, for after collapsed at 1.1 % axial strain."
+    );
+    study.at(3).numbers["response"]["lost_at"] = nullptr;
+    study.at(1).numbers.update(ErodedStudy::state(0.9, 80e3)); // its stresses did not come back
+    EXPECT_EQ(
+        compare_strength(study.stages).front().remarks,
+        std::vector<std::string>{"not compared, for after starts from 80 kPa, not from 100 kPa"}
+    );
+}
+
+TEST(StrengthChange, RemarksOnWhatItsTestsDoNotShow) {
+    ErodedStudy study;
+    study.add_sample(400e3, 300e3);
+    study.at(2).numbers = ErodedStudy::test(400e3, 0.0999); // still rising
+    study.at(3).numbers["flaws"] = {"an overlap"};
+    study.at(3).numbers["response"]["liquefied"] = true;
+    EXPECT_EQ(
+        compare_strength(study.stages).front().remarks,
+        (std::vector<std::string>{
+            "before is highest at its end, and may rise further", "after liquefied", "after has a flaw (warnings)"})
+    );
+}
+
+TEST(StrengthChange, NeedsTheSameTestAndAnErosionBetween) {
+    ErodedStudy study;
+    study.add_sample(400e3, 300e3);
+    auto& after = std::get<triaxial::TriaxialSpec>(study.variants.front().stages[3].spec);
+    after.path = triaxial::Path::Undrained;
+    EXPECT_TRUE(compare_strength(study.stages).empty());
+    after.path = triaxial::Path::Drained;
+    after.stress_ratio = 0.75; // leads to a state, and is no test of strength
+    EXPECT_TRUE(compare_strength(study.stages).empty());
+    after.stress_ratio.reset();
+    study.variants.front().stages[1].spec = dem::SettleSpec{};
+    EXPECT_TRUE(compare_strength(study.stages).empty());
+}
+
+TEST(StrengthChange, OfADeviatoricStateIsThatOfATestThatPassesThroughIt) {
+    ErodedStudy study;
+    study.add_sample(400e3, 300e3);
+    auto& stages = study.variants.front().stages;
+    stages[1].spec = triaxial::TriaxialSpec{.stress_ratio = 0.75};
+    stages.push_back({.name = "removed", .spec = erosion::RemoveSpec{}, .parent = 1});
+    stages[3].parent = 4;
+    // The vector has moved its stages.
+    for (std::size_t k = 0; k < 4; ++k) {
+        study.stages[k].stage = &stages[k];
+    }
+    json removed = ErodedStudy::state(0.95);
+    removed["removed_mass_share"] = 0.2;
+    study.stages.push_back({&study.study, &study.variants.front(), &stages[4], removed, {}});
+    const std::vector<StrengthChange> changes = compare_strength(study.stages);
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_DOUBLE_EQ(changes.front().void_ratio.before.mean, 0.9); // that of the deviatoric state
+    EXPECT_DOUBLE_EQ(changes.front().removed_mass.mean, 0.2);
+}
+
+} // namespace
+} // namespace suffuse::run

@@ -1,0 +1,214 @@
+#include "suffuse/run/strength_words.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/report/words.hpp"
+#include "suffuse/run/study_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::run {
+namespace {
+
+using report::Scatter;
+using report::short_number;
+
+constexpr std::size_t most_told = 3; ///< changes, each in a sentence of its own
+constexpr double kilo = 1e3, percent = 100, degree = radians(1);
+
+const char* const title_of_table = "Strength before and after";
+
+/// "−21", "−21 ± 3"; a spread of a thousandth is none.
+std::string with_spread(const Scatter& value, double factor, int digits) {
+    if (value.seeds == 0) {
+        return "–";
+    }
+    const std::string mean = short_number(factor * value.mean, digits);
+    const bool is_spread = value.seeds > 1 && value.standard_deviation > 1e-3 * std::abs(value.mean);
+    return is_spread ? mean + " ± " + short_number(factor * value.standard_deviation, 2) : mean;
+}
+
+/// "+5 %", "−21 ± 3 %".
+std::string change_in_percent(const BeforeAfter& value) {
+    const double mean = percent * value.change.mean;
+    const std::string sign = mean > 0 ? "+" : "";
+    if (value.change.seeds < 2) {
+        return sign + short_number(mean, 2) + " %";
+    }
+    return fmt::format(
+        "{}{} ± {} %", sign, short_number(mean, 2), short_number(percent * value.change.standard_deviation, 2)
+    );
+}
+
+/// "322.8 to 256 kPa".
+std::string from_to(const BeforeAfter& value, double unit, int digits, const char* name) {
+    return fmt::format(
+        "{} to {}{}", short_number(value.before.mean / unit, digits), short_number(value.after.mean / unit, digits),
+        name
+    );
+}
+
+std::string values_of(const StrengthChange& change) {
+    const std::string name = values_name(*change.study, *change.variant);
+    return name.empty() ? "" : ", " + name;
+}
+
+std::string tests_of(const StrengthChange& change) {
+    return fmt::format("{} against {}{}", change.after->name, change.before->name, values_of(change));
+}
+
+std::string verdict_of(const StrengthChange& change) {
+    const std::optional<bool> weaker = change.is_weaker();
+    if (weaker) {
+        return *weaker ? "is weaker" : "is not weaker but stronger";
+    }
+    return change.peak_deviator.change.seeds > 0 ? "shows no change of strength beyond the scatter of samples"
+                                                 : "cannot be compared";
+}
+
+std::string remarks_of(const StrengthChange& change, const char* between) {
+    std::string text;
+    for (const std::string& remark : change.remarks) {
+        text += (text.empty() ? "" : between) + remark;
+    }
+    return text;
+}
+
+double end_strain(const StrengthChange& change) {
+    return std::get<triaxial::TriaxialSpec>(change.after->spec).strain;
+}
+
+std::string tell(const StrengthChange& change) {
+    std::string text = fmt::format(
+        "Strength, {}: the soil without {} % of its mass {}", tests_of(change),
+        with_spread(change.removed_mass, percent, 3), verdict_of(change)
+    );
+    if (change.peak_deviator.change.seeds > 0) {
+        text += fmt::format(
+            ". Its highest deviator stress goes from {} ({})", from_to(change.peak_deviator, kilo, 4, " kPa"),
+            change_in_percent(change.peak_deviator)
+        );
+    }
+    if (change.friction_angle.change.seeds > 0) {
+        text += ", the friction angle there from " + from_to(change.friction_angle, degree, 3, "°");
+    }
+    if (change.final_deviator.change.seeds > 0) {
+        text += fmt::format(
+            ", the deviator stress at {} % axial strain from {} ({})", short_number(percent * end_strain(change), 3),
+            from_to(change.final_deviator, kilo, 4, " kPa"), change_in_percent(change.final_deviator)
+        );
+    }
+    text += fmt::format(
+        "{} from {}.", change.peak_deviator.change.seeds > 0 ? ", the void ratio" : "; the void ratio goes",
+        from_to(change.void_ratio, 1, 3, "")
+    );
+    if (const std::string remarks = remarks_of(change, "; "); !remarks.empty()) {
+        text += " " + report::as_sentence(remarks) + ".";
+    }
+    const int samples = change.peak_deviator.change.seeds;
+    text += samples > 1    ? fmt::format(" Means of {} samples, ± one standard deviation.", samples)
+            : samples == 1 ? " One sample: the strengths of others differ by some 10 %."
+                           : "";
+    return text;
+}
+
+/// Of many: how many fared how.
+std::string tell_all(const std::vector<StrengthChange>& changes) {
+    std::size_t weaker = 0, stronger = 0;
+    double least = INFINITY, most = -INFINITY;
+    for (const StrengthChange& change : changes) {
+        weaker += change.is_weaker() == true ? 1 : 0;
+        stronger += change.is_weaker() == false ? 1 : 0;
+        if (change.peak_deviator.change.seeds > 0) {
+            least = std::min(least, change.peak_deviator.change.mean),
+            most = std::max(most, change.peak_deviator.change.mean);
+        }
+    }
+    std::string text = fmt::format(
+        "Of {} comparisons of a test before fines went with the same test after (table “{}”), {} find the soil weaker, "
+        "{} stronger, and {} no change beyond the scatter of samples",
+        changes.size(), title_of_table, weaker, stronger, changes.size() - weaker - stronger
+    );
+    if (least <= most) {
+        text += fmt::format(
+            "; the highest deviator stress changes by {}{} to {}{} %", least > 0 ? "+" : "",
+            short_number(percent * least, 2), most > 0 ? "+" : "", short_number(percent * most, 2)
+        );
+    }
+    return text + ".";
+}
+
+} // namespace
+
+std::vector<std::string> tell_strength(const std::vector<StrengthChange>& changes) {
+    if (changes.size() > most_told) {
+        return {tell_all(changes)};
+    }
+    std::vector<std::string> sentences;
+    for (const StrengthChange& change : changes) {
+        sentences.push_back(tell(change));
+    }
+    return sentences;
+}
+
+std::optional<report::Headline> strength_headline(const std::vector<StrengthChange>& changes) {
+    const auto told =
+        std::ranges::find_if(changes, [](const StrengthChange& c) { return c.peak_deviator.change.seeds > 0; });
+    if (told == changes.end() || changes.size() > most_told) {
+        return std::nullopt;
+    }
+    return report::Headline{
+        change_in_percent(told->peak_deviator), "highest deviator stress",
+        fmt::format(
+            "{} to {}: {}", told->before->name, told->after->name, from_to(told->peak_deviator, kilo, 3, " kPa")
+        )};
+}
+
+std::optional<report::PageTable> tabulate_strength(const std::vector<StrengthChange>& changes) {
+    if (changes.empty()) {
+        return std::nullopt;
+    }
+    report::PageTable table;
+    table.section = "Tests";
+    table.title = title_of_table;
+    table.note =
+        "The same test on the same sample, before fines went and after; changes are those of each sample, ± one "
+        "standard deviation over the samples. Void ratio: before fines went, and where the second test starts.";
+    table.header = {
+        "tests",
+        "samples",
+        "mass gone [%]",
+        "void ratio e [-]",
+        "highest q [kPa]",
+        "change [%]",
+        "friction angle φ there [°]",
+        "q at the end [kPa]",
+        "change [%]",
+        "remarks"};
+    table.numeric.assign(table.header.size(), true);
+    table.numeric.front() = table.numeric.back() = false;
+    const auto pair = [](const BeforeAfter& value, double unit, int digits) {
+        return value.before.seeds > 0 ? fmt::format(
+                                            "{} → {}", short_number(value.before.mean / unit, digits),
+                                            short_number(value.after.mean / unit, digits)
+                                        )
+                                      : std::string("–");
+    };
+    for (const StrengthChange& change : changes) {
+        table.rows.push_back(
+            {fmt::format(
+                 "{}{}: {}, {}", change.study->name, values_of(change), change.before->name, change.after->name
+             ),
+             std::to_string(change.peak_deviator.change.seeds), with_spread(change.removed_mass, percent, 3),
+             pair(change.void_ratio, 1, 3), pair(change.peak_deviator, kilo, 4),
+             with_spread(change.peak_deviator.change, percent, 2), pair(change.friction_angle, degree, 3),
+             pair(change.final_deviator, kilo, 4), with_spread(change.final_deviator.change, percent, 2),
+             change.remarks.empty() ? "–" : remarks_of(change, "; ")}
+        );
+    }
+    return table;
+}
+
+} // namespace suffuse::run

@@ -1,0 +1,23 @@
+#pragma once
+// The change of strength as the report tells it: sentences of the answer, a number for the eye, a table.
+
+#include "suffuse/report/page.hpp"
+#include "suffuse/run/strength_change.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::run {
+
+/// One for each change while these are few, else one for all.
+std::vector<std::string> tell_strength(const std::vector<StrengthChange>& changes);
+
+/// Of the first change that can be told in a number; nothing where there is none, or where there are too many for one
+/// of them to stand for all.
+std::optional<report::Headline> strength_headline(const std::vector<StrengthChange>& changes);
+
+/// A row for each change; nothing without one.
+std::optional<report::PageTable> tabulate_strength(const std::vector<StrengthChange>& changes);
+
+} // namespace suffuse::run
