@@ -267,6 +267,14 @@ TEST(ErodedGrading, WhatLeftAndWhatRemainsMakeTheWhole) {
     EXPECT_NEAR(passing[3 * points - 1], 100, 1e-9);
 }
 
+TEST(ErodedGrading, NeverFallsBelowZeroWhereTheFinestLeave) {
+    ErosionResult erosion;
+    erosion.initial_mass = 1;
+    erosion.ledger = {{.grain = 1, .pass = 1, .diameter = 1.05e-4, .mass = 0.2}};
+    const Figure figure = *eroded_grading({{1e-4, 2e-4, 4e-4}, {0, 0.2, 1}, "invented"}, erosion);
+    EXPECT_EQ(figure.table.numbers("passing"), (std::vector<double>{0, 20, 100, 0, 100, 100, 0, 0, 100}));
+}
+
 TEST(PathFigures, LongPathsAreThinnedButKeepTheEndsOfEachPhase) {
     ErosionResult erosion = test::sample_erosion();
     const erosion::PathRow pattern = erosion.path.back();

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace suffuse::report {
@@ -109,20 +110,11 @@ double largest_difference(const Grading& a, const Grading& b) {
 }
 
 /// Mass of removed grains not larger than `diameter` [kg].
-double mass_up_to(double diameter, const std::vector<LedgerRow>& rows) {
+/// Of the grains that left: those finer than this, as a grading counts [kg].
+double mass_finer_than(double diameter, const std::vector<LedgerRow>& rows) {
     return std::accumulate(rows.begin(), rows.end(), 0.0, [diameter](double sum, const LedgerRow& row) {
-        return row.diameter <= diameter ? sum + row.mass : sum;
+        return row.diameter < diameter ? sum + row.mass : sum;
     });
-}
-
-constexpr int curve_points = 41;
-
-std::vector<double> log_spaced(double from, double to) {
-    std::vector<double> sizes;
-    for (int k = 0; k < curve_points; ++k) {
-        sizes.push_back(from * std::pow(to / from, static_cast<double>(k) / (curve_points - 1)));
-    }
-    return sizes;
 }
 
 /// Share of the values not larger than each of a hundred quantiles, thinned for drawing.
@@ -192,23 +184,20 @@ std::optional<Figure> eroded_grading(const Grading& sampled, const ErosionResult
     if (!is_usable(sampled) || erosion.ledger.empty() || !(erosion.initial_mass > 0)) {
         return std::nullopt;
     }
-    const double infinite = sampled.diameter.back() * 2;
-    const double eroded = mass_up_to(infinite, erosion.ledger);
+    const double eroded = mass_finer_than(std::numeric_limits<double>::infinity(), erosion.ledger);
     if (!(eroded < erosion.initial_mass)) {
         return std::nullopt;
     }
-    Grading before, left, remains;
-    for (const double d : log_spaced(sampled.diameter.front(), sampled.diameter.back())) {
-        const double gone = mass_up_to(d, erosion.ledger), finer = grains::passing(sampled, d);
-        for (Grading* grading : {&before, &left, &remains}) {
-            grading->diameter.push_back(d);
-        }
-        before.passing.push_back(finer);
+    // At the sizes of the sample's curve only: between them it is a line, and where the finest leave that line can lie
+    // below what left.
+    Grading left{sampled.diameter, {}, {}}, remains = left;
+    for (std::size_t k = 0; k < sampled.diameter.size(); ++k) {
+        const double gone = mass_finer_than(sampled.diameter[k], erosion.ledger), finer = sampled.passing[k];
         left.passing.push_back(gone / eroded);
         remains.passing.push_back((finer * erosion.initial_mass - gone) / (erosion.initial_mass - eroded));
     }
     Curves curves;
-    curves.add("before erosion", color::staying, before);
+    curves.add("before erosion", color::staying, sampled);
     curves.add("what left", color::fines, left);
     curves.add("what remains", color::coarse, remains);
     Figure figure;
@@ -217,7 +206,7 @@ std::optional<Figure> eroded_grading(const Grading& sampled, const ErosionResult
     figure.title = "Grading before erosion, of what left and of what remains";
     figure.caption = fmt::format(
         "{} grains with {} % of the mass left; D50 moves from {} to {} mm.", grouped(std::ssize(erosion.ledger)),
-        short_number(100 * eroded / erosion.initial_mass), short_number(1e3 * grains::size_at(before, 0.5)),
+        short_number(100 * eroded / erosion.initial_mass), short_number(1e3 * grains::size_at(sampled, 0.5)),
         short_number(1e3 * grains::size_at(remains, 0.5))
     );
     figure.chart = grading_chart(curves, std::nullopt, axis);
