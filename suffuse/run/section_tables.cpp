@@ -1,13 +1,10 @@
 #include "suffuse/run/section_tables.hpp"
 
-#include "suffuse/base/constants.hpp"
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/io/checkpoint.hpp"
-#include "suffuse/report/fines_study.hpp"
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/scene_data.hpp"
-#include "suffuse/run/study_curves.hpp"
 
 #include <fmt/format.h>
 
@@ -16,23 +13,6 @@ namespace {
 
 using nlohmann::json;
 using report::short_number;
-
-/// Mean, and the standard deviation where there are several samples.
-std::string cell(const report::SweepPoint& point, const std::string& number, double factor, int digits = 3) {
-    const auto found = point.number.find(number);
-    if (found == point.number.end() || found->second.seeds == 0) {
-        return "–";
-    }
-    const report::Scatter& value = found->second;
-    const std::string mean = short_number(factor * value.mean, digits);
-    return value.seeds > 1 ? mean + " ± " + short_number(factor * value.standard_deviation, 2) : mean;
-}
-
-std::string
-name_of(const report::StudyCurves& study, const report::StageCurve& stage, const report::SweepPoint& point) {
-    const std::string values = values_name(study.keys, point);
-    return study.study + ", " + stage.stage + (values.empty() ? "" : ", " + values);
-}
 
 /// A row of the table on water.
 std::vector<std::string> water_row(const std::string& state, double permeability, double porosity, double by_formula) {
@@ -122,46 +102,6 @@ double kozeny_carman(const std::vector<double>& radius, double porosity) {
     }
     const double d = squares > 0 ? 2 * cubes / squares : 0, solid = 1 - porosity;
     return porosity * porosity * porosity * d * d / (180 * solid * solid);
-}
-
-std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
-    report::PageTable table;
-    table.section = "Tests";
-    table.title = "Strength and deformation";
-    table.note =
-        "E50 is the secant stiffness at half the highest deviator stress, dilatancy the largest −dεᵥ/dε₁ after the "
-        "first percent. Contraction positive.";
-    table.header = {
-        "test",
-        "samples",
-        "highest q [kPa]",
-        "at ε₁ [%]",
-        "friction angle φ there [°]",
-        "q at the end [kPa]",
-        "E50 [MPa]",
-        "dilatancy [-]",
-        "εᵥ at the end [%]",
-        "largest inertial number [-]"};
-    table.numeric.assign(table.header.size(), true);
-    table.numeric[0] = false;
-    for (const report::StudyCurves& study : trace_curves(what, stages)) {
-        for (const report::StageCurve& stage : study.stages) {
-            for (const report::SweepPoint& point : stage.points) {
-                const auto peak = point.number.find("response.peak_deviator");
-                if (peak == point.number.end() || peak->second.seeds == 0) {
-                    continue;
-                }
-                table.rows.push_back(
-                    {name_of(study, stage, point), std::to_string(peak->second.seeds),
-                     cell(point, "response.peak_deviator", 1e-3, 4), cell(point, "response.peak_strain", 100),
-                     cell(point, "response.friction_angle", 180 / pi), cell(point, "response.final_deviator", 1e-3, 4),
-                     cell(point, "response.stiffness", 1e-6), cell(point, "response.dilatancy", 1),
-                     cell(point, "response.final_volumetric_strain", 100), cell(point, "inertial_number_max", 1, 2)}
-                );
-            }
-        }
-    }
-    return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
 }
 
 std::optional<report::PageTable> tabulate_removals(const std::vector<FinishedStage>& stages) {

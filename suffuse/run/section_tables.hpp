@@ -1,5 +1,5 @@
 #pragma once
-// The tables at the head of the report's sections on tests, on removal and on water.
+// The tables at the head of the report's sections on removal and on water.
 
 #include "suffuse/report/page_table.hpp"
 #include "suffuse/run/erosion_story.hpp"
@@ -9,9 +9,6 @@
 #include <vector>
 
 namespace suffuse::run {
-
-/// Strength and deformation of every triaxial test, over its replicates; nothing without a test.
-std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages);
 
 /// Permeability of every state whose flow was solved, beside Kozeny and Carman's for spheres of the sample's Sauter
 /// diameter, k = n^3 d^2/(180 (1 - n)^2) [Carman 1937]; nothing where there was no flow.

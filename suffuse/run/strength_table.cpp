@@ -1,0 +1,155 @@
+#include "suffuse/run/strength_table.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/report/words.hpp"
+#include "suffuse/run/study_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suffuse::run {
+namespace {
+
+using nlohmann::json;
+using report::SweepPoint;
+using triaxial::Path;
+using triaxial::TriaxialSpec;
+
+constexpr double least_strain = 0.02; // of a test whose dilatancy, a slope over one percent, is told [-]
+const char* const empty = "–";
+
+/// What a path shows.
+struct Shown {
+    bool strength, stiffness, dilatancy, volume;
+
+    explicit Shown(const TriaxialSpec& test)
+        : strength(!test.deviator_stress && !test.stress_ratio && test.path != Path::Proportional),
+          stiffness(strength && test.path != Path::ConstantDeviator),
+          dilatancy(
+              strength && test.strain > least_strain && (test.path == Path::Drained || test.path == Path::ConstantMean)
+          ),
+          volume(test.path != Path::Undrained) {}
+};
+
+/// Mean, and the standard deviation where there are several samples.
+std::string cell(const SweepPoint& point, const std::string& number, double factor, int digits = 3) {
+    const auto found = point.number.find("response." + number);
+    if (found == point.number.end() || found->second.seeds == 0) {
+        return empty;
+    }
+    const report::Scatter& value = found->second;
+    const std::string mean = report::short_number(factor * value.mean, digits);
+    return value.seeds > 1 ? mean + " ± " + report::short_number(factor * value.standard_deviation, 2) : mean;
+}
+
+/// "no", "yes", "2 of 3"; empty where the test cannot.
+std::string count_liquefied(const std::vector<json>& responses) {
+    std::size_t able = 0, liquefied = 0;
+    for (const json& response : responses) {
+        const json told = response.value("liquefied", json());
+        able += told.is_boolean() ? 1 : 0;
+        liquefied += told == true ? 1 : 0;
+    }
+    if (able == 0) {
+        return empty;
+    }
+    return liquefied == 0 ? "no" : able == 1 ? "yes" : fmt::format("{} of {}", liquefied, able);
+}
+
+std::vector<std::string>
+row_of(const std::string& name, const TriaxialSpec& test, const SweepPoint& point, const std::vector<json>& responses) {
+    const Shown shows(test);
+    const auto where = [&](bool shown, const char* number, double factor, int digits = 3) {
+        return shown ? cell(point, number, factor, digits) : empty;
+    };
+    return {
+        name,
+        std::to_string(responses.size()),
+        where(shows.strength, "peak_deviator", 1e-3, 4),
+        where(shows.strength, "peak_strain", 100),
+        where(shows.strength, "friction_angle", degrees(1)),
+        where(true, "final_deviator", 1e-3, 4),
+        where(shows.stiffness, "stiffness", 1e-6),
+        where(shows.dilatancy, "dilatancy", 1),
+        where(shows.volume, "final_volumetric_strain", 100),
+        where(shows.strength, "instability.q", 1e-3, 4),
+        where(true, "excess_pore_pressure", 1e-3),
+        count_liquefied(responses)};
+}
+
+void leave_out_empty_columns(report::PageTable& table) {
+    for (std::size_t column = table.header.size(); column-- > 0;) {
+        const auto at = static_cast<std::ptrdiff_t>(column);
+        if (std::ranges::all_of(table.rows, [&](const auto& row) { return row[column] == empty; })) {
+            table.header.erase(table.header.begin() + at);
+            table.numeric.erase(table.numeric.begin() + at);
+            for (std::vector<std::string>& row : table.rows) {
+                row.erase(row.begin() + at);
+            }
+        }
+    }
+}
+
+/// Of the samples at one set of sweep values.
+std::vector<json> responses_of(
+    const casefile::Study& study, const std::string& stage, const SweepPoint& point,
+    const std::vector<FinishedStage>& stages
+) {
+    std::vector<json> responses;
+    for (const FinishedStage& each : stages) {
+        if (each.study == &study && each.stage->name == stage && each.numbers.contains("response") &&
+            sweep_values(study, *each.variant) == point.written) {
+            responses.push_back(each.numbers.at("response"));
+        }
+    }
+    return responses;
+}
+
+} // namespace
+
+std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
+    report::PageTable table;
+    table.section = "Tests";
+    table.title = "Strength and deformation";
+    table.note =
+        "Highest q: of a test at constant deviator stress, where the pore pressure is highest. E50 is the secant "
+        "stiffness at half the highest deviator stress, dilatancy the largest −dεᵥ/dε₁ over one percent. Under loads "
+        "instead of strains a sample fails where q is first unstable: the second-order work is no longer above zero. "
+        "Excess pore pressure: at the end of an undrained test, or the most that is borne while the deviator is held. "
+        "Liquefied: the mean stress fell below 5 % of its start. Contraction positive.";
+    table.header = {
+        "test",
+        "samples",
+        "highest q [kPa]",
+        "at ε₁ [%]",
+        "friction angle φ there [°]",
+        "q at the end [kPa]",
+        "E50 [MPa]",
+        "dilatancy [-]",
+        "εᵥ at the end [%]",
+        "unstable from q [kPa]",
+        "excess pore pressure Δu [kPa]",
+        "liquefied"};
+    table.numeric.assign(table.header.size(), true);
+    table.numeric[0] = false;
+    const std::vector<report::StudyCurves> traced = trace_curves(what, stages);
+    for (std::size_t s = 0; s < traced.size(); ++s) {
+        const casefile::Study& study = what.studies[s];
+        for (std::size_t k = 0; k < study.stages.size(); ++k) {
+            const auto* test = std::get_if<TriaxialSpec>(&study.stages[k].spec);
+            for (const SweepPoint& point : traced[s].stages[k].points) {
+                const auto responses = responses_of(study, study.stages[k].name, point, stages);
+                if (test != nullptr && !responses.empty()) {
+                    const std::string values = values_name(traced[s].keys, point);
+                    const std::string name = study.name + ", " + study.stages[k].name;
+                    table.rows.push_back(row_of(name + (values.empty() ? "" : ", " + values), *test, point, responses));
+                }
+            }
+        }
+    }
+    leave_out_empty_columns(table);
+    return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
+}
+
+} // namespace suffuse::run

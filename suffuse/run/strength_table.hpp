@@ -1,0 +1,17 @@
+#pragma once
+// The table of all triaxial tests: a row for each at one set of sweep values, over its replicates.
+
+#include "suffuse/report/page_table.hpp"
+#include "suffuse/run/finished_stage.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace suffuse::run {
+
+/// Strength, deformation, and failure under loads that stay. A cell is empty where the test does not show the number:
+/// strength where it stops at a stress, dilatancy at constant volume and below 2 % of strain. Columns that would be
+/// empty are left out; nothing without a test.
+std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages);
+
+} // namespace suffuse::run
