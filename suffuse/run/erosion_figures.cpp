@@ -96,7 +96,11 @@ void show_stability(const casefile::Case& what, const ErosionStory& story, repor
         spec.finer_than = soil.finer_than;
     }
     const stability::Assessment assessment = stability::assess(asked, spec);
-    data.tables.push_back(report::stability_table(assessment));
+    report::PageTable table = report::stability_table(assessment);
+    table.title = "Internal stability by the simulated grading";
+    table.note += " All is of the grading that was simulated: where it is a part of the soil's curve, without the "
+                  "finest or the coarsest grains, the whole soil may be less stable. suffuse assess judges that.";
+    data.tables.push_back(std::move(table));
     const auto axis = what.report.reversed_size_axis ? report::GradingAxis::Reversed : report::GradingAxis::LeftToRight;
     data.figures.push_back(report::stability_grading(assessment, axis));
     data.figures.push_back(report::stability_shape(assessment));
