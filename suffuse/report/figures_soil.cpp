@@ -58,7 +58,7 @@ json grading_chart(const Curves& curves, std::optional<double> finer_than, Gradi
     const double from = *low / 1.15, to = *high * 1.15;
     json layers = json::array();
     if (finer_than && 1e3 * *finer_than > from) {
-        layers = fines_layers(from, std::min(to, 1e3 * *finer_than));
+        layers = fines_layers(from, std::min(to, 1e3 * *finer_than), axis == GradingAxis::Reversed);
     }
     for (json& layer : class_layers(from, to)) {
         layers.push_back(std::move(layer));

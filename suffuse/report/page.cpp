@@ -125,9 +125,10 @@ std::string figure_block(const Figure& figure, const ReportData& report) {
     } else {
         out += "<div class=\"drawing\">" + described_by_page(figure.drawing, id) + "</div>\n";
     }
-    const std::string number = figure.id.starts_with("fig") && !report.paper.empty()
-                                   ? "Figure " + std::to_string(std::atoi(figure.id.c_str() + 3)) + " of the paper. "
-                                   : "";
+    const std::string number =
+        figure.id.starts_with("fig") && !report.paper.empty()
+            ? "Like Figure " + std::to_string(std::atoi(figure.id.c_str() + 3)) + " of the paper. "
+            : "";
     out += fmt::format(
         "<div class=\"about\">\n<figcaption id=\"{}-caption\"><b>{}</b>{}</figcaption>\n", id, number,
         typeset(figure.caption)

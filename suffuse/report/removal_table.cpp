@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 namespace suffuse::report {
@@ -14,7 +15,8 @@ namespace {
 std::string percent_over_seeds(const std::vector<double>& of_seed) {
     const Scatter value = scatter_of(of_seed);
     const std::string mean = short_number(100 * value.mean);
-    return value.seeds > 1 ? mean + " ± " + short_number(100 * value.standard_deviation, 2) : mean;
+    const bool is_spread = value.seeds > 1 && value.standard_deviation > 1e-3 * std::abs(value.mean);
+    return is_spread ? mean + " ± " + short_number(100 * value.standard_deviation, 2) : mean;
 }
 
 std::vector<std::string> row_of(const std::vector<const Removal*>& removals) {

@@ -15,7 +15,7 @@ TEST(RemovalTable, HasTheIsotropicStateFirstAndMeansOverTheSeeds) {
     ASSERT_EQ(table.rows.size(), 3U);
     EXPECT_EQ(
         table.rows[0],
-        (std::vector<std::string>{"10", "0", "2", "10 ± 0", "2 ± 1.4", "20 ± 14", "100 ± 14"}) // deviations: sqrt(2)
+        (std::vector<std::string>{"10", "0", "2", "10", "2 ± 1.4", "20 ± 14", "100 ± 14"}) // deviations: sqrt(2)
     );
     EXPECT_EQ(table.rows[1], (std::vector<std::string>{"30", "0", "1", "30", "4", "20", "50"}));
     EXPECT_EQ(table.rows[2], (std::vector<std::string>{"10", "0.75", "1", "10", "above 2", "50", "–"}));

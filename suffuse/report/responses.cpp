@@ -276,7 +276,10 @@ std::string bands(const std::vector<ResponseCurve>& tests) {
         most = std::max(most, test.samples);
     }
     return most > 1 ? fmt::format(
-                          " Lines: the mean over up to {} samples; bands: one standard deviation to each side.", most
+                          " Lines: the mean over up to {} samples, as far as all of them reach; bands: one standard "
+                          "deviation to "
+                          "each side.",
+                          most
                       )
                     : " One sample a line.";
 }

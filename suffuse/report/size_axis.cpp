@@ -91,24 +91,22 @@ json class_layers(double from, double to) {
     return layers;
 }
 
-json fines_layers(double from, double limit) {
+json fines_layers(double from, double limit, bool is_reversed) {
     const json data = {
-        {"values",
-         {{{"from", from},
-           {"to", limit},
-           {"middle", std::sqrt(from * limit)},
-           {"text", "fines, d < " + short_number(limit) + " mm"}}}}};
+        {"values", {{{"from", from}, {"to", limit}, {"text", "fines, d < " + short_number(limit) + " mm"}}}}};
     json layers = json::array();
     layers.push_back(
         {{"data", data},
          {"mark", {{"type", "rect"}, {"color", color::fines}, {"opacity", 0.12}}},
          {"encoding", {{"x", {{"field", "from"}, {"type", "quantitative"}}}, {"x2", {{"field", "to"}}}}}}
     );
+    json text = {{"type", "text"}, {"baseline", "top"}, {"dy", 8}, {"dx", 6}, {"color", color::ink}};
+    text["align"] = "left"; // from the axis on: centered, a name wider than the fines would leave the frame
     layers.push_back(
         {{"data", data},
-         {"mark", {{"type", "text"}, {"baseline", "top"}, {"dy", 8}, {"color", color::ink}}},
+         {"mark", text},
          {"encoding",
-          {{"x", {{"field", "middle"}, {"type", "quantitative"}}},
+          {{"x", {{"field", is_reversed ? "to" : "from"}, {"type", "quantitative"}}},
            {"y", {{"value", 0}}},
            {"text", {{"field", "text"}}}}}}
     );

@@ -12,6 +12,6 @@ nlohmann::json size_axis(double from, double to, bool reversed);
 nlohmann::json class_layers(double from, double to);
 
 /// Layers that shade and name the sizes that count as fine, below `limit` [mm].
-nlohmann::json fines_layers(double from, double limit);
+nlohmann::json fines_layers(double from, double limit, bool is_reversed);
 
 } // namespace suffuse::report

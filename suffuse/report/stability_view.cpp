@@ -31,23 +31,32 @@ struct Points {
     }
 };
 
+/// "≥ 1.3", where the terminal has ">= 1.3".
+std::string typeset_limit(const Criterion& criterion) {
+    std::string text = stability::limit_text(criterion);
+    if (text.starts_with(">=") || text.starts_with("<=")) {
+        text.replace(0, 2, text.front() == '>' ? "≥" : "≤");
+    }
+    return text;
+}
+
 std::vector<std::string> row_of(const Criterion& criterion) {
     std::string verdict = stability::verdict_word(criterion.verdict);
     return {
         criterion.name,
         criterion.measure,
         criterion.value ? short_number(*criterion.value) : "–",
-        stability::limit_text(criterion),
+        typeset_limit(criterion),
         criterion.verified ? verdict : verdict + " (unverified)",
         criterion.remark,
         criterion.source};
 }
 
 /// The curve and its marks over sizes from `from` to `to` [mm].
-json grading_layers(const Assessment& assessment, double from, double to) {
+json grading_layers(const Assessment& assessment, double from, double to, GradingAxis axis) {
     json layers = json::array();
     if (assessment.fines) {
-        layers = fines_layers(from, std::min(to, to_mm * assessment.fines->finer_than));
+        layers = fines_layers(from, std::min(to, to_mm * assessment.fines->finer_than), axis == GradingAxis::Reversed);
     }
     for (json& layer : class_layers(from, to)) {
         layers.push_back(std::move(layer));
@@ -155,7 +164,7 @@ Figure stability_grading(const Assessment& assessment, GradingAxis axis) {
         {"width", 560},
         {"height", 300},
         {"encoding", {{"x", size_axis(from, to, axis == GradingAxis::Reversed)}}},
-        {"layer", grading_layers(assessment, from, to)}};
+        {"layer", grading_layers(assessment, from, to, axis)}};
     return figure;
 }
 

@@ -89,7 +89,7 @@ summary { cursor: pointer; color: var(--accent); font-size: .92rem; width: fit-c
 sub { font-size: .75em; line-height: 0; }
 code, pre { font-family: ui-monospace, "DejaVu Sans Mono", Consolas, monospace; font-size: .86em; }
 pre { white-space: pre-wrap; background: var(--panel); padding: 1rem; overflow-wrap: anywhere; }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr)); gap: 1.4rem 3rem; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr)); gap: 1.4rem 3rem; margin-top: 1.4rem; }
 .figure { margin: 0 0 1rem; padding: 0; min-width: 0; }
 .figure.wide { grid-column: 1 / -1; }
 @media (min-width: 64rem) {

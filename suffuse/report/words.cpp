@@ -53,6 +53,10 @@ std::string short_number(double value, int digits) {
     return sign + fmt::format("{}·", leading) + power_of_ten(std::atoi(text.c_str() + at + 1));
 }
 
+bool is_noise(double percent) {
+    return std::abs(percent) < 0.01;
+}
+
 std::string power_of_ten(int exponent) {
     return "10" + superscript(exponent);
 }

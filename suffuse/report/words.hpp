@@ -11,6 +11,9 @@ namespace suffuse::report {
 /// `digits` significant digits, no trailing zeros, powers of ten written as such outside 0.001 to 100,000: 1.37·10⁻⁵.
 std::string short_number(double value, int digits = 3);
 
+/// Of a percentage of the volume or of a stress: below a hundredth a change is noise of the balance.
+bool is_noise(double percent);
+
 /// 10⁻⁵ for -5.
 std::string power_of_ten(int exponent);
 

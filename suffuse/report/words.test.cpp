@@ -36,5 +36,10 @@ TEST(Words, ASentenceBeginsWithACapital) {
     EXPECT_EQ(as_sentence(""), "");
 }
 
+TEST(Words, AChangeBelowAHundredthOfAPercentIsNoise) {
+    EXPECT_TRUE(is_noise(-9e-3) && is_noise(0));
+    EXPECT_FALSE(is_noise(0.011) || is_noise(-1));
+}
+
 } // namespace
 } // namespace suffuse::report

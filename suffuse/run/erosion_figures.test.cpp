@@ -16,6 +16,7 @@ TEST(StabilityOfARun, IsSaidToBeThatOfTheSimulatedGrading) {
     ASSERT_EQ(data.tables.size(), 1U);
     EXPECT_EQ(data.tables.front().title, "Internal stability by the simulated grading");
     EXPECT_NE(data.tables.front().note.find("the whole soil may be less stable"), std::string::npos);
+    EXPECT_EQ(data.tables.front().rows.front()[3], "≥ 1.3");
     EXPECT_EQ(data.figures.size(), 2U);
 }
 

@@ -20,14 +20,18 @@ namespace {
 
 using nlohmann::json;
 
-/// "12.3 %", or that there is nothing to tell: below a hundredth of a percent a change is noise of the balance.
+/// "12.3 %", or that there is nothing to tell.
 std::string percent_or_none(double percent) {
-    return std::abs(percent) < 0.01 ? "less than 0.01 %" : report::short_number(percent) + " %";
+    return report::is_noise(percent) ? "less than 0.01 %" : report::short_number(percent) + " %";
 }
 
 std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
     std::string text;
     for (const erosion::PassResult& pass : erosion.passes) {
+        if (pass.removed == 0) {
+            text += fmt::format("Pass {}: none of {} detachable fines left. ", pass.pass, grouped(pass.detachable));
+            continue;
+        }
         const double loss = 100 * report::stress_loss(pass).value_or(0);
         text += fmt::format(
             "Pass {}: {} of {} detachable fines left, {:.2f} % of the initial mass; porosity {:.4f} to {:.4f}, "
@@ -214,6 +218,12 @@ answers_to_tests(const std::vector<FinishedStage>& stages, const std::vector<Str
 
 namespace {
 
+/// Whether one sample was eroded from so many states, or in so many ways, that one is told for all.
+bool are_too_many(const ErosionStory& story) {
+    constexpr std::size_t most_told = 3;
+    return story.others.size() >= most_told;
+}
+
 /// Where several samples were eroded: which is told, and how far apart they lie.
 std::optional<std::string> tell_range(const ErosionStory& story, const std::vector<FinishedStage>& stages) {
     std::vector<double> percent;
@@ -222,13 +232,16 @@ std::optional<std::string> tell_range(const ErosionStory& story, const std::vect
             percent.push_back(eroded_percent(*stage.findings.erosion));
         }
     }
-    if (story.eroded == nullptr || percent.size() < 2 || percent.size() == story.others.size() + 1) {
+    if (story.eroded == nullptr || percent.size() < 2 ||
+        (percent.size() == story.others.size() + 1 && !are_too_many(story))) {
         return std::nullopt; // all of one sample, and told one after the other
     }
     const auto [least, most] = std::minmax_element(percent.begin(), percent.end());
     return fmt::format(
-        "{} erosions took {:.2f} to {:.2f} % of the mass (table “All erosions”); what follows is of the sample {}.",
-        percent.size(), *least, *most, story.eroded->variant->folder
+        "{} erosions took {:.2f} to {:.2f} % of the mass (table “All erosions”); what follows is of {}.",
+        percent.size(), *least, *most,
+        are_too_many(story) ? story.eroded->variant->folder + "/" + story.eroded->stage->name
+                            : "the sample " + story.eroded->variant->folder
     );
 }
 
@@ -243,9 +256,10 @@ std::vector<std::string> answer_of_erosion(
         sentences.push_back(fmt::format(
             "Asked: which fines of the soil “{}” a gradient of i = {:g} detaches, and what {} {} of their removal {} "
             "to "
-            "stress, volume and permeability.",
+            "stress, volume{} permeability{}.",
             story.eroded->study->soil, story.erosion.passes.front().probe.gradient, passes,
-            passes == 1 ? "pass" : "passes", passes == 1 ? "does" : "do"
+            passes == 1 ? "pass" : "passes", passes == 1 ? "does" : "do", strength.empty() ? " and" : ",",
+            strength.empty() ? "" : " and strength"
         ));
     }
     if (auto range = tell_range(story, stages)) {
@@ -275,7 +289,7 @@ std::vector<std::string> answer_of_erosion(
         const std::string name = story.others.empty() ? "" : story.eroded->stage->name + ": ";
         sentences.push_back(name + answer_to_erosion(story.erosion));
     }
-    for (const FinishedStage* other : story.others) {
+    for (const FinishedStage* other : are_too_many(story) ? std::vector<const FinishedStage*>{} : story.others) {
         const std::string start = other->variant->stages[static_cast<std::size_t>(other->stage->parent)].name;
         sentences.push_back(fmt::format(
             "{}, from the state {}: {}", other->stage->name, start, answer_to_erosion(*other->findings.erosion)

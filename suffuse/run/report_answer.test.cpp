@@ -37,5 +37,47 @@ TEST(ReportAnswer, TellsATestOnceWhereItIsComparedWithAnother) {
     EXPECT_TRUE(answer.front().starts_with("Strength, after against before")) << answer.front();
 }
 
+/// An erosion of one pass.
+FinishedStage erosion_of(const casefile::Variant& variant, const casefile::Stage& stage, std::int64_t removed) {
+    erosion::ErosionResult erosion;
+    erosion::PassResult& pass = erosion.passes.emplace_back();
+    pass.pass = 1;
+    pass.detachable = 39;
+    pass.removed = removed;
+    pass.eroded_mass_percent_of_initial = static_cast<double>(removed);
+    return {nullptr, &variant, &stage, {}, {.probes = {}, .erosion = erosion, .curve = {}, .throat_flux = {}}};
+}
+
+TEST(ReportAnswer, IsBriefOfAPassThatTookNothing) {
+    casefile::Variant variant;
+    variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
+    const std::vector<FinishedStage> stages = {erosion_of(variant, variant.stages[1], 0)};
+    EXPECT_EQ(
+        answer_of_erosion(find_story(stages), stages, {}),
+        std::vector<std::string>{"Pass 1: none of 39 detachable fines left. "}
+    );
+}
+
+TEST(ReportAnswer, TellsOneErosionOfManyAndTheRangeOfAll) {
+    casefile::Variant variant;
+    variant.folder = "second";
+    variant.stages = {
+        {.name = "initial"},
+        {.name = "base", .parent = 0},
+        {.name = "b", .parent = 0},
+        {.name = "c", .parent = 0},
+        {.name = "d", .parent = 0}};
+    std::vector<FinishedStage> stages;
+    for (std::size_t k = 1; k < variant.stages.size(); ++k) {
+        stages.push_back(erosion_of(variant, variant.stages[k], static_cast<std::int64_t>(k)));
+    }
+    const std::vector<std::string> answer = answer_of_erosion(find_story(stages), stages, {});
+    ASSERT_EQ(answer.size(), 2U);
+    EXPECT_EQ(
+        answer[0], "4 erosions took 1.00 to 4.00 % of the mass (table “All erosions”); what follows is of second/base."
+    );
+    EXPECT_TRUE(answer[1].starts_with("base: Pass 1: 1 of 39 detachable fines left")) << answer[1];
+}
+
 } // namespace
 } // namespace suffuse::run

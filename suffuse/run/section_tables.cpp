@@ -72,6 +72,11 @@ void add_passes(
     }
 }
 
+/// Of a percentage.
+std::string change_cell(double percent) {
+    return report::is_noise(percent) ? "< 0.01" : short_number(percent, 2);
+}
+
 /// A row of the table on removal, from a pass, or from a whole stage with its last pass.
 std::vector<std::string>
 removal_row(const std::string& name, const json& whole, const json& pass, double mass_percent, double strain) {
@@ -87,8 +92,8 @@ removal_row(const std::string& name, const json& whole, const json& pass, double
         grouped(grains),
         short_number(mass_percent),
         fmt::format("{:.2f}", mean),
-        short_number(100 * pass.at("stress_loss").get<double>(), 2),
-        short_number(100 * strain, 2),
+        change_cell(100 * pass.at("stress_loss").get<double>()),
+        change_cell(100 * strain),
         fmt::format("{:.4f}", pass.at("porosity_after").get<double>())};
 }
 
