@@ -18,10 +18,11 @@ using triaxial::TriaxialSpec;
 
 constexpr double least_strain = 0.02; // of a test whose dilatancy, a slope over one percent, is told [-]
 const char* const empty = "–";
+const char* const liquefied = "liquefied"; // name of a column
 
 /// What a path shows.
 struct Shown {
-    bool strength, stiffness, dilatancy, volume;
+    bool strength, stiffness, dilatancy, volume, pore_pressure;
 
     explicit Shown(const TriaxialSpec& test)
         : strength(!test.deviator_stress && !test.stress_ratio && test.path != Path::Proportional),
@@ -29,7 +30,8 @@ struct Shown {
           dilatancy(
               strength && test.strain > least_strain && (test.path == Path::Drained || test.path == Path::ConstantMean)
           ),
-          volume(test.path != Path::Undrained) {}
+          volume(test.path != Path::Undrained),
+          pore_pressure(test.path == Path::Undrained || test.path == Path::ConstantDeviator) {}
 };
 
 /// Mean, and the standard deviation where there are several samples.
@@ -45,16 +47,16 @@ std::string cell(const SweepPoint& point, const std::string& number, double fact
 
 /// "no", "yes", "2 of 3"; empty where the test cannot.
 std::string count_liquefied(const std::vector<json>& responses) {
-    std::size_t able = 0, liquefied = 0;
+    std::size_t able = 0, flowed = 0;
     for (const json& response : responses) {
         const json told = response.value("liquefied", json());
         able += told.is_boolean() ? 1 : 0;
-        liquefied += told == true ? 1 : 0;
+        flowed += told == true ? 1 : 0;
     }
     if (able == 0) {
         return empty;
     }
-    return liquefied == 0 ? "no" : able == 1 ? "yes" : fmt::format("{} of {}", liquefied, able);
+    return flowed == 0 ? "no" : able == 1 ? "yes" : fmt::format("{} of {}", flowed, able);
 }
 
 std::vector<std::string>
@@ -73,7 +75,7 @@ row_of(const std::string& name, const TriaxialSpec& test, const SweepPoint& poin
         where(shows.stiffness, "stiffness", 1e-6),
         where(shows.dilatancy, "dilatancy", 1),
         where(shows.volume, "final_volumetric_strain", 100),
-        where(shows.strength, "instability.q", 1e-3, 4),
+        where(shows.pore_pressure, "instability.q", 1e-3, 4),
         where(true, "excess_pore_pressure", 1e-3),
         count_liquefied(responses)};
 }
@@ -113,11 +115,8 @@ std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, cons
     table.section = "Tests";
     table.title = "Strength and deformation";
     table.note =
-        "Highest q: of a test at constant deviator stress, where the pore pressure is highest. E50 is the secant "
-        "stiffness at half the highest deviator stress, dilatancy the largest −dεᵥ/dε₁ over one percent. Under loads "
-        "instead of strains a sample fails where q is first unstable: the second-order work is no longer above zero. "
-        "Excess pore pressure: at the end of an undrained test, or the most that is borne while the deviator is held. "
-        "Liquefied: the mean stress fell below 5 % of its start. Contraction positive.";
+        "E50 is the secant stiffness at half the highest deviator stress, dilatancy the largest −dεᵥ/dε₁ over one "
+        "percent. Contraction positive.";
     table.header = {
         "test",
         "samples",
@@ -130,7 +129,7 @@ std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, cons
         "εᵥ at the end [%]",
         "unstable from q [kPa]",
         "excess pore pressure Δu [kPa]",
-        "liquefied"};
+        liquefied};
     table.numeric.assign(table.header.size(), true);
     table.numeric[0] = false;
     const std::vector<report::StudyCurves> traced = trace_curves(what, stages);
@@ -149,6 +148,13 @@ std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, cons
         }
     }
     leave_out_empty_columns(table);
+    if (std::ranges::find(table.header, liquefied) != table.header.end()) {
+        table.note +=
+            " Of a test at constant deviator stress, highest q is that where the pore pressure is highest. Unstable: "
+            "the second-order work is first no longer above zero, and loads instead of strains would make the sample "
+            "fail. Excess pore pressure: at the end of an undrained test, or the most that is borne while the deviator "
+            "is held. Liquefied: the mean stress fell below 5 % of its start.";
+    }
     return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
 }
 

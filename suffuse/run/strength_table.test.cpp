@@ -35,11 +35,16 @@ bool has_column(const report::PageTable& table, const std::string& name) {
 }
 
 TEST(StrengthTable, OfDrainedTestsHasNoColumnsOfPorePressure) {
-    const report::PageTable table = table_of({.strain = 0.1}, {response()});
+    nlohmann::json drained = response();
+    drained["instability"] = {{"q", 45e3}};
+    const report::PageTable table = table_of({.strain = 0.1}, {drained});
     EXPECT_EQ(
         table.rows.front(), (std::vector<std::string>{"s, shear", "1", "300", "2", "34.4", "200", "50", "0.3", "−1"})
     );
-    EXPECT_FALSE(has_column(table, "excess pore pressure") || has_column(table, "liquefied"));
+    EXPECT_FALSE(
+        has_column(table, "excess pore pressure") || has_column(table, "liquefied") || has_column(table, "unstable")
+    );
+    EXPECT_EQ(table.note.find("iquefied"), std::string::npos);
     EXPECT_EQ(table.header.size(), table.numeric.size());
 }
 
