@@ -214,9 +214,39 @@ answers_to_tests(const std::vector<FinishedStage>& stages, const std::vector<Str
     return sentences;
 }
 
-} // namespace
+std::string tell_question(const ErosionStory& story, bool has_strength) {
+    const std::size_t passes = story.erosion.passes.size();
+    return fmt::format(
+        "Asked: which fines of the soil “{}” a gradient of i = {:g} detaches, and what {} {} of their removal {} to "
+        "stress, volume{} permeability{}.",
+        story.eroded->study->soil, story.erosion.passes.front().probe.gradient, passes, passes == 1 ? "pass" : "passes",
+        passes == 1 ? "does" : "do", has_strength ? "," : " and", has_strength ? " and strength" : ""
+    );
+}
 
-namespace {
+/// The state that the erosion starts from.
+void tell_start(
+    const ErosionStory& story, const std::vector<FinishedStage>& stages, std::vector<std::string>& sentences
+) {
+    if (story.eroded == nullptr) {
+        return;
+    }
+    const std::size_t parent = static_cast<std::size_t>(std::max(0, story.eroded->stage->parent));
+    const std::string start = story.eroded->variant->stages[parent].name;
+    for (const FinishedStage& stage : stages) {
+        if (stage.variant != story.eroded->variant || stage.stage->name != start) {
+            continue;
+        }
+        sentences.push_back(fmt::format(
+            "{} grains carry {:.4g} kPa at void ratio {:.3f} (porosity {:.3f}, {:.2f} contacts a grain, {} "
+            "rattlers).",
+            grouped(stage.numbers.at("grains").get<std::int64_t>()),
+            stage.numbers.at("mean_stress").get<double>() / 1e3, stage.numbers.at("void_ratio").get<double>(),
+            stage.numbers.at("porosity").get<double>(), stage.numbers.at("coordination").get<double>(),
+            grouped(stage.numbers.at("rattlers").get<std::int64_t>())
+        ));
+    }
+}
 
 /// Whether one sample was eroded from so many states, or in so many ways, that one is told for all.
 bool are_too_many(const ErosionStory& story) {
@@ -252,36 +282,12 @@ std::vector<std::string> answer_of_erosion(
 ) {
     std::vector<std::string> sentences;
     if (!story.erosion.passes.empty() && !story.erosion.passes.front().probe.id.empty()) {
-        const std::size_t passes = story.erosion.passes.size();
-        sentences.push_back(fmt::format(
-            "Asked: which fines of the soil “{}” a gradient of i = {:g} detaches, and what {} {} of their removal {} "
-            "to "
-            "stress, volume{} permeability{}.",
-            story.eroded->study->soil, story.erosion.passes.front().probe.gradient, passes,
-            passes == 1 ? "pass" : "passes", passes == 1 ? "does" : "do", strength.empty() ? " and" : ",",
-            strength.empty() ? "" : " and strength"
-        ));
+        sentences.push_back(tell_question(story, !strength.empty()));
     }
     if (auto range = tell_range(story, stages)) {
         sentences.push_back(std::move(*range));
     }
-    if (story.eroded != nullptr) {
-        const std::size_t parent = static_cast<std::size_t>(std::max(0, story.eroded->stage->parent));
-        const std::string start = story.eroded->variant->stages[parent].name;
-        for (const FinishedStage& stage : stages) {
-            if (stage.variant != story.eroded->variant || stage.stage->name != start) {
-                continue;
-            }
-            sentences.push_back(fmt::format(
-                "{} grains carry {:.4g} kPa at void ratio {:.3f} (porosity {:.3f}, {:.2f} contacts a grain, {} "
-                "rattlers).",
-                grouped(stage.numbers.at("grains").get<std::int64_t>()),
-                stage.numbers.at("mean_stress").get<double>() / 1e3, stage.numbers.at("void_ratio").get<double>(),
-                stage.numbers.at("porosity").get<double>(), stage.numbers.at("coordination").get<double>(),
-                grouped(stage.numbers.at("rattlers").get<std::int64_t>())
-            ));
-        }
-    }
+    tell_start(story, stages, sentences);
     if (!story.probes.empty()) {
         sentences.push_back(answer_to_probes(story.probes));
     }

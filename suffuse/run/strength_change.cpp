@@ -243,7 +243,7 @@ StrengthChange summed_up(const std::vector<Pair>& pairs) {
         removed.push_back(pair.removed_mass);
         if (!reason.empty()) {
             const std::string of = pairs.size() > 1 ? fmt::format("seed {}: ", pair.after->variant->seed) : "";
-            change.remarks.push_back(of + "not compared, for " + reason);
+            change.remarks.push_back(fmt::format("{}not compared, for {}", of, reason));
         }
     }
     change.removed_mass = report::scatter_of(std::move(removed));

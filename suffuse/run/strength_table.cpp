@@ -141,8 +141,9 @@ std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, cons
                 const auto responses = responses_of(study, study.stages[k].name, point, stages);
                 if (test != nullptr && !responses.empty()) {
                     const std::string values = values_name(traced[s].keys, point);
-                    const std::string name = study.name + ", " + study.stages[k].name;
-                    table.rows.push_back(row_of(name + (values.empty() ? "" : ", " + values), *test, point, responses));
+                    const std::string name =
+                        fmt::format("{}, {}{}{}", study.name, study.stages[k].name, values.empty() ? "" : ", ", values);
+                    table.rows.push_back(row_of(name, *test, point, responses));
                 }
             }
         }

@@ -147,6 +147,7 @@ std::vector<std::string> tell_strength(const std::vector<StrengthChange>& change
         return {tell_all(changes)};
     }
     std::vector<std::string> sentences;
+    sentences.reserve(changes.size());
     for (const StrengthChange& change : changes) {
         sentences.push_back(tell(change));
     }
