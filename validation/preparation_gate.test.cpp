@@ -5,9 +5,6 @@
 //   suffuse_validation --gtest_also_run_disabled_tests --gtest_filter='*WriteTheTableOfSlow'
 
 #include "suffuse/dem/inspect.hpp"
-#include "suffuse/dem/order.hpp"
-#include "suffuse/packing/compact.hpp"
-#include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/target_density.hpp"
 #include "suffuse/stats/coordination.hpp"
 #include "suffuse/stats/fabric.hpp"
@@ -16,63 +13,23 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/reference.hpp"
+#include "validation/seeds.hpp"
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace suffuse::packing {
 namespace {
 
-constexpr int particles = 2000;
+using namespace validation;
+
 constexpr std::uint64_t seeds = 16;
 const std::string table = test::in_checkout("validation/slow_seeds.csv");
 constexpr std::array<const char*, 10> names{"steps",    "void_ratio", "coordination", "mechanical_coordination",
                                             "rattlers", "fabric",     "variation",    "median",
                                             "p90",      "strong"};
-using Row = std::array<double, names.size()>;
-
-struct Preparation {
-    const char* name;
-    Prepare prepare;
-    bool silty =
-        false; ///< a sand with 20 % of fines 3.5 times smaller, else the Fontainebleau-like sand of the reference
-};
-
-grains::Soil soil_of(const Preparation& way) {
-    grains::Soil soil;
-    if (way.silty) {
-        soil.coarse = grains::Grading{{0.28e-3, 0.35e-3, 0.42e-3}, {0, 0.5, 1}, ""};
-        soil.fines = grains::Grading{{0.08e-3, 0.10e-3, 0.12e-3}, {0, 0.5, 1}, ""};
-        soil.fines_content = 0.20;
-    } else {
-        soil.whole = grains::Grading{
-            {0.10e-3, 0.15e-3, 0.18e-3, 0.21e-3, 0.25e-3, 0.30e-3, 0.40e-3}, {0, 0.08, 0.25, 0.50, 0.75, 0.92, 1}, ""};
-    }
-    return soil;
-}
-
-/// A cloud of porosity 0.62.
-dem::World cloud(const Preparation& way, std::uint64_t seed) {
-    const Cloud made = make_cloud(grains::sample_soil(soil_of(way), particles), PackSpec{0.62}, 2600, seed);
-    dem::World world;
-    world.cell = made.cell;
-    world.reference_h = made.cell.h;
-    world.grains = made.grains;
-    dem::sort_along_curve(world);
-    return world;
-}
-
-/// Compacts to 100 kPa. @return the steps it took.
-std::int64_t prepare(dem::World& world, const CompactSpec& spec, dem::Mode mode = dem::Mode::Reference) {
-    dem::StepCaches caches;
-    CompactState state = begin_compaction(world, spec, 0.2, mode);
-    while (!compact_burst(world, caches, spec, {}, state)) {
-    }
-    return state.steps;
-}
 
 Row measure(const dem::World& world, std::int64_t steps) {
     const stats::Coordination contacts = stats::measure_coordination(world);
@@ -88,43 +45,6 @@ Row measure(const dem::World& world, std::int64_t steps) {
         forces.median_ratio,
         forces.p90_ratio,
         forces.strong_share};
-}
-
-/// Rows of slow_seeds.csv with that name in front.
-std::vector<Row> read_table(const std::string& preparation) {
-    std::ifstream file(table);
-    std::vector<Row> rows;
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream cells(line);
-        std::string cell;
-        std::getline(cells, cell, ',');
-        if (cell != preparation) {
-            continue;
-        }
-        Row row{};
-        for (double& value : row) {
-            std::getline(cells, cell, ',');
-            value = std::stod(cell);
-        }
-        rows.push_back(row);
-    }
-    return rows;
-}
-
-double mean(const std::vector<Row>& rows, std::size_t k) {
-    double sum = 0;
-    for (const Row& row : rows) {
-        sum += row[k];
-    }
-    return sum / static_cast<double>(rows.size());
-}
-
-double deviation(const std::vector<Row>& rows, std::size_t k) {
-    double square = 0;
-    for (const Row& row : rows) {
-        square += (row[k] - mean(rows, k)) * (row[k] - mean(rows, k));
-    }
-    return std::sqrt(square / static_cast<double>(rows.size() - 1));
 }
 
 const std::array<Preparation, 6> preparations{
@@ -177,7 +97,7 @@ TEST(PreparationGate, DISABLED_WriteTheTableOfSlow) {
 
 TEST(PreparationGate, FaithfulLiesWithinTwoDeviationsOfSlow) {
     for (const Preparation& way : preparations) {
-        const std::vector<Row> slow = read_table(way.name);
+        const std::vector<Row> slow = read_table(table, way.name);
         const std::vector<Row> faithful = measure_seeds(Protocol::Faithful, way, seeds);
         ASSERT_EQ(slow.size(), seeds);
         const std::vector<double> off = compare(slow, faithful, fmt::format("{}, faithful", way.name));
@@ -206,7 +126,7 @@ TEST(PreparationGate, FastModePreparesTheSamplesOfReferenceMode) {
 }
 
 TEST(PreparationGate, SwiftMeetsTheVoidRatioOfSlowAndSaysHowItsFabricDiffers) {
-    const std::vector<Row> slow = read_table("dense");
+    const std::vector<Row> slow = read_table(table, "dense");
     std::vector<Row> swift;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         CompactSpec spec;
