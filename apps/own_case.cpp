@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.hpp"
+#include "apps/cut_verdicts.hpp"
 #include "apps/own_soil.hpp"
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,7 @@ damping           = 0.2               #~ local, non-viscous
 density   = "1000 kg/m^3"
 viscosity = "1 mPa*s"
 
+{stability}
 [soil.{name}]
 psd   = "data/{name}.csv"             # d [mm], passing [%]{left_out}
 fines = {{ finer_than = "{limit:.4g} mm" }} #~ {content:.3g} % of the mass; {reason}
@@ -100,9 +102,32 @@ double modulus_for(const grains::Grading& grading) {
     return wanted > usual_modulus ? std::ceil(wanted / unit) * unit : usual_modulus;
 }
 
+/// Stays with the case: the report's criteria are those of the modeled part alone.
+std::string stability_comment(const CutVerdicts& verdicts) {
+    std::string text = "# Internal stability of the grading as given, by the criteria of `suffuse assess`:\n#   " +
+                       verdicts.given + "\n";
+    if (!verdicts.turned.empty()) {
+        text += fmt::format(
+            "# of the part that is modeled here, which is what the report shows:\n#   {}\n# The cut turns verdicts:\n# "
+            "  {}\n",
+            verdicts.modeled, turned_text(verdicts)
+        );
+    }
+    return text;
+}
+
+/// Goes to the first page of the report, with what was assumed.
+std::string cut_remark(const OwnSoil& soil, const CutVerdicts& verdicts) {
+    if (soil.left_out.empty()) {
+        return {};
+    }
+    return "; #~ without " + soil.left_out +
+           (verdicts.turned.empty() ? "" : "; with it, by stability criteria: " + verdicts.given);
+}
+
 } // namespace
 
-std::string own_case_text(const OwnSoil& soil) {
+std::string own_case_text(const OwnSoil& soil, const CutVerdicts& verdicts) {
     constexpr std::int64_t standard_over_quick = 4;
     const double modulus = modulus_for(soil.grading);
     return fmt::format(
@@ -114,7 +139,7 @@ std::string own_case_text(const OwnSoil& soil) {
             "stiffer",
             modulus > usual_modulus ? "; so that the finest grains between the coarsest overlap by some 5 %" : ""
         ),
-        fmt::arg("left_out", soil.left_out.empty() ? "" : "; #~ without " + soil.left_out)
+        fmt::arg("left_out", cut_remark(soil, verdicts)), fmt::arg("stability", stability_comment(verdicts))
     );
 }
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/cut_verdicts.hpp"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -111,10 +112,13 @@ SizeRange modeled_sizes(const Grading& measured, const std::optional<SizeRange>&
             found, quoted(path)
         ));
     }
+    const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
+    const std::string turned = turned_text(judge_cut(soil.measured, cut, soil.finer_than));
     throw CaseError(fmt::format(
         "{}. Cut the curve: suffuse new --psd {} --sizes {:.4g}mm,{:.4g}mm keeps {:.0f} % of the fines and {:.0f} % "
-        "of the coarse grains",
-        found, quoted(path), 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept
+        "of the coarse grains{}",
+        found, quoted(path), 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
+        turned.empty() ? "" : ". Such a part is another soil by the criteria of stability, " + turned
     ));
 }
 
@@ -136,6 +140,7 @@ OwnSoil model_own_soil(const std::string& path, const std::optional<SizeRange>& 
     soil.grading = grains::part_between(whole, finest, coarsest);
     soil.fines_content = grains::passing(soil.grading, soil.finer_than);
     soil.left_out = left_out_of(measured, finest, coarsest);
+    soil.measured = measured;
     const double needed = grains::representative_count(soil.grading, soil.finer_than);
     if (needed > most_quick_grains) {
         refuse(path, soil.grading, soil, needed);

@@ -18,6 +18,7 @@ struct OwnSoil {
     std::string name;              ///< of the file, fit for a table of a case and a folder
     grains::Grading grading;       ///< from 0 to 100 %
     std::string left_out;          ///< "the 4 % finer than 0.063 mm, which were not measured"; empty where nothing is
+    grains::Grading measured;      ///< the curve as given, with what is left out
     double finer_than = 0;         ///< [m]
     double fines_content = 0;      ///< of the modeled curve [-]
     std::string reason;            ///< why that size
@@ -31,8 +32,10 @@ using SizeRange = std::pair<double, double>;
 /// file as read_grading() tells them.
 OwnSoil model_own_soil(const std::string& path, const std::optional<SizeRange>& asked);
 
+struct CutVerdicts;
+
 /// The case and its grading as files, and where they belong in its folder.
-std::string own_case_text(const OwnSoil& soil);
+std::string own_case_text(const OwnSoil& soil, const CutVerdicts& verdicts);
 std::string own_grading_text(const OwnSoil& soil, const std::string& path);
 
 } // namespace suffuse::apps

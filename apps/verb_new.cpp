@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/cut_verdicts.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/own_soil.hpp"
 #include "apps/templates.hpp"
@@ -99,11 +100,37 @@ std::optional<SizeRange> sizes_of(const std::string& text) {
     return range;
 }
 
+/// What the criteria say of the soil, and where a cut turned them.
+void tell_stability(const OwnSoil& soil, const CutVerdicts& verdicts, const Console& console) {
+    if (verdicts.turned.empty()) {
+        console.talk(fmt::format(
+            "internal stability by the grading{}: {}", soil.left_out.empty() ? "" : ", as given and as modeled",
+            verdicts.given
+        ));
+        return;
+    }
+    console.talk("internal stability of the grading as given: " + verdicts.given);
+    console.talk("internal stability of the part that is modeled, as the report will show it: " + verdicts.modeled);
+    console.talk(fmt::format(
+        "warning: the cut turns {}: {}. Of the soil itself the first line holds; the run answers for the part alone",
+        plural(std::ssize(verdicts.turned), "verdict"), turned_text(verdicts)
+    ));
+}
+
+nlohmann::json stability_json(const CutVerdicts& verdicts) {
+    nlohmann::json turned = nlohmann::json::array();
+    for (const CutVerdicts::Turned& one : verdicts.turned) {
+        turned.push_back({{"id", one.id}, {"given", one.given}, {"modeled", one.modeled}});
+    }
+    return {{"given", verdicts.given}, {"modeled", verdicts.modeled}, {"turned", turned}};
+}
+
 int new_from_soil(const CommandLine& line, const Console& console) {
     const OwnSoil soil = model_own_soil(line.psd, sizes_of(line.sizes));
+    const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
     const fs::path folder = line.subject.empty() ? soil.name : line.subject;
     const std::vector<std::string> written = write_new(
-        {{folder / "case.toml", own_case_text(soil)},
+        {{folder / "case.toml", own_case_text(soil, verdicts)},
          {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, line.psd)}}
     );
     console.result(fmt::format("{}", fmt::join(written, "\n")));
@@ -113,6 +140,7 @@ int new_from_soil(const CommandLine& line, const Console& console) {
          {"fines_content", soil.fines_content},
          {"reason", soil.reason},
          {"left_out", soil.left_out},
+         {"stability", stability_json(verdicts)},
          {"particles", soil.quick_grains}}
     ));
     console.talk(fmt::format(
@@ -122,6 +150,7 @@ int new_from_soil(const CommandLine& line, const Console& console) {
     if (!soil.left_out.empty()) {
         console.talk("left out: " + soil.left_out);
     }
+    tell_stability(soil, verdicts, console);
     console.talk(fmt::format(
         "{} grains in the preset quick; a pressure of 100 kPa and a gradient of 0.05 are assumed: put yours into {}",
         count_text(soil.quick_grains), shown((folder / "case.toml").string())

@@ -76,6 +76,34 @@ TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
     expect_in("No cut of its ends helps", say({"new", "--psd", "far.csv"}).error);
 }
 
+TEST_F(NewSoil, TheVerdictsThatACutTurnsAreSaidAndStayWithTheCase) {
+    const std::string turned = "unstable as given but stable as modeled: Kenney and Lau 1985";
+    expect_in(turned, say({"new", "gravel", "--psd", "wide gravel.csv"}).error); // the advice to cut
+    const Said made = say({"new", "gravel", "--psd", "wide gravel.csv", "--sizes", "0.209mm,2.66mm"});
+    ASSERT_EQ(made.code, 0) << made.error;
+    expect_in("grading as given: 6 of 7 criteria say unstable", made.error);
+    expect_in("as the report will show it: 2 of 7 criteria say unstable", made.error);
+    expect_in("warning: the cut turns 6 verdicts: ", made.error);
+    expect_in(turned, made.error);
+    const std::string text = read_all(folder / "gravel/case.toml");
+    expect_in("#   6 of 7 criteria say unstable", text);
+    expect_in("#   2 of 7 criteria say unstable", text);
+    expect_in("; with it, by stability criteria: 6 of 7 criteria", text); // listed by the report among the assumptions
+    EXPECT_EQ(say({"assess", "wide gravel.csv", "--json"}).json()["soils"][0]["tally"]["unstable"], 6);
+    EXPECT_EQ(say({"assess", "gravel/case.toml", "--json"}).json()["soils"][0]["tally"]["unstable"], 2);
+}
+
+TEST_F(NewSoil, OfAWholeCurveThereIsOneVerdict) {
+    const Said made = say({"new", "--psd", "gap.csv", "--json"});
+    ASSERT_EQ(made.code, 0) << made.error;
+    const auto stability = made.json().at("stability");
+    EXPECT_EQ(stability.at("given"), stability.at("modeled"));
+    EXPECT_TRUE(stability.at("turned").empty());
+    EXPECT_EQ(made.error.find("warning"), std::string::npos);
+    expect_in(stability.at("given"), made.error);
+    expect_in(stability.at("given"), read_all(folder / "gap/case.toml"));
+}
+
 TEST_F(NewSoil, AnOpenCurveIsModeledAsFarAsItWasMeasured) {
     write_to(folder / "open.csv", "d,passing\n0.1,5\n0.2,30\n0.4,70\n0.8,95\n");
     const Said made = say({"new", "--psd", "open.csv", "--json"});
