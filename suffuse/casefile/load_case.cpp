@@ -4,6 +4,7 @@
 #include "suffuse/casefile/read_text.hpp"
 #include "suffuse/casefile/read_toml.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace suffuse::casefile {
@@ -37,11 +38,14 @@ LoadedCase load_case_text(
 ) {
     Problems problems;
     LoadedCase loaded;
+    std::vector<std::string> overrides = options.overrides;
     if (auto root = read_toml(std::make_shared<Source>(Source{name, text}), problems)) {
+        // What is set of presets comes before the preset, and what the preset sets before what is set of other keys.
+        const auto middle = std::stable_partition(overrides.begin(), overrides.end(), sets_preset);
+        std::for_each(overrides.begin(), middle, [&](const auto& o) { apply_override(*root, o, problems); });
         const std::string preset = choose_preset(*root, options, problems);
-        for (const std::string& text_of_override : options.overrides) {
-            apply_override(*root, text_of_override, problems);
-        }
+        std::for_each(overrides.begin(), middle, [&](const auto& o) { check_preset_override(o, preset, problems); });
+        std::for_each(middle, overrides.end(), [&](const auto& o) { apply_override(*root, o, problems); });
         keep_studies(*root, options.studies, problems);
         loaded.value = bind_case(*root, folder, preset, problems);
     }

@@ -234,6 +234,27 @@ void apply_override(Node& root, const std::string& text, Problems& problems) {
     }
 }
 
+bool sets_preset(const std::string& text) {
+    const std::string first = split_path(text.substr(0, text.find('='))).front();
+    return first == "preset" || first == "presets";
+}
+
+void check_preset_override(const std::string& text, const std::string& in_force, Problems& problems) {
+    const std::size_t mark = text.find('=');
+    const std::vector<std::string> path = split_path(text.substr(0, mark));
+    if (mark == std::string::npos || path.size() < 2 || path[1] == in_force) {
+        return;
+    }
+    problems.error(
+        "E405", {std::make_shared<Source>(Source{"--set", text}), 1, 1, static_cast<int>(std::min(mark, text.size()))},
+        fmt::format("the preset in force is \"{}\", so that what \"{}\" holds changes nothing", in_force, path[1]),
+        fmt::format(
+            "add --preset {}, or set presets.{}.{}, or the key that is meant, as in study.erosion.particles", path[1],
+            in_force, path.back()
+        )
+    );
+}
+
 bool apply_sweep_value(SweepTarget target, const std::string& key, const Node& value) {
     if (key == "particles" || key == "soil") {
         target.study.set(key, value, value.place);

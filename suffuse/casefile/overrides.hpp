@@ -16,6 +16,12 @@ void apply_preset(Node& root, const std::string& name, const Place& asked, Probl
 /// Applies "study.erosion.stage.erosion.gradient=0.1"; stages are found by their names.
 void apply_override(Node& root, const std::string& text, Problems& problems);
 
+/// Whether an override is about presets, "presets.quick.particles=4000" or "preset=quick", and so comes before them.
+bool sets_preset(const std::string& text);
+
+/// Reports an override of a preset that is not in force: it would change nothing.
+void check_preset_override(const std::string& text, const std::string& in_force, Problems& problems);
+
 /// Leaves out the studies that are not among `names`; without names, none.
 void keep_studies(Node& root, const std::vector<std::string>& names, Problems& problems);
 

@@ -262,6 +262,21 @@ TEST(Set, ChangesAnyKeyAfterThePreset) {
     EXPECT_EQ(c.studies[0].variants[0].soil->finer_than, 3e-4);
 }
 
+TEST(Set, ChangesThePresetInForce) {
+    EXPECT_EQ(load(with_presets, {"quick", {"presets.quick.particles=3500"}}).studies[0].particles, 3500);
+    const std::vector<std::string> both{"study.one.particles=4500", "presets.quick.particles=3500"};
+    EXPECT_EQ(load(with_presets, {"quick", both}).studies[0].particles, 4500); // the key itself comes last
+    EXPECT_EQ(load(with_presets, {"", {"preset=quick"}}).preset, "quick");
+}
+
+TEST(Set, OfAPresetThatIsNotInForceIsRefusedWithWhatToSetInstead) {
+    const Diagnostic found = find_problem(problems_of(with_presets, {"", {"presets.quick.particles=3500"}}), "E405");
+    EXPECT_EQ(found.file, "--set");
+    EXPECT_NE(found.message.find("the preset in force is \"standard\""), std::string::npos) << found.message;
+    EXPECT_NE(found.help.find("--preset quick"), std::string::npos);
+    EXPECT_NE(found.help.find("presets.standard.particles"), std::string::npos);
+}
+
 TEST(Set, MistakesAreReportedOnTheirOwnText) {
     const auto problem = [](const std::string& text, const std::string& code) {
         return find_problem(problems_of(good_case, {"", {text}}), code);
