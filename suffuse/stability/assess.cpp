@@ -99,7 +99,7 @@ Assessment assess(const Grading& grading, const AssessSpec& spec) {
         indraratna(assessment.constrictions, spec.relative_density)};
     if (spec.seepage) {
         assessment.gradients = {
-            terzaghi(*spec.seepage), skempton_brogan(*spec.seepage, assessment.criteria[kenney_lau_1986_row].verdict)};
+            terzaghi(*spec.seepage), skempton_brogan(*spec.seepage, assessment.criteria[kenney_lau_1985_row].verdict)};
     }
     return assessment;
 }

@@ -41,7 +41,7 @@ struct Assessment {
     double missing_fine = 0, missing_coarse = 0;
 };
 
-inline constexpr std::size_t kenney_lau_1986_row = 1; ///< among the criteria
+inline constexpr std::size_t kenney_lau_1985_row = 0; ///< among the criteria
 
 /// @throws CaseError for a curve that is none, a size asked for outside of it, or a number out of its range.
 Assessment assess(const grains::Grading& grading, const AssessSpec& spec = {});

@@ -161,6 +161,21 @@ TEST(SkemptonBrogan, NeedsTheStressShareOfTheFinesWhereTheSoilIsUnstable) {
     EXPECT_EQ(known.verdict, Verdict::Unstable);
 }
 
+// A power law has (H/F)min = 4^m - 1: 1.15, between the two limits of Kenney and Lau, and 1.64, above both.
+TEST(SkemptonBrogan, TakesAllGrainsToCarryOnlyWhereBothLimitsOfKenneyAndLauSayStable) {
+    AssessSpec spec;
+    spec.seepage = Seepage{.gradient = 0.297};
+    const Assessment between = assess(testing::power_law(std::log(2.15) / std::log(4)), spec);
+    ASSERT_EQ(of(between, "kenney-lau-1986").verdict, Verdict::Stable);
+    ASSERT_EQ(of(between, "kenney-lau-1985").verdict, Verdict::Unstable);
+    EXPECT_EQ(between.gradients[1].verdict, Verdict::CannotSay);
+    EXPECT_FALSE(between.gradients[1].limit);
+    EXPECT_NE(between.gradients[1].remark.find("at least 0.3"), std::string::npos) << between.gradients[1].remark;
+    const Assessment above = assess(testing::power_law(0.7), spec);
+    EXPECT_EQ(above.gradients[1].verdict, Verdict::Stable);
+    EXPECT_NEAR(*above.gradients[1].limit, 0.99, 1e-12);
+}
+
 TEST(Assess, EveryCriterionIsExplainedWithItsSource) {
     AssessSpec spec;
     spec.seepage = Seepage{};

@@ -65,7 +65,7 @@ constexpr std::array guides = {
         "skempton-brogan-1994", "Skempton and Brogan 1994",
         "Upward seepage carries the fines alone at alpha i_c, where alpha is the share of the mean effective stress "
         "that "
-        "they carry (--alpha); 1 where Kenney and Lau 1986 say stable. Asked with -i.",
+        "they carry (--alpha); 1 where Kenney and Lau 1985 say stable, (H/F)min >= 1.3. Asked with -i.",
         "safe where i is below it", "SkemptonBrogan1994"},
 };
 

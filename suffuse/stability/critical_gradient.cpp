@@ -54,14 +54,16 @@ Criterion skempton_brogan(const Seepage& seepage, Verdict by_shape) {
     if (seepage.stress_share) {
         criterion.remark = fmt::format("alpha = {:.3g}, {}", share, margin(criterion));
     } else if (all_carry) {
-        criterion.remark = fmt::format("alpha = 1 as the soil is stable by (H/F)min, {}", margin(criterion));
+        criterion.remark = fmt::format("alpha = 1 as the soil is stable by (H/F)min >= 1.3, {}", margin(criterion));
     } else if (seepage.gradient > whole) {
         criterion.remark = fmt::format("whatever the fines carry, {}", margin(criterion));
     } else {
         criterion.limit.reset();
         criterion.verdict = Verdict::CannotSay;
         criterion.remark = fmt::format(
-            "the share alpha of the stress that the fines carry is not known; they hold if it is at least {:.3g}",
+            "the share alpha of the stress that the fines carry is not known (1 where (H/F)min >= 1.3); they hold if "
+            "it is "
+            "at least {:.3g}",
             seepage.gradient / whole
         );
     }

@@ -137,7 +137,7 @@ Assessment assess_measured(const Grading& measured, const AssessSpec& spec) {
                                   same(other.constrictions.loosest_passes, found.constrictions.loosest_passes);
     }
     if (spec.seepage) {
-        found.gradients[1] = skempton_brogan(*spec.seepage, found.criteria[kenney_lau_1986_row].verdict);
+        found.gradients[1] = skempton_brogan(*spec.seepage, found.criteria[kenney_lau_1985_row].verdict);
     }
     return found;
 }

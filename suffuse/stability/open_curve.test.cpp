@@ -35,7 +35,7 @@ TEST(OpenCurve, AClosedOneIsAssessedAsItIs) {
     for (std::size_t k = 0; k < a.criteria.size(); ++k) {
         EXPECT_EQ(a.criteria[k].verdict, b.criteria[k].verdict) << a.criteria[k].id;
         EXPECT_EQ(a.criteria[k].value, b.criteria[k].value);
-        EXPECT_EQ(a.criteria[k].id == "kenney-lau-1986", k == kenney_lau_1986_row);
+        EXPECT_EQ(a.criteria[k].id == "kenney-lau-1985", k == kenney_lau_1985_row);
     }
 }
 
