@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "apps/command_line.hpp"
 #include "tests/support/reference.hpp"
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,13 @@ TEST(ExplainWord, KnowsEveryWordThatItOffers) {
     for (const std::string& word : explained_words()) {
         EXPECT_GT(explain_word(word).size(), word.size() + 20) << word;
     }
+}
+
+TEST(ExplainWord, KnowsCriteriaByTheirAuthorsAndNumbersAndKeysByTheirPlaceInACase) {
+    EXPECT_EQ(explain_word("kezdi"), explain_word("kezdi-1979"));
+    EXPECT_NE(explain_word("alpha").find("share of the mean effective stress"), std::string::npos);
+    EXPECT_NE(explain_word("study.x.stage.y.prepare.adhesion.normal").find("adhesion"), std::string::npos);
+    EXPECT_THROW(explain_word("study.x.stage.y.nothing"), UsageError);
 }
 
 TEST(ExplainWord, KnowsEveryFigureThatAReportCanDraw) {

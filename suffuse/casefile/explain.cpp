@@ -1,6 +1,7 @@
 #include "suffuse/casefile/explain.hpp"
 
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema.hpp"
 
 #include <fmt/format.h>
@@ -175,11 +176,43 @@ std::string describe(const Key& key) {
     return text;
 }
 
-/// "watch", "detached.over", "contact.modulus", "study.NAME.stage.erode.watch".
+std::vector<std::string> parts_of(std::string_view path) {
+    std::vector<std::string> parts{""};
+    for (const char c : path) {
+        c == '.' ? static_cast<void>(parts.emplace_back()) : parts.back().push_back(c);
+    }
+    return parts;
+}
+
+/// Where the key stands in a case, "*" for each name that the case gives: study.*.stage.*.prepare.friction, where the
+/// key's own table has the verb in place of the stage.
+std::vector<std::string> address_of(const Key& key) {
+    std::vector<std::string> parts = parts_of(key.table.empty() ? key.name : key.table + "." + key.name);
+    if (parts.front() != "stage") {
+        return parts;
+    }
+    const bool has_verb = std::find(names::verbs.begin(), names::verbs.end(), parts[1]) != names::verbs.end();
+    parts.erase(parts.begin(), parts.begin() + (has_verb ? 2 : 1));
+    const std::vector<std::string> of_stage{"study", "*", "stage", "*"};
+    parts.insert(parts.begin(), of_stage.begin(), of_stage.end());
+    return parts;
+}
+
+/// Whether `path` is the address, or the end of it as sweeps have it: stage.NAME.gradient.
+bool stands_at(const std::vector<std::string>& address, const std::vector<std::string>& path) {
+    const auto fits = [](const std::string& pattern, const std::string& name) {
+        return pattern == name || (pattern == "*" && !name.empty());
+    };
+    const auto begin = address.size() > path.size() && path.front() == "stage" ? address.begin() + 2 : address.begin();
+    return std::equal(begin, address.end(), path.begin(), path.end(), fits);
+}
+
+/// "watch", "detached.over", "contact.modulus", "stage.erode.watch", "study.one.stage.erosion.watch".
 bool is_meant(const Key& key, std::string_view what) {
     const std::string full = key.table.empty() ? key.name : key.table + "." + key.name;
     return full == what ||
-           (full.size() > what.size() && full.ends_with(what) && full[full.size() - what.size() - 1] == '.');
+           (full.size() > what.size() && full.ends_with(what) && full[full.size() - what.size() - 1] == '.') ||
+           stands_at(address_of(key), parts_of(what));
 }
 
 } // namespace

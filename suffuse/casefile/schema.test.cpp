@@ -121,6 +121,15 @@ TEST(Explain, KnowsKeysCodesAndConventions) {
     EXPECT_NE(explain("detached.over")->find("[study.NAME.stage.erode.detached] over"), std::string::npos);
     EXPECT_NE(explain("e310")->find("unit"), std::string::npos);
     EXPECT_NE(explain("conventions")->find("compression positive"), std::string::npos);
+    const auto adhesion = explain("study.x.stage.y.prepare.adhesion.normal");
+    EXPECT_EQ(adhesion, explain("stage.compact.prepare.adhesion.normal"));
+    EXPECT_EQ(adhesion, explain("stage.y.prepare.adhesion.normal")); // as sweeps have it
+    EXPECT_NE(explain("study.x.particles")->find("[study.NAME] particles"), std::string::npos);
+    EXPECT_NE(explain("study.x.stage.y.gradient")->find("[study.NAME.stage.erode] gradient"), std::string::npos);
+    EXPECT_NE(explain("presets.quick.passes")->find("[presets.NAME] passes"), std::string::npos);
+    EXPECT_EQ(explain("soil.dyke.fines.finer_than"), explain("fines.finer_than"));
+    EXPECT_FALSE(explain("study.x.stage.y.prepare.adhesion.nromal"));
+    EXPECT_FALSE(explain("study.x"));
     EXPECT_FALSE(explain("modulos"));
     EXPECT_FALSE(explain(""));
 }

@@ -191,7 +191,14 @@ TEST(Assess, EveryCriterionIsExplainedWithItsSource) {
         }
     }
     EXPECT_EQ(ids, criterion_ids());
-    EXPECT_FALSE(explain_criterion("kenney"));
+    EXPECT_EQ(explain_criterion("kezdi"), explain_criterion("kezdi-1979"));
+    EXPECT_EQ(explain_criterion("alpha"), explain_criterion("skempton-brogan-1994"));
+    const std::string both = explain_criterion("Kenney-Lau").value_or("");
+    EXPECT_NE(both.find("1985"), std::string::npos);
+    EXPECT_NE(both.find("1986"), std::string::npos);
+    for (const char* word : {"1986", "kenn", "", "-"}) {
+        EXPECT_FALSE(explain_criterion(word)) << word;
+    }
 }
 
 } // namespace

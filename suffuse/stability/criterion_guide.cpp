@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace suffuse::stability {
@@ -71,16 +72,42 @@ constexpr std::array guides = {
 
 } // namespace
 
-std::optional<std::string> explain_criterion(std::string_view id) {
+namespace {
+
+struct Symbol {
+    std::string_view word, id; ///< a number, and how the ids of the criteria that read it begin
+};
+
+constexpr std::array symbols = {Symbol{"alpha", "skempton"},      Symbol{"h/f", "kenney"},
+                                Symbol{"h/f", "chang"},           Symbol{"d15c/d85f", "kezdi"},
+                                Symbol{"d15c/d85f", "sherard"},   Symbol{"dc35", "indraratna"},
+                                Symbol{"dc35/d85f", "indraratna"}};
+
+/// "wan" and "fell" and "wan-fell" mean "wan-fell-logistic"; a year alone means nothing.
+bool is_meant(std::string_view id, const std::string& word) {
+    const bool is_symbol = std::any_of(symbols.begin(), symbols.end(), [&](const Symbol& symbol) {
+        return symbol.word == word && id.starts_with(symbol.id);
+    });
+    const bool has_letters = std::any_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+    return is_symbol || (has_letters && fmt::format("-{}-", id).find("-" + word + "-") != std::string::npos);
+}
+
+} // namespace
+
+std::optional<std::string> explain_criterion(std::string_view asked) {
+    std::string word(asked), text;
+    std::transform(word.begin(), word.end(), word.begin(), [](char c) {
+        return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    });
     for (const Guide& guide : guides) {
-        if (guide.id == id) {
-            return fmt::format(
-                "{}\n  {}\n  limit    {}\n  source   {} in docs/references.bib; docs/theory/internal-stability.md\n",
-                guide.name, guide.asks, guide.limit, guide.source
+        if (is_meant(guide.id, word)) {
+            text += fmt::format(
+                "{}{}\n  {}\n  limit    {}\n  source   {} in docs/references.bib; docs/theory/internal-stability.md\n",
+                text.empty() ? "" : "\n", guide.name, guide.asks, guide.limit, guide.source
             );
         }
     }
-    return std::nullopt;
+    return text.empty() ? std::nullopt : std::optional(text);
 }
 
 std::vector<std::string> criterion_ids() {
