@@ -39,15 +39,17 @@ struct CommandLine {
     int threads = 0;                    ///< 0: all cores
     std::string cache;                  ///< folder of the cache of stages
     bool no_cache = false;
-    std::string sample;                ///< of `resume`: this one alone
-    std::string emit;                  ///< of `sweep`: slurm or parallel
-    std::string collect;               ///< of `sweep`: folder of a run
-    std::optional<double> cache_limit; ///< [GB]
-    bool clear = false;                ///< the cache
-    std::string from;                  ///< template of `new`
-    std::string psd, sizes;            ///< grading curve of `new`, and the part of it that is modeled
-    std::string bench;                 ///< "step" or "flow"
-    std::string mode = "reference";    ///< of `bench step`
+    std::string sample;                    ///< of `resume`: this one alone
+    std::string emit;                      ///< of `sweep`: slurm or parallel
+    std::string collect;                   ///< of `sweep`: folder of a run
+    std::optional<double> cache_limit;     ///< [GB]
+    bool clear = false;                    ///< the cache
+    std::string from;                      ///< template of `new`
+    std::string psd, sizes;                ///< grading curve of `new`, and the part of it that is modeled
+    std::optional<std::int64_t> particles; ///< of `new`: grains of the quick preset
+    std::string bench;                     ///< "step" or "flow"
+    std::string mode = "reference";        ///< of `bench step`
+    std::string unit;                      ///< of `import`: what a length of 1 in its file stands for
     std::string packing, cell, time_step, density, format;
     std::vector<std::string> figures; ///< of `figures`: numbers or names
     std::int64_t steps = 2000;

@@ -23,7 +23,7 @@ constexpr std::string_view case_form =
 schema = 1
 title  = "Suffusion of {name}"
 seed   = 1
-preset = "quick"                      # quick: minutes | standard: as written below; --preset NAME picks one
+preset = "quick"                      # quick: few grains | standard: as written below; --preset NAME picks one
 
 [presets.quick]
 particles       = {quick:<20}#~ enough for the largest grains, the fines and the coarse ones

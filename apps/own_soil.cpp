@@ -96,15 +96,18 @@ SizeRange modeled_sizes(const Grading& measured, const std::optional<SizeRange>&
     return sizes;
 }
 
-[[noreturn]] void refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, double needed) {
+[[noreturn]] void
+refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, double needed, const OwnSoilSpec& spec) {
+    const std::int64_t most = spec.particles.value_or(std::llround(most_quick_grains));
     const std::string found = fmt::format(
         "{}: sizes from {} to {} are too far apart for one sample: with {:.3g} % of fines (below {}) it takes {} "
-        "grains, and a run of minutes has at most {}",
+        "grains, and {}",
         path, mm(grading.diameter.front()), mm(grading.diameter.back()), 100 * soil.fines_content, mm(soil.finer_than),
         needed < 1e6 ? "about " + grouped(std::llround(needed)) : fmt::format("more than {:.0e}", 0.9 * needed),
-        grouped(std::llround(most_quick_grains))
+        spec.particles ? fmt::format("--particles allows {}", grouped(most))
+                       : fmt::format("a quick sample has at most {} (--particles N allows others)", grouped(most))
     );
-    const auto part = grains::find_modeled_part(grading, soil.finer_than, most_quick_grains);
+    const auto part = grains::find_modeled_part(grading, soil.finer_than, static_cast<double>(most));
     if (!part) {
         throw CaseError(fmt::format(
             "{}. No cut of its ends helps: the fines are too small beside the coarse grains. What the criteria of "
@@ -115,16 +118,17 @@ SizeRange modeled_sizes(const Grading& measured, const std::optional<SizeRange>&
     const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
     const std::string turned = turned_text(judge_cut(soil.measured, cut, soil.finer_than));
     throw CaseError(fmt::format(
-        "{}. Cut the curve: suffuse new --psd {} --sizes {:.4g}mm,{:.4g}mm keeps {:.0f} % of the fines and {:.0f} % "
-        "of the coarse grains{}",
-        found, quoted(path), 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
+        "{}. Cut the curve: suffuse new --psd {} --sizes {:.4g}mm,{:.4g}mm{} keeps {:.0f} % of the fines and {:.0f} "
+        "% of the coarse grains{}",
+        found, quoted(path), 1e3 * part->finest, 1e3 * part->coarsest,
+        spec.particles ? fmt::format(" --particles {}", most) : "", 100 * part->fines_kept, 100 * part->coarse_kept,
         turned.empty() ? "" : ". Such a part is another soil by the criteria of stability, " + turned
     ));
 }
 
 } // namespace
 
-OwnSoil model_own_soil(const std::string& path, const std::optional<SizeRange>& asked) {
+OwnSoil model_own_soil(const std::string& path, const OwnSoilSpec& spec) {
     constexpr double least_grains = 2000;
     const Grading measured = casefile::read_grading(path, casefile::CurveEnds::MayBeOpen);
     if (measured.passing.front() >= measured.passing.back()) {
@@ -136,16 +140,16 @@ OwnSoil model_own_soil(const std::string& path, const std::optional<SizeRange>& 
     soil.name = name_of(path);
     soil.finer_than = rounded(whole, fines.finer_than);
     soil.reason = fines.basis;
-    const auto [finest, coarsest] = modeled_sizes(whole, asked, soil.finer_than);
+    const auto [finest, coarsest] = modeled_sizes(whole, spec.sizes, soil.finer_than);
     soil.grading = grains::part_between(whole, finest, coarsest);
     soil.fines_content = grains::passing(soil.grading, soil.finer_than);
     soil.left_out = left_out_of(measured, finest, coarsest);
     soil.measured = measured;
     const double needed = grains::representative_count(soil.grading, soil.finer_than);
-    if (needed > most_quick_grains) {
-        refuse(path, soil.grading, soil, needed);
+    if (needed > (spec.particles ? static_cast<double>(*spec.particles) : most_quick_grains)) {
+        refuse(path, soil.grading, soil, needed, spec);
     }
-    soil.quick_grains = std::llround(std::max(least_grains, std::ceil(needed / 100) * 100));
+    soil.quick_grains = spec.particles.value_or(std::llround(std::max(least_grains, std::ceil(needed / 100) * 100)));
     return soil;
 }
 

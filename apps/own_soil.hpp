@@ -11,7 +11,8 @@
 
 namespace suffuse::apps {
 
-/// Grains of a sample whose run takes minutes.
+/// Grains of a quick sample unless others are asked for. How long it runs depends on its sizes too: what is much finer
+/// needs stiffer contacts, and those shorter steps.
 inline constexpr double most_quick_grains = 20'000;
 
 struct OwnSoil {
@@ -28,9 +29,15 @@ struct OwnSoil {
 /// Sizes [m] between which a curve is modeled.
 using SizeRange = std::pair<double, double>;
 
+/// What the user decides of it.
+struct OwnSoilSpec {
+    std::optional<SizeRange> sizes = {};        ///< the whole curve unless given
+    std::optional<std::int64_t> particles = {}; ///< of the quick preset; as few as will do unless given
+};
+
 /// @throws CaseError where the sizes are too far apart for a sample, saying at which sizes to cut; the problems of the
 /// file as read_grading() tells them.
-OwnSoil model_own_soil(const std::string& path, const std::optional<SizeRange>& asked);
+OwnSoil model_own_soil(const std::string& path, const OwnSoilSpec& spec);
 
 struct CutVerdicts;
 

@@ -194,6 +194,12 @@ void add_case_verbs(CLI::App& app, CommandLine& line) {
     make->add_option("--sizes", line.sizes, "with --psd: the part of the curve to model, as in 0.1mm,4mm")
         ->type_name("FROM,TO")
         ->needs(psd);
+    make->add_option(
+            "--particles", line.particles, "with --psd: grains of the preset quick; as few as will do unless given"
+    )
+        ->type_name("N")
+        ->check(number_in<std::int64_t>(1, 10'000'000))
+        ->needs(psd);
 
     CLI::App* check = app.add_subcommand("check", "read a case and tell all that is wrong with it");
     add_subject(*check, line, "CASE", case_text);

@@ -125,8 +125,15 @@ nlohmann::json stability_json(const CutVerdicts& verdicts) {
     return {{"given", verdicts.given}, {"modeled", verdicts.modeled}, {"turned", turned}};
 }
 
+/// Priced as `suffuse plan` does: how stiff the contacts had to be counts as much as the number of grains.
+run::Range planned_time(const fs::path& path) {
+    const casefile::Case what = casefile::load_case(path.string(), {}).value;
+    set_threads(0);
+    return plan_case(what, run::samples_at_once(what)).seconds;
+}
+
 int new_from_soil(const CommandLine& line, const Console& console) {
-    const OwnSoil soil = model_own_soil(line.psd, sizes_of(line.sizes));
+    const OwnSoil soil = model_own_soil(line.psd, {sizes_of(line.sizes), line.particles});
     const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
     const fs::path folder = line.subject.empty() ? soil.name : line.subject;
     const std::vector<std::string> written = write_new(
@@ -134,6 +141,7 @@ int new_from_soil(const CommandLine& line, const Console& console) {
          {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, line.psd)}}
     );
     console.result(fmt::format("{}", fmt::join(written, "\n")));
+    const run::Range seconds = planned_time(folder / "case.toml");
     console.document(json_text(
         {{"written", written},
          {"finer_than", soil.finer_than},
@@ -141,7 +149,8 @@ int new_from_soil(const CommandLine& line, const Console& console) {
          {"reason", soil.reason},
          {"left_out", soil.left_out},
          {"stability", stability_json(verdicts)},
-         {"particles", soil.quick_grains}}
+         {"particles", soil.quick_grains},
+         {"seconds", {seconds.least, seconds.most}}}
     ));
     console.talk(fmt::format(
         "fines: finer than {:.4g} mm, {:.3g} % of the mass: {}", 1e3 * soil.finer_than, 100 * soil.fines_content,
@@ -152,8 +161,11 @@ int new_from_soil(const CommandLine& line, const Console& console) {
     }
     tell_stability(soil, verdicts, console);
     console.talk(fmt::format(
-        "{} grains in the preset quick; a pressure of 100 kPa and a gradient of 0.05 are assumed: put yours into {}",
-        count_text(soil.quick_grains), shown((folder / "case.toml").string())
+        "{} grains in the preset quick: {} on this machine", count_text(soil.quick_grains), duration_range_text(seconds)
+    ));
+    console.talk(fmt::format(
+        "a pressure of 100 kPa and a gradient of 0.05 are assumed: put yours into {}",
+        shown((folder / "case.toml").string())
     ));
     tell_next(folder, console);
     return Done;

@@ -93,6 +93,31 @@ TEST_F(NewSoil, TheVerdictsThatACutTurnsAreSaidAndStayWithTheCase) {
     EXPECT_EQ(say({"assess", "gravel/case.toml", "--json"}).json()["soils"][0]["tally"]["unstable"], 2);
 }
 
+TEST_F(NewSoil, TheNumberOfGrainsCanBeAskedFor) {
+    const Said made = say({"new", "--psd", "gap.csv", "--particles", "23456", "--json"});
+    ASSERT_EQ(made.code, 0) << made.error;
+    EXPECT_EQ(made.json().at("particles"), 23456);
+    expect_in("particles       = 23456 ", read_all(folder / "gap/case.toml"));
+    EXPECT_EQ(say({"plan", "gap/case.toml", "--json"}).json().at("stages").at(0).at("grains"), 23456);
+    const Said few = say({"new", "few", "--psd", "gap.csv", "--particles", "300"});
+    EXPECT_EQ(few.code, 3);
+    expect_in("--particles allows 300", few.error);
+    const Said wider = say({"new", "wider", "--psd", "wide gravel.csv", "--particles", "100000"});
+    expect_in(" --particles 100000 keeps ", wider.error); // the advice is for as many
+}
+
+// A wide grading gets stiffer contacts, and so shorter steps: more than the number of grains tells.
+TEST_F(NewSoil, ThePriceThatIsToldIsThatOfThePlan) {
+    const Said made = say({"new", "--psd", "gap.csv", "--json"});
+    ASSERT_EQ(made.code, 0) << made.error;
+    expect_in("14,800 grains in the preset quick: ", made.error);
+    expect_in(" on this machine", made.error);
+    const auto told = made.json().at("seconds");
+    const auto planned = say({"plan", "gap/case.toml", "--json"}).json().at("seconds");
+    // Both measure the machine, which other programs use too.
+    EXPECT_NEAR(std::log(told[1].get<double>() / planned[1].get<double>()), 0, std::log(4.0));
+}
+
 TEST_F(NewSoil, OfAWholeCurveThereIsOneVerdict) {
     const Said made = say({"new", "--psd", "gap.csv", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;
