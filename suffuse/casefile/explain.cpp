@@ -108,6 +108,12 @@ constexpr std::array code_table = {
         "grains in the force chains of much coarser ones overlap by far more than grains do on average. A modulus that "
         "grows as the square of the ratio of sizes keeps that small, and costs steps as the ratio."},
     Code{
+        "W610", "a skeleton too narrow for more than one pass",
+        "Erosion reads the constrictions of the coarse grains, and ends with the pass after which the cell is narrower "
+        "than five of their median diameters. The width of the settled cell is estimated from the grains that will be "
+        "drawn, at a porosity of 0.4, and warned of up to 5.25. Take more `particles`, or cut the coarse end of the "
+        "grading."},
+    Code{
         "W605", "nothing or everything is fine",
         "Without fines nothing can leave; without coarse grains there is no skeleton."},
 };

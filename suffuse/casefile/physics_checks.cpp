@@ -2,6 +2,7 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/grouped.hpp"
+#include "suffuse/erosion/passage.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 
@@ -20,7 +21,8 @@ using grains::narrow_cell;
 constexpr double settled_porosity = 0.4; ///< of sands at some 100 kPa
 constexpr double contacts_per_grain = 4; ///< of the grains that carry load
 constexpr double narrowest_cell = 3;     ///< below which a grain meets its own image's neighbors [-]
-constexpr std::ptrdiff_t few_fines = 100, few_coarse = 50;
+constexpr double doubtful_width = 0.05;  ///< of an estimated width: what a porosity from 0.3 to 0.48 makes of it
+constexpr std::ptrdiff_t few_fines = 100, few_coarse = erosion::fewest_coarse;
 constexpr double large_overlap = 0.02;   ///< of the radius: doubtful [-]
 constexpr double large_squeezed = 0.1;   ///< of the finest radius: what a run warns of when it is seen [-]
 constexpr double wide_grading = 4;       ///< coarsest over finest grain, below which that rule was not looked at
@@ -54,6 +56,24 @@ double largest_grain(const Grading& grading) {
         }
     }
     return grading.diameter.back();
+}
+
+/// Width of the settled cell in median diameters of the coarse grains [-]; nothing where there are none.
+std::optional<double> skeleton_width(const grains::SampledGrains& sample) {
+    std::vector<double> coarse; // [m]
+    double solid = 0;           // [m3]
+    for (std::size_t g = 0; g < sample.radius.size(); ++g) {
+        solid += sphere_volume(sample.radius[g]);
+        if (sample.fine[g] == 0) {
+            coarse.push_back(2 * sample.radius[g]);
+        }
+    }
+    if (coarse.empty()) {
+        return std::nullopt;
+    }
+    const auto middle = coarse.begin() + std::ssize(coarse) / 2;
+    std::nth_element(coarse.begin(), middle, coarse.end());
+    return std::cbrt(solid / (1 - settled_porosity)) / *middle;
 }
 
 class Checks {
@@ -208,10 +228,37 @@ public:
             return;
         }
         try {
-            check_counts(grains::sample_soil(*variant_.soil, static_cast<int>(variant_.particles)));
+            const auto sample = grains::sample_soil(*variant_.soil, static_cast<int>(variant_.particles));
+            check_counts(sample);
+            check_skeleton(sample);
         } catch (const CaseError& problem) {
             context_.problems.error("E606", place_of("particles"), problem.what(), "suffuse explain E606");
         }
+    }
+
+    /// Erosion ends where the coarse skeleton is narrower than it can be judged: better known before the compaction.
+    void check_skeleton(const grains::SampledGrains& sample) {
+        const bool erodes = std::any_of(variant_.stages.begin(), variant_.stages.end(), [](const Stage& stage) {
+            return std::holds_alternative<erosion::ErodeSpec>(stage.spec);
+        });
+        const auto width = skeleton_width(sample);
+        if (!erodes || !width || *width >= erosion::narrowest_skeleton * (1 + doubtful_width)) {
+            return;
+        }
+        constexpr double wanted = erosion::narrowest_skeleton * (1 + doubtful_width);
+        const double enough = std::ceil(static_cast<double>(variant_.particles) * std::pow(wanted / *width, 3) / 100);
+        context_.problems.warning(
+            "W610", place_of("particles"),
+            fmt::format(
+                "{} grains of this soil{} make a cell some {:.1f} coarse diameters wide: narrower than {:.0f}, erosion "
+                "ends with its first pass",
+                grouped(variant_.particles), variant_.values.empty() ? "" : fmt::format(" ({})", variant_.folder),
+                *width, erosion::narrowest_skeleton
+            ),
+            fmt::format(
+                "take about {} grains or more, or a narrower range of coarse sizes", grouped(100 * std::llround(enough))
+            )
+        );
     }
 
     /// What leaves are shares of the fines, held back by the coarse: few of either say little.

@@ -158,6 +158,21 @@ TEST(PhysicsChecks, GrainsThatCannotBeDrawnAreReportedBeforeTheRun) {
     EXPECT_NE(few.message.find("particles"), std::string::npos);
 }
 
+TEST(PhysicsChecks, ASkeletonThatWillBeTooNarrowToErodeIsToldBeforeTheRun) {
+    const std::string erode = "[[study.one.stage]]\nname = \"x\"\ndo = \"erode\"\n";
+    const std::string coarse = replaced(good_case, "0.15 mm", "0.3 mm");
+    const auto with = [&](int particles) { return replaced(coarse, "20000", std::to_string(particles)) + erode; };
+    const Diagnostic found = find_problem(problems_of(with(1000)), "W610");
+    EXPECT_TRUE(found.is_warning);
+    EXPECT_EQ(found.line, 7);
+    EXPECT_EQ(find_problem(problems_of(replaced(coarse, "20000", "1000")), "W610").code, ""); // nothing is eroded
+    std::string number = found.help.substr(found.help.find("about ") + 6);
+    std::erase(number, ',');
+    const int enough = std::stoi(number);
+    EXPECT_EQ(find_problem(problems_of(with(enough)), "W610").code, "") << found.help;
+    EXPECT_EQ(find_problem(problems_of(with(enough * 9 / 10)), "W610").line, 7);
+}
+
 TEST(PhysicsChecks, OnlyTheNarrowestVariantIsReported) {
     const auto list = problems_of(replaced(good_case, "20000", "20000\nsweep = { particles = [3000, 2000, 30000] }"));
     ASSERT_EQ(list.size(), 1U) << render(list);

@@ -14,9 +14,6 @@
 namespace suffuse::erosion {
 namespace {
 
-constexpr double narrowest_cell = 5;      // coarse diameters: below, the skeleton sees its own images
-constexpr std::size_t fewest_coarse = 50; // grains, for a distribution of constrictions to mean anything
-
 struct CoarseGrains {
     std::vector<Vec3> position;
     std::vector<double> radius;
@@ -62,11 +59,11 @@ std::optional<std::string> skeleton_complaint(const dem::World& world) {
     const double diameter = 2 * radius[radius.size() / 2];
     const Vec3 width = cell::widths(world.cell.h);
     const double narrow = std::min({width.x, width.y, width.z});
-    if (narrow < narrowest_cell * diameter) {
+    if (narrow < narrowest_skeleton * diameter) {
         return fmt::format(
             "the cell is only {:.1f} coarse diameters wide (at least {} wanted): the coarse skeleton has lost its "
             "meaning",
-            narrow / diameter, narrowest_cell
+            narrow / diameter, narrowest_skeleton
         );
     }
     return std::nullopt;

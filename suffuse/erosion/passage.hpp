@@ -24,6 +24,12 @@ CoarseSkeleton measure_coarse_skeleton(
     const dem::World& world, const Vec3& direction, bool with_paths, pores::VoidMerge merge = pores::VoidMerge::None
 );
 
+/// What the coarse skeleton must have, or it has lost its meaning as a filter and erosion ends: a width of the cell in
+/// median coarse diameters, below which the skeleton sees its own images, and a number of coarse grains, for a
+/// distribution of constrictions to mean anything.
+inline constexpr double narrowest_skeleton = 5;
+inline constexpr std::size_t fewest_coarse = 50;
+
 /// Why the coarse skeleton has lost its meaning as a filter; nothing where it has not.
 std::optional<std::string> skeleton_complaint(const dem::World& world);
 

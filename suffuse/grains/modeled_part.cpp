@@ -26,9 +26,12 @@ double counted(const Grading& grading, double finer_than, const Representative& 
     const double finest = grading.diameter.front(), coarsest = grading.diameter.back();
     const double content = passing(grading, finer_than), all = grains_per_volume(grading);
     const double fine = content * grains_per_volume(part_between(grading, finest, finer_than));
-    const double coarse = (1 - content) * grains_per_volume(part_between(grading, finer_than, coarsest));
-    const double largest = size_at(grading, 1);
-    const double width = all * std::pow(spec.cell_width * largest, 3) * (1 - sized_porosity);
+    const Grading skeleton = part_between(grading, finer_than, coarsest);
+    const double coarse = (1 - content) * grains_per_volume(skeleton);
+    constexpr std::size_t drawn = 101; // so that one of them is the median
+    const double median = sample_diameters(skeleton, drawn)[drawn / 2];
+    const double wide = std::max(spec.cell_width * size_at(grading, 1), spec.skeleton_width * median);
+    const double width = all * wide * wide * wide * (1 - sized_porosity);
     return std::max({spec.fine * all / fine, spec.coarse * all / coarse, width});
 }
 

@@ -12,6 +12,7 @@ namespace suffuse::grains {
 struct Representative {
     double tolerance = 0.02;         ///< largest difference of percent passing [-]
     double cell_width = 4;           ///< in diameters of the largest grain [-]
+    double skeleton_width = 6;       ///< in median diameters of the coarse grains, by number [-]
     double fine = 100, coarse = 100; ///< grains of either fraction
 };
 

@@ -37,6 +37,20 @@ TEST(ModeledPart, TheCountIsWhatASampleOfThatSizeHas) {
     EXPECT_GT(representative_count(gap_graded, 0.5e-3, wide), 5 * count);
 }
 
+TEST(ModeledPart, AUniformSkeletonIsAsWideAsErosionNeeds) {
+    const Grading uniform{{0.1e-3, 0.2e-3, 1e-3, 1.1e-3}, {0, 0.2, 0.2, 1}, "uniform"};
+    Representative narrow;
+    narrow.skeleton_width = 0;
+    const double count = representative_count(uniform, 0.5e-3), less = representative_count(uniform, 0.5e-3, narrow);
+    EXPECT_GT(count, 1.5 * less); // four of the largest grains are 4.2 median ones; six are asked for
+    double solid = 0;
+    const std::vector<double> drawn = sample_diameters(uniform, static_cast<std::size_t>(std::ceil(count)));
+    for (const double d : drawn) {
+        solid += 3.14159265358979 / 6 * d * d * d;
+    }
+    EXPECT_NEAR(std::cbrt(solid / 0.6) / 1.05e-3, 6, 0.1);
+}
+
 TEST(ModeledPart, NothingIsCutWhereTheGrainsSuffice) {
     const auto part = find_modeled_part(gap_graded, 0.5e-3, 1.01 * representative_count(gap_graded, 0.5e-3));
     ASSERT_TRUE(part);
