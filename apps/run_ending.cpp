@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/report/warnings.hpp"
 #include "suffuse/run/plan_record.hpp"
 
 #include <fmt/format.h>
@@ -65,15 +66,16 @@ std::string plan_error_text(const run::PlanError& error) {
 } // namespace
 
 void tell_results(const run::RunReport& report, const std::string& headline, const Console& console) {
-    for (const std::string& warning : report.warnings) {
+    const std::vector<std::string> warnings = report::merged_warnings(report.warnings); // as the page has them
+    for (const std::string& warning : warnings) {
         console.detail("warning: " + warning);
     }
     for (const std::string& flaw : report.flaws) {
         console.talk("flaw: " + flaw);
     }
     console.result(fmt::format("{}   {}", headline, report_text(report.report)));
-    if (!report.warnings.empty()) {
-        console.talk(fmt::format("{}, listed in the report", plural(std::ssize(report.warnings), "warning")));
+    if (!warnings.empty()) {
+        console.talk(fmt::format("{}, listed in the report", plural(std::ssize(warnings), "warning")));
     }
     if (!report.findings.empty()) {
         console.result(findings_text(report.findings));

@@ -169,13 +169,37 @@ std::string count_problems(const std::vector<Diagnostic>& list) {
     return first + (first.empty() || second.empty() ? "" : ", ") + second;
 }
 
+namespace {
+
+/// One line for each further warning of a kind, the first few.
+template <class Iterator, class IsAlike>
+std::string render_rest(Iterator begin, Iterator end, IsAlike is_alike) {
+    constexpr std::ptrdiff_t most = 3;
+    const std::ptrdiff_t count = std::count_if(begin, end, is_alike);
+    std::string out;
+    std::ptrdiff_t told = 0;
+    for (; begin != end && told < most; ++begin) {
+        if (is_alike(*begin)) {
+            const std::string where = begin->line > 0 ? fmt::format("line {}: ", begin->line) : "";
+            out += fmt::format("   = also: {}{}\n", where, printable(begin->message));
+            ++told;
+        }
+    }
+    return out + (count > told ? fmt::format("   = and {} more; --json lists all\n", count - told) : "");
+}
+
+} // namespace
+
 std::string render(const std::vector<Diagnostic>& list, bool color) {
     const Palette paint = color ? Palette{"\x1b[1;31m", "\x1b[1;33m", "\x1b[34m", "\x1b[1m", "\x1b[0m"} : Palette{};
     std::string out;
     bool has_errors = false;
-    for (const Diagnostic& d : list) {
-        out += render_one(d, paint) + "\n";
-        has_errors = has_errors || !d.is_warning;
+    for (auto d = list.begin(); d != list.end(); ++d) {
+        has_errors = has_errors || !d->is_warning;
+        const auto is_alike = [&](const Diagnostic& other) { return d->is_warning && other.code == d->code; };
+        if (std::none_of(list.begin(), d, is_alike)) {
+            out += render_one(*d, paint) + render_rest(d + 1, list.end(), is_alike) + "\n";
+        }
     }
     return out + count_problems(list) + (has_errors ? "; nothing was run\n" : "\n");
 }

@@ -41,7 +41,8 @@ private:
     std::vector<Diagnostic> list_;
 };
 
-/// Source line with carets and help for each, then a line that counts them. `color` uses terminal colors.
+/// Source line with carets and help for each, then a line that counts them; of several warnings of one code the first,
+/// the others in a line each. `color` uses terminal colors.
 std::string render(const std::vector<Diagnostic>& list, bool color = false);
 
 /// "2 errors, 1 warning".

@@ -56,6 +56,21 @@ TEST(Diagnostics, TheSameProblemIsToldOnce) {
     EXPECT_EQ(list[0].message, "first");
 }
 
+TEST(Diagnostics, WarningsOfOneCodeAreShownInFullOnce) {
+    Problems problems;
+    const auto source = source_of("a\nb\nc\nd\ne\nf\n");
+    for (int line = 1; line <= 6; ++line) {
+        problems.warning("W1", {source, line, 1, 1}, "number " + std::to_string(line), "do this");
+        problems.error("E1", {source, line, 1, 1}, "error " + std::to_string(line));
+    }
+    const std::string shown = render(problems.sorted());
+    EXPECT_EQ(shown.find("warning[W1]"), shown.rfind("warning[W1]")) << shown;
+    EXPECT_NE(shown.find("   = also: line 2: number 2\n"), std::string::npos) << shown;
+    EXPECT_NE(shown.find("and 2 more"), std::string::npos) << shown;
+    EXPECT_NE(shown.find("error 6"), std::string::npos); // each is to be mended
+    EXPECT_NE(shown.find("6 errors, 6 warnings"), std::string::npos);
+}
+
 TEST(Diagnostics, CaretsFollowCharactersNotBytes) {
     const auto list = problems_of("schema = 1\ncontact = { \"\u00e9\u4e2d\" = 1, modulus = 3 }\n[study.a]\n");
     const Diagnostic found = find_problem(list, "E310");

@@ -111,7 +111,7 @@ void judge_end(const dem::World& world, const ErodeSpec& spec, double initial_ma
     if (!spec.forced && noise_decides(spec.detached, pass.probe)) {
         pass.verdict = "what leaves cannot be told from the twin's noise";
     } else if (pass.removed == 0) {
-        pass.verdict = "nothing leaves any more";
+        pass.verdict = nothing_leaves;
     } else if (complaint) {
         pass.verdict = *complaint;
     } else if (spec.until_eroded) {

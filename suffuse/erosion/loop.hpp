@@ -23,6 +23,9 @@ struct Surroundings {
     Pulse pulse;              ///< may throw Interrupted: the world is then as it was before the pass
 };
 
+/// The verdict of the pass that ends an erosion in the usual way.
+inline constexpr const char* nothing_leaves = "nothing leaves any more";
+
 /// One pass from an equilibrium; appends to `result` and returns whether the procedure should go on.
 /// @throws SolverError, GeometryError, StateError; the world is then as before.
 bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result);

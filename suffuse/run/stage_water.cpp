@@ -233,7 +233,8 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         work.grain_steps += (probe_steps + pass.steps) * static_cast<std::int64_t>(work.world.grains.size());
         work.time_step = pass.probe.time_step;
         note_probe(work, spec.detached, pass.probe, !spec.forced);
-        if (!pass.verdict.empty() && !pass.reached_target) {
+        const bool is_usual_end = pass.reached_target || pass.verdict == erosion::nothing_leaves;
+        if (!pass.verdict.empty() && !is_usual_end) {
             work.warnings.push_back(fmt::format("{}: pass {}: {}", work.place(), pass.pass, pass.verdict));
         }
     }
