@@ -6,6 +6,7 @@
 #include "suffuse/run/folder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/exit_code.hpp"
 #include "apps/verbs.hpp"
@@ -53,6 +54,21 @@ std::string verdict_on(const run::Comparison& found, double tolerance) {
     return fmt::format("{}: {}", plural(std::ssize(found.differences), "difference"), states);
 }
 
+/// What is in each of two runs that share no stage: there is nothing else to say of them.
+std::string nothing_shared(const CommandLine& line, const run::Comparison& found) {
+    const auto list = [](const std::string& folder, const std::vector<std::string>& stages) {
+        return fmt::format(
+            "  {} has {}", folder, stages.empty() ? "no finished stage" : fmt::format("{}", fmt::join(stages, ", "))
+        );
+    };
+    return fmt::format(
+        "nothing to compare: no stage, by its study, sample and name, is in both\n{}\n{}\nstages are compared that "
+        "have "
+        "one name in both runs, as runs of one case have with other values (--set)",
+        list(line.subject, found.only_first), list(line.other, found.only_second)
+    );
+}
+
 int compare_two(const CommandLine& line, const Console& console) {
     const double tolerance =
         line.tolerance.empty() ? 0 : quantity_of(line.tolerance, dimension::none, "--tolerance", true);
@@ -60,6 +76,11 @@ int compare_two(const CommandLine& line, const Console& console) {
         throw UsageError(fmt::format("--tolerance {}: from 0 to below 1, or as in 2%", shown(line.tolerance)));
     }
     const run::Comparison found = run::compare_runs(line.subject, line.other, tolerance);
+    if (found.stages == 0) {
+        console.result(nothing_shared(line, found));
+        console.document(json_text(found));
+        return Differs;
+    }
     for (const std::string& circumstance : found.circumstances) {
         console.result("  " + circumstance);
     }

@@ -60,6 +60,22 @@ TEST_F(Compare, ARunThatLacksAStageDiffersInIt) {
     expect_in("replay/seep   done and not there", said.out);
 }
 
+TEST_F(Compare, RunsWithoutACommonStageAreSaidToBeSoWithWhatIsInEach) {
+    std::string text = read_all(folder / "soil/case.toml");
+    for (std::size_t at = 0; (at = text.find("study.replay", at)) != std::string::npos;) {
+        text.replace(at, 12, "study.second");
+    }
+    write_to(folder / "soil/case.toml", text);
+    ASSERT_EQ(run("second", {"--until", "settled"}).code, 0);
+    const Said said = say({"compare", "first", "second"});
+    EXPECT_EQ(said.code, 5);
+    expect_in("nothing to compare: no stage, by its study, sample and name, is in both", said.out);
+    expect_in("first has replay/compressed, ", said.out);
+    expect_in("second has second/settled, second/start", said.out);
+    EXPECT_EQ(said.out.find("case - "), std::string::npos);
+    EXPECT_EQ(say({"compare", "first", "second", "--json"}).json().at("only_second").size(), 2U);
+}
+
 TEST_F(Compare, WithThePaperEachFindingIsJudged) {
     const Said said = say({"compare", "first", "--paper", "--json"});
     EXPECT_EQ(said.code, 0) << said.error; // the replay holds nothing that the paper speaks of

@@ -116,6 +116,7 @@ void compare_stages(const fs::path& first, const fs::path& second, double tolera
     for (const auto& [name, numbers] : a) {
         const auto other = b.find(name);
         if (other == b.end()) {
+            found.only_first.push_back(name);
             comparer.differ(name, "done", "not there");
             continue;
         }
@@ -131,6 +132,7 @@ void compare_stages(const fs::path& first, const fs::path& second, double tolera
     }
     for (const auto& [name, numbers] : b) {
         if (!a.contains(name)) {
+            found.only_second.push_back(name);
             comparer.differ(name, "not there", "done");
         }
     }
@@ -268,12 +270,15 @@ void to_json(json& json, const Comparison& comparison) {
              {"relative", difference.relative}}
         );
     }
-    json = {{"circumstances", comparison.circumstances},
-            {"stages", comparison.stages},
-            {"same_states", comparison.same_states},
-            {"other_states", comparison.other_states},
-            {"numbers", comparison.numbers},
-            {"differences", list}};
+    json = {
+        {"circumstances", comparison.circumstances},
+        {"stages", comparison.stages},
+        {"same_states", comparison.same_states},
+        {"other_states", comparison.other_states},
+        {"only_first", comparison.only_first},
+        {"only_second", comparison.only_second},
+        {"numbers", comparison.numbers},
+        {"differences", list}};
 }
 
 } // namespace suffuse::run

@@ -20,8 +20,9 @@ struct Comparison {
     std::vector<std::string> circumstances; ///< what differs before any result does: case, program, seed, mode
     int same_states = 0, other_states = 0;  ///< stages that both have, to the bit
     int stages = 0;                         ///< that both have
-    int numbers = 0;                        ///< that both have, of stages and figures
-    std::vector<Difference> differences;    ///< beyond the tolerance
+    std::vector<std::string> only_first, only_second; ///< stages that the other has not
+    int numbers = 0;                                  ///< that both have, of stages and figures
+    std::vector<Difference> differences;              ///< beyond the tolerance
 };
 
 /// @param tolerance relative, below which two numbers count as the same [-]; 0 also wants the states to the bit
