@@ -250,6 +250,7 @@ void add_packing_verbs(CLI::App& app, CommandLine& line) {
     CLI::App* import = app.add_subcommand("import", "look at a packing from elsewhere, and write it in another format");
     add_subject(*import, line, "FILE", packing_text);
     import->add_option("--cell", line.cell, cell_text)->type_name("LX,LY,LZ");
+    import->add_option("--unit", line.unit, "of the lengths in the file, as in mm; m unless given")->type_name("UNIT");
     import->add_option("-o,--output", line.output, "file to write")->type_name("FILE");
     import->add_option("--format", line.format, format_text)->type_name("NAME");
 

@@ -77,6 +77,16 @@ io::PackingFormat format_of(const CommandLine& line) {
     ));
 }
 
+/// "mm" or "1 mm" [m].
+double unit_of(const std::string& text) {
+    const bool has_number = text.find_first_of("0123456789") != std::string::npos;
+    const double unit = quantity_of(has_number ? text : "1" + text, dimension::length, "--unit", false);
+    if (!(unit > 0)) {
+        throw UsageError(fmt::format("--unit {}: a length above 0, as in mm", shown(text)));
+    }
+    return unit;
+}
+
 /// The grains that were read, as far as they are known: enough to write them in any format.
 dem::World world_of(const io::ImportedPacking& read, const std::optional<cell::Cell>& cell) {
     dem::World world;
@@ -88,10 +98,14 @@ dem::World world_of(const io::ImportedPacking& read, const std::optional<cell::C
 } // namespace
 
 int import_verb(const CommandLine& line, const Console& console) {
-    io::ImportedPacking read = io::read_packing(line.subject, usual_density);
+    const double unit = line.unit.empty() ? 1 : unit_of(line.unit);
+    io::ImportedPacking read = io::read_packing(line.subject, usual_density, unit);
     std::optional<cell::Cell> cell = read.cell;
     if (!line.cell.empty()) {
         cell = cell::Cell{cell_of(line.cell), {}};
+    }
+    if (auto strange = io::size_warning(read.grains, line.subject)) {
+        read.warnings.push_back(std::move(*strange));
     }
     if (cell) {
         if (auto narrow = io::narrow_cell_warning(read.grains, cell->h, line.subject)) {

@@ -204,6 +204,7 @@ name = "start"
 do = "import"
 packing = "packing.csv"
 cell = [["1 mm", "0.1 mm", "0 mm"], ["0 mm", "1 mm", "0 mm"], ["0 mm", "0 mm", "1 mm"]]
+unit = "1 mm"
 max_overlap = "5 %"
 [[study.other.stage]]
 name = "settled"

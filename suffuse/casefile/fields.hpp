@@ -72,6 +72,7 @@ template <class V>
 void fields(V& v, ImportSpec& s) {
     packing_field(v, s);
     cell_field(v, s.cell);
+    v.field("unit", s.unit);
     v.field("max_overlap", s.max_overlap);
 }
 

@@ -10,6 +10,7 @@ namespace suffuse::casefile {
 struct ImportSpec {
     std::string path;         ///< of the packing file, absolute
     Mat3 cell = {};           ///< columns are the cell vectors [m]; zeros: the file's own
+    double unit = 1;          ///< what a length of 1 in the file stands for [m]
     double max_overlap = 0.1; ///< largest overlap that is accepted / radius of the smaller grain [-]
     std::string place;        ///< where the case asks for it, "case.toml:31:11", for messages
 };

@@ -77,6 +77,7 @@ TEST(LoadCase, EveryValueReachesItsSpecInSi) {
     const auto& import = spec_of<ImportSpec>(c, "other", "start");
     EXPECT_EQ(import.cell(0, 1), 1e-4);
     EXPECT_EQ(import.cell(1, 0), 0);
+    EXPECT_EQ(import.unit, 1e-3);
     EXPECT_EQ(import.max_overlap, 0.05);
     EXPECT_TRUE(std::filesystem::path(import.path).is_absolute());
     EXPECT_TRUE(import.place.starts_with("case.toml:")) << import.place;

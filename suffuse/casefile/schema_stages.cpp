@@ -220,6 +220,10 @@ std::vector<Key> preparation_rows() {
                 "stage.import", "cell", "three lengths, or a 3 x 3 matrix whose columns are the cell vectors",
                 "The periodic cell; needed unless the file carries it, as LAMMPS, extended XYZ and our .vtp files do."
             ),
+            quantity(
+                "stage.import", "unit", dimension::length, above_zero,
+                "What a length of 1 in the file stands for, its velocities likewise: \"1 mm\" where it is in mm."
+            ),
             ratio(
                 "stage.import", "max_overlap", {0, 2, true, false},
                 "Largest overlap that is accepted / radius of the smaller grain."

@@ -173,15 +173,48 @@ void check_positions(const grains::Grains& grains, const Mat3& h, const std::str
     }
 }
 
+void scale(ImportedPacking& packing, double unit) {
+    grains::Grains& grains = packing.grains;
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        grains.position[g] = unit * grains.position[g];
+        grains.velocity[g] = unit * grains.velocity[g];
+        grains.radius[g] *= unit;
+        grains.mass[g] *= unit * unit * unit;
+        grains.inertia[g] *= std::pow(unit, 5);
+    }
+    if (packing.cell) {
+        packing.cell->h = unit * packing.cell->h;
+    }
+}
+
 } // namespace
 
-ImportedPacking read_packing(const std::filesystem::path& path, double density) {
+ImportedPacking read_packing(const std::filesystem::path& path, double density, double unit) {
     const std::string file = path.string(), text = read_text(path);
     ImportedPacking packing = parse_any(file, text, density);
     if (packing.grains.size() == 0) {
         throw CaseError(fmt::format("{}: no grains found, expected at least one row below the header", file), file);
     }
+    if (unit != 1) {
+        scale(packing, unit);
+    }
     return packing;
+}
+
+std::optional<std::string> size_warning(const grains::Grains& grains, const std::string& origin) {
+    constexpr double coarsest = 63e-3, finest = 1e-7; // gravel ends, and clay is colloidal, there [m]
+    std::vector<double> radius = grains.radius;
+    const auto middle = radius.begin() + std::ssize(radius) / 2;
+    std::nth_element(radius.begin(), middle, radius.end());
+    const double median = 2 * *middle;
+    if (median >= finest && median <= coarsest) {
+        return std::nullopt;
+    }
+    return fmt::format(
+        "{}: the median diameter is {:.4g} m, {}; lengths are read in m: of a file in mm say so, by unit = \"1 mm\" "
+        "in a case and in Python, --unit mm of suffuse import",
+        origin, median, median > coarsest ? "coarser than gravel" : "finer than clay"
+    );
 }
 
 std::optional<std::string> narrow_cell_warning(const grains::Grains& grains, const Mat3& h, const std::string& origin) {

@@ -80,6 +80,22 @@ TEST(PackingFile, FileThatIsNotThereIsAnIoError) {
     EXPECT_THROW(read_packing(folder.path(), 2600), IoError); // a folder is no file
 }
 
+TEST(PackingFile, LengthsMayBeInAnotherUnit) {
+    const TempFolder folder;
+    write_file(
+        folder / "p.xyz", "1\nLattice=\"4 0 0 0 4 0 0 0 4\" Properties=pos:R:3:radius:R:1:velo:R:3\n1 2 3 0.5 1 0 0\n"
+    );
+    const ImportedPacking raw = read_packing(folder / "p.xyz", 2600), mm = read_packing(folder / "p.xyz", 2600, 1e-3);
+    EXPECT_EQ(mm.grains.position[0].z, 3e-3);
+    EXPECT_EQ(mm.grains.velocity[0].x, 1e-3);
+    EXPECT_EQ(mm.grains.radius[0], 0.5e-3);
+    EXPECT_NEAR(mm.grains.mass[0] / (2600 * sphere_volume(0.5e-3)), 1, 1e-12);
+    EXPECT_NEAR(mm.grains.inertia[0] / sphere_inertia(mm.grains.mass[0], 0.5e-3), 1, 1e-12);
+    EXPECT_EQ(mm.cell->h(2, 2), 4e-3);
+    EXPECT_TRUE(size_warning(raw.grains, "p.xyz"));
+    EXPECT_FALSE(size_warning(mm.grains, "p.xyz"));
+}
+
 TEST(PackingFile, YadeTextNeedsNoHeader) {
     const ImportedPacking packing = parse("#format x_y_z_r\n1 2 3 0.5\n4\t5 6  0.25\n");
     ASSERT_EQ(packing.grains.size(), 2U);

@@ -101,7 +101,7 @@ std::int64_t largest_sample(const casefile::Case& what) {
                 if (import == nullptr) {
                     continue;
                 }
-                const auto read = io::read_packing(import->path, what.material.density);
+                const auto read = io::read_packing(import->path, what.material.density, import->unit);
                 imported_cell(*import, read); // a missing one is told before anything runs
                 most = std::max(most, static_cast<std::int64_t>(read.grains.size()));
             }

@@ -67,7 +67,7 @@ public:
         : case_(what), variant_(variant), sample_(sample) {}
 
     StagePrice operator()(const casefile::ImportSpec& spec) {
-        io::ImportedPacking packing = io::read_packing(spec.path, variant_.material.density);
+        io::ImportedPacking packing = io::read_packing(spec.path, variant_.material.density, spec.unit);
         mark_fines(variant_, spec.path, packing.grains);
         const double volume = std::abs(determinant(imported_cell(spec, packing)));
         sample_ = describe(packing.grains);

@@ -83,7 +83,7 @@ void warn_of_shear_stress(StageWork& work, double pressure) {
 } // namespace
 
 void do_import(StageWork& work, const casefile::ImportSpec& spec) {
-    io::ImportedPacking packing = io::read_packing(spec.path, work.variant.material.density);
+    io::ImportedPacking packing = io::read_packing(spec.path, work.variant.material.density, spec.unit);
     work.world.cell.h = imported_cell(spec, packing);
     work.world.grains = std::move(packing.grains);
     const double overlap = io::check_overlaps(work.world.grains, work.world.cell, spec.max_overlap, spec.path);
@@ -94,6 +94,9 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     work.warnings = std::move(packing.warnings);
     if (packing.cell && !(packing.cell->h == work.world.cell.h)) {
         work.warnings.push_back(fmt::format("{}: the case's cell is taken, not that of {}", work.place(), spec.path));
+    }
+    if (const auto strange = io::size_warning(work.world.grains, work.place())) {
+        work.warnings.push_back(*strange);
     }
     if (const auto narrow = io::narrow_cell_warning(work.world.grains, work.world.cell.h, work.place())) {
         work.warnings.push_back(*narrow);
