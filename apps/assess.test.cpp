@@ -64,6 +64,17 @@ TEST_F(Assess, WithAGradientSaysWhatMarginIsLeft) {
     EXPECT_EQ(gradients[1]["verdict"], "stable");
 }
 
+TEST_F(Assess, TakesSharesInPercent) {
+    EXPECT_EQ(call("dyke.csv -i 33% --alpha 50% --porosity 30% --relative-density 70% --json"), 0);
+    const auto soil = nlohmann::json::parse(out)["soils"][0];
+    EXPECT_DOUBLE_EQ(soil["seepage"]["gradient"].get<double>(), 0.33);
+    EXPECT_DOUBLE_EQ(soil["seepage"]["stress_share"].get<double>(), 0.5);
+    EXPECT_DOUBLE_EQ(soil["seepage"]["porosity"].get<double>(), 0.3);
+    EXPECT_EQ(call("dyke.csv --relative-density 170%"), 2);
+    expect_in("or as in 50%", error);
+    EXPECT_EQ(call("dyke.csv -i 3x%"), 2);
+}
+
 TEST_F(Assess, JsonHasTheKeysOfTheFormatsPage) {
     EXPECT_EQ(call("dyke.csv --fines 0.3mm --relative-density 0.7 --json"), 0);
     const auto soil = nlohmann::json::parse(out)["soils"][0];

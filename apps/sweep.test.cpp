@@ -75,6 +75,8 @@ TEST_F(SweepVerb, TasksRunByAShellEndWithTheBitsOfAPlainRun) {
     ASSERT_EQ(sh("head -n 1 parts/tasks.txt | sh"), 0) << said();
     EXPECT_EQ(suffuse("sweep --collect parts"), 75) << said();
     EXPECT_NE(said().find("1 of 3 samples done"), std::string::npos) << said();
+    EXPECT_NE(said().find("suffuse sweep parts --emit parallel writes tasks"), std::string::npos) << said();
+    const std::string first = read_all(folder / "parts/provenance.json");
     ASSERT_EQ(sh("sh parts/tasks.txt"), 0) << said();
     // With the last value the refinement is known, and there is one sample more.
     EXPECT_EQ(suffuse("sweep --collect parts"), 75) << said();
@@ -83,6 +85,10 @@ TEST_F(SweepVerb, TasksRunByAShellEndWithTheBitsOfAPlainRun) {
     ASSERT_EQ(sh("sh parts/tasks.txt"), 0) << said();
     EXPECT_EQ(suffuse("sweep --collect parts"), 0) << said();
     EXPECT_EQ(hashes("parts"), whole);
+    const auto at = [](const std::string& text) {
+        return nlohmann::json::parse(text).at("finished").get<std::string>();
+    };
+    EXPECT_LT(at(first), at(read_all(folder / "parts/provenance.json"))) << "each gathering has its own";
     EXPECT_TRUE(std::filesystem::exists(folder / "parts/report.html"));
     const auto summary = nlohmann::json::parse(read_all(folder / "parts/summary.json"));
     EXPECT_EQ(summary.at("samples").at("done"), 4);

@@ -38,6 +38,26 @@ CLI::Validator number_in(T least, T most) {
     );
 }
 
+/// A ratio: a bare number, or one with %, as a case has them. "30%" becomes "0.3".
+CLI::Validator ratio_in(double least, double most) {
+    const std::string expected = most < std::numeric_limits<double>::max()
+                                     ? fmt::format("a number from {} to {}, or as in {:.4g}%", least, most, 50 * most)
+                                     : fmt::format("a number of {} or more, or as in 30%", least);
+    return CLI::Validator(
+        [=](std::string& text) {
+            if (const std::size_t mark = text.find_last_not_of(" %");
+                text.ends_with('%') && mark != std::string::npos) {
+                const auto percent = io::number_of<double>(text.substr(0, mark + 1));
+                if (percent) {
+                    text = fmt::format("{}", *percent / 100);
+                }
+            }
+            return complaint_of_range(text, least, most, expected);
+        },
+        std::string()
+    );
+}
+
 CLI::Validator number_from_zero() {
     return CLI::Validator(
         [](std::string& text) {
@@ -256,7 +276,7 @@ void add_packing_verbs(CLI::App& app, CommandLine& line) {
 
     CLI::App* out = app.add_subcommand("export", "write the grains of a stage for other programs");
     add_subject(*out, line, "STATE", "a stage's state.h5, or the stage's folder");
-    out->add_option("-o,--output", line.output, "file to write")->type_name("FILE")->required();
+    out->add_option("-o,--output", line.output, "file to write")->type_name("FILE");
     out->add_option("--format", line.format, format_text)->type_name("NAME");
 }
 
@@ -270,17 +290,17 @@ void add_assess_verb(CLI::App& app, CommandLine& line) {
         ->type_name("D");
     assess->add_option("-i,--gradient", line.seepage_gradient, "hydraulic gradient of upward seepage")
         ->type_name("I")
-        ->check(number_from_zero());
+        ->transform(ratio_in(0, std::numeric_limits<double>::max()));
     assess->add_option("--relative-density", line.relative_density, "0 loosest, 1 densest; both unless given")
         ->type_name("ID")
-        ->check(number_in(0.0, 1.0));
+        ->transform(ratio_in(0, 1));
     assess->add_option("--porosity", line.porosity, "with -i; 0.40 unless given")
         ->type_name("N")
-        ->check(number_in(0.05, 0.95));
+        ->transform(ratio_in(0.05, 0.95));
     assess->add_option("--density", line.density, "of the grains, with -i; 2650kg/m^3 unless given")->type_name("RHO");
     assess->add_option("--alpha", line.stress_share, "with -i: mean stress of the fines over that of the soil")
         ->type_name("A")
-        ->check(number_in(0.0, 1.0));
+        ->transform(ratio_in(0, 1));
     assess->add_flag("--coarse-fabric", line.coarse_fabric, "D60/D10 of the coarse part decides how far to look at F");
     assess->add_option("-o,--output", line.output, "folder for a page, its figures and numbers")->type_name("DIR");
 }

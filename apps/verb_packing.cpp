@@ -1,5 +1,6 @@
 // import, export: packings from and for other programs.
 
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/io/checkpoint.hpp"
@@ -135,9 +136,35 @@ int import_verb(const CommandLine& line, const Console& console) {
     return Done;
 }
 
+/// Whoever names a run is told its stages: which of them is meant?
+void check_stage(const fs::path& given) {
+    if (!fs::is_directory(given / "studies")) {
+        return;
+    }
+    std::vector<std::string> stages;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(given / "studies")) {
+        if (entry.path().filename() == "state.h5") {
+            stages.push_back(entry.path().parent_path().string());
+        }
+    }
+    std::sort(stages.begin(), stages.end());
+    throw UsageError(fmt::format(
+        "{} is a run; give one of its stages: {}", shown(given.string()),
+        stages.empty() ? "none is finished yet" : fmt::format("{}", fmt::join(stages, ", "))
+    ));
+}
+
 int export_verb(const CommandLine& line, const Console& console) {
-    const io::PackingFormat format = format_of(line);
     const fs::path given = line.subject;
+    check_stage(given);
+    if (line.output.empty()) {
+        throw UsageError(fmt::format(
+            "export: where to? -o FILE names the file, and by its ending the format (--format for others): suffuse "
+            "export {} -o grains.csv; there are {}",
+            quoted(line.subject), fmt::join(io::packing_format_names(), ", ")
+        ));
+    }
+    const io::PackingFormat format = format_of(line);
     const fs::path state = fs::is_directory(given) ? given / "state.h5" : given;
     dem::World world = io::load_world(state).world;
     dem::sort_by_id(world);

@@ -22,6 +22,25 @@ TEST_F(Cli, PackingsTravel) {
     }
     EXPECT_EQ(say({"import", "a.csv", "--json"}).json().at("grains"), 500);
     EXPECT_EQ(say({"export", "here/studies/replay/start", "-o", "a.doc"}).code, 2);
+    const Said where = say({"export", "here/studies/replay/start"});
+    EXPECT_EQ(where.code, 2);
+    expect_in("suffuse export here/studies/replay/start -o grains.csv", where.error);
+    const Said which = say({"export", "here", "-o", "a.csv"});
+    EXPECT_EQ(which.code, 2);
+    expect_in("here is a run; give one of its stages: here/studies/replay/start", which.error);
+}
+
+TEST_F(Cli, APackingInMillimetersIsWarnedOfAndReadWithItsUnit) {
+    write_to(folder / "mm.csv", "x,y,z,r\n1,1,1,0.4\n3,1,1,0.6\n1,3,1,0.6\n");
+    const Said passed = say({"import", "mm.csv", "--cell", "4,4,4", "--json"});
+    expect_in("median diameter is 1.2 m, coarser than gravel", passed.json().at("warnings").dump());
+    expect_in("--unit mm", passed.json().at("warnings").dump());
+    const Said read = say({"import", "mm.csv", "--unit", "mm", "--cell", "4mm,4mm,4mm", "--json"});
+    ASSERT_EQ(read.code, 0) << read.error;
+    EXPECT_EQ(read.json().at("warnings").dump().find("median"), std::string::npos);
+    EXPECT_DOUBLE_EQ(read.json().at("radius").at(1).get<double>(), 0.6e-3);
+    EXPECT_EQ(read.json().at("void_ratio"), passed.json().at("void_ratio"));
+    EXPECT_EQ(say({"import", "mm.csv", "--unit", "kPa"}).code, 2);
 }
 
 TEST_F(Cli, BenchSpeaksTheNamesThatScriptsRelyOn) {

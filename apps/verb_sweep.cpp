@@ -179,9 +179,14 @@ int collect(const CommandLine& line, const Console& console) {
         run::keep_refinements(folder, refined);
     }
     const casefile::Case what = run::load_run(folder);
+    const std::vector<run::Sample> samples = run::list_samples(what);
+    if (std::any_of(samples.begin(), samples.end(), [&](const run::Sample& sample) {
+            return fs::exists(folder / "studies" / sample.variant->folder / "provenance.json"); // was a task's
+        })) {
+        fs::remove(folder / "provenance.json"); // of an earlier gathering, which had fewer of them
+    }
     const run::RunReport report = run::rebuild_report(folder, page_folder(), line.typed);
     std::vector<std::string> unfinished;
-    const std::vector<run::Sample> samples = run::list_samples(what);
     for (const run::Sample& sample : samples) {
         const std::string& name = sample.variant->folder;
         const bool has_failed = std::any_of(report.failures.begin(), report.failures.end(), [&](const auto& failure) {
@@ -202,9 +207,10 @@ int collect(const CommandLine& line, const Console& console) {
         console.detail("not finished: " + name);
     }
     if (!unfinished.empty()) {
+        const char* const form = fs::exists(folder / "sweep.sbatch") ? "slurm" : "parallel"; // as before
         console.talk(fmt::format(
-            "{} not finished: suffuse sweep {} --emit slurm writes tasks for them, suffuse resume {} runs them here",
-            plural(std::ssize(unfinished), "sample"), quoted(folder.string()), quoted(folder.string())
+            "{} not finished: suffuse sweep {} --emit {} writes tasks for them, suffuse resume {} runs them here",
+            plural(std::ssize(unfinished), "sample"), quoted(folder.string()), form, quoted(folder.string())
         ));
     }
     const int code = !report.failures.empty() ? code_of(report.failures)
