@@ -30,6 +30,7 @@ PYBIND11_MODULE(_core, m) {
     python::bind_settings(m);
     python::bind_world(m);
     python::bind_steps(m);
+    python::bind_preparation(m);
     python::bind_water(m);
     python::bind_files(m);
     python::bind_stability(m);

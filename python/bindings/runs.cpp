@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/asked_stages.hpp"
 #include "apps/draw_figures.hpp"
 #include "apps/run_folder.hpp"
 #include "python/bindings/bindings.hpp"
@@ -43,6 +44,10 @@ py::dict describe(const run::Progress& progress) {
     dict["particle_steps_per_second"] = progress.particle_steps_per_second;
     dict["state"] = to_python(progress.state);
     dict["stage_finished"] = progress.stage_finished;
+    dict["from_cache"] = progress.from_cache;
+    dict["samples"] = progress.samples;
+    dict["sample_ended"] = progress.sample_ended;
+    dict["failure"] = progress.failure.empty() ? py::object(py::none()) : py::cast(progress.failure);
     return dict;
 }
 
@@ -143,9 +148,11 @@ run::RunReport run_and_listen(const casefile::Case& what, run::RunOptions option
 
 py::tuple conduct(
     const CaseHandle& what, const fs::path& folder, const std::string& until, const py::object& time_limit,
-    const fs::path& page_folder, const py::object& on_progress
+    const fs::path& page_folder, const py::object& on_progress, const fs::path& cache
 ) {
+    apps::check_until(what.loaded.value, until);
     run::RunOptions options;
+    options.cache = cache;
     options.folder = folder;
     options.until = until;
     options.page_folder = page_folder;
@@ -186,13 +193,16 @@ void bind_runs(py::module_& m) {
         },
         py::arg("case"), py::arg("wanted")
     );
+    m.def("check_until", [](const CaseHandle& what, const std::string& until) {
+        apps::check_until(what.loaded.value, until);
+    });
     m.def("asked_run", [](const fs::path& folder) {
         const apps::AskedRun asked = apps::read_asked(folder);
         return py::make_tuple(asked.case_file, asked.preset, asked.overrides, asked.studies);
     });
     m.def(
         "conduct", &conduct, py::arg("case"), py::arg("folder"), py::arg("until"), py::arg("time_limit"),
-        py::arg("page_folder"), py::arg("on_progress")
+        py::arg("page_folder"), py::arg("on_progress"), py::arg("cache")
     );
     m.def(
         "read_cbor", [](const fs::path& path) { return to_python(run::read_cbor(path)); }, py::arg("path"),

@@ -1,13 +1,10 @@
-// What moves a world: steps under a loading and under forces, settling, relaxing, compaction, triaxial tests.
+// What moves a world: steps under a loading and under forces, settling, relaxing, triaxial tests and stress probes.
 
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/dem/inspect.hpp"
-#include "suffuse/dem/order.hpp"
 #include "suffuse/dem/relax.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/stable_dt.hpp"
-#include "suffuse/packing/compact.hpp"
-#include "suffuse/packing/seed.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/triaxial/response.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
@@ -17,6 +14,7 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
 #include "python/bindings/key_doc.hpp"
+#include "python/bindings/stage_words.hpp"
 #include "python/bindings/views.hpp"
 #include "python/bindings/work.hpp"
 #include "python/bindings/world_handle.hpp"
@@ -25,10 +23,7 @@
 namespace suffuse::python {
 namespace {
 
-using Handle = std::shared_ptr<WorldHandle>;
-
 constexpr const char* usual_mode = "reference";
-constexpr double usual_damping = 0.2; // local, non-viscous; [contact] damping of a case
 
 dem::Mode mode_of(const std::string& word) {
     for (const dem::Mode mode : {dem::Mode::Reference, dem::Mode::Fast}) {
@@ -150,78 +145,6 @@ py::object relax(
     return dict;
 }
 
-/// Begins with the rows along the curve, as the stages of a run do.
-dem::World& begin(WorldHandle& w) {
-    dem::World& world = w.world_for_new_rows();
-    dem::sort_along_curve(world);
-    return world;
-}
-
-packing::Protocol protocol_of(const std::string& word) {
-    using packing::Protocol;
-    for (const Protocol protocol : {Protocol::Faithful, Protocol::Swift, Protocol::Slow}) {
-        if (word == packing::name_of(protocol)) {
-            return protocol;
-        }
-    }
-    throw CaseError(fmt::format("protocol: found \"{}\", expected faithful, swift or slow", word));
-}
-
-/// Takes back what a compaction or a test has lent, unless it came to its end: the world lives on in Python.
-template <class State>
-class Loan {
-public:
-    Loan(WorldHandle& handle, State& state) : handle_(handle), state_(state) {}
-
-    Loan(const Loan&) = delete;
-    Loan& operator=(const Loan&) = delete;
-
-    ~Loan() {
-        if (state_.phase != State::Phase::Done) {
-            give_back(handle_.world(), state_);
-            handle_.drop_caches();
-        }
-    }
-
-private:
-    WorldHandle& handle_;
-    State& state_;
-};
-
-py::object compact(
-    WorldHandle& w, const py::object& pressure, const py::object& friction, const py::object& adhesion_normal,
-    const std::string& protocol, const py::object& max_rate, const dem::BalanceSpec& balance, double damping,
-    const py::object& on_progress
-) {
-    packing::CompactSpec spec;
-    spec.protocol = protocol_of(protocol);
-    spec.max_rate = optional_quantity(max_rate, dimension::rate, "max_rate");
-    spec.pressure = quantity_of(pressure, dimension::pressure, "pressure");
-    spec.prepare.friction = optional_quantity(friction, dimension::angle, "friction");
-    spec.prepare.adhesion_normal = optional_quantity(adhesion_normal, dimension::pressure, "adhesion_normal");
-    if (!(spec.pressure > 0)) {
-        throw CaseError(fmt::format("pressure: found {} Pa, expected a positive one", spec.pressure));
-    }
-    packing::CompactState state;
-    Attention attention(on_progress);
-    dem::World& world = begin(w);
-    {
-        const Working working;
-        state.material = world.material;
-        const Loan loan(w, state);
-        state = packing::begin_compaction(world, spec, damping);
-        for (bool done = false; !done;) {
-            done = packing::compact_burst(world, w.caches(), spec, balance, state);
-            w.remember_place();
-            attention.beat("compact", state.steps);
-        }
-    }
-    py::dict dict;
-    dict["steps"] = state.steps;
-    dict["void_ratio_compacted"] = state.void_ratio_compacted;
-    return dict;
-}
-
 /// @param key whose word it is
 template <class T, std::size_t N>
 T word_of(const std::string& word, const std::array<casefile::names::Word<T>, N>& words, const char* key) {
@@ -303,49 +226,6 @@ py::object run_stress_probe(
     return to_python(nlohmann::json(probes));
 }
 
-Handle make_cloud(
-    const py::object& radius, const py::object& porosity, const py::object& fine, const grains::Material& material,
-    std::uint64_t seed
-) {
-    const std::vector<double> radii = numbers_of(radius, "radius");
-    std::vector<std::uint8_t> fines(radii.size(), 0);
-    if (!fine.is_none()) {
-        const std::vector<double> claims = numbers_of(fine, "fine", radii.size());
-        std::transform(claims.begin(), claims.end(), fines.begin(), [](double v) { return v != 0 ? 1 : 0; });
-    }
-    std::vector<std::size_t> order(radii.size());
-    for (std::size_t g = 0; g < order.size(); ++g) {
-        order[g] = g;
-        if (!(radii[g] > 0)) {
-            throw CaseError(fmt::format("radius: found {} at grain {}, expected a positive one", radii[g], g));
-        }
-    }
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return radii[a] > radii[b]; });
-    grains::SampledGrains sample;
-    for (const std::size_t g : order) {
-        sample.radius.push_back(radii[g]);
-        sample.fine.push_back(fines[g]);
-    }
-    packing::PackSpec spec;
-    spec.porosity = quantity_of(porosity, dimension::none, "porosity");
-    const Working working;
-    packing::Cloud cloud = packing::make_cloud(sample, spec, material.density, seed);
-    dem::World world;
-    world.cell = cloud.cell;
-    world.reference_h = cloud.cell.h;
-    world.grains = std::move(cloud.grains);
-    world.material = material;
-    world.seed = seed;
-    return std::make_shared<WorldHandle>(std::move(world));
-}
-
-std::string with_keys(std::string doc, std::initializer_list<std::pair<const char*, const char*>> keys) {
-    for (const auto& [table, name] : keys) {
-        doc += fmt::format("\n{}: {}", name, key_doc(key_of(table, name)));
-    }
-    return doc;
-}
-
 } // namespace
 
 void bind_steps(py::module_& m) {
@@ -383,21 +263,6 @@ void bind_steps(py::module_& m) {
             .c_str()
     );
     type.def(
-        "compact", &compact, py::arg("pressure"), py::kw_only(), py::arg("friction") = py::none(),
-        py::arg("adhesion_normal") = py::none(),
-        py::arg("protocol") = std::string(name_of(packing::Protocol::Faithful)), py::arg("max_rate") = py::none(),
-        py::arg("balance") = dem::BalanceSpec{}, py::arg("damping") = usual_damping,
-        py::arg("on_progress") = py::none(),
-        with_keys(
-            "Compacts a cloud isotropically, then settles it with the final material, as a stage that does "
-            "\"compact\".\n",
-            {{"stage.compact", "pressure"},
-             {"stage.compact.prepare", "friction"},
-             {"stage.compact", "protocol"},
-             {"stage.compact", "max_rate"}}
-        ).c_str()
-    );
-    type.def(
         "triaxial", &run_triaxial, py::arg("strain") = triaxial::TriaxialSpec{}.strain, py::kw_only(),
         py::arg("path") = "drained", py::arg("strain_ratio") = py::none(), py::arg("deviator_stress") = py::none(),
         py::arg("stress_ratio") = py::none(), py::arg("inertial_number") = triaxial::TriaxialSpec{}.inertial_number,
@@ -429,11 +294,6 @@ void bind_steps(py::module_& m) {
              {"stage.stress-probe", "directions"},
              {"stage.stress-probe", "unbalanced_force"}}
         ).c_str()
-    );
-    m.def(
-        "make_cloud", &make_cloud, py::arg("radius"), py::arg("porosity") = packing::PackSpec{}.porosity, py::kw_only(),
-        py::arg("fine") = py::none(), py::arg("material") = grains::Material{}, py::arg("seed") = 0,
-        "Grains of the given radii [m] placed at random in a periodic cube, none overlapping; the same for one seed."
     );
 }
 

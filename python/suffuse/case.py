@@ -113,28 +113,27 @@ class Case:
         """What it will cost on this machine, measured now: a Plan."""
         return Plan(self._core.plan())
 
-    def run(self, folder=None, until="", time_limit=None, on_progress=None, threads=None, on_event=None):
+    def run(
+        self, folder=None, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None
+    ):
         """Runs the case; returns its Run.
 
         folder: runs/NAME-0001 and so on unless given; a folder that holds this run already is gone on with
         until: stop after this stage
         time_limit: save and stop after this wall time, as in "2h"
-        on_progress: called ten times a second at most with a dictionary: stage, part, steps, state, ...
+        on_progress: called ten times a second at most with a dictionary: stage, part, steps, state, ...; and once when
+            a sample has ended, with `sample_ended`, and `failure`: why it failed, or None
         threads: for this run; suffuse.threads() unless given. Results do not depend on it
         on_event: another word for on_progress
+        cache: a folder where finished stages are kept and found again; none unless given
 
         Ctrl-C, or an exception of on_progress, saves and stops; Run(folder).resume() goes on, to the same bits.
         """
         from suffuse.run import Run
 
+        _core.check_until(self._core, until)  # before a folder is made
         place = _core.new_run_folder(self._core, None if folder is None else pathlib.Path(folder))
-        before = _core.threads()
-        _core.set_threads(threads or before)
-        try:
-            outcome, _ = _core.conduct(self._core, place, until, time_limit, page_folder(), on_progress or on_event)
-        finally:
-            _core.set_threads(before)
-        return Run(place, outcome)
+        return Run(place, conduct(self._core, place, until, time_limit, on_progress or on_event, threads, cache))
 
     def __repr__(self):
         return f"<suffuse.Case {str(self.path)!r}: {len(self.stages)} stages, preset {self.preset}>"
@@ -186,9 +185,23 @@ def progress():
     return print_progress
 
 
+def conduct(case, folder, until, time_limit, on_progress, threads, cache):
+    """Runs a case in a folder with so many threads; returns the outcome."""
+    before = _core.threads()
+    _core.set_threads(threads or before)
+    try:
+        return _core.conduct(case, folder, until, time_limit, page_folder(), on_progress, str(cache or ""))[0]
+    finally:
+        _core.set_threads(before)
+
+
 def _as_toml(value):
+    if hasattr(value, "tolist"):  # NumPy's arrays and numbers
+        value = value.tolist()
     if isinstance(value, bool):
         return "true" if value else "false"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_as_toml(str(key))} = {_as_toml(part)}" for key, part in value.items()) + "}"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_as_toml(part) for part in value) + "]"
     if isinstance(value, str):
@@ -197,7 +210,9 @@ def _as_toml(value):
 
 
 def print_progress(progress):
-    """For Case.run(on_progress=...): a line at the end of each stage, on standard error."""
+    """For Case.run(on_progress=...): a line at the end of each stage, and of what failed, on standard error."""
+    if progress["failure"]:
+        print(f'{progress["study"]}/{progress["stage"]} failed: {progress["failure"]}', file=sys.stderr)
     if progress["stage_finished"]:
         print(
             f'{progress["stage_number"]}/{progress["stages"]} {progress["study"]}/{progress["stage"]} '

@@ -1,6 +1,7 @@
 """Runs: what a run folder holds, as numbers and arrays."""
 
 import csv
+import difflib
 import functools
 import json
 import pathlib
@@ -9,7 +10,7 @@ import webbrowser
 import numpy
 
 from suffuse import _core
-from suffuse.case import Case, page_folder
+from suffuse.case import Case, conduct, page_folder
 
 
 def _read_table(path):
@@ -87,12 +88,20 @@ class Stage:
         return _read_json(self.folder / "stage.json")
 
     def __getitem__(self, key):
+        if key not in self.numbers:
+            raise KeyError(self._no(key))
         return self.numbers[key]
+
+    def _no(self, key):
+        """What to say of a number that the stage has not: those that are spelled alike, or all."""
+        near = difflib.get_close_matches(str(key), self.numbers)
+        known = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(sorted(self.numbers))}"
+        return f"{self.name}: no {key} among its numbers; {known}"
 
     def __getattr__(self, name):
         """A number of stage.json: stage.void_ratio is stage["void_ratio"]."""
         if name.startswith("_") or name not in self.numbers:
-            raise AttributeError(f"{self.name}: no {name} among its numbers: {', '.join(sorted(self.numbers))}")
+            raise AttributeError(self._no(name))
         return self.numbers[name]
 
     def __dir__(self):
@@ -256,14 +265,14 @@ class Run:
             raise KeyError(f"{name}: this run has no such figure; there are {', '.join(self.figures)}")
         return Figure(self.folder / "figures", name)
 
-    def resume(self, until="", time_limit=None, on_progress=None):
+    def resume(self, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None):
         """Goes on with a run that was stopped, to the same bits; arguments as of Case.run."""
         resolved = self.folder / "case.resolved.toml"
         if resolved.exists():
             case = _core.CaseFile.load(resolved, "", [])
         else:  # stopped before it really began
             case = _core.CaseFile.load(*_core.asked_run(self.folder))
-        self.outcome, _ = _core.conduct(case, self.folder, until, time_limit, page_folder(), on_progress)
+        self.outcome = conduct(case, self.folder, until, time_limit, on_progress or on_event, threads, cache)
         return self
 
     def compare(self, other, tolerance=0):

@@ -104,7 +104,9 @@ def test_an_exception_of_the_progress_function_saves_and_stops(small_case, tmp_p
 
     with pytest.raises(ZeroDivisionError):
         suffuse.Case(small_case).run(tmp_path / "run", on_progress=stop)
-    run = suffuse.Run(tmp_path / "run").resume()
+    told = []
+    run = suffuse.Run(tmp_path / "run").resume(threads=1, on_event=told.append)
+    assert told[-1]["sample_ended"] and told[-1]["failure"] is None
     whole = suffuse.Case(small_case).run(tmp_path / "whole")
     assert run["replay/seep"]["state_hash"] == whole["replay/seep"]["state_hash"]
 
@@ -137,6 +139,48 @@ def test_until_and_time_limit(small_case, tmp_path):
     assert suffuse.Case(small_case).run(tmp_path / "run", time_limit=1e-9).outcome == "time limit reached"
     with pytest.raises(suffuse.UnitError):
         suffuse.Case(small_case).run(tmp_path / "run", time_limit="3 kPa")
+
+
+def test_a_stage_that_the_case_has_not_is_refused_before_anything_runs(small_case, tmp_path):
+    with pytest.raises(suffuse.UsageError, match="setled.*settled"):
+        suffuse.Case(small_case).run(tmp_path / "run", until="setled")
+    assert not (tmp_path / "run").exists()
+
+
+def test_keys_are_set_to_dictionaries_and_arrays(small_case):
+    case = suffuse.Case(small_case)
+    case.change({"study.replay.stage.compressed.record": {"every": 50}})
+    case.change({"study.replay.stage.seep.direction": numpy.array([0.0, 0.0, 1.0])})
+    case.change({"study.replay.stage.seep.gradient": numpy.float64(0.125)})
+    assert "every = 50" in case.resolved and case["study.replay.stage.seep"]["gradient"] == 0.125
+    with pytest.raises(suffuse.CaseProblems):
+        case.change({"study.replay.stage.compressed.record": {"evry": 50}})
+
+
+def test_a_failure_is_told_while_the_run_goes_on(small_case, tmp_path):
+    told = []
+    packing = small_case.parent / "packing.csv"
+    case = suffuse.Case(small_case)
+    packing.write_text("x,y,z,r\n1,2,3,0\n")
+    run = case.run(tmp_path / "run", on_event=told.append)
+    assert run.outcome == "failed in part"
+    assert [p["failure"] for p in told if p["sample_ended"]][0].startswith(str(packing))
+
+
+def test_a_cache_spares_what_was_run_before(small_case, tmp_path):
+    first = suffuse.Case(small_case).run(tmp_path / "first", cache=tmp_path / "cache", until="settled")
+    told = []
+    second = suffuse.Case(small_case).run(tmp_path / "second", cache=tmp_path / "cache", until="settled", on_progress=told.append)
+    assert any(p["from_cache"] for p in told)
+    assert first["replay/settled"]["state_hash"] == second["replay/settled"]["state_hash"]
+
+
+def test_a_misspelt_number_is_answered_with_the_nearest(small_case, tmp_path):
+    stage = suffuse.Case(small_case).run(tmp_path / "run", until="settled")["replay/settled"]
+    with pytest.raises(KeyError, match="did you mean void_ratio"):
+        stage["void_ration"]
+    with pytest.raises(AttributeError, match="did you mean coordination"):
+        stage.cordination
 
 
 def test_what_a_run_has_not_is_told_with_what_it_has(small_case, tmp_path):

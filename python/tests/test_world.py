@@ -248,6 +248,19 @@ def test_an_interrupted_compaction_leaves_nothing_that_it_lent(adhesion):
     cloud.step(100)
 
 
+def test_a_void_ratio_is_met_by_searching_the_preparation(cloud):
+    dense = cloud.copy()
+    dense.compact("100 kPa", friction=0)
+    loose = cloud.copy()
+    loose.compact("100 kPa")
+    wanted = (dense.void_ratio + loose.void_ratio) / 2
+    found = cloud.compact("100 kPa", void_ratio=wanted, void_ratio_tolerance=0.02)  # so few grains scatter
+    assert abs(found["void_ratio"] - wanted) <= 0.02 and found["void_ratio"] == cloud.void_ratio
+    assert found["trials"] >= 1 and has_its_own_masses(cloud)
+    with pytest.raises(suffuse.StateError, match="cannot be reached"):
+        loose.copy().compact("100 kPa", void_ratio=0.1)
+
+
 def test_a_triaxial_test_without_stress_or_pace_is_refused(cloud, settled):
     with pytest.raises(suffuse.StateError, match="carries a stress"):
         cloud.triaxial()

@@ -1,0 +1,168 @@
+// What makes a sample: a cloud of grains, and its compaction to a pressure and a void ratio.
+
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/packing/compact.hpp"
+#include "suffuse/packing/seed.hpp"
+#include "suffuse/packing/target_density.hpp"
+
+#include <fmt/format.h>
+
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/convert.hpp"
+#include "python/bindings/stage_words.hpp"
+#include "python/bindings/views.hpp"
+#include "python/bindings/work.hpp"
+#include <algorithm>
+
+namespace suffuse::python {
+namespace {
+
+packing::Protocol protocol_of(const std::string& word) {
+    using packing::Protocol;
+    for (const Protocol protocol : {Protocol::Faithful, Protocol::Swift, Protocol::Slow}) {
+        if (word == packing::name_of(protocol)) {
+            return protocol;
+        }
+    }
+    throw CaseError(fmt::format("protocol: found \"{}\", expected faithful, swift or slow", word));
+}
+
+/// One compaction, to its end or until it is seen to miss a void ratio asked for.
+packing::CompactState compact_once(
+    WorldHandle& w, const packing::CompactSpec& spec, const dem::BalanceSpec& balance, double damping,
+    Attention& attention
+) {
+    dem::World& world = w.world();
+    packing::CompactState state;
+    state.material = world.material;
+    const Loan loan(w, state);
+    state = packing::begin_compaction(world, spec, damping);
+    for (bool done = false; !done && !packing::misses_void_ratio(world, spec, state);) {
+        done = packing::compact_burst(world, w.caches(), spec, balance, state);
+        w.remember_place();
+        attention.beat("compact", state.steps);
+    }
+    return state;
+}
+
+py::object compact(
+    WorldHandle& w, const py::object& pressure, const py::object& friction, const py::object& adhesion_normal,
+    const py::object& adhesion_shear, const py::object& void_ratio, const py::object& void_ratio_tolerance,
+    const std::string& protocol, const py::object& max_rate, const dem::BalanceSpec& balance, double damping,
+    const py::object& on_progress
+) {
+    packing::CompactSpec spec;
+    spec.protocol = protocol_of(protocol);
+    spec.max_rate = optional_quantity(max_rate, dimension::rate, "max_rate");
+    spec.pressure = quantity_of(pressure, dimension::pressure, "pressure");
+    spec.prepare.friction = optional_quantity(friction, dimension::angle, "friction");
+    spec.prepare.adhesion_normal = optional_quantity(adhesion_normal, dimension::pressure, "adhesion_normal");
+    spec.prepare.adhesion_shear = optional_quantity(adhesion_shear, dimension::pressure, "adhesion_shear");
+    spec.void_ratio = optional_quantity(void_ratio, dimension::none, "void_ratio");
+    spec.void_ratio_tolerance = quantity_of(void_ratio_tolerance, dimension::none, "void_ratio_tolerance");
+    if (!(spec.void_ratio_tolerance > 0)) {
+        throw CaseError(
+            fmt::format("void_ratio_tolerance: found {}, expected a positive one", spec.void_ratio_tolerance)
+        );
+    }
+    if (spec.void_ratio && !(*spec.void_ratio > 0)) {
+        throw CaseError(fmt::format("void_ratio: found {}, expected a positive one", *spec.void_ratio));
+    }
+    if (!(spec.pressure > 0)) {
+        throw CaseError(fmt::format("pressure: found {} Pa, expected a positive one", spec.pressure));
+    }
+    packing::CompactState state;
+    Attention attention(on_progress);
+    py::dict dict;
+    begin(w);
+    if (!spec.void_ratio) {
+        const Working working;
+        state = compact_once(w, spec, balance, damping, attention);
+    } else {
+        packing::FoundDensity found;
+        {
+            const Working working;
+            const dem::World cloud = w.world();
+            found = packing::search_void_ratio(spec, cloud.material, [&](const packing::CompactSpec& trial) {
+                w.world() = cloud;
+                w.drop_caches();
+                state = compact_once(w, trial, balance, damping, attention);
+                return dem::void_ratio(w.world());
+            });
+        }
+        dict["void_ratio"] = found.void_ratio;
+        dict["trials"] = found.trials;
+        dict["preparation_friction"] = found.spec.prepare.friction.value_or(w.world().material.friction);
+    }
+    dict["steps"] = state.steps;
+    dict["void_ratio_compacted"] = state.void_ratio_compacted;
+    return dict;
+}
+
+Handle make_cloud(
+    const py::object& radius, const py::object& porosity, const py::object& fine, const grains::Material& material,
+    std::uint64_t seed
+) {
+    const std::vector<double> radii = numbers_of(radius, "radius");
+    std::vector<std::uint8_t> fines(radii.size(), 0);
+    if (!fine.is_none()) {
+        const std::vector<double> claims = numbers_of(fine, "fine", radii.size());
+        std::transform(claims.begin(), claims.end(), fines.begin(), [](double v) { return v != 0 ? 1 : 0; });
+    }
+    std::vector<std::size_t> order(radii.size());
+    for (std::size_t g = 0; g < order.size(); ++g) {
+        order[g] = g;
+        if (!(radii[g] > 0)) {
+            throw CaseError(fmt::format("radius: found {} at grain {}, expected a positive one", radii[g], g));
+        }
+    }
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return radii[a] > radii[b]; });
+    grains::SampledGrains sample;
+    for (const std::size_t g : order) {
+        sample.radius.push_back(radii[g]);
+        sample.fine.push_back(fines[g]);
+    }
+    packing::PackSpec spec;
+    spec.porosity = quantity_of(porosity, dimension::none, "porosity");
+    const Working working;
+    packing::Cloud cloud = packing::make_cloud(sample, spec, material.density, seed);
+    dem::World world;
+    world.cell = cloud.cell;
+    world.reference_h = cloud.cell.h;
+    world.grains = std::move(cloud.grains);
+    world.material = material;
+    world.seed = seed;
+    return std::make_shared<WorldHandle>(std::move(world));
+}
+
+} // namespace
+
+void bind_preparation(py::module_& m) {
+    auto type = py::reinterpret_borrow<py::class_<WorldHandle, Handle>>(m.attr("World"));
+    type.def(
+        "compact", &compact, py::arg("pressure"), py::kw_only(), py::arg("friction") = py::none(),
+        py::arg("adhesion_normal") = py::none(), py::arg("adhesion_shear") = py::none(),
+        py::arg("void_ratio") = py::none(),
+        py::arg("void_ratio_tolerance") = packing::CompactSpec{}.void_ratio_tolerance,
+        py::arg("protocol") = std::string(name_of(packing::Protocol::Faithful)), py::arg("max_rate") = py::none(),
+        py::arg("balance") = dem::BalanceSpec{}, py::arg("damping") = usual_damping,
+        py::arg("on_progress") = py::none(),
+        with_keys(
+            "Compacts a cloud isotropically, then settles it with the final material, as a stage that does "
+            "\"compact\".\n",
+            {{"stage.compact", "pressure"},
+             {"stage.compact.prepare", "friction"},
+             {"stage.compact", "void_ratio"},
+             {"stage.compact", "void_ratio_tolerance"},
+             {"stage.compact", "protocol"},
+             {"stage.compact", "max_rate"}}
+        ).c_str()
+    );
+    m.def(
+        "make_cloud", &make_cloud, py::arg("radius"), py::arg("porosity") = packing::PackSpec{}.porosity, py::kw_only(),
+        py::arg("fine") = py::none(), py::arg("material") = grains::Material{}, py::arg("seed") = 0,
+        "Grains of the given radii [m] placed at random in a periodic cube, none overlapping; the same for one seed."
+    );
+}
+
+} // namespace suffuse::python

@@ -1,0 +1,57 @@
+#pragma once
+// What the functions of a World that do a stage's work have in common.
+
+#include "suffuse/dem/order.hpp"
+
+#include <fmt/format.h>
+
+#include "python/bindings/key_doc.hpp"
+#include "python/bindings/world_handle.hpp"
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace suffuse::python {
+
+using Handle = std::shared_ptr<WorldHandle>;
+
+inline constexpr double usual_damping = 0.2; // local, non-viscous; [contact] damping of a case
+
+/// Begins with the rows along the curve, as the stages of a run do.
+inline dem::World& begin(WorldHandle& w) {
+    dem::World& world = w.world_for_new_rows();
+    dem::sort_along_curve(world);
+    return world;
+}
+
+/// Takes back what a compaction or a test has lent, unless it came to its end: the world lives on in Python.
+template <class State>
+class Loan {
+public:
+    Loan(WorldHandle& handle, State& state) : handle_(handle), state_(state) {}
+
+    Loan(const Loan&) = delete;
+    Loan& operator=(const Loan&) = delete;
+
+    ~Loan() {
+        if (state_.phase != State::Phase::Done) {
+            give_back(handle_.world(), state_);
+            handle_.drop_caches();
+        }
+    }
+
+private:
+    WorldHandle& handle_;
+    State& state_;
+};
+
+/// The text of a function with the meaning of its arguments, as the case file's schema has it.
+inline std::string with_keys(std::string doc, std::initializer_list<std::pair<const char*, const char*>> keys) {
+    for (const auto& [table, name] : keys) {
+        doc += fmt::format("\n{}: {}", name, key_doc(key_of(table, name)));
+    }
+    return doc;
+}
+
+} // namespace suffuse::python
