@@ -47,6 +47,17 @@ TEST(ErosionTarget, EndsTheStageWithThePassThatReachesIt) {
     EXPECT_NE(much.at("warnings").dump().find("less than the 90 % of `until_eroded`"), std::string::npos);
 }
 
+TEST(ErosionTarget, AnErosionFromWhichNothingLeavesAnyMoreHasEndedAndWarnsOfNothing) {
+    const TempFolder folder;
+    std::string rattlers = erosion("rattlers", "passes = 20\n");
+    rattlers.replace(rattlers.find("max_contacts = 2"), 16, "max_contacts = 0");
+    run_text(start() + rattlers, folder.path());
+    const json stage = stage_of(folder.path(), "rattlers"), last = stage.at("passes").back();
+    EXPECT_EQ(last.at("removed"), 0);
+    EXPECT_EQ(last.at("verdict"), "nothing leaves any more");
+    EXPECT_EQ(stage.at("warnings").dump().find("nothing leaves"), std::string::npos);
+}
+
 std::string text_of(const path& file) {
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
