@@ -15,7 +15,15 @@
 namespace suffuse::python {
 namespace {
 
-py::tuple read_packing(const std::filesystem::path& path, const py::object& cell, const grains::Material& material) {
+py::tuple read_packing(
+    const std::filesystem::path& path, const py::object& cell, const grains::Material& material, const py::object& unit
+) {
+    const std::string text = py::isinstance<py::str>(unit) ? unit.cast<std::string>() : std::string();
+    const bool is_bare = !text.empty() && text.find_first_of("0123456789") == std::string::npos; // "mm"
+    const double length = quantity_of(is_bare ? py::object(py::str("1 " + text)) : unit, dimension::length, "unit");
+    if (!(length > 0)) {
+        throw CaseError(fmt::format("unit: found {} m, expected a length above 0", length));
+    }
     std::optional<Mat3> own;
     if (!cell.is_none()) {
         own = cell_of(cell);
@@ -23,12 +31,15 @@ py::tuple read_packing(const std::filesystem::path& path, const py::object& cell
     io::ImportedPacking packing;
     {
         const Working working;
-        packing = io::read_packing(path, material.density);
+        packing = io::read_packing(path, material.density, length);
     }
     if (!own && !packing.cell) {
         throw CaseError(
             path.string() + ": carries no cell; give cell=(LX, LY, LZ) in meters, or its 3 x 3 matrix", path.string()
         );
+    }
+    if (auto strange = io::size_warning(packing.grains, path.string())) {
+        packing.warnings.push_back(std::move(*strange));
     }
     const Mat3 h = own ? *own : packing.cell->h;
     if (auto narrow = io::narrow_cell_warning(packing.grains, h, path.string())) {
@@ -61,7 +72,7 @@ void bind_files(py::module_& m) {
         },
         py::arg("path"), py::arg("world"), py::arg("format")
     );
-    m.def("read_packing", &read_packing, py::arg("path"), py::arg("cell"), py::arg("material"));
+    m.def("read_packing", &read_packing, py::arg("path"), py::arg("cell"), py::arg("material"), py::arg("unit"));
     m.def(
         "largest_overlap",
         [](const WorldHandle& w) {

@@ -30,12 +30,23 @@ def test_what_is_not_used_is_warned_of(tmp_path):
 
 
 def test_a_file_without_a_cell_asks_for_it(tmp_path):
-    (tmp_path / "p.csv").write_text("x,y,z,r\n0.5,0.5,0.5,0.04\n")
+    (tmp_path / "p.csv").write_text("x,y,z,r\n0.5,0.5,0.5,0.03\n")
     with pytest.raises(suffuse.CaseError, match="carries no cell; give cell="):
         suffuse.read_packing(tmp_path / "p.csv")
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert len(suffuse.read_packing(tmp_path / "p.csv", cell=("1 m", 1, "100 cm"))) == 1
+
+
+def test_a_file_in_millimeters_is_warned_of_and_read_with_its_unit(tmp_path):
+    (tmp_path / "p.csv").write_text("x,y,z,r\n0.5,0.5,0.5,0.04\n")
+    with pytest.warns(UserWarning, match="coarser than gravel"):
+        suffuse.read_packing(tmp_path / "p.csv", cell=(1, 1, 1))
+    for unit in ("mm", "1 mm", 1e-3):
+        world = suffuse.read_packing(tmp_path / "p.csv", cell=("1 mm", "1 mm", "1 mm"), unit=unit)
+        assert world.grains.radius[0] == pytest.approx(0.04e-3) and world.grains.position[0, 0] == pytest.approx(0.5e-3)
+    with pytest.raises(suffuse.UnitError):
+        suffuse.read_packing(tmp_path / "p.csv", cell=(1, 1, 1), unit="kPa")
 
 
 def test_a_narrow_cell_is_warned_of(tmp_path):
