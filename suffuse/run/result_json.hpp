@@ -52,7 +52,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibr
 } // namespace dem
 
 namespace packing {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // states of earlier runs lack known_contacts
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE( // whole or not at all: what went on with a default would be of neither version
     CompactState, phase, balance, time_step, known_contacts, material, damping, mode, median_diameter, start_porosity,
     lent, steps, void_ratio_compacted
 )
@@ -63,7 +63,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // curves of earlier runs lack 
     PathRow, axial_strain, volumetric_strain, stress, mean_stress, deviator_stress, void_ratio, coordination,
     mechanical_coordination, unbalanced_force, inertial_number, second_order_work, excess_pore_pressure
 )
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // states of earlier runs lack some
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE( // whole or not at all, as CompactState
     PathState, phase, start_h, start_stress, strain_rate, pace, median_diameter, lent, time_step, known_contacts,
     balance, steps, rows
 )

@@ -101,11 +101,12 @@ particles = 300
     const io::Checkpoint left = io::load_world(partial);
     const nlohmann::json saved = nlohmann::json::parse(left.attributes.at("stage"));
 
-    nlohmann::json without_history = saved, with_other_state = saved, of_another = saved;
+    nlohmann::json without_history = saved, without_key = saved, with_other_state = saved, of_another = saved;
     without_history.erase("history");
+    without_key["state"].erase("known_contacts"); // a default in its place would be a mixture that nobody knows of
     with_other_state["state"] = "burst 3";
     of_another["commit"] = "0123456789";
-    for (const nlohmann::json& strange : {without_history, with_other_state, nlohmann::json(nullptr)}) {
+    for (const nlohmann::json& strange : {without_history, without_key, with_other_state, nlohmann::json(nullptr)}) {
         io::save_world(partial, left.world, {{"stage", strange.dump()}});
         const run::RunReport report = run_text(text, folder.path());
         ASSERT_EQ(report.failures.size(), 1U) << strange.dump();
