@@ -73,13 +73,18 @@ struct Palette {
     std::string_view error, warning, frame, bold, off;
 };
 
+/// Columns left of the bar.
+std::size_t gutter_of(const Diagnostic& d) {
+    return d.line > 0 ? fmt::formatted_size("{}", d.line) : 1;
+}
+
 std::string render_one(const Diagnostic& d, const Palette& paint) {
     const std::string_view tone = d.is_warning ? paint.warning : paint.error;
     std::string out = fmt::format(
         "{}{}[{}]{}{}: {}{}\n", tone, d.is_warning ? "warning" : "error", d.code, paint.off, paint.bold,
         printable(d.message), paint.off
     );
-    const std::string gutter(d.line > 0 ? fmt::formatted_size("{}", d.line) : 1, ' ');
+    const std::string gutter(gutter_of(d), ' ');
     if (!d.file.empty()) {
         const std::string where = d.line > 0 ? fmt::format("{}:{}:{}", d.file, d.line, d.column) : d.file;
         out += fmt::format("{}{}-->{} {}\n", gutter, paint.frame, paint.off, printable(where));
@@ -171,9 +176,9 @@ std::string count_problems(const std::vector<Diagnostic>& list) {
 
 namespace {
 
-/// One line for each further warning of a kind, the first few.
+/// One line for each further warning of a kind, the first few, under the help of the first of all.
 template <class Iterator, class IsAlike>
-std::string render_rest(Iterator begin, Iterator end, IsAlike is_alike) {
+std::string render_rest(Iterator begin, Iterator end, IsAlike is_alike, std::size_t indent) {
     constexpr std::ptrdiff_t most = 3;
     const std::ptrdiff_t count = std::count_if(begin, end, is_alike);
     std::string out;
@@ -181,11 +186,13 @@ std::string render_rest(Iterator begin, Iterator end, IsAlike is_alike) {
     for (; begin != end && told < most; ++begin) {
         if (is_alike(*begin)) {
             const std::string where = begin->line > 0 ? fmt::format("line {}: ", begin->line) : "";
-            out += fmt::format("   = also: {}{}\n", where, printable(begin->message));
+            out += fmt::format("{:{}} = also: {}{}\n", "", indent, where, printable(begin->message));
             ++told;
         }
     }
-    return out + (count > told ? fmt::format("   = and {} more; --json lists all\n", count - told) : "");
+    const std::string more =
+        fmt::format("{:{}} = and {} more; suffuse check --json lists all\n", "", indent, count - told);
+    return out + (count > told ? more : "");
 }
 
 } // namespace
@@ -198,7 +205,7 @@ std::string render(const std::vector<Diagnostic>& list, bool color) {
         has_errors = has_errors || !d->is_warning;
         const auto is_alike = [&](const Diagnostic& other) { return d->is_warning && other.code == d->code; };
         if (std::none_of(list.begin(), d, is_alike)) {
-            out += render_one(*d, paint) + render_rest(d + 1, list.end(), is_alike) + "\n";
+            out += render_one(*d, paint) + render_rest(d + 1, list.end(), is_alike, gutter_of(*d)) + "\n";
         }
     }
     return out + count_problems(list) + (has_errors ? "; nothing was run\n" : "\n");

@@ -65,7 +65,7 @@ TEST(Diagnostics, WarningsOfOneCodeAreShownInFullOnce) {
     }
     const std::string shown = render(problems.sorted());
     EXPECT_EQ(shown.find("warning[W1]"), shown.rfind("warning[W1]")) << shown;
-    EXPECT_NE(shown.find("   = also: line 2: number 2\n"), std::string::npos) << shown;
+    EXPECT_NE(shown.find("  = also: line 2: number 2\n"), std::string::npos) << shown;
     EXPECT_NE(shown.find("and 2 more"), std::string::npos) << shown;
     EXPECT_NE(shown.find("error 6"), std::string::npos); // each is to be mended
     EXPECT_NE(shown.find("6 errors, 6 warnings"), std::string::npos);
