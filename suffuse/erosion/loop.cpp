@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/lent_inertia.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/dem/relax.hpp"
 #include "suffuse/dem/stable_dt.hpp"
@@ -13,6 +14,7 @@
 #include "suffuse/erosion/reequilibrate.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
+#include "suffuse/stats/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -46,10 +48,19 @@ seep(const dem::World& world, std::span<const double> gradients, const Vec3& dir
     return seeping;
 }
 
-/// Step 1: the equilibrium relaxed so far that its unbalance does not drown the fluid's force.
-dem::RelaxReport relax_further(dem::World& world, double dt, const ProbeSpec& spec, const Surroundings& around) {
+/// Step 1: the equilibrium relaxed so far that its unbalance does not drown the fluid's force. Grains are lent inertia
+/// meanwhile: where they rest does not depend on it, how many steps they take does.
+dem::RelaxReport relax_further(dem::World& world, const ProbeSpec& spec, const Surroundings& around) {
+    constexpr dem::Lent all{true, true};
+    const double median = stats::median_diameter(world.grains);
+    dem::lend_inertia(world, median, {}, all);
     dem::StepCaches caches;
-    return dem::relax(world, caches, dt, around.damping, spec.unbalanced_force, spec.relax_limit, around.pulse);
+    const dem::RelaxReport report = dem::relax(
+        world, caches, dem::stable_time_step(world), around.damping, spec.unbalanced_force, spec.relax_limit,
+        around.pulse
+    );
+    dem::lend_inertia(world, median, all, {});
+    return report;
 }
 
 /// Step 3 under the flow's forces at each gradient.
@@ -148,12 +159,12 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     Stopwatch watch;
     dem::World next = world; // the caller's world changes only when the pass is complete
     dem::sort_along_curve(next);
-    const double dt = dem::stable_time_step(next);
     const double mass = total_mass(next.grains);
     describe_before(next, pass);
 
     // 1 equilibrium
-    const dem::RelaxReport relaxed = relax_further(next, dt, spec.probe, around);
+    const dem::RelaxReport relaxed = relax_further(next, spec.probe, around);
+    const double dt = dem::stable_time_step(next);
     pass.wall_seconds["relax"] = watch.lap();
 
     // 2 flow
@@ -207,8 +218,8 @@ std::vector<ProbeResult>
 probe_gradients(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around) {
     dem::World relaxed_world = world;
     dem::sort_along_curve(relaxed_world);
+    const dem::RelaxReport relaxed = relax_further(relaxed_world, spec.probe, around);
     const double dt = dem::stable_time_step(relaxed_world);
-    const dem::RelaxReport relaxed = relax_further(relaxed_world, dt, spec.probe, around);
     const Seeping seeping = seep(relaxed_world, spec.gradients, spec.direction, around.fluid);
     return probe(relaxed_world, seeping.loads, dt, relaxed, spec.probe, spec.detached, around);
 }

@@ -134,7 +134,7 @@ dem::BalanceState Resettling::run_phase(const std::string& phase, std::int64_t m
 
 /// As quickly as the last part of a compaction [1/s].
 double resettling_rate(const dem::World& world, double pressure) {
-    const double median = stats::size_at(stats::measure_gradation(world.grains), 0.5);
+    const double median = stats::median_diameter(world.grains);
     return dem::rate_of_inertial_number(dem::loaded_inertial_number, median, world.material.density, pressure);
 }
 

@@ -134,7 +134,7 @@ CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double
     state.material = world.material;
     state.damping = damping;
     state.mode = mode;
-    state.median_diameter = stats::size_at(stats::measure_gradation(world.grains), 0.5);
+    state.median_diameter = stats::median_diameter(world.grains);
     const Prepare& prepare = spec.prepare;
     world.material.friction = prepare.friction.value_or(world.material.friction);
     world.material.adhesion_normal = prepare.adhesion_normal.value_or(world.material.adhesion_normal);

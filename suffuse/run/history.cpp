@@ -45,7 +45,7 @@ void History::record(const dem::World& world, bool anyway) {
     }
     if (grains_ != world.grains.size()) { // sizes of grains never change, but grains are taken out
         grains_ = world.grains.size();
-        median_diameter_ = stats::size_at(stats::measure_gradation(world.grains), 0.5);
+        median_diameter_ = stats::median_diameter(world.grains);
     }
     const Mat3 stress = dem::mean_stress_tensor(world);
     const dem::Equilibrium balance = dem::measure_equilibrium(world);

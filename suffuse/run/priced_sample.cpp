@@ -90,7 +90,7 @@ PricedSample describe(const grains::Grains& grains) {
     PricedSample sample;
     sample.coarse = describe_fraction(grains, false);
     sample.fines = describe_fraction(grains, true);
-    sample.median = stats::size_at(stats::measure_gradation(grains), 0.5);
+    sample.median = stats::median_diameter(grains);
     describe_classes(grains, sample);
     return sample;
 }

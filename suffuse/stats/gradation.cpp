@@ -61,4 +61,8 @@ double size_at(const Gradation& gradation, double fraction) {
     return gradation.diameter[static_cast<std::size_t>(row)];
 }
 
+double median_diameter(const grains::Grains& grains) {
+    return size_at(measure_gradation(grains), 0.5);
+}
+
 } // namespace suffuse::stats

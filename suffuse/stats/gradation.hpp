@@ -24,4 +24,7 @@ double passing(const Gradation& gradation, double diameter);
 /// D_x: smallest size such that the share `fraction` of the mass is not larger [m]; 0 without grains.
 double size_at(const Gradation& gradation, double fraction);
 
+/// D50 of all grains: the size that inertial numbers and lent inertia go by [m].
+double median_diameter(const grains::Grains& grains);
+
 } // namespace suffuse::stats

@@ -110,7 +110,7 @@ ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec
     const Vec3 stress = axial_stress(carried);
     const dem::BalanceSpec goal = goal_of(spec);
     Watched watched{world, {}, {}, false};
-    const double median = stats::size_at(stats::measure_gradation(world.grains), 0.5);
+    const double median = stats::median_diameter(world.grains);
     dem::lend_inertia(watched.world, median, {}, {true, true}); // where grains rest does not depend on it
     ProbedState state;
     state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(watched.world);
