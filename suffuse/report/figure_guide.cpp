@@ -100,6 +100,10 @@ constexpr std::array guides = {
         "Deviator stress against mean stress, and void ratio against the logarithm of the mean stress.",
         "`triaxial` stages of a study swept over fines_content"},
     Guide{
+        "own-energy", "where the work of the tests goes",
+        "Shares of the work that sliding and rolling contacts and damping take and that springs hold, a bar a test.",
+        "`triaxial` stages"},
+    Guide{
         "own-stress-probes", "stability against small loads in all directions",
         "Second-order work of loads of one size in all directions of axial against lateral stress, and the strains "
         "that they lead to: where the work is not above zero the sample can fail without more load.",

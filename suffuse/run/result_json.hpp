@@ -49,6 +49,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Lent, mass, rotation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibrium, stress)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dissipation, slip, rolling, damping)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyParts, work, springs, motion, slip, rolling, damping)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyBalance, parts, springs_before, motion_before, rate, h, stress, time)
 } // namespace dem
 
 namespace packing {
@@ -61,11 +64,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE( // whole or not at all: what went on with a 
 namespace triaxial {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // curves of earlier runs lack some
     PathRow, axial_strain, volumetric_strain, stress, mean_stress, deviator_stress, void_ratio, coordination,
-    mechanical_coordination, unbalanced_force, inertial_number, second_order_work, excess_pore_pressure
+    mechanical_coordination, unbalanced_force, inertial_number, second_order_work, excess_pore_pressure, energy
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE( // whole or not at all, as CompactState
     PathState, phase, start_h, start_stress, strain_rate, pace, median_diameter, lent, time_step, known_contacts,
-    balance, steps, rows
+    balance, energy, steps, rows
 )
 
 NLOHMANN_JSON_SERIALIZE_ENUM(Answer, {{Answer::Rests, "rests"}, {Answer::Creeps, "creeps"}, {Answer::Fails, "fails"}})
@@ -89,7 +92,8 @@ inline void to_json(nlohmann::json& json, const Response& response) {
         {"lost_at", or_null(response.lost_at)},
         {"instability", or_null(response.instability)},
         {"liquefied", or_null(response.liquefied)},
-        {"excess_pore_pressure", or_null(response.excess_pore_pressure)}};
+        {"excess_pore_pressure", or_null(response.excess_pore_pressure)},
+        {"energy", response.energy}};
 }
 } // namespace triaxial
 

@@ -52,6 +52,32 @@ void note_drift(StageWork& work, double drift, const std::vector<triaxial::Stres
     }
 }
 
+/// A quasi-static test leaves the calculation's own damping nothing to do, and its work is accounted for. One in which
+/// the sample gave way is neither.
+void note_energy(StageWork& work, const triaxial::TriaxialSpec& spec, const triaxial::Response& response) {
+    constexpr double much_damping = 0.1, much_unaccounted = 0.05; // of what is taken
+    const bool gives_way =
+        spec.path == triaxial::Path::ConstantDeviator || response.lost_at || response.liquefied.value_or(false);
+    const dem::EnergyParts& energy = response.energy;
+    const double taken = energy.slip + energy.rolling + energy.damping;
+    if (gives_way) {
+        return;
+    }
+    if (energy.damping > much_damping * taken) {
+        work.warnings.push_back(fmt::format(
+            "{}: local damping takes {:.2g} % of what the test dissipates, which a soil leaves to slip and rolling: "
+            "take a smaller inertial_number",
+            work.place(), 100 * energy.damping / taken
+        ));
+    }
+    if (std::abs(energy.unaccounted()) > much_unaccounted * taken) {
+        work.warnings.push_back(fmt::format(
+            "{}: springs, motion, slip, rolling and damping leave {:.2g} % of the work of the test unaccounted for",
+            work.place(), 100 * energy.unaccounted() / energy.work
+        ));
+    }
+}
+
 } // namespace
 
 // Settling looks for an equilibrium, not for a motion: the drag keeps inertia from knocking weak contacts open (an
@@ -136,6 +162,7 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
         ));
     }
     work.numbers["response"] = response;
+    note_energy(work, spec, response);
     work.findings.curve = state.rows;
 }
 

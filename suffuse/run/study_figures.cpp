@@ -2,6 +2,7 @@
 
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/report/figures_energy.hpp"
 #include "suffuse/report/figures_fines.hpp"
 #include "suffuse/run/erosion_figures.hpp"
 #include "suffuse/run/folder.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 using Rows = std::vector<report::StressStrainRow>;
 
-constexpr std::size_t most_paths = 24; ///< tests drawn in one figure of paths
+constexpr std::size_t most_tests = 24; ///< drawn in one figure of paths or energies
 
 void add(std::optional<report::Figure> figure, std::vector<report::Figure>& figures) {
     if (figure) {
@@ -32,6 +33,7 @@ struct Test {
     const casefile::Stage* stage = nullptr;
     std::vector<std::string> written; ///< of the swept keys
     report::ResponseCurve curve;
+    dem::EnergyParts energy; ///< at the end of the test, the mean over the seeds [J/m3]
 };
 
 Rows rows_of(const std::vector<triaxial::PathRow>& curve) {
@@ -54,6 +56,15 @@ bool holds_deviator(const casefile::Stage& stage) {
     return spec != nullptr && spec->path == triaxial::Path::ConstantDeviator;
 }
 
+void add_share(const dem::EnergyParts& of_one, double share, dem::EnergyParts& mean) {
+    mean.work += share * of_one.work;
+    mean.springs += share * of_one.springs;
+    mean.motion += share * of_one.motion;
+    mean.slip += share * of_one.slip;
+    mean.rolling += share * of_one.rolling;
+    mean.damping += share * of_one.damping;
+}
+
 /// All tests of the run, in the order of stages and of sweep values.
 std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
     std::vector<Test> tests;
@@ -63,11 +74,13 @@ std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<Fin
         for (std::size_t k = 0; k < study.stages.size(); ++k) {
             for (const report::SweepPoint& point : traced[s].stages[k].points) {
                 std::vector<Rows> of_seed;
+                std::vector<dem::EnergyParts> energies;
                 double borne = 0; // pore pressure, summed over the seeds [Pa]
                 for (const FinishedStage& stage : stages) {
                     if (stage.study == &study && stage.stage->name == study.stages[k].name &&
                         !stage.findings.curve.empty() && sweep_values(study, *stage.variant) == point.written) {
                         of_seed.push_back(rows_of(stage.findings.curve));
+                        energies.push_back(stage.findings.curve.back().energy);
                         borne += or_zero(stage.numbers.at("response").at("excess_pore_pressure"));
                     }
                 }
@@ -76,7 +89,11 @@ std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<Fin
                 }
                 const std::string values = values_name(traced[s].keys, point);
                 const bool holds = holds_deviator(study.stages[k]);
-                Test test{&study, &study.stages[k], point.written, report::average_response(values, of_seed, holds)};
+                Test test{
+                    &study, &study.stages[k], point.written, report::average_response(values, of_seed, holds), {}};
+                for (const dem::EnergyParts& energy : energies) {
+                    add_share(energy, 1 / static_cast<double>(energies.size()), test.energy);
+                }
                 if (holds) {
                     test.curve.borne_pore_pressure = borne / static_cast<double>(of_seed.size());
                 }
@@ -134,7 +151,7 @@ void draw_paths(
     for (const casefile::Study* study : studies) {
         std::vector<report::ResponseCurve> curves;
         for (const Test& test : tests) {
-            if (test.study == study && curves.size() < most_paths) {
+            if (test.study == study && curves.size() < most_tests) {
                 curves.push_back(test.curve);
                 curves.back().name += ", " + test.stage->name;
             }
@@ -146,8 +163,22 @@ void draw_paths(
         }
         add(std::move(figure), figures);
     }
-    single.resize(std::min(single.size(), most_paths));
+    single.resize(std::min(single.size(), most_tests));
     add(report::test_paths(single), figures);
+}
+
+/// Of all tests that fit one figure.
+void draw_energy(const casefile::Case& what, const std::vector<Test>& tests, std::vector<report::Figure>& figures) {
+    std::vector<report::TestEnergy> energies;
+    for (const Test& test : tests) {
+        if (energies.size() == most_tests) {
+            break;
+        }
+        const std::string study = what.studies.size() > 1 ? test.study->name + ", " : "";
+        const std::string values = test.study->sweep.empty() ? "" : test.curve.name + ", ";
+        energies.push_back({study + values + test.stage->name, test.energy});
+    }
+    add(report::energy_of_tests(energies), figures);
 }
 
 /// A figure for each swept test, and one for all others together.
@@ -242,6 +273,7 @@ std::vector<report::Figure> draw_study(
         add(report::strong_contacts(sweep->curves), figures);
     }
     draw_tests(what, tests, shown, figures);
+    draw_energy(what, tests, figures);
     add(report::stability_in_directions(gather_probed_states(stages)), figures);
     return figures;
 }

@@ -127,6 +127,7 @@ Response summarize(const std::vector<PathRow>& rows, Path path) {
     response.dilatancy = largest_dilatancy(rows);
     response.final_deviator = rows.back().deviator_stress;
     response.final_volumetric_strain = rows.back().volumetric_strain;
+    response.energy = rows.back().energy;
     response.lost_at = loss_of_hold(rows, path);
     response.instability = find_instability(rows);
     if (path == Path::Undrained || path == Path::ConstantDeviator) {

@@ -35,6 +35,7 @@ struct Response {
     std::optional<bool> liquefied;
     /// Undrained: at the last row; constant deviator: the most that the sample bears [Pa]
     std::optional<double> excess_pore_pressure;
+    dem::EnergyParts energy; ///< at the last row, over the volume at the start [J/m3]
 };
 
 Response summarize(const std::vector<PathRow>& rows, Path path = Path::Drained);

@@ -126,6 +126,11 @@ bool holds_total_stress(Path path) {
     return path == Path::Undrained || path == Path::ConstantDeviator;
 }
 
+dem::EnergyParts per_volume(const dem::EnergyParts& parts, double volume) {
+    return {parts.work / volume, parts.springs / volume, parts.motion / volume,
+            parts.slip / volume, parts.rolling / volume, parts.damping / volume};
+}
+
 PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const PathState& state) {
     const Mat3 stretch = world.cell.h * inverse(state.start_h);
     const Mat3& stress = state.balance.stress;
@@ -145,6 +150,7 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
     if (!state.rows.empty()) {
         row.second_order_work = second_order_work(state.rows.back(), row);
     }
+    row.energy = per_volume(state.energy.parts, determinant(state.start_h));
     if (holds_total_stress(spec.path)) { // laterally: water takes what grains no longer carry
         row.excess_pore_pressure = lateral_mean(state.start_stress, spec.axis) - lateral_mean(stress, spec.axis);
     }
@@ -229,12 +235,13 @@ PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& st
     state.start_h = world.cell.h;
     state.start_stress = stress;
     state.balance.stress = stress;
-    state.median_diameter = stats::size_at(stats::measure_gradation(world.grains), 0.5);
+    state.median_diameter = stats::median_diameter(world.grains);
     state.strain_rate = strain_rate_of(spec, world.material, state.median_diameter, pressure);
     state.pace = spec.path == Path::ConstantDeviator ? first_pace : 1;
-    state.balance.equilibrium = dem::measure_equilibrium(world);
     state.lent = lent_during(spec, world.material);
     dem::lend_inertia(world, state.median_diameter, {}, state.lent);
+    state.balance.equilibrium = dem::measure_equilibrium(world);
+    state.energy = dem::begin_balance(world, state.balance);
     state.rows.push_back(measure_row(world, spec, state));
     return state;
 }
@@ -265,6 +272,7 @@ bool path_burst(
     if (spec.path == Path::ConstantDeviator) {
         keep_pace(spec, state);
     }
+    dem::follow(state.energy, world, state.balance, state.time_step, damping);
     const PathRow row = measure_row(world, spec, state);
     const bool reached = target_reached(spec, row);
     const double now = progress(spec, row);

@@ -1,6 +1,7 @@
 #pragma once
 // Triaxial compression from the state given, along one of the paths of `Path`. World in, rows out.
 
+#include "suffuse/dem/energy.hpp"
 #include "suffuse/dem/lent_inertia.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/triaxial/spec.hpp"
@@ -25,6 +26,7 @@ struct PathRow {
     double second_order_work = 0;       ///< since the row before [J/m3]
     /// Undrained, constant deviator: of the water, where the total lateral stress is held [Pa]
     double excess_pore_pressure = 0;
+    dem::EnergyParts energy; ///< since the start of the test, over the volume then [J/m3]
 };
 
 /// Where a test stands; part of what a checkpoint saves, with `rows`.
@@ -41,6 +43,7 @@ struct PathState {
     double time_step = 0;       ///< [s]
     std::int64_t known_contacts = 0; ///< touching when it was chosen
     dem::BalanceState balance;
+    dem::EnergyBalance energy; ///< of the shear, until the sample is left to rest
     std::int64_t steps = 0;
     std::vector<PathRow> rows;
 };

@@ -114,6 +114,31 @@ TEST(Triaxial, ADrainedPathHoldsTheLateralStressWithinTwoPercent) {
     EXPECT_GT(contacts.mechanical, contacts.mean); // there are rattlers
 }
 
+TEST(Triaxial, TheWorkOfATestIsAccountedForWithinOnePercent) {
+    for (const triaxial::Path path : {triaxial::Path::Drained, triaxial::Path::Undrained}) {
+        Sample s = settled_at(1e5);
+        triaxial::TriaxialSpec spec;
+        spec.path = path;
+        spec.strain = 0.02;
+        const double volume = cell::volume(s.world.cell), springs = test::energy_of(s.world).elastic;
+        const triaxial::PathState state = compress(s, spec);
+        const dem::EnergyParts& energy = state.rows.back().energy;
+        EXPECT_NEAR(energy.springs * volume, test::energy_of(s.world).elastic - springs, 1e-9 * springs);
+        EXPECT_GT(energy.slip, 0.1 * energy.work);
+        EXPECT_GT(energy.rolling, 0.1 * energy.work);
+        EXPECT_LT(energy.damping, 0.05 * energy.work);            // quasi-static
+        EXPECT_NEAR(energy.unaccounted(), 0, 0.01 * energy.work); // slips between two looks of 500 grains scatter
+        RecordProperty(
+            path == triaxial::Path::Drained ? "drained" : "undrained",
+            std::to_string(energy.unaccounted() / energy.work)
+        );
+        for (std::size_t k = 1; k < state.rows.size(); ++k) { // what is taken never comes back
+            EXPECT_GE(state.rows[k].energy.slip, state.rows[k - 1].energy.slip);
+            EXPECT_GE(state.rows[k].energy.rolling, state.rows[k - 1].energy.rolling);
+        }
+    }
+}
+
 TEST(Triaxial, AnUndrainedPathKeepsTheVolume) {
     Sample s = settled_at(1e5);
     triaxial::TriaxialSpec spec;
