@@ -1,5 +1,6 @@
 #include "suffuse/casefile/bind.hpp"
 
+#include "suffuse/casefile/check_name.hpp"
 #include "suffuse/casefile/fields.hpp"
 #include "suffuse/casefile/soil_fields.hpp"
 #include "suffuse/casefile/study_fields.hpp"

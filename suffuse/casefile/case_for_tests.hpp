@@ -58,6 +58,10 @@ inline Diagnostic find_problem(const std::vector<Diagnostic>& list, const std::s
     return found == list.end() ? none : *found;
 }
 
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
 /// The head of a small case that is good, for a test to put something wrong below or into.
 inline const std::string good_case = R"(schema = 1
 [soil.sand]
@@ -74,6 +78,9 @@ name = "initial"
 do = "compact"
 pressure = "100 kPa"
 )";
+
+/// One more stage for its study.
+inline const std::string erode_stage = "[[study.one.stage]]\nname = \"x\"\ndo = \"erode\"\n";
 
 /// A case that uses every key which can stand beside the others.
 inline const std::string full_case = R"(schema = 1

@@ -2,7 +2,7 @@
 
 #include "suffuse/casefile/fields.hpp"
 #include "suffuse/casefile/soil_fields.hpp"
-#include "suffuse/casefile/study_fields.hpp"
+#include "suffuse/casefile/stage_list.hpp"
 
 namespace suffuse::casefile {
 namespace {

@@ -1,8 +1,7 @@
 #include "suffuse/casefile/physics_checks.hpp"
 
 #include "suffuse/base/constants.hpp"
-#include "suffuse/base/grouped.hpp"
-#include "suffuse/erosion/passage.hpp"
+#include "suffuse/casefile/sample_checks.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 
@@ -15,89 +14,16 @@ namespace suffuse::casefile {
 
 namespace {
 
-using grains::Grading;
-using grains::narrow_cell;
-
-constexpr double settled_porosity = 0.4; ///< of sands at some 100 kPa
 constexpr double contacts_per_grain = 4; ///< of the grains that carry load
-constexpr double narrowest_cell = 3;     ///< below which a grain meets its own image's neighbors [-]
-constexpr double doubtful_width = 0.05;  ///< of an estimated width: what a porosity from 0.3 to 0.48 makes of it
-constexpr std::ptrdiff_t few_fines = 100, few_coarse = erosion::fewest_coarse;
 constexpr double large_overlap = 0.02;   ///< of the radius: doubtful [-]
 constexpr double large_squeezed = 0.1;   ///< of the finest radius: what a run warns of when it is seen [-]
 constexpr double wide_grading = 4;       ///< coarsest over finest grain, below which that rule was not looked at
 constexpr double largest_overlap = 0.05; ///< of the radius: the contact law no longer describes grains [-]
 
-std::optional<Grading> whole_grading(const grains::Soil& soil) {
-    if (soil.whole) {
-        return soil.whole;
-    }
-    if (!soil.coarse || !soil.fines) {
-        return std::nullopt;
-    }
-    return grains::mixture(*soil.coarse, *soil.fines, soil.fines_content);
-}
-
-/// Mean volume of a grain when `grading` is drawn by mass: 1 / integral of dF/V over log d, F linear in log d [m3].
-double mean_grain_volume(const Grading& grading) {
-    double count = 0; // per unit of volume
-    for (std::size_t k = 0; k + 1 < grading.diameter.size(); ++k) {
-        const double a = grading.diameter[k], b = grading.diameter[k + 1];
-        const double share = grading.passing[k + 1] - grading.passing[k];
-        count += share * (2 / pi) * (1 / (a * a * a) - 1 / (b * b * b)) / std::log(b / a);
-    }
-    return count > 0 ? 1 / count : 0;
-}
-
-double largest_grain(const Grading& grading) {
-    for (std::size_t k = 0; k < grading.diameter.size(); ++k) {
-        if (grading.passing[k] >= 1) {
-            return grading.diameter[k];
-        }
-    }
-    return grading.diameter.back();
-}
-
-/// Width of the settled cell in median diameters of the coarse grains [-]; nothing where there are none.
-std::optional<double> skeleton_width(const grains::SampledGrains& sample) {
-    std::vector<double> coarse; // [m]
-    double solid = 0;           // [m3]
-    for (std::size_t g = 0; g < sample.radius.size(); ++g) {
-        solid += sphere_volume(sample.radius[g]);
-        if (sample.fine[g] == 0) {
-            coarse.push_back(2 * sample.radius[g]);
-        }
-    }
-    if (coarse.empty()) {
-        return std::nullopt;
-    }
-    const auto middle = coarse.begin() + std::ssize(coarse) / 2;
-    std::nth_element(coarse.begin(), middle, coarse.end());
-    return std::cbrt(solid / (1 - settled_porosity)) / *middle;
-}
-
 class Checks {
 public:
     Checks(ReadContext& context, const Case& settings, const Study& study, const Variant& variant)
         : context_(context), settings_(settings), variant_(variant), path_("study." + study.name) {}
-
-    void check_size(double ratio) {
-        const double enough =
-            std::ceil(static_cast<double>(variant_.particles) * std::pow(narrow_cell / ratio, 3) / 100) * 100;
-        const std::string where = variant_.values.empty() ? "" : fmt::format(" ({} is the narrowest)", variant_.folder);
-        const std::string found = fmt::format(
-            "{} grains of this soil make a cell {:.1f} times as wide as the largest of them{}",
-            grouped(variant_.particles), ratio, where
-        );
-        const std::string advice =
-            fmt::format("{:.0f} times need about {} grains", narrow_cell, grouped(std::llround(enough)));
-        const Place place = place_of("particles");
-        if (ratio < narrowest_cell) {
-            context_.problems.error("E601", place, "a sample too small for its largest grain: " + found, advice);
-        } else if (ratio < narrow_cell) {
-            context_.problems.warning("W602", place, found, advice);
-        }
-    }
 
     void check_pressure(const Stage& stage, std::string_view key, double pressure) {
         const double overlap = overlap_at(std::abs(pressure), variant_.material.modulus);
@@ -202,8 +128,8 @@ public:
         }
     }
 
-    /// A test loads what a stage before it has loaded; its pace or its loads follow from that stress.
-    /// A test, an erosion and a removal start from a sample that carries a stress.
+    /// A test, an erosion and a removal start from a sample that carries a stress: the pace or the loads of a test
+    /// follow from it.
     void check_start(const Stage& stage) {
         if (stage.parent < 0) {
             return;
@@ -217,72 +143,6 @@ public:
                     before.name
                 ),
                 "compact or settle it under a pressure first"
-            );
-        }
-    }
-
-    /// Draws the grains as the run will: a split that does not exist, a curve that so few grains cannot follow.
-    void check_sampling() {
-        constexpr std::int64_t quickly_drawn = 50'000; // beyond, this would take longer than all other checks together
-        if (!whole_grading(*variant_.soil) || variant_.particles < 1 || variant_.particles > quickly_drawn) {
-            return;
-        }
-        try {
-            const auto sample = grains::sample_soil(*variant_.soil, static_cast<int>(variant_.particles));
-            check_counts(sample);
-            check_skeleton(sample);
-        } catch (const CaseError& problem) {
-            context_.problems.error("E606", place_of("particles"), problem.what(), "suffuse explain E606");
-        }
-    }
-
-    /// Erosion ends where the coarse skeleton is narrower than it can be judged: better known before the compaction.
-    void check_skeleton(const grains::SampledGrains& sample) {
-        const bool erodes = std::any_of(variant_.stages.begin(), variant_.stages.end(), [](const Stage& stage) {
-            return std::holds_alternative<erosion::ErodeSpec>(stage.spec);
-        });
-        const auto width = skeleton_width(sample);
-        if (!erodes || !width || *width >= erosion::narrowest_skeleton * (1 + doubtful_width)) {
-            return;
-        }
-        constexpr double wanted = erosion::narrowest_skeleton * (1 + doubtful_width);
-        const double enough = std::ceil(static_cast<double>(variant_.particles) * std::pow(wanted / *width, 3) / 100);
-        context_.problems.warning(
-            "W610", place_of("particles"),
-            fmt::format(
-                "{} grains of this soil{} make a cell some {:.1f} coarse diameters wide: narrower than {:.0f}, erosion "
-                "ends with its first pass",
-                grouped(variant_.particles), variant_.values.empty() ? "" : fmt::format(" ({})", variant_.folder),
-                *width, erosion::narrowest_skeleton
-            ),
-            fmt::format(
-                "take about {} grains or more, or a narrower range of coarse sizes", grouped(100 * std::llround(enough))
-            )
-        );
-    }
-
-    /// What leaves are shares of the fines, held back by the coarse: few of either say little.
-    void check_counts(const grains::SampledGrains& sample) {
-        const bool erodes = std::any_of(variant_.stages.begin(), variant_.stages.end(), [](const Stage& stage) {
-            return std::holds_alternative<erosion::DetachStageSpec>(stage.spec) ||
-                   std::holds_alternative<erosion::ErodeSpec>(stage.spec);
-        });
-        const auto fines = std::count(sample.fine.begin(), sample.fine.end(), std::uint8_t{1});
-        const auto coarse = std::ssize(sample.fine) - fines;
-        if (!erodes || fines == 0 || coarse == 0) { // where there are none, W605 says so
-            return;
-        }
-        if (fines < few_fines || coarse < few_coarse) {
-            context_.problems.warning(
-                "W607", place_of("particles"),
-                fmt::format(
-                    "{} fine grains between {} coarse ones{}: what leaves is then chance, more than soil", fines,
-                    coarse, variant_.values.empty() ? "" : fmt::format(" ({})", variant_.folder)
-                ),
-                fmt::format(
-                    "take more grains, until there are at least {} fine and {} coarse, or several seeds (`replicates`)",
-                    few_fines, few_coarse
-                )
             );
         }
     }
@@ -346,15 +206,6 @@ void check_stage(Checks& checks, const Stage& stage) {
 
 } // namespace
 
-double width_in_grains(const grains::Soil& soil, std::int64_t particles) {
-    const auto grading = whole_grading(soil);
-    if (!grading || particles <= 0) {
-        return 0;
-    }
-    const double solid = static_cast<double>(particles) * mean_grain_volume(*grading);
-    return std::cbrt(solid / (1 - settled_porosity)) / largest_grain(*grading);
-}
-
 double squeezed_overlap_at(double pressure, double modulus, double size_ratio) {
     constexpr double of_chains = 4; // over pressure and modulus: forces of the strongest chains
     return of_chains * pressure / modulus * size_ratio * size_ratio;
@@ -369,27 +220,6 @@ void check_physics(ReadContext& context, const Case& settings, const Study& stud
     Checks checks(context, settings, study, variant);
     for (const Stage& stage : variant.stages) {
         check_stage(checks, stage);
-    }
-}
-
-void check_sample_sizes(ReadContext& context, const Case& settings, const Study& study) {
-    const Variant* narrowest = nullptr;
-    double least = 0;
-    for (const Variant& variant : study.variants) {
-        const bool packs = std::any_of(variant.stages.begin(), variant.stages.end(), [](const Stage& stage) {
-            return std::holds_alternative<packing::PackSpec>(stage.spec);
-        });
-        if (packs && variant.soil && variant.replicate == 1) {
-            Checks(context, settings, study, variant).check_sampling();
-        }
-        const double ratio = packs && variant.soil ? width_in_grains(*variant.soil, variant.particles) : 0;
-        if (ratio > 0 && (narrowest == nullptr || ratio < least)) {
-            narrowest = &variant;
-            least = ratio;
-        }
-    }
-    if (narrowest != nullptr) {
-        Checks(context, settings, study, *narrowest).check_size(least);
     }
 }
 

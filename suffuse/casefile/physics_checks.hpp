@@ -1,6 +1,6 @@
 #pragma once
-// Can this be a soil sample? Estimates before the first step: cell against largest grain, overlap at the pressure,
-// gradient against the critical one, fines to erode. Estimates only: the run itself measures.
+// Can these stages be? Estimates before the first step: overlap at the pressure, gradient against the critical one,
+// fines to erode, a stress to start from. Estimates only: the run itself measures.
 
 #include "suffuse/casefile/reader.hpp"
 
@@ -8,12 +8,6 @@ namespace suffuse::casefile {
 
 /// Reports what cannot work as an error and what is doubtful as a warning. `settings` has material, fluid and balance.
 void check_physics(ReadContext& context, const Case& settings, const Study& study, const Variant& variant);
-
-/// The same for the number of grains: only the narrowest cell of all variants is reported.
-void check_sample_sizes(ReadContext& context, const Case& settings, const Study& study);
-
-/// Width of a settled cubic cell / largest grain, for `particles` grains of `soil` [-]; 0 where it cannot be told.
-double width_in_grains(const grains::Soil& soil, std::int64_t particles);
 
 /// Mean overlap / mean radius that `pressure` [Pa] causes in an assembly of spheres of contact modulus `modulus` [Pa].
 double overlap_at(double pressure, double modulus);

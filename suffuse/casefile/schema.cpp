@@ -2,6 +2,7 @@
 
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/names.hpp"
+#include "suffuse/casefile/stage_list.hpp"
 #include "suffuse/casefile/study_fields.hpp"
 
 #include <fmt/format.h>

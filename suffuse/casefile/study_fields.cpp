@@ -1,17 +1,19 @@
 #include "suffuse/casefile/study_fields.hpp"
 
-#include "suffuse/base/spelling.hpp"
-#include "suffuse/casefile/check_measures.hpp"
+#include "suffuse/casefile/check_name.hpp"
 #include "suffuse/casefile/fields.hpp"
 #include "suffuse/casefile/overrides.hpp"
 #include "suffuse/casefile/physics_checks.hpp"
 #include "suffuse/casefile/refine.hpp"
+#include "suffuse/casefile/sample_checks.hpp"
 #include "suffuse/casefile/soil_fields.hpp"
+#include "suffuse/casefile/stage_list.hpp"
 #include "suffuse/casefile/variants.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace suffuse::casefile {
@@ -19,180 +21,6 @@ namespace suffuse::casefile {
 namespace {
 
 constexpr std::size_t most_variants = 10'000;
-
-template <std::size_t... I>
-StageSpec make_spec(std::size_t verb, std::index_sequence<I...>) {
-    StageSpec spec;
-    ((I == verb ? void(spec.emplace<I>()) : void()), ...);
-    return spec;
-}
-
-/// Where the stages of a study stand, for messages.
-struct StageNodes {
-    std::vector<const Node*> nodes;
-
-    [[nodiscard]] Place name_place(std::size_t k) const {
-        const Node::Entry* name = nodes[k]->find("name");
-        return name != nullptr ? name->value.place : nodes[k]->place;
-    }
-
-    [[nodiscard]] Place from_place(std::size_t k) const {
-        const Node::Entry* from = nodes[k]->find("from");
-        return from != nullptr ? from->value.place : nodes[k]->place;
-    }
-};
-
-std::optional<Stage> read_stage(ReadContext& context, const Node& node, const std::string& path, std::size_t row) {
-    const Node::Entry* name = node.find("name");
-    const std::string shown = name != nullptr && name->value.is_text() ? name->value.text : fmt::format("{}", row + 1);
-    const Node::Entry* verb = node.find("do");
-    std::vector<std::string> patterns{"stage"};
-    const auto words = names::words_of(names::verbs);
-    const auto known = verb != nullptr ? std::find(words.begin(), words.end(), verb->value.text) : words.end();
-    if (known != words.end()) {
-        patterns.insert(patterns.begin(), "stage." + *known);
-    }
-    Reader v(context, node, node.place, patterns, path + ".stage." + shown);
-    Stage stage;
-    v.field("name", stage.name);
-    if (const Node* asked = v.take("do")) {
-        v.find_word("do", *asked, words);
-    }
-    if (known == words.end()) {
-        return std::nullopt;
-    } // whose keys these are is not known
-    stage.spec = default_spec(static_cast<std::size_t>(known - words.begin()));
-    stage_fields(v, stage);
-    std::visit([&](auto& spec) { fields(v, spec); }, stage.spec);
-    v.finish();
-    if (name != nullptr) {
-        check_name(context, "stage", stage.name, name->value.place);
-    }
-    check_measures(context, stage, node);
-    return stage;
-}
-
-bool makes_sample(const Stage& stage) {
-    return std::holds_alternative<ImportSpec>(stage.spec) || std::holds_alternative<packing::PackSpec>(stage.spec);
-}
-
-bool leaves_state(const Stage& stage) {
-    return stage.restore || std::holds_alternative<erosion::DetachStageSpec>(stage.spec) ||
-           std::holds_alternative<triaxial::StressProbeSpec>(stage.spec) ||
-           std::holds_alternative<flow::FlowSpec>(stage.spec);
-}
-
-int row_of(const std::vector<Stage>& stages, const std::string& name) {
-    for (std::size_t k = 0; k < stages.size(); ++k) {
-        if (stages[k].name == name) {
-            return static_cast<int>(k);
-        }
-    }
-    return -1;
-}
-
-void check_from(ReadContext& context, std::vector<Stage>& stages, std::size_t k, const StageNodes& at) {
-    Stage& stage = stages[k];
-    const int row = row_of(stages, stage.from);
-    if (makes_sample(stage)) {
-        context.problems.error(
-            "E207", at.from_place(k),
-            fmt::format("stage \"{}\" makes its own sample and starts from nothing", stage.name), "leave `from` out"
-        );
-    } else if (row < 0) {
-        std::vector<std::string> names;
-        for (const Stage& other : stages) {
-            names.push_back(other.name);
-        }
-        const auto nearest = nearest_word(stage.from, names);
-        context.problems.error(
-            "E401", at.from_place(k),
-            fmt::format("stage \"{}\" starts from \"{}\", which is no stage of this study", stage.name, stage.from),
-            nearest ? fmt::format("a stage with a similar name exists: \"{}\"", *nearest)
-                    : fmt::format("known are {}", fmt::join(names, ", "))
-        );
-    } else if (static_cast<std::size_t>(row) >= k) {
-        context.problems.error(
-            "E403", at.from_place(k),
-            fmt::format("stage \"{}\" starts from \"{}\", which does not come before it", stage.name, stage.from),
-            "stages run in the order of the file: move it down"
-        );
-    } else {
-        stage.parent = row;
-    }
-}
-
-/// Finds the parent of each stage; reports stages without a start.
-void link_stages(ReadContext& context, std::vector<Stage>& stages, const StageNodes& at) {
-    for (std::size_t k = 0; k < stages.size(); ++k) {
-        Stage& stage = stages[k];
-        if (!stage.from.empty()) {
-            check_from(context, stages, k, at);
-        } else if (!makes_sample(stage) && k > 0) {
-            const Stage& before = stages[k - 1];
-            stage.parent = leaves_state(before) ? before.parent : static_cast<int>(k) - 1;
-        }
-        if (stage.from.empty() && !makes_sample(stage) && stage.parent < 0) {
-            context.problems.error(
-                "E403", at.name_place(k), fmt::format("stage \"{}\" has nothing to start from", stage.name),
-                "begin a study with do = \"pack\" or do = \"import\""
-            );
-        }
-    }
-}
-
-/// Reports names that are used twice, also those of stages that could not be read.
-void check_stage_names(ReadContext& context, const std::vector<Node>& stages) {
-    std::vector<std::string> known;
-    for (const Node& stage : stages) {
-        const Node::Entry* name = stage.find("name");
-        if (name == nullptr || !name->value.is_text()) {
-            continue;
-        }
-        if (std::find(known.begin(), known.end(), name->value.text) != known.end()) {
-            context.problems.error(
-                "E204", name->value.place, fmt::format("two stages of this study are named \"{}\"", name->value.text),
-                "give each stage its own name"
-            );
-        }
-        known.push_back(name->value.text);
-    }
-}
-
-std::vector<Stage> read_stages(ReadContext& context, Reader& v) {
-    const Node* node = v.take("stage");
-    const bool is_list = node != nullptr && node->is_array() && !node->items.empty();
-    if (!is_list) {
-        v.error(
-            "E201", v.place(), fmt::format("{} has no stages", v.title()),
-            "begin with a [[" + v.path() + ".stage]] that does \"pack\" or \"import\""
-        );
-        return {};
-    }
-    std::vector<Stage> stages;
-    StageNodes at;
-    bool is_whole = true;
-    for (std::size_t k = 0; k < node->items.size(); ++k) {
-        const Node& item = node->items[k];
-        if (!item.is_table()) {
-            v.wrong_type("stage", item, "tables, [[" + v.path() + ".stage]]");
-            is_whole = false;
-            continue;
-        }
-        if (auto stage = read_stage(context, item, v.path(), k)) {
-            stages.push_back(std::move(*stage));
-            at.nodes.push_back(&item);
-        } else {
-            is_whole = false;
-        }
-    }
-    check_stage_names(context, node->items);
-    // With a stage missing, what the others start from would be guesswork.
-    if (is_whole) {
-        link_stages(context, stages, at);
-    }
-    return stages;
-}
 
 template <class V>
 void fields(V& v, Refine& refine) {
@@ -253,12 +81,9 @@ void check_refine(ReadContext& context, const Study& study, const std::string& p
             "its values are quantities or numbers, not words"
         );
     }
+    const std::vector<std::string> names = names_of(study.stages);
     for (const std::string& name : refine.at) {
-        if (row_of(study.stages, name) < 0) {
-            std::vector<std::string> names;
-            for (const Stage& stage : study.stages) {
-                names.push_back(stage.name);
-            }
+        if (std::ranges::find(names, name) == names.end()) {
             context.problems.error(
                 "E401", context.places[path + ".refine.at"],
                 fmt::format("`refine` looks at \"{}\", which is no stage of this study", name),
@@ -380,27 +205,6 @@ void read_variant(
 
 } // namespace
 
-StageSpec default_spec(std::size_t verb) {
-    return make_spec(verb, std::make_index_sequence<std::variant_size_v<StageSpec>>{});
-}
-
-bool check_name(ReadContext& context, const std::string& what, const std::string& name, const Place& place) {
-    const auto is_plain = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
-    };
-    bool is_good = !name.empty() && name.size() <= 64 && is_plain(name.front());
-    for (const char c : name) {
-        is_good = is_good && (is_plain(c) || c == '.');
-    }
-    if (!is_good) {
-        context.problems.error(
-            "E209", place, fmt::format("\"{}\" cannot be the name of a {}", name, what),
-            "names become folders: letters, digits, - and _, at most 64"
-        );
-    }
-    return is_good;
-}
-
 Study read_study(ReadContext& context, const StudySurroundings& around, const Node::Entry& entry) {
     Study study;
     study.name = entry.key;
@@ -421,18 +225,8 @@ Study read_study(ReadContext& context, const StudySurroundings& around, const No
     for (Variant& variant : list_variants(study, around.settings.seed)) {
         read_variant(context, around, entry, study, std::move(variant));
     }
-    check_sample_sizes(context, around.settings, study);
+    check_sample_sizes(context, study);
     return study;
-}
-
-Node write_stage(const Stage& stage) {
-    Writer v({"stage." + verb_of(stage.spec), "stage"});
-    v.field("name", stage.name);
-    v.field("do", verb_of(stage.spec));
-    Stage copy = stage;
-    stage_fields(v, copy);
-    std::visit([&](auto& spec) { fields(v, spec); }, copy.spec);
-    return v.node();
 }
 
 Node write_study(const Study& study) {
@@ -453,10 +247,6 @@ Node write_study(const Study& study) {
     }
     v.set("stage", make_array(std::move(stages)));
     return v.node();
-}
-
-std::string verb_of(const StageSpec& spec) {
-    return std::string(names::verbs[spec.index()]);
 }
 
 } // namespace suffuse::casefile

@@ -1,0 +1,26 @@
+#include "suffuse/casefile/check_name.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace suffuse::casefile {
+
+bool check_name(ReadContext& context, const std::string& what, const std::string& name, const Place& place) {
+    const auto is_plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
+    };
+    bool is_good = !name.empty() && name.size() <= 64 && is_plain(name.front());
+    for (const char c : name) {
+        is_good = is_good && (is_plain(c) || c == '.');
+    }
+    if (!is_good) {
+        context.problems.error(
+            "E209", place, fmt::format("\"{}\" cannot be the name of a {}", name, what),
+            "names become folders: letters, digits, - and _, at most 64"
+        );
+    }
+    return is_good;
+}
+
+} // namespace suffuse::casefile

@@ -1,0 +1,208 @@
+#include "suffuse/casefile/sample_checks.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/base/grouped.hpp"
+#include "suffuse/erosion/passage.hpp"
+#include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/sampling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::casefile {
+
+namespace {
+
+using grains::Grading;
+using grains::narrow_cell;
+
+constexpr double narrowest_cell = 3;    ///< below which a grain meets its own image's neighbors [-]
+constexpr double doubtful_width = 0.05; ///< of an estimated width: what a porosity from 0.3 to 0.48 makes of it
+constexpr std::ptrdiff_t few_fines = 100, few_coarse = erosion::fewest_coarse;
+
+/// Mean volume of a grain when `grading` is drawn by mass: 1 / integral of dF/V over log d, F linear in log d [m3].
+double mean_grain_volume(const Grading& grading) {
+    double count = 0; // per unit of volume
+    for (std::size_t k = 0; k + 1 < grading.diameter.size(); ++k) {
+        const double a = grading.diameter[k], b = grading.diameter[k + 1];
+        const double share = grading.passing[k + 1] - grading.passing[k];
+        count += share * (2 / pi) * (1 / (a * a * a) - 1 / (b * b * b)) / std::log(b / a);
+    }
+    return count > 0 ? 1 / count : 0;
+}
+
+/// Width of the settled cell in median diameters of the coarse grains [-]; nothing where there are none.
+std::optional<double> skeleton_width(const grains::SampledGrains& sample) {
+    std::vector<double> coarse; // [m]
+    double solid = 0;           // [m3]
+    for (std::size_t g = 0; g < sample.radius.size(); ++g) {
+        solid += sphere_volume(sample.radius[g]);
+        if (sample.fine[g] == 0) {
+            coarse.push_back(2 * sample.radius[g]);
+        }
+    }
+    if (coarse.empty()) {
+        return std::nullopt;
+    }
+    const auto middle = coarse.begin() + std::ssize(coarse) / 2;
+    std::nth_element(coarse.begin(), middle, coarse.end());
+    return std::cbrt(solid / (1 - settled_porosity)) / *middle;
+}
+
+template <class... Specs>
+bool has_stage_of(const Variant& variant) {
+    return std::any_of(variant.stages.begin(), variant.stages.end(), [](const Stage& stage) {
+        return (std::holds_alternative<Specs>(stage.spec) || ...);
+    });
+}
+
+/// Of one variant, told where the case asks for so many grains.
+class SampleChecks {
+public:
+    SampleChecks(ReadContext& context, const Study& study, const Variant& variant)
+        : problems_(context.problems), place_(context.places["study." + study.name + ".particles"]), variant_(variant) {
+    }
+
+    /// @param ratio width of the cell / largest grain [-]
+    void check_width(double ratio) {
+        const std::string where = variant_.values.empty() ? "" : fmt::format(" ({} is the narrowest)", variant_.folder);
+        const std::string found = fmt::format(
+            "{} grains of this soil make a cell {:.1f} times as wide as the largest of them{}",
+            grouped(variant_.particles), ratio, where
+        );
+        const std::string advice =
+            fmt::format("{:.0f} times need about {} grains", narrow_cell, enough(narrow_cell / ratio));
+        if (ratio < narrowest_cell) {
+            problems_.error("E601", place_, "a sample too small for its largest grain: " + found, advice);
+        } else if (ratio < narrow_cell) {
+            problems_.warning("W602", place_, found, advice);
+        }
+    }
+
+    /// Draws the grains as the run will: a split that does not exist, a curve that so few grains cannot follow.
+    void check_drawn() {
+        constexpr std::int64_t quickly_drawn = 50'000; // beyond, this would take longer than all other checks together
+        if (!whole_grading(*variant_.soil) || variant_.particles < 1 || variant_.particles > quickly_drawn) {
+            return;
+        }
+        try {
+            const auto sample = grains::sample_soil(*variant_.soil, static_cast<int>(variant_.particles));
+            check_counts(sample);
+            check_skeleton(sample);
+        } catch (const CaseError& problem) {
+            problems_.error("E606", place_, problem.what(), "suffuse explain E606");
+        }
+    }
+
+private:
+    /// What leaves are shares of the fines, held back by the coarse: few of either say little.
+    void check_counts(const grains::SampledGrains& sample) {
+        const bool erodes = has_stage_of<erosion::DetachStageSpec, erosion::ErodeSpec>(variant_);
+        const auto fines = std::count(sample.fine.begin(), sample.fine.end(), std::uint8_t{1});
+        const auto coarse = std::ssize(sample.fine) - fines;
+        const bool has_both = fines > 0 && coarse > 0; // else W605 says so
+        if (!erodes || !has_both || (fines >= few_fines && coarse >= few_coarse)) {
+            return;
+        }
+        problems_.warning(
+            "W607", place_,
+            fmt::format(
+                "{} fine grains between {} coarse ones{}: what leaves is then chance, more than soil", fines, coarse,
+                which()
+            ),
+            fmt::format(
+                "take more grains, until there are at least {} fine and {} coarse, or several seeds (`replicates`)",
+                few_fines, few_coarse
+            )
+        );
+    }
+
+    /// Erosion ends where the coarse skeleton is narrower than it can be judged: better known before the compaction.
+    void check_skeleton(const grains::SampledGrains& sample) {
+        constexpr double wanted = erosion::narrowest_skeleton * (1 + doubtful_width);
+        const auto width = skeleton_width(sample);
+        if (!has_stage_of<erosion::ErodeSpec>(variant_) || !width || *width >= wanted) {
+            return;
+        }
+        problems_.warning(
+            "W610", place_,
+            fmt::format(
+                "{} grains of this soil{} make a cell some {:.1f} coarse diameters wide; below {:.0f} erosion ends "
+                "with "
+                "its first pass",
+                grouped(variant_.particles), which(), *width, erosion::narrowest_skeleton
+            ),
+            fmt::format("take about {} grains or more, or a narrower range of coarse sizes", enough(wanted / *width))
+        );
+    }
+
+    /// How many grains make a cell so many times as wide, for advice: to the next hundred.
+    [[nodiscard]] std::string enough(double times_as_wide) const {
+        const double count = static_cast<double>(variant_.particles) * std::pow(times_as_wide, 3);
+        return grouped(100 * std::llround(std::ceil(count / 100)));
+    }
+
+    /// " (one/fines_content=20)"; empty without a sweep.
+    [[nodiscard]] std::string which() const {
+        return variant_.values.empty() ? "" : fmt::format(" ({})", variant_.folder);
+    }
+
+    Problems& problems_;
+    Place place_;
+    const Variant& variant_;
+};
+
+} // namespace
+
+std::optional<Grading> whole_grading(const grains::Soil& soil) {
+    if (soil.whole) {
+        return soil.whole;
+    }
+    if (!soil.coarse || !soil.fines) {
+        return std::nullopt;
+    }
+    return grains::mixture(*soil.coarse, *soil.fines, soil.fines_content);
+}
+
+double largest_grain(const Grading& grading) {
+    for (std::size_t k = 0; k < grading.diameter.size(); ++k) {
+        if (grading.passing[k] >= 1) {
+            return grading.diameter[k];
+        }
+    }
+    return grading.diameter.back();
+}
+
+double width_in_grains(const grains::Soil& soil, std::int64_t particles) {
+    const auto grading = whole_grading(soil);
+    if (!grading || particles <= 0) {
+        return 0;
+    }
+    const double solid = static_cast<double>(particles) * mean_grain_volume(*grading);
+    return std::cbrt(solid / (1 - settled_porosity)) / largest_grain(*grading);
+}
+
+void check_sample_sizes(ReadContext& context, const Study& study) {
+    const Variant* narrowest = nullptr;
+    double least = 0;
+    for (const Variant& variant : study.variants) {
+        if (!has_stage_of<packing::PackSpec>(variant) || !variant.soil) {
+            continue;
+        }
+        if (variant.replicate == 1) {
+            SampleChecks(context, study, variant).check_drawn();
+        }
+        const double ratio = width_in_grains(*variant.soil, variant.particles);
+        if (ratio > 0 && (narrowest == nullptr || ratio < least)) {
+            narrowest = &variant;
+            least = ratio;
+        }
+    }
+    if (narrowest != nullptr) {
+        SampleChecks(context, study, *narrowest).check_width(least);
+    }
+}
+
+} // namespace suffuse::casefile
