@@ -21,7 +21,10 @@ std::string explain_word(const std::string& word) {
     if (const auto text = stability::explain_criterion(word)) {
         return *text;
     }
-    const auto nearest = nearest_word(word, explained_words());
+    auto nearest = nearest_word(word, explained_words());
+    if (!nearest) {
+        nearest = casefile::nearest_key(word);
+    }
     throw UsageError(fmt::format(
         "nothing is known about {}; {}", shown(word),
         nearest ? fmt::format("a similar word: suffuse explain {}", *nearest)

@@ -27,6 +27,22 @@ TEST(ExplainWord, KnowsCriteriaByTheirAuthorsAndNumbersAndKeysByTheirPlaceInACas
     EXPECT_THROW(explain_word("study.x.stage.y.nothing"), UsageError);
 }
 
+TEST(ExplainWord, OffersTheNearestKeyForAMisspeltPlaceInACase) {
+    const auto offered = [](const std::string& word) -> std::string {
+        try {
+            explain_word(word);
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_NE(
+        offered("study.x.stage.y.voi_ratio").find("suffuse explain study.x.stage.y.void_ratio"), std::string::npos
+    );
+    EXPECT_NE(offered("contcat.modulus").find("suffuse explain contact.modulus"), std::string::npos);
+    EXPECT_NE(offered("study.x.stage.y.nothing").find("suffuse schema lists all keys"), std::string::npos);
+}
+
 TEST(ExplainWord, KnowsEveryFigureThatAReportCanDraw) {
     const std::regex quoted_id("\"((own|fig)-?[a-z0-9]+(-[a-z0-9]+)*)\"");
     std::set<std::string> ids;

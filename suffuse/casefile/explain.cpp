@@ -86,17 +86,19 @@ constexpr std::array code_table = {
         "Upward seepage at this gradient would lift the whole soil; gravity is not part of the model."},
     Code{"E605", "no fines", "Erosion needs to know which grains are fine."},
     Code{
+        "W605", "nothing or everything is fine",
+        "Without fines nothing can leave; without coarse grains there is no skeleton."},
+    Code{
         "E606", "the grains cannot be drawn",
         "Grains are drawn from the grading before the first step: the limit of the fines must lie within the curve, "
         "Kenney and Lau's split must exist where it is asked for, and there must be enough grains to follow the curve "
         "within `grading_tolerance`. Where the curve is too wide, the message says at which size to cut it: number "
-        "goes "
-        "as 1/d^3, so that its fine end takes most of the grains. suffuse new --psd FILE --sizes FROM,TO does it."},
+        "goes as 1/d^3, so that its fine end takes most of the grains. suffuse new --psd FILE --sizes FROM,TO does "
+        "it."},
     Code{
         "W607", "few fines, or few coarse grains",
         "Below 100 fine or 50 coarse grains, shares of what leaves and the constrictions of the skeleton are the "
-        "chance of "
-        "one sample: take more grains, or several seeds."},
+        "chance of one sample: take more grains, or several seeds."},
     Code{
         "E608", "a start from a sample without stress",
         "The pace of a triaxial test, and the size of the loads of stress probes, follow from the stress that the "
@@ -104,8 +106,8 @@ constexpr std::array code_table = {
     Code{
         "W609", "fine grains squeezed between coarse ones",
         "Contact forces grow as the square of the size, the stiffness of a contact as the size of its smaller grain: "
-        "fine "
-        "grains in the force chains of much coarser ones overlap by far more than grains do on average. A modulus that "
+        "fine grains in the force chains of much coarser ones overlap by far more than grains do on average. A modulus "
+        "that "
         "grows as the square of the ratio of sizes keeps that small, and costs steps as the ratio."},
     Code{
         "W610", "a skeleton too narrow for more than one pass",
@@ -113,9 +115,6 @@ constexpr std::array code_table = {
         "than five of their median diameters. The width of the settled cell is estimated from the grains that will be "
         "drawn, at a porosity of 0.4, and warned of up to 5.25. Take more `particles`, or cut the coarse end of the "
         "grading."},
-    Code{
-        "W605", "nothing or everything is fine",
-        "Without fines nothing can leave; without coarse grains there is no skeleton."},
 };
 
 /// A word or symbol with its sign and meaning; docs/notation.md has them all.
@@ -185,15 +184,23 @@ std::string describe(const Key& key) {
 std::vector<std::string> parts_of(std::string_view path) {
     std::vector<std::string> parts{""};
     for (const char c : path) {
-        c == '.' ? static_cast<void>(parts.emplace_back()) : parts.back().push_back(c);
+        if (c == '.') {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
     }
     return parts;
+}
+
+std::string full_name(const Key& key) {
+    return key.table.empty() ? key.name : key.table + "." + key.name;
 }
 
 /// Where the key stands in a case, "*" for each name that the case gives: study.*.stage.*.prepare.friction, where the
 /// key's own table has the verb in place of the stage.
 std::vector<std::string> address_of(const Key& key) {
-    std::vector<std::string> parts = parts_of(key.table.empty() ? key.name : key.table + "." + key.name);
+    std::vector<std::string> parts = parts_of(full_name(key));
     if (parts.front() != "stage") {
         return parts;
     }
@@ -204,21 +211,29 @@ std::vector<std::string> address_of(const Key& key) {
     return parts;
 }
 
-/// Whether `path` is the address, or the end of it as sweeps have it: stage.NAME.gradient.
-bool stands_at(const std::vector<std::string>& address, const std::vector<std::string>& path) {
-    const auto fits = [](const std::string& pattern, const std::string& name) {
-        return pattern == name || (pattern == "*" && !name.empty());
-    };
-    const auto begin = address.size() > path.size() && path.front() == "stage" ? address.begin() + 2 : address.begin();
-    return std::equal(begin, address.end(), path.begin(), path.end(), fits);
+/// The key's address with the names that stand at its places in `path`; nothing where the path is not as deep, or lacks
+/// a name. A path may be the end of an address, as sweeps have it: stage.NAME.gradient.
+std::optional<std::string> address_in(const Key& key, const std::vector<std::string>& path) {
+    const std::vector<std::string> address = address_of(key);
+    const bool is_end = address.size() > path.size() && path.front() == "stage";
+    const std::vector<std::string> parts(address.begin() + (is_end ? 2 : 0), address.end());
+    if (parts.size() != path.size()) {
+        return std::nullopt;
+    }
+    std::string text;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (path[k].empty()) {
+            return std::nullopt;
+        }
+        text += (k == 0 ? "" : ".") + (parts[k] == "*" ? path[k] : parts[k]);
+    }
+    return text;
 }
 
 /// "watch", "detached.over", "contact.modulus", "stage.erode.watch", "study.one.stage.erosion.watch".
 bool is_meant(const Key& key, std::string_view what) {
-    const std::string full = key.table.empty() ? key.name : key.table + "." + key.name;
-    return full == what ||
-           (full.size() > what.size() && full.ends_with(what) && full[full.size() - what.size() - 1] == '.') ||
-           stands_at(address_of(key), parts_of(what));
+    const bool is_end_of_name = ("." + full_name(key)).ends_with("." + std::string(what));
+    return is_end_of_name || address_in(key, parts_of(what)) == what;
 }
 
 } // namespace
@@ -242,11 +257,21 @@ std::optional<std::string> explain(std::string_view what) {
     }
     std::string text = convention_of(what);
     for (const Key& key : schema()) {
-        if (!what.empty() && is_meant(key, what)) {
+        if (is_meant(key, what)) {
             text += fmt::format("{}{}", text.empty() ? "" : "\n", describe(key));
         }
     }
     return text.empty() ? std::nullopt : std::optional(text);
+}
+
+std::optional<std::string> nearest_key(std::string_view path) {
+    std::vector<std::string> addresses;
+    for (const Key& key : schema()) {
+        if (const auto address = address_in(key, parts_of(path))) {
+            addresses.push_back(*address);
+        }
+    }
+    return nearest_word(path, addresses);
 }
 
 std::vector<std::string> topics() {

@@ -134,6 +134,14 @@ TEST(Explain, KnowsKeysCodesAndConventions) {
     EXPECT_FALSE(explain(""));
 }
 
+TEST(Explain, OffersTheNearestKeyAtAPlaceOfACaseAndKeepsItsNames) {
+    EXPECT_EQ(nearest_key("study.x.stage.y.voi_ratio"), "study.x.stage.y.void_ratio");
+    EXPECT_EQ(nearest_key("stage.y.prepare.adhesion.nromal"), "stage.y.prepare.adhesion.normal");
+    EXPECT_EQ(nearest_key("study.x.stge.y.void_ratio"), "study.x.stage.y.void_ratio");
+    EXPECT_EQ(nearest_key("study.x.stage.y.nothing"), std::nullopt);
+    EXPECT_EQ(nearest_key(""), std::nullopt);
+}
+
 TEST(Explain, EveryHintInAMessageLeadsSomewhere) {
     for (const std::string& word : topics()) {
         EXPECT_TRUE(explain(word)) << word;
