@@ -9,7 +9,8 @@
 
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
-#include "python/bindings/stage_words.hpp"
+#include "python/bindings/key_value.hpp"
+#include "python/bindings/stage_work.hpp"
 #include "python/bindings/views.hpp"
 #include "python/bindings/work.hpp"
 #include <algorithm>
@@ -45,32 +46,47 @@ packing::CompactState compact_once(
     return state;
 }
 
+/// The arguments are keys of a stage that does "compact".
+packing::CompactSpec spec_of(
+    const py::object& pressure, const py::object& friction, const py::object& adhesion_normal,
+    const py::object& adhesion_shear, const py::object& void_ratio, const py::object& void_ratio_tolerance,
+    const std::string& protocol, const py::object& max_rate
+) {
+    const auto key = [](const char* name) -> const casefile::Key& { return key_of("stage.compact", name); };
+    const auto adhesion = [](const char* name, const py::object& value) {
+        return optional_value_of(
+            key_of("stage.compact.prepare.adhesion", name), value, fmt::format("adhesion_{}", name)
+        );
+    };
+    packing::CompactSpec spec;
+    spec.protocol = protocol_of(protocol);
+    spec.max_rate = optional_value_of(key("max_rate"), max_rate, "max_rate");
+    spec.pressure = value_of(key("pressure"), pressure, "pressure");
+    spec.prepare.friction = optional_value_of(key_of("stage.compact.prepare", "friction"), friction, "friction");
+    spec.prepare.adhesion_normal = adhesion("normal", adhesion_normal);
+    spec.prepare.adhesion_shear = adhesion("shear", adhesion_shear);
+    spec.void_ratio = optional_value_of(key("void_ratio"), void_ratio, "void_ratio");
+    spec.void_ratio_tolerance = value_of(key("void_ratio_tolerance"), void_ratio_tolerance, "void_ratio_tolerance");
+    if (spec.void_ratio && spec.prepare.friction && spec.protocol != packing::Protocol::Swift) {
+        throw CaseError(fmt::format(
+            "friction: found {}, beside a void_ratio, for which protocol \"{}\" searches the friction; leave one of "
+            "the "
+            "two out, or take protocol=\"swift\"",
+            print_quantity(*spec.prepare.friction, dimension::angle), protocol
+        ));
+    }
+    return spec;
+}
+
 py::object compact(
     WorldHandle& w, const py::object& pressure, const py::object& friction, const py::object& adhesion_normal,
     const py::object& adhesion_shear, const py::object& void_ratio, const py::object& void_ratio_tolerance,
     const std::string& protocol, const py::object& max_rate, const dem::BalanceSpec& balance, double damping,
     const py::object& on_progress
 ) {
-    packing::CompactSpec spec;
-    spec.protocol = protocol_of(protocol);
-    spec.max_rate = optional_quantity(max_rate, dimension::rate, "max_rate");
-    spec.pressure = quantity_of(pressure, dimension::pressure, "pressure");
-    spec.prepare.friction = optional_quantity(friction, dimension::angle, "friction");
-    spec.prepare.adhesion_normal = optional_quantity(adhesion_normal, dimension::pressure, "adhesion_normal");
-    spec.prepare.adhesion_shear = optional_quantity(adhesion_shear, dimension::pressure, "adhesion_shear");
-    spec.void_ratio = optional_quantity(void_ratio, dimension::none, "void_ratio");
-    spec.void_ratio_tolerance = quantity_of(void_ratio_tolerance, dimension::none, "void_ratio_tolerance");
-    if (!(spec.void_ratio_tolerance > 0)) {
-        throw CaseError(
-            fmt::format("void_ratio_tolerance: found {}, expected a positive one", spec.void_ratio_tolerance)
-        );
-    }
-    if (spec.void_ratio && !(*spec.void_ratio > 0)) {
-        throw CaseError(fmt::format("void_ratio: found {}, expected a positive one", *spec.void_ratio));
-    }
-    if (!(spec.pressure > 0)) {
-        throw CaseError(fmt::format("pressure: found {} Pa, expected a positive one", spec.pressure));
-    }
+    const packing::CompactSpec spec = spec_of(
+        pressure, friction, adhesion_normal, adhesion_shear, void_ratio, void_ratio_tolerance, protocol, max_rate
+    );
     packing::CompactState state;
     Attention attention(on_progress);
     py::dict dict;

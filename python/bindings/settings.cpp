@@ -11,23 +11,12 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
 #include "python/bindings/key_doc.hpp"
+#include "python/bindings/key_value.hpp"
 
 namespace suffuse::python {
 namespace {
 
 using casefile::Key;
-
-/// A number in SI, or a text with its unit, in the range that the case has for this key.
-double value_of(const Key& key, const py::object& value, std::string_view name) {
-    const double number = quantity_of(value, key.dimension, name);
-    if (!key.range.contains(number)) {
-        throw CaseError(fmt::format(
-            "{}: found {}, expected it to be {}; a bare number is in SI", name, print_quantity(number, key.dimension),
-            casefile::range_text(key)
-        ));
-    }
-    return number;
-}
 
 /// A field that a key of the case sets, documented by the schema.
 template <class Spec>

@@ -14,7 +14,7 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
 #include "python/bindings/key_doc.hpp"
-#include "python/bindings/stage_words.hpp"
+#include "python/bindings/stage_work.hpp"
 #include "python/bindings/views.hpp"
 #include "python/bindings/work.hpp"
 #include "python/bindings/world_handle.hpp"

@@ -261,6 +261,19 @@ def test_a_void_ratio_is_met_by_searching_the_preparation(cloud):
         loose.copy().compact("100 kPa", void_ratio=0.1)
 
 
+def test_arguments_of_a_compaction_are_held_to_their_ranges_and_to_each_other(cloud):
+    for wrong, said in (
+        ({"pressure": 0}, "pressure: found 0 .*above 0"),
+        ({"friction": 30}, "friction: found 30 rad, .*below 90 deg"),
+        ({"adhesion_shear": "-1 kPa"}, "adhesion_shear: found"),
+        ({"void_ratio": 60}, "void_ratio: found 60"),
+        ({"void_ratio": 0.7, "void_ratio_tolerance": 0}, "void_ratio_tolerance: found 0"),
+        ({"void_ratio": 0.7, "friction": "10 deg"}, "friction: found .*, beside a void_ratio, .*faithful.* searches the friction"),
+    ):
+        with pytest.raises(suffuse.CaseError, match=said):
+            cloud.compact(**{"pressure": "100 kPa", **wrong})
+
+
 def test_a_triaxial_test_without_stress_or_pace_is_refused(cloud, settled):
     with pytest.raises(suffuse.StateError, match="carries a stress"):
         cloud.triaxial()

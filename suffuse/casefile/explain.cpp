@@ -115,6 +115,11 @@ constexpr std::array code_table = {
         "than five of their median diameters. The width of the settled cell is estimated from the grains that will be "
         "drawn, at a porosity of 0.4, and warned of up to 5.25. Take more `particles`, or cut the coarse end of the "
         "grading."},
+    Code{
+        "W611", "a lowered friction that a search replaces",
+        "Where a void ratio is asked for, the protocols faithful and slow find the friction during compaction that "
+        "leads to it, and do not heed the one given. Leave either out; or take the protocol swift, which keeps the "
+        "friction and searches the porosity at its start."},
 };
 
 /// A word or symbol with its sign and meaning; docs/notation.md has them all.

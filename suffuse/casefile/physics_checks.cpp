@@ -147,6 +147,25 @@ public:
         }
     }
 
+    /// The friction on the way to a void ratio is what faithful and slow search.
+    void check_searched_friction(const Stage& stage, const packing::CompactSpec& compact) {
+        const bool is_searched =
+            (compact.void_ratio || compact.intergranular_void_ratio) && compact.protocol != packing::Protocol::Swift;
+        if (!is_searched || !compact.prepare.friction) {
+            return;
+        }
+        context_.problems.warning(
+            "W611", stage_place(stage, "prepare.friction"),
+            fmt::format(
+                "stage \"{}\" asks for a void ratio, for which protocol \"{}\" searches the friction during "
+                "compaction: "
+                "the one given has no effect",
+                stage.name, packing::name_of(compact.protocol)
+            ),
+            "leave `prepare.friction` out, or the void ratio; protocol = \"swift\" keeps to both"
+        );
+    }
+
     [[nodiscard]] Place stage_place(const Stage& stage, std::string_view key) const {
         return place_of(fmt::format("stage.{}.{}", stage.name, key));
     }
@@ -180,6 +199,7 @@ void check_loading(Checks& checks, const Stage& stage, const cell::Loading& load
 void check_stage(Checks& checks, const Stage& stage) {
     if (const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec)) {
         checks.check_pressure(stage, "pressure", compact->pressure);
+        checks.check_searched_friction(stage, *compact);
     } else if (const auto* settle = std::get_if<dem::SettleSpec>(&stage.spec)) {
         check_loading(checks, stage, settle->loading, checks.stage_place(stage, "pressure").source != nullptr);
     } else if (const auto* advance = std::get_if<dem::AdvanceSpec>(&stage.spec)) {

@@ -103,4 +103,19 @@ TEST(PhysicsChecks, ErosionNeedsFines) {
     );
 }
 
+TEST(PhysicsChecks, AFrictionThatASearchReplacesIsWarnedOf) {
+    const auto with = [](const std::string& keys) {
+        return problems_of(replaced(good_case, "pressure =", keys + "\npressure ="));
+    };
+    const std::string friction = "prepare = { friction = \"10 deg\" }", search = "\nvoid_ratio = 0.6";
+    const Diagnostic found = find_problem(with(friction + search), "W611");
+    EXPECT_TRUE(found.is_warning) << found.message;
+    EXPECT_EQ(found.line, 14);
+    EXPECT_NE(found.message.find("protocol \"faithful\" searches the friction"), std::string::npos) << found.message;
+    EXPECT_TRUE(find_problem(with(friction + "\nintergranular_void_ratio = 0.9"), "W611").is_warning);
+    EXPECT_EQ(find_problem(with(friction), "W611").code, "");
+    EXPECT_EQ(find_problem(with(search), "W611").code, "");
+    EXPECT_EQ(find_problem(with(friction + search + "\nprotocol = \"swift\""), "W611").code, "");
+}
+
 } // namespace

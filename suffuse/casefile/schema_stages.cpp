@@ -127,8 +127,7 @@ std::vector<Key> triaxial_rows() {
         choice(
             "stage.triaxial", "inertia", names::words_of(names::grain_inertia),
             "Whether small grains and rotations are lent inertia during the test, for longer steps. A given "
-            "`time_step` "
-            "and the path \"constant-deviator\" leave grains their own."
+            "`time_step` and the path \"constant-deviator\" leave grains their own."
         ),
         time_step("stage.triaxial"),
         count("stage.triaxial", "rows", {1, 1e6, false, false}, "Stress-strain rows over the asked strain."),
@@ -245,7 +244,9 @@ std::vector<Key> preparation_rows() {
             table("stage.compact", "prepare", "How contacts behave during compaction only."),
             quantity(
                 "stage.compact.prepare", "friction", dimension::angle, friction_range,
-                "Lowered contact friction: a dense sample."
+                "Lowered contact friction: a dense sample. For a void ratio faithful and slow search it, and do not "
+                "heed "
+                "the one given."
             ),
             table(
                 "stage.compact.prepare", "adhesion",
@@ -261,7 +262,9 @@ std::vector<Key> preparation_rows() {
             ),
             ratio(
                 "stage.compact", "void_ratio", {0.1, 5, false, false},
-                "Void ratio to meet: faithful searches the friction during compaction, swift the porosity at its start."
+                "Void ratio to meet: faithful and slow search the friction during compaction, swift the porosity at "
+                "its "
+                "start."
             ),
             ratio(
                 "stage.compact", "intergranular_void_ratio", {0.1, 50, false, false},
@@ -272,8 +275,7 @@ std::vector<Key> preparation_rows() {
             quantity(
                 "stage.compact", "max_rate", dimension::rate, above_zero,
                 "Largest strain rate while the cloud carries no load; not for swift. By default the one of inertial "
-                "number "
-                "8.5e-3, with the pressure and the median diameter: 250 1/s for a sand of 0.21 mm at 100 kPa."
+                "number 8.5e-3, with the pressure and the median diameter: 250 1/s for a sand of 0.21 mm at 100 kPa."
             ),
             time_step("stage.compact"),
         }
