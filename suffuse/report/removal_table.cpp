@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 
 namespace suffuse::report {
@@ -13,10 +12,7 @@ namespace suffuse::report {
 namespace {
 
 std::string percent_over_seeds(const std::vector<double>& of_seed) {
-    const Scatter value = scatter_of(of_seed);
-    const std::string mean = short_number(100 * value.mean);
-    const bool is_spread = value.seeds > 1 && value.standard_deviation > 1e-3 * std::abs(value.mean);
-    return is_spread ? mean + " ± " + short_number(100 * value.standard_deviation, 2) : mean;
+    return with_scatter(scatter_of(of_seed), 100);
 }
 
 std::vector<std::string> row_of(const std::vector<const Removal*>& removals) {
@@ -39,7 +35,7 @@ std::vector<std::string> row_of(const std::vector<const Removal*>& removals) {
         percent_over_seeds(mass),
         (failed ? "above " : "") + percent_over_seeds(strain),
         percent_over_seeds(loss),
-        left.empty() ? "–" : percent_over_seeds(left)};
+        percent_over_seeds(left)};
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "suffuse/report/study_curves.hpp"
 
+#include "suffuse/report/words.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,6 +26,15 @@ Scatter scatter_of(std::vector<double> of_seed) {
     scatter.standard_deviation = scatter.seeds > 1 ? std::sqrt(squares / (scatter.seeds - 1)) : 0;
     scatter.of_seed = std::move(of_seed);
     return scatter;
+}
+
+std::string with_scatter(const Scatter& value, double factor, int digits) {
+    if (value.seeds == 0) {
+        return "–";
+    }
+    const std::string mean = short_number(factor * value.mean, digits);
+    const bool is_spread = value.seeds > 1 && value.standard_deviation > 1e-3 * std::abs(value.mean);
+    return is_spread ? mean + " ± " + short_number(factor * value.standard_deviation, 2) : mean;
 }
 
 std::string seeds_that_have(const Scatter& scatter) {

@@ -18,6 +18,7 @@ using report::percent_name;
 using report::Scatter;
 using report::short_number;
 using report::StageCurve;
+using report::with_scatter;
 
 struct Reading {
     double fines_content = 0; ///< [-]
@@ -38,11 +39,6 @@ std::vector<Reading> readings(const FinesStudy& study, const StageCurve& curve, 
 
 bool is_less(const Reading& a, const Reading& b) {
     return a.value.mean < b.value.mean;
-}
-
-std::string with_scatter(const Scatter& value, double factor = 1) {
-    const std::string mean = short_number(factor * value.mean);
-    return value.seeds > 1 ? mean + " ± " + short_number(factor * value.standard_deviation, 2) : mean;
 }
 
 std::optional<Reading> at(const std::vector<Reading>& all, double fines_content) {

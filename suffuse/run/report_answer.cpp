@@ -4,6 +4,7 @@
 #include "suffuse/report/findings.hpp"
 #include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
+#include "suffuse/run/answer_tests.hpp"
 #include "suffuse/run/erosion_table.hpp"
 #include "suffuse/run/probed_states.hpp"
 #include "suffuse/run/strength_words.hpp"
@@ -35,9 +36,8 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
         const double loss = 100 * report::stress_loss(pass).value_or(0);
         text += fmt::format(
             "Pass {}: {} of {} detachable fines left, {:.2f} % of the initial mass; porosity {:.4f} to {:.4f}, "
-            "permeability "
-            "{} to {} m²; at constant volume the skeleton lost {} of its mean stress, and resettling strained it by "
-            "{}. ",
+            "permeability {} to {} m²; at constant volume the skeleton lost {} of its mean stress, and resettling "
+            "strained it by {}. ",
             pass.pass, grouped(pass.removed), grouped(pass.detachable), pass.eroded_mass_percent_of_initial,
             pass.porosity_before, pass.porosity_after, report::short_number(pass.permeability_before),
             report::short_number(pass.permeability_after), percent_or_none(loss),
@@ -101,8 +101,7 @@ std::vector<std::string> answers_to_removals(const std::vector<FinishedStage>& s
         const std::size_t passes = n.at("passes").size();
         sentences.push_back(fmt::format(
             "{}/{}: {} fines taken out in {} {}, {} of the mass; under the stresses held before the skeleton {} {} of "
-            "its "
-            "volume.",
+            "its volume.",
             stage.variant->folder, stage.stage->name, grouped(n.at("removed").get<std::int64_t>()), passes,
             passes == 1 ? "pass" : "passes", percent_or_none(100 * n.at("removed_mass_share").get<double>()),
             n.at("failed").get<bool>() ? "failed, after it had lost" : "lost",
@@ -110,108 +109,6 @@ std::vector<std::string> answers_to_removals(const std::vector<FinishedStage>& s
         ));
     }
     return sentences.size() <= most ? sentences : std::vector<std::string>{};
-}
-
-/// "75.17 kPa at 1.8 % axial strain", or between which values those of samples lie that differ in their seed only.
-/// @param pressure, strain which of a response are told
-std::string tell_peaks(const std::vector<json>& responses, const char* pressure, const char* strain) {
-    const auto kilopascals = [&](const json& response) { return response.at(pressure).get<double>() / 1e3; };
-    if (responses.size() == 1) {
-        const json& only = responses.front();
-        return fmt::format(
-            "{} kPa at {} % axial strain", report::short_number(kilopascals(only), 4),
-            report::short_number(100 * only.at(strain).get<double>(), 2)
-        );
-    }
-    double lowest = kilopascals(responses.front()), highest = lowest;
-    for (const json& response : responses) {
-        lowest = std::min(lowest, kilopascals(response)), highest = std::max(highest, kilopascals(response));
-    }
-    return fmt::format(
-        "{} to {} kPa ({} samples)", report::short_number(lowest, 4), report::short_number(highest, 4), responses.size()
-    );
-}
-
-/// " (2 samples liquefied)", " (lost its confinement at 1.1 % axial strain)"; empty where nothing of the kind happened.
-std::string tell_failures(const std::vector<json>& responses) {
-    const auto liquefied =
-        std::ranges::count_if(responses, [](const json& r) { return r.value("liquefied", json()) == true; });
-    const auto lost = std::ranges::count_if(responses, [](const json& r) {
-        return r.value("lost_at", json()).is_number(); // runs of earlier programs lack it
-    });
-    if (responses.size() == 1 && lost > 0) {
-        return fmt::format(
-            " (and collapsed at {} % axial strain)",
-            report::short_number(100 * responses.front().at("lost_at").get<double>(), 2)
-        );
-    }
-    if (responses.size() == 1) {
-        return liquefied > 0 ? " (and liquefied)" : "";
-    }
-    return liquefied > 0 ? fmt::format(" ({} of them liquefied)", liquefied)
-           : lost > 0    ? fmt::format(" ({} of them collapsed)", lost)
-                         : "";
-}
-
-/// The responses of a test outside sweeps, of all seeds.
-struct ToldTest {
-    const casefile::Study* study;
-    std::string name;
-    bool holds_deviator; ///< and fails by its pore pressure
-    std::vector<json> responses;
-};
-
-/// Tests that were compared are told already; those that stop at a stress lead to a state, and show no strength.
-bool is_told_alone(const FinishedStage& stage, const std::vector<StrengthChange>& strength) {
-    const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
-    const bool stops = spec != nullptr && (spec->deviator_stress || spec->stress_ratio);
-    return !stops && std::ranges::none_of(strength, [&](const StrengthChange& change) {
-        const std::string& name = stage.stage->name;
-        return change.study == stage.study && (change.before->name == name || change.after->name == name);
-    });
-}
-
-std::vector<ToldTest>
-gather_told_tests(const std::vector<FinishedStage>& stages, const std::vector<StrengthChange>& strength) {
-    std::vector<ToldTest> tests;
-    for (const FinishedStage& stage : stages) {
-        if (!stage.numbers.contains("response") || !stage.study->sweep.empty() || !is_told_alone(stage, strength)) {
-            continue;
-        }
-        auto test = std::find_if(tests.begin(), tests.end(), [&](const ToldTest& other) {
-            return other.study == stage.study && other.name == stage.stage->name;
-        });
-        if (test == tests.end()) {
-            const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
-            const bool holds = spec != nullptr && spec->path == triaxial::Path::ConstantDeviator;
-            test = tests.insert(test, {stage.study, stage.stage->name, holds, {}});
-        }
-        test->responses.push_back(stage.numbers.at("response"));
-    }
-    return tests;
-}
-
-std::vector<std::string>
-answers_to_tests(const std::vector<FinishedStage>& stages, const std::vector<StrengthChange>& changes) {
-    std::string strength;
-    std::vector<std::string> sentences;
-    for (const ToldTest& test : gather_told_tests(stages, changes)) {
-        if (!test.holds_deviator) {
-            strength += fmt::format(
-                "{}{} in {}{}", strength.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
-                tell_peaks(test.responses, "peak_deviator", "peak_strain"), test.name, tell_failures(test.responses)
-            );
-            continue;
-        }
-        sentences.push_back(fmt::format(
-            "{}: with the deviator stress held, an excess pore pressure of {} is the most that is borne{}.", test.name,
-            tell_peaks(test.responses, "excess_pore_pressure", "peak_strain"), tell_failures(test.responses)
-        ));
-    }
-    if (!strength.empty()) {
-        sentences.insert(sentences.begin(), strength + ".");
-    }
-    return sentences;
 }
 
 std::string tell_question(const ErosionStory& story, bool has_strength) {
@@ -224,28 +121,30 @@ std::string tell_question(const ErosionStory& story, bool has_strength) {
     );
 }
 
-/// The state that the erosion starts from.
-void tell_start(
-    const ErosionStory& story, const std::vector<FinishedStage>& stages, std::vector<std::string>& sentences
-) {
+/// The stage whose end an erosion starts from.
+const casefile::Stage& start_of(const FinishedStage& erosion) {
+    return erosion.variant->stages[static_cast<std::size_t>(std::max(0, erosion.stage->parent))];
+}
+
+/// The state that the erosion starts from; nothing without an erosion.
+std::optional<std::string> tell_start(const ErosionStory& story, const std::vector<FinishedStage>& stages) {
     if (story.eroded == nullptr) {
-        return;
+        return std::nullopt;
     }
-    const std::size_t parent = static_cast<std::size_t>(std::max(0, story.eroded->stage->parent));
-    const std::string start = story.eroded->variant->stages[parent].name;
-    for (const FinishedStage& stage : stages) {
-        if (stage.variant != story.eroded->variant || stage.stage->name != start) {
-            continue;
-        }
-        sentences.push_back(fmt::format(
-            "{} grains carry {:.4g} kPa at void ratio {:.3f} (porosity {:.3f}, {:.2f} contacts a grain, {} "
-            "rattlers).",
-            grouped(stage.numbers.at("grains").get<std::int64_t>()),
-            stage.numbers.at("mean_stress").get<double>() / 1e3, stage.numbers.at("void_ratio").get<double>(),
-            stage.numbers.at("porosity").get<double>(), stage.numbers.at("coordination").get<double>(),
-            grouped(stage.numbers.at("rattlers").get<std::int64_t>())
-        ));
+    const std::string& start = start_of(*story.eroded).name;
+    const auto found = std::ranges::find_if(stages, [&](const FinishedStage& stage) {
+        return stage.variant == story.eroded->variant && stage.stage->name == start;
+    });
+    if (found == stages.end()) {
+        return std::nullopt;
     }
+    const json& n = found->numbers;
+    return fmt::format(
+        "{} grains carry {:.4g} kPa at void ratio {:.3f} (porosity {:.3f}, {:.2f} contacts a grain, {} rattlers).",
+        grouped(n.at("grains").get<std::int64_t>()), n.at("mean_stress").get<double>() / 1e3,
+        n.at("void_ratio").get<double>(), n.at("porosity").get<double>(), n.at("coordination").get<double>(),
+        grouped(n.at("rattlers").get<std::int64_t>())
+    );
 }
 
 /// Whether one sample was eroded from so many states, or in so many ways, that one is told for all.
@@ -287,7 +186,9 @@ std::vector<std::string> answer_of_erosion(
     if (auto range = tell_range(story, stages)) {
         sentences.push_back(std::move(*range));
     }
-    tell_start(story, stages, sentences);
+    if (auto start = tell_start(story, stages)) {
+        sentences.push_back(std::move(*start));
+    }
     if (!story.probes.empty()) {
         sentences.push_back(answer_to_probes(story.probes));
     }
@@ -295,11 +196,13 @@ std::vector<std::string> answer_of_erosion(
         const std::string name = story.others.empty() ? "" : story.eroded->stage->name + ": ";
         sentences.push_back(name + answer_to_erosion(story.erosion));
     }
-    for (const FinishedStage* other : are_too_many(story) ? std::vector<const FinishedStage*>{} : story.others) {
-        const std::string start = other->variant->stages[static_cast<std::size_t>(other->stage->parent)].name;
-        sentences.push_back(fmt::format(
-            "{}, from the state {}: {}", other->stage->name, start, answer_to_erosion(*other->findings.erosion)
-        ));
+    if (!are_too_many(story)) {
+        for (const FinishedStage* other : story.others) {
+            sentences.push_back(fmt::format(
+                "{}, from the state {}: {}", other->stage->name, start_of(*other).name,
+                answer_to_erosion(*other->findings.erosion)
+            ));
+        }
     }
     for (std::string& sentence : answers_to_removals(stages)) {
         sentences.push_back(std::move(sentence));

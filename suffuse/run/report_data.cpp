@@ -15,9 +15,9 @@
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/scene_data.hpp"
 #include "suffuse/run/section_tables.hpp"
-#include "suffuse/run/strength_table.hpp"
 #include "suffuse/run/strength_words.hpp"
 #include "suffuse/run/study_figures.hpp"
+#include "suffuse/run/triaxial_table.hpp"
 #include "suffuse/run/water_figures.hpp"
 
 #include <algorithm>

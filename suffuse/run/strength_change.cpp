@@ -2,6 +2,7 @@
 
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/result_json.hpp"
+#include "suffuse/run/strength_pairs.hpp"
 #include "suffuse/run/study_curves.hpp"
 
 #include <fmt/format.h>
@@ -22,109 +23,6 @@ constexpr double at_the_end = 0.98;       // of the strain of a test
 // Of one sample: seeds of examples/silty-sand-2016 differ by 4 to 18 % (one standard deviation), most of them by 8.
 constexpr double clear_change = 0.1;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-/// The test of a sample before fines went, and after.
-struct Pair {
-    const FinishedStage *before, *after;
-    const FinishedStage *intact, *eroded; ///< states: before anything left, and where the second test starts
-    double removed_mass;                  ///< [-]
-    bool has_failed;                      ///< the skeleton, while fines went
-};
-
-const TriaxialSpec* test_of_strength(const casefile::Stage& stage) {
-    const auto* spec = std::get_if<TriaxialSpec>(&stage.spec);
-    const bool is_one = spec != nullptr && !spec->deviator_stress && !spec->stress_ratio &&
-                        spec->path != Path::Proportional && spec->path != Path::ConstantDeviator;
-    return is_one ? spec : nullptr;
-}
-
-bool is_same_test(const TriaxialSpec& a, const TriaxialSpec& b) {
-    return a.path == b.path && a.axis == b.axis && a.strain == b.strain && a.inertial_number == b.inertial_number;
-}
-
-/// Whether a test goes on from the end of this stage as it would from its start: a part of the same path, or a look.
-bool leaves_path(const casefile::StageSpec& spec, const TriaxialSpec& test) {
-    if (const auto* part = std::get_if<TriaxialSpec>(&spec)) {
-        return test.path != Path::Drained || part->path != Path::Drained || part->axis != test.axis;
-    }
-    return !std::holds_alternative<erosion::ErodeSpec>(spec) && !std::holds_alternative<erosion::RemoveSpec>(spec) &&
-           !std::holds_alternative<erosion::DetachStageSpec>(spec) && !std::holds_alternative<flow::FlowSpec>(spec) &&
-           !std::holds_alternative<triaxial::StressProbeSpec>(spec) && !std::holds_alternative<dem::SettleSpec>(spec);
-}
-
-/// Share of the mass that a stage took [-]; nothing where it takes none.
-std::optional<double> taken_by(const FinishedStage& stage) {
-    if (std::holds_alternative<erosion::ErodeSpec>(stage.stage->spec)) {
-        return stage.numbers.value("eroded_share_of_solids", none);
-    }
-    return std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec)
-               ? std::optional(stage.numbers.value("removed_mass_share", none))
-               : std::nullopt;
-}
-
-bool skeleton_failed(const FinishedStage& stage) {
-    const auto& erosion = stage.findings.erosion;
-    return stage.numbers.value("failed", false) ||
-           (erosion && !erosion->passes.empty() && erosion->passes.back().failed);
-}
-
-class Finder {
-public:
-    explicit Finder(const std::vector<FinishedStage>& stages) : stages_(stages) {}
-
-    /// From the second test back to the nearest state before all erosion from which the same test was made.
-    [[nodiscard]] std::optional<Pair> pair_of(const FinishedStage& after) const {
-        const TriaxialSpec* test = test_of_strength(*after.stage);
-        if (test == nullptr || !after.numbers.contains("response") || after.stage->parent < 0) {
-            return std::nullopt;
-        }
-        Pair pair{nullptr, &after, nullptr, state(after, after.stage->parent), 0, false};
-        const FinishedStage* intact = nullptr;
-        double left = 1;
-        bool has_failed = false, looks = false;
-        for (int row = after.stage->parent; row >= 0;) {
-            const FinishedStage* stage = state(after, row);
-            if (stage == nullptr) {
-                break;
-            }
-            if (const FinishedStage* before = looks ? same_test_from(after, row, *test) : nullptr) {
-                pair.before = before, pair.intact = intact;
-                pair.removed_mass = 1 - left, pair.has_failed = has_failed;
-                looks = false;
-            }
-            if (leaves_path(stage->stage->spec, *test)) {
-                break;
-            }
-            row = stage->stage->parent;
-            if (const std::optional<double> share = taken_by(*stage)) {
-                left *= 1 - *share;
-                has_failed = has_failed || skeleton_failed(*stage);
-                looks = true, intact = row < 0 ? nullptr : state(after, row);
-            }
-        }
-        return pair.before != nullptr && pair.intact != nullptr ? std::optional(pair) : std::nullopt;
-    }
-
-private:
-    [[nodiscard]] const FinishedStage* state(const FinishedStage& of, int row) const {
-        const casefile::Stage* wanted = &of.variant->stages[static_cast<std::size_t>(row)];
-        const auto found =
-            std::ranges::find_if(stages_, [&](const FinishedStage& stage) { return stage.stage == wanted; });
-        return found == stages_.end() ? nullptr : &*found;
-    }
-
-    [[nodiscard]] const FinishedStage*
-    same_test_from(const FinishedStage& after, int row, const TriaxialSpec& test) const {
-        const auto found = std::ranges::find_if(stages_, [&](const FinishedStage& stage) {
-            const TriaxialSpec* other = test_of_strength(*stage.stage);
-            return stage.variant == after.variant && stage.stage->parent == row && other != nullptr &&
-                   is_same_test(*other, test) && stage.numbers.contains("response");
-        });
-        return found == stages_.end() ? nullptr : &*found;
-    }
-
-    const std::vector<FinishedStage>& stages_;
-};
 
 /// The stress that a test holds, of the state that it starts from [Pa].
 double confinement(const FinishedStage& state, const TriaxialSpec& test) {
@@ -152,8 +50,9 @@ double difference(double before, double after) {
 }
 
 /// One number of all pairs; not a number where a pair is not compared.
-BeforeAfter
-gather(const std::vector<Pair>& pairs, const std::vector<bool>& is_compared, const auto& number, const auto& change) {
+BeforeAfter gather(
+    const std::vector<TestPair>& pairs, const std::vector<bool>& is_compared, const auto& number, const auto& change
+) {
     std::vector<double> before, after, changes;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const auto [b, a] = is_compared[k] ? number(pairs[k]) : std::pair{none, none};
@@ -165,16 +64,16 @@ gather(const std::vector<Pair>& pairs, const std::vector<bool>& is_compared, con
 }
 
 BeforeAfter gather_response(
-    const std::vector<Pair>& pairs, const std::vector<bool>& is_compared, const char* key, const auto& change
+    const std::vector<TestPair>& pairs, const std::vector<bool>& is_compared, const char* key, const auto& change
 ) {
-    const auto number = [&](const Pair& pair) {
+    const auto number = [&](const TestPair& pair) {
         return std::pair{number_of(*pair.before, key), number_of(*pair.after, key)};
     };
     return gather(pairs, is_compared, number, change);
 }
 
 /// Why the two tests of a sample are not compared; empty: they are.
-std::string why_not(const Pair& pair, const TriaxialSpec& test) {
+std::string why_not(const TestPair& pair, const TriaxialSpec& test) {
     for (const FinishedStage* each : {pair.before, pair.after}) {
         if (const double lost = number_of(*each, "lost_at"); std::isfinite(lost)) {
             return fmt::format(
@@ -199,44 +98,44 @@ void remark(std::size_t count, std::size_t of, const std::string& what, std::vec
     }
 }
 
-void remark_on_tests(const std::vector<Pair>& pairs, std::vector<std::string>& remarks) {
-    const auto count = [&](const auto& holds) { return static_cast<std::size_t>(std::ranges::count_if(pairs, holds)); };
-    const std::size_t all = pairs.size();
-    remark(
-        count([](const Pair& p) { return p.has_failed; }), all,
-        "the skeleton had failed when fines went, and found a new state", remarks
-    );
-    for (const FinishedStage* Pair::*which : {&Pair::before, &Pair::after}) {
-        const FinishedStage& first = *(pairs.front().*which);
-        const std::string& name = first.stage->name;
-        const TriaxialSpec& test = *test_of_strength(*first.stage);
-        remark(
-            count([&](const Pair& p) { return response_of(*(p.*which)).value("liquefied", json()) == true; }), all,
-            name + " liquefied", remarks
-        );
-        remark(
-            count([&](const Pair& p) { return number_of(*(p.*which), "peak_strain") > at_the_end * test.strain; }), all,
-            name + " is highest at its end, and may rise further", remarks
-        );
-        remark(
-            count([&](const Pair& p) {
-                return !(p.*which)->numbers.value("flaws", json::array()).empty() &&
-                       !std::isfinite(number_of(*(p.*which), "lost_at"));
-            }),
-            all, name + " has a flaw (warnings)", remarks
-        );
-    }
+/// On one of the two tests, over all samples.
+void remark_on_test(const std::vector<const FinishedStage*>& samples, std::vector<std::string>& remarks) {
+    const casefile::Stage& stage = *samples.front()->stage;
+    const double last_strain = at_the_end * test_of_strength(stage)->strain;
+    const auto tell = [&](const char* what, const auto& holds) {
+        const auto count = std::ranges::count_if(samples, [&](const FinishedStage* test) { return holds(*test); });
+        remark(static_cast<std::size_t>(count), samples.size(), fmt::format("{} {}", stage.name, what), remarks);
+    };
+    tell("liquefied", [](const FinishedStage& test) { return response_of(test).value("liquefied", json()) == true; });
+    tell("is highest at its end, and may rise further", [&](const FinishedStage& test) {
+        return number_of(test, "peak_strain") > last_strain;
+    });
+    tell("has a flaw (warnings)", [](const FinishedStage& test) {
+        return !test.numbers.value("flaws", json::array()).empty() && !std::isfinite(number_of(test, "lost_at"));
+    });
 }
 
-StrengthChange summed_up(const std::vector<Pair>& pairs) {
-    const Pair& first = pairs.front();
+void remark_on_samples(const std::vector<TestPair>& pairs, std::vector<std::string>& remarks) {
+    std::vector<const FinishedStage*> before, after;
+    std::size_t failed = 0;
+    for (const TestPair& pair : pairs) {
+        before.push_back(pair.before), after.push_back(pair.after);
+        failed += pair.has_failed ? 1 : 0;
+    }
+    remark(failed, pairs.size(), "the skeleton had failed when fines went, and found a new state", remarks);
+    remark_on_test(before, remarks);
+    remark_on_test(after, remarks);
+}
+
+StrengthChange summed_up(const std::vector<TestPair>& pairs) {
+    const TestPair& first = pairs.front();
     const TriaxialSpec& test = *test_of_strength(*first.after->stage);
     StrengthChange change;
     change.study = first.after->study, change.variant = first.after->variant;
     change.before = first.before->stage, change.after = first.after->stage;
     std::vector<bool> is_compared, is_there(pairs.size(), true);
     std::vector<double> removed;
-    for (const Pair& pair : pairs) {
+    for (const TestPair& pair : pairs) {
         const std::string reason = why_not(pair, test);
         is_compared.push_back(reason.empty());
         change.seeds.push_back(pair.after->variant->seed);
@@ -250,20 +149,13 @@ StrengthChange summed_up(const std::vector<Pair>& pairs) {
     change.peak_deviator = gather_response(pairs, is_compared, "peak_deviator", relative);
     change.final_deviator = gather_response(pairs, is_compared, "final_deviator", relative);
     change.friction_angle = gather_response(pairs, is_compared, "friction_angle", difference);
-    const auto void_ratios = [](const Pair& pair) {
+    const auto void_ratios = [](const TestPair& pair) {
         return std::pair{
             pair.intact->numbers.at("void_ratio").get<double>(), pair.eroded->numbers.at("void_ratio").get<double>()};
     };
     change.void_ratio = gather(pairs, is_there, void_ratios, difference);
-    remark_on_tests(pairs, change.remarks);
+    remark_on_samples(pairs, change.remarks);
     return change;
-}
-
-json scatter_json(const report::Scatter& value) {
-    if (value.seeds == 0) {
-        return nullptr;
-    }
-    return {{"mean", value.mean}, {"standard_deviation", value.standard_deviation}, {"of_seed", value.of_seed}};
 }
 
 json before_after_json(const BeforeAfter& value) {
@@ -285,23 +177,19 @@ std::optional<bool> StrengthChange::is_weaker() const {
 }
 
 std::vector<StrengthChange> compare_strength(const std::vector<FinishedStage>& stages) {
-    const Finder finder(stages);
-    std::vector<std::vector<Pair>> groups; // a group: the seeds of one test at one set of values
-    for (const FinishedStage& stage : stages) {
-        const std::optional<Pair> pair = finder.pair_of(stage);
-        if (!pair) {
-            continue;
-        }
-        const auto group = std::ranges::find_if(groups, [&](const std::vector<Pair>& other) {
+    std::vector<std::vector<TestPair>> groups; // a group: the seeds of one test at one set of values
+    for (const TestPair& pair : find_test_pairs(stages)) {
+        const FinishedStage& stage = *pair.after;
+        const auto group = std::ranges::find_if(groups, [&](const std::vector<TestPair>& other) {
             const FinishedStage& first = *other.front().after;
             return first.study == stage.study && first.stage->name == stage.stage->name &&
                    sweep_values(*first.study, *first.variant) == sweep_values(*stage.study, *stage.variant);
         });
-        (group == groups.end() ? groups.emplace_back() : *group).push_back(*pair);
+        (group == groups.end() ? groups.emplace_back() : *group).push_back(pair);
     }
     std::vector<StrengthChange> changes;
     changes.reserve(groups.size());
-    for (const std::vector<Pair>& group : groups) {
+    for (const std::vector<TestPair>& group : groups) {
         changes.push_back(summed_up(group));
     }
     return changes;

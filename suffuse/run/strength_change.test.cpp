@@ -78,8 +78,8 @@ TEST(StrengthChange, IsThatOfTheSameTestOnTheSameSample) {
         tell_strength(changes),
         (std::vector<std::string>{
             "Strength, after against before: the soil without 12 % of its mass is weaker. Its highest deviator stress "
-            "goes "
-            "from 400 to 300 kPa (−25 %), the friction angle there from 40 to 30°, the deviator stress at 10 % axial "
+            "goes from 400 to 300 kPa (−25 %), the friction angle there from 40 to 30°, the deviator stress at 10 % "
+            "axial "
             "strain from 320 to 240 kPa (−25 %), the void ratio from 0.7 to 0.9. One sample: the strengths of others "
             "differ by some 10 %."})
     );
@@ -178,6 +178,8 @@ TEST(StrengthChange, OfADeviatoricStateIsThatOfATestThatPassesThroughIt) {
     ASSERT_EQ(changes.size(), 1U);
     EXPECT_DOUBLE_EQ(changes.front().void_ratio.before.mean, 0.9); // that of the deviatoric state
     EXPECT_DOUBLE_EQ(changes.front().removed_mass.mean, 0.2);
+    stages[1].spec = triaxial::TriaxialSpec{.strain = 0.1}; // past its peak, perhaps: its softening is no erosion's
+    EXPECT_TRUE(compare_strength(study.stages).empty());
 }
 
 } // namespace

@@ -12,23 +12,13 @@
 namespace suffuse::run {
 namespace {
 
-using report::Scatter;
 using report::short_number;
+using report::with_scatter;
 
 constexpr std::size_t most_told = 3; ///< changes, each in a sentence of its own
 constexpr double kilo = 1e3, percent = 100, degree = radians(1);
 
 const char* const title_of_table = "Strength before and after";
-
-/// "−21", "−21 ± 3"; a spread of a thousandth is none.
-std::string with_spread(const Scatter& value, double factor, int digits) {
-    if (value.seeds == 0) {
-        return "–";
-    }
-    const std::string mean = short_number(factor * value.mean, digits);
-    const bool is_spread = value.seeds > 1 && value.standard_deviation > 1e-3 * std::abs(value.mean);
-    return is_spread ? mean + " ± " + short_number(factor * value.standard_deviation, 2) : mean;
-}
 
 /// "+5 %", "−21 ± 3 %".
 std::string change_in_percent(const BeforeAfter& value) {
@@ -83,7 +73,7 @@ double end_strain(const StrengthChange& change) {
 std::string tell(const StrengthChange& change) {
     std::string text = fmt::format(
         "Strength, {}: the soil without {} % of its mass {}", tests_of(change),
-        with_spread(change.removed_mass, percent, 3), verdict_of(change)
+        with_scatter(change.removed_mass, percent, 3), verdict_of(change)
     );
     if (change.peak_deviator.change.seeds > 0) {
         text += fmt::format(
@@ -202,10 +192,10 @@ std::optional<report::PageTable> tabulate_strength(const std::vector<StrengthCha
             {fmt::format(
                  "{}{}: {}, {}", change.study->name, values_of(change), change.before->name, change.after->name
              ),
-             std::to_string(change.peak_deviator.change.seeds), with_spread(change.removed_mass, percent, 3),
+             std::to_string(change.peak_deviator.change.seeds), with_scatter(change.removed_mass, percent, 3),
              pair(change.void_ratio, 1, 3), pair(change.peak_deviator, kilo, 4),
-             with_spread(change.peak_deviator.change, percent, 2), pair(change.friction_angle, degree, 3),
-             pair(change.final_deviator, kilo, 4), with_spread(change.final_deviator.change, percent, 2),
+             with_scatter(change.peak_deviator.change, percent, 2), pair(change.friction_angle, degree, 3),
+             pair(change.final_deviator, kilo, 4), with_scatter(change.final_deviator.change, percent, 2),
              change.remarks.empty() ? "–" : remarks_of(change, "; ")}
         );
     }

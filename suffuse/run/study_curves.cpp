@@ -140,8 +140,7 @@ json values_json(const std::vector<std::string>& keys, const SweepPoint& point) 
 json point_json(const report::StudyCurves& study, const SweepPoint& point) {
     json numbers = json::object();
     for (const auto& [name, scatter] : point.number) {
-        numbers[name] = {
-            {"mean", scatter.mean}, {"standard_deviation", scatter.standard_deviation}, {"of_seed", scatter.of_seed}};
+        numbers[name] = scatter_json(scatter);
     }
     return {{"values", values_json(study.keys, point)}, {"seeds", point.seed}, {"numbers", numbers}};
 }
@@ -180,6 +179,13 @@ std::string values_name(const casefile::Study& study, const casefile::Variant& v
 
 json values_json(const casefile::Study& study, const casefile::Variant& variant) {
     return values_json(keys_of(study), point_of(study, variant));
+}
+
+json scatter_json(const report::Scatter& value) {
+    if (value.seeds == 0) {
+        return nullptr;
+    }
+    return {{"mean", value.mean}, {"standard_deviation", value.standard_deviation}, {"of_seed", value.of_seed}};
 }
 
 json curves_json(const std::vector<report::StudyCurves>& studies) {

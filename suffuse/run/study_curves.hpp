@@ -19,6 +19,9 @@ std::string values_name(const casefile::Study& study, const casefile::Variant& v
 /// As in summary.json: key -> value in SI, words as they are.
 nlohmann::json values_json(const casefile::Study& study, const casefile::Variant& variant);
 
+/// As in summary.json: mean, standard_deviation, of_seed; null where no seed has the number.
+nlohmann::json scatter_json(const report::Scatter& value);
+
 /// As in summary.json: study -> keys, replicates, stages -> points.
 nlohmann::json curves_json(const std::vector<report::StudyCurves>& studies);
 

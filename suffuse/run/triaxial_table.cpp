@@ -1,4 +1,4 @@
-#include "suffuse/run/strength_table.hpp"
+#include "suffuse/run/triaxial_table.hpp"
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/report/words.hpp"
@@ -37,12 +37,7 @@ struct Shown {
 /// Mean, and the standard deviation where there are several samples.
 std::string cell(const SweepPoint& point, const std::string& number, double factor, int digits = 3) {
     const auto found = point.number.find("response." + number);
-    if (found == point.number.end() || found->second.seeds == 0) {
-        return empty;
-    }
-    const report::Scatter& value = found->second;
-    const std::string mean = report::short_number(factor * value.mean, digits);
-    return value.seeds > 1 ? mean + " ± " + report::short_number(factor * value.standard_deviation, 2) : mean;
+    return found == point.number.end() ? empty : report::with_scatter(found->second, factor, digits);
 }
 
 /// "no", "yes", "2 of 3"; empty where the test cannot.

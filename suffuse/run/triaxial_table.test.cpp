@@ -1,4 +1,4 @@
-#include "suffuse/run/strength_table.hpp"
+#include "suffuse/run/triaxial_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ bool has_column(const report::PageTable& table, const std::string& name) {
     return std::ranges::any_of(table.header, [&](const std::string& h) { return h.starts_with(name); });
 }
 
-TEST(StrengthTable, OfDrainedTestsHasNoColumnsOfPorePressure) {
+TEST(TriaxialTable, OfDrainedTestsHasNoColumnsOfPorePressure) {
     nlohmann::json drained = response();
     drained["instability"] = {{"q", 45e3}};
     const report::PageTable table = table_of({.strain = 0.1}, {drained});
@@ -48,7 +48,7 @@ TEST(StrengthTable, OfDrainedTestsHasNoColumnsOfPorePressure) {
     EXPECT_EQ(table.header.size(), table.numeric.size());
 }
 
-TEST(StrengthTable, CountsLiquefiedSamplesAndTellsInstabilityAndPorePressure) {
+TEST(TriaxialTable, CountsLiquefiedSamplesAndTellsInstabilityAndPorePressure) {
     nlohmann::json flows = response(), stays = response();
     flows.update({{"liquefied", true}, {"excess_pore_pressure", 90e3}, {"instability", {{"q", 60e3}}}});
     stays.update({{"liquefied", false}, {"excess_pore_pressure", 70e3}, {"instability", nullptr}});
@@ -59,7 +59,7 @@ TEST(StrengthTable, CountsLiquefiedSamplesAndTellsInstabilityAndPorePressure) {
     EXPECT_FALSE(has_column(table, "dilatancy") || has_column(table, "εᵥ")) << "at constant volume there is none";
 }
 
-TEST(StrengthTable, SaysNothingThatATestDoesNotShow) {
+TEST(TriaxialTable, SaysNothingThatATestDoesNotShow) {
     EXPECT_FALSE(has_column(table_of({.strain = 0.01}, {response()}), "dilatancy")) << "over one percent of strain";
     const report::PageTable stops = table_of({.stress_ratio = 0.75}, {response()});
     EXPECT_FALSE(has_column(stops, "highest q") || has_column(stops, "friction") || has_column(stops, "E50"));

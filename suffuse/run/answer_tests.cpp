@@ -1,0 +1,118 @@
+#include "suffuse/run/answer_tests.hpp"
+
+#include "suffuse/report/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suffuse::run {
+namespace {
+
+using nlohmann::json;
+
+/// "75.17 kPa at 1.8 % axial strain", or between which values those of samples lie that differ in their seed only.
+/// @param pressure, strain which of a response are told
+std::string tell_peaks(const std::vector<json>& responses, const char* pressure, const char* strain) {
+    const auto kilopascals = [&](const json& response) { return response.at(pressure).get<double>() / 1e3; };
+    if (responses.size() == 1) {
+        const json& only = responses.front();
+        return fmt::format(
+            "{} kPa at {} % axial strain", report::short_number(kilopascals(only), 4),
+            report::short_number(100 * only.at(strain).get<double>(), 2)
+        );
+    }
+    double lowest = kilopascals(responses.front()), highest = lowest;
+    for (const json& response : responses) {
+        lowest = std::min(lowest, kilopascals(response)), highest = std::max(highest, kilopascals(response));
+    }
+    return fmt::format(
+        "{} to {} kPa ({} samples)", report::short_number(lowest, 4), report::short_number(highest, 4), responses.size()
+    );
+}
+
+/// " (2 of them liquefied)", " (and collapsed at 1.1 % axial strain)"; empty where nothing of the kind happened.
+std::string tell_failures(const std::vector<json>& responses) {
+    const auto liquefied =
+        std::ranges::count_if(responses, [](const json& r) { return r.value("liquefied", json()) == true; });
+    const auto lost = std::ranges::count_if(responses, [](const json& r) {
+        return r.value("lost_at", json()).is_number(); // runs of earlier programs lack it
+    });
+    if (responses.size() == 1 && lost > 0) {
+        return fmt::format(
+            " (and collapsed at {} % axial strain)",
+            report::short_number(100 * responses.front().at("lost_at").get<double>(), 2)
+        );
+    }
+    if (responses.size() == 1) {
+        return liquefied > 0 ? " (and liquefied)" : "";
+    }
+    return liquefied > 0 ? fmt::format(" ({} of them liquefied)", liquefied)
+           : lost > 0    ? fmt::format(" ({} of them collapsed)", lost)
+                         : "";
+}
+
+/// The responses of a test outside sweeps, of all seeds.
+struct ToldTest {
+    const casefile::Study* study;
+    std::string name;
+    bool holds_deviator; ///< and fails by its pore pressure
+    std::vector<json> responses;
+};
+
+/// Tests that were compared are told already; those that stop at a stress lead to a state, and show no strength.
+bool is_told_alone(const FinishedStage& stage, const std::vector<StrengthChange>& strength) {
+    const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
+    const bool stops = spec != nullptr && (spec->deviator_stress || spec->stress_ratio);
+    return !stops && std::ranges::none_of(strength, [&](const StrengthChange& change) {
+        const std::string& name = stage.stage->name;
+        return change.study == stage.study && (change.before->name == name || change.after->name == name);
+    });
+}
+
+std::vector<ToldTest>
+gather_told_tests(const std::vector<FinishedStage>& stages, const std::vector<StrengthChange>& strength) {
+    std::vector<ToldTest> tests;
+    for (const FinishedStage& stage : stages) {
+        if (!stage.numbers.contains("response") || !stage.study->sweep.empty() || !is_told_alone(stage, strength)) {
+            continue;
+        }
+        auto test = std::find_if(tests.begin(), tests.end(), [&](const ToldTest& other) {
+            return other.study == stage.study && other.name == stage.stage->name;
+        });
+        if (test == tests.end()) {
+            const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
+            const bool holds = spec != nullptr && spec->path == triaxial::Path::ConstantDeviator;
+            test = tests.insert(test, {stage.study, stage.stage->name, holds, {}});
+        }
+        test->responses.push_back(stage.numbers.at("response"));
+    }
+    return tests;
+}
+
+} // namespace
+
+std::vector<std::string>
+answers_to_tests(const std::vector<FinishedStage>& stages, const std::vector<StrengthChange>& changes) {
+    std::string strength;
+    std::vector<std::string> sentences;
+    for (const ToldTest& test : gather_told_tests(stages, changes)) {
+        if (!test.holds_deviator) {
+            strength += fmt::format(
+                "{}{} in {}{}", strength.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
+                tell_peaks(test.responses, "peak_deviator", "peak_strain"), test.name, tell_failures(test.responses)
+            );
+            continue;
+        }
+        sentences.push_back(fmt::format(
+            "{}: with the deviator stress held, an excess pore pressure of {} is the most that is borne{}.", test.name,
+            tell_peaks(test.responses, "excess_pore_pressure", "peak_strain"), tell_failures(test.responses)
+        ));
+    }
+    if (!strength.empty()) {
+        sentences.insert(sentences.begin(), strength + ".");
+    }
+    return sentences;
+}
+
+} // namespace suffuse::run

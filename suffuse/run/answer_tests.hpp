@@ -1,0 +1,17 @@
+#pragma once
+// What triaxial tests found, in sentences, where the comparison of strength before and after does not tell it.
+
+#include "suffuse/run/finished_stage.hpp"
+#include "suffuse/run/strength_change.hpp"
+
+#include <string>
+#include <vector>
+
+namespace suffuse::run {
+
+/// Of tests outside sweeps, over their seeds: those of strength in one sentence, each that holds the deviator stress in
+/// one of its own. Tests among `changes` are told there.
+std::vector<std::string>
+answers_to_tests(const std::vector<FinishedStage>& stages, const std::vector<StrengthChange>& changes);
+
+} // namespace suffuse::run
