@@ -97,8 +97,9 @@ constexpr std::array guides = {
         "Deviator stress and volumetric strain against axial strain.", "`triaxial` stages"},
     Guide{
         "own-paths", "paths of stress and of state",
-        "Deviator stress against mean stress, and void ratio against the logarithm of the mean stress.",
-        "`triaxial` stages of a study swept over fines_content"},
+        "Deviator stress against mean stress, unless all tests move along one line there, and void ratio against the "
+        "logarithm of the mean stress.",
+        "`triaxial` stages"},
     Guide{
         "own-energy", "where the work of the tests goes",
         "Shares of the work that sliding and rolling contacts and damping take and that springs hold, a bar a test.",

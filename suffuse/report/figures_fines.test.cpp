@@ -136,12 +136,12 @@ TEST(MixtureFigure, HasALineForEachMixtureAndDotsForItsSample) {
     const auto& names = words(figure.table, "mixture");
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 13U);
     const auto& passing = figure.table.numbers("passing");
-    EXPECT_NEAR(*std::max_element(passing.begin(), passing.end()), 100, 1e-12);
+    EXPECT_NEAR(*std::max_element(passing.begin(), passing.end()), 100, 1e-12); // rounding
     // The gap between the two fractions is flat at the fines content.
     for (std::size_t row = 0; row < figure.table.rows(); ++row) {
         const double d = figure.table.numbers("diameter")[row];
         if (d > 0.13 && d < 0.19 && words(figure.table, "kind")[row] == "asked for") {
-            EXPECT_NEAR(passing[row], figure.table.numbers("fines_content")[row], 1e-9);
+            EXPECT_NEAR(passing[row], figure.table.numbers("fines_content")[row], 1e-9); // rounding
         }
     }
     EXPECT_NE(figure.caption.find("0.5 %"), std::string::npos) << figure.caption; // 0.005 of the fines at FC = 100 %
@@ -175,8 +175,8 @@ TEST(AverageResponse, OfCurvesOnDifferentStrainsIsTheMeanOfTheirLines) {
     EXPECT_EQ(mean.samples, 2);
     ASSERT_EQ(mean.rows.size(), 10U) << "as far as both reach";
     for (std::size_t k = 0; k < mean.rows.size(); ++k) {
-        EXPECT_NEAR(mean.rows[k].deviator_stress, 2e5 * mean.rows[k].axial_strain, 1e-9);
-        EXPECT_NEAR(mean.deviation[k].deviator_stress, std::sqrt(2.0) * 1e5 * mean.rows[k].axial_strain, 1e-9);
+        EXPECT_NEAR(mean.rows[k].deviator_stress, 2e5 * mean.rows[k].axial_strain, 1e-9); // rounding of lines between rows
+        EXPECT_NEAR(mean.deviation[k].deviator_stress, std::sqrt(2.0) * 1e5 * mean.rows[k].axial_strain, 1e-9); // rounding
     }
     EXPECT_TRUE(average_response("one", {coarse}).deviation.empty());
 }
@@ -209,6 +209,21 @@ TEST(ResponseFigures, TestsOfAMixtureInSeveralStagesHaveItsColorAndDashesOfTheir
     EXPECT_EQ(test_paths(tests)->chart["vconcat"][0]["encoding"]["color"]["field"], "test");
 }
 
+TEST(ResponseFigures, OneLineOfStressThatAllTestsMoveAlongIsToldAndNotDrawn) {
+    // Drained, at a lateral stress of 100 kPa: p = 100 kPa + q/3, within what a servo lets go of.
+    ResponseCurve first{"before", {{0, 0, 0, 100e3, 0.7}, {0.02, 0.01, 300e3, 202e3, 0.68}}};
+    ResponseCurve second{"after", {{0, 0, 0, 100e3, 0.9}, {0.02, 0.01, 150e3, 149e3, 0.88}}};
+    const Figure drained = *test_paths({first, second});
+    ASSERT_EQ(drained.chart["vconcat"].size(), 1U);
+    EXPECT_EQ(drained.chart["vconcat"][0]["encoding"]["y"]["field"], "void_ratio");
+    EXPECT_NE(drained.caption.find("q = 3 (p − 100 kPa)"), std::string::npos) << drained.caption;
+    second.rows[1].mean_stress = 100e3; // at a constant mean stress
+    const Figure both = *test_paths({first, second});
+    ASSERT_EQ(both.chart["vconcat"].size(), 2U);
+    EXPECT_EQ(both.chart["vconcat"][0]["encoding"]["y"]["field"], "deviator_stress");
+    EXPECT_EQ(both.caption.find("is not drawn"), std::string::npos);
+}
+
 TEST(ResponseFigures, AtConstantVolumeRoundingIsNoResponse) {
     ResponseCurve test{"FC 10 %", {{0.001, 1e-9, 10e3, 100e3, 0.8}, {0.05, 4e-8, 1, 0.01, 0.8}}};
     const Figure undrained = *triaxial_response({test});
@@ -228,7 +243,7 @@ TEST(ResponseFigures, LongTestsAreThinnedAndKeepTheirEnd) {
     }
     const Table table = triaxial_response({test})->table;
     EXPECT_LE(table.rows(), 241U);
-    EXPECT_NEAR(table.numbers("axial_strain").back(), 5, 1e-12);
+    EXPECT_NEAR(table.numbers("axial_strain").back(), 5, 1e-12); // rounding of 100 x 0.05
 }
 
 } // namespace

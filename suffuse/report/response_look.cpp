@@ -1,0 +1,126 @@
+#include "suffuse/report/response_look.hpp"
+
+#include "suffuse/report/fines_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace suffuse::report {
+
+namespace {
+
+using nlohmann::json;
+
+/// Six digits are more than a line shows.
+double rounded(double value) {
+    return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
+/// Every n-th row, and the last.
+std::vector<std::size_t> drawn_rows(std::size_t count, std::size_t most) {
+    const std::size_t every = std::max<std::size_t>(1, (count + most - 1) / most);
+    std::vector<std::size_t> rows;
+    for (std::size_t k = 0; k < count; k += every) {
+        rows.push_back(k);
+    }
+    if (!rows.empty() && rows.back() + 1 != count) {
+        rows.push_back(count - 1);
+    }
+    return rows;
+}
+
+} // namespace
+
+std::vector<ResponseCurve> with_rows(std::vector<ResponseCurve> tests) {
+    std::erase_if(tests, [](const ResponseCurve& test) { return test.rows.empty(); });
+    return tests;
+}
+
+Table response_table(const std::vector<ResponseCurve>& tests, std::size_t most) {
+    std::vector<std::string> name;
+    std::vector<double> row_number, axial, deviator, mean, volumetric, void_ratio, pore_pressure, u_deviation;
+    std::vector<double> q_deviation, v_deviation, samples;
+    for (const ResponseCurve& test : tests) {
+        for (const std::size_t k : drawn_rows(test.rows.size(), most)) {
+            const StressStrainRow& row = test.rows[k];
+            const StressStrainRow spread = test.deviation.empty() ? StressStrainRow{} : test.deviation[k];
+            name.push_back(test.name);
+            row_number.push_back(static_cast<double>(k));
+            axial.push_back(rounded(100 * row.axial_strain));
+            deviator.push_back(rounded(row.deviator_stress / 1e3));
+            q_deviation.push_back(rounded(spread.deviator_stress / 1e3));
+            mean.push_back(rounded(row.mean_stress / 1e3));
+            volumetric.push_back(rounded(100 * row.volumetric_strain));
+            v_deviation.push_back(rounded(100 * spread.volumetric_strain));
+            void_ratio.push_back(rounded(row.void_ratio));
+            pore_pressure.push_back(rounded(row.excess_pore_pressure / 1e3));
+            u_deviation.push_back(rounded(spread.excess_pore_pressure / 1e3));
+            samples.push_back(test.samples);
+        }
+    }
+    Table table;
+    table.add("test", std::move(name));
+    table.add("axial_strain", "%", std::move(axial));
+    table.add("deviator_stress", "kPa", std::move(deviator));
+    table.add("mean_stress", "kPa", std::move(mean));
+    table.add("volumetric_strain", "%", std::move(volumetric));
+    table.add("void_ratio", "-", std::move(void_ratio));
+    table.add("deviator_stress_deviation", "kPa", std::move(q_deviation));
+    table.add("volumetric_strain_deviation", "%", std::move(v_deviation));
+    table.add("samples", "", std::move(samples));
+    table.add("row", "", std::move(row_number));
+    table.add("excess_pore_pressure", "kPa", std::move(pore_pressure));
+    table.add("excess_pore_pressure_deviation", "kPa", std::move(u_deviation));
+    return table;
+}
+
+int legend_columns(const json& names) {
+    std::size_t longest = 1;
+    for (const json& name : names) {
+        longest = std::max(longest, name.get_ref<const std::string&>().size());
+    }
+    return std::max(1, static_cast<int>(560 / (6.2 * static_cast<double>(longest) + 52)));
+}
+
+void color_by_test(const std::vector<ResponseCurve>& tests, json& encoding) {
+    json names = json::array(), colors = json::array();
+    for (const ResponseCurve& test : tests) {
+        names.push_back(test.name);
+        const json& sequence = color::sequence();
+        colors.push_back(
+            std::isfinite(test.fines_content) ? json(fines_color(test.fines_content))
+                                              : sequence[colors.size() % sequence.size()]
+        );
+    }
+    encoding["color"] = {
+        {"field", "test"},
+        {"type", "nominal"},
+        {"title", nullptr},
+        {"scale", {{"domain", names}, {"range", colors}}},
+        {"legend",
+         {{"symbolType", "stroke"},
+          {"symbolOpacity", 1},
+          {"symbolSize", color::dash_symbol},
+          {"columns", legend_columns(names)}}}};
+    encoding["strokeDash"] = {
+        {"field", "test"},
+        {"type", "nominal"},
+        {"title", nullptr},
+        {"scale", {{"domain", names}, {"range", json::parse("[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2]]")}}}};
+}
+
+bool starts_at_zero(const std::vector<ResponseCurve>& tests) {
+    double lowest = 0, highest = 0;
+    for (const ResponseCurve& test : tests) {
+        for (const StressStrainRow& row : test.rows) {
+            lowest = std::min(lowest, row.deviator_stress);
+            highest = std::max(highest, row.deviator_stress);
+        }
+    }
+    return lowest > -0.01 * highest;
+}
+
+} // namespace suffuse::report

@@ -1,0 +1,28 @@
+#pragma once
+// What the figures of triaxial tests have in common: their table, and how their curves look.
+
+#include "suffuse/report/responses.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace suffuse::report {
+
+/// The tests that have a curve.
+std::vector<ResponseCurve> with_rows(std::vector<ResponseCurve> tests);
+
+/// @param most rows of a curve, thinned for drawing
+Table response_table(const std::vector<ResponseCurve>& tests, std::size_t most);
+
+/// Color and dashes by test; tests over a fines content have its color.
+void color_by_test(const std::vector<ResponseCurve>& tests, nlohmann::json& encoding);
+
+/// Names that stand in one row of a chart of the usual width.
+int legend_columns(const nlohmann::json& names);
+
+/// Whether no test has a deviator stress below zero, but for a hundredth of the highest.
+bool starts_at_zero(const std::vector<ResponseCurve>& tests);
+
+} // namespace suffuse::report
