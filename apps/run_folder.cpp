@@ -102,7 +102,7 @@ void take_run_folder(const fs::path& folder) {
         throw UsageError(fmt::format("{} is a file; -o wants a folder", shown(folder.string())));
     }
     make_folders(folder);
-    const bool is_begun = fs::exists(folder / options_file) || fs::exists(folder / "case.resolved.toml");
+    const bool is_begun = fs::exists(folder / options_file) || fs::exists(folder / run::resolved_case_file);
     if (!is_begun && !fs::is_empty(folder)) {
         throw UsageError(fmt::format(
             "{} is not empty and holds no run; give -o a new folder, so that nothing of yours is overwritten",

@@ -5,6 +5,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/casefile/read_text.hpp"
+#include "suffuse/run/folder.hpp"
 #include "suffuse/run/plan_record.hpp"
 #include "suffuse/run/refine.hpp"
 #include "suffuse/run/runner.hpp"
@@ -225,7 +226,7 @@ int resume_verb(const CommandLine& line, const Console& console) {
     limit_of(line.time_limit);
     heed_signals();
     const fs::path folder = line.subject;
-    const fs::path resolved = folder / "case.resolved.toml";
+    const fs::path resolved = folder / run::resolved_case_file;
     Job job;
     job.folder = folder;
     fs::path usual_cache = cache_beside(folder);
@@ -253,9 +254,7 @@ int resume_verb(const CommandLine& line, const Console& console) {
 
 int report_verb(const CommandLine& line, const Console& console) {
     const fs::path folder = line.subject;
-    if (!fs::exists(folder / "case.resolved.toml")) {
-        throw IoError(fmt::format("{}: holds no run", shown(line.subject)));
-    }
+    run::check_is_run(folder); // before the lock, which would leave a file there
     const FolderLock lock(folder, console);
     const run::RunReport report = run::rebuild_report(folder, page_folder(), line.typed);
     tell_results(report, "written", console);

@@ -56,8 +56,10 @@ struct Emitted {
 fs::path prepare_folder(const CommandLine& line, const Console& console, casefile::Case& what) {
     if (fs::is_directory(line.subject)) {
         const fs::path folder = line.subject;
-        if (!fs::exists(folder / "case.resolved.toml")) {
-            throw UsageError(fmt::format("{} holds no run", shown(line.subject)));
+        if (!fs::exists(folder / run::resolved_case_file)) {
+            throw UsageError(fmt::format(
+                "{} holds no run; give a case file, or the folder that suffuse run has named", shown(line.subject)
+            ));
         }
         what = run::load_run(folder);
         return folder;
@@ -170,8 +172,10 @@ int emit(const CommandLine& line, const Console& console) {
 
 int collect(const CommandLine& line, const Console& console) {
     const fs::path folder = line.collect;
-    if (!fs::exists(folder / "case.resolved.toml")) {
-        throw UsageError(fmt::format("{} holds no run", shown(line.collect)));
+    if (!fs::exists(folder / run::resolved_case_file)) {
+        throw UsageError(
+            fmt::format("{} holds no run; give the folder that suffuse sweep --emit has named", shown(line.collect))
+        );
     }
     const FolderLock lock(folder, console);
     const std::vector<run::Refinement> refined = run::find_refinements(run::load_run(folder), folder);

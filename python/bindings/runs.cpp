@@ -222,6 +222,7 @@ void bind_runs(py::module_& m) {
     });
     m.def("rebuild_report", [](const fs::path& folder, const fs::path& page_folder) {
         const Working working;
+        run::check_is_run(folder); // before the lock, which would leave a file there
         const apps::FolderLock lock(folder, apps::Console());
         return run::rebuild_report(folder, page_folder, "suffuse.Run.rebuild_report() in Python").report;
     });

@@ -60,9 +60,7 @@ std::string missing_in(const fs::path& run) {
 std::map<std::string, std::string> read_checksums(const fs::path& run) {
     std::ifstream file(run / checksums_file);
     if (!file) {
-        if (!fs::exists(run / "case.resolved.toml")) {
-            throw IoError(fmt::format("{}: holds no run", run.string()));
-        }
+        check_is_run(run);
         const std::string missing = missing_in(run);
         throw IoError(
             missing.empty() ? fmt::format(
@@ -130,7 +128,7 @@ Verification verify_run(const fs::path& run) {
             found.more.push_back(name);
         }
     }
-    if (!broken.contains("case.resolved.toml")) {
+    if (!broken.contains(resolved_case_file)) {
         found.missing = missing_in(run);
     }
     for (const auto& [name, sum] : sums) {

@@ -32,9 +32,7 @@ constexpr std::array<const char*, 6> circumstances = {"version", "commit", "comp
 
 /// Every stage.json below studies/, by the name of its stage.
 std::map<std::string, json> read_stages(const fs::path& run) {
-    if (!fs::exists(run / "case.resolved.toml")) {
-        throw IoError(fmt::format("{}: holds no run", run.string()));
-    }
+    check_is_run(run);
     std::map<std::string, json> stages;
     if (!fs::exists(run / "studies")) {
         return stages;
@@ -222,8 +220,8 @@ void compare_figures(const fs::path& first, const fs::path& second, double toler
 
 /// Lines of the resolved case that only one of the runs has.
 void compare_cases(const fs::path& first, const fs::path& second, std::vector<std::string>& found) {
-    const std::vector<std::string> a = read_table(first / "case.resolved.toml");
-    const std::vector<std::string> b = read_table(second / "case.resolved.toml");
+    const std::vector<std::string> a = read_table(first / resolved_case_file);
+    const std::vector<std::string> b = read_table(second / resolved_case_file);
     const auto tell = [&](const std::vector<std::string>& own, const std::vector<std::string>& other, char side) {
         for (const std::string& line : own) {
             if (!line.empty() && std::find(other.begin(), other.end(), line) == other.end()) {

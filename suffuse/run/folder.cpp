@@ -123,7 +123,7 @@ void open_folder(const std::filesystem::path& run, const casefile::Case& what, c
             run.string()
         ));
     }
-    const std::filesystem::path kept = run / "case.resolved.toml";
+    const std::filesystem::path kept = run / resolved_case_file;
     if (std::filesystem::exists(kept)) {
         if (read_all(kept) == resolved) {
             return;
@@ -138,6 +138,15 @@ void open_folder(const std::filesystem::path& run, const casefile::Case& what, c
         io::write_file(run / "case.toml", case_text);
     }
     io::write_file(kept, resolved);
+}
+
+void check_is_run(const std::filesystem::path& folder) {
+    if (!std::filesystem::exists(folder / resolved_case_file)) {
+        throw IoError(fmt::format(
+            "{}: holds no run, for it has no {}; give the folder that suffuse run has named", folder.string(),
+            resolved_case_file
+        ));
+    }
 }
 
 void to_json(nlohmann::json& json, const FailedSample& failure) {

@@ -26,6 +26,12 @@ void write_cbor(const std::filesystem::path& path, const nlohmann::json& json);
 /// @throws CaseError when the folder belongs to another case, IoError when it cannot be written.
 void open_folder(const std::filesystem::path& run, const casefile::Case& what, const std::string& case_text);
 
+/// The case as it was resolved when the run began: what makes a folder that of a run.
+inline constexpr const char* resolved_case_file = "case.resolved.toml";
+
+/// @throws IoError where the folder holds no run that has begun.
+void check_is_run(const std::filesystem::path& folder);
+
 /// What the folder of a stage that failed holds instead of its numbers, until it is run again.
 inline constexpr const char* failure_file = "failed.json";
 

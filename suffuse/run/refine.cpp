@@ -223,7 +223,7 @@ casefile::Case with_refinements(casefile::Case what, const std::filesystem::path
 
 casefile::Case load_run(const std::filesystem::path& run) {
     try {
-        return with_refinements(casefile::load_case((run / "case.resolved.toml").string()).value, run);
+        return with_refinements(casefile::load_case((run / resolved_case_file).string()).value, run);
     } catch (casefile::CaseProblems& refused) { // an earlier version took it
         for (casefile::Diagnostic& problem : refused.problems) {
             if (!problem.is_warning) {

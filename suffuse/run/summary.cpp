@@ -117,7 +117,7 @@ std::vector<report::Finding> judge(const casefile::Case& what, const std::vector
 std::vector<casefile::Diagnostic> check_again(const std::filesystem::path& folder) {
     std::vector<casefile::Diagnostic> found;
     try {
-        found = casefile::load_case((folder / "case.resolved.toml").string()).warnings;
+        found = casefile::load_case((folder / resolved_case_file).string()).warnings;
     } catch (const CaseError&) { // a packing has gone meanwhile: no reason to lose the report
     }
     std::erase_if(found, [](const casefile::Diagnostic& d) { return !d.code.starts_with("W6"); });
