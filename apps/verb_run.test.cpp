@@ -7,6 +7,21 @@ namespace {
 
 using namespace test;
 
+/// A case that makes a cloud of so many grains and is done; `top` goes before its tables.
+std::string cloud_of(const std::string& particles, const std::string& top = "") {
+    return "schema = 1\n" + top + R"([soil.sand]
+psd = { d = ["0.2 mm", "0.4 mm"], passing = ["0 %", "100 %"] }
+[study.s]
+soil      = "sand"
+particles = )" +
+           particles + R"(
+[[study.s.stage]]
+name     = "cloud"
+do       = "pack"
+porosity = 0.6
+)";
+}
+
 TEST_F(Cli, ARunLeavesItsResultsOnStandardOutputAndItsTalkOnStandardError) {
     say({"new", "soil", "--from", "replay"});
     const Said said = say({"soil/case.toml"}); // a file alone is run
@@ -129,17 +144,7 @@ TEST_F(Cli, AStoppedRunGoesOnToTheSameBits) {
 
 TEST_F(Cli, ASecondCtrlCQuitsAtOnceWithoutSaving) {
     // Placing these grains takes more than a second, in which a stop waits: the second signal comes meanwhile.
-    write_to(folder / "case.toml", R"(schema = 1
-[soil.sand]
-psd = { d = ["0.2 mm", "0.4 mm"], passing = ["0 %", "100 %"] }
-[study.s]
-soil      = "sand"
-particles = 150_000
-[[study.s.stage]]
-name     = "cloud"
-do       = "pack"
-porosity = 0.6
-)");
+    write_to(folder / "case.toml", cloud_of("150_000"));
     const pid_t child = start({"run", "case.toml", "-o", "cut", "-j", "1", "--no-cache"});
     wait_until([&] { return std::filesystem::exists(folder / "cut/studies/s/cloud"); });
     kill(child, SIGINT);
@@ -188,20 +193,7 @@ TEST_F(Cli, ReportIsWrittenAgainWithoutComputing) {
 }
 
 TEST_F(Cli, ASucceededRunStaysOneWhateverItsCaseHasBecomeMeanwhile) {
-    write_to(folder / "case.toml", R"(schema = 1
-preset = "quick"
-[soil.sand]
-psd = { d = ["0.2 mm", "0.4 mm"], passing = ["0 %", "100 %"] }
-[presets.quick]
-particles = 200
-[study.s]
-soil      = "sand"
-particles = 0
-[[study.s.stage]]
-name     = "cloud"
-do       = "pack"
-porosity = 0.6
-)");
+    write_to(folder / "case.toml", cloud_of("0", "preset = \"quick\"\npresets.quick.particles = 200\n"));
     const Said said = say({"run", "case.toml", "-o", "here", "--json"});
     EXPECT_EQ(said.code, 0) << said.error;
     EXPECT_EQ(said.json().at("outcome"), "done"); // one document

@@ -11,11 +11,13 @@
 namespace suffuse::test {
 namespace {
 
-const std::string stages = R"(
-[study.s]
-soil      = "sand"
-particles = 600
-)" + cloud_and_initial + R"(
+/// A cloud of the reference's sand, brought to 100 kPa.
+std::string sample_of(int particles) {
+    return reference_constants + reference_soil() +
+           fmt::format("[study.s]\nsoil = \"sand\"\nparticles = {}\n", particles) + cloud_and_initial;
+}
+
+const std::string later_stages = R"(
 [[study.s.stage]]
 name         = "sheared"
 do           = "triaxial"
@@ -38,7 +40,7 @@ gradient = 0.05
 )";
 
 std::string whole_case() {
-    return reference_constants + reference_soil() + stages;
+    return sample_of(600) + later_stages;
 }
 
 std::string hash_of(const TempFolder& folder, const std::string& stage) {
@@ -85,11 +87,7 @@ TEST(Resume, AfterStopsInTheMiddleOfStagesTheBitsAreTheSame) {
 
 TEST(Resume, WhatAnotherVersionSavedInTheMiddleOfAStageIsRefusedOrSaidToBeOfIt) {
     const TempFolder folder;
-    const std::string text = reference_constants + reference_soil() + R"(
-[study.s]
-soil      = "sand"
-particles = 300
-)" + cloud_and_initial;
+    const std::string text = sample_of(300);
     const std::filesystem::path partial = folder / "run/studies/s/initial/partial.h5";
     std::atomic<bool> stop{false};
     run::RunOptions options;
