@@ -8,17 +8,17 @@
 
 namespace suffuse::apps {
 
-CutVerdicts judge_cut(const grains::Grading& measured, const grains::Grading& part, double finer_than) {
+CutVerdicts judge_cut(const grains::Grading& measured, const grains::Grading& modeled, double finer_than) {
     stability::AssessSpec spec;
     spec.finer_than = finer_than;
-    const auto given = stability::assess_measured(measured, spec).criteria;
-    const auto modeled = stability::assess(part, spec).criteria;
-    CutVerdicts verdicts{stability::summary(given), stability::summary(modeled), {}};
-    for (std::size_t k = 0; k < given.size(); ++k) {
-        if (given[k].verified && given[k].verdict != modeled[k].verdict) {
+    const auto before = stability::assess_measured(measured, spec).criteria;
+    const auto after = stability::assess(modeled, spec).criteria;
+    CutVerdicts verdicts{stability::summary(before), stability::summary(after), {}};
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        if (before[k].verified && before[k].verdict != after[k].verdict) {
             verdicts.turned.push_back(
-                {given[k].id, given[k].name, stability::verdict_word(given[k].verdict),
-                 stability::verdict_word(modeled[k].verdict)}
+                {before[k].id, before[k].name, stability::verdict_word(before[k].verdict),
+                 stability::verdict_word(after[k].verdict)}
             );
         }
     }

@@ -96,6 +96,24 @@ dem::World world_of(const io::ImportedPacking& read, const std::optional<cell::C
     return world;
 }
 
+/// Whoever names a run instead of a stage is told the stages that it has.
+void check_is_no_run(const fs::path& given) {
+    if (!fs::is_directory(given / "studies")) {
+        return;
+    }
+    std::vector<std::string> stages;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(given / "studies")) {
+        if (entry.path().filename() == "state.h5") {
+            stages.push_back(entry.path().parent_path().string());
+        }
+    }
+    std::sort(stages.begin(), stages.end());
+    throw UsageError(fmt::format(
+        "{} is a run; give one of its stages: {}", shown(given.string()),
+        stages.empty() ? "none is finished yet" : fmt::format("{}", fmt::join(stages, ", "))
+    ));
+}
+
 } // namespace
 
 int import_verb(const CommandLine& line, const Console& console) {
@@ -136,27 +154,9 @@ int import_verb(const CommandLine& line, const Console& console) {
     return Done;
 }
 
-/// Whoever names a run is told its stages: which of them is meant?
-void check_stage(const fs::path& given) {
-    if (!fs::is_directory(given / "studies")) {
-        return;
-    }
-    std::vector<std::string> stages;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(given / "studies")) {
-        if (entry.path().filename() == "state.h5") {
-            stages.push_back(entry.path().parent_path().string());
-        }
-    }
-    std::sort(stages.begin(), stages.end());
-    throw UsageError(fmt::format(
-        "{} is a run; give one of its stages: {}", shown(given.string()),
-        stages.empty() ? "none is finished yet" : fmt::format("{}", fmt::join(stages, ", "))
-    ));
-}
-
 int export_verb(const CommandLine& line, const Console& console) {
     const fs::path given = line.subject;
-    check_stage(given);
+    check_is_no_run(given);
     if (line.output.empty()) {
         throw UsageError(fmt::format(
             "export: where to? -o FILE names the file, and by its ending the format (--format for others): suffuse "

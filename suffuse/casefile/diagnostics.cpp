@@ -107,6 +107,25 @@ std::string render_one(const Diagnostic& d, const Palette& paint) {
     return out;
 }
 
+/// One line for each further warning of a kind, the first few, under the help of the first of all.
+template <class Iterator, class IsAlike>
+std::string render_rest(Iterator begin, Iterator end, IsAlike is_alike, std::size_t indent) {
+    constexpr std::ptrdiff_t most = 3;
+    const std::ptrdiff_t count = std::count_if(begin, end, is_alike);
+    std::string out;
+    std::ptrdiff_t told = 0;
+    for (; begin != end && told < most; ++begin) {
+        if (is_alike(*begin)) {
+            const std::string where = begin->line > 0 ? fmt::format("line {}: ", begin->line) : "";
+            out += fmt::format("{:{}} = also: {}{}\n", "", indent, where, printable(begin->message));
+            ++told;
+        }
+    }
+    const std::string more =
+        fmt::format("{:{}} = and {} more; suffuse check --json lists all\n", "", indent, count - told);
+    return out + (count > told ? more : "");
+}
+
 } // namespace
 
 void Problems::add(Diagnostic diagnostic, const Place& place) {
@@ -173,29 +192,6 @@ std::string count_problems(const std::vector<Diagnostic>& list) {
     }
     return first + (first.empty() || second.empty() ? "" : ", ") + second;
 }
-
-namespace {
-
-/// One line for each further warning of a kind, the first few, under the help of the first of all.
-template <class Iterator, class IsAlike>
-std::string render_rest(Iterator begin, Iterator end, IsAlike is_alike, std::size_t indent) {
-    constexpr std::ptrdiff_t most = 3;
-    const std::ptrdiff_t count = std::count_if(begin, end, is_alike);
-    std::string out;
-    std::ptrdiff_t told = 0;
-    for (; begin != end && told < most; ++begin) {
-        if (is_alike(*begin)) {
-            const std::string where = begin->line > 0 ? fmt::format("line {}: ", begin->line) : "";
-            out += fmt::format("{:{}} = also: {}{}\n", "", indent, where, printable(begin->message));
-            ++told;
-        }
-    }
-    const std::string more =
-        fmt::format("{:{}} = and {} more; suffuse check --json lists all\n", "", indent, count - told);
-    return out + (count > told ? more : "");
-}
-
-} // namespace
 
 std::string render(const std::vector<Diagnostic>& list, bool color) {
     const Palette paint = color ? Palette{"\x1b[1;31m", "\x1b[1;33m", "\x1b[34m", "\x1b[1m", "\x1b[0m"} : Palette{};

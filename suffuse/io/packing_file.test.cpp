@@ -89,8 +89,8 @@ TEST(PackingFile, LengthsMayBeInAnotherUnit) {
     EXPECT_EQ(mm.grains.position[0].z, 3e-3);
     EXPECT_EQ(mm.grains.velocity[0].x, 1e-3);
     EXPECT_EQ(mm.grains.radius[0], 0.5e-3);
-    EXPECT_NEAR(mm.grains.mass[0] / (2600 * sphere_volume(0.5e-3)), 1, 1e-12);
-    EXPECT_NEAR(mm.grains.inertia[0] / sphere_inertia(mm.grains.mass[0], 0.5e-3), 1, 1e-12);
+    EXPECT_NEAR(mm.grains.mass[0] / (2600 * sphere_volume(0.5e-3)), 1, 1e-12); // rounding
+    EXPECT_NEAR(mm.grains.inertia[0] / sphere_inertia(mm.grains.mass[0], 0.5e-3), 1, 1e-12); // rounding
     EXPECT_EQ(mm.cell->h(2, 2), 4e-3);
     EXPECT_TRUE(size_warning(raw.grains, "p.xyz"));
     EXPECT_FALSE(size_warning(mm.grains, "p.xyz"));
@@ -157,7 +157,7 @@ TEST(PackingFile, OverlapBeyondTheShareNamesTheWorstPair) {
     grains::add_grain(grains, {0.98, 0.5, 0.5}, 0.05, 2600);
     grains::add_grain(grains, {1.02, 0.5, 0.5}, 0.05, 2600); // overlap 0.06, and through the period of the cell
     cell::Cell cell;
-    EXPECT_NEAR(check_overlaps(grains, cell, 1.3), 1.2, 1e-12);
+    EXPECT_NEAR(check_overlaps(grains, cell, 1.3), 1.2, 1e-12); // rounding
     try {
         check_overlaps(grains, cell, 0.1, "p.csv");
         FAIL() << "expected a CaseError";

@@ -109,8 +109,7 @@ double largest_difference(const Grading& a, const Grading& b) {
     return 100 * largest;
 }
 
-/// Mass of removed grains not larger than `diameter` [kg].
-/// Of the grains that left: those finer than this, as a grading counts [kg].
+/// Of the grains that left, the mass of those finer than this [kg].
 double mass_finer_than(double diameter, const std::vector<LedgerRow>& rows) {
     return std::accumulate(rows.begin(), rows.end(), 0.0, [diameter](double sum, const LedgerRow& row) {
         return row.diameter < diameter ? sum + row.mass : sum;

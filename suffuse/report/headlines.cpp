@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace suffuse::report {
 
@@ -40,9 +39,9 @@ void add_passes(const ErosionResult& erosion, std::vector<Headline>& headlines) 
     if (const std::optional<double> loss = stress_loss(*worst)) {
         const double change = -100 * *loss;
         headlines.push_back(
-            {std::abs(change) < 0.01 ? "unchanged" : short_number(change, 2) + " %", "mean stress at constant volume",
-             std::abs(change) < 0.01 ? std::string("to 0.01 %, in all passes")
-                                     : fmt::format("after pass {}, the largest loss", worst->pass)}
+            {is_noise(change) ? "unchanged" : short_number(change, 2) + " %", "mean stress at constant volume",
+             is_noise(change) ? "to 0.01 %, in all passes"
+                              : fmt::format("after pass {}, the largest loss", worst->pass)}
         );
     }
 }

@@ -30,11 +30,10 @@ std::string stage_name(const casefile::Variant& variant, const casefile::Stage& 
 
 /// What a program of another version saved in the middle of a stage may have other names, or mean something else.
 IoError strange_partial(const StageWork& work) {
-    const std::string file = (work.folder / partial_file).string();
     return IoError(fmt::format(
-        "{0}: does not hold what this version needs to go on with the stage; go on with the version that wrote it, or "
-        "remove {0} and resume: the stage then begins anew",
-        file
+        "{0}: does not hold what this version, commit {1}, needs to go on with the stage; go on with the version that "
+        "wrote it, or remove {0} and resume: the stage then begins anew",
+        (work.folder / partial_file).string(), commit()
     ));
 }
 

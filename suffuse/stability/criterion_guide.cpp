@@ -65,14 +65,9 @@ constexpr std::array guides = {
     Guide{
         "skempton-brogan-1994", "Skempton and Brogan 1994",
         "Upward seepage carries the fines alone at alpha i_c, where alpha is the share of the mean effective stress "
-        "that "
-        "they carry (--alpha); 1 where Kenney and Lau 1985 say stable, (H/F)min >= 1.3. Asked with -i.",
+        "that they carry (--alpha); 1 where Kenney and Lau 1985 say stable, (H/F)min >= 1.3. Asked with -i.",
         "safe where i is below it", "SkemptonBrogan1994"},
 };
-
-} // namespace
-
-namespace {
 
 struct Symbol {
     std::string_view word, id; ///< a number, and how the ids of the criteria that read it begin

@@ -38,9 +38,9 @@ World full_sample() {
     return world;
 }
 
-class AnyThreads : public testing::TestWithParam<bool> {};
+class SampleOnAnyThreads : public testing::TestWithParam<bool> {};
 
-TEST_P(AnyThreads, GivesTheSameHashAfter2000StepsUnderServo) {
+TEST_P(SampleOnAnyThreads, GivesTheSameHashAfter2000StepsUnderServo) {
     std::vector<std::uint64_t> hashes;
     for (const int threads : {1, 2, 4}) {
         set_thread_count(threads);
@@ -54,7 +54,7 @@ TEST_P(AnyThreads, GivesTheSameHashAfter2000StepsUnderServo) {
     EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, AnyThreads, testing::Values(false, true), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Samples, SampleOnAnyThreads, testing::Values(false, true), [](const auto& test) {
     return std::string(test.param ? "Bonded" : "Plain");
 });
 
