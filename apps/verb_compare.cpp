@@ -62,9 +62,8 @@ std::string nothing_shared(const CommandLine& line, const run::Comparison& found
         );
     };
     return fmt::format(
-        "nothing to compare: no stage, by its study, sample and name, is in both\n{}\n{}\nstages are compared that "
-        "have "
-        "one name in both runs, as runs of one case have with other values (--set)",
+        "nothing to compare: no stage, by its study, sample and name, is in both\n{}\n{}\nstages are "
+        "compared that have one name in both runs, as runs of one case have with other values (--set)",
         list(line.subject, found.only_first), list(line.other, found.only_second)
     );
 }

@@ -70,8 +70,7 @@ packing::CompactSpec spec_of(
     if (spec.void_ratio && spec.prepare.friction && spec.protocol != packing::Protocol::Swift) {
         throw CaseError(fmt::format(
             "friction: found {}, beside a void_ratio, for which protocol \"{}\" searches the friction; leave one of "
-            "the "
-            "two out, or take protocol=\"swift\"",
+            "the two out, or take protocol=\"swift\"",
             print_quantity(*spec.prepare.friction, dimension::angle), protocol
         ));
     }

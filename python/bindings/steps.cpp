@@ -287,8 +287,7 @@ void bind_steps(py::module_& m) {
         py::arg("damping") = usual_damping, py::arg("on_progress") = py::none(),
         with_keys(
             "Puts small loads of all directions of axisymmetric stress (z against x and y) on copies of the world, as "
-            "a "
-            "stage that does \"stress-probe\"; returns a list with `angle`, `stress`, `strain`, `second_order_work`, "
+            "a stage that does \"stress-probe\"; returns a list with `angle`, `stress`, `strain`, `second_order_work`, "
             "`normalized`, `answer` and `steps` of each. The world stays as it is.\n",
             {{"stage.stress-probe", "increment"},
              {"stage.stress-probe", "directions"},

@@ -107,8 +107,7 @@ constexpr std::array code_table = {
         "W609", "fine grains squeezed between coarse ones",
         "Contact forces grow as the square of the size, the stiffness of a contact as the size of its smaller grain: "
         "fine grains in the force chains of much coarser ones overlap by far more than grains do on average. A modulus "
-        "that "
-        "grows as the square of the ratio of sizes keeps that small, and costs steps as the ratio."},
+        "that grows as the square of the ratio of sizes keeps that small, and costs steps as the ratio."},
     Code{
         "W610", "a skeleton too narrow for more than one pass",
         "Erosion reads the constrictions of the coarse grains, and ends with the pass after which the cell is narrower "

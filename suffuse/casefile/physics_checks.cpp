@@ -158,8 +158,7 @@ public:
             "W611", stage_place(stage, "prepare.friction"),
             fmt::format(
                 "stage \"{}\" asks for a void ratio, for which protocol \"{}\" searches the friction during "
-                "compaction: "
-                "the one given has no effect",
+                "compaction: the one given has no effect",
                 stage.name, packing::name_of(compact.protocol)
             ),
             "leave `prepare.friction` out, or the void ratio; protocol = \"swift\" keeps to both"

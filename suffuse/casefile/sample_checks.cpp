@@ -130,8 +130,7 @@ private:
             "W610", place_,
             fmt::format(
                 "{} grains of this soil{} make a cell some {:.1f} coarse diameters wide; below {:.0f} erosion ends "
-                "with "
-                "its first pass",
+                "with its first pass",
                 grouped(variant_.particles), which(), *width, erosion::narrowest_skeleton
             ),
             fmt::format("take about {} grains or more, or a narrower range of coarse sizes", enough(wanted / *width))

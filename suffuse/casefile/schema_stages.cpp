@@ -103,8 +103,7 @@ std::vector<Key> triaxial_rows() {
         choice(
             "stage.triaxial", "path", names::words_of(names::triaxial_path),
             "What is held: lateral stresses, mean stress, deviator stress while the cell widens as if pore pressure "
-            "rose, "
-            "volume, or the ratio of strains."
+            "rose, volume, or the ratio of strains."
         ),
         choice("stage.triaxial", "axis", names::words_of(names::axis), "The axis that is compressed."),
         ratio(
@@ -245,8 +244,7 @@ std::vector<Key> preparation_rows() {
             quantity(
                 "stage.compact.prepare", "friction", dimension::angle, friction_range,
                 "Lowered contact friction: a dense sample. For a void ratio faithful and slow search it, and do not "
-                "heed "
-                "the one given."
+                "heed the one given."
             ),
             table(
                 "stage.compact.prepare", "adhesion",
@@ -263,8 +261,7 @@ std::vector<Key> preparation_rows() {
             ratio(
                 "stage.compact", "void_ratio", {0.1, 5, false, false},
                 "Void ratio to meet: faithful and slow search the friction during compaction, swift the porosity at "
-                "its "
-                "start."
+                "its start."
             ),
             ratio(
                 "stage.compact", "intergranular_void_ratio", {0.1, 50, false, false},

@@ -146,8 +146,7 @@ void check_sizes(const grains::Grains& grains, const Mat3& h, const std::string&
         throw CaseError(
             fmt::format(
                 "{}: the largest grain has a diameter of {:.6g} m in a cell {:.6g} m wide; lengths in the file are in "
-                "m: "
-                "check its unit, and that of the cell",
+                "m: check its unit, and that of the cell",
                 origin, largest, narrowest
             ),
             origin
@@ -250,8 +249,7 @@ double check_overlaps(const grains::Grains& grains, const cell::Cell& cell, doub
         throw CaseError(
             fmt::format(
                 "{}: {} overlap by {:.3g} of the smaller radius ({:.6g} mm), allowed {:.3g}; check that the cell is "
-                "the "
-                "packing's own and that lengths are in m, or allow a larger overlap",
+                "the packing's own and that lengths are in m, or allow a larger overlap",
                 origin,
                 i == j ? fmt::format("grain {} and its own image", grains.id[i])
                        : fmt::format("grains {} and {}", grains.id[i], grains.id[j]),

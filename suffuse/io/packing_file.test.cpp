@@ -89,7 +89,7 @@ TEST(PackingFile, LengthsMayBeInAnotherUnit) {
     EXPECT_EQ(mm.grains.position[0].z, 3e-3);
     EXPECT_EQ(mm.grains.velocity[0].x, 1e-3);
     EXPECT_EQ(mm.grains.radius[0], 0.5e-3);
-    EXPECT_NEAR(mm.grains.mass[0] / (2600 * sphere_volume(0.5e-3)), 1, 1e-12); // rounding
+    EXPECT_NEAR(mm.grains.mass[0] / (2600 * sphere_volume(0.5e-3)), 1, 1e-12);               // rounding
     EXPECT_NEAR(mm.grains.inertia[0] / sphere_inertia(mm.grains.mass[0], 0.5e-3), 1, 1e-12); // rounding
     EXPECT_EQ(mm.cell->h(2, 2), 4e-3);
     EXPECT_TRUE(size_warning(raw.grains, "p.xyz"));

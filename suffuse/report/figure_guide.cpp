@@ -49,10 +49,9 @@ constexpr std::array guides = {
         "The grading asked for and that of the grains drawn; what counts as fine is shaded.", "a `pack` stage"},
     Guide{
         "fig09", "speed of the fines by gradient",
-        "Speed of the fines while the water's force grows and then stays, a panel a gradient: bands hold the middle "
-        "80 % of the grains that the rule calls detachable and of those that stay, lines are single grains, the "
-        "fastest and "
-        "slowest among them. One group keeps accelerating, the other deforms with its contacts.",
+        "Speed of the fines while the water's force grows and then stays, a panel a gradient: bands hold the middle 80 "
+        "% of the grains that the rule calls detachable and of those that stay, lines are single grains, the fastest "
+        "and slowest among them. One group keeps accelerating, the other deforms with its contacts.",
         "a `detach` stage"},
     Guide{"fig10", "speed of the fines by pass", "As Figure 9, a panel a pass of the erosion.", "an `erode` stage"},
     Guide{
@@ -84,8 +83,7 @@ constexpr std::array guides = {
     Guide{
         "own-throat-flux", "flux through a throat against its size",
         "Median and middle 80 % of the flux, over its mean, of throats of one size: before and after erosion, or of "
-        "flow "
-        "stages.",
+        "flow stages.",
         "an `erode` or a `flow` stage"},
     Guide{
         "own-flux-shares", "how few throats carry the flow",

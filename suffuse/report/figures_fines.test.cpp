@@ -175,8 +175,9 @@ TEST(AverageResponse, OfCurvesOnDifferentStrainsIsTheMeanOfTheirLines) {
     EXPECT_EQ(mean.samples, 2);
     ASSERT_EQ(mean.rows.size(), 10U) << "as far as both reach";
     for (std::size_t k = 0; k < mean.rows.size(); ++k) {
-        EXPECT_NEAR(mean.rows[k].deviator_stress, 2e5 * mean.rows[k].axial_strain, 1e-9); // rounding of lines between rows
-        EXPECT_NEAR(mean.deviation[k].deviator_stress, std::sqrt(2.0) * 1e5 * mean.rows[k].axial_strain, 1e-9); // rounding
+        // Both within rounding, of stresses of some 1e4 Pa.
+        EXPECT_NEAR(mean.rows[k].deviator_stress, 2e5 * mean.rows[k].axial_strain, 1e-9);
+        EXPECT_NEAR(mean.deviation[k].deviator_stress, std::sqrt(2.0) * 1e5 * mean.rows[k].axial_strain, 1e-9);
     }
     EXPECT_TRUE(average_response("one", {coarse}).deviation.empty());
 }

@@ -107,16 +107,13 @@ std::string verdict(const std::vector<StageRow>& stages) {
 }
 
 const char* const conventions =
-    "<details><summary>Conventions</summary><p>Compression and contraction are positive. q "
-    "= σ₁ − σ₃, p = (σ₁ + σ₂ + σ₃)/3, "
-    "εᵥ = ε₁ + ε₂ + ε₃. Void ratio e = volume of voids over volume of solids, porosity n = "
-    "e/(1 + e); e_g counts all fines as voids, e_eq the inactive ones. Fines content is by "
-    "mass. A grain is active when it has at least two contacts. The unbalanced force is the "
-    "mean resultant over grains with at least two contacts, over the mean contact force. The "
-    "inertial number is ε̇ d √(ρ/p), of tests with the axial strain rate, which the case sets, of other "
-    "stages with the largest component of the velocity gradient. The hydraulic gradient i is without unit; it acts as "
-    "the "
-    "body force ρ g i.</p></details>\n";
+    "<details><summary>Conventions</summary><p>Compression and contraction are positive. q = σ₁ − σ₃, p = (σ₁ + σ₂ + "
+    "σ₃)/3, εᵥ = ε₁ + ε₂ + ε₃. Void ratio e = volume of voids over volume of solids, porosity n = e/(1 + e); e_g "
+    "counts all fines as voids, e_eq the inactive ones. Fines content is by mass. A grain is active when it has at "
+    "least two contacts. The unbalanced force is the mean resultant over grains with at least two contacts, over the "
+    "mean contact force. The inertial number is ε̇ d √(ρ/p), of tests with the axial strain rate, which the case sets, "
+    "of other stages with the largest component of the velocity gradient. The hydraulic gradient i is without unit; it "
+    "acts as the body force ρ g i.</p></details>\n";
 
 } // namespace
 

@@ -63,8 +63,7 @@ std::string asked(const FinesSweep& sweep) {
             : grouped(std::llround(fewest->value.mean)) + " to " + grouped(std::llround(most->value.mean));
     return fmt::format(
         "Asked: from which fines content on the fines of the soil “{}” carry load. {} mixtures of {} to {} fines, {} "
-        "{} "
-        "of each with {} grains, were brought to {} kPa{}.",
+        "{} of each with {} grains, were brought to {} kPa{}.",
         sweep.study->soil, study.fines_content.size(), percent_name(study.fines_content.front()),
         percent_name(study.fines_content.back()), seeds, seeds == 1 ? "sample" : "samples", count,
         short_number(pressure.front().value.mean / 1e3),
@@ -131,8 +130,7 @@ std::string contacts(const FinesStudy& study) {
     const Reading strongest = *std::max_element(strong.begin(), strong.end(), is_less);
     return fmt::format(
         "Contacts between large and small grains are most frequent at FC = {} ({} % of all), among the strong ones at "
-        "FC "
-        "= {} ({} %).",
+        "FC = {} ({} %).",
         percent_name(most.fines_content), with_scatter(most.value, 100), percent_name(strongest.fines_content),
         with_scatter(strongest.value, 100)
     );
@@ -153,8 +151,7 @@ std::string strength(const FinesSweep& sweep) {
     }
     return fmt::format(
         "In drained compression of the loose samples the highest deviator stress is {} kPa at FC = {} and {} kPa at FC "
-        "= "
-        "{}.",
+        "= {}.",
         with_scatter(peaks.front().value, 1e-3), percent_name(peaks.front().fines_content),
         with_scatter(peaks.back().value, 1e-3), percent_name(peaks.back().fines_content)
     );

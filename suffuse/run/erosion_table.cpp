@@ -47,8 +47,8 @@ std::optional<report::PageTable> tabulate_erosions(const std::vector<FinishedSta
     table.section = "Erosion";
     table.title = "All erosions";
     table.note = "Over all passes. The loss of mean stress is the largest of a pass, at constant volume; the strain is "
-                 "under the "
-                 "stresses held before, contraction positive. The figures of this section are of one of them.";
+                 "under the stresses held before, contraction positive. The figures of this section are of one of "
+                 "them.";
     table.header = {
         "stage",
         "gradient i",

@@ -160,8 +160,7 @@ std::optional<report::PageTable> tabulate_water(
     table.note =
         "From the flow through the pores, along the gradient. Beside it Kozeny and Carman's for spheres of the "
         "sample's Sauter diameter d, k = n³ d²/(180 (1 − n)²). The pore network lies above it, by 13 % at n = 0.365 "
-        "and "
-        "50 % at n = 0.48 for equal spheres: a ratio of two states' permeabilities carries the difference.";
+        "and 50 % at n = 0.48 for equal spheres: a ratio of two states' permeabilities carries the difference.";
     table.header = {"state", "porosity n [-]", "permeability k [m²]", "by Kozeny and Carman [m²]", "ratio [-]"};
     table.numeric = {false, true, true, true, true};
     add_flows(folder, stages, table.rows);

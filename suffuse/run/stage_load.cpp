@@ -155,9 +155,8 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     if (response.lost_at) {
         work.flaws.push_back(fmt::format(
             "{}: at {:.2g} % axial strain the stress that this path holds was lost, for the sample gave way faster "
-            "than a "
-            "quasi-static servo may follow: it collapses under such loads, and the rows from there on are no test of "
-            "it",
+            "than a quasi-static servo may follow: it collapses under such loads, and the rows from there on are no "
+            "test of it",
             work.place(), 100 * *response.lost_at
         ));
     }

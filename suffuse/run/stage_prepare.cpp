@@ -32,8 +32,7 @@ packing::CompactSpec with_void_ratio(packing::CompactSpec spec, const grains::Gr
     if (!(*spec.void_ratio > 0)) {
         throw StateError(fmt::format(
             "an intergranular void ratio of {:.4g} leaves no room for the fines: at a fines content of {:.4g} % the "
-            "void "
-            "ratio would be {:.4g}; ask for more than {:.4g}",
+            "void ratio would be {:.4g}; ask for more than {:.4g}",
             wanted, 100 * content, *spec.void_ratio, content / (1 - content)
         ));
     }
@@ -103,8 +102,7 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     }
     work.warnings.push_back(fmt::format(
         "{}: an imported packing carries no contact memory: its shear forces and moments start at zero; settle it "
-        "where that "
-        "matters",
+        "where that matters",
         work.place()
     ));
 }

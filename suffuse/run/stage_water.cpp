@@ -110,8 +110,7 @@ void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion:
     if (probe.beyond_viscous_time && !probe.id.empty()) { // without fines there is no such time
         work.warnings.push_back(fmt::format(
             "{}: ramp and watch last {:.3g} s, longer than the viscous time {:.3g} s of the fines: the constant force "
-            "overstates "
-            "how far they move",
+            "overstates how far they move",
             work.place(), static_cast<double>(probe.ramp + probe.watch) * probe.time_step, probe.viscous_time
         ));
     }

@@ -79,9 +79,8 @@ TEST(StrengthChange, IsThatOfTheSameTestOnTheSameSample) {
         (std::vector<std::string>{
             "Strength, after against before: the soil without 12 % of its mass is weaker. Its highest deviator stress "
             "goes from 400 to 300 kPa (−25 %), the friction angle there from 40 to 30°, the deviator stress at 10 % "
-            "axial "
-            "strain from 320 to 240 kPa (−25 %), the void ratio from 0.7 to 0.9. One sample: the strengths of others "
-            "differ by some 10 %."})
+            "axial strain from 320 to 240 kPa (−25 %), the void ratio from 0.7 to 0.9. One sample: the strengths of "
+            "others differ by some 10 %."})
     );
     EXPECT_EQ(strength_headline(changes).value().value, "−25 %");
     EXPECT_EQ(tabulate_strength(changes).value().rows.front().size(), tabulate_strength(changes).value().header.size());

@@ -16,8 +16,7 @@ constexpr std::array guides = {
     Guide{
         "kenney-lau-1985", "Kenney and Lau 1985",
         "The least H/F up to F_max, with F(d) the mass finer than d and H(d) = F(4d) - F(d): are there enough grains "
-        "up to "
-        "four times as large to hold those of size d? F_max is 20 % where d60/d10 > 3, else 30 %.",
+        "up to four times as large to hold those of size d? F_max is 20 % where d60/d10 > 3, else 30 %.",
         "stable where H/F >= 1.3", "KenneyLau1985"},
     Guide{
         "kenney-lau-1986", "Kenney and Lau 1986", "As kenney-lau-1985, with the limit of their later discussion.",
@@ -37,8 +36,7 @@ constexpr std::array guides = {
     Guide{
         "wan-fell-logistic", "Wan and Fell 2008, logistic form",
         "The probability of instability from h' and h\", for sand-gravel and silt-sand-gravel. Cannot say without "
-        "gravel, "
-        "above 10 % clay, and where its form was not fitted.",
+        "gravel, above 10 % clay, and where its form was not fitted.",
         "stable where P <= 50 %: that limit is ours, the authors give the probability", "WanFell2008"},
     Guide{
         "chang-zhang-2013", "Chang and Zhang 2013",
@@ -55,8 +53,7 @@ constexpr std::array guides = {
     Guide{
         "indraratna-2011", "Indraratna et al. 2011 (unverified)",
         "The constriction that 35 % of those of the coarse part undercut (Dc35, from the grading and a relative "
-        "density) "
-        "over d85 of the fine part by surface area.",
+        "density) over d85 of the fine part by surface area.",
         "stable where <= 1; not read in a source and not counted", "Indraratna2011"},
     Guide{
         "terzaghi", "Terzaghi's critical gradient",

@@ -62,8 +62,7 @@ Criterion skempton_brogan(const Seepage& seepage, Verdict by_shape) {
         criterion.verdict = Verdict::CannotSay;
         criterion.remark = fmt::format(
             "the share alpha of the stress that the fines carry is not known (1 where (H/F)min >= 1.3); they hold if "
-            "it is "
-            "at least {:.3g}",
+            "it is at least {:.3g}",
             seepage.gradient / whole
         );
     }
