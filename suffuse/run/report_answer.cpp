@@ -1,6 +1,7 @@
 // What a run found, in sentences with its numbers.
 #include "suffuse/run/report_answer.hpp"
 
+#include "suffuse/erosion/loop.hpp"
 #include "suffuse/report/findings.hpp"
 #include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
@@ -10,9 +11,9 @@
 #include "suffuse/run/strength_words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -26,28 +27,30 @@ std::string percent_or_none(double percent) {
     return report::is_noise(percent) ? "less than 0.01 %" : report::short_number(percent) + " %";
 }
 
+std::string tell_pass(const erosion::PassResult& pass) {
+    if (pass.removed == 0) {
+        return fmt::format("Pass {}: none of {} detachable fines left.", pass.pass, grouped(pass.detachable));
+    }
+    return fmt::format(
+        "Pass {}: {} of {} detachable fines left, {:.2f} % of the initial mass; porosity {:.4f} to {:.4f}, "
+        "permeability "
+        "{} to {} m²; at constant volume the skeleton lost {} of its mean stress, and resettling strained it by {}.",
+        pass.pass, grouped(pass.removed), grouped(pass.detachable), pass.eroded_mass_percent_of_initial,
+        pass.porosity_before, pass.porosity_after, report::short_number(pass.permeability_before),
+        report::short_number(pass.permeability_after), percent_or_none(100 * report::stress_loss(pass).value_or(0)),
+        percent_or_none(100 * pass.volumetric_strain)
+    );
+}
+
 std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
-    std::string text;
+    std::vector<std::string> sentences;
     for (const erosion::PassResult& pass : erosion.passes) {
-        if (pass.removed == 0) {
-            text += fmt::format("Pass {}: none of {} detachable fines left. ", pass.pass, grouped(pass.detachable));
-            continue;
-        }
-        const double loss = 100 * report::stress_loss(pass).value_or(0);
-        text += fmt::format(
-            "Pass {}: {} of {} detachable fines left, {:.2f} % of the initial mass; porosity {:.4f} to {:.4f}, "
-            "permeability {} to {} m²; at constant volume the skeleton lost {} of its mean stress, and resettling "
-            "strained it by {}. ",
-            pass.pass, grouped(pass.removed), grouped(pass.detachable), pass.eroded_mass_percent_of_initial,
-            pass.porosity_before, pass.porosity_after, report::short_number(pass.permeability_before),
-            report::short_number(pass.permeability_after), percent_or_none(loss),
-            percent_or_none(100 * pass.volumetric_strain)
-        );
-        if (!pass.verdict.empty()) {
-            text += fmt::format("It ended there: {}. ", pass.verdict);
+        sentences.push_back(tell_pass(pass));
+        if (!pass.verdict.empty() && pass.verdict != erosion::nothing_leaves) { // told already
+            sentences.push_back(fmt::format("It ended there: {}.", pass.verdict));
         }
     }
-    return text;
+    return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 /// Whether gradients that differ ten times and more detach the same fines, to a fiftieth.

@@ -1,5 +1,7 @@
 #include "suffuse/run/report_answer.hpp"
 
+#include "suffuse/erosion/loop.hpp"
+
 #include <gtest/gtest.h>
 
 namespace suffuse::run {
@@ -48,13 +50,18 @@ FinishedStage erosion_of(const casefile::Variant& variant, const casefile::Stage
     return {nullptr, &variant, &stage, {}, {.probes = {}, .erosion = erosion, .curve = {}, .throat_flux = {}}};
 }
 
-TEST(ReportAnswer, IsBriefOfAPassThatTookNothing) {
+TEST(ReportAnswer, IsBriefOfAPassThatTookNothingButForAnUnusualReason) {
     casefile::Variant variant;
     variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
-    const std::vector<FinishedStage> stages = {erosion_of(variant, variant.stages[1], 0)};
+    std::vector<FinishedStage> stages = {erosion_of(variant, variant.stages[1], 0)};
+    std::string& verdict = stages.front().findings.erosion->passes.front().verdict;
+    const std::string brief = "Pass 1: none of 39 detachable fines left.";
+    verdict = erosion::nothing_leaves;
+    EXPECT_EQ(answer_of_erosion(find_story(stages), stages, {}), std::vector<std::string>{brief});
+    verdict = "what leaves cannot be told from the twin's noise";
     EXPECT_EQ(
         answer_of_erosion(find_story(stages), stages, {}),
-        std::vector<std::string>{"Pass 1: none of 39 detachable fines left. "}
+        std::vector<std::string>{brief + " It ended there: what leaves cannot be told from the twin's noise."}
     );
 }
 
