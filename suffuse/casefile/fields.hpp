@@ -195,6 +195,12 @@ void fields(V& v, erosion::DetachStageSpec& s) {
 }
 
 template <class V>
+void resettle_fields(V& v, erosion::ResettleSpec& s) {
+    v.field("max_strain", s.max_strain);
+    v.field("inertial_number", s.inertial_number);
+}
+
+template <class V>
 void fields(V& v, erosion::ErodeSpec& s) {
     v.field("passes", s.passes);
     v.field("until_nothing_leaves", s.until_nothing_leaves);
@@ -214,7 +220,7 @@ void fields(V& v, erosion::ErodeSpec& s) {
     v.table("forced", s.forced, [](auto& inner, erosion::ForcedRemoval& f) {
         inner.field("max_contacts", f.max_contacts);
     });
-    v.field("max_strain", s.max_strain);
+    resettle_fields(v, s.resettle);
     auto then = names::Then::Settle;
     v.choice("then", then, names::then);
 }
@@ -225,7 +231,7 @@ void fields(V& v, erosion::RemoveSpec& s) {
     v.field("share", s.share);
     v.choice("order", s.order, names::removal_order);
     v.field("passes", s.passes);
-    v.field("max_strain", s.max_strain);
+    resettle_fields(v, s.resettle);
 }
 
 /// What every stage has besides its own keys; `name` and `do` are read before, for they say which keys these are.

@@ -92,6 +92,15 @@ std::vector<Key> movement_rows() {
     return rows;
 }
 
+/// Where what is left finds its new equilibrium.
+Key resettling_pace(const char* where) {
+    return ratio(
+        where, "inertial_number", {1e-6, 1e-2, false, false},
+        "Sets the largest strain rate at which what is left settles under the stresses held; a skeleton that collapses "
+        "ends the denser the slower it is pressed."
+    );
+}
+
 std::vector<Key> triaxial_rows() {
     Key inertial = ratio(
         "stage.triaxial", "inertial_number", above_zero,
@@ -346,6 +355,7 @@ std::vector<Key> erosion_rows() {
                 "stage.erode", "max_strain", {0, 2, true, false},
                 "Strain of an axis in one pass beyond which the skeleton counts as failed; the erosion then ends."
             ),
+            resettling_pace("stage.erode"),
             choice(
                 "stage.erode", "then", names::words_of(names::then),
                 "What follows an extraction: steps without fluid until [balance] holds."
@@ -374,6 +384,7 @@ std::vector<Key> erosion_rows() {
                 "Strain of an axis in one pass beyond which the skeleton counts as failed; the stage then ends as it "
                 "is."
             ),
+            resettling_pace("stage.remove"),
         }
     );
     return rows;

@@ -193,7 +193,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.eroded_mass_percent_of_initial = 100 * (mass - total_mass(next.grains)) / result.initial_mass;
 
     // 6 new equilibrium
-    std::vector<PathRow> path = reequilibrate(next, spec.max_strain, result, around, pass);
+    std::vector<PathRow> path = reequilibrate(next, spec.resettle, result, around, pass);
     watch.lap();
     const Seeping after = seep(next, {}, spec.direction, around.fluid);
     pass.permeability_after = after.permeability;

@@ -132,12 +132,6 @@ dem::BalanceState Resettling::run_phase(const std::string& phase, std::int64_t m
     }
 }
 
-/// As quickly as the last part of a compaction [1/s].
-double resettling_rate(const dem::World& world, double pressure) {
-    const double median = stats::median_diameter(world.grains);
-    return dem::rate_of_inertial_number(dem::loaded_inertial_number, median, world.material.density, pressure);
-}
-
 /// Whether the skeleton came to rest, or failed.
 void judge(const dem::BalanceState& settled, const dem::BalanceSpec& balance, double most_strain, PassResult& pass) {
     if (pass.failed) {
@@ -158,7 +152,8 @@ void judge(const dem::BalanceState& settled, const dem::BalanceSpec& balance, do
 } // namespace
 
 std::vector<PathRow> reequilibrate(
-    dem::World& world, double most_strain, const ErosionResult& so_far, const Surroundings& around, PassResult& pass
+    dem::World& world, const ResettleSpec& spec, const ErosionResult& so_far, const Surroundings& around,
+    PassResult& pass
 ) {
     const Mat3 start_h = world.cell.h;
     const double before = dem::mean_stress(pass.stress_before);
@@ -178,13 +173,15 @@ std::vector<PathRow> reequilibrate(
     pass.wall_seconds["constant volume"] = watch.lap();
 
     plan.loading = held_loading(world, pass.stress_before);
-    plan.loading.servo.max_rate = resettling_rate(world, before);
+    plan.loading.servo.max_rate = dem::rate_of_inertial_number(
+        spec.inertial_number, stats::median_diameter(world.grains), world.material.density, before
+    );
     const dem::BalanceState settled = resettling.run_phase("servo", most_steps_under_stress, [&](const auto& state) {
         const Vec3 strain = edge_strains(start_h, world.cell.h);
-        pass.failed = std::max({std::abs(strain.x), std::abs(strain.y), std::abs(strain.z)}) > most_strain;
+        pass.failed = std::max({std::abs(strain.x), std::abs(strain.y), std::abs(strain.z)}) > spec.max_strain;
         return pass.failed || state.balanced_steps >= around.balance.patience;
     });
-    judge(settled, around.balance, most_strain, pass);
+    judge(settled, around.balance, spec.max_strain, pass);
     pass.stress_after = settled.stress;
     pass.wall_seconds["servo"] = watch.lap();
 

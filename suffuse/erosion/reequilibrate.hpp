@@ -10,11 +10,11 @@ namespace suffuse::erosion {
 void describe_before(const dem::World& world, PassResult& pass);
 
 /// Runs both phases, fills in what they did, and returns the path from the first step after the removal on.
-/// @param most_strain of an axis: a skeleton that strains further has failed, is left there, and the pass's verdict
-/// says so
+/// A skeleton that strains further than it may has failed, is left there, and the pass's verdict says so.
 /// @throws StateError for one that finds no rest
 std::vector<PathRow> reequilibrate(
-    dem::World& world, double most_strain, const ErosionResult& so_far, const Surroundings& around, PassResult& pass
+    dem::World& world, const ResettleSpec& spec, const ErosionResult& so_far, const Surroundings& around,
+    PassResult& pass
 );
 
 /// Logarithmic strain of each edge of the cell since it was `start_h`, compression positive [-].

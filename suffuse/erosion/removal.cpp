@@ -86,7 +86,7 @@ bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& 
     const double left = total_mass(next.grains);
     pass.eroded_mass_percent = 100 * (1 - left / mass);
     pass.eroded_mass_percent_of_initial = 100 * (mass - left) / result.erosion.initial_mass;
-    const std::vector<PathRow> path = reequilibrate(next, spec.max_strain, result.erosion, around, pass);
+    const std::vector<PathRow> path = reequilibrate(next, spec.resettle, result.erosion, around, pass);
     const bool is_last = pass.pass >= spec.passes;
     if (!is_last && pass.verdict.empty() && fines_to_remove(next, spec.grains).empty()) {
         pass.verdict = fmt::format("no grain is left to be removed after pass {} of {}", pass.pass, spec.passes);

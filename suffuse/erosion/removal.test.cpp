@@ -89,6 +89,20 @@ TEST(Removal, ResettlesInTheSameStepsByTheSameStrainWhateverTheSizeOfTheGrains) 
     EXPECT_NEAR(boulders.volumetric_strain / sand.volumetric_strain, 1, 1e-12); // rounding of a cube root and a log
 }
 
+TEST(Removal, ResettlesTheMoreSlowlyTheSmallerTheInertialNumberAskedFor) {
+    const auto removed = [](double inertial_number) {
+        dem::World world = lattice(std::sqrt(0.75) * edge - r + 1e-6);
+        RemoveSpec spec;
+        spec.resettle.inertial_number = inertial_number;
+        return remove_fines(world, spec, {}).erosion.passes.at(0);
+    };
+    const PassResult usual = removed(dem::loaded_inertial_number), slow = removed(dem::loaded_inertial_number / 8);
+    EXPECT_GT(slow.steps, 2 * usual.steps);
+    EXPECT_NEAR(
+        slow.volumetric_strain / usual.volumetric_strain, 1, 0.01
+    ); // a lattice: the same place, within the balance
+}
+
 TEST(Removal, NeedsASkeletonThatCarriesAStress) {
     dem::World world = lattice(0.3e-3);
     world.contacts = {};
@@ -108,7 +122,7 @@ TEST(Removal, ASkeletonThatStrainsTooFarHasFailedAndTheStageEnds) {
     const double fine_radius = std::sqrt(0.75) * edge - r + 1e-6;
     dem::World world = lattice(fine_radius);
     RemoveSpec spec;
-    spec.max_strain = 1e-6; // less than the lattice needs
+    spec.resettle.max_strain = 1e-6; // less than the lattice needs
     const RemovalResult result = remove_fines(world, spec, {});
     EXPECT_NE(result.erosion.passes.at(0).verdict.find("fails"), std::string::npos);
     EXPECT_TRUE(result.erosion.passes.at(0).failed);

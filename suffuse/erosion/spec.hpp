@@ -2,6 +2,7 @@
 // Settings of the erosion procedure, section 4 of the paper.
 
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/pores/voids.hpp"
 
 #include <cstdint>
@@ -72,6 +73,12 @@ constexpr std::string_view name_of(ErodedTarget::Of of) {
     return of == ErodedTarget::Of::Fines ? "fines" : "solids";
 }
 
+/// How what is left finds its new equilibrium.
+struct ResettleSpec {
+    double max_strain = 0.2; ///< of an axis in a pass, beyond which the skeleton counts as failed and is left as it is
+    double inertial_number = dem::loaded_inertial_number; ///< sets the largest strain rate under the stresses held [-]
+};
+
 /// `do = "erode"`: passes of flow, probe, extraction and new equilibrium. Figures 10 to 14.
 struct ErodeSpec {
     int passes = 2; ///< at most; stops earlier when nothing more leaves
@@ -84,7 +91,7 @@ struct ErodeSpec {
     std::optional<ForcedRemoval> forced;
     bool until_nothing_leaves = false;        ///< go on beyond `passes`
     std::optional<ErodedTarget> until_eroded; ///< no pass after the one that reaches it
-    double max_strain = 0.2; ///< of an axis in a pass, beyond which the skeleton counts as failed and is left as it is
+    ResettleSpec resettle;
 };
 
 /// Which fines a removal takes; active ones have at least two contacts.
@@ -103,8 +110,8 @@ struct RemoveSpec {
     RemovedFines grains = RemovedFines::All;
     double share = 1; ///< of their mass when the stage begins [-]
     RemovalOrder order = RemovalOrder::Random;
-    int passes = 1;          ///< equal parts of that mass, with a new equilibrium after each
-    double max_strain = 0.2; ///< of an axis in a pass, beyond which the skeleton counts as failed and is left as it is
+    int passes = 1; ///< equal parts of that mass, with a new equilibrium after each
+    ResettleSpec resettle;
 
     /// The question of the paper's active fines content.
     [[nodiscard]] bool takes_all_fines_at_once() const {
