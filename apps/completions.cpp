@@ -203,23 +203,29 @@ std::string fish_names(const FlagRow& flag) {
     return text;
 }
 
+/// The condition under which a line belongs to the verb: all of its words were given.
+std::string fish_condition(const VerbRow& verb) {
+    if (verb.path.empty()) {
+        return "__fish_use_subcommand";
+    }
+    std::string when;
+    for (std::size_t at = 0; at <= verb.path.size();) {
+        const std::size_t end = std::min(verb.path.find(' ', at), verb.path.size());
+        when += fmt::format(
+            "{}__fish_seen_subcommand_from {}", when.empty() ? "" : "; and ", verb.path.substr(at, end - at)
+        );
+        at = end + 1;
+    }
+    return when;
+}
+
 std::string fish_script(const std::vector<VerbRow>& table) {
     std::string script = "# fish completion for suffuse, written by `suffuse completions fish`. To use it:\n"
                          "#   suffuse completions fish > ~/.config/fish/completions/suffuse.fish\n"
                          "complete -c suffuse -f\n"
                          "complete -c suffuse -n __fish_use_subcommand -a '(__fish_complete_suffix .toml)'\n";
     for (const VerbRow& verb : table) {
-        std::string when = "__fish_use_subcommand";
-        if (!verb.path.empty()) {
-            when.clear();
-            for (std::size_t at = 0; at <= verb.path.size();) {
-                const std::size_t end = std::min(verb.path.find(' ', at), verb.path.size());
-                when += fmt::format(
-                    "{}__fish_seen_subcommand_from {}", when.empty() ? "" : "; and ", verb.path.substr(at, end - at)
-                );
-                at = end + 1;
-            }
-        }
+        const std::string when = fish_condition(verb);
         for (const std::string& below : verb.verbs) {
             const std::string path = verb.path.empty() ? below : verb.path + " " + below;
             const auto row = std::find_if(table.begin(), table.end(), [&](const VerbRow& r) { return r.path == path; });

@@ -81,6 +81,7 @@ std::vector<Source> chosen(const std::vector<Source>& all, const std::vector<std
         return all;
     }
     std::vector<std::string> ids;
+    ids.reserve(all.size());
     for (const Source& source : all) {
         ids.push_back(source.id);
     }

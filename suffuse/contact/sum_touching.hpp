@@ -6,7 +6,6 @@
 #include "suffuse/contact/contacts.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace suffuse::contact {
 
@@ -17,23 +16,19 @@ inline std::size_t first_row_of(const Contacts& contacts, std::size_t grain) {
 
 /// Calls `body(sum, c)` for each contact that touches, in the order of the table within blocks of grains, whose sums
 /// are then added in order. @param grains of the sample
-template <class T, class Body, class Add = std::plus<>>
-T sum_touching(const Contacts& contacts, std::size_t grains, T zero, Body&& body, Add add = {}) {
+template <class T, class Body>
+T sum_touching(const Contacts& contacts, std::size_t grains, T zero, Body&& body) {
     constexpr std::size_t block = 1024;
-    return parallel_sum(
-        grains, block, zero,
-        [&](std::size_t begin, std::size_t end) {
-            T sum = zero;
-            const std::size_t last = first_row_of(contacts, end);
-            for (std::size_t c = first_row_of(contacts, begin); c < last; ++c) {
-                if (contacts.touches(c)) {
-                    body(sum, c);
-                }
+    return parallel_sum(grains, block, zero, [&](std::size_t begin, std::size_t end) {
+        T sum = zero;
+        const std::size_t last = first_row_of(contacts, end);
+        for (std::size_t c = first_row_of(contacts, begin); c < last; ++c) {
+            if (contacts.touches(c)) {
+                body(sum, c);
             }
-            return sum;
-        },
-        add
-    );
+        }
+        return sum;
+    });
 }
 
 } // namespace suffuse::contact

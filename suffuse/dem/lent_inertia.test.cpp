@@ -51,7 +51,8 @@ TEST(LentInertia, LetsNoSmallGrainRollOnTheLargestQuickerThanTheMedianGrainDoes)
     const double most = rolling_on_the_largest(4);
     for (std::size_t g = 0; g < 4; ++g) {
         EXPECT_LE(rolling_on_the_largest(g), most * 1.2) << g; // masses are lent by powers of two below
-        EXPECT_GE(rolling_on_the_largest(g), most / 2) << g;
+        EXPECT_GE(rolling_on_the_largest(g), most / 2)
+            << g; // and moments by powers of two above: each up to a root of 2
     }
 }
 

@@ -81,7 +81,11 @@ void SpringNetwork::apply(const Motions& in, Motions& out) const {
     });
     parallel_for(plan_.domains(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t d = begin; d < end; ++d) {
-            shear_ratio_ == 0 ? add_springs<false>(d, in, out) : add_springs<true>(d, in, out);
+            if (shear_ratio_ == 0) {
+                add_springs<false>(d, in, out);
+            } else {
+                add_springs<true>(d, in, out);
+            }
         }
     });
     parallel_for(plan_.domains(), 1, [&](std::size_t begin, std::size_t end) {

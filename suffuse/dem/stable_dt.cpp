@@ -10,6 +10,16 @@
 #include <vector>
 
 namespace suffuse::dem {
+namespace {
+
+/// Of a mode: their quotient is the square of its frequency.
+struct ModeSums {
+    double energy = 0, inertia = 0;
+
+    ModeSums operator+(const ModeSums& b) const { return {energy + b.energy, inertia + b.inertia}; }
+};
+
+} // namespace
 
 double highest_frequency(const World& world, int iterations) {
     const grains::Grains& grains = world.grains;
@@ -26,15 +36,9 @@ double highest_frequency(const World& world, int iterations) {
     for (int k = 0; k < iterations; ++k) {
         network.apply(x, force);
 
-        struct Sums {
-            double energy = 0, inertia = 0;
-
-            Sums operator+(const Sums& b) const { return {energy + b.energy, inertia + b.inertia}; }
-        };
-
         const auto [energy, inertia] =
-            parallel_sum(grains.size(), block, Sums{}, [&](std::size_t begin, std::size_t end) {
-                Sums sum;
+            parallel_sum(grains.size(), block, ModeSums{}, [&](std::size_t begin, std::size_t end) {
+                ModeSums sum;
                 for (std::size_t g = begin; g < end; ++g) {
                     sum.energy += dot(x.shift[g], force.shift[g]) + dot(x.turn[g], force.turn[g]);
                     sum.inertia += grains.mass[g] * norm2(x.shift[g]) + grains.inertia[g] * norm2(x.turn[g]);

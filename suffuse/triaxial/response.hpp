@@ -24,7 +24,7 @@ struct Response {
     double friction_angle = 0;          ///< at the peak, sin = (s1 - s3)/(s1 + s3) [rad]
     double final_deviator = 0;          ///< at the last row [Pa]
     double stiffness = 0;               ///< secant E50: half the peak deviator over the strain there; 0: none [Pa]
-    double dilatancy = 0;               ///< largest -d eps_v / d eps_1 after the first percent [-]
+    double dilatancy = 0;               ///< largest -d eps_v / d eps_1 over one percent of strain [-]
     double largest_contraction = 0;     ///< volumetric strain [-]
     double final_volumetric_strain = 0; ///< [-]
     /// Drained, constant mean: axial strain at which the stress held was lost, for the sample gave way faster than a

@@ -289,7 +289,9 @@ bool path_burst(
     state.balance.steps = state.balance.balanced_steps = 0;
     state.phase = reached ? PathState::Phase::Settle : PathState::Phase::Done;
     give_back(world, state); // a balance is proved with the grains' own inertia
-    renew_time_step(world, spec, state);
+    if (reached) {
+        renew_time_step(world, spec, state);
+    }
     return !reached;
 }
 

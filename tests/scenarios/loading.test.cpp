@@ -325,7 +325,7 @@ TEST(Triaxial, AProportionalPathKeepsTheRatioOfItsStrains) {
         spec.inertial_number = 3e-3;
         const Mat3 h = s.world.cell.h;
         const triaxial::PathRow last = compress(s, spec).rows.back();
-        // Rates are constant, but each step grows the cell by (1 + rate dt): of second order in each, which is 1e-5.
+        // Each step grows an axis by (1 + rate dt): its logarithmic strain is off by half of rate dt, some 1e-5 here.
         EXPECT_NEAR(last.volumetric_strain, ratio * last.axial_strain, 2e-5 * last.axial_strain) << ratio;
         EXPECT_NEAR(s.world.cell.h(0, 0) / h(0, 0), std::exp(0.5 * (1 - ratio) * last.axial_strain), 2e-8);
         EXPECT_EQ(last.excess_pore_pressure, 0);
