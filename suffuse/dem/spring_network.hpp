@@ -25,7 +25,8 @@ public:
     /// Rows of the motions.
     [[nodiscard]] std::size_t rows() const { return plan_.rows(); }
 
-    /// `out` = K `in`: forces and torques that the springs oppose to the motions, on all threads, summed in one order.
+    /// `out` = K `in`: forces and torques that hold the grains so against the springs, on all threads, summed in one
+    /// order.
     void apply(const Motions& in, Motions& out) const;
 
 private:
