@@ -98,12 +98,20 @@ py::object compact(
         {
             const Working working;
             const dem::World cloud = w.world();
-            found = packing::search_void_ratio(spec, cloud.material, [&](const packing::CompactSpec& trial) {
+            const auto start_again = [&] {
                 w.world() = cloud;
                 w.drop_caches();
-                state = compact_once(w, trial, balance, damping, attention);
-                return dem::void_ratio(w.world());
-            });
+            };
+            try {
+                found = packing::search_void_ratio(spec, cloud.material, [&](const packing::CompactSpec& trial) {
+                    start_again();
+                    state = compact_once(w, trial, balance, damping, attention);
+                    return dem::void_ratio(w.world());
+                });
+            } catch (...) {
+                start_again(); // the last trial is nothing that was asked for
+                throw;
+            }
         }
         dict["void_ratio"] = found.void_ratio;
         dict["trials"] = found.trials;

@@ -257,8 +257,10 @@ def test_a_void_ratio_is_met_by_searching_the_preparation(cloud):
     found = cloud.compact("100 kPa", void_ratio=wanted, void_ratio_tolerance=0.02)  # so few grains scatter
     assert abs(found["void_ratio"] - wanted) <= 0.02 and found["void_ratio"] == cloud.void_ratio
     assert found["trials"] >= 1 and has_its_own_masses(cloud)
+    start = loose.copy()
     with pytest.raises(suffuse.StateError, match="cannot be reached"):
-        loose.copy().compact("100 kPa", void_ratio=0.1)
+        start.compact("100 kPa", void_ratio=0.1)
+    assert start.hash == loose.hash  # not what the last trial left
 
 
 def test_arguments_of_a_compaction_are_held_to_their_ranges_and_to_each_other(cloud):
