@@ -62,8 +62,9 @@ bool has_stage_of(const Variant& variant) {
 class SampleChecks {
 public:
     SampleChecks(ReadContext& context, const Study& study, const Variant& variant)
-        : problems_(context.problems), place_(context.places["study." + study.name + ".particles"]), variant_(variant) {
-    }
+        : problems_(context.problems),
+          place_(context.places["study." + study.name + (study.sample_size ? ".sample_size" : ".particles")]),
+          variant_(variant) {}
 
     /// @param ratio width of the cell / largest grain [-]
     void check_width(double ratio) {

@@ -78,6 +78,16 @@ TEST(SampleChecks, ASkeletonThatWillBeTooNarrowToErodeIsToldBeforeTheRun) {
     EXPECT_EQ(find_problem(problems_of(with(enough * 9 / 10)), "W610").line, 7);
 }
 
+TEST(SampleChecks, ACellThatASampleSizeMakesTooNarrowIsToldWhereThatStands) {
+    std::string text = replaced(good_case, "particles = 20000", "sample_size = { coarse_grains = 100 }");
+    text = replaced(text, "psd = \"data/sand.csv\"", "coarse = { psd = \"data/sand.csv\" }");
+    text = replaced(
+        text, "fines = { finer_than = \"0.15 mm\" }", "fines = { psd = \"data/silt.csv\" }\nfines_content = \"10 %\""
+    );
+    const Diagnostic found = find_problem(problems_of(text), "W602");
+    EXPECT_EQ(found.line, 8) << found.message;
+}
+
 TEST(SampleChecks, OnlyTheNarrowestVariantIsReported) {
     const auto list = problems_of(replaced(good_case, "20000", "20000\nsweep = { particles = [3000, 2000, 30000] }"));
     ASSERT_EQ(list.size(), 1U) << render(list);
