@@ -38,6 +38,20 @@ TEST(EnergyFigure, OfSeveralTestsTellsRanges) {
     ) << figure->caption;
 }
 
+TEST(EnergyFigure, CountsWhatSpringsGaveBackAsWork) {
+    dem::EnergyParts energy; // of a sample that liquefies
+    energy.work = 100;
+    energy.springs = -300;
+    energy.slip = 100;
+    energy.rolling = 300;
+    const auto figure = energy_of_tests({{"undrained", energy}});
+    ASSERT_TRUE(figure);
+    EXPECT_DOUBLE_EQ(figure->table.numbers("share")[0], 25);
+    EXPECT_DOUBLE_EQ(figure->table.numbers("share")[2], 0);
+    EXPECT_DOUBLE_EQ(figure->table.numbers("energy")[2], -0.3);
+    EXPECT_NE(figure->caption.find("What springs gave back counts as work."), std::string::npos) << figure->caption;
+}
+
 TEST(EnergyFigure, IsNotDrawnOfTestsThatTellNoWork) {
     EXPECT_FALSE(energy_of_tests({}));
     EXPECT_FALSE(energy_of_tests({{"of before", {}}}));
