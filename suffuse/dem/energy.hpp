@@ -28,6 +28,15 @@ struct EnergyParts {
     [[nodiscard]] double unaccounted() const { return work - springs - motion - slip - rolling - damping; }
 };
 
+constexpr EnergyParts operator*(double s, const EnergyParts& a) {
+    return {s * a.work, s * a.springs, s * a.motion, s * a.slip, s * a.rolling, s * a.damping};
+}
+
+constexpr EnergyParts operator+(const EnergyParts& a, const EnergyParts& b) {
+    return {a.work + b.work, a.springs + b.springs, a.motion + b.motion,
+            a.slip + b.slip, a.rolling + b.rolling, a.damping + b.damping};
+}
+
 /// Followed from look to look: the parts add up to the work within what dissipation scatters by between two looks.
 struct EnergyBalance {
     EnergyParts parts;

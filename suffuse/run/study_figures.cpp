@@ -56,15 +56,6 @@ bool holds_deviator(const casefile::Stage& stage) {
     return spec != nullptr && spec->path == triaxial::Path::ConstantDeviator;
 }
 
-void add_share(const dem::EnergyParts& of_one, double share, dem::EnergyParts& mean) {
-    mean.work += share * of_one.work;
-    mean.springs += share * of_one.springs;
-    mean.motion += share * of_one.motion;
-    mean.slip += share * of_one.slip;
-    mean.rolling += share * of_one.rolling;
-    mean.damping += share * of_one.damping;
-}
-
 /// All tests of the run, in the order of stages and of sweep values.
 std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
     std::vector<Test> tests;
@@ -74,13 +65,13 @@ std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<Fin
         for (std::size_t k = 0; k < study.stages.size(); ++k) {
             for (const report::SweepPoint& point : traced[s].stages[k].points) {
                 std::vector<Rows> of_seed;
-                std::vector<dem::EnergyParts> energies;
-                double borne = 0; // pore pressure, summed over the seeds [Pa]
+                dem::EnergyParts energy; // summed over the seeds [J/m3]
+                double borne = 0;        // pore pressure, summed over the seeds [Pa]
                 for (const FinishedStage& stage : stages) {
                     if (stage.study == &study && stage.stage->name == study.stages[k].name &&
                         !stage.findings.curve.empty() && sweep_values(study, *stage.variant) == point.written) {
                         of_seed.push_back(rows_of(stage.findings.curve));
-                        energies.push_back(stage.findings.curve.back().energy);
+                        energy = energy + stage.findings.curve.back().energy;
                         borne += or_zero(stage.numbers.at("response").at("excess_pore_pressure"));
                     }
                 }
@@ -89,13 +80,12 @@ std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<Fin
                 }
                 const std::string values = values_name(traced[s].keys, point);
                 const bool holds = holds_deviator(study.stages[k]);
+                const auto seeds = static_cast<double>(of_seed.size());
                 Test test{
-                    &study, &study.stages[k], point.written, report::average_response(values, of_seed, holds), {}};
-                for (const dem::EnergyParts& energy : energies) {
-                    add_share(energy, 1 / static_cast<double>(energies.size()), test.energy);
-                }
+                    &study, &study.stages[k], point.written, report::average_response(values, of_seed, holds),
+                    (1 / seeds) * energy};
                 if (holds) {
-                    test.curve.borne_pore_pressure = borne / static_cast<double>(of_seed.size());
+                    test.curve.borne_pore_pressure = borne / seeds;
                 }
                 for (std::size_t key = 0; key < study.sweep.size(); ++key) {
                     if (study.sweep[key].key == "fines_content") {
@@ -167,7 +157,6 @@ void draw_paths(
     add(report::test_paths(single), figures);
 }
 
-/// Of all tests that fit one figure.
 void draw_energy(const casefile::Case& what, const std::vector<Test>& tests, std::vector<report::Figure>& figures) {
     std::vector<report::TestEnergy> energies;
     for (const Test& test : tests) {
@@ -178,7 +167,11 @@ void draw_energy(const casefile::Case& what, const std::vector<Test>& tests, std
         const std::string values = test.study->sweep.empty() ? "" : test.curve.name + ", ";
         energies.push_back({study + values + test.stage->name, test.energy});
     }
-    add(report::energy_of_tests(energies), figures);
+    std::optional<report::Figure> figure = report::energy_of_tests(energies);
+    if (figure && tests.size() > energies.size()) {
+        figure->caption += fmt::format(" The first {} of {} tests.", energies.size(), tests.size());
+    }
+    add(std::move(figure), figures);
 }
 
 /// A figure for each swept test, and one for all others together.

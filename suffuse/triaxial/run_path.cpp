@@ -126,11 +126,6 @@ bool holds_total_stress(Path path) {
     return path == Path::Undrained || path == Path::ConstantDeviator;
 }
 
-dem::EnergyParts per_volume(const dem::EnergyParts& parts, double volume) {
-    return {parts.work / volume, parts.springs / volume, parts.motion / volume,
-            parts.slip / volume, parts.rolling / volume, parts.damping / volume};
-}
-
 PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const PathState& state) {
     const Mat3 stretch = world.cell.h * inverse(state.start_h);
     const Mat3& stress = state.balance.stress;
@@ -150,7 +145,7 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
     if (!state.rows.empty()) {
         row.second_order_work = second_order_work(state.rows.back(), row);
     }
-    row.energy = per_volume(state.energy.parts, determinant(state.start_h));
+    row.energy = (1 / determinant(state.start_h)) * state.energy.parts;
     if (holds_total_stress(spec.path)) { // laterally: water takes what grains no longer carry
         row.excess_pore_pressure = lateral_mean(state.start_stress, spec.axis) - lateral_mean(stress, spec.axis);
     }
