@@ -165,7 +165,7 @@ until_eroded = { share = "40 %", of = "solids" }
 gradient = 0.1
 direction = "-y"
 detached = { by = "velocity", rule = "above", over = "1e-5 m/s" }
-passes_constriction = { size = "d50", of = "coarse", merge = "overlap" }
+passes_constriction = { size = "d50", of = "coarse", merge = "overlap", distance = "3 mm" }
 forced = { max_contacts = 2 }
 then = "settle"
 record = { every = 10 }

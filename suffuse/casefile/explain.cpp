@@ -119,6 +119,12 @@ constexpr std::array code_table = {
         "Where a void ratio is asked for, the protocols faithful and slow find the friction during compaction that "
         "leads to it, and do not heed the one given. Leave either out; or take the protocol swift, which keeps the "
         "friction and searches the porosity at its start."},
+    Code{
+        "W613", "a way to travel where grains do not travel",
+        "Only with passes_constriction = { size = \"flow-path\" } do detached grains follow the water, and leave when "
+        "they have got a `distance` along it. With any other size they leave at once or not at all, and `forced` takes "
+        "them "
+        "out in any case."},
 };
 
 /// A word or symbol with its sign and meaning; docs/notation.md has them all.

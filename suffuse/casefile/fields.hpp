@@ -216,6 +216,7 @@ void fields(V& v, erosion::ErodeSpec& s) {
         inner.choice("size", s.passes_constriction, names::constriction_size);
         inner.choice("of", of, names::constrictions_of);
         inner.choice("merge", s.merge, names::void_merge);
+        inner.field("distance", s.transport_distance);
     });
     v.table("forced", s.forced, [](auto& inner, erosion::ForcedRemoval& f) {
         inner.field("max_contacts", f.max_contacts);

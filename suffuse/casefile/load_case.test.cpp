@@ -63,6 +63,7 @@ TEST(LoadCase, EveryValueReachesItsSpecInSi) {
     EXPECT_EQ(erode.direction, (Vec3{0, -1, 0}));
     EXPECT_EQ(erode.detached.over_speed, 1e-5);
     EXPECT_EQ(erode.passes_constriction, erosion::ConstrictionSize::Median);
+    EXPECT_EQ(erode.transport_distance, 3e-3);
     EXPECT_EQ(erode.merge, pores::VoidMerge::Overlap);
     ASSERT_TRUE(erode.forced);
     EXPECT_EQ(erode.forced->max_contacts, 2);

@@ -65,6 +65,7 @@ inline constexpr std::array constriction_size = {
     Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::Median, "d50"},
     Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::D35, "d35"},
     Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::WidestPath, "widest-path"},
+    Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::FlowPath, "flow-path"},
     Word<erosion::ConstrictionSize>{erosion::ConstrictionSize::None, "none"}};
 
 inline constexpr std::array void_merge = {

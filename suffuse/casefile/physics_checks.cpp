@@ -165,6 +165,19 @@ public:
         );
     }
 
+    /// How far grains travel matters where they do.
+    void check_travel(const Stage& stage, const erosion::ErodeSpec& erode) {
+        if (!erode.transport_distance ||
+            (erode.passes_constriction == erosion::ConstrictionSize::FlowPath && !erode.forced)) {
+            return;
+        }
+        context_.problems.warning(
+            "W613", stage_place(stage, "passes_constriction.distance"),
+            fmt::format("stage \"{}\" says how far grains have to travel, but they do not travel in it", stage.name),
+            "size = \"flow-path\", without `forced`, makes them follow the water"
+        );
+    }
+
     [[nodiscard]] Place stage_place(const Stage& stage, std::string_view key) const {
         return place_of(fmt::format("stage.{}.{}", stage.name, key));
     }
@@ -215,6 +228,7 @@ void check_stage(Checks& checks, const Stage& stage) {
         checks.check_fines(stage);
     } else if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec)) {
         checks.check_gradient(stage, "gradient", erode->gradient);
+        checks.check_travel(stage, *erode);
         checks.check_fines(stage);
         checks.check_start(stage);
     } else if (std::holds_alternative<erosion::RemoveSpec>(stage.spec)) {

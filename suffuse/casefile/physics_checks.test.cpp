@@ -103,6 +103,17 @@ TEST(PhysicsChecks, ErosionNeedsFines) {
     );
 }
 
+TEST(PhysicsChecks, AWayToTravelIsWarnedOfWhereGrainsDoNotTravel) {
+    const auto with = [](const std::string& keys) { return problems_of(good_case + erode_stage + keys); };
+    const std::string size = "passes_constriction = { size = \"flow-path\", distance = \"5 mm\" }\n";
+    EXPECT_EQ(find_problem(with(size), "W613").code, "");
+    const Diagnostic found =
+        find_problem(with("passes_constriction = { size = \"mean\", distance = \"5 mm\" }\n"), "W613");
+    EXPECT_TRUE(found.is_warning) << found.message;
+    EXPECT_EQ(found.line, 18);
+    EXPECT_TRUE(find_problem(with(size + "forced = {}\n"), "W613").is_warning);
+}
+
 TEST(PhysicsChecks, AFrictionThatASearchReplacesIsWarnedOf) {
     const auto with = [](const std::string& keys) {
         return problems_of(replaced(good_case, "pressure =", keys + "\npressure ="));

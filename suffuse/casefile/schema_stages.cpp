@@ -330,8 +330,10 @@ std::vector<Key> erosion_rows() {
             ),
             choice(
                 "stage.erode.passes_constriction", "size", names::words_of(names::constriction_size),
-                "Mean (the paper's), median, d35, the widest path along the flow, or none: every detachable grain "
-                "leaves."
+                "Mean (the paper's), median, d35; the widest path along the flow; the flow path: constrictions that "
+                "the "
+                "grain meets on its way with the water, between all grains that stay, and one that is held lodges "
+                "there; or none: every detachable grain leaves."
             ),
             choice(
                 "stage.erode.passes_constriction", "of", names::words_of(names::constrictions_of),
@@ -341,7 +343,11 @@ std::vector<Key> erosion_rows() {
                 "stage.erode.passes_constriction", "merge", names::words_of(names::void_merge),
                 "Which neighboring pores are one void, so that no constriction lies between them: none (each facet of "
                 "the triangulation counts, as in the reference), those where the center of the void sphere of one lies "
-                "in that of the other, or those whose void spheres overlap. Of no effect on the widest path."
+                "in that of the other, or those whose void spheres overlap. Of no effect on the two paths."
+            ),
+            quantity(
+                "stage.erode.passes_constriction", "distance", dimension::length, above_zero,
+                "Flow path: how far along the flow a grain has to get to leave; the cell's length along it unless said."
             ),
             table(
                 "stage.erode", "forced",

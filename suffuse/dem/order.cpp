@@ -80,4 +80,17 @@ void remove_grains(World& world, std::span<const std::uint32_t> rows) {
     keep(world, kept);
 }
 
+void relocate_grains(World& world, std::span<const std::uint32_t> rows, std::span<const Vec3> position) {
+    grains::Grains& grains = world.grains;
+    std::vector<std::uint32_t> new_row(grains.size());
+    std::iota(new_row.begin(), new_row.end(), 0U);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const std::uint32_t g = rows[k];
+        grains.position[g] = position[k];
+        grains.velocity[g] = grains.spin[g] = grains.force[g] = grains.torque[g] = {};
+        new_row[g] = contact::removed_row; // loses its contacts only
+    }
+    world.contacts = contact::renumbered(contact::touching_rows(world.contacts), new_row);
+}
+
 } // namespace suffuse::dem

@@ -1,5 +1,5 @@
 #pragma once
-// The storage order of the grains, and taking grains out.
+// The storage order of the grains, taking grains out, and putting them elsewhere.
 
 #include "suffuse/dem/world.hpp"
 
@@ -16,5 +16,8 @@ void sort_by_id(World& world);
 
 /// Takes out the grains of rows `rows`, with their contacts.
 void remove_grains(World& world, std::span<const std::uint32_t> rows);
+
+/// Puts the grains of rows `rows` elsewhere, at rest and without their contacts.
+void relocate_grains(World& world, std::span<const std::uint32_t> rows, std::span<const Vec3> position);
 
 } // namespace suffuse::dem

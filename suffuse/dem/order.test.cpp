@@ -115,6 +115,25 @@ TEST(Removal, OfNoGrainOrOfAllIsFine) {
     test::advance(world, caches, test::plan_of(4e-8), 3); // an empty cell can be stepped
 }
 
+TEST(Order, ARelocatedGrainIsAtRestElsewhereAndNobodyElseLosesAContact) {
+    World world = stirred_packing();
+    const World before = world;
+    const std::uint32_t moved = world.contacts.first[world.contacts.size() / 2];
+    const Vec3 to{1e-3, 2e-3, 3e-3};
+    relocate_grains(world, {&moved, 1}, {&to, 1});
+    EXPECT_EQ(world.grains.position[moved], to);
+    EXPECT_EQ(world.grains.velocity[moved], Vec3{});
+    EXPECT_EQ(world.grains.id, before.grains.id);
+    std::size_t kept = 0;
+    for (const ContactView& c : inspect_contacts(before)) {
+        kept += c.i != moved && c.j != moved ? 1 : 0;
+    }
+    const std::vector<int> contacts = coordination(world);
+    EXPECT_EQ(contacts[moved], 0);
+    EXPECT_EQ(inspect_contacts(world).size(), kept);
+    EXPECT_LT(kept, inspect_contacts(before).size());
+}
+
 TEST(StateHash, SeesEveryBitThatTheNextStepDependsOn) {
     World start = stirred_packing();
     start.contacts.twisting.resize(start.contacts.size());

@@ -12,6 +12,7 @@
 #include "suffuse/erosion/passage.hpp"
 #include "suffuse/erosion/probe.hpp"
 #include "suffuse/erosion/reequilibrate.hpp"
+#include "suffuse/erosion/transport.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/stats/gradation.hpp"
@@ -79,30 +80,45 @@ std::vector<ProbeResult> probe(
     return results;
 }
 
-/// Step 5: the detachable fines that the constrictions let through, or the fines that are taken out by force.
-std::vector<Leaver>
-choose_leavers(const dem::World& world, const CoarseSkeleton& skeleton, const ErodeSpec& spec, PassResult& pass) {
-    const std::vector<int> contacts = dem::coordination(world);
-    const std::vector<std::uint8_t>& detached = verdicts(spec.detached, pass.probe);
-    std::vector<Leaver> leavers;
+/// The fines that the probe moved, or those that are taken out by force.
+std::vector<std::uint32_t> find_detachable(
+    const dem::World& world, const ErodeSpec& spec, const ProbeResult& probe, const std::vector<int>& contacts
+) {
+    const std::vector<std::uint8_t>& detached = verdicts(spec.detached, probe);
+    std::vector<std::uint32_t> rows;
     for (std::uint32_t g = 0, fine = 0; g < world.grains.size(); ++g) {
         if (world.grains.fine[g] == 0) {
             continue;
         }
-        const bool detachable = spec.forced ? contacts[g] <= spec.forced->max_contacts : detached[fine] != 0;
+        if (spec.forced ? contacts[g] <= spec.forced->max_contacts : detached[fine] != 0) {
+            rows.push_back(g);
+        }
         ++fine;
-        if (!detachable) {
-            continue;
-        }
-        ++pass.detachable;
-        if (spec.forced || passes(skeleton, spec.passes_constriction, g, 2 * world.grains.radius[g])) {
-            leavers.push_back({g, contacts[g]});
-            ++pass.coordination_histogram[contacts[g]];
-        } else {
-            ++pass.held_back;
-        }
     }
-    pass.removed = static_cast<std::int64_t>(leavers.size());
+    return rows;
+}
+
+/// Step 5: the detachable fines that the constrictions let through. Those that a flow path holds lodge there.
+std::vector<Leaver> choose_leavers(
+    dem::World& world, const CoarseSkeleton& skeleton, const ErodeSpec& spec, const flow::Fluid& fluid, PassResult& pass
+) {
+    const std::vector<int> contacts = dem::coordination(world);
+    std::vector<std::uint32_t> rows = find_detachable(world, spec, pass.probe, contacts);
+    pass.detachable = std::ssize(rows);
+    if (!spec.forced && spec.passes_constriction == ConstrictionSize::FlowPath) {
+        rows = carry_off(world, rows, spec, fluid, pass);
+    } else if (!spec.forced) {
+        std::erase_if(rows, [&](std::uint32_t g) {
+            return !passes(skeleton, spec.passes_constriction, g, 2 * world.grains.radius[g]);
+        });
+    }
+    pass.removed = std::ssize(rows);
+    pass.held_back = pass.detachable - pass.removed;
+    std::vector<Leaver> leavers;
+    for (const std::uint32_t g : rows) {
+        leavers.push_back({g, contacts[g]});
+        ++pass.coordination_histogram[contacts[g]];
+    }
     return leavers;
 }
 
@@ -187,7 +203,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
 
     // 5 extraction
     std::vector<LedgerRow> ledger = result.ledger;
-    extract(next, choose_leavers(next, skeleton, spec, pass), pass.pass, reason_of(spec), ledger);
+    extract(next, choose_leavers(next, skeleton, spec, around.fluid, pass), pass.pass, reason_of(spec), ledger);
     check_ledger(next, ledger, result.initial_mass);
     pass.eroded_mass_percent = 100 * (1 - total_mass(next.grains) / mass);
     pass.eroded_mass_percent_of_initial = 100 * (mass - total_mass(next.grains)) / result.initial_mass;

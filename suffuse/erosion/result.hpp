@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace suffuse::erosion {
@@ -54,6 +55,33 @@ struct ConstrictionSummary {
 /// By pores::VoidMerge, whatever way counts: which pores are one void is a matter of definition.
 using ConstrictionsByMerge = std::array<ConstrictionSummary, pores::every_merge.size()>;
 
+/// What became of a detached grain that followed the water.
+enum class Fate {
+    Left,   ///< got far enough
+    Lodged, ///< held on its way, and lies there now
+    Stayed, ///< held where it was, or all places on its way were filled
+};
+
+/// "left", "lodged", "stayed".
+constexpr std::string_view name_of(Fate fate) {
+    return fate == Fate::Left ? "left" : fate == Fate::Lodged ? "lodged" : "stayed";
+}
+
+/// How the detached fines of a pass fared with the water (ConstrictionSize::FlowPath), one row a grain; else empty.
+struct Transport {
+    double distance = 0;              ///< a grain that gets so far along the flow has left [m]
+    std::vector<std::uint32_t> id;    ///< grain
+    std::vector<double> diameter;     ///< [m]
+    std::vector<double> mass;         ///< [kg]
+    std::vector<double> travel;       ///< along the flow, until it left or was held [m]
+    std::vector<double> path;         ///< the same from throat to throat [m]
+    std::vector<int> throats;         ///< passed
+    std::vector<double> constriction; ///< diameter of the one that held it; 0 where none did [m]
+    std::vector<Fate> fate;
+
+    [[nodiscard]] std::size_t size() const { return id.size(); }
+};
+
 /// The state of the sample at one point of the history of an erosion pass (Figures 13 and 14).
 struct PathRow {
     int pass = 0;
@@ -83,6 +111,7 @@ struct PassResult {
     pores::VoidMerge merge = pores::VoidMerge::None; ///< of the voids that they lie between
     ConstrictionsByMerge constrictions_by_merge;
     std::int64_t detachable = 0, held_back = 0, removed = 0;
+    Transport transport;
     double eroded_mass_percent = 0;                     ///< of the mass before this pass [%]
     double eroded_mass_percent_of_initial = 0;          ///< [%]
     std::map<int, std::int64_t> coordination_histogram; ///< of the removed grains

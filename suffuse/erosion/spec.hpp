@@ -45,6 +45,7 @@ enum class ConstrictionSize {
     Median,
     D35,        ///< by number of facets
     WidestPath, ///< ours: the widest way from the grain's pore to its image one period along the flow
+    FlowPath,   ///< ours: those that it meets on its way with the water, between the grains that stay
     None,       ///< every detachable grain leaves
 };
 
@@ -88,6 +89,8 @@ struct ErodeSpec {
     DetachSpec detached;
     ConstrictionSize passes_constriction = ConstrictionSize::Mean;
     pores::VoidMerge merge = pores::VoidMerge::None; ///< of the voids between which constrictions are counted
+    std::optional<double>
+        transport_distance; ///< ConstrictionSize::FlowPath: along the flow; else the cell's length along it [m]
     std::optional<ForcedRemoval> forced;
     bool until_nothing_leaves = false;        ///< go on beyond `passes`
     std::optional<ErodedTarget> until_eroded; ///< no pass after the one that reaches it

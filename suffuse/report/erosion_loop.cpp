@@ -62,9 +62,10 @@ std::vector<Step> steps_of(const std::vector<const PassResult*>& passes) {
          "coarse grains held, forces ramped on the fines",
          {quantity("detachable", passes, [&](const PassResult& p) { return count(p.detachable); })}},
         {"4  Constrictions",
-         "of the coarse skeleton against grain sizes",
+         passes.front()->transport.distance > 0 ? "that grains meet on their way with the water"
+                                                : "of the coarse skeleton against grain sizes",
          {quantity(
-              "mean constriction [mm]", passes,
+              "mean constriction of the skeleton [mm]", passes,
               [](const PassResult& p) { return short_number(1e3 * p.constrictions.mean); }
           ),
           quantity("held back", passes, [&](const PassResult& p) { return count(p.held_back); })}},
@@ -82,7 +83,7 @@ std::vector<Step> steps_of(const std::vector<const PassResult*>& passes) {
           ),
           quantity(
               "volumetric strain εᵥ [%]", passes,
-              [](const PassResult& p) { return short_number(100 * p.volumetric_strain, 2); }
+              [](const PassResult& p) { return percent_beyond_noise(100 * p.volumetric_strain); }
           ),
           quantity(
               "porosity n [-]", passes, [](const PassResult& p) { return fmt::format("{:.4f}", p.porosity_after); }

@@ -76,6 +76,11 @@ constexpr std::array guides = {
         "own-constrictions", "constrictions beside the fines",
         "Sizes of the constrictions of the coarse skeleton and of the fines: which could pass.", "an `erode` stage"},
     Guide{
+        "own-transport", "how far the detached fines get",
+        "Share of the mass detached in a pass that gets farther than a length along the flow before a constriction "
+        "holds it.",
+        "an `erode` stage whose `passes_constriction` has size = \"flow-path\""},
+    Guide{
         "own-eroded-grading", "gradings before, of what left, and after", "By mass, against size.", "an `erode` stage"},
     Guide{
         "own-permeability", "permeability by pass", "Along the direction of the flow, before and after each pass.",

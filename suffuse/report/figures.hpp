@@ -59,6 +59,9 @@ std::optional<Figure> eroded_grading(
     const grains::Grading& sampled, const erosion::ErosionResult& erosion, GradingAxis axis = GradingAxis::LeftToRight
 );
 
+/// Ours: how far the detached fines of each pass got along the flow, where they travel.
+std::optional<Figure> transport_by_pass(const erosion::ErosionResult& erosion);
+
 /// Ours: permeability before erosion and after each pass.
 std::optional<Figure> permeability_by_pass(const erosion::ErosionResult& erosion);
 

@@ -2,6 +2,7 @@
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
+#include "suffuse/stats/coordination.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,22 @@ namespace {
 using erosion::ErosionResult;
 using erosion::PassResult;
 using nlohmann::json;
+
+constexpr std::size_t most_drawn = 6;              ///< passes, where each has bars or words of its own
+constexpr std::size_t most_bars_with_numbers = 10; ///< above them
+
+struct RemovedGrains {
+    std::int64_t all = 0, active = 0; ///< with at least two contacts
+};
+
+RemovedGrains count_contacts(const PassResult& pass) {
+    RemovedGrains removed;
+    for (const auto& [coordination, count] : pass.coordination_histogram) {
+        removed.all += count;
+        removed.active += coordination >= stats::active_contacts ? count : 0;
+    }
+    return removed;
+}
 
 } // namespace
 
@@ -29,16 +46,21 @@ std::optional<Figure> eroded_mass(const ErosionResult& erosion) {
         share.push_back(pass.eroded_mass_percent);
         of_initial.push_back(pass.eroded_mass_percent_of_initial);
         total += pass.eroded_mass_percent_of_initial;
+    }
+    const SomePasses few = few_passes(erosion, most_drawn);
+    for (const PassResult* pass : few) {
         claim += fmt::format(
-            "{}{} % in pass {}", claim.empty() ? "" : ", ", short_number(pass.eroded_mass_percent), pass.pass
+            "{}{} % in pass {}", claim.empty() ? "" : ", ", short_number(pass->eroded_mass_percent), pass->pass
         );
     }
     Figure figure;
     figure.id = "fig11";
     figure.section = "Erosion";
     figure.title = "Eroded mass of each pass";
-    figure.caption =
-        fmt::format("Of the mass before the pass: {}; {} % of the initial mass in all.", claim, short_number(total));
+    figure.caption = fmt::format(
+        "Of the mass before the pass: {}{}; {} % of the initial mass in all.", claim,
+        told_of(few, erosion.passes.size()), short_number(total)
+    );
     figure.table.add("pass", pass_names(erosion));
     figure.table.add("removed_grains", "", std::move(removed));
     figure.table.add("eroded_mass", "%", std::move(share));
@@ -59,54 +81,55 @@ std::optional<Figure> eroded_mass(const ErosionResult& erosion) {
              "encoding": {"text": {"field": "eroded_mass", "type": "quantitative", "format": ".3~g"}}}
         ]
     })json");
+    if (erosion.passes.size() > most_bars_with_numbers) {
+        figure.chart["layer"].erase(1);
+    }
     return figure;
 }
 
 std::optional<Figure> eroded_coordination(const ErosionResult& erosion) {
-    std::vector<std::string> name, order;
+    std::vector<std::string> name;
     std::vector<double> contacts, grains, share;
     std::string claim;
+    SomePasses that_took;
     int most = 4; // contacts on the axis at least: that all had none is seen beside those that nobody had
     for (const PassResult& pass : erosion.passes) {
         for (const auto& [coordination, count] : pass.coordination_histogram) {
-            if (count > 0) {
-                most = std::max(most, coordination);
-            }
+            most = count > 0 ? std::max(most, coordination) : most;
+        }
+        if (count_contacts(pass).all > 0) {
+            that_took.push_back(&pass);
         }
     }
-    for (const PassResult& pass : erosion.passes) {
-        std::int64_t all = 0, active = 0;
-        for (const auto& [coordination, count] : pass.coordination_histogram) {
-            all += count;
-            if (coordination >= 2) {
-                active += count;
-            }
-        }
-        if (all == 0) {
-            continue;
-        }
-        order.push_back(pass_name(pass.pass));
-        claim += fmt::format(
-            "{}pass {}: {} of {} removed grains had at least two contacts ({} %)", claim.empty() ? "" : "; ", pass.pass,
-            grouped(active), grouped(all), short_number(100.0 * static_cast<double>(active) / static_cast<double>(all))
-        );
-        for (int coordination = 0; coordination <= most; ++coordination) {
-            const auto found = pass.coordination_histogram.find(coordination);
-            const std::int64_t count = found == pass.coordination_histogram.end() ? 0 : found->second;
-            name.push_back(pass_name(pass.pass));
-            contacts.push_back(coordination);
-            grains.push_back(static_cast<double>(count));
-            share.push_back(100.0 * static_cast<double>(count) / static_cast<double>(all));
-        }
-    }
-    if (order.empty()) {
+    if (that_took.empty()) {
         return std::nullopt;
     }
+    for (const PassResult* pass : that_took) {
+        const double all = static_cast<double>(count_contacts(*pass).all);
+        for (int coordination = 0; coordination <= most; ++coordination) {
+            const auto found = pass->coordination_histogram.find(coordination);
+            const std::int64_t count = found == pass->coordination_histogram.end() ? 0 : found->second;
+            name.push_back(pass_name(pass->pass));
+            contacts.push_back(coordination);
+            grains.push_back(static_cast<double>(count));
+            share.push_back(100.0 * static_cast<double>(count) / all);
+        }
+    }
+    const SomePasses few = few_of(that_took, most_drawn);
+    for (const PassResult* pass : few) {
+        const auto [all, active] = count_contacts(*pass);
+        claim += fmt::format(
+            "{}pass {}: {} of {} removed grains had at least two contacts ({} %)", claim.empty() ? "" : "; ",
+            pass->pass, grouped(active), grouped(all),
+            short_number(100.0 * static_cast<double>(active) / static_cast<double>(all))
+        );
+    }
+    const std::vector<std::string> order = pass_names(few);
     Figure figure;
     figure.id = "fig12";
     figure.section = "Erosion";
     figure.title = "Contacts that the removed grains had";
-    figure.caption = as_sentence(claim) + ".";
+    figure.caption = as_sentence(claim) + told_of(few, that_took.size()) + ".";
     figure.table.add("pass", std::move(name));
     figure.table.add("coordination", "", std::move(contacts));
     figure.table.add("grains", "", std::move(grains));
@@ -125,6 +148,7 @@ std::optional<Figure> eroded_coordination(const ErosionResult& erosion) {
                         {"field": "share", "title": "share [%]", "format": ".3g"}]
         }
     })json");
+    figure.chart["transform"] = {{{"filter", {{"field", "pass"}, {"oneOf", order}}}}};
     figure.chart["encoding"]["color"]["scale"] = {{"domain", order}, {"range", color::sequence()}};
     figure.chart["encoding"]["xOffset"]["sort"] = order;
     return figure;

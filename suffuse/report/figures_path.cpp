@@ -18,6 +18,7 @@ using erosion::PathRow;
 using nlohmann::json;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_named = 4;       ///< passes with labels, colors and words of their own
 constexpr std::size_t most_path_rows = 800; ///< drawn; the run's own files hold them all
 
 /// The path with the state before each removal put in front of it, so that a drawing shows what the removal changed.
@@ -100,6 +101,10 @@ Table path_table(const std::vector<PathRow>& path) {
     table.add("unbalanced_force", "-", std::move(unbalanced));
     table.add("eroded_mass", "%", std::move(mass));
     return table;
+}
+
+json only(const SomePasses& passes) {
+    return {{"filter", {{"field", "pass"}, {"oneOf", pass_names(passes)}}}};
 }
 
 /// The stretches of the path as shaded bands, with the pass written above its first.
@@ -233,15 +238,16 @@ std::optional<Figure> stress_path(const ErosionResult& erosion) {
         return std::nullopt;
     }
     std::string claim;
-    for (const PassResult& pass : erosion.passes) {
+    const SomePasses few = few_passes(erosion, most_named);
+    for (const PassResult* pass : few) {
         claim += fmt::format(
             "{}pass {}: mean stress {} kPa before, {} at constant volume, {} restored; volumetric strain {} %",
-            claim.empty() ? "" : "; ", pass.pass, short_number(mean_stress(pass.stress_before) / 1e3, 4),
-            short_number(mean_stress(pass.stress_constant_volume) / 1e3, 4),
-            short_number(mean_stress(pass.stress_after) / 1e3, 4), short_number(100 * pass.volumetric_strain)
+            claim.empty() ? "" : "; ", pass->pass, short_number(mean_stress(pass->stress_before) / 1e3, 4),
+            short_number(mean_stress(pass->stress_constant_volume) / 1e3, 4),
+            short_number(mean_stress(pass->stress_after) / 1e3, 4), percent_beyond_noise(100 * pass->volumetric_strain)
         );
     }
-    claim = as_sentence(claim);
+    claim = as_sentence(claim) + told_of(few, erosion.passes.size());
     Figure figure;
     figure.id = "fig13";
     figure.section = "Erosion";
@@ -249,6 +255,7 @@ std::optional<Figure> stress_path(const ErosionResult& erosion) {
     figure.caption = claim + (claim.empty() ? "" : ". ") + "Compression and contraction positive.";
     figure.table = path_table(thinned(with_starts(erosion)));
     figure.chart = stress_chart();
+    figure.chart["vconcat"][0]["layer"][2]["transform"].push_back(only(few));
     return figure;
 }
 
@@ -257,13 +264,14 @@ std::optional<Figure> porosity_path(const ErosionResult& erosion) {
         return std::nullopt;
     }
     std::string claim;
-    for (const PassResult& pass : erosion.passes) {
+    const SomePasses few = few_passes(erosion, most_named);
+    for (const PassResult* pass : few) {
         claim += fmt::format(
             "{}pass {}: n = {:.4f} before, {:.4f} after the removal, {:.4f} resettled", claim.empty() ? "" : "; ",
-            pass.pass, pass.porosity_before, pass.porosity_after_removal, pass.porosity_after
+            pass->pass, pass->porosity_before, pass->porosity_after_removal, pass->porosity_after
         );
     }
-    claim = as_sentence(claim);
+    claim = as_sentence(claim) + told_of(few, erosion.passes.size());
     Figure figure;
     figure.id = "fig14";
     figure.section = "Erosion";
@@ -274,9 +282,12 @@ std::optional<Figure> porosity_path(const ErosionResult& erosion) {
     figure.table = path_table(thinned(with_starts(erosion)));
     figure.chart = json::parse(porosity_panels);
     if (!erosion.passes.empty()) {
-        const json scale = {{"domain", pass_names(erosion)}, {"range", color::sequence()}};
-        figure.chart["vconcat"][0]["layer"][1]["encoding"]["color"]["scale"] = scale;
-        figure.chart["vconcat"][1]["encoding"]["color"]["scale"] = scale;
+        const json scale = {{"domain", pass_names(few)}, {"range", color::sequence()}};
+        json &points = figure.chart["vconcat"][0]["layer"][1], &resettling = figure.chart["vconcat"][1];
+        for (json* each : {&points, &resettling}) {
+            (*each)["encoding"]["color"]["scale"] = scale;
+            (*each)["transform"].push_back(only(few));
+        }
     }
     return figure;
 }

@@ -16,9 +16,15 @@ using erosion::ErosionResult;
 using erosion::PassResult;
 using nlohmann::json;
 
-/// What is written beside each state: nothing where the next one lies on it, and names both.
+/// What is written beside each state: nothing where the next one lies on it, and names both; the first and the last
+/// state alone where there are many.
 std::vector<std::string> labels(const std::vector<std::string>& state, const std::vector<double>& eroded) {
+    constexpr std::size_t many = 8;
     std::vector<std::string> shown = state;
+    if (state.size() > many) {
+        std::fill(shown.begin() + 1, shown.end() - 1, "");
+        return shown;
+    }
     for (std::size_t k = 0; k + 1 < state.size(); ++k) {
         if (eroded[k + 1] - eroded[k] < 0.04 * eroded.back()) {
             shown[k + 1] = shown[k] + (k == 0 ? ", after " : " and ") + pass_name(static_cast<int>(k) + 1);

@@ -2,6 +2,7 @@
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/report/figures.hpp"
+#include "suffuse/report/passes.hpp"
 #include "suffuse/report/size_axis.hpp"
 #include "suffuse/report/words.hpp"
 
@@ -217,18 +218,20 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
     std::vector<std::string> curve, order;
     std::vector<double> size, share;
     std::string claim;
-    for (const PassResult& pass : erosion.passes) {
-        if (pass.constrictions.diameter.empty()) {
+    constexpr std::size_t most_curves = 4;
+    const SomePasses few = few_passes(erosion, most_curves);
+    for (const PassResult* pass : few) {
+        if (pass->constrictions.diameter.empty()) {
             continue;
         }
-        const std::string name = fmt::format("constrictions of pass {}", pass.pass);
+        const std::string name = fmt::format("constrictions of pass {}", pass->pass);
         order.push_back(name);
-        add_distribution(name, pass.constrictions.diameter, curve, size, share);
+        add_distribution(name, pass->constrictions.diameter, curve, size, share);
         claim += fmt::format(
             "{}pass {}: mean {}, median {}, D35 {} mm",
-            claim.empty() ? "Constrictions of the coarse skeleton in " : "; ", pass.pass,
-            short_number(1e3 * pass.constrictions.mean), short_number(1e3 * pass.constrictions.median),
-            short_number(1e3 * pass.constrictions.d35)
+            claim.empty() ? "Constrictions of the coarse skeleton in " : "; ", pass->pass,
+            short_number(1e3 * pass->constrictions.mean), short_number(1e3 * pass->constrictions.median),
+            short_number(1e3 * pass->constrictions.d35)
         );
     }
     if (order.empty()) {
@@ -248,7 +251,7 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
     figure.id = "own-constrictions";
     figure.section = "Water";
     figure.title = "Constriction sizes of the coarse skeleton, and sizes of the fines";
-    figure.caption = claim +
+    figure.caption = claim + told_of(few, erosion.passes.size()) +
                      ". Shares by number of facets and of grains; the upper hundredth is left out of the drawing." +
                      means_by_merge(first);
     figure.table.add("curve", std::move(curve));

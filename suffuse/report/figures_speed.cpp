@@ -25,6 +25,7 @@ using nlohmann::json;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_lines = 200;     ///< grains drawn one by one in a panel, both groups together
 constexpr double decades_drawn = 1e9;       ///< below the fastest grain: slower is lost in rounding
+constexpr std::size_t most_panels = 4;      ///< of an erosion, a panel a pass
 constexpr std::size_t extremes_a_side = 10; ///< slowest and fastest of a group that are always drawn
 
 struct Panel {
@@ -282,14 +283,15 @@ std::optional<Figure> speed_by_gradient(const std::vector<ProbeResult>& probes) 
 std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
     std::vector<Panel> panels;
     std::string counts;
-    for (const PassResult& pass : erosion.passes) {
-        if (pass.probe.id.empty()) {
+    const SomePasses few = few_passes(erosion, most_panels);
+    for (const PassResult* pass : few) {
+        if (pass->probe.id.empty()) {
             continue;
         }
-        const std::string name = pass_name(pass.pass);
-        panels.push_back({name, name + ": " + share_detached(pass.probe), &pass.probe});
-        const Detached detached = count_detached(pass.probe);
-        counts += fmt::format("{}{} in pass {}", counts.empty() ? "" : ", ", grouped(detached.yes), pass.pass);
+        const std::string name = pass_name(pass->pass);
+        panels.push_back({name, name + ": " + share_detached(pass->probe), &pass->probe});
+        const Detached detached = count_detached(pass->probe);
+        counts += fmt::format("{}{} in pass {}", counts.empty() ? "" : ", ", grouped(detached.yes), pass->pass);
     }
     if (panels.empty()) {
         return std::nullopt;
@@ -297,7 +299,7 @@ std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
     Figure figure = speed_figure(panels);
     figure.id = "fig10";
     figure.title = fmt::format("Speed of the fines in each erosion pass, i = {}", panels.front().probe->gradient);
-    figure.caption = "Detachable fines: " + counts + "." + how_drawn;
+    figure.caption = "Detachable fines: " + counts + told_of(few, erosion.passes.size()) + "." + how_drawn;
     return figure;
 }
 
@@ -331,9 +333,9 @@ rules_compared(const std::vector<ProbeResult>& probes, const std::vector<NamedEr
         add("probe, " + names[p], probes[p]);
     }
     for (const auto& [name, erosion] : erosions) {
-        for (const PassResult& pass : erosion->passes) {
-            add(fmt::format("{}{}pass {}, i = {}", name, name.empty() ? "" : ", ", pass.pass, pass.probe.gradient),
-                pass.probe);
+        for (const PassResult* pass : few_passes(*erosion, most_panels)) {
+            add(fmt::format("{}{}pass {}, i = {}", name, name.empty() ? "" : ", ", pass->pass, pass->probe.gradient),
+                pass->probe);
         }
     }
     if (order.empty()) {

@@ -199,13 +199,19 @@ Finding judge_porosity(const ErosionResult& erosion) {
     Finding finding{
         "E6", "Porosity rises with the eroded mass, and falls on resettling in pass 2",
         "rises with each erosion; the fall is negligible in pass 1, clear in pass 2 (Figure 14)", "", std::nullopt};
+    constexpr int most_told = 4; // passes
     Verdict rises, falls;
+    int more = 0, more_rose = 0;
     for (const PassResult& pass : erosion.passes) {
         if (pass.removed == 0) {
             continue;
         }
         const bool rose = pass.porosity_after_removal - pass.porosity_before > porosity_resolution;
         rises = rises.value_or(true) && rose;
+        if (pass.pass > most_told) {
+            ++more, more_rose += rose ? 1 : 0;
+            continue;
+        }
         finding.ours += fmt::format(
             "{}pass {}: {:.5f} to {:.5f} on removal, {:.5f} resettled", finding.ours.empty() ? "" : "; ", pass.pass,
             pass.porosity_before, pass.porosity_after_removal, pass.porosity_after
@@ -217,6 +223,9 @@ Finding judge_porosity(const ErosionResult& erosion) {
                 finding.ours += " (no change that could be resolved)";
             }
         }
+    }
+    if (more > 0) {
+        finding.ours += fmt::format("; it rises in {} of {} more passes", more_rose, more);
     }
     if (finding.ours.empty()) {
         finding.ours = "no grain was removed";

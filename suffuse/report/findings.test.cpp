@@ -172,6 +172,15 @@ TEST(Findings, E6WantsARiseOnEachRemovalAndAFallInTheSecondPass) {
     EXPECT_EQ(met("E6", {}, one), std::nullopt);
 }
 
+TEST(Findings, E6IsToldOfTheFirstPassesAndCountsTheOthers) {
+    ErosionResult erosion = passes({pass(1), pass(2), pass(3), pass(4), pass(5), pass(6)});
+    erosion.passes[5].porosity_after_removal = erosion.passes[5].porosity_before + 0.01;
+    const std::string ours = finding("E6", {}, erosion).ours;
+    EXPECT_NE(ours.find("pass 4:"), std::string::npos) << ours;
+    EXPECT_EQ(ours.find("pass 5:"), std::string::npos) << ours;
+    EXPECT_NE(ours.find("it rises in 1 of 2 more passes"), std::string::npos) << ours;
+}
+
 TEST(Findings, E7WantsTheStressKeptFirstAndLostThen) {
     const auto stresses = [](double first, double second) {
         ErosionResult erosion = passes({pass(1), pass(2)});

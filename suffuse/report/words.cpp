@@ -57,6 +57,10 @@ bool is_noise(double percent) {
     return std::abs(percent) < 0.01;
 }
 
+std::string percent_beyond_noise(double percent) {
+    return is_noise(percent) ? "< 0.01" : short_number(percent, 2);
+}
+
 std::string power_of_ten(int exponent) {
     return "10" + superscript(exponent);
 }

@@ -74,6 +74,7 @@ draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, co
             add(report::porosity_path(story.erosion), figures);
             add(report::rules_compared(story.probes, named_erosions(story)), figures);
             add(report::constriction_sizes(story.erosion), figures);
+            add(report::transport_by_pass(story.erosion), figures);
             add(report::eroded_grading(sampled, story.erosion, axis), figures);
             add(report::permeability_by_pass(story.erosion), figures);
         }

@@ -27,8 +27,8 @@ std::vector<std::string> row_of(const FinishedStage& stage) {
         fmt::format("{:.2f}", eroded_percent(erosion)),
         fmt::format("{:.4f}", last.porosity_after),
         first.permeability_before > 0 ? short_number(last.permeability_after / first.permeability_before) : "–",
-        report::is_noise(100 * largest_loss) ? "< 0.01" : short_number(100 * largest_loss, 2),
-        report::is_noise(100 * strain) ? "< 0.01" : short_number(100 * strain, 2),
+        report::percent_beyond_noise(100 * largest_loss),
+        report::percent_beyond_noise(100 * strain),
         last.verdict.empty() ? "passes asked for" : last.verdict};
 }
 

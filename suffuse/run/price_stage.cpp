@@ -28,7 +28,8 @@ constexpr Range rest_under_load{150, 4'500};      // after the ramp of a stress 
 constexpr Range rest_after_removal{1'500, 8'000}; // after many grains were taken at once
 constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
 constexpr Range trials_for_a_density{2, 6}; // compactions until an asked void ratio is met
-constexpr int endless = 5;                  // passes that "until nothing leaves" may add to those asked
+constexpr int endless = 5;                  // passes that "until nothing leaves" may add to those asked ...
+constexpr int endless_travel = 60;          // ... where fines travel: 20 to 52 seen
 constexpr Range slow_collapse{0.55, 1.1};   // of the steps in which the largest rate would close what removal opened
 constexpr double swept_rattlers = 0.65;     // of the fines without load, at least this share leaves with an erosion
 
@@ -205,9 +206,9 @@ public:
     }
 
     StagePrice operator()(const erosion::ErodeSpec& spec) {
-        const Range passes{
-            static_cast<double>(spec.passes),
-            static_cast<double>(spec.passes + (spec.until_nothing_leaves ? endless : 0))};
+        const bool travels = spec.passes_constriction == erosion::ConstrictionSize::FlowPath && !spec.forced;
+        const int more = spec.until_nothing_leaves ? (travels ? endless_travel : endless) : 0;
+        const Range passes{static_cast<double>(spec.passes), static_cast<double>(spec.passes + more)};
         const Range later{passes.least - 1, passes.most - 1};
         const double carrying = sample_.fines.carrying;
         const Range swept{carrying, 1 - swept_rattlers * (1 - carrying)};
@@ -216,7 +217,7 @@ public:
         return {
             .steps = 2 * passes * waited(balance_after_removal),
             .reference_steps = passes * probe(spec.probe, 1) + first_relaxation + later * next_relaxation,
-            .seconds = 2 * passes * one_flow(),
+            .seconds = (travels ? 3 : 2) * passes * one_flow(),
             .memory_a_grain = 4 * grain_memory + flow_memory,
             .basis = fmt::format(
                 "{} passes{}: relaxation, probe with its twin, two new equilibria; more where the skeleton gives way",

@@ -2,6 +2,7 @@
 #include "suffuse/run/report_answer.hpp"
 
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/erosion/transport.hpp"
 #include "suffuse/report/findings.hpp"
 #include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace suffuse::run {
 namespace {
@@ -42,13 +44,62 @@ std::string tell_pass(const erosion::PassResult& pass) {
     );
 }
 
+/// All passes but the first, where there are too many for a sentence each.
+std::string tell_later_passes(const erosion::ErosionResult& erosion) {
+    const erosion::PassResult &second = erosion.passes[1], &last = erosion.passes.back();
+    std::int64_t removed = 0;
+    double percent = 0, strain = 0, largest_loss = 0;
+    for (const erosion::PassResult& pass : std::span(erosion.passes).subspan(1)) {
+        removed += pass.removed;
+        percent += pass.eroded_mass_percent_of_initial;
+        strain += pass.volumetric_strain;
+        largest_loss = std::max(largest_loss, report::stress_loss(pass).value_or(0));
+    }
+    return fmt::format(
+        "Passes 2 to {}: {} fines left, {:.2f} % of the initial mass, {} of them in pass 2 and {} in pass {}; porosity "
+        "{:.4f}, permeability {} m² after the last; the skeleton lost {} of its mean stress at most, and resettling "
+        "strained it by {} in all.",
+        last.pass, grouped(removed), percent, grouped(second.removed), grouped(last.removed), last.pass,
+        last.porosity_after, report::short_number(last.permeability_after), percent_or_none(100 * largest_loss),
+        percent_or_none(100 * strain)
+    );
+}
+
+/// How far fines got that travelled with the water; empty where none was held on its way.
+std::string tell_transport(const erosion::ErosionResult& erosion) {
+    std::vector<std::string> lengths;
+    for (const erosion::PassResult* pass : {&erosion.passes.front(), &erosion.passes.back()}) {
+        const std::optional<double> held = erosion::filter_coefficient(pass->transport);
+        if (held && *held > 0) {
+            lengths.push_back(fmt::format("{} mm in pass {}", report::short_number(1e3 / *held, 2), pass->pass));
+        }
+    }
+    if (lengths.empty()) {
+        return "";
+    }
+    const bool one_pass = erosion.passes.size() == 1;
+    return fmt::format(
+        "Detached fines got {} along the flow, the mean, before a constriction held them.",
+        fmt::join(std::span(lengths).first(one_pass ? 1 : lengths.size()), ", ")
+    );
+}
+
 std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
+    constexpr std::size_t most_told = 4; // passes, a sentence each
     std::vector<std::string> sentences;
     for (const erosion::PassResult& pass : erosion.passes) {
         sentences.push_back(tell_pass(pass));
-        if (!pass.verdict.empty() && pass.verdict != erosion::nothing_leaves) { // told already
-            sentences.push_back(fmt::format("It ended there: {}.", pass.verdict));
+        if (erosion.passes.size() > most_told) {
+            sentences.push_back(tell_later_passes(erosion));
+            break;
         }
+    }
+    if (std::string transport = tell_transport(erosion); !transport.empty()) {
+        sentences.push_back(std::move(transport));
+    }
+    const std::string& verdict = erosion.passes.back().verdict;
+    if (!verdict.empty() && verdict != erosion::nothing_leaves) { // told already
+        sentences.push_back(fmt::format("It ended there: {}.", verdict));
     }
     return fmt::format("{}", fmt::join(sentences, " "));
 }

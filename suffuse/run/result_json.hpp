@@ -118,8 +118,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerRow, grain, pass, diameter, mass, coordination, reason)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConstrictionSummary, count, mean, median, d35)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack the throats' fluxes, and merged voids
-    PassResult, pass, probe, constrictions, merge, constrictions_by_merge, detachable, held_back, removed,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Transport, distance, id, diameter, mass, travel, path, throats, constriction, fate)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack fluxes, merged voids, and transport
+    PassResult, pass, probe, constrictions, merge, constrictions_by_merge, detachable, held_back, removed, transport,
     eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,
     stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after,
     fines_content_after, volumetric_strain, permeability_before, permeability_after, throat_flux_before,

@@ -72,11 +72,6 @@ void add_passes(
     }
 }
 
-/// Of a percentage.
-std::string change_cell(double percent) {
-    return report::is_noise(percent) ? "< 0.01" : short_number(percent, 2);
-}
-
 /// A row of the table on removal, from a pass, or from a whole stage with its last pass.
 std::vector<std::string>
 removal_row(const std::string& name, const json& whole, const json& pass, double mass_percent, double strain) {
@@ -92,8 +87,8 @@ removal_row(const std::string& name, const json& whole, const json& pass, double
         grouped(grains),
         short_number(mass_percent),
         fmt::format("{:.2f}", mean),
-        change_cell(100 * pass.at("stress_loss").get<double>()),
-        change_cell(100 * strain),
+        report::percent_beyond_noise(100 * pass.at("stress_loss").get<double>()),
+        report::percent_beyond_noise(100 * strain),
         fmt::format("{:.4f}", pass.at("porosity_after").get<double>())};
 }
 

@@ -3,6 +3,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/detachment.hpp"
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/erosion/transport.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/io/checkpoint.hpp"
@@ -52,12 +53,28 @@ json probe_numbers(const erosion::ProbeResult& probe) {
     };
 }
 
+json transport_numbers(const erosion::Transport& transport) {
+    const auto count = [&](erosion::Fate fate) {
+        return std::count(transport.fate.begin(), transport.fate.end(), fate);
+    };
+    return {
+        {"distance", transport.distance},
+        {"left", count(erosion::Fate::Left)},
+        {"lodged", count(erosion::Fate::Lodged)},
+        {"stayed", count(erosion::Fate::Stayed)},
+        {"filter_coefficient", or_null(erosion::filter_coefficient(transport))},
+    };
+}
+
 json pass_numbers(const erosion::PassResult& pass) {
     json by_merge = json::object();
     for (std::size_t way = 0; way < pores::every_merge.size(); ++way) {
         by_merge[std::string(pores::name_of(pores::every_merge[way]))] = pass.constrictions_by_merge[way];
     }
     json numbers = pass_record(pass);
+    if (pass.transport.distance > 0) {
+        numbers["transport"] = transport_numbers(pass.transport);
+    }
     numbers.update({
         {"detachable", pass.detachable},
         {"held_back", pass.held_back},
@@ -127,6 +144,25 @@ void note_target(StageWork& work, const erosion::ErodeSpec& spec, const erosion:
             100 * share, name_of(spec.until_eroded->of), result.passes.size(), 100 * spec.until_eroded->share
         ));
     }
+}
+
+/// transport.csv: a row a detached grain of a pass, where grains travelled.
+void write_transport(const std::filesystem::path& folder, const erosion::ErosionResult& result) {
+    const auto travelled = [](const erosion::PassResult& pass) { return pass.transport.distance > 0; };
+    if (std::none_of(result.passes.begin(), result.passes.end(), travelled)) {
+        return;
+    }
+    io::CsvWriter table(folder / "transport.csv", "pass,id,d,travel,path,throats,constriction,fate");
+    for (const erosion::PassResult& pass : result.passes) {
+        const erosion::Transport& t = pass.transport;
+        for (std::size_t k = 0; k < t.size(); ++k) {
+            table.row(
+                pass.pass, t.id[k], t.diameter[k], t.travel[k], t.path[k], t.throats[k], t.constriction[k],
+                name_of(t.fate[k])
+            );
+        }
+    }
+    table.finish();
 }
 
 /// Of the last pass.
@@ -250,6 +286,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     work.numbers["steps"] = steps;
     write_eroded(work.folder, result);
     write_constrictions(work.folder, result);
+    write_transport(work.folder, result);
 }
 
 } // namespace suffuse::run

@@ -109,6 +109,8 @@ void run_with_a_stop_between_passes(const std::string& text, const path& folder,
 TEST(SeveralPasses, StoppedBetweenTwoLeaveTheSameStateHistoryLedgerAndWarnings) {
     for (const std::string& keys :
          {std::string("do = \"erode\"\nforced = { max_contacts = 2 }\nrelax_limit = 500\npasses = 2\n"),
+          std::string("do = \"erode\"\npasses_constriction = { size = \"flow-path\", distance = \"0.1 mm\" }\n"
+                      "ramp = 100\nwatch = 100\nrelax_limit = 20000\ngradient = 0.5\npasses = 2\n"),
           std::string("do = \"remove\"\nshare = \"60 %\"\norder = \"least-stressed\"\npasses = 3\n")}) {
         const std::string text = start() + "[[study.s.stage]]\nname = \"last\"\n" + keys;
         const TempFolder straight, broken;
@@ -119,7 +121,7 @@ TEST(SeveralPasses, StoppedBetweenTwoLeaveTheSameStateHistoryLedgerAndWarnings) 
         EXPECT_EQ(a.at("state_hash"), b.at("state_hash")) << keys;
         EXPECT_EQ(a.at("warnings"), b.at("warnings")) << keys;
         EXPECT_EQ(a.at("steps"), b.at("steps")) << keys;
-        for (const char* file : {"history.csv", "eroded.csv"}) {
+        for (const char* file : {"history.csv", "eroded.csv", "transport.csv"}) {
             EXPECT_EQ(text_of(straight / "run/studies/s/last" / file), text_of(broken / "run/studies/s/last" / file))
                 << keys;
         }

@@ -1,0 +1,22 @@
+#pragma once
+// Where grains that a constriction holds come to lie: in the first of their places that nobody else fills.
+
+#include "suffuse/dem/world.hpp"
+#include "suffuse/erosion/water_ways.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// Two grains may overlap by this share of the smaller radius where one lodges [-]: less than grains that carry a
+/// stress do.
+inline constexpr double lodging_overlap = 1e-3;
+
+/// For each journey the place that its grain takes, or nothing: it got far enough, or stays where it was. Grains whose
+/// journeys ended far enough are gone, all others are in the way. One that finds its places filled tries again when
+/// others have moved on.
+std::vector<std::optional<Vec3>> find_places(const dem::World& world, std::span<const Journey> journeys);
+
+} // namespace suffuse::erosion

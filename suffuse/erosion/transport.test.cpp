@@ -1,0 +1,112 @@
+#include "suffuse/erosion/transport.hpp"
+
+#include "suffuse/dem/order.hpp"
+#include "suffuse/erosion/lodging.hpp"
+#include "suffuse/neighbors/pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.hpp"
+#include <algorithm>
+#include <utility>
+
+namespace suffuse::erosion {
+namespace {
+
+Transport three_grains() {
+    Transport transport;
+    transport.distance = 10;
+    transport.id = {1, 2, 3};
+    transport.mass = {1, 2, 4};
+    transport.travel = {12, -0.5, 3};
+    transport.fate = {Fate::Left, Fate::Stayed, Fate::Lodged};
+    return transport;
+}
+
+TEST(FilterCoefficient, IsTheMassHeldOverMassTimesTravelUntilHeldOrFarEnough) {
+    EXPECT_NEAR(filter_coefficient(three_grains()).value(), (2 + 4) / (1 * 10 + 2 * 0 + 4 * 3.0), 1e-15);
+    Transport free = three_grains();
+    free.fate = {Fate::Left, Fate::Left, Fate::Left};
+    EXPECT_EQ(filter_coefficient(free), 0);
+    EXPECT_FALSE(filter_coefficient(Transport{}));
+}
+
+/// The smaller half of the reference's packing are fines, shrunk to half, so that some pass and some do not.
+dem::World packing_with_small_fines() {
+    dem::World world = test::reference_packing("packing2000");
+    std::vector<double> sorted = world.grains.radius;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+    test::split_at(world, 2 * sorted[sorted.size() / 2]);
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        world.grains.radius[g] *= world.grains.fine[g] != 0 ? 0.5 : 1;
+        world.grains.velocity[g] = {1, 2, 3};
+    }
+    return world;
+}
+
+std::vector<std::uint32_t> rows_of_fines(const dem::World& world) {
+    std::vector<std::uint32_t> rows;
+    for (std::uint32_t g = 0; g < world.grains.size(); ++g) {
+        if (world.grains.fine[g] != 0) {
+            rows.push_back(g);
+        }
+    }
+    return rows;
+}
+
+bool is_lodged(const Transport& transport, std::uint32_t id) {
+    const auto found = std::find(transport.id.begin(), transport.id.end(), id);
+    return found != transport.id.end() &&
+           transport.fate[static_cast<std::size_t>(found - transport.id.begin())] == Fate::Lodged;
+}
+
+TEST(CarryOff, GrainsLeaveLodgeOrStayAndNoTwoLieInOnePlace) {
+    const dem::World before = packing_with_small_fines();
+    dem::World world = before;
+    const std::vector<std::uint32_t> fines = rows_of_fines(world);
+    PassResult pass;
+    const std::vector<std::uint32_t> left = carry_off(world, fines, {}, {}, pass);
+    const Transport& transport = pass.transport;
+    ASSERT_EQ(transport.size(), fines.size());
+    EXPECT_NEAR(transport.distance, before.cell.h(2, 2), 1e-15) << "unless said";
+    const auto count = [&](Fate fate) { return std::count(transport.fate.begin(), transport.fate.end(), fate); };
+    EXPECT_EQ(count(Fate::Left), std::ssize(left));
+    EXPECT_GT(count(Fate::Left), 10);
+    EXPECT_GT(count(Fate::Lodged), 10);
+    EXPECT_GT(count(Fate::Stayed), 10);
+    for (std::size_t k = 0; k < fines.size(); ++k) {
+        const bool has_moved = world.grains.position[fines[k]] != before.grains.position[fines[k]];
+        EXPECT_EQ(has_moved, transport.fate[k] == Fate::Lodged);
+        if (has_moved) {
+            EXPECT_EQ(world.grains.velocity[fines[k]], Vec3{});
+            EXPECT_GT(transport.throats[k], 0);
+            EXPECT_LE(transport.constriction[k], transport.diameter[k]);
+        }
+    }
+    dem::remove_grains(world, left);
+    for (const neighbors::Pair& pair :
+         neighbors::find_pairs(world.cell.h, world.grains.position, world.grains.radius, 0)) {
+        const auto [a, b] = std::pair(pair.first, pair.second);
+        const Vec3 branch = world.grains.position[b] + shift(world.cell.h, pair.image) - world.grains.position[a];
+        const double sizes = world.grains.radius[a] + world.grains.radius[b];
+        const double least = std::min(world.grains.radius[a], world.grains.radius[b]);
+        const bool one_lodged = is_lodged(transport, world.grains.id[a]) || is_lodged(transport, world.grains.id[b]);
+        EXPECT_FALSE(one_lodged && sizes - norm(branch) > 1.001 * lodging_overlap * least);
+    }
+}
+
+TEST(CarryOff, GoesAsFarAsAsked) {
+    dem::World world = packing_with_small_fines();
+    const std::vector<std::uint32_t> fines = rows_of_fines(world);
+    ErodeSpec spec;
+    PassResult near_pass, far_pass;
+    spec.transport_distance = 0.2 * world.cell.h(2, 2);
+    const std::size_t near_left = carry_off(world, fines, spec, {}, near_pass).size();
+    world = packing_with_small_fines();
+    spec.transport_distance = 2 * world.cell.h(2, 2);
+    EXPECT_LT(carry_off(world, fines, spec, {}, far_pass).size(), near_left);
+    EXPECT_EQ(far_pass.transport.distance, *spec.transport_distance);
+}
+
+} // namespace
+} // namespace suffuse::erosion
