@@ -49,7 +49,7 @@ public:
 private:
     /// A body of water in one of its images.
     struct Place {
-        std::uint32_t body;
+        std::uint32_t body = 0;
         cell::Image image;
     };
 

@@ -17,7 +17,7 @@ public:
     PoreLocator(const PoreNetwork& network, std::span<const Vec3> position);
 
     struct Place {
-        std::uint32_t pore;
+        std::uint32_t pore = 0;
         cell::Image image; ///< the point lies in the pore's tetrahedron moved by these periods
     };
 
@@ -27,7 +27,7 @@ public:
 private:
     /// A tetrahedron, or an image of it, that reaches into a bin.
     struct Entry {
-        std::uint32_t pore;
+        std::uint32_t pore = 0;
         cell::Image image;
     };
 

@@ -155,6 +155,10 @@ TEST(StrengthChange, NeedsTheSameTestAndAnErosionBetween) {
     after.stress_ratio = 0.75; // leads to a state, and is no test of strength
     EXPECT_TRUE(compare_strength(study.stages).empty());
     after.stress_ratio.reset();
+    after.inertia = triaxial::GrainInertia::Own;
+    EXPECT_TRUE(compare_strength(study.stages).empty());
+    after.inertia = triaxial::GrainInertia::Lent;
+    EXPECT_EQ(compare_strength(study.stages).size(), 1U);
     study.variants.front().stages[1].spec = dem::SettleSpec{};
     EXPECT_TRUE(compare_strength(study.stages).empty());
 }

@@ -13,7 +13,8 @@ using triaxial::TriaxialSpec;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 bool is_same_test(const TriaxialSpec& a, const TriaxialSpec& b) {
-    return a.path == b.path && a.axis == b.axis && a.strain == b.strain && a.inertial_number == b.inertial_number;
+    return a.path == b.path && a.axis == b.axis && a.strain == b.strain && a.strain_ratio == b.strain_ratio &&
+           a.inertial_number == b.inertial_number && a.inertia == b.inertia && a.time_step == b.time_step;
 }
 
 /// Whether a test from the end of this stage is another than one from its start would be. It is the same after a mere
