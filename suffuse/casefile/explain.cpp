@@ -122,9 +122,8 @@ constexpr std::array code_table = {
     Code{
         "W613", "a way to travel where grains do not travel",
         "Only with passes_constriction = { size = \"flow-path\" } do detached grains follow the water, and leave when "
-        "they have got a `distance` along it. With any other size they leave at once or not at all, and `forced` takes "
-        "them "
-        "out in any case."},
+        "they have come the `distance` along it. With any other size they leave at once or not at all, and `forced` "
+        "takes them out in any case."},
     Code{
         "W614", "a start that is looser than the cloud",
         "The protocol swift pushes a cloud together to `start_porosity` before the first step. It does not pull one "

@@ -187,8 +187,7 @@ public:
 
     /// How far grains travel matters where they do.
     void check_travel(const Stage& stage, const erosion::ErodeSpec& erode) {
-        if (!erode.transport_distance ||
-            (erode.passes_constriction == erosion::ConstrictionSize::FlowPath && !erode.forced)) {
+        if (!erode.transport_distance || erosion::travels(erode)) {
             return;
         }
         context_.problems.warning(

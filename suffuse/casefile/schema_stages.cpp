@@ -326,18 +326,18 @@ std::vector<Key> erosion_rows() {
         {
             table(
                 "stage.erode", "passes_constriction",
-                "Detachable grains leave if they are smaller than this constriction of the coarse skeleton."
+                "Which detachable grains leave: those smaller than this constriction of the coarse skeleton, or those "
+                "that get through with the water."
             ),
             choice(
                 "stage.erode.passes_constriction", "size", names::words_of(names::constriction_size),
                 "Mean (the paper's), median, d35; the widest path along the flow; the flow path: constrictions that "
-                "the "
-                "grain meets on its way with the water, between all grains that stay, and one that is held lodges "
-                "there; or none: every detachable grain leaves."
+                "the grain meets on its way with the water, between all grains that stay, and where it lodges if held; "
+                "or none: every detachable grain leaves."
             ),
             choice(
                 "stage.erode.passes_constriction", "of", names::words_of(names::constrictions_of),
-                "Whose constrictions."
+                "Whose constrictions; a flow path meets those of all grains that stay."
             ),
             choice(
                 "stage.erode.passes_constriction", "merge", names::words_of(names::void_merge),

@@ -10,10 +10,6 @@
 
 namespace suffuse::erosion {
 
-/// Two grains may overlap by this share of the smaller radius where one lodges [-]: less than grains that carry a
-/// stress do.
-inline constexpr double lodging_overlap = 1e-3;
-
 /// For each journey the place that its grain takes, or nothing: it got far enough, or stays where it was. Grains whose
 /// journeys ended far enough are gone, all others are in the way. One that finds its places filled tries again when
 /// others have moved on.

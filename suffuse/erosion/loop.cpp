@@ -98,15 +98,16 @@ std::vector<std::uint32_t> find_detachable(
     return rows;
 }
 
-/// Step 5: the detachable fines that the constrictions let through. Those that a flow path holds lodge there.
-std::vector<Leaver> choose_leavers(
-    dem::World& world, const CoarseSkeleton& skeleton, const ErodeSpec& spec, const flow::Fluid& fluid, PassResult& pass
+/// Step 5: of the detachable fines those that leave. Those that travel and are held lodge where they are held.
+std::vector<Leaver> let_through(
+    dem::World& world, const CoarseSkeleton& skeleton, const ErodeSpec& spec, const flow::Fluid& fluid,
+    const ErosionResult& so_far, PassResult& pass
 ) {
     const std::vector<int> contacts = dem::coordination(world);
     std::vector<std::uint32_t> rows = find_detachable(world, spec, pass.probe, contacts);
     pass.detachable = std::ssize(rows);
-    if (!spec.forced && spec.passes_constriction == ConstrictionSize::FlowPath) {
-        rows = carry_off(world, rows, spec, fluid, pass);
+    if (travels(spec)) {
+        rows = transport_fines(world, rows, spec, fluid, so_far, pass);
     } else if (!spec.forced) {
         std::erase_if(rows, [&](std::uint32_t g) {
             return !passes(skeleton, spec.passes_constriction, g, 2 * world.grains.radius[g]);
@@ -129,20 +130,34 @@ std::string reason_of(const ErodeSpec& spec) {
     return spec.detached.by == DetachBy::Velocity ? "velocity" : "displacement";
 }
 
+/// Whether nothing will leave any more. Where grains travel, a pass from which none leaves may be chance: it takes
+/// three.
+bool is_exhausted(const ErodeSpec& spec, const ErosionResult& so_far, const PassResult& pass) {
+    constexpr std::ptrdiff_t passes_in_a_row = 3;
+    if (pass.removed > 0 || !travels(spec) || pass.detachable == 0) {
+        return pass.removed == 0;
+    }
+    const std::vector<PassResult>& before = so_far.passes;
+    return std::ssize(before) + 1 >= passes_in_a_row &&
+           std::all_of(before.end() - (passes_in_a_row - 1), before.end(), [](const PassResult& each) {
+               return each.removed == 0;
+           });
+}
+
 /// Whether this pass is the last, and why.
-void judge_end(const dem::World& world, const ErodeSpec& spec, double initial_mass, PassResult& pass) {
+void judge_end(const dem::World& world, const ErodeSpec& spec, const ErosionResult& so_far, PassResult& pass) {
     if (pass.failed) {
         return; // its verdict stands
     }
     const std::optional<std::string> complaint = skeleton_complaint(world);
     if (!spec.forced && noise_decides(spec.detached, pass.probe)) {
         pass.verdict = "what leaves cannot be told from the twin's noise";
-    } else if (pass.removed == 0) {
+    } else if (is_exhausted(spec, so_far, pass)) {
         pass.verdict = nothing_leaves;
     } else if (complaint) {
         pass.verdict = *complaint;
     } else if (spec.until_eroded) {
-        const double share = eroded_share(world, initial_mass, spec.until_eroded->of);
+        const double share = eroded_share(world, so_far.initial_mass, spec.until_eroded->of);
         pass.reached_target = share >= spec.until_eroded->share;
         if (pass.reached_target) {
             pass.verdict = fmt::format(
@@ -202,11 +217,13 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.wall_seconds["constrictions"] = watch.lap();
 
     // 5 extraction
+    const std::vector<Leaver> leavers = let_through(next, skeleton, spec, around.fluid, result, pass);
     std::vector<LedgerRow> ledger = result.ledger;
-    extract(next, choose_leavers(next, skeleton, spec, around.fluid, pass), pass.pass, reason_of(spec), ledger);
+    extract(next, leavers, pass.pass, reason_of(spec), ledger);
     check_ledger(next, ledger, result.initial_mass);
     pass.eroded_mass_percent = 100 * (1 - total_mass(next.grains) / mass);
     pass.eroded_mass_percent_of_initial = 100 * (mass - total_mass(next.grains)) / result.initial_mass;
+    pass.wall_seconds["extraction"] = watch.lap();
 
     // 6 new equilibrium
     std::vector<PathRow> path = reequilibrate(next, spec.resettle, result, around, pass);
@@ -216,7 +233,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.throat_flux_after = after.throat_flux;
     pass.wall_seconds["flow"] += watch.lap();
 
-    judge_end(next, spec, result.initial_mass, pass);
+    judge_end(next, spec, result, pass);
     world = std::move(next);
     result.ledger = std::move(ledger);
     result.path.insert(result.path.end(), path.begin(), path.end());

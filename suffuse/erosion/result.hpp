@@ -5,9 +5,11 @@
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/pores/constrictions.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,20 +69,33 @@ constexpr std::string_view name_of(Fate fate) {
     return fate == Fate::Left ? "left" : fate == Fate::Lodged ? "lodged" : "stayed";
 }
 
-/// How the detached fines of a pass fared with the water (ConstrictionSize::FlowPath), one row a grain; else empty.
+/// How the detached fines of a pass fared with the water, one row a grain (ConstrictionSize::FlowPath); else empty.
 struct Transport {
-    double distance = 0;              ///< a grain that gets so far along the flow has left [m]
+    double distance = 0;              ///< a grain that got so far along the flow has left [m]
     std::vector<std::uint32_t> id;    ///< grain
     std::vector<double> diameter;     ///< [m]
     std::vector<double> mass;         ///< [kg]
-    std::vector<double> travel;       ///< along the flow, until it left or was held [m]
-    std::vector<double> path;         ///< the same from throat to throat [m]
+    std::vector<double> travel;       ///< along the flow in this pass, until it left or was held [m]
+    std::vector<double> progress;     ///< along the flow since the erosion began, to where it is after the pass [m]
+    std::vector<double> path;         ///< in this pass, from throat to throat [m]
     std::vector<int> throats;         ///< passed
-    std::vector<double> constriction; ///< diameter of the one that held it; 0 where none did [m]
+    std::vector<double> constriction; ///< diameter of the one that held it; 0 where none did, or it was closed [m]
     std::vector<Fate> fate;
 
     [[nodiscard]] std::size_t size() const { return id.size(); }
 };
+
+/// Mass held over the sum of mass times travel: if each length of the flow held grains with the same chance, the
+/// coefficient of an exponential law [Iwasaki1937] by maximum likelihood, grains weighted by their mass, those that
+/// left counted as not held yet [1/m]. Nothing where none travelled.
+inline std::optional<double> filter_coefficient(const Transport& transport) {
+    double held = 0, travelled = 0;
+    for (std::size_t k = 0; k < transport.size(); ++k) {
+        held += transport.fate[k] == Fate::Left ? 0 : transport.mass[k];
+        travelled += transport.mass[k] * std::max(transport.travel[k], 0.0);
+    }
+    return travelled > 0 ? std::optional(held / travelled) : std::nullopt;
+}
 
 /// The state of the sample at one point of the history of an erosion pass (Figures 13 and 14).
 struct PathRow {

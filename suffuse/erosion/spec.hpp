@@ -97,6 +97,11 @@ struct ErodeSpec {
     ResettleSpec resettle;
 };
 
+/// Whether detached fines follow the water, and lodge where it holds them.
+inline bool travels(const ErodeSpec& spec) {
+    return spec.passes_constriction == ConstrictionSize::FlowPath && !spec.forced;
+}
+
 /// Which fines a removal takes; active ones have at least two contacts.
 enum class RemovedFines { All, Inactive, Active };
 

@@ -1,72 +1,92 @@
 #include "suffuse/erosion/transport.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/erosion/lodging.hpp"
 #include "suffuse/erosion/water_ways.hpp"
 #include "suffuse/pores/widest_path.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
+#include <unordered_map>
 
 namespace suffuse::erosion {
 namespace {
 
-/// The cell's length along the flow [m].
-double length_along(const Mat3& h, const Vec3& direction) {
-    return std::abs(dot(h.column(pores::axis_along(h, direction)), direction)) / norm(direction);
+constexpr double same_place = 1e-3; ///< of the radius: one that lodged here before, and does so again, has stayed
+constexpr double most_cells = 1000; ///< to travel through; the images of a place are counted in 16 bits
+
+/// Along the flow [m].
+double asked_distance(const Mat3& h, const ErodeSpec& spec) {
+    const double length =
+        std::abs(dot(h.column(pores::axis_along(h, spec.direction)), spec.direction)) / norm(spec.direction);
+    const double distance = spec.transport_distance.value_or(length);
+    if (distance > most_cells * length) {
+        throw StateError(fmt::format(
+            "grains are to travel {:.4g} m through a cell of {:.4g} m: give a `distance` of at most {:g} cells",
+            distance, length, most_cells
+        ));
+    }
+    return distance;
 }
 
-Transport describe(
-    const grains::Grains& grains, std::span<const Journey> journeys, std::span<const std::optional<Vec3>> places,
-    double distance
-) {
-    Transport transport;
-    transport.distance = distance;
-    for (std::size_t j = 0; j < journeys.size(); ++j) {
-        const Journey& journey = journeys[j];
-        transport.id.push_back(grains.id[journey.row]);
-        transport.diameter.push_back(2 * grains.radius[journey.row]);
-        transport.mass.push_back(grains.mass[journey.row]);
-        transport.travel.push_back(journey.travel);
-        transport.path.push_back(journey.path);
-        transport.throats.push_back(journey.throats);
-        transport.constriction.push_back(journey.constriction.value_or(0));
-        transport.fate.push_back(!journey.constriction ? Fate::Left : places[j] ? Fate::Lodged : Fate::Stayed);
+/// How far along the flow grains lie from where the erosion found them, by id; one that never moved is left out.
+std::unordered_map<std::uint32_t, double> progress_so_far(const ErosionResult& so_far) {
+    std::unordered_map<std::uint32_t, double> progress;
+    for (const PassResult& pass : so_far.passes) {
+        for (std::size_t k = 0; k < pass.transport.size(); ++k) {
+            progress[pass.transport.id[k]] = pass.transport.progress[k];
+        }
     }
-    return transport;
+    return progress;
+}
+
+void add_row(const grains::Grains& grains, const Journey& journey, Fate fate, double progress, Transport& transport) {
+    transport.id.push_back(grains.id[journey.row]);
+    transport.diameter.push_back(2 * grains.radius[journey.row]);
+    transport.mass.push_back(grains.mass[journey.row]);
+    transport.travel.push_back(journey.travel);
+    transport.progress.push_back(progress);
+    transport.path.push_back(journey.path);
+    transport.throats.push_back(journey.throats);
+    transport.constriction.push_back(journey.constriction.value_or(0));
+    transport.fate.push_back(fate);
 }
 
 } // namespace
 
-std::vector<std::uint32_t> carry_off(
+std::vector<std::uint32_t> transport_fines(
     dem::World& world, std::span<const std::uint32_t> detached, const ErodeSpec& spec, const flow::Fluid& fluid,
-    PassResult& pass
+    const ErosionResult& so_far, PassResult& pass
 ) {
-    const double distance = spec.transport_distance.value_or(length_along(world.cell.h, spec.direction));
-    const std::vector<Journey> journeys = follow_the_water(world, detached, pass.pass, distance, spec.direction, fluid);
+    const Vec3 along = spec.direction / norm(spec.direction);
+    pass.transport.distance = asked_distance(world.cell.h, spec);
+    std::unordered_map<std::uint32_t, double> progress = progress_so_far(so_far);
+    std::vector<Traveller> travellers;
+    for (const std::uint32_t g : detached) {
+        travellers.push_back({g, pass.transport.distance - progress[world.grains.id[g]]});
+    }
+    const std::vector<Journey> journeys = follow_the_water(world, travellers, spec.direction, fluid);
     const std::vector<std::optional<Vec3>> places = find_places(world, journeys);
-    pass.transport = describe(world.grains, journeys, places, distance);
     std::vector<std::uint32_t> left, lodged;
     std::vector<Vec3> lodged_at;
     for (std::size_t j = 0; j < journeys.size(); ++j) {
-        if (pass.transport.fate[j] == Fate::Left) {
-            left.push_back(journeys[j].row);
-        } else if (places[j]) {
-            lodged.push_back(journeys[j].row);
-            lodged_at.push_back(*places[j]);
+        const std::uint32_t g = journeys[j].row;
+        const double before = progress[world.grains.id[g]];
+        if (!journeys[j].constriction) {
+            left.push_back(g);
+            add_row(world.grains, journeys[j], Fate::Left, before + journeys[j].travel, pass.transport);
+        } else if (places[j] && norm(*places[j] - world.grains.position[g]) > same_place * world.grains.radius[g]) {
+            const double moved = dot(*places[j] - world.grains.position[g], along);
+            lodged.push_back(g), lodged_at.push_back(*places[j]);
+            add_row(world.grains, journeys[j], Fate::Lodged, before + moved, pass.transport);
+        } else {
+            add_row(world.grains, journeys[j], Fate::Stayed, before, pass.transport);
         }
     }
     dem::relocate_grains(world, lodged, lodged_at);
     return left;
-}
-
-std::optional<double> filter_coefficient(const Transport& transport) {
-    double held = 0, travelled = 0;
-    for (std::size_t k = 0; k < transport.size(); ++k) {
-        held += transport.fate[k] == Fate::Left ? 0 : transport.mass[k];
-        travelled += transport.mass[k] * std::clamp(transport.travel[k], 0.0, transport.distance);
-    }
-    return travelled > 0 ? std::optional(held / travelled) : std::nullopt;
 }
 
 } // namespace suffuse::erosion

@@ -8,22 +8,18 @@
 #include "suffuse/flow/fluid.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace suffuse::erosion {
 
 /// Lets the grains of `detached` travel through the pores between all others, and puts those that are held where they
-/// are held. How each fared is in `pass.transport`.
+/// are held. How far each has come counts from the first pass on; how each fared is in `pass.transport`.
 /// @return rows of the grains that left, which still are in the world
-std::vector<std::uint32_t> carry_off(
+/// @throws StateError for a distance of more than a thousand cells
+std::vector<std::uint32_t> transport_fines(
     dem::World& world, std::span<const std::uint32_t> detached, const ErodeSpec& spec, const flow::Fluid& fluid,
-    PassResult& pass
+    const ErosionResult& so_far, PassResult& pass
 );
-
-/// Mass held over mass times travel, if grains are held by chance, as often on each length of the flow: the coefficient
-/// of an exponential law [Iwasaki1937] that makes the travels seen likeliest [1/m]. Nothing where none travelled.
-std::optional<double> filter_coefficient(const Transport& transport);
 
 } // namespace suffuse::erosion

@@ -1,13 +1,14 @@
 #include "suffuse/erosion/transport.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/dem/order.hpp"
-#include "suffuse/erosion/lodging.hpp"
 #include "suffuse/neighbors/pairs.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.hpp"
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace suffuse::erosion {
@@ -23,12 +24,28 @@ Transport three_grains() {
     return transport;
 }
 
-TEST(FilterCoefficient, IsTheMassHeldOverMassTimesTravelUntilHeldOrFarEnough) {
-    EXPECT_NEAR(filter_coefficient(three_grains()).value(), (2 + 4) / (1 * 10 + 2 * 0 + 4 * 3.0), 1e-15);
+TEST(FilterCoefficient, IsTheMassHeldOverMassTimesTravel) {
+    EXPECT_NEAR(filter_coefficient(three_grains()).value(), (2 + 4) / (1 * 12 + 2 * 0 + 4 * 3.0), 1e-15);
     Transport free = three_grains();
     free.fate = {Fate::Left, Fate::Left, Fate::Left};
     EXPECT_EQ(filter_coefficient(free), 0);
     EXPECT_FALSE(filter_coefficient(Transport{}));
+}
+
+TEST(FilterCoefficient, IsThatOfAnExponentialLawWhereverItIsCut) {
+    constexpr int grains = 10'000;
+    constexpr double coefficient = 3;
+    for (const double distance : {0.1, 0.5, 10.0}) {
+        Transport transport;
+        for (int k = 0; k < grains; ++k) { // the law's quantiles
+            const double travel = -std::log(1 - (k + 0.5) / grains) / coefficient;
+            transport.id.push_back(static_cast<std::uint32_t>(k));
+            transport.mass.push_back(2);
+            transport.travel.push_back(std::min(travel, distance));
+            transport.fate.push_back(travel < distance ? Fate::Lodged : Fate::Left);
+        }
+        EXPECT_NEAR(filter_coefficient(transport).value(), coefficient, 1e-3 * coefficient) << distance;
+    }
 }
 
 /// The smaller half of the reference's packing are fines, shrunk to half, so that some pass and some do not.
@@ -60,12 +77,12 @@ bool is_lodged(const Transport& transport, std::uint32_t id) {
            transport.fate[static_cast<std::size_t>(found - transport.id.begin())] == Fate::Lodged;
 }
 
-TEST(CarryOff, GrainsLeaveLodgeOrStayAndNoTwoLieInOnePlace) {
+TEST(TransportFines, GrainsLeaveLodgeOrStayAndNoTwoLieInOnePlace) {
     const dem::World before = packing_with_small_fines();
     dem::World world = before;
     const std::vector<std::uint32_t> fines = rows_of_fines(world);
     PassResult pass;
-    const std::vector<std::uint32_t> left = carry_off(world, fines, {}, {}, pass);
+    const std::vector<std::uint32_t> left = transport_fines(world, fines, {}, {}, {}, pass);
     const Transport& transport = pass.transport;
     ASSERT_EQ(transport.size(), fines.size());
     EXPECT_NEAR(transport.distance, before.cell.h(2, 2), 1e-15) << "unless said";
@@ -91,21 +108,50 @@ TEST(CarryOff, GrainsLeaveLodgeOrStayAndNoTwoLieInOnePlace) {
         const double sizes = world.grains.radius[a] + world.grains.radius[b];
         const double least = std::min(world.grains.radius[a], world.grains.radius[b]);
         const bool one_lodged = is_lodged(transport, world.grains.id[a]) || is_lodged(transport, world.grains.id[b]);
-        EXPECT_FALSE(one_lodged && sizes - norm(branch) > 1.001 * lodging_overlap * least);
+        EXPECT_FALSE(one_lodged && sizes - norm(branch) > 1e-8 * least);
     }
 }
 
-TEST(CarryOff, GoesAsFarAsAsked) {
+TEST(TransportFines, GoesAsFarAsAsked) {
     dem::World world = packing_with_small_fines();
     const std::vector<std::uint32_t> fines = rows_of_fines(world);
     ErodeSpec spec;
     PassResult near_pass, far_pass;
     spec.transport_distance = 0.2 * world.cell.h(2, 2);
-    const std::size_t near_left = carry_off(world, fines, spec, {}, near_pass).size();
+    const std::size_t near_left = transport_fines(world, fines, spec, {}, {}, near_pass).size();
     world = packing_with_small_fines();
     spec.transport_distance = 2 * world.cell.h(2, 2);
-    EXPECT_LT(carry_off(world, fines, spec, {}, far_pass).size(), near_left);
+    EXPECT_LT(transport_fines(world, fines, spec, {}, {}, far_pass).size(), near_left);
     EXPECT_EQ(far_pass.transport.distance, *spec.transport_distance);
+}
+
+TEST(TransportFines, WhatAGrainHasComeInEarlierPassesCounts) {
+    dem::World world = packing_with_small_fines();
+    const std::vector<std::uint32_t> fines = rows_of_fines(world);
+    ErosionResult so_far;
+    ErodeSpec spec;
+    spec.transport_distance = 2 * world.cell.h(2, 2);
+    PassResult& first = so_far.passes.emplace_back();
+    const std::size_t in_one_pass = transport_fines(world, fines, spec, {}, {}, first).size();
+    for (double& progress : first.transport.progress) {
+        progress = 1.9 * world.cell.h(2, 2); // nearly there, wherever they lie
+    }
+    PassResult second;
+    EXPECT_GT(transport_fines(world, fines, spec, {}, so_far, second).size(), in_one_pass);
+    for (std::size_t k = 0; k < second.transport.size(); ++k) {
+        const double before = 1.9 * world.cell.h(2, 2), after = second.transport.progress[k];
+        const bool stayed = second.transport.fate[k] == Fate::Stayed;
+        EXPECT_EQ(after == before, stayed) << k;
+        EXPECT_EQ(after >= *spec.transport_distance, second.transport.fate[k] == Fate::Left) << k;
+    }
+}
+
+TEST(TransportFines, ADistanceBeyondAThousandCellsIsRefused) {
+    dem::World world = packing_with_small_fines();
+    ErodeSpec spec;
+    spec.transport_distance = 1001 * world.cell.h(2, 2);
+    PassResult pass;
+    EXPECT_THROW(transport_fines(world, rows_of_fines(world), spec, {}, {}, pass), StateError);
 }
 
 } // namespace

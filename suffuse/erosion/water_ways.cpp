@@ -1,5 +1,7 @@
 #include "suffuse/erosion/water_ways.hpp"
 
+#include "suffuse/pores/voids.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,18 +9,14 @@ namespace suffuse::erosion {
 namespace {
 
 constexpr std::size_t most_places = 8; ///< of a grain that is held: a longer queue stays where it was
-
-std::vector<std::uint8_t> mark(std::size_t grains, std::span<const std::uint32_t> rows) {
-    std::vector<std::uint8_t> is_marked(grains, 0);
-    for (const std::uint32_t g : rows) {
-        is_marked[g] = 1;
-    }
-    return is_marked;
-}
+constexpr double still = 1e-9;         ///< of the mean flux: what is below it is rounding, not a way
 
 template <class T>
 std::vector<T> without(const std::vector<T>& column, std::span<const std::uint32_t> rows) {
-    const std::vector<std::uint8_t> is_left_out = mark(column.size(), rows);
+    std::vector<std::uint8_t> is_left_out(column.size(), 0);
+    for (const std::uint32_t g : rows) {
+        is_left_out[g] = 1;
+    }
     std::vector<T> rest;
     for (std::size_t g = 0; g < column.size(); ++g) {
         if (is_left_out[g] == 0) {
@@ -26,6 +24,14 @@ std::vector<T> without(const std::vector<T>& column, std::span<const std::uint32
         }
     }
     return rest;
+}
+
+double mean_size(std::span<const double> flux) {
+    double sum = 0;
+    for (const double q : flux) {
+        sum += std::abs(q);
+    }
+    return flux.empty() ? 0 : sum / static_cast<double>(flux.size());
 }
 
 } // namespace
@@ -36,11 +42,12 @@ WaterWays::WaterWays(
     : position_(without(world.grains.position, leaving)), radius_(without(world.grains.radius, leaving)),
       direction_(direction / norm(direction)),
       seepage_(flow::solve_seepage(world.cell, position_, radius_, {1, direction, false}, fluid)),
-      locator_(seepage_.network, position_), first_(seepage_.network.bodies + 1, 0) {
+      locator_(seepage_.network, position_), width_(widths_of_throats()), first_(seepage_.network.bodies + 1, 0) {
     const pores::PoreNetwork& network = seepage_.network;
     const std::vector<double>& flux = seepage_.field.flux;
     const auto side_of = [&](std::size_t t) { return flux[t] > 0 ? std::uint8_t{0} : std::uint8_t{1}; };
-    const auto leads_out = [&](std::size_t t) { return flux[t] != 0 && !pores::is_internal(network.throats, t); };
+    const double least = still * mean_size(flux);
+    const auto leads_out = [&](std::size_t t) { return std::abs(flux[t]) > least; };
     const auto body_of = [&](std::size_t t) { return network.pores.body[network.throats.side[t][side_of(t)]]; };
     for (std::size_t t = 0; t < flux.size(); ++t) {
         first_[body_of(t) + 1] += leads_out(t) ? 1 : 0;
@@ -56,6 +63,24 @@ WaterWays::WaterWays(
             outlet_[k] = {t, side_of(t), (k > first_[body] ? outlet_[k - 1].flux_up_to_it : 0) + std::abs(flux[t])};
         }
     }
+}
+
+/// That of the circle in the throat's facet, which is the narrowest place between the pores' void spheres where it lies
+/// between them. Where both lie on one side the facet only cuts their void, and the smaller of the two is.
+std::vector<double> WaterWays::widths_of_throats() const {
+    const pores::Throats& throats = seepage_.network.throats;
+    const std::vector<pores::VoidSphere> space = pores::void_spheres(seepage_.network, position_, radius_);
+    std::vector<double> width(throats.size());
+    for (std::size_t t = 0; t < throats.size(); ++t) {
+        const pores::VoidSphere &near = space[throats.side[t][0]], &other = space[throats.side[t][1]];
+        const Vec3 beyond = other.center + shift(seepage_.network.h, throats.image[t]);
+        const double from_near = dot(throats.area[t], near.center - throats.center[t]);
+        const double from_other = dot(throats.area[t], beyond - throats.center[t]);
+        const double circle = throats.inscribed_radius[t];
+        const bool cuts_a_void = from_near * from_other > 0;
+        width[t] = 2 * (cuts_a_void ? std::max(circle, std::min(near.radius, other.radius)) : circle);
+    }
+    return width;
 }
 
 std::span<const WaterWays::Outlet> WaterWays::outlets(std::uint32_t body) const {
@@ -80,14 +105,14 @@ WaterWays::Place WaterWays::behind(const Outlet& outlet, const cell::Image& thro
 Vec3 WaterWays::place_before(const Outlet& outlet, const cell::Image& throat, double radius) const {
     const pores::Throats& throats = seepage_.network.throats;
     std::array<Vec3, 3> center;
-    std::array<double, 3> size{};
+    std::array<double, 3> radii{};
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t g = throats.grain[outlet.throat][k];
         center[k] = position_[g] + shift(seepage_.network.h, throats.grain_image[outlet.throat][k] + throat);
-        size[k] = radius_[g];
+        radii[k] = radius_[g];
     }
     const Vec3 downstream = outlet.side == 0 ? throats.area[outlet.throat] : -throats.area[outlet.throat];
-    return touching_place(center, size, radius, -downstream);
+    return touching_place(center, radii, radius, -downstream);
 }
 
 Journey WaterWays::follow(const Vec3& start, double diameter, double distance, RandomStream chance) const {
@@ -95,7 +120,7 @@ Journey WaterWays::follow(const Vec3& start, double diameter, double distance, R
     const pores::PoreLocator::Place found = locator_.find(start);
     Place place{network.pores.body[found.pore], found.image + network.pores.body_image[found.pore]};
     Journey journey;
-    std::vector<Vec3> passed; // centers of the throats
+    std::vector<Vec3> passed; // centers of the last throats
     Vec3 at = start;
     while (journey.travel < distance) {
         const std::span<const Outlet> ways = outlets(place.body);
@@ -108,19 +133,18 @@ Journey WaterWays::follow(const Vec3& start, double diameter, double distance, R
             std::find_if(ways.begin(), ways.end() - 1, [&](const Outlet& way) { return drawn < way.flux_up_to_it; });
         const cell::Image image = image_of_throat(*out, place);
         const Vec3 center = network.throats.center[out->throat] + shift(network.h, image);
-        const double width = 2 * network.throats.inscribed_radius[out->throat];
         journey.path += norm(center - at);
         journey.travel = dot(center - start, direction_);
-        if (width <= diameter) {
-            journey.constriction = std::max(width, 0.0);
+        if (width_[out->throat] <= diameter && journey.travel < distance) {
+            journey.constriction = std::max(width_[out->throat], 0.0);
             if (!passed.empty()) {
                 journey.places.push_back(place_before(*out, image, diameter / 2));
-                const std::size_t back = std::min(passed.size(), most_places - 1);
-                journey.places.insert(
-                    journey.places.end(), passed.rbegin(), passed.rbegin() + static_cast<std::ptrdiff_t>(back)
-                );
+                journey.places.insert(journey.places.end(), passed.rbegin(), passed.rend());
             }
             return journey;
+        }
+        if (passed.size() == most_places - 1) {
+            passed.erase(passed.begin());
         }
         passed.push_back(center);
         ++journey.throats;
@@ -131,30 +155,32 @@ Journey WaterWays::follow(const Vec3& start, double diameter, double distance, R
 }
 
 std::vector<Journey> follow_the_water(
-    const dem::World& world, std::span<const std::uint32_t> rows, int pass, double distance, const Vec3& direction,
-    const flow::Fluid& fluid
+    const dem::World& world, std::span<const Traveller> travellers, const Vec3& direction, const flow::Fluid& fluid
 ) {
-    if (rows.empty()) {
+    if (travellers.empty()) {
         return {};
+    }
+    std::vector<std::uint32_t> rows;
+    for (const Traveller& traveller : travellers) {
+        rows.push_back(traveller.row);
     }
     const WaterWays ways(world, rows, direction, fluid);
     std::vector<Journey> journeys;
-    for (const std::uint32_t g : rows) {
-        const std::uint64_t which = (static_cast<std::uint64_t>(pass) << 32U) | world.grains.id[g];
-        journeys.push_back(ways.follow(
-            world.grains.position[g], 2 * world.grains.radius[g], distance, RandomStream(world.seed, "transport", which)
-        ));
+    for (const auto& [g, distance] : travellers) {
+        const std::uint64_t when = static_cast<std::uint64_t>(world.clock.step) << 32U;
+        const RandomStream chance(world.seed, "transport", when | world.grains.id[g]);
+        journeys.push_back(ways.follow(world.grains.position[g], 2 * world.grains.radius[g], distance, chance));
         journeys.back().row = g;
     }
     return journeys;
 }
 
 Vec3 touching_place(
-    const std::array<Vec3, 3>& center, const std::array<double, 3>& radius, double size, const Vec3& upstream
+    const std::array<Vec3, 3>& center, const std::array<double, 3>& radius, double own, const Vec3& upstream
 ) {
     // Distances to the three centers are known: differences of their squares are linear in the plane of the centers.
     const Vec3 b = center[1] - center[0], c = center[2] - center[0];
-    const std::array<double, 3> reach = {radius[0] + size, radius[1] + size, radius[2] + size};
+    const std::array<double, 3> reach = {radius[0] + own, radius[1] + own, radius[2] + own};
     const Vec3 across = b / norm(b);
     const Vec3 normal = cross(b, c) / norm(cross(b, c));
     const Vec3 along = cross(normal, across);

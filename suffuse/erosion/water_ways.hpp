@@ -1,7 +1,7 @@
 #pragma once
 // Which way detached fines go. Each follows the water through the pores between the grains that stay, from throat to
 // throat, until it has got far enough or meets a constriction no wider than itself: a network model of filtration with
-// complete mixing in the pores [LeeKoplik1996], on the sample's own pores.
+// complete mixing in the pores [LeeKoplik2001], on the sample's own pores.
 
 #include "suffuse/base/random.hpp"
 #include "suffuse/base/vec3.hpp"
@@ -40,7 +40,8 @@ public:
     );
 
     /// Follows the water from `start` until a grain of this diameter is held, or has travelled `distance` along the
-    /// flow [m]. In each pore chance takes it to a throat in proportion to the throat's flux. The row is left open.
+    /// flow [m]. In each pore chance takes it to a throat in proportion to the throat's flux. Pressure falls on the
+    /// way: it comes to an end. The row is left open.
     [[nodiscard]] Journey follow(const Vec3& start, double diameter, double distance, RandomStream chance) const;
 
     /// The flow that it follows, among the grains that stay.
@@ -65,27 +66,34 @@ private:
     [[nodiscard]] Place behind(const Outlet& outlet, const cell::Image& throat) const;
     [[nodiscard]] Vec3 place_before(const Outlet& outlet, const cell::Image& throat, double radius) const;
 
+    [[nodiscard]] std::vector<double> widths_of_throats() const;
+
     std::vector<Vec3> position_; ///< of the grains that stay [m]
     std::vector<double> radius_; ///< [m]
     Vec3 direction_;             ///< of length 1
     flow::Seepage seepage_;
     pores::PoreLocator locator_;
+    std::vector<double> width_;        ///< of each throat: the diameter that passes [m]
     std::vector<std::uint32_t> first_; ///< outlets of body b are [first_[b], first_[b + 1])
     std::vector<Outlet> outlet_;
 };
 
-/// Follows the grains of `rows` through the pores between all others. The same grain in the same pass goes the same
-/// way, whatever the number of threads.
-/// @param distance length along `direction` that a grain has to get to leave [m]
+/// One that the water detached, and how far it may still go before it has left.
+struct Traveller {
+    std::uint32_t row = 0;
+    double distance = 0; ///< along the flow [m]
+};
+
+/// Lets all of them travel through the pores between the other grains. The same grain goes the same way at the same
+/// step of the world, whatever the number of threads.
 std::vector<Journey> follow_the_water(
-    const dem::World& world, std::span<const std::uint32_t> rows, int pass, double distance, const Vec3& direction,
-    const flow::Fluid& fluid
+    const dem::World& world, std::span<const Traveller> travellers, const Vec3& direction, const flow::Fluid& fluid
 );
 
-/// The center of a sphere of this radius that touches three spheres, on the side of their plane that `upstream` points
+/// The center of a sphere of radius `own` that touches three spheres, on the side of their plane that `upstream` points
 /// to; in the plane where it is too small to touch all three [m].
 Vec3 touching_place(
-    const std::array<Vec3, 3>& center, const std::array<double, 3>& radius, double size, const Vec3& upstream
+    const std::array<Vec3, 3>& center, const std::array<double, 3>& radius, double own, const Vec3& upstream
 );
 
 } // namespace suffuse::erosion

@@ -35,25 +35,6 @@ void share_within_bodies(const PoreNetwork& network, std::vector<VoidSphere>& sp
     }
 }
 
-std::vector<VoidSphere>
-void_spheres(const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
-    const Pores& pores = network.pores;
-    std::vector<VoidSphere> sphere(pores.size());
-    parallel_for(pores.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p) {
-            std::array<Vec3, 4> x;
-            std::array<double, 4> r{};
-            for (std::size_t k = 0; k < 4; ++k) {
-                x[k] = position[pores.grain[p][k]] + shift(network.h, pores.grain_image[p][k]);
-                r[k] = radius[pores.grain[p][k]];
-            }
-            sphere[p] = void_sphere(x, r);
-        }
-    });
-    share_within_bodies(network, sphere);
-    return sphere;
-}
-
 bool are_one(const VoidSphere& a, const VoidSphere& b, const Vec3& apart, VoidMerge merge) {
     if (merge == VoidMerge::None || !(a.radius > 0) || !(b.radius > 0)) {
         return false;
@@ -114,6 +95,25 @@ std::vector<std::uint32_t> one_of_each(const Throats& throats, std::vector<Windo
 }
 
 } // namespace
+
+std::vector<VoidSphere>
+void_spheres(const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
+    const Pores& pores = network.pores;
+    std::vector<VoidSphere> sphere(pores.size());
+    parallel_for(pores.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            std::array<Vec3, 4> x;
+            std::array<double, 4> r{};
+            for (std::size_t k = 0; k < 4; ++k) {
+                x[k] = position[pores.grain[p][k]] + shift(network.h, pores.grain_image[p][k]);
+                r[k] = radius[pores.grain[p][k]];
+            }
+            sphere[p] = void_sphere(x, r);
+        }
+    });
+    share_within_bodies(network, sphere);
+    return sphere;
+}
 
 VoidSphere void_sphere(const std::array<Vec3, 4>& x, const std::array<double, 4>& r) {
     const PowerCenter center = power_center(x, {r[0] * r[0], r[1] * r[1], r[2] * r[2], r[3] * r[3]});

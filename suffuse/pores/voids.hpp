@@ -37,6 +37,11 @@ struct VoidSphere {
 /// where their centers lie in one plane.
 VoidSphere void_sphere(const std::array<Vec3, 4>& x, const std::array<double, 4>& r);
 
+/// The void sphere of each pore, at its own place. Pores too flat for one take that of a pore of their body.
+/// `position` and `radius` are those of the network [m].
+std::vector<VoidSphere>
+void_spheres(const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius);
+
 /// The throats of `network` that lead from one void into another or into its image, in rising order. Facets that cut
 /// one window between two voids, so that their circles coincide, count once, unless `merge` is None. A void that runs
 /// through the cell and meets itself is one with its images. `position` and `radius` are those of the network [m]; None

@@ -1,5 +1,4 @@
 // Ours: how far the detached fines of each pass got with the water, where they travel.
-#include "suffuse/erosion/transport.hpp"
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
@@ -7,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace suffuse::report {
@@ -19,15 +19,26 @@ using erosion::Transport;
 using nlohmann::json;
 
 constexpr std::size_t most_curves = 6;
-constexpr int points = 100; ///< of a curve
+constexpr std::size_t points = 100; ///< of a curve
 
-/// Detached mass that got farther than `travel` along the flow, of all that was detached [-].
-double share_beyond(const Transport& transport, double travel) {
-    double beyond = 0;
+/// For each of `points` + 1 equal parts of the distance the share of the detached mass that got farther [%].
+std::vector<double> shares_beyond(const Transport& transport) {
+    std::vector<double> held(points + 2, 0); // mass, by the part in which it was held; the last: it left
     for (std::size_t k = 0; k < transport.size(); ++k) {
-        beyond += transport.travel[k] > travel || transport.fate[k] == Fate::Left ? transport.mass[k] : 0;
+        const double part = std::ceil(std::max(transport.travel[k], 0.0) / transport.distance * points);
+        held
+            [transport.fate[k] == Fate::Left ? points + 1
+                                             : std::min<std::size_t>(static_cast<std::size_t>(part), points)] +=
+            transport.mass[k];
     }
-    return beyond / std::accumulate(transport.mass.begin(), transport.mass.end(), 0.0);
+    const double all = std::accumulate(held.begin(), held.end(), 0.0);
+    std::vector<double> share;
+    double left = all;
+    for (std::size_t part = 0; part <= points; ++part) {
+        left -= held[part];
+        share.push_back(100 * std::max(left, 0.0) / all);
+    }
+    return share;
 }
 
 } // namespace
@@ -45,19 +56,19 @@ std::optional<Figure> transport_by_pass(const ErosionResult& erosion) {
     std::vector<std::string> name;
     std::vector<double> travel, share;
     for (const PassResult* pass : that_travelled) {
-        for (int k = 0; k <= points; ++k) {
-            const double x = pass->transport.distance * k / points;
+        const std::vector<double> beyond = shares_beyond(pass->transport);
+        for (std::size_t k = 0; k < beyond.size(); ++k) {
             name.push_back(pass_name(pass->pass));
-            travel.push_back(1e3 * x);
-            share.push_back(100 * share_beyond(pass->transport, x));
+            travel.push_back(1e3 * pass->transport.distance * static_cast<double>(k) / points);
+            share.push_back(beyond[k]);
         }
     }
     const SomePasses few = few_of(that_travelled, most_curves);
-    std::string reached, coefficients;
+    std::string left, coefficients;
     for (const PassResult* pass : few) {
-        reached += fmt::format(
-            "{}{} % of what pass {} detached", reached.empty() ? "" : ", ",
-            short_number(100 * share_beyond(pass->transport, pass->transport.distance), 2), pass->pass
+        left += fmt::format(
+            "{}{} % of the mass that pass {} detached", left.empty() ? "" : ", ",
+            short_number(shares_beyond(pass->transport).back(), 2), pass->pass
         );
         const double held = erosion::filter_coefficient(pass->transport).value_or(0);
         coefficients += fmt::format("{}{}", coefficients.empty() ? "" : ", ", short_number(held / 1e3, 2));
@@ -67,9 +78,10 @@ std::optional<Figure> transport_by_pass(const ErosionResult& erosion) {
     figure.section = "Erosion";
     figure.title = "How far the detached fines get with the water";
     figure.caption = fmt::format(
-        "{} mm along the flow, where a grain counts as having left, are reached by {}{}; filter coefficient {} per mm. "
-        "The others meet a constriction no wider than themselves, and stand in the way of the next.",
-        short_number(1e3 * few.front()->transport.distance), reached, told_of(few, that_travelled.size()), coefficients
+        "{} left, having come {} mm along the flow since the erosion began{}; filter coefficient {} per mm. A throat "
+        "no "
+        "wider than themselves held the others, which lodge there where they find room.",
+        left, short_number(1e3 * few.front()->transport.distance), told_of(few, that_travelled.size()), coefficients
     );
     figure.table.add("pass", std::move(name));
     figure.table.add("travel", "mm", std::move(travel));
@@ -78,7 +90,7 @@ std::optional<Figure> transport_by_pass(const ErosionResult& erosion) {
         "width": 560, "height": 280,
         "mark": {"type": "line", "strokeWidth": 2.2},
         "encoding": {
-            "x": {"field": "travel", "type": "quantitative", "title": "travel along the flow [mm]"},
+            "x": {"field": "travel", "type": "quantitative", "title": "travel along the flow in the pass [mm]"},
             "y": {"field": "share_farther", "type": "quantitative", "title": "detached mass that gets farther [%]",
                   "scale": {"domain": [0, 100]}},
             "color": {"field": "pass", "type": "nominal", "title": null},

@@ -29,7 +29,7 @@ constexpr Range rest_after_removal{1'500, 8'000}; // after many grains were take
 constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
 constexpr Range trials_for_a_density{2, 6}; // compactions until an asked void ratio is met
 constexpr int endless = 5;                  // passes that "until nothing leaves" may add to those asked ...
-constexpr int endless_travel = 60;          // ... where fines travel: 20 to 52 seen
+constexpr int endless_travel = 30;          // ... where fines travel: 19 to 26 seen
 constexpr Range slow_collapse{0.55, 1.1};   // of the steps in which the largest rate would close what removal opened
 constexpr double swept_rattlers = 0.65;     // of the fines without load, at least this share leaves with an erosion
 
@@ -206,7 +206,7 @@ public:
     }
 
     StagePrice operator()(const erosion::ErodeSpec& spec) {
-        const bool travels = spec.passes_constriction == erosion::ConstrictionSize::FlowPath && !spec.forced;
+        const bool travels = erosion::travels(spec);
         const int more = spec.until_nothing_leaves ? (travels ? endless_travel : endless) : 0;
         const Range passes{static_cast<double>(spec.passes), static_cast<double>(spec.passes + more)};
         const Range later{passes.least - 1, passes.most - 1};

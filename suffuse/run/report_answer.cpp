@@ -2,7 +2,6 @@
 #include "suffuse/run/report_answer.hpp"
 
 #include "suffuse/erosion/loop.hpp"
-#include "suffuse/erosion/transport.hpp"
 #include "suffuse/report/findings.hpp"
 #include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
@@ -65,27 +64,23 @@ std::string tell_later_passes(const erosion::ErosionResult& erosion) {
     );
 }
 
-/// How far fines got that travelled with the water; empty where none was held on its way.
+/// How often fines were held that travelled with the water; empty where none was on its way.
 std::string tell_transport(const erosion::ErosionResult& erosion) {
-    std::vector<std::string> lengths;
-    for (const erosion::PassResult* pass : {&erosion.passes.front(), &erosion.passes.back()}) {
+    std::vector<std::string> rates;
+    for (const erosion::PassResult* pass : report::few_passes(erosion, 2)) {
         const std::optional<double> held = erosion::filter_coefficient(pass->transport);
         if (held && *held > 0) {
-            lengths.push_back(fmt::format("{} mm in pass {}", report::short_number(1e3 / *held, 2), pass->pass));
+            rates.push_back(fmt::format("{} times in pass {}", report::short_number(*held / 1e3, 2), pass->pass));
         }
     }
-    if (lengths.empty()) {
-        return "";
-    }
-    const bool one_pass = erosion.passes.size() == 1;
-    return fmt::format(
-        "Detached fines got {} along the flow, the mean, before a constriction held them.",
-        fmt::join(std::span(lengths).first(one_pass ? 1 : lengths.size()), ", ")
-    );
+    return rates.empty() ? "" : fmt::format("A mm of flow held a detached grain {}, the mean.", fmt::join(rates, ", "));
 }
 
 std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
     constexpr std::size_t most_told = 4; // passes, a sentence each
+    if (erosion.passes.empty()) {
+        return "";
+    }
     std::vector<std::string> sentences;
     for (const erosion::PassResult& pass : erosion.passes) {
         sentences.push_back(tell_pass(pass));

@@ -65,6 +65,32 @@ TEST(ReportAnswer, IsBriefOfAPassThatTookNothingButForAnUnusualReason) {
     );
 }
 
+TEST(ReportAnswer, TellsManyPassesInTwoSentencesAndHowOftenFinesWereHeld) {
+    casefile::Variant variant;
+    variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
+    std::vector<FinishedStage> stages = {erosion_of(variant, variant.stages[1], 3)};
+    auto& passes = stages.front().findings.erosion->passes;
+    erosion::Transport& transport = passes.front().transport;
+    transport.distance = 4e-3;
+    transport.id = {1, 2};
+    transport.mass = {1, 1};
+    transport.travel = {1e-3, 4e-3};
+    transport.fate = {erosion::Fate::Lodged, erosion::Fate::Left};
+    for (int pass = 2; pass <= 6; ++pass) {
+        passes.push_back(passes.front());
+        passes.back().pass = pass;
+    }
+    const std::vector<std::string> answer = answer_of_erosion(find_story(stages), stages, {});
+    ASSERT_EQ(answer.size(), 1U);
+    EXPECT_TRUE(answer.front().starts_with("Pass 1: 3 of 39")) << answer.front();
+    EXPECT_EQ(answer.front().find("Pass 2:"), std::string::npos) << answer.front();
+    EXPECT_NE(answer.front().find("Passes 2 to 6: 15 fines left, 15.00 %"), std::string::npos) << answer.front();
+    EXPECT_NE(
+        answer.front().find("A mm of flow held a detached grain 0.2 times in pass 1, 0.2 times in pass 6"),
+        std::string::npos
+    ) << answer.front();
+}
+
 TEST(ReportAnswer, TellsOneErosionOfManyAndTheRangeOfAll) {
     casefile::Variant variant;
     variant.folder = "second";

@@ -118,7 +118,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerRow, grain, pass, diameter, mass, coordination, reason)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConstrictionSummary, count, mean, median, d35)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Transport, distance, id, diameter, mass, travel, path, throats, constriction, fate)
+NLOHMANN_JSON_SERIALIZE_ENUM(Fate, {{Fate::Left, "left"}, {Fate::Lodged, "lodged"}, {Fate::Stayed, "stayed"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Transport, distance, id, diameter, mass, travel, progress, path, throats, constriction, fate
+)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack fluxes, merged voids, and transport
     PassResult, pass, probe, constrictions, merge, constrictions_by_merge, detachable, held_back, removed, transport,
     eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,

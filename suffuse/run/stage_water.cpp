@@ -3,7 +3,6 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/detachment.hpp"
 #include "suffuse/erosion/loop.hpp"
-#include "suffuse/erosion/transport.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/io/checkpoint.hpp"
@@ -152,13 +151,13 @@ void write_transport(const std::filesystem::path& folder, const erosion::Erosion
     if (std::none_of(result.passes.begin(), result.passes.end(), travelled)) {
         return;
     }
-    io::CsvWriter table(folder / "transport.csv", "pass,id,d,travel,path,throats,constriction,fate");
+    io::CsvWriter table(folder / "transport.csv", "pass,id,d,travel,progress,path,throats,constriction,fate");
     for (const erosion::PassResult& pass : result.passes) {
         const erosion::Transport& t = pass.transport;
         for (std::size_t k = 0; k < t.size(); ++k) {
             table.row(
-                pass.pass, t.id[k], t.diameter[k], t.travel[k], t.path[k], t.throats[k], t.constriction[k],
-                name_of(t.fate[k])
+                pass.pass, t.id[k], t.diameter[k], t.travel[k], t.progress[k], t.path[k], t.throats[k],
+                t.constriction[k], name_of(t.fate[k])
             );
         }
     }

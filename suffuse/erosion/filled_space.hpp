@@ -1,0 +1,41 @@
+#pragma once
+// Which part of a periodic cell grains fill, as grains come and go: spheres in the bins that they reach into.
+
+#include "suffuse/base/vec3.hpp"
+#include "suffuse/cell/cell.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace suffuse::erosion {
+
+class FilledSpace {
+public:
+    /// @param bin about the diameter of the spheres asked about [m]
+    FilledSpace(const Mat3& h, double bin);
+
+    /// Positions need not lie inside the cell.
+    void fill(const Vec3& position, double radius, std::uint32_t grain);
+    void clear(const Vec3& position, double radius, std::uint32_t grain);
+
+    /// Whether a sphere here overlaps no grain but `own`, by more than rounding.
+    [[nodiscard]] bool is_free(const Vec3& position, double radius, std::uint32_t own) const;
+
+private:
+    struct Sphere {
+        Vec3 center; ///< the image that reaches into the bin where it lies at home [m]
+        double radius = 0;
+        std::uint32_t grain = 0;
+    };
+
+    template <class Visit>
+    void visit_bins(const Vec3& position, double radius, Visit&& visit) const;
+
+    Mat3 h_, inverse_h_;
+    Vec3 width_; ///< of the cell [m]
+    std::array<std::int32_t, 3> bins_{};
+    std::vector<std::vector<Sphere>> spheres_; ///< by bin
+};
+
+} // namespace suffuse::erosion
