@@ -4,6 +4,7 @@
 #include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,24 +65,23 @@ std::optional<Figure> transport_by_pass(const ErosionResult& erosion) {
         }
     }
     const SomePasses few = few_of(that_travelled, most_curves);
-    std::string left, coefficients;
+    std::vector<std::string> passes, left, coefficients;
     for (const PassResult* pass : few) {
-        left += fmt::format(
-            "{}{} % of the mass that pass {} detached", left.empty() ? "" : ", ",
-            short_number(shares_beyond(pass->transport).back(), 2), pass->pass
-        );
-        const double held = erosion::filter_coefficient(pass->transport).value_or(0);
-        coefficients += fmt::format("{}{}", coefficients.empty() ? "" : ", ", short_number(held / 1e3, 2));
+        passes.push_back(fmt::format("{}", pass->pass));
+        left.push_back(short_number(shares_beyond(pass->transport).back(), 2));
+        coefficients.push_back(short_number(1e-3 * erosion::filter_coefficient(pass->transport).value_or(0), 2));
     }
     Figure figure;
     figure.id = "own-transport";
     figure.section = "Erosion";
     figure.title = "How far the detached fines get with the water";
     figure.caption = fmt::format(
-        "{} left, having come {} mm along the flow since the erosion began{}; filter coefficient {} per mm. A throat "
-        "no "
-        "wider than themselves held the others, which lodge there where they find room.",
-        left, short_number(1e3 * few.front()->transport.distance), told_of(few, that_travelled.size()), coefficients
+        "{} % of the mass detached in {} {}{} left, having come {} mm along the flow since the erosion began; filter "
+        "coefficient {} per mm. A throat no wider than themselves held the others, which lodge there where they find "
+        "room.",
+        fmt::join(left, ", "), few.size() == 1 ? "pass" : "passes", fmt::join(passes, ", "),
+        told_of(few, that_travelled.size()), short_number(1e3 * few.front()->transport.distance),
+        fmt::join(coefficients, ", ")
     );
     figure.table.add("pass", std::move(name));
     figure.table.add("travel", "mm", std::move(travel));

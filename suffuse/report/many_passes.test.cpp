@@ -84,7 +84,7 @@ TEST(TransportFigure, DrawsTheShareOfTheMassThatGetsFarther) {
     for (std::size_t k = 0; k < x.size(); ++k) {
         EXPECT_NEAR(share[k], x[k] < 0.999 ? 100 : x[k] < 3.999 ? 75 : 12.5, 1e-9) << x[k];
     }
-    EXPECT_TRUE(figure.caption.starts_with("12 % of the mass that pass 2 detached left")) << figure.caption;
+    EXPECT_TRUE(figure.caption.starts_with("12 % of the mass detached in pass 2 left")) << figure.caption;
     EXPECT_NE(figure.caption.find("coefficient 0.21 per mm."), std::string::npos) << figure.caption; // 7/(11 + 2 + 20)
 }
 
