@@ -53,7 +53,7 @@ void leave_out_gas(dem::World& world) {
 void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state) {
     const bool swift = spec.protocol == Protocol::Swift;
     const std::optional<double> start = spec.start_porosity;
-    if (start && *start < dem::porosity(world)) {
+    if (start) {
         const bool clear = bring_to_porosity(world, *start);
         if (!clear && !swift) {
             throw StateError(fmt::format(
@@ -63,9 +63,9 @@ void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state
             ));
         }
         state.phase = clear ? CompactState::Phase::Compact : CompactState::Phase::Relax;
-    } else if (!start && swift) {
+    } else if (swift) {
         bring_near_touching(world);
-    } else if (!start && spec.protocol == Protocol::Faithful && !adheres(world.material) && dem::porosity(world) > open_porosity) {
+    } else if (spec.protocol == Protocol::Faithful && !adheres(world.material) && dem::porosity(world) > open_porosity) {
         leave_out_gas(world);
     }
     state.start_porosity = dem::porosity(world);

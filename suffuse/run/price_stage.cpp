@@ -106,7 +106,7 @@ public:
         const bool asks = spec.void_ratio || spec.intergranular_void_ratio;
         const double cloud = 1 - sample_.solid_fraction;
         const double start =
-            std::min(cloud, spec.start_porosity.value_or(leaves_out_gas(spec) ? packing::open_porosity : 1));
+            spec.start_porosity.value_or(leaves_out_gas(spec) ? std::min(cloud, packing::open_porosity) : cloud);
         const Range pushing = start < cloud ? count(sample_) * geometry_seconds : Range{};
         const double gas_time_step = compaction_time_step(spec, loose_time_step(sample_, variant_.material));
         const packing::EqualGrains state = asks ? state_at(sample_, solid_fraction_asked(spec))

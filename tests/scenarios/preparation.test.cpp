@@ -157,6 +157,17 @@ TEST(Swift, StepsNoLongerThanItsContactsAllow) {
     }
 }
 
+TEST(Swift, StartsAtThePorosityAskedFromALooserAndFromADenserCloud) {
+    for (const double porosity : {0.45, 0.75}) {
+        CompactSpec spec = spec_of(Protocol::Swift);
+        spec.start_porosity = porosity;
+        dem::World world = cloud();
+        const CompactState state = begin_compaction(world, spec, 0.2);
+        EXPECT_NEAR(state.start_porosity, porosity, 1e-12); // rounding
+        EXPECT_EQ(dem::porosity(world), state.start_porosity);
+    }
+}
+
 TEST(Swift, DropsATrialThatIsTooDenseBeforeItHasSettled) {
     CompactSpec spec = spec_of(Protocol::Swift);
     const Prepared sample = prepare(spec);
