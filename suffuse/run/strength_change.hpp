@@ -1,6 +1,6 @@
 #pragma once
 // What erosion did to the strength: compression before fines went and the same test after, on one sample, sample by
-// sample. Same means path, axis, strain and rate; what a test could not show is told instead of compared. The rise of
+// sample (strength_pairs.hpp says what same means); what a test could not show is told instead of compared. The rise of
 // the pore pressure at a constant deviator stress is no compression, and told on its own.
 
 #include "suffuse/report/study_curves.hpp"

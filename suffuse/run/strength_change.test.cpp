@@ -152,6 +152,12 @@ TEST(StrengthChange, NeedsTheSameTestAndAnErosionBetween) {
     after.path = triaxial::Path::Undrained;
     EXPECT_TRUE(compare_strength(study.stages).empty());
     after.path = triaxial::Path::Drained;
+    after.inertia = triaxial::GrainInertia::Own;
+    EXPECT_TRUE(compare_strength(study.stages).empty());
+    after.inertia = triaxial::GrainInertia::Lent;
+    after.time_step = 1e-8;
+    EXPECT_TRUE(compare_strength(study.stages).empty());
+    after.time_step = 0;
     after.stress_ratio = 0.75; // leads to a state, and is no test of strength
     EXPECT_TRUE(compare_strength(study.stages).empty());
     after.stress_ratio.reset();

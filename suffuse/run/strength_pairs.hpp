@@ -1,6 +1,6 @@
 #pragma once
 // Which tests of a run show what erosion did to the strength: the same test from a state before fines went and from one
-// after, of one sample. Same means path, axis, strain and rate.
+// after, of one sample. Same means path, axis, strain, rate, the grains' inertia and the time step.
 
 #include "suffuse/run/finished_stage.hpp"
 #include "suffuse/triaxial/spec.hpp"
