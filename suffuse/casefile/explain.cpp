@@ -102,7 +102,8 @@ constexpr std::array code_table = {
     Code{
         "E608", "a start from a sample without stress",
         "The pace of a triaxial test, and the size of the loads of stress probes, follow from the stress that the "
-        "sample carries, and an eroded skeleton settles under it: a stage that compacts or settles it comes before."},
+        "sample carries, an eroded skeleton settles under it, and contacts keep fines from detaching: a stage that "
+        "compacts or settles it comes before."},
     Code{
         "W609", "fine grains squeezed between coarse ones",
         "Contact forces grow as the square of the size, the stiffness of a contact as the size of its smaller grain: "

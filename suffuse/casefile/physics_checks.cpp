@@ -129,13 +129,15 @@ public:
     }
 
     /// A test, an erosion and a removal start from a sample that carries a stress: the pace or the loads of a test
-    /// follow from it.
+    /// follow from it. What is probed may come from elsewhere with its contacts; a cloud has none.
     void check_start(const Stage& stage) {
         if (stage.parent < 0) {
             return;
         }
         const Stage& before = variant_.stages[static_cast<std::size_t>(stage.parent)];
-        if (std::holds_alternative<packing::PackSpec>(before.spec) || std::holds_alternative<ImportSpec>(before.spec)) {
+        const bool is_probe = std::holds_alternative<erosion::DetachStageSpec>(stage.spec);
+        if (std::holds_alternative<packing::PackSpec>(before.spec) ||
+            (std::holds_alternative<ImportSpec>(before.spec) && !is_probe)) {
             context_.problems.error(
                 "E608", stage_place(stage, "do"),
                 fmt::format(
@@ -246,6 +248,7 @@ void check_stage(Checks& checks, const Stage& stage) {
             checks.check_gradient(stage, "gradients", gradient);
         }
         checks.check_fines(stage);
+        checks.check_start(stage);
     } else if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec)) {
         checks.check_gradient(stage, "gradient", erode->gradient);
         checks.check_travel(stage, *erode);

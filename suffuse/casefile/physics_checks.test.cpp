@@ -70,7 +70,9 @@ path = "packing.csv"
 cell = ["1 cm", "1 cm", "1 cm"]
 )";
     EXPECT_EQ(find_problem(problems_of(import + test), "E608").line, 9);
-    for (const std::string verb : {"erode", "remove"}) {
+    const std::string probe = "[[study.one.stage]]\nname = \"x\"\ndo = \"detach\"\n";
+    EXPECT_EQ(find_problem(problems_of(import + probe), "E608").code, ""); // it may carry its contacts
+    for (const std::string verb : {"detach", "erode", "remove"}) {
         const std::string stage = "[[study.one.stage]]\nname = \"x\"\nfrom = \"cloud\"\ndo = \"" + verb + "\"\n";
         EXPECT_EQ(find_problem(problems_of(good_case + stage), "E608").line, 18) << verb;
     }

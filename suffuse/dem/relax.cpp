@@ -1,10 +1,14 @@
 #include "suffuse/dem/relax.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/settle.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace suffuse::dem {
 namespace {
@@ -13,6 +17,18 @@ namespace {
 // unbalance has not halved for as long as a packing needs, the drag lets go of the grains for a while, and holds again.
 constexpr std::int64_t held_bursts = 60, free_bursts = 40, cycle = held_bursts + free_bursts;
 constexpr std::int64_t most_cycles = 6; // without halving: what is left is the floor
+
+/// Rattlers have no unbalanced force; a cloud of nothing else is not in equilibrium.
+void check_something_is_held(const World& world, const Equilibrium& equilibrium) {
+    const auto grains = static_cast<std::int64_t>(world.grains.size());
+    if (equilibrium.rattlers == grains) {
+        throw StateError(fmt::format(
+            "no equilibrium to relax: none of the {} grains has two contacts or more, which hold it; compact or settle "
+            "the sample under a pressure first",
+            grains
+        ));
+    }
+}
 
 } // namespace
 
@@ -33,14 +49,20 @@ RelaxReport relax(
     plan.loading = constant_volume();
     const double drag = slowest_mode_drag(world.grains.size(), dt);
     RelaxReport report;
-    double best = measure_equilibrium(world).unbalanced_force;
+    const Equilibrium start = measure_equilibrium(world);
+    // A world without contacts may have none, or has yet to find them.
+    double best = start.contacts > 0 ? start.unbalanced_force : std::numeric_limits<double>::max();
     std::int64_t since_best = 0; // bursts
     while (report.steps < most_steps && since_best < most_cycles * cycle) {
         const bool held = since_best % cycle < held_bursts;
         plan.drag = held ? drag : 0;
         advance(world, caches, plan, burst_steps);
         report.steps += burst_steps;
-        report.unbalanced_force = measure_equilibrium(world).unbalanced_force;
+        const Equilibrium equilibrium = measure_equilibrium(world);
+        if (report.steps == burst_steps) {
+            check_something_is_held(world, equilibrium);
+        }
+        report.unbalanced_force = equilibrium.unbalanced_force;
         if (held && report.unbalanced_force <= wanted) {
             return report;
         }

@@ -23,6 +23,7 @@ struct RelaxReport {
 /// Steps at constant volume until the unbalanced force is below `wanted`, or stops falling. Afterwards the grains are
 /// at rest but for what the unbalance moves.
 /// @param dt [s]; @param damping local [-]
+/// @throws StateError where nothing holds any grain, as in a cloud
 RelaxReport relax(
     World& world, StepCaches& caches, double dt, double damping, double wanted, std::int64_t most_steps,
     const Pulse& pulse = {}

@@ -1,5 +1,6 @@
 #include "suffuse/dem/relax.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/dem/equilibrium.hpp"
 
 #include <gtest/gtest.h>
@@ -47,6 +48,14 @@ TEST(Relax, ReportsTheFloorWhereNothingGetsOn) {
     EXPECT_TRUE(report.reached_floor);
     EXPECT_LT(report.unbalanced_force, 1e-6);
     EXPECT_LT(report.steps, 400'000);
+}
+
+TEST(Relax, OfGrainsThatNothingHoldsIsAnErrorAndNoBalance) {
+    World cloud = test::empty_world(10e-3);
+    test::add(cloud, {2e-3, 2e-3, 2e-3}, 1e-3);
+    test::add(cloud, {7e-3, 7e-3, 7e-3}, 1e-3);
+    StepCaches caches;
+    EXPECT_THROW(relax(cloud, caches, 4e-8, 0.2, 1e-8, 400'000), StateError);
 }
 
 } // namespace
