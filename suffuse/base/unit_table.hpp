@@ -1,10 +1,11 @@
 #pragma once
-// The units that texts may use and the names of dimensions: data behind units.cpp, for no one else.
+// The units that texts may use and the names of dimensions: what is behind units.hpp, for no one else.
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/units.hpp"
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace suffuse::detail {
@@ -79,5 +80,18 @@ inline constexpr std::array named_dimensions = {
     NamedDimension{dimension::density, "density", {"kg/m^3", {}, {}, {}}},
     NamedDimension{dimension::mass_per_length, "mass per length", {"kg/m", "g/m", {}, {}}},
 };
+
+/// A product of units: what "kg/m^3" adds to a number.
+struct UnitProduct {
+    Dimension dimension;
+    long exponent = 0;
+    double factor = 1;
+};
+
+/// Throws UnitError: an unknown unit, naming those that are like it.
+UnitProduct parse_product(std::string_view text);
+
+/// "kg*m^-1*s^-2".
+std::string base_units(Dimension dimension);
 
 } // namespace suffuse::detail
