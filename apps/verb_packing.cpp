@@ -80,12 +80,11 @@ io::PackingFormat format_of(const CommandLine& line) {
 
 /// "mm" or "1 mm" [m].
 double unit_of(const std::string& text) {
-    const bool has_number = text.find_first_of("0123456789") != std::string::npos;
-    const double unit = quantity_of(has_number ? text : "1" + text, dimension::length, "--unit", false);
-    if (!(unit > 0)) {
-        throw UsageError(fmt::format("--unit {}: a length above 0, as in mm", shown(text)));
+    try {
+        return parse_unit(text, dimension::length);
+    } catch (const UnitError& error) {
+        throw UsageError(fmt::format("--unit {}: {}; {}", shown(text), shown(error.what()), error.help));
     }
-    return unit;
 }
 
 /// The grains that were read, as far as they are known: enough to write them in any format.

@@ -37,16 +37,23 @@ void check_finite(const Array& array, std::string_view what) {
     }
 }
 
+/// Errors name the argument.
+template <class Parse>
+double parse_text(const std::string& text, Dimension dimension, std::string_view what, const Parse& parse) {
+    try {
+        return parse(text, dimension);
+    } catch (const UnitError& error) {
+        throw UnitError(fmt::format("{} \"{}\": {}; {}", what, text, error.what(), error.help), error.help);
+    }
+}
+
 } // namespace
 
 double quantity_of(const py::handle& value, Dimension dimension, std::string_view what) {
     if (py::isinstance<py::str>(value)) {
-        const auto text = value.cast<std::string>();
-        try {
-            return parse_quantity(text, dimension);
-        } catch (const UnitError& error) {
-            throw UnitError(fmt::format("{} \"{}\": {}; {}", what, text, error.what(), error.help), error.help);
-        }
+        return parse_text(value.cast<std::string>(), dimension, what, [](const std::string& text, Dimension wanted) {
+            return parse_quantity(text, wanted);
+        });
     }
     double number = 0;
     try {
@@ -61,6 +68,17 @@ double quantity_of(const py::handle& value, Dimension dimension, std::string_vie
         throw CaseError(fmt::format("{}: found {}, expected a finite number", what, number));
     }
     return number;
+}
+
+double unit_of(const py::handle& value, Dimension dimension, std::string_view what) {
+    if (py::isinstance<py::str>(value)) {
+        return parse_text(value.cast<std::string>(), dimension, what, parse_unit);
+    }
+    const double unit = quantity_of(value, dimension, what);
+    if (!(unit > 0)) {
+        throw CaseError(fmt::format("{}: found {}, expected {} above 0", what, unit, with_article(dimension)));
+    }
+    return unit;
 }
 
 std::optional<double> optional_quantity(const py::handle& value, Dimension dimension, std::string_view what) {

@@ -24,6 +24,9 @@ namespace py = pybind11;
 /// `what` names the argument in messages. @throws CaseError, UnitError.
 double quantity_of(const py::handle& value, Dimension dimension, std::string_view what);
 
+/// What a unit stands for in SI: a number above 0, "mm" or "1 mm". @throws CaseError, UnitError.
+double unit_of(const py::handle& value, Dimension dimension, std::string_view what);
+
 /// Nothing for None.
 std::optional<double> optional_quantity(const py::handle& value, Dimension dimension, std::string_view what);
 

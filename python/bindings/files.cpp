@@ -18,12 +18,7 @@ namespace {
 py::tuple read_packing(
     const std::filesystem::path& path, const py::object& cell, const grains::Material& material, const py::object& unit
 ) {
-    const std::string text = py::isinstance<py::str>(unit) ? unit.cast<std::string>() : std::string();
-    const bool is_bare = !text.empty() && text.find_first_of("0123456789") == std::string::npos; // "mm"
-    const double length = quantity_of(is_bare ? py::object(py::str("1 " + text)) : unit, dimension::length, "unit");
-    if (!(length > 0)) {
-        throw CaseError(fmt::format("unit: found {} m, expected a length above 0", length));
-    }
+    const double length = unit_of(unit, dimension::length, "unit");
     std::optional<Mat3> own;
     if (!cell.is_none()) {
         own = cell_of(cell);

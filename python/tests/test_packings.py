@@ -45,8 +45,11 @@ def test_a_file_in_millimeters_is_warned_of_and_read_with_its_unit(tmp_path):
     for unit in ("mm", "1 mm", 1e-3):
         world = suffuse.read_packing(tmp_path / "p.csv", cell=("1 mm", "1 mm", "1 mm"), unit=unit)
         assert world.grains.radius[0] == pytest.approx(0.04e-3) and world.grains.position[0, 0] == pytest.approx(0.5e-3)
-    with pytest.raises(suffuse.UnitError):
-        suffuse.read_packing(tmp_path / "p.csv", cell=(1, 1, 1), unit="kPa")
+    for unit in ("kPa", "0 mm"):
+        with pytest.raises(suffuse.UnitError, match="unit"):
+            suffuse.read_packing(tmp_path / "p.csv", cell=(1, 1, 1), unit=unit)
+    with pytest.raises(suffuse.CaseError, match="above 0"):
+        suffuse.read_packing(tmp_path / "p.csv", cell=(1, 1, 1), unit=0)
 
 
 def test_a_narrow_cell_is_warned_of(tmp_path):

@@ -280,6 +280,18 @@ double parse_quantity(std::string_view text, Dimension wanted) {
     );
 }
 
+double parse_unit(std::string_view text, Dimension wanted) {
+    std::string_view rest = trimmed(text);
+    const bool has_number = take_number(rest).has_value();
+    const double unit = has_number ? parse_quantity(text, wanted) : parse_quantity(fmt::format("1 {}", text), wanted);
+    if (!(unit > 0)) {
+        throw UnitError(
+            fmt::format("\"{}\" is not a unit, which is above 0", text), "write it as in \"mm\" or \"1 mm\""
+        );
+    }
+    return unit;
+}
+
 std::string name_of(Dimension dimension) {
     const NamedDimension* named = find_named(dimension);
     return named ? std::string(named->name) : fmt::format("quantity in {}", detail::base_units(dimension));

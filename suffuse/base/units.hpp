@@ -52,6 +52,9 @@ Quantity parse_quantity(std::string_view text);
 /// The same in SI, of the wanted dimension. Throws UnitError where the unit is missing or of another dimension.
 double parse_quantity(std::string_view text, Dimension wanted);
 
+/// What a unit stands for in SI, written with its number or without: "mm" and "1 mm" are both 1e-3. Throws UnitError.
+double parse_unit(std::string_view text, Dimension wanted);
+
 /// `value` [SI] in the most usual unit, or in one that makes it clearly shorter; reading it back gives the same bits.
 std::string print_quantity(double value, Dimension dimension);
 

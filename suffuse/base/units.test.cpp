@@ -69,6 +69,17 @@ TEST(Units, ChangeOfUnitChangesNoBit) {
     EXPECT_EQ(parse_quantity("0.3 %").value, parse_quantity("0.003").value);
 }
 
+TEST(Units, AUnitHasItsNumberOrNone) {
+    EXPECT_EQ(suffuse::parse_unit("mm", dimension::length), 1e-3);
+    EXPECT_EQ(suffuse::parse_unit("1 mm", dimension::length), 1e-3);
+    EXPECT_EQ(suffuse::parse_unit(" 10um", dimension::length), 1e-5);
+    EXPECT_EQ(suffuse::parse_unit("kg/m^3", dimension::density), 1);
+    EXPECT_EQ(suffuse::parse_unit("1/s", dimension::rate), 1);
+    for (const char* const none : {"", "1", "kPa", "0 mm", "-1 mm", "inch"}) {
+        EXPECT_THROW(suffuse::parse_unit(none, dimension::length), suffuse::UnitError) << none;
+    }
+}
+
 TEST(Units, ErrorsSayWhatIsWrongAndWhatToDo) {
     EXPECT_EQ(message_of("100 kpa*", dimension::pressure).substr(0, 12), "unknown unit");
     EXPECT_EQ(
