@@ -107,17 +107,19 @@ std::string render_one(const Diagnostic& d, const Palette& paint) {
     return out;
 }
 
-/// One line for each further warning of a kind, the first few, under the help of the first of all.
+/// One line for each further warning of the kind of `first`, the first few, under its help.
 template <class Iterator, class IsAlike>
-std::string render_rest(Iterator begin, Iterator end, IsAlike is_alike, std::size_t indent) {
+std::string render_rest(Iterator first, Iterator end, IsAlike is_alike, std::size_t indent) {
     constexpr std::ptrdiff_t most = 3;
-    const std::ptrdiff_t count = std::count_if(begin, end, is_alike);
+    const std::ptrdiff_t count = std::count_if(first + 1, end, is_alike);
     std::string out;
     std::ptrdiff_t told = 0;
-    for (; begin != end && told < most; ++begin) {
-        if (is_alike(*begin)) {
-            const std::string where = begin->line > 0 ? fmt::format("line {}: ", begin->line) : "";
-            out += fmt::format("{:{}} = also: {}{}\n", "", indent, where, printable(begin->message));
+    for (Iterator other = first + 1; other != end && told < most; ++other) {
+        if (is_alike(*other)) {
+            const std::string where = other->line <= 0             ? ""
+                                      : other->file == first->file ? fmt::format("line {}: ", other->line)
+                                                                   : fmt::format("{}:{}: ", other->file, other->line);
+            out += fmt::format("{:{}} = also: {}\n", "", indent, printable(where + other->message));
             ++told;
         }
     }
@@ -201,7 +203,7 @@ std::string render(const std::vector<Diagnostic>& list, bool color) {
         has_errors = has_errors || !d->is_warning;
         const auto is_alike = [&](const Diagnostic& other) { return d->is_warning && other.code == d->code; };
         if (std::none_of(list.begin(), d, is_alike)) {
-            out += render_one(*d, paint) + render_rest(d + 1, list.end(), is_alike, gutter_of(*d)) + "\n";
+            out += render_one(*d, paint) + render_rest(d, list.end(), is_alike, gutter_of(*d)) + "\n";
         }
     }
     return out + count_problems(list) + (has_errors ? "; nothing was run\n" : "\n");

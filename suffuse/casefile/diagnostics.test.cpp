@@ -71,6 +71,14 @@ TEST(Diagnostics, WarningsOfOneCodeAreShownInFullOnce) {
     EXPECT_NE(shown.find("6 errors, 6 warnings"), std::string::npos);
 }
 
+TEST(Diagnostics, AFurtherWarningOfAnotherFileNamesIt) {
+    Problems problems;
+    problems.warning("W1", {source_of("a\nb\n"), 2, 1, 1}, "first");
+    problems.warning("W1", {std::make_shared<Source>(Source{"--set", "b=1"}), 1, 3, 1}, "second");
+    const std::string shown = render(problems.sorted());
+    EXPECT_NE(shown.find("  = also: --set:1: second\n"), std::string::npos) << shown;
+}
+
 TEST(Diagnostics, CaretsFollowCharactersNotBytes) {
     const auto list = problems_of("schema = 1\ncontact = { \"\u00e9\u4e2d\" = 1, modulus = 3 }\n[study.a]\n");
     const Diagnostic found = find_problem(list, "E310");
