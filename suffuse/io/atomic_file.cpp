@@ -7,11 +7,14 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <dirent.h>
 #include <fcntl.h>
+#include <memory>
 #include <sys/file.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace suffuse::io {
 namespace {
@@ -85,23 +88,36 @@ int open_held(const std::filesystem::path& partial) {
     return descriptor;
 }
 
+/// Names of a folder's files that are being written, or were, and begin so. Every writing asks, also in a folder of
+/// thousands of snapshots: a path for each of them, as std::filesystem makes it, would take longer than the writing.
+std::vector<std::string> partials_of(const std::filesystem::path& folder, std::string_view start) {
+    struct Close {
+        void operator()(DIR* open) const { ::closedir(open); }
+    };
+
+    std::vector<std::string> names;
+    const std::unique_ptr<DIR, Close> open(::opendir(folder.c_str()));
+    while (const dirent* entry = open ? ::readdir(open.get()) : nullptr) {
+        const std::string_view name = static_cast<const char*>(entry->d_name);
+        if (name.starts_with(start) && is_partial(name)) {
+            names.emplace_back(name);
+        }
+    }
+    return names;
+}
+
 /// Removes what dead programs left beside the file: nobody holds it. A program's number would tell less, for several
 /// machines may write into one folder.
 void remove_leftovers(const std::filesystem::path& path) {
-    const std::string start = path.filename().string() + std::string(partial_suffix);
-    std::error_code error;
-    std::filesystem::directory_iterator entry(folder_of(path), error);
-    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        if (name.rfind(start, 0) != 0 || !is_partial(name)) {
-            continue;
-        }
-        const int descriptor = ::open(entry->path().c_str(), O_RDWR | O_CLOEXEC);
+    const std::filesystem::path folder = folder_of(path);
+    for (const std::string& name : partials_of(folder, path.filename().string() + std::string(partial_suffix))) {
+        const std::filesystem::path partial = folder / name;
+        const int descriptor = ::open(partial.c_str(), O_RDWR | O_CLOEXEC);
         if (descriptor < 0) {
             continue;
         }
         if (lock(descriptor, LOCK_EX | LOCK_NB) == 0) {
-            ::unlink(entry->path().c_str());
+            ::unlink(partial.c_str());
         }
         ::close(descriptor);
     }
