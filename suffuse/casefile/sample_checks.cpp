@@ -2,6 +2,7 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/grouped.hpp"
+#include "suffuse/base/quantile.hpp"
 #include "suffuse/erosion/passage.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace suffuse::casefile {
 
@@ -46,9 +48,7 @@ std::optional<double> skeleton_width(const grains::SampledGrains& sample) {
     if (coarse.empty()) {
         return std::nullopt;
     }
-    const auto middle = coarse.begin() + std::ssize(coarse) / 2;
-    std::nth_element(coarse.begin(), middle, coarse.end());
-    return std::cbrt(solid / (1 - settled_porosity)) / *middle;
+    return std::cbrt(solid / (1 - settled_porosity)) / quantile(std::move(coarse), 0.5);
 }
 
 template <class... Specs>

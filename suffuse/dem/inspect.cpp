@@ -1,5 +1,6 @@
 #include "suffuse/dem/inspect.hpp"
 
+#include "suffuse/cell/strain.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/contact/sum_touching.hpp"
 
@@ -99,8 +100,7 @@ double deviator_stress(const Mat3& stress) {
 }
 
 Vec3 strain(const World& world) {
-    const Mat3 stretch = world.cell.h * inverse(world.reference_h);
-    return {-std::log(stretch(0, 0)), -std::log(stretch(1, 1)), -std::log(stretch(2, 2))};
+    return cell::axial_strains(world.reference_h, world.cell.h);
 }
 
 } // namespace suffuse::dem

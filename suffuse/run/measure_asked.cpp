@@ -1,6 +1,7 @@
 #include "suffuse/run/measure_asked.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/cell/strain.hpp"
 #include "suffuse/erosion/passage.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/run/result_json.hpp"
@@ -64,8 +65,7 @@ json grading(const StageWork& work) {
 
 /// Logarithmic, from the stage's start to its end, compression positive.
 json volumetric_strain(const StageWork& work) {
-    const double ratio = determinant(work.world.cell.h) / determinant(work.world.reference_h);
-    return {{"volumetric_strain", -std::log(std::abs(ratio))}};
+    return {{"volumetric_strain", cell::volumetric_strain(work.world.reference_h, work.world.cell.h)}};
 }
 
 json flow_of(const json& numbers) {

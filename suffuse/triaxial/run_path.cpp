@@ -1,6 +1,7 @@
 #include "suffuse/triaxial/run_path.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/cell/strain.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/stable_dt.hpp"
@@ -112,10 +113,6 @@ bool target_reached(const TriaxialSpec& spec, const PathRow& row) {
            (spec.stress_ratio && row.deviator_stress >= *spec.stress_ratio * row.mean_stress);
 }
 
-double axial_strain(const Mat3& stretch, int axis) {
-    return -std::log(stretch(axis, axis));
-}
-
 /// How far the test has come [-]. At a constant deviator a sample widens and lengthens until it fails.
 double progress(const TriaxialSpec& spec, const PathRow& row) {
     const double widening = spec.path == Path::ConstantDeviator ? row.axial_strain - row.volumetric_strain : 0;
@@ -127,11 +124,10 @@ bool holds_total_stress(Path path) {
 }
 
 PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const PathState& state) {
-    const Mat3 stretch = world.cell.h * inverse(state.start_h);
     const Mat3& stress = state.balance.stress;
     PathRow row;
-    row.axial_strain = axial_strain(stretch, spec.axis);
-    row.volumetric_strain = -std::log(determinant(stretch));
+    row.axial_strain = cell::axial_strains(state.start_h, world.cell.h)[spec.axis];
+    row.volumetric_strain = cell::volumetric_strain(state.start_h, world.cell.h);
     row.stress = stress;
     row.mean_stress = dem::mean_stress(stress);
     row.deviator_stress = deviator(stress, spec.axis);

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
+#include "suffuse/cell/strain.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/lent_inertia.hpp"
 #include "suffuse/dem/relax.hpp"
@@ -22,14 +23,6 @@ constexpr double stress_share = 0.01; // of an increment: how closely it is met
 
 Vec3 axial_stress(const Mat3& stress) {
     return {stress(0, 0), stress(1, 1), stress(2, 2)};
-}
-
-Vec3 strain_between(const Mat3& before, const Mat3& after) {
-    Vec3 strain;
-    for (int a = 0; a < 3; ++a) {
-        strain[a] = -std::log(after(a, a) / before(a, a));
-    }
-    return strain;
 }
 
 /// Of unit norm, in the plane where the two lateral stresses are equal.
@@ -84,7 +77,7 @@ load(const ProbedState& state, const StressProbeSpec& spec, const Vec3& incremen
         probe.steps += dem::burst_steps;
         const double share = std::min(1.0, static_cast<double>(probe.steps) / static_cast<double>(spec.ramp));
         burst(watched, state.stress + share * increment, state.time_step, damping, goal);
-        probe.strain = strain_between(state.world.cell.h, watched.world.cell.h);
+        probe.strain = cell::axial_strains(state.world.cell.h, watched.world.cell.h);
         if (norm(probe.strain) > spec.max_strain) {
             probe.answer = Answer::Fails;
         } else if (!watched.rests && probe.steps >= spec.ramp + spec.max_steps) {
@@ -117,7 +110,7 @@ ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec
     while (!watched.rests) {
         burst(watched, stress, state.time_step, damping, goal);
         state.steps += dem::burst_steps;
-        const double strain = norm(strain_between(world.cell.h, watched.world.cell.h));
+        const double strain = norm(cell::axial_strains(world.cell.h, watched.world.cell.h));
         if (strain > spec.max_strain || state.steps >= spec.max_steps) {
             throw StateError(fmt::format(
                 "the sample does not rest under the stress that it carries: after {} steps it has strained by {:.2e} "

@@ -1,0 +1,24 @@
+#pragma once
+// Strain of the cell from one shape to another: logarithmic, compression positive. `from` and `to` have the cell
+// vectors as their columns.
+
+#include "suffuse/base/vec3.hpp"
+
+#include <cmath>
+
+namespace suffuse::cell {
+
+/// Along the axes x, y, z [-].
+inline Vec3 axial_strains(const Mat3& from, const Mat3& to) {
+    const Mat3 deformation_gradient = to * inverse(from);
+    return {
+        -std::log(deformation_gradient(0, 0)), -std::log(deformation_gradient(1, 1)),
+        -std::log(deformation_gradient(2, 2))};
+}
+
+/// Their sum, where nothing is sheared [-].
+inline double volumetric_strain(const Mat3& from, const Mat3& to) {
+    return -std::log(determinant(to) / determinant(from));
+}
+
+} // namespace suffuse::cell
