@@ -38,9 +38,9 @@ World full_sample() {
     return world;
 }
 
-class SampleOnAnyThreads : public testing::TestWithParam<bool> {};
+class SampleOnAnyNumberOfThreads : public testing::TestWithParam<bool> {};
 
-TEST_P(SampleOnAnyThreads, GivesTheSameHashAfter2000StepsUnderServo) {
+TEST_P(SampleOnAnyNumberOfThreads, GivesTheSameHashAfter2000StepsUnderServo) {
     std::vector<std::uint64_t> hashes;
     for (const int threads : {1, 2, 4}) {
         set_thread_count(threads);
@@ -54,7 +54,7 @@ TEST_P(SampleOnAnyThreads, GivesTheSameHashAfter2000StepsUnderServo) {
     EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, SampleOnAnyThreads, testing::Values(false, true), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Samples, SampleOnAnyNumberOfThreads, testing::Values(false, true), [](const auto& test) {
     return std::string(test.param ? "Bonded" : "Plain");
 });
 
@@ -97,7 +97,7 @@ void save_and_load(World& world, StepCaches& caches) {
     caches = {};
 }
 
-TEST(Resume, SavingAndLoadingInTheMiddleChangesNoBit) {
+TEST(WorldSavedAndLoaded, GoesOnToTheSameBits) {
     for (const World& world : {test::reference_packing("packing500"), full_sample()}) {
         // Not a multiple of the interval at which the servo looks at the stiffness.
         const std::uint64_t straight = hash_after(world, 777, [](World&, StepCaches&) {});
@@ -105,7 +105,7 @@ TEST(Resume, SavingAndLoadingInTheMiddleChangesNoBit) {
     }
 }
 
-TEST(Resume, AlsoAfterTheGrainsWereSortedAlongTheCurve) {
+TEST(WorldSavedAndLoaded, GoesOnToTheSameBitsAfterItsGrainsWereSortedAlongTheCurve) {
     const auto sort = [](World& world, StepCaches& caches) {
         sort_along_curve(world);
         caches = {};
@@ -124,7 +124,7 @@ TEST(Resume, AlsoAfterTheGrainsWereSortedAlongTheCurve) {
     );
 }
 
-TEST(Resume, AfterRemovalsTheLoadedStateGoesOnLikeTheOneInMemory) {
+TEST(WorldSavedAndLoaded, GoesOnToTheSameBitsAfterGrainsLeft) {
     const auto remove = [](World& world, StepCaches& caches) {
         std::vector<std::uint32_t> rows;
         for (std::uint32_t g = 0; g < world.grains.size(); g += 3) {
