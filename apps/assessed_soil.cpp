@@ -101,7 +101,7 @@ std::string heading(const char* first) {
     return fmt::format("  {:25}{:27}{:14}{}\n", first, "number", "stable if", "verdict");
 }
 
-std::string gradient_lines(const stability::Seepage& seepage, const Assessment& found) {
+std::string gradient_lines(const stability::UpwardSeepage& seepage, const Assessment& found) {
     std::string text = fmt::format(
         "\n  upward seepage, i = {:.4g}; porosity {:.3g}, grains {:.4g} kg/m3\n", seepage.gradient, seepage.porosity,
         seepage.grain_density

@@ -36,7 +36,7 @@ stability::AssessSpec spec_of(const CommandLine& line) {
         throw UsageError("--porosity, --density and --alpha go with a gradient: add -i I");
     }
     if (line.seepage_gradient) {
-        stability::Seepage seepage;
+        stability::UpwardSeepage seepage;
         seepage.gradient = *line.seepage_gradient;
         seepage.porosity = line.porosity.value_or(seepage.porosity);
         if (!line.density.empty()) {

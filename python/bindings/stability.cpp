@@ -14,7 +14,7 @@
 namespace suffuse::python {
 namespace {
 
-std::optional<stability::Seepage>
+std::optional<stability::UpwardSeepage>
 seepage_of(const py::object& gradient, const py::object& porosity, const py::object& density, const py::object& alpha) {
     if (gradient.is_none()) {
         if (!porosity.is_none() || !density.is_none() || !alpha.is_none()) {
@@ -22,7 +22,7 @@ seepage_of(const py::object& gradient, const py::object& porosity, const py::obj
         }
         return std::nullopt;
     }
-    stability::Seepage seepage;
+    stability::UpwardSeepage seepage;
     seepage.gradient = quantity_of(gradient, dimension::none, "gradient");
     seepage.porosity = optional_quantity(porosity, dimension::none, "porosity").value_or(seepage.porosity);
     seepage.grain_density = optional_quantity(density, dimension::density, "density").value_or(seepage.grain_density);

@@ -59,7 +59,7 @@ struct StressSum {
 /// `Moving`.
 template <bool Moving, class Real, class RowOf>
 [[gnu::always_inline]] inline void load_four(const Work<Real>& w, std::size_t k, RowOf&& row, Tile<Real>& tile) {
-    FourQuads branch, velocity, spin_1, spin_2;
+    Double4x4 branch, velocity, spin_1, spin_2;
     for (std::size_t q = 0; q < 4; ++q) {
         const std::size_t c = row(q);
         const grains::MovingRow &i = w.grains[w.first[c]], &j = w.grains[w.second[c]];
@@ -71,9 +71,9 @@ template <bool Moving, class Real, class RowOf>
         spin_1[q] = i.spin;
         spin_2[q] = j.spin;
     }
-    const auto columns = [](const FourQuads& r) { return transposed(r[0], r[1], r[2], r[3]); };
+    const auto columns = [](const Double4x4& r) { return transposed(r[0], r[1], r[2], r[3]); };
     put(tile.branch, k, columns(branch));
-    const FourQuads first = columns(spin_1), second = columns(spin_2);
+    const Double4x4 first = columns(spin_1), second = columns(spin_2);
     if constexpr (Moving) {
         put(tile.velocity, k, columns(velocity));
         put(tile.spin_1, k, first);
@@ -99,13 +99,14 @@ template <bool Moving, class Real>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void find_meetings(const LawConstants& law, std::size_t rows, Tile<Real>& t) {
+[[gnu::always_inline]] inline void find_geometry(const LawConstants& law, std::size_t rows, Tile<Real>& t) {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
-        const Meeting<double> m = meet(law, triple(t.branch, k), t.exact_radius_1[k], t.exact_radius_2[k]);
+        const ContactGeometry<double> m =
+            find_geometry(law, triple(t.branch, k), t.exact_radius_1[k], t.exact_radius_2[k]);
         set(t.normal, k, m.normal);
         t.overlap[k] = static_cast<Real>(m.overlap);
-        t.stretch[k] = static_cast<Real>(m.stretch);
+        t.reach_over_distance[k] = static_cast<Real>(m.reach_over_distance);
         t.normal_stiffness[k] = static_cast<Real>(m.normal_stiffness);
         t.within_reach[k] = static_cast<Real>(m.within_reach);
         t.radius_1[k] = static_cast<Real>(t.exact_radius_1[k]);
@@ -115,7 +116,7 @@ template <class Real>
 
 template <bool Adhesive, bool Twisting, class Real>
 [[gnu::always_inline]] inline void
-stretch_springs(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& t) {
+predict_forces(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& t) {
     const LawConstantsOf<Real> law = w.law;
     const MemoryColumns<Real> m = w.memory;
     const Real dt = w.dt;
@@ -135,7 +136,7 @@ stretch_springs(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<R
         if constexpr (Twisting) {
             memory.twisting = {m.tx[c], m.ty[c], m.tz[c]};
         }
-        const Limits<Real> limits = stretch<Adhesive, Twisting>(law, dt, pair, meeting(t, k), memory);
+        const Limits<Real> limits = predict_forces<Adhesive, Twisting>(law, dt, pair, geometry_at(t, k), memory);
         set(t.shear_force, k, memory.shear_force);
         set(t.bending, k, memory.bending);
         if constexpr (Adhesive) {
@@ -157,7 +158,7 @@ stretch_springs(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<R
 
 template <bool Twisting, class Real>
 [[gnu::always_inline]] inline void
-cut_springs(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t rows, Tile<Real>& t) {
+limit_forces(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t rows, Tile<Real>& t) {
     const MemoryColumns<Real> m = columns;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
@@ -169,7 +170,8 @@ cut_springs(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t r
         if constexpr (Twisting) {
             memory.twisting = triple(t.twisting, k);
         }
-        const ContactOutcome<Real> out = cut<Twisting>(meeting(t, k), limits, t.radius_1[k], t.radius_2[k], memory);
+        const ContactOutcome<Real> out =
+            limit_forces<Twisting>(geometry_at(t, k), limits, t.radius_1[k], t.radius_2[k], memory);
         m.fx[c] = memory.shear_force.x, m.fy[c] = memory.shear_force.y, m.fz[c] = memory.shear_force.z;
         m.bx[c] = memory.bending.x, m.by[c] = memory.bending.y, m.bz[c] = memory.bending.z;
         m.nx[c] = memory.normal.x, m.ny[c] = memory.normal.y, m.nz[c] = memory.normal.z;
@@ -191,11 +193,11 @@ push_apart(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t ro
     for (std::size_t k = 0; k < rows; ++k) {
         const std::size_t c = begin + k;
         const Real zero{}, was_touching = size_1(Triple<Real>{m.nx[c], m.ny[c], m.nz[c]});
-        const Meeting<Real> met = meeting(t, k);
-        const Push<Real> out = push(met, was_touching);
-        m.nx[c] = out.touching > zero ? met.normal.x : zero;
-        m.ny[c] = out.touching > zero ? met.normal.y : zero;
-        m.nz[c] = out.touching > zero ? met.normal.z : zero;
+        const ContactGeometry<Real> geometry = geometry_at(t, k);
+        const Push<Real> out = push(geometry, was_touching);
+        m.nx[c] = out.touching > zero ? geometry.normal.x : zero;
+        m.ny[c] = out.touching > zero ? geometry.normal.y : zero;
+        m.nz[c] = out.touching > zero ? geometry.normal.z : zero;
         t.touching[k] = out.touching;
         set(t.force(), k, out.force);
     }
@@ -237,8 +239,8 @@ template <bool Turning, class Real>
 [[gnu::always_inline]] inline void
 add_to_grains(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& t) {
     const auto add_four = [&](std::size_t k, std::size_t count) {
-        const FourQuads force = vectors(t.force(), k);
-        FourQuads torque_1, torque_2;
+        const Double4x4 force = vectors(t.force(), k);
+        Double4x4 torque_1, torque_2;
         if constexpr (Turning) {
             torque_1 = vectors(t.torque_1(), k), torque_2 = vectors(t.torque_2(), k);
         }
@@ -287,10 +289,10 @@ template <bool Springs, bool Adhesive, bool Twisting, class Real>
         if (w.beyond_cache) {
             fetch_ahead(w, c + rows, std::min(c + rows + tile_rows, end));
         }
-        find_meetings(w.exact_law, rows, tile);
+        find_geometry(w.exact_law, rows, tile);
         if constexpr (Springs) {
-            stretch_springs<Adhesive, Twisting>(w, c, rows, tile);
-            cut_springs<Twisting>(w.memory, c, rows, tile);
+            predict_forces<Adhesive, Twisting>(w, c, rows, tile);
+            limit_forces<Twisting>(w.memory, c, rows, tile);
         } else {
             push_apart(w.memory, c, rows, tile);
         }
@@ -349,32 +351,32 @@ void for_each_memory(Table& contacts, Single& single, Visit&& visit) {
 
 template <class Real, class Memory>
 Pressed press_contacts(
-    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
+    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
     const LawConstants& law, const Contacts& contacts, Memory& memory, std::vector<grains::GrainSum>& sums
 ) {
     // Grains whose centers coincide push with 2 E r2. With shear, the sum of a force's components stays below twice
     // that until they are nearly there. And no stress reaches the modulus. The quantum follows from the state alone, as
     // the same bits after a resume ask for.
-    const double r = around.largest_radius, largest_force = 2 * law.twice_modulus * r * r;
-    const SumQuantum quantum(largest_force * 2 * r, law.twice_modulus * around.volume);
+    const double r = setting.largest_radius, largest_force = 2 * law.twice_modulus * r * r;
+    const SumQuantum quantum(largest_force * 2 * r, law.twice_modulus * setting.volume);
     const Work<Real> work{
         grains.data(),
         contacts.first.data(),
         contacts.second.data(),
         plan.second_sum.data(),
         plan.image.data(),
-        around.shifts.data(),
+        setting.shifts.data(),
         law,
         law.as<Real>(),
-        static_cast<Real>(around.dt),
+        static_cast<Real>(setting.dt),
         quantum,
         largest_force,
-        around.overlaps,
+        setting.overlaps,
         grains.size() > cached_grains,
         pointers<Real>(memory),
         sums.data()};
     const Loop<Real> press_loop =
-        choose_loop<Real>(around.normals_only, !memory.bonded.empty(), !memory.twisting.x.empty());
+        choose_loop<Real>(setting.normals_only, !memory.bonded.empty(), !memory.twisting.x.empty());
     StressSum total;
     std::mutex adding; // integers: the order does not matter
     parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
@@ -401,16 +403,16 @@ Pressed press_contacts(
 
 } // namespace
 
-void surround(
+void set_up_step(
     const SumPlan& plan, const Mat3& h, const Mat3& image_velocity, double largest_radius, double dt,
-    Surroundings& around
+    StepSetting& setting
 ) {
-    around.volume = std::abs(determinant(h));
-    around.largest_radius = largest_radius;
-    around.dt = dt;
-    around.shifts.clear();
+    setting.volume = std::abs(determinant(h));
+    setting.largest_radius = largest_radius;
+    setting.dt = dt;
+    setting.shifts.clear();
     for (const cell::Image& image : plan.images) {
-        around.shifts.push_back({quad(cell::shift(h, image), 0), quad(cell::shift(image_velocity, image), 0)});
+        setting.shifts.push_back({double4(cell::shift(h, image), 0), double4(cell::shift(image_velocity, image), 0)});
     }
 }
 
@@ -429,17 +431,17 @@ void from_single(const SingleMemory& single, Contacts& contacts) {
 }
 
 Pressed compute_forces(
-    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
+    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
     const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums
 ) {
-    return press_contacts<double>(grains, plan, around, law, contacts, contacts, sums);
+    return press_contacts<double>(grains, plan, setting, law, contacts, contacts, sums);
 }
 
 Pressed compute_forces(
-    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
+    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
     const LawConstants& law, const Contacts& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums
 ) {
-    return press_contacts<float>(grains, plan, around, law, contacts, memory, sums);
+    return press_contacts<float>(grains, plan, setting, law, contacts, memory, sums);
 }
 
 } // namespace suffuse::contact

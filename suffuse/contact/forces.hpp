@@ -13,11 +13,11 @@ namespace suffuse::contact {
 
 /// Displacement and velocity of a period against the home period.
 struct alignas(64) ImageShift {
-    Quad position, velocity; ///< [m], [m/s]
+    Double4 position, velocity; ///< [m], [m/s]
 };
 
 /// What is the same for all contacts in a step.
-struct Surroundings {
+struct StepSetting {
     double volume = 0;              ///< of the cell [m3]
     double largest_radius = 0;      ///< of all grains [m]
     double dt = 0;                  ///< [s]
@@ -28,9 +28,9 @@ struct Surroundings {
 
 /// @param h cell of this step, columns are its vectors [m]; @param image_velocity relative velocity of neighboring
 /// periods, G times the cell of the step before [m/s, columns as h] (reference 1.1, 1.3)
-void surround(
+void set_up_step(
     const SumPlan& plan, const Mat3& h, const Mat3& image_velocity, double largest_radius, double dt,
-    Surroundings& around
+    StepSetting& setting
 );
 
 struct Pressed {
@@ -42,7 +42,7 @@ struct Pressed {
 /// torque on each grain of the contacts of its own domain, the others those from other domains.
 /// @param sums `plan.rows()` rows; those beyond the grains must be zero, and those of grains without a contact
 Pressed compute_forces(
-    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
+    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
     const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums
 );
 
@@ -62,7 +62,7 @@ void from_single(const SingleMemory& single, Contacts& contacts);
 
 /// The same with the memory and the law in single precision; distances, and sums over contacts, stay in double.
 Pressed compute_forces(
-    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const Surroundings& around,
+    const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
     const LawConstants& law, const Contacts& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums
 );
 

@@ -124,21 +124,22 @@ std::vector<ContactForce> one_by_one(const Sample& s, bool adhesive, bool twisti
 
 struct Result {
     SumPlan plan;
-    Surroundings around;
+    StepSetting setting;
     std::vector<grains::GrainSum> sums;
     Mat3 force_branch;
 };
 
 Result press(Sample& s, bool normals_only = false) {
     Result result;
-    result.around.normals_only = normals_only;
+    result.setting.normals_only = normals_only;
     std::vector<grains::MovingRow> rows;
     grains::to_rows(s.grains, rows);
     plan_sums(s.contacts, s.grains.size(), result.plan);
     result.sums.resize(result.plan.rows());
-    surround(result.plan, s.h, s.image_velocity, 2e-4, dt, result.around);
+    set_up_step(result.plan, s.h, s.image_velocity, 2e-4, dt, result.setting);
     result.force_branch =
-        compute_forces(rows, result.plan, result.around, resolve_law(s.material), s.contacts, result.sums).force_branch;
+        compute_forces(rows, result.plan, result.setting, resolve_law(s.material), s.contacts, result.sums)
+            .force_branch;
     return result;
 }
 
@@ -237,7 +238,7 @@ TEST(ContactLoop, InSinglePrecisionDiffersByItsRounding) {
     to_single(s.contacts, memory);
     std::vector<grains::GrainSum> sums(wanted.plan.rows());
     const Pressed pressed =
-        compute_forces(rows, wanted.plan, wanted.around, resolve_law(s.material), s.contacts, memory, sums);
+        compute_forces(rows, wanted.plan, wanted.setting, resolve_law(s.material), s.contacts, memory, sums);
     from_single(memory, s.contacts);
     EXPECT_NEAR(trace(pressed.force_branch) / trace(wanted.force_branch), 1, 1e-6);
     for (std::size_t c = 0; c < s.contacts.size(); ++c) {

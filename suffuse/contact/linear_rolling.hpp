@@ -143,19 +143,19 @@ limit_both(Triple<Real>& a, const Real& limit_a, Triple<Real>& b, const Real& li
 // The law has three parts. Each is short enough for a processor to have several contacts under way at once; a loop over
 // many contacts runs the parts one after the other over a tile, `linear_rolling` over one contact.
 
-/// First part: where the pair is.
+/// First part: where the grains are against each other.
 template <class Real>
-struct Meeting {
+struct ContactGeometry {
     Triple<Real> normal;
-    Real overlap;          ///< negative: a gap [m]
-    Real stretch;          ///< reach / distance [-]
-    Real normal_stiffness; ///< [N/m]
-    Real within_reach;     ///< 1: the pair touches, 0: not
+    Real overlap;             ///< negative: a gap [m]
+    Real reach_over_distance; ///< (r1 + r2) / distance [-]
+    Real normal_stiffness;    ///< [N/m]
+    Real within_reach;        ///< 1: the pair touches, 0: not
 };
 
 template <class Real>
-[[gnu::always_inline]] inline Meeting<Real>
-meet(const LawConstantsOf<Real>& law, const Triple<Real>& branch, const Real& r1, const Real& r2) noexcept {
+[[gnu::always_inline]] inline ContactGeometry<Real>
+find_geometry(const LawConstantsOf<Real>& law, const Triple<Real>& branch, const Real& r1, const Real& r2) noexcept {
     const Real zero{}, one(1), reach = r1 + r2;
     const Real distance2 = dot(branch, branch);
     const Real distance = root(distance2);
@@ -206,18 +206,18 @@ template <class Real>
     bond.bonded = exceeds > zero ? zero : bond.bonded;
 }
 
-/// Second part: turns the memory with the contact, and stretches its springs as if they had no limits.
+/// Second part, the trial: turns the memory with the contact, and stretches its springs as if they had no limits.
 /// @param dt time step [s]
 template <bool Adhesive, bool Twisting, class Real>
-[[gnu::always_inline]] inline Limits<Real> stretch(
-    const LawConstantsOf<Real>& law, const Real& dt, const GrainPair<Real>& pair, const Meeting<Real>& meeting,
+[[gnu::always_inline]] inline Limits<Real> predict_forces(
+    const LawConstantsOf<Real>& law, const Real& dt, const GrainPair<Real>& pair, const ContactGeometry<Real>& geometry,
     ContactMemory<Real>& memory
 ) noexcept {
     const Real zero{}, one(1);
     const Real r1 = pair.radius_1, r2 = pair.radius_2, smaller = r1 < r2 ? r1 : r2;
-    const Real ks = law.shear_ratio * meeting.normal_stiffness;
-    const Real trial_normal = meeting.normal_stiffness * meeting.overlap;
-    const Triple<Real>& n = meeting.normal;
+    const Real ks = law.shear_ratio * geometry.normal_stiffness;
+    const Real trial_normal = geometry.normal_stiffness * geometry.overlap;
+    const Triple<Real>& n = geometry.normal;
     Limits<Real> limits{};
 
     // Does the pair touch? An old contact lives until its pull exceeds the adhesion (nothing, without adhesion).
@@ -227,11 +227,11 @@ template <bool Adhesive, bool Twisting, class Real>
         bond = bond_between(law, was_touching, memory.bonded, smaller);
     }
     const Real lives = zero - trial_normal > bond.pull_off ? zero : one;
-    limits.touching = was_touching > zero ? lives : meeting.within_reach;
+    limits.touching = was_touching > zero ? lives : geometry.within_reach;
 
     // Relative motion at the contact. The factor on the velocity removes granular ratcheting [reference 1.3, point 2].
     const Triple<Real> lever = r2 * pair.spin_2 + r1 * pair.spin_1;
-    const Triple<Real> slip_velocity = meeting.stretch * pair.velocity - cross(lever, n);
+    const Triple<Real> slip_velocity = geometry.reach_over_distance * pair.velocity - cross(lever, n);
     const Triple<Real> slip = slip_velocity - dot(n, slip_velocity) * n;
     const Triple<Real> roll = pair.spin_2 - pair.spin_1;
     const Triple<Real> roll_twist = dot(n, roll) * n;
@@ -260,17 +260,18 @@ template <bool Adhesive, bool Twisting, class Real>
     return limits;
 }
 
-/// Third part: cuts force and moments at their limits; what the contact exerts. A pair that does not touch forgets
+/// Third part: force and moments at their limits, and what the contact exerts. A pair that does not touch forgets
 /// everything and exerts nothing: exact zeros, so that it may stay in the list.
 template <bool Twisting, class Real>
-[[gnu::always_inline]] inline ContactOutcome<Real>
-cut(const Meeting<Real>& meeting, const Limits<Real>& limits, const Real& r1, const Real& r2,
-    ContactMemory<Real>& memory) noexcept {
+[[gnu::always_inline]] inline ContactOutcome<Real> limit_forces(
+    const ContactGeometry<Real>& geometry, const Limits<Real>& limits, const Real& r1, const Real& r2,
+    ContactMemory<Real>& memory
+) noexcept {
     const Real zero{}, touching = limits.touching;
     const auto kept = [&](const Triple<Real>& v) {
         return Triple<Real>{touching > zero ? v.x : zero, touching > zero ? v.y : zero, touching > zero ? v.z : zero};
     };
-    const Triple<Real>& n = meeting.normal;
+    const Triple<Real>& n = geometry.normal;
     limit_both(memory.shear_force, limits.slip, memory.bending, limits.bending);
     Triple<Real> moment = memory.bending;
     if constexpr (Twisting) {
@@ -279,10 +280,10 @@ cut(const Meeting<Real>& meeting, const Limits<Real>& limits, const Real& r1, co
         memory.twisting = kept(memory.twisting);
     }
     const Triple<Real> shear_arm = cross(n, memory.shear_force);
-    const Real half = Real(0.5) * meeting.overlap;
+    const Real half = Real(0.5) * geometry.overlap;
     const ContactOutcome<Real> outcome{
         kept(limits.normal_force * n + memory.shear_force), kept((half - r1) * shear_arm - moment),
-        kept((half - r2) * shear_arm + moment), touching > zero ? meeting.overlap : zero};
+        kept((half - r2) * shear_arm + moment), touching > zero ? geometry.overlap : zero};
     memory.shear_force = kept(memory.shear_force);
     memory.bending = kept(memory.bending);
     memory.normal = kept(n);
@@ -298,12 +299,13 @@ struct Push {
 /// What is left of the law where contacts only push: nothing adheres, no friction, no memory of shear or turning, no
 /// spin. The same bits as the whole law. @param was_touching above zero: it touched in the step before
 template <class Real>
-[[gnu::always_inline]] inline Push<Real> push(const Meeting<Real>& meeting, const Real& was_touching) noexcept {
+[[gnu::always_inline]] inline Push<Real>
+push(const ContactGeometry<Real>& geometry, const Real& was_touching) noexcept {
     const Real zero{}, one(1);
-    const Real trial = meeting.normal_stiffness * meeting.overlap;
+    const Real trial = geometry.normal_stiffness * geometry.overlap;
     const Real lives = trial < zero ? zero : one;
-    const Real touching = was_touching > zero ? lives : meeting.within_reach;
-    return {(touching > zero ? trial : zero) * meeting.normal, touching};
+    const Real touching = was_touching > zero ? lives : geometry.within_reach;
+    return {(touching > zero ? trial : zero) * geometry.normal, touching};
 }
 
 /// One step of one contact; updates `memory`. `Adhesive` and `Twisting` leave out what no contact of the sample has.
@@ -312,9 +314,9 @@ template <bool Adhesive, bool Twisting, class Real>
 inline ContactOutcome<Real> linear_rolling(
     const LawConstantsOf<Real>& law, const Real& dt, const GrainPair<Real>& pair, ContactMemory<Real>& memory
 ) noexcept {
-    const Meeting<Real> meeting = meet(law, pair.branch, pair.radius_1, pair.radius_2);
-    const Limits<Real> limits = stretch<Adhesive, Twisting>(law, dt, pair, meeting, memory);
-    return cut<Twisting>(meeting, limits, pair.radius_1, pair.radius_2, memory);
+    const ContactGeometry<Real> geometry = find_geometry(law, pair.branch, pair.radius_1, pair.radius_2);
+    const Limits<Real> limits = predict_forces<Adhesive, Twisting>(law, dt, pair, geometry, memory);
+    return limit_forces<Twisting>(geometry, limits, pair.radius_1, pair.radius_2, memory);
 }
 
 } // namespace suffuse::contact

@@ -2,7 +2,7 @@
 // A tile: up to 64 contacts side by side, in rows that a loop without branches turns into vector instructions. Where
 // the law's parts meet; used by the hot loop alone.
 
-#include "suffuse/base/quad.hpp"
+#include "suffuse/base/double4.hpp"
 #include "suffuse/contact/linear_rolling.hpp"
 
 #include <array>
@@ -30,7 +30,7 @@ struct alignas(64) Tile {
     Row<double> exact_radius_1, exact_radius_2;
     Row<Real> radius_1, radius_2, bonded;
     Rows3<Real> normal;
-    Row<Real> overlap, stretch, normal_stiffness, within_reach;
+    Row<Real> overlap, reach_over_distance, normal_stiffness, within_reach;
     Rows3<Real> shear_force, bending, twisting;
     Row<Real> normal_force, slip_limit, bending_limit, twisting_limit, touching;
 
@@ -53,44 +53,44 @@ template <class Real, class Other>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline Meeting<Real> meeting(const Tile<Real>& t, std::size_t k) {
-    return {triple(t.normal, k), t.overlap[k], t.stretch[k], t.normal_stiffness[k], t.within_reach[k]};
+[[gnu::always_inline]] inline ContactGeometry<Real> geometry_at(const Tile<Real>& t, std::size_t k) {
+    return {triple(t.normal, k), t.overlap[k], t.reach_over_distance[k], t.normal_stiffness[k], t.within_reach[k]};
 }
 
 /// Four lanes, narrowed where the rows are of single precision.
-[[gnu::always_inline]] inline void put(Row<double>& row, std::size_t k, const Quad& q) {
+[[gnu::always_inline]] inline void put(Row<double>& row, std::size_t k, const Double4& q) {
     std::memcpy(&row[k], &q, sizeof(q));
 }
 
-[[gnu::always_inline]] inline void put(Row<float>& row, std::size_t k, const Quad& q) {
-    const FloatQuad narrow = narrowed(q);
+[[gnu::always_inline]] inline void put(Row<float>& row, std::size_t k, const Double4& q) {
+    const Float4 narrow = narrowed(q);
     std::memcpy(&row[k], &narrow, sizeof(narrow));
 }
 
-[[gnu::always_inline]] inline Quad get(const Row<double>& row, std::size_t k) {
-    Quad q;
+[[gnu::always_inline]] inline Double4 get(const Row<double>& row, std::size_t k) {
+    Double4 q;
     std::memcpy(&q, &row[k], sizeof(q));
     return q;
 }
 
-[[gnu::always_inline]] inline Quad get(const Row<float>& row, std::size_t k) {
-    FloatQuad q;
+[[gnu::always_inline]] inline Double4 get(const Row<float>& row, std::size_t k) {
+    Float4 q;
     std::memcpy(&q, &row[k], sizeof(q));
     return widened(q);
 }
 
-using FourQuads = std::array<Quad, 4>;
+using Double4x4 = std::array<Double4, 4>;
 
 template <class Real>
-[[gnu::always_inline]] inline void put(Rows3<Real>& rows, std::size_t k, const FourQuads& t) {
+[[gnu::always_inline]] inline void put(Rows3<Real>& rows, std::size_t k, const Double4x4& t) {
     put(rows.x, k, t[0]);
     put(rows.y, k, t[1]);
     put(rows.z, k, t[2]);
 }
 
 template <class Real>
-[[gnu::always_inline]] inline FourQuads vectors(const Rows3<Real>& rows, std::size_t k) {
-    return transposed(get(rows.x, k), get(rows.y, k), get(rows.z, k), Quad{});
+[[gnu::always_inline]] inline Double4x4 vectors(const Rows3<Real>& rows, std::size_t k) {
+    return transposed(get(rows.x, k), get(rows.y, k), get(rows.z, k), Double4{});
 }
 
 } // namespace suffuse::contact

@@ -48,12 +48,13 @@ struct NextStep {
             triple(contacts.shear_force[c]), triple(contacts.bending[c]),
             twists ? triple(contacts.twisting[c]) : Triple<double>{}, triple(contacts.normal[c]),
             bonds ? static_cast<double>(contacts.bonded[c]) : 0.0};
-        const contact::Meeting<double> meeting = contact::meet(law, pair.branch, pair.radius_1, pair.radius_2);
-        const contact::Limits<double> limits = contact::stretch<true, true>(law, dt, pair, meeting, memory);
+        const contact::ContactGeometry<double> geometry =
+            contact::find_geometry(law, pair.branch, pair.radius_1, pair.radius_2);
+        const contact::Limits<double> limits = contact::predict_forces<true, true>(law, dt, pair, geometry, memory);
         if (limits.touching == 0) {
             return; // what its springs hold as it opens is next to nothing
         }
-        const double shear = law.shear_ratio * meeting.normal_stiffness, arms = shear * pair.radius_1 * pair.radius_2;
+        const double shear = law.shear_ratio * geometry.normal_stiffness, arms = shear * pair.radius_1 * pair.radius_2;
         taken.slip += taken_beyond(memory.shear_force, limits.slip, shear);
         taken.rolling += taken_beyond(memory.bending, limits.bending, law.rolling_stiffness * arms) +
                          taken_beyond(memory.twisting, limits.twisting, law.twisting_stiffness * arms);
@@ -98,11 +99,11 @@ double measure_damping(const World& world, double dt, double damping) {
 
 /// Done on a cell that deforms from `before` to `after` under the mean stress of both, compression positive [J].
 double work_between(const Mat3& before, const Mat3& after, const Mat3& stress) {
-    const Mat3 middle = 0.5 * (before + after), stretch = (after - before) * inverse(middle);
+    const Mat3 middle = 0.5 * (before + after), strain_increment = (after - before) * inverse(middle);
     double work = 0;
     for (int a = 0; a < 3; ++a) {
         for (int b = 0; b < 3; ++b) {
-            work -= stress(a, b) * stretch(a, b);
+            work -= stress(a, b) * strain_increment(a, b);
         }
     }
     return determinant(middle) * work;

@@ -16,7 +16,7 @@ struct Work {
     const std::uint32_t *remote_start, *roster, *awake_end;
     const Vec3* load; ///< null: none
     double load_share;
-    const Watched* watch;
+    const WatchedGrain* watch;
     const Vec3* origin;
     bool only_awake;
     grains::MovingRow* rows;
@@ -35,23 +35,24 @@ struct Work {
 
 /// By how much the grain's squared motion exceeds what the watch allows, in the first lane [m2].
 template <class Matrix>
-[[gnu::always_inline]] inline Quad excess(const Matrix& mean_motion, const Quad& watched, const Quad& position) {
-    const Quad moved = position - mean_motion * watched;
-    const Quad square = moved * moved;
+[[gnu::always_inline]] inline Double4
+excess(const Matrix& mean_motion, const Double4& watched, const Double4& position) {
+    const Double4 moved = position - mean_motion * watched;
+    const Double4 square = moved * moved;
     return square + broadcast<1>(square) + broadcast<2>(square) - broadcast<3>(watched);
 }
 
 template <class Matrix>
 [[gnu::always_inline]] inline void
-move_tile(const motion::MotionOf<Quad, Matrix>& motion, const Work& w, std::size_t begin, std::size_t end) {
+move_tile(const motion::MotionOf<Double4, Matrix>& motion, const Work& w, std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t g = w.roster[k];
         const grains::GrainSum& sum = w.sums[g];
         grains::MovingRow& row = w.rows[g];
-        const Quad force = w.load == nullptr ? sum.force : sum.force + w.load_share * quad(w.load[g], 0);
-        Quad position = row.position, velocity = row.velocity, spin = row.spin;
-        const Quad inverse_mass = broadcast<3>(position), inverse_inertia = broadcast<3>(velocity);
-        const Quad free = inverse_mass > Quad{} ? Quad{} + 1.0 : Quad{};
+        const Double4 force = w.load == nullptr ? sum.force : sum.force + w.load_share * double4(w.load[g], 0);
+        Double4 position = row.position, velocity = row.velocity, spin = row.spin;
+        const Double4 inverse_mass = broadcast<3>(position), inverse_inertia = broadcast<3>(velocity);
+        const Double4 free = inverse_mass > Double4{} ? Double4{} + 1.0 : Double4{};
         motion::move(motion, inverse_mass * force, inverse_inertia * sum.torque, free, position, velocity, spin);
         row = {
             with_last_of(position, row.position), with_last_of(velocity, row.velocity), with_last_of(spin, row.spin)};
@@ -62,18 +63,18 @@ move_tile(const motion::MotionOf<Quad, Matrix>& motion, const Work& w, std::size
 /// its force to its watch is a long chain, and two loops keep the processor busier with several grains than one.
 template <class Matrix>
 [[gnu::always_inline]] inline bool
-move_domain(const motion::MotionOf<Quad, Matrix>& motion, const Matrix& mean_motion, const Work& w, std::size_t d) {
+move_domain(const motion::MotionOf<Double4, Matrix>& motion, const Matrix& mean_motion, const Work& w, std::size_t d) {
     constexpr std::size_t tile_grains = 64;
     collect(w, d);
-    const Quad origin = quad(w.origin[d], 0);
-    Quad most = Quad{} - 1.0;
+    const Double4 origin = double4(w.origin[d], 0);
+    Double4 most = Double4{} - 1.0;
     const std::size_t end = w.only_awake ? w.awake_end[d] : std::min(w.grains, (d + 1) * w.domain_grains);
     for (std::size_t tile = d * w.domain_grains; tile < end; tile += tile_grains) {
         const std::size_t tile_end = std::min(end, tile + tile_grains);
         move_tile(motion, w, tile, tile_end);
         for (std::size_t k = tile; k < tile_end; ++k) {
             const std::uint32_t g = w.roster[k];
-            const Quad over = excess(mean_motion, origin + widened(w.watch[g].place), w.rows[g].position);
+            const Double4 over = excess(mean_motion, origin + widened(w.watch[g].place), w.rows[g].position);
             most = over > most ? over : most;
         }
     }
@@ -81,19 +82,19 @@ move_domain(const motion::MotionOf<Quad, Matrix>& motion, const Matrix& mean_mot
 }
 
 SUFFUSE_CLONES bool
-move_in_any_cell(const motion::QuadMotion& motion, const QuadMatrix& mean_motion, const Work& w, std::size_t d) {
+move_in_any_cell(const motion::LaneMotion& motion, const Double4x3& mean_motion, const Work& w, std::size_t d) {
     return move_domain(motion, mean_motion, w, d);
 }
 
 SUFFUSE_CLONES bool
-move_in_upright_cell(const motion::DiagonalMotion& motion, const Quad& mean_motion, const Work& w, std::size_t d) {
+move_in_upright_cell(const motion::DiagonalMotion& motion, const Double4& mean_motion, const Work& w, std::size_t d) {
     return move_domain(motion, mean_motion, w, d);
 }
 
 /// The sleepers of a domain, four side by side through all the steps.
 template <class Matrix>
 [[gnu::always_inline]] inline void coast_domain(
-    std::span<const motion::MotionOf<Quad, Matrix>> steps, const std::uint32_t* roster, std::size_t begin,
+    std::span<const motion::MotionOf<Double4, Matrix>> steps, const std::uint32_t* roster, std::size_t begin,
     std::size_t end, grains::MovingRow* rows
 ) {
     constexpr std::size_t side = 4;
@@ -102,7 +103,7 @@ template <class Matrix>
         for (std::size_t q = 0; q < side; ++q) {
             row[q] = rows[roster[std::min(k + q, end - 1)]];
         }
-        for (const motion::MotionOf<Quad, Matrix>& step : steps) {
+        for (const motion::MotionOf<Double4, Matrix>& step : steps) {
             for (std::size_t q = 0; q < side; ++q) {
                 motion::coast(step, row[q].position, row[q].velocity, row[q].spin);
             }
@@ -117,7 +118,7 @@ template <class Matrix>
 }
 
 SUFFUSE_CLONES void coast_in_any_cell(
-    std::span<const motion::QuadMotion> steps, const std::uint32_t* roster, std::size_t begin, std::size_t end,
+    std::span<const motion::LaneMotion> steps, const std::uint32_t* roster, std::size_t begin, std::size_t end,
     grains::MovingRow* rows
 ) {
     coast_domain(steps, roster, begin, end, rows);
@@ -153,10 +154,10 @@ bool move_grains(
         rows.data(),
         sums.data()};
     const bool upright = is_diagonal(step.old_gradient) && is_diagonal(step.change) && is_diagonal(mean_motion);
-    const motion::QuadMotion any = motion::in_quads(step);
+    const motion::LaneMotion any = motion::in_lanes(step);
     const motion::DiagonalMotion diagonal = motion::in_diagonals(step);
-    const QuadMatrix any_mean = quad_matrix(mean_motion);
-    const Quad diagonal_mean = quad_diagonal(mean_motion);
+    const Double4x3 any_mean = double4x3(mean_motion);
+    const Double4 diagonal_mean = double4_diagonal(mean_motion);
     std::atomic<bool> too_far = false;
     parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t d = first; d < last; ++d) {
@@ -175,9 +176,9 @@ void coast_sleepers(
     const bool upright = std::ranges::all_of(steps, [](const motion::StepMotion& step) {
         return is_diagonal(step.old_gradient) && is_diagonal(step.change);
     });
-    std::array<motion::QuadMotion, most_slept_steps> any{};
+    std::array<motion::LaneMotion, most_slept_steps> any{};
     std::array<motion::DiagonalMotion, most_slept_steps> diagonal{};
-    std::ranges::transform(steps, any.begin(), motion::in_quads);
+    std::ranges::transform(steps, any.begin(), motion::in_lanes);
     std::ranges::transform(steps, diagonal.begin(), motion::in_diagonals);
     parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t d = first; d < last; ++d) {

@@ -14,12 +14,12 @@ namespace suffuse::dem {
 /// Where a grain was when the contact table was made, from the origin of its domain and as near as single precision
 /// comes to it [m]; in the last lane the square of how far it may be from there, against the mean motion, before the
 /// table must be made again [m2].
-struct alignas(16) Watched {
-    FloatQuad place;
+struct alignas(16) WatchedGrain {
+    Float4 place;
 };
 
 struct Watch {
-    std::vector<Watched> grains;
+    std::vector<WatchedGrain> grains;
     std::vector<Vec3> origin; ///< of each domain of the sum plan: a place near most of its grains [m]
 };
 

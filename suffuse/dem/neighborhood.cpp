@@ -126,7 +126,7 @@ void Neighborhood::look_at_sleepers(const World& world) {
         double most = 0;
         for (std::size_t k = sum_plan_.awake_end[d]; k < end; ++k) {
             const std::uint32_t g = sum_plan_.roster[k];
-            const Quad watched = quad(watch_.origin[d], 0) + widened(watch_.grains[g].place);
+            const Double4 watched = double4(watch_.origin[d], 0) + widened(watch_.grains[g].place);
             const double left = std::sqrt(watched[3]) - norm(grains.position[g] - motion * xyz(watched));
             const double speed = norm(grains.velocity[g] - world.cell.velocity_gradient * grains.position[g]);
             most = std::max(most, speed > 0 ? speed / std::max(left, 1e-300) : 0);
@@ -235,7 +235,7 @@ void Neighborhood::make_table(World& world, const std::vector<double>& allowance
         for (std::size_t g = begin; g < end; ++g) {
             const Vec3 place = grains.position[g] - watch_.origin[g / sum_plan_.domain_grains];
             const double may_move = std::max(0.0, (1 - stretch_) * allowance[g] - rounding_of(place));
-            watch_.grains[g] = {narrowed(quad(place, rounded_down * may_move * may_move))};
+            watch_.grains[g] = {narrowed(double4(place, rounded_down * may_move * may_move))};
         }
     });
     idle_pairs_ = count_idle(world.contacts);

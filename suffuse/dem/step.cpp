@@ -90,10 +90,10 @@ contact::Pressed press(World& world, StepCaches& caches, Mode mode, const contac
     const contact::SumPlan& sums = caches.neighborhood.sum_plan();
     if (mode == Mode::Fast) {
         return contact::compute_forces(
-            caches.rows, sums, caches.around, law, world.contacts, caches.memory, caches.sums
+            caches.rows, sums, caches.contact_setting, law, world.contacts, caches.memory, caches.sums
         );
     }
-    return contact::compute_forces(caches.rows, sums, caches.around, law, world.contacts, caches.sums);
+    return contact::compute_forces(caches.rows, sums, caches.contact_setting, law, world.contacts, caches.sums);
 }
 
 /// Share of the load that acts in step `k` of a burst.
@@ -118,10 +118,10 @@ Mat3 one_step(
 
     // 3 touch, 4 press
     const bool looks_at_moduli = needs_moduli(world, plan.loading);
-    contact::surround(
-        neighborhood.sum_plan(), cell.h, image_velocity, neighborhood.largest_radius(), plan.dt, caches.around
+    contact::set_up_step(
+        neighborhood.sum_plan(), cell.h, image_velocity, neighborhood.largest_radius(), plan.dt, caches.contact_setting
     );
-    caches.around.overlaps = last || looks_at_moduli;
+    caches.contact_setting.overlaps = last || looks_at_moduli;
     const contact::Pressed pressed = press(world, caches, plan.mode, law);
     if (pressed.wild) {
         throw StateError(fmt::format(
@@ -173,7 +173,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     if (caches.sleep) {
         caches.neighborhood.look_at_sleepers(world);
     }
-    caches.around.normals_only = !plan.loading.velocity_gradient && contacts_only_push(world);
+    caches.contact_setting.normals_only = !plan.loading.velocity_gradient && contacts_only_push(world);
     StepReport report;
     try {
         for (std::int64_t k = 0; k < steps; ++k) {

@@ -36,7 +36,7 @@ struct StepCaches {
     std::vector<grains::GrainSum> sums;
     bool sleep = false;                    ///< grains in no row of the contact table do, in this burst
     std::vector<motion::StepMotion> slept; ///< steps that they have not made yet
-    contact::Surroundings around;
+    contact::StepSetting contact_setting;
     contact::SingleMemory memory; ///< of the contacts, in fast mode
 };
 

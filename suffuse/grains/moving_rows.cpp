@@ -15,8 +15,8 @@ void to_rows(const Grains& grains, std::vector<MovingRow>& rows) {
         for (std::size_t g = begin; g < end; ++g) {
             const double free = grains.motion[g] == Motion::Free ? 1.0 : 0.0;
             rows[g] = {
-                quad(grains.position[g], free / grains.mass[g]), quad(grains.velocity[g], free / grains.inertia[g]),
-                quad(grains.spin[g], grains.radius[g])};
+                double4(grains.position[g], free / grains.mass[g]),
+                double4(grains.velocity[g], free / grains.inertia[g]), double4(grains.spin[g], grains.radius[g])};
         }
     });
 }

@@ -2,7 +2,7 @@
 // What a burst of steps reads and writes of a grain, in rows: the grains of a contact are then two short runs of
 // memory. Made from the grain table when a burst begins, given back to it when it ends.
 
-#include "suffuse/base/quad.hpp"
+#include "suffuse/base/double4.hpp"
 #include "suffuse/grains/grains.hpp"
 
 #include <vector>
@@ -10,14 +10,14 @@
 namespace suffuse::grains {
 
 struct alignas(32) MovingRow {
-    Quad position; ///< [m]; last lane: 1/mass, zero for a held grain [1/kg]
-    Quad velocity; ///< [m/s]; last lane: 1/inertia, zero for a held grain [1/(kg m2)]
-    Quad spin;     ///< [rad/s]; last lane: radius [m]
+    Double4 position; ///< [m]; last lane: 1/mass, zero for a held grain [1/kg]
+    Double4 velocity; ///< [m/s]; last lane: 1/inertia, zero for a held grain [1/(kg m2)]
+    Double4 spin;     ///< [rad/s]; last lane: radius [m]
 };
 
 /// Contact force [N] and torque [N m] on a grain, or a part of them.
 struct alignas(64) GrainSum {
-    Quad force{}, torque{};
+    Double4 force{}, torque{};
 };
 
 void to_rows(const Grains& grains, std::vector<MovingRow>& rows);

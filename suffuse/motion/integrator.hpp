@@ -2,7 +2,7 @@
 // One grain's motion over one step, in a cell that deforms: damped acceleration, convection by the cell's mean motion,
 // and the change of that mean motion [reference 1.4]. Pure functions; the loop over grains is in dem.
 
-#include "suffuse/base/quad.hpp"
+#include "suffuse/base/double4.hpp"
 #include "suffuse/base/vec3.hpp"
 
 namespace suffuse::motion {
@@ -22,8 +22,8 @@ using StepMotion = MotionOf<Vec3, Mat3>;
 
 // A grain's three components at once, with the same bits; in a cell whose edges keep their directions, matrices are
 // diagonal.
-using QuadMotion = MotionOf<Quad, QuadMatrix>;
-using DiagonalMotion = MotionOf<Quad, Quad>;
+using LaneMotion = MotionOf<Double4, Double4x3>;
+using DiagonalMotion = MotionOf<Double4, Double4>;
 
 inline StepMotion
 plan_motion(double dt, double damping, double drag, const Mat3& old_gradient, const Mat3& new_gradient) {
@@ -34,12 +34,17 @@ plan_motion(double dt, double damping, double drag, const Mat3& old_gradient, co
     return {dt, damping, drag, old_gradient, change, spin};
 }
 
-inline QuadMotion in_quads(const StepMotion& m) {
-    return {m.dt, m.damping, m.drag, quad_matrix(m.old_gradient), quad_matrix(m.change), quad(m.spin_change, 0)};
+inline LaneMotion in_lanes(const StepMotion& m) {
+    return {m.dt, m.damping, m.drag, double4x3(m.old_gradient), double4x3(m.change), double4(m.spin_change, 0)};
 }
 
 inline DiagonalMotion in_diagonals(const StepMotion& m) {
-    return {m.dt, m.damping, m.drag, quad_diagonal(m.old_gradient), quad_diagonal(m.change), quad(m.spin_change, 0)};
+    return {m.dt,
+            m.damping,
+            m.drag,
+            double4_diagonal(m.old_gradient),
+            double4_diagonal(m.change),
+            double4(m.spin_change, 0)};
 }
 
 /// Local damping [Cundall & Strack 1979]: the acceleration grows where it brakes and shrinks where it drives. The
@@ -55,11 +60,11 @@ inline DiagonalMotion in_diagonals(const StepMotion& m) {
     return {damped(a.x, v.x, dt, damping), damped(a.y, v.y, dt, damping), damped(a.z, v.z, dt, damping)};
 }
 
-[[gnu::always_inline]] inline Quad damped(const Quad& a, const Quad& v, double dt, double damping) {
-    const Quad zero{}, one = zero + 1.0;
-    const Quad power = a * (v + 0.5 * dt * a);
-    const Quad driven = one - damping,
-               braked = one + damping; // chosen, not computed from the sense: the same bits sooner
+[[gnu::always_inline]] inline Double4 damped(const Double4& a, const Double4& v, double dt, double damping) {
+    const Double4 zero{}, one = zero + 1.0;
+    const Double4 power = a * (v + 0.5 * dt * a);
+    const Double4 driven = one - damping,
+                  braked = one + damping; // chosen, not computed from the sense: the same bits sooner
     return a * (power > zero ? driven : (power < zero ? braked : one));
 }
 

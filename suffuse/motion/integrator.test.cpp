@@ -81,9 +81,9 @@ TEST(Integrator, ANewMeanMotionIsGivenToTheGrainsWithItsSpin) {
 
 template <class Vec, class Matrix>
 void expect_coasting_as_moving(const MotionOf<Vec, Matrix>& step) {
-    const Quad one = Quad{} + 1.0, nothing{};
-    Quad position{0.3, -0.7, 0.0, 5}, velocity{-0.2, -0.0, 0.9, 7}, spin{-0.0, 4, -1, 9};
-    Quad other_position = position, other_velocity = velocity, other_spin = spin;
+    const Double4 one = Double4{} + 1.0, nothing{};
+    Double4 position{0.3, -0.7, 0.0, 5}, velocity{-0.2, -0.0, 0.9, 7}, spin{-0.0, 4, -1, 9};
+    Double4 other_position = position, other_velocity = velocity, other_spin = spin;
     for (int k = 0; k < 50; ++k) {
         move(step, nothing, nothing, one, position, velocity, spin);
         coast(step, other_position, other_velocity, other_spin);
@@ -97,7 +97,7 @@ void expect_coasting_as_moving(const MotionOf<Vec, Matrix>& step) {
 
 TEST(Integrator, AGrainThatNothingPushesCoastsToTheSameBits) {
     const Mat3 sheared{{{{-1, 0.3, 0}, {0.3, 0.5, 0}, {0, 0, 0.2}}}}, upright{{{{-1, 0, 0}, {0, 0.5, 0}, {0, 0, 0}}}};
-    expect_coasting_as_moving(in_quads(plan_motion(1e-3, 0.2, 0, sheared, 1.1 * sheared)));
+    expect_coasting_as_moving(in_lanes(plan_motion(1e-3, 0.2, 0, sheared, 1.1 * sheared)));
     expect_coasting_as_moving(in_diagonals(plan_motion(1e-3, 0.2, 0, upright, 1.1 * upright)));
     expect_coasting_as_moving(in_diagonals(plan_motion(1e-3, 0, 0, {}, {})));
 }

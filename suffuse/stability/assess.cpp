@@ -32,7 +32,7 @@ void check(const AssessSpec& spec) {
     if (!spec.seepage) {
         return;
     }
-    const Seepage& seepage = *spec.seepage;
+    const UpwardSeepage& seepage = *spec.seepage;
     require(
         seepage.gradient >= 0,
         fmt::format("a hydraulic gradient of {:.6g}: upward seepage is positive", seepage.gradient)

@@ -24,7 +24,7 @@ struct AssessSpec {
     std::optional<double> finer_than = {};       ///< fine fraction [m]; found on the curve where not given
     std::optional<double> relative_density = {}; ///< 0 to 1 [-]
     PrimaryFabric fabric = PrimaryFabric::Soil;
-    std::optional<Seepage> seepage = {};
+    std::optional<UpwardSeepage> seepage = {};
 };
 
 struct Assessment {

@@ -94,9 +94,9 @@ TEST(Assess, BadNumbersAreRefusedWithTheirRange) {
     const grains::Grading grading = box(1e-4, 1e-3);
     EXPECT_THROW(assess(grading, {.finer_than = 2e-3}), CaseError);
     EXPECT_THROW(assess(grading, {.relative_density = 60}), CaseError);
-    EXPECT_THROW(assess(grading, {.seepage = Seepage{.gradient = -1}}), CaseError);
-    EXPECT_THROW(assess(grading, {.seepage = Seepage{.porosity = 40}}), CaseError);
-    EXPECT_THROW(assess(grading, {.seepage = Seepage{.grain_density = 2.65}}), CaseError);
+    EXPECT_THROW(assess(grading, {.seepage = UpwardSeepage{.gradient = -1}}), CaseError);
+    EXPECT_THROW(assess(grading, {.seepage = UpwardSeepage{.porosity = 40}}), CaseError);
+    EXPECT_THROW(assess(grading, {.seepage = UpwardSeepage{.grain_density = 2.65}}), CaseError);
     EXPECT_THROW(assess({{1e-3}, {1}, ""}), CaseError);
 }
 
@@ -164,7 +164,7 @@ TEST(SkemptonBrogan, NeedsTheStressShareOfTheFinesWhereTheSoilIsUnstable) {
 // A power law has (H/F)min = 4^m - 1: 1.15, between the two limits of Kenney and Lau, and 1.64, above both.
 TEST(SkemptonBrogan, TakesAllGrainsToCarryOnlyWhereBothLimitsOfKenneyAndLauSayStable) {
     AssessSpec spec;
-    spec.seepage = Seepage{.gradient = 0.297};
+    spec.seepage = UpwardSeepage{.gradient = 0.297};
     const Assessment between = assess(testing::power_law(std::log(2.15) / std::log(4)), spec);
     ASSERT_EQ(of(between, "kenney-lau-1986").verdict, Verdict::Stable);
     ASSERT_EQ(of(between, "kenney-lau-1985").verdict, Verdict::Unstable);
@@ -178,7 +178,7 @@ TEST(SkemptonBrogan, TakesAllGrainsToCarryOnlyWhereBothLimitsOfKenneyAndLauSaySt
 
 TEST(Assess, EveryCriterionIsExplainedWithItsSource) {
     AssessSpec spec;
-    spec.seepage = Seepage{};
+    spec.seepage = UpwardSeepage{};
     const Assessment found = assess(testing::power_law(0.5), spec);
     std::vector<std::string> ids;
     for (const auto& list : {found.criteria, found.gradients}) {

@@ -11,7 +11,7 @@ namespace {
 constexpr double water_density = 1000; // [kg/m3]
 
 /// Number i, limit i_c, and what is left of it.
-Criterion against(const Seepage& seepage, double critical) {
+Criterion against(const UpwardSeepage& seepage, double critical) {
     Criterion criterion;
     criterion.measure = "gradient i";
     criterion.value = seepage.gradient;
@@ -34,7 +34,7 @@ double terzaghi_gradient(double porosity, double grain_density) {
     return (grain_density / water_density - 1) * (1 - porosity);
 }
 
-Criterion terzaghi(const Seepage& seepage) {
+Criterion terzaghi(const UpwardSeepage& seepage) {
     Criterion criterion = against(seepage, terzaghi_gradient(seepage.porosity, seepage.grain_density));
     criterion.id = "terzaghi";
     criterion.name = "Terzaghi";
@@ -43,7 +43,7 @@ Criterion terzaghi(const Seepage& seepage) {
     return criterion;
 }
 
-Criterion skempton_brogan(const Seepage& seepage, Verdict by_shape) {
+Criterion skempton_brogan(const UpwardSeepage& seepage, Verdict by_shape) {
     const double whole = terzaghi_gradient(seepage.porosity, seepage.grain_density);
     const bool all_carry = by_shape == Verdict::Stable;
     const double share = seepage.stress_share.value_or(1);

@@ -8,7 +8,7 @@
 
 namespace suffuse::stability {
 
-struct Seepage {
+struct UpwardSeepage {
     double gradient = 0;                     ///< i of the water, upward [-]
     double porosity = 0.40;                  ///< [-]
     double grain_density = 2650;             ///< [kg/m3]
@@ -19,12 +19,12 @@ struct Seepage {
 double terzaghi_gradient(double porosity, double grain_density);
 
 /// Stable while i stays below (Gs - 1)(1 - n).
-Criterion terzaghi(const Seepage& seepage);
+Criterion terzaghi(const UpwardSeepage& seepage);
 
 /// Stable while i stays below alpha (Gs - 1)(1 - n). `by_shape` is what Kenney and Lau 1985 say: where the soil is
 /// stable all grains carry, alpha = 1 [Skempton and Brogan 1994, abstract]. That is their stricter limit, H/F >= 1.3:
 /// from 1 to 1.3 their two limits disagree, and to take alpha = 1 there would be to the unsafe side. Elsewhere alpha
 /// must be known; without it the criterion cannot say, and tells the share that the fines would have to carry.
-Criterion skempton_brogan(const Seepage& seepage, Verdict by_shape);
+Criterion skempton_brogan(const UpwardSeepage& seepage, Verdict by_shape);
 
 } // namespace suffuse::stability

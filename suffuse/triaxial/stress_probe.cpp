@@ -42,7 +42,7 @@ cell::Loading held(const Vec3& stress) {
 }
 
 /// Where a load has brought a world so far.
-struct Watched {
+struct LoadedSample {
     dem::World world;
     dem::StepCaches caches;
     dem::BalanceState balance;
@@ -50,13 +50,13 @@ struct Watched {
 };
 
 /// Over-damped, so that no inertia takes a contact over its limit that the load itself leaves below.
-void burst(Watched& watched, const Vec3& stress, double time_step, double damping, const dem::BalanceSpec& goal) {
+void burst(LoadedSample& sample, const Vec3& stress, double time_step, double damping, const dem::BalanceSpec& goal) {
     dem::StepPlan plan;
     plan.dt = time_step;
     plan.damping = damping;
-    plan.drag = dem::slowest_mode_drag(watched.world.grains.size(), time_step);
+    plan.drag = dem::slowest_mode_drag(sample.world.grains.size(), time_step);
     plan.loading = held(stress);
-    watched.rests = dem::settle_burst(watched.world, watched.caches, plan, goal, watched.balance);
+    sample.rests = dem::settle_burst(sample.world, sample.caches, plan, goal, sample.balance);
 }
 
 dem::BalanceSpec goal_of(const StressProbeSpec& spec) {
@@ -70,22 +70,22 @@ dem::BalanceSpec goal_of(const StressProbeSpec& spec) {
 /// The increment grows over the ramp, and is then held until the sample rests.
 StressProbe
 load(const ProbedState& state, const StressProbeSpec& spec, const Vec3& increment, double damping, const Pulse& pulse) {
-    Watched watched{state.world, {}, {}, false};
+    LoadedSample sample{state.world, {}, {}, false};
     StressProbe probe;
     const dem::BalanceSpec goal = goal_of(spec);
-    while (probe.answer == Answer::Rests && !(watched.rests && probe.steps >= spec.ramp)) {
+    while (probe.answer == Answer::Rests && !(sample.rests && probe.steps >= spec.ramp)) {
         probe.steps += dem::burst_steps;
         const double share = std::min(1.0, static_cast<double>(probe.steps) / static_cast<double>(spec.ramp));
-        burst(watched, state.stress + share * increment, state.time_step, damping, goal);
-        probe.strain = cell::axial_strains(state.world.cell.h, watched.world.cell.h);
+        burst(sample, state.stress + share * increment, state.time_step, damping, goal);
+        probe.strain = cell::axial_strains(state.world.cell.h, sample.world.cell.h);
         if (norm(probe.strain) > spec.max_strain) {
             probe.answer = Answer::Fails;
-        } else if (!watched.rests && probe.steps >= spec.ramp + spec.max_steps) {
+        } else if (!sample.rests && probe.steps >= spec.ramp + spec.max_steps) {
             probe.answer = Answer::Creeps;
         }
         beat(pulse, "probe", probe.steps);
     }
-    probe.stress = axial_stress(watched.balance.stress) - state.stress;
+    probe.stress = axial_stress(sample.balance.stress) - state.stress;
     return probe;
 }
 
@@ -102,27 +102,27 @@ ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec
     }
     const Vec3 stress = axial_stress(carried);
     const dem::BalanceSpec goal = goal_of(spec);
-    Watched watched{world, {}, {}, false};
+    LoadedSample sample{world, {}, {}, false};
     const double median = stats::median_diameter(world.grains);
-    dem::lend_inertia(watched.world, median, {}, {true, true}); // where grains rest does not depend on it
+    dem::lend_inertia(sample.world, median, {}, {true, true}); // where grains rest does not depend on it
     ProbedState state;
-    state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(watched.world);
-    while (!watched.rests) {
-        burst(watched, stress, state.time_step, damping, goal);
+    state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(sample.world);
+    while (!sample.rests) {
+        burst(sample, stress, state.time_step, damping, goal);
         state.steps += dem::burst_steps;
-        const double strain = norm(cell::axial_strains(world.cell.h, watched.world.cell.h));
+        const double strain = norm(cell::axial_strains(world.cell.h, sample.world.cell.h));
         if (strain > spec.max_strain || state.steps >= spec.max_steps) {
             throw StateError(fmt::format(
                 "the sample does not rest under the stress that it carries: after {} steps it has strained by {:.2e} "
                 "and its unbalanced force is {:.1e} (wanted {:.1e}); probe a state further from failure, or ask for "
                 "less by unbalanced_force",
-                state.steps, strain, watched.balance.equilibrium.unbalanced_force, spec.unbalanced_force
+                state.steps, strain, sample.balance.equilibrium.unbalanced_force, spec.unbalanced_force
             ));
         }
         beat(pulse, "rest", state.steps);
     }
-    state.world = std::move(watched.world);
-    state.stress = axial_stress(watched.balance.stress);
+    state.world = std::move(sample.world);
+    state.stress = axial_stress(sample.balance.stress);
     state.drift = norm(load(state, spec, {}, damping, pulse).strain);
     return state;
 }

@@ -49,9 +49,9 @@ void add_plastic_work(
     contact::plan_sums(elastic, before.grains.size(), plan);
     std::vector<grains::GrainSum> sums(plan.rows());
     const double largest_radius = *std::max_element(before.grains.radius.begin(), before.grains.radius.end());
-    contact::Surroundings around;
-    contact::surround(plan, after.cell.h, image_velocity, largest_radius, dt, around);
-    contact::compute_forces(rows, plan, around, contact::resolve_law(unlimited), elastic, sums);
+    contact::StepSetting setting;
+    contact::set_up_step(plan, after.cell.h, image_velocity, largest_radius, dt, setting);
+    contact::compute_forces(rows, plan, setting, contact::resolve_law(unlimited), elastic, sums);
     for (std::size_t c = 0; c < elastic.size(); ++c) {
         if (!after.contacts.touches(c)) {
             continue;
