@@ -1,12 +1,8 @@
 #include "suffuse/contact/forces.hpp"
 
-#include "suffuse/base/clones.hpp"
-#include "suffuse/base/exact_sum.hpp"
 #include "suffuse/base/parallel.hpp"
-#include "suffuse/contact/tile.hpp"
+#include "suffuse/contact/contact_loop.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <mutex>
 
@@ -15,13 +11,6 @@ namespace {
 
 constexpr std::size_t cached_grains = 100'000; // about 160 bytes each
 
-/// The columns that the law reads and writes.
-template <class Real>
-struct MemoryColumns {
-    Real *fx, *fy, *fz, *bx, *by, *bz, *nx, *ny, *nz, *tx, *ty, *tz, *overlap;
-    std::uint8_t* bonded;
-};
-
 /// `columns` of Contacts or SingleMemory.
 template <class Real, class Columns>
 MemoryColumns<Real> pointers(Columns& m) {
@@ -29,309 +18,6 @@ MemoryColumns<Real> pointers(Columns& m) {
             m.bending.y.data(),     m.bending.z.data(),     m.normal.x.data(),      m.normal.y.data(),
             m.normal.z.data(),      m.twisting.x.data(),    m.twisting.y.data(),    m.twisting.z.data(),
             m.overlap.data(),       m.bonded.data()};
-}
-
-/// What the loop over a domain reads and writes.
-template <class Real>
-struct Work {
-    const grains::MovingRow* grains;
-    const std::uint32_t *first, *second, *second_sum;
-    const std::uint16_t* image;
-    const ImageShift* shifts;
-    LawConstants exact_law;
-    LawConstantsOf<Real> law;
-    Real dt;
-    SumQuantum quantum;
-    double largest_force; ///< [N]
-    bool overlaps;        ///< the table's are wanted
-    bool beyond_cache;    ///< there are more grains than a processor's cache holds
-    MemoryColumns<Real> memory;
-    grains::GrainSum* sums;
-};
-
-/// Sums of force (x) branch, in quanta, and whether a force is out of bounds.
-struct StressSum {
-    std::array<std::uint64_t, 9> quanta{};
-    std::uint64_t wild = 0;
-};
-
-/// Copies the grains of the contacts `row(0)` to `row(3)` into rows `k` to `k + 3` of the tile; their motion only where
-/// `Moving`.
-template <bool Moving, class Real, class RowOf>
-[[gnu::always_inline]] inline void load_four(const Work<Real>& w, std::size_t k, RowOf&& row, Tile<Real>& tile) {
-    Double4x4 branch, velocity, spin_1, spin_2;
-    for (std::size_t q = 0; q < 4; ++q) {
-        const std::size_t c = row(q);
-        const grains::MovingRow &i = w.grains[w.first[c]], &j = w.grains[w.second[c]];
-        const ImageShift& shift = w.shifts[w.image[c]];
-        branch[q] = j.position - i.position + shift.position;
-        if constexpr (Moving) {
-            velocity[q] = j.velocity - i.velocity + shift.velocity;
-        }
-        spin_1[q] = i.spin;
-        spin_2[q] = j.spin;
-    }
-    const auto columns = [](const Double4x4& r) { return transposed(r[0], r[1], r[2], r[3]); };
-    put(tile.branch, k, columns(branch));
-    const Double4x4 first = columns(spin_1), second = columns(spin_2);
-    if constexpr (Moving) {
-        put(tile.velocity, k, columns(velocity));
-        put(tile.spin_1, k, first);
-        put(tile.spin_2, k, second);
-    }
-    put(tile.exact_radius_1, k, first[3]);
-    put(tile.exact_radius_2, k, second[3]);
-}
-
-template <bool Moving, class Real>
-[[gnu::always_inline]] inline void load(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& tile) {
-    std::size_t k = 0;
-    for (; k + 4 <= rows; k += 4) {
-        load_four<Moving>(
-            w, k, [&](std::size_t q) { return begin + k + q; }, tile
-        );
-    }
-    if (k < rows) { // short of rows: the last one again, unused
-        load_four<Moving>(
-            w, k, [&](std::size_t q) { return begin + std::min(k + q, rows - 1); }, tile
-        );
-    }
-}
-
-template <class Real>
-[[gnu::always_inline]] inline void find_geometry(const LawConstants& law, std::size_t rows, Tile<Real>& t) {
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < rows; ++k) {
-        const ContactGeometry<double> m =
-            find_geometry(law, triple(t.branch, k), t.exact_radius_1[k], t.exact_radius_2[k]);
-        set(t.normal, k, m.normal);
-        t.overlap[k] = static_cast<Real>(m.overlap);
-        t.reach_over_distance[k] = static_cast<Real>(m.reach_over_distance);
-        t.normal_stiffness[k] = static_cast<Real>(m.normal_stiffness);
-        t.within_reach[k] = static_cast<Real>(m.within_reach);
-        t.radius_1[k] = static_cast<Real>(t.exact_radius_1[k]);
-        t.radius_2[k] = static_cast<Real>(t.exact_radius_2[k]);
-    }
-}
-
-template <bool Adhesive, bool Twisting, class Real>
-[[gnu::always_inline]] inline void
-predict_forces(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& t) {
-    const LawConstantsOf<Real> law = w.law;
-    const MemoryColumns<Real> m = w.memory;
-    const Real dt = w.dt;
-    for (std::size_t k = 0; Adhesive && k < rows; ++k) {
-        t.bonded[k] = m.bonded[begin + k];
-    }
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < rows; ++k) {
-        const std::size_t c = begin + k;
-        const GrainPair<Real> pair{
-            {}, triple(t.velocity, k), triple(t.spin_1, k), triple(t.spin_2, k), t.radius_1[k], t.radius_2[k]};
-        ContactMemory<Real> memory{
-            {m.fx[c], m.fy[c], m.fz[c]}, {m.bx[c], m.by[c], m.bz[c]}, {}, {m.nx[c], m.ny[c], m.nz[c]}, 0};
-        if constexpr (Adhesive) {
-            memory.bonded = t.bonded[k];
-        }
-        if constexpr (Twisting) {
-            memory.twisting = {m.tx[c], m.ty[c], m.tz[c]};
-        }
-        const Limits<Real> limits = predict_forces<Adhesive, Twisting>(law, dt, pair, geometry_at(t, k), memory);
-        set(t.shear_force, k, memory.shear_force);
-        set(t.bending, k, memory.bending);
-        if constexpr (Adhesive) {
-            t.bonded[k] = memory.bonded;
-        }
-        if constexpr (Twisting) {
-            set(t.twisting, k, memory.twisting);
-            t.twisting_limit[k] = limits.twisting;
-        }
-        t.normal_force[k] = limits.normal_force;
-        t.slip_limit[k] = limits.slip;
-        t.bending_limit[k] = limits.bending;
-        t.touching[k] = limits.touching;
-    }
-    for (std::size_t k = 0; Adhesive && k < rows; ++k) {
-        m.bonded[begin + k] = static_cast<std::uint8_t>(t.bonded[k]);
-    }
-}
-
-template <bool Twisting, class Real>
-[[gnu::always_inline]] inline void
-limit_forces(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t rows, Tile<Real>& t) {
-    const MemoryColumns<Real> m = columns;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < rows; ++k) {
-        const std::size_t c = begin + k;
-        const Limits<Real> limits{
-            t.normal_force[k], t.slip_limit[k], t.bending_limit[k], Twisting ? t.twisting_limit[k] : Real{},
-            t.touching[k]};
-        ContactMemory<Real> memory{triple(t.shear_force, k), triple(t.bending, k), {}, {}, 0};
-        if constexpr (Twisting) {
-            memory.twisting = triple(t.twisting, k);
-        }
-        const ContactOutcome<Real> out =
-            limit_forces<Twisting>(geometry_at(t, k), limits, t.radius_1[k], t.radius_2[k], memory);
-        m.fx[c] = memory.shear_force.x, m.fy[c] = memory.shear_force.y, m.fz[c] = memory.shear_force.z;
-        m.bx[c] = memory.bending.x, m.by[c] = memory.bending.y, m.bz[c] = memory.bending.z;
-        m.nx[c] = memory.normal.x, m.ny[c] = memory.normal.y, m.nz[c] = memory.normal.z;
-        if constexpr (Twisting) {
-            m.tx[c] = memory.twisting.x, m.ty[c] = memory.twisting.y, m.tz[c] = memory.twisting.z;
-        }
-        set(t.force(), k, out.force);
-        set(t.torque_1(), k, out.torque_1);
-        set(t.torque_2(), k, out.torque_2);
-    }
-}
-
-/// Contacts that only push: what the other parts of the law would leave at zero is left alone.
-template <class Real>
-[[gnu::always_inline]] inline void
-push_apart(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t rows, Tile<Real>& t) {
-    const MemoryColumns<Real> m = columns;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < rows; ++k) {
-        const std::size_t c = begin + k;
-        const Real zero{}, was_touching = size_1(Triple<Real>{m.nx[c], m.ny[c], m.nz[c]});
-        const ContactGeometry<Real> geometry = geometry_at(t, k);
-        const Push<Real> out = push(geometry, was_touching);
-        m.nx[c] = out.touching > zero ? geometry.normal.x : zero;
-        m.ny[c] = out.touching > zero ? geometry.normal.y : zero;
-        m.nz[c] = out.touching > zero ? geometry.normal.z : zero;
-        t.touching[k] = out.touching;
-        set(t.force(), k, out.force);
-    }
-}
-
-template <class Real>
-[[gnu::always_inline]] inline void
-keep_overlaps(const MemoryColumns<Real>& m, std::size_t begin, std::size_t rows, const Tile<Real>& t) {
-    for (std::size_t k = 0; k < rows; ++k) {
-        m.overlap[begin + k] = t.touching[k] > Real{} ? t.overlap[k] : Real{};
-    }
-}
-
-template <class Real>
-[[gnu::always_inline]] inline void add_stress(
-    const Rows3<Real>& force, const Rows3<double>& branch, std::size_t rows, const SumQuantum& quantum,
-    double largest_force, StressSum& sum
-) {
-    std::array<std::uint64_t, 9> s = sum.quanta;
-    std::uint64_t wild = sum.wild;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < rows; ++k) {
-        const double fx = force.x[k], fy = force.y[k], fz = force.z[k];
-        wild |= std::abs(fx) + std::abs(fy) + std::abs(fz) <= largest_force ? 0U : 1U;
-        s[0] += quantum.count(fx * branch.x[k]);
-        s[1] += quantum.count(fx * branch.y[k]);
-        s[2] += quantum.count(fx * branch.z[k]);
-        s[3] += quantum.count(fy * branch.x[k]);
-        s[4] += quantum.count(fy * branch.y[k]);
-        s[5] += quantum.count(fy * branch.z[k]);
-        s[6] += quantum.count(fz * branch.x[k]);
-        s[7] += quantum.count(fz * branch.y[k]);
-        s[8] += quantum.count(fz * branch.z[k]);
-    }
-    sum = {s, wild};
-}
-
-template <bool Turning, class Real>
-[[gnu::always_inline]] inline void
-add_to_grains(const Work<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>& t) {
-    const auto add_four = [&](std::size_t k, std::size_t count) {
-        const Double4x4 force = vectors(t.force(), k);
-        Double4x4 torque_1, torque_2;
-        if constexpr (Turning) {
-            torque_1 = vectors(t.torque_1(), k), torque_2 = vectors(t.torque_2(), k);
-        }
-        for (std::size_t q = 0; q < count; ++q) {
-            const std::size_t c = begin + k + q;
-            grains::GrainSum& first = w.sums[w.first[c]];
-            first.force -= force[q];
-            if constexpr (Turning) {
-                first.torque += torque_1[q];
-            }
-            grains::GrainSum& second = w.sums[w.second_sum[c]];
-            second.force += force[q];
-            if constexpr (Turning) {
-                second.torque += torque_2[q];
-            }
-        }
-    };
-    std::size_t k = 0;
-    for (; k + 4 <= rows; k += 4) {
-        add_four(k, 4);
-    }
-    if (k < rows) {
-        add_four(k, rows - k);
-    }
-}
-
-/// Asks for the second grains of the tile to come, and their sums: they lie all over the table of grains, while the
-/// first ones follow each other.
-template <class Real>
-[[gnu::always_inline]] inline void fetch_ahead(const Work<Real>& w, std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-        const auto* row = reinterpret_cast<const char*>(&w.grains[w.second[c]]);
-        __builtin_prefetch(row);
-        __builtin_prefetch(row + sizeof(grains::MovingRow) - 1);
-        __builtin_prefetch(&w.sums[w.second_sum[c]], 1);
-    }
-}
-
-/// `Springs`: contacts have more than a normal force.
-template <bool Springs, bool Adhesive, bool Twisting, class Real>
-[[gnu::always_inline]] inline void press(const Work<Real>& w, std::size_t begin, std::size_t end, StressSum& stress) {
-    Tile<Real> tile;
-    for (std::size_t c = begin; c < end; c += tile_rows) {
-        const std::size_t rows = std::min(tile_rows, end - c);
-        load<Springs>(w, c, rows, tile);
-        if (w.beyond_cache) {
-            fetch_ahead(w, c + rows, std::min(c + rows + tile_rows, end));
-        }
-        find_geometry(w.exact_law, rows, tile);
-        if constexpr (Springs) {
-            predict_forces<Adhesive, Twisting>(w, c, rows, tile);
-            limit_forces<Twisting>(w.memory, c, rows, tile);
-        } else {
-            push_apart(w.memory, c, rows, tile);
-        }
-        if (w.overlaps) {
-            keep_overlaps(w.memory, c, rows, tile);
-        }
-        add_stress(tile.force(), tile.branch, rows, w.quantum, w.largest_force, stress);
-        add_to_grains<Springs>(w, c, rows, tile);
-    }
-}
-
-// The loops: for each precision, without and with what a sample may need.
-#define SUFFUSE_CONTACT_LOOP(name, springs, adhesive, twisting)                                                        \
-    SUFFUSE_CLONES void name(const Work<double>& w, std::size_t begin, std::size_t end, StressSum& stress) {           \
-        press<springs, adhesive, twisting>(w, begin, end, stress);                                                     \
-    }                                                                                                                  \
-    SUFFUSE_CLONES void name(const Work<float>& w, std::size_t begin, std::size_t end, StressSum& stress) {            \
-        press<springs, adhesive, twisting>(w, begin, end, stress);                                                     \
-    }
-
-SUFFUSE_CONTACT_LOOP(press_normals, false, false, false)
-SUFFUSE_CONTACT_LOOP(press_plain, true, false, false)
-SUFFUSE_CONTACT_LOOP(press_twisting, true, false, true)
-SUFFUSE_CONTACT_LOOP(press_adhesive, true, true, false)
-SUFFUSE_CONTACT_LOOP(press_all, true, true, true)
-#undef SUFFUSE_CONTACT_LOOP
-
-template <class Real>
-using Loop = void (*)(const Work<Real>&, std::size_t, std::size_t, StressSum&);
-
-template <class Real>
-Loop<Real> choose_loop(bool normals_only, bool adhesive, bool twisting) {
-    if (normals_only) {
-        return press_normals;
-    }
-    if (adhesive) {
-        return twisting ? static_cast<Loop<Real>>(press_all) : static_cast<Loop<Real>>(press_adhesive);
-    }
-    return twisting ? static_cast<Loop<Real>>(press_twisting) : static_cast<Loop<Real>>(press_plain);
 }
 
 /// Calls `visit` on every column of memory of the two tables.
@@ -359,7 +45,7 @@ Pressed press_contacts(
     // the same bits after a resume ask for.
     const double r = setting.largest_radius, largest_force = 2 * law.twice_modulus * r * r;
     const SumQuantum quantum(largest_force * 2 * r, law.twice_modulus * setting.volume);
-    const Work<Real> work{
+    const DomainWork<Real> work{
         grains.data(),
         contacts.first.data(),
         contacts.second.data(),
@@ -375,7 +61,7 @@ Pressed press_contacts(
         grains.size() > cached_grains,
         pointers<Real>(memory),
         sums.data()};
-    const Loop<Real> press_loop =
+    const DomainLoop<Real> press_loop =
         choose_loop<Real>(setting.normals_only, !memory.bonded.empty(), !memory.twisting.x.empty());
     StressSum total;
     std::mutex adding; // integers: the order does not matter
