@@ -125,10 +125,6 @@ constexpr std::array code_table = {
         "Only with passes_constriction = { size = \"flow-path\" } do detached grains follow the water, and leave when "
         "they have come the `distance` along it. With any other size they leave at once or not at all, and `forced` "
         "takes them out in any case."},
-    Code{
-        "W614", "a start that is looser than the cloud",
-        "The protocol swift pushes a cloud together to `start_porosity` before the first step. It does not pull one "
-        "apart: a start that is not denser than the cloud changes nothing."},
 };
 
 /// A word or symbol with its sign and meaning; docs/notation.md has them all.

@@ -167,26 +167,6 @@ public:
         );
     }
 
-    /// A cloud is pushed together to where its compaction starts, never apart.
-    void check_start_porosity(const Stage& stage, const packing::CompactSpec& compact) {
-        if (!compact.start_porosity || stage.parent < 0) {
-            return;
-        }
-        const Stage& before = variant_.stages[static_cast<std::size_t>(stage.parent)];
-        const auto* cloud = std::get_if<packing::PackSpec>(&before.spec);
-        if (cloud == nullptr || *compact.start_porosity < cloud->porosity) {
-            return;
-        }
-        context_.problems.warning(
-            "W614", stage_place(stage, "start_porosity"),
-            fmt::format(
-                "start_porosity {:g} is not denser than the cloud of stage \"{}\", {:g}: it has no effect",
-                *compact.start_porosity, before.name, cloud->porosity
-            ),
-            "give a smaller one, or the cloud a larger `porosity`"
-        );
-    }
-
     /// How far grains travel matters where they do.
     void check_travel(const Stage& stage, const erosion::ErodeSpec& erode) {
         if (!erode.transport_distance || erosion::travels(erode)) {
@@ -233,7 +213,6 @@ void check_stage(Checks& checks, const Stage& stage) {
     if (const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec)) {
         checks.check_pressure(stage, "pressure", compact->pressure);
         checks.check_searched_friction(stage, *compact);
-        checks.check_start_porosity(stage, *compact);
     } else if (const auto* settle = std::get_if<dem::SettleSpec>(&stage.spec)) {
         check_loading(checks, stage, settle->loading, checks.stage_place(stage, "pressure").source != nullptr);
     } else if (const auto* advance = std::get_if<dem::AdvanceSpec>(&stage.spec)) {

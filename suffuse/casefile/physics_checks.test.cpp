@@ -105,18 +105,6 @@ TEST(PhysicsChecks, ErosionNeedsFines) {
     );
 }
 
-TEST(PhysicsChecks, AStartLooserThanTheCloudIsWarnedOf) {
-    const auto with = [](const std::string& start) {
-        return problems_of(
-            replaced(good_case, "pressure =", "protocol = \"swift\"\nstart_porosity = " + start + "\npressure =")
-        );
-    };
-    EXPECT_EQ(find_problem(with("0.5"), "W614").code, "");
-    const Diagnostic found = find_problem(with("0.7"), "W614"); // the cloud's is 0.65 unless said
-    EXPECT_TRUE(found.is_warning) << found.message;
-    EXPECT_EQ(found.line, 15);
-}
-
 TEST(PhysicsChecks, AWayToTravelIsWarnedOfWhereGrainsDoNotTravel) {
     const auto with = [](const std::string& keys) { return problems_of(good_case + erode_stage + keys); };
     const std::string size = "passes_constriction = { size = \"flow-path\", distance = \"5 mm\" }\n";

@@ -246,7 +246,7 @@ std::vector<Key> preparation_rows() {
             ),
             ratio(
                 "stage.compact", "start_porosity", {0.2, 1, false, true},
-                "Protocol swift: porosity to which the cloud is pushed together without forces before the first step; "
+                "Protocol swift: porosity to which the cloud is brought, without forces, before the first step; "
                 "without it as far as overlaps clear easily."
             ),
             table("stage.compact", "prepare", "How contacts behave during compaction only."),
