@@ -26,7 +26,7 @@ start = numpy.diag(world.stress)
 diameter, passing = world.gradation()
 median = diameter[numpy.searchsorted(passing, 0.5)]
 rate = INERTIAL_NUMBER * numpy.sqrt(world.mean_stress / world.material.density) / median
-loading = suffuse.Loading(strain_rate=(None, None, rate), stress=(start[0], start[1], None), max_rate=max(50, 2 * rate))
+loading = suffuse.Loading(strain_rate=(None, None, rate), stress=(start[0], start[1], None))
 
 curve, bursts = [(0.0, start[2] - 0.5 * (start[0] + start[1]), 0.0)], 0
 while world.strain[2] < STRAIN:

@@ -148,10 +148,9 @@ cell::Loading make_loading(
 void bind_loading(py::module_& m) {
     const std::string doc = fmt::format(
         "What drives the cell, per axis; one value serves all three, and None leaves an axis to the other argument. An "
-        "axis with neither stays as it is.\n\nstress: {}\nstrain_rate: {}\nvelocity_gradient: {}\nmax_rate: largest "
-        "strain rate of an axis under stress control [1/s]; 50 unless given.",
+        "axis with neither stays as it is.\n\nstress: {}\nstrain_rate: {}\nvelocity_gradient: {}\nmax_rate: {}",
         key_doc(key_of("stage.advance", "stress")), key_doc(key_of("stage.advance", "strain_rate")),
-        key_doc(key_of("stage.advance", "velocity_gradient"))
+        key_doc(key_of("stage.advance", "velocity_gradient")), key_doc(key_of("stage.advance.servo", "max_rate"))
     );
     py::class_<cell::Loading>(m, "Loading", doc.c_str())
         .def(

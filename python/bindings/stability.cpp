@@ -2,8 +2,8 @@
 
 #include "suffuse/base/units.hpp"
 #include "suffuse/casefile/read_grading.hpp"
+#include "suffuse/grains/gradation.hpp"
 #include "suffuse/stability/open_curve.hpp"
-#include "suffuse/stats/gradation.hpp"
 
 #include "apps/assessed_soil.hpp"
 #include "python/bindings/bindings.hpp"
@@ -32,7 +32,7 @@ seepage_of(const py::object& gradient, const py::object& porosity, const py::obj
 
 /// A packing's own curve, from nothing at its smallest grain on.
 grains::Grading grading_of(const grains::Grains& grains) {
-    const stats::Gradation own = stats::measure_gradation(grains);
+    const grains::Gradation own = grains::measure_gradation(grains);
     if (own.diameter.empty()) {
         throw CaseError("a World without grains has no grading");
     }

@@ -4,9 +4,9 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/grains/gradation.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/run/measure.hpp"
-#include "suffuse/stats/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -258,7 +258,7 @@ void bind_measures(py::class_<WorldHandle, Handle>& type) {
     type.def(
         "gradation",
         [](const WorldHandle& w) {
-            const stats::Gradation curve = stats::measure_gradation(w.world().grains);
+            const grains::Gradation curve = grains::measure_gradation(w.world().grains);
             const auto rows = static_cast<py::ssize_t>(curve.diameter.size());
             return py::make_tuple(
                 py::array_t<double>(rows, curve.diameter.data()), py::array_t<double>(rows, curve.passing.data())

@@ -29,9 +29,30 @@ inline void observe(const Mat3& stress, const Mat3& gradient, double response, S
     }
 }
 
+/// Largest strain rate of an axis whose stress is held [1/s]. Unless it is given: one that is quasi-static under what
+/// those axes are to bear or bore of late, whichever is more, and that can follow the axes that are strained.
+/// @param unit_rate strain rate that is quasi-static under a stress of 1 Pa [1/s]; grows as the root of the stress
+inline double largest_rate(const Loading& loading, const ServoState& servo, double unit_rate) {
+    if (loading.servo.max_rate) {
+        return *loading.servo.max_rate;
+    }
+    constexpr double follows = 2; // a sample widens at half of its axial rate and its dilatancy together
+    double stress = 0, strained = 0;
+    for (int a = 0; a < 3; ++a) {
+        const AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
+        if (axis.control == Control::StrainRate) {
+            strained = std::max(strained, std::abs(axis.value));
+        } else {
+            stress = std::max({stress, std::abs(axis.value), std::abs(servo.mean_stress[a])});
+        }
+    }
+    return std::max(unit_rate * std::sqrt(stress), follows * strained);
+}
+
 /// New velocity gradient of the cell [1/s], extension positive; updates the means of `servo`.
-/// @param stress of this step, compression positive [Pa]; @param dt [s]
-inline Mat3 drive(const Cell& cell, const Loading& loading, const Mat3& stress, double dt, ServoState& servo) {
+/// @param stress of this step, compression positive [Pa]; @param dt [s]; @param unit_rate as for `largest_rate` [1/s]
+inline Mat3
+drive(const Cell& cell, const Loading& loading, const Mat3& stress, double dt, double unit_rate, ServoState& servo) {
     if (servo.mean_stress == Vec3{}) { // the first load: no drift
         servo.mean_stress = {stress(0, 0), stress(1, 1), stress(2, 2)};
     }
@@ -39,6 +60,7 @@ inline Mat3 drive(const Cell& cell, const Loading& loading, const Mat3& stress, 
         observe(stress, *loading.velocity_gradient, loading.servo.response, servo);
         return *loading.velocity_gradient;
     }
+    const double most = largest_rate(loading, servo, unit_rate);
     Mat3 gradient{};
     for (int a = 0; a < 3; ++a) {
         const AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
@@ -57,7 +79,7 @@ inline Mat3 drive(const Cell& cell, const Loading& loading, const Mat3& stress, 
         } else {
             rate = secant_rate(loading, servo, a, wanted, stress(a, a), dt);
         }
-        gradient(a, a) = -std::clamp(rate, -spec.max_rate, spec.max_rate);
+        gradient(a, a) = -std::clamp(rate, -most, most);
     }
     observe(stress, gradient, loading.servo.response, servo);
     return gradient;

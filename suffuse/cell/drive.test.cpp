@@ -11,7 +11,7 @@ TEST(Drive, AStrainRateIsTakenAsItIsCompressionPositive) {
     ServoState servo;
     Loading loading;
     loading.axis[1] = {Control::StrainRate, 3};
-    const Mat3 gradient = drive({}, loading, {}, 1e-8, servo);
+    const Mat3 gradient = drive({}, loading, {}, 1e-8, 0, servo);
     EXPECT_EQ(gradient, diagonal({0, -3, 0}));
 }
 
@@ -20,7 +20,7 @@ TEST(Drive, AGivenVelocityGradientReplacesTheAxes) {
     Loading loading;
     loading.axis[0] = {Control::Stress, 1e5};
     loading.velocity_gradient = Mat3{{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}}};
-    EXPECT_EQ(drive({}, loading, {}, 1e-8, servo), *loading.velocity_gradient);
+    EXPECT_EQ(drive({}, loading, {}, 1e-8, 0, servo), *loading.velocity_gradient);
 }
 
 /// Stress along x after `steps` steps of a linear elastic body of modulus 2e8 Pa under the servo, which believes in
@@ -35,7 +35,7 @@ double elastic_response(const ServoSpec& spec, int steps, double* most = nullptr
     servo.modulus = belief * Vec3{modulus, modulus, modulus};
     double stress = start;
     for (int k = 0; k < steps; ++k) {
-        cell.velocity_gradient = drive(cell, loading, diagonal({stress, 0, 0}), dt, servo);
+        cell.velocity_gradient = drive(cell, loading, diagonal({stress, 0, 0}), dt, 0, servo);
         stress += dt * (drift - modulus * cell.velocity_gradient(0, 0));
         if (most != nullptr) {
             *most = std::max(*most, stress);
@@ -80,7 +80,7 @@ TEST(SecantServo, LeavesNoLagUnderAMeanStressWhileAnotherAxisIsCompressed) {
     for (int k = 0; k < 3000; ++k) {
         const double mean = (stress.x + stress.y + stress.z) / 3;
         most = std::max(most, mean);
-        cell.velocity_gradient = drive(cell, loading, diagonal(stress), dt, servo);
+        cell.velocity_gradient = drive(cell, loading, diagonal(stress), dt, 0, servo);
         for (int a = 0; a < 3; ++a) {
             stress[a] -= dt * modulus * cell.velocity_gradient(a, a);
         }
@@ -108,10 +108,31 @@ TEST(SecantServo, KeepsToItsLargestRateAndSqueezesASampleWithoutContacts) {
     loading.axis.fill({Control::Stress, 1e5});
     loading.servo = servo;
     ServoState state;
-    EXPECT_EQ(drive({}, loading, {}, 1e-8, state), diagonal({-7, -7, -7}));
+    EXPECT_EQ(drive({}, loading, {}, 1e-8, 0, state), diagonal({-7, -7, -7}));
     const Mat3 too_much = diagonal({2e5, 2e5, 2e5});
-    EXPECT_EQ(drive({}, loading, too_much, 1e-8, state), diagonal({7, 7, 7}));
-    EXPECT_EQ(drive({}, loading, {}, 1e-8, state), diagonal({-7, -7, -7})); // whatever came before
+    EXPECT_EQ(drive({}, loading, too_much, 1e-8, 0, state), diagonal({7, 7, 7}));
+    EXPECT_EQ(drive({}, loading, {}, 1e-8, 0, state), diagonal({-7, -7, -7})); // whatever came before
+}
+
+TEST(LargestRate, GrowsAsTheRootOfTheStressToBearOrBorneOfLateUnlessItIsGiven) {
+    Loading loading;
+    loading.axis[0] = {Control::Stress, 4e4};
+    ServoState state;
+    EXPECT_DOUBLE_EQ(largest_rate(loading, state, 0.1), 20);
+    state.mean_stress = {9e4, 25e4, 0}; // nobody holds the stress of the second axis
+    EXPECT_DOUBLE_EQ(largest_rate(loading, state, 0.1), 30);
+    loading.axis[0].value = 0; // to be unloaded
+    EXPECT_DOUBLE_EQ(largest_rate(loading, state, 0.1), 30);
+    EXPECT_EQ(largest_rate(loading, {}, 0.1), 0); // no stress, nothing to do
+    loading.servo.max_rate = 7;
+    EXPECT_EQ(largest_rate(loading, state, 0.1), 7);
+}
+
+TEST(LargestRate, LetsAnAxisFollowThoseThatAreStrained) {
+    Loading loading;
+    loading.axis[0] = {Control::Stress, 1e4};
+    loading.axis[2] = {Control::StrainRate, -80};
+    EXPECT_EQ(largest_rate(loading, {}, 0.1), 160);
 }
 
 TEST(InertialServo, OscillatesAboutTheTargetAndItsGrowthDampingCalmsIt) {
@@ -133,7 +154,7 @@ TEST(Drive, ControlsEachAxisOnItsOwn) {
     ServoState state;
     state.modulus = {1e8, 1e8, 1e8};
     const double dt = 1e-8;
-    const Mat3 gradient = drive({}, loading, diagonal({0.9999e5, 5e5, 7e5}), dt, state);
+    const Mat3 gradient = drive({}, loading, diagonal({0.9999e5, 5e5, 7e5}), dt, 0, state);
     EXPECT_NEAR(gradient(0, 0), -10 / (1e8 * 100 * dt), 1e-10);
     EXPECT_EQ(gradient(1, 1), 0);
     EXPECT_EQ(gradient(2, 2), 2);

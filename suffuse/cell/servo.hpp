@@ -26,10 +26,10 @@ enum class ServoKind {
 
 struct ServoSpec {
     ServoKind kind = ServoKind::Secant;
-    double mass = 0;       ///< inertial: [kg/m]
-    double damping = 0.25; ///< inertial: growth damping [-]
-    double max_rate = 50;  ///< largest strain rate of an axis under stress control [1/s]
-    double response = 100; ///< secant: response time, in steps [-]
+    double mass = 0;                ///< inertial: [kg/m]
+    double damping = 0.25;          ///< inertial: growth damping [-]
+    std::optional<double> max_rate; ///< largest strain rate of an axis under stress control [1/s]; else `largest_rate`
+    double response = 100;          ///< secant: response time, in steps [-]
 };
 
 /// The loading of one stage: three axes, or a full velocity gradient instead.

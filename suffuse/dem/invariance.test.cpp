@@ -92,6 +92,28 @@ TEST(Invariance, AServoHoldsTheSameStressWhateverTheNumberOfItsFirstStep) {
     }
 }
 
+TEST(Invariance, ASampleOfGrainsEightTimesAsLargeIsLoadedAsTheSmallOneIs) {
+    constexpr double scale = 8;
+    World world = test::reference_packing("packing500"), large = world;
+    large.grains.mass.clear();
+    large.cell.h = scale * large.cell.h;
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        large.grains.position[g] *= scale;
+        large.grains.radius[g] *= scale;
+        large.grains.mass.push_back(std::pow(scale, 3) * world.grains.mass[g]);
+        large.grains.inertia[g] *= std::pow(scale, 5);
+    }
+    StepPlan plan = test::plan_of(dt, 0.2);
+    plan.loading = isotropic_stress(1e6); // as quickly as the servo may
+    StepPlan slower = plan;
+    slower.dt *= scale;
+    StepCaches caches, large_caches;
+    test::advance(world, caches, plan, steps);
+    test::advance(large, large_caches, slower, steps);
+    EXPECT_LT(world.cell.h(0, 0), (1 - 1e-4) * test::reference_packing("packing500").cell.h(0, 0));
+    EXPECT_LE(largest(large.cell.h - scale * world.cell.h), close * largest(large.cell.h));
+}
+
 TEST(Invariance, AServoForgetsTheStiffnessOfBeforeATimeWithoutStressToHold) {
     World world = loaded_packing();
     StepCaches caches;

@@ -4,11 +4,14 @@
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/cell/drive.hpp"
 #include "suffuse/contact/stress.hpp"
+#include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/move_grains.hpp"
+#include "suffuse/grains/gradation.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse::dem {
@@ -16,26 +19,27 @@ namespace {
 
 constexpr std::int64_t modulus_interval = 100; // steps between two looks at the stiffness that the servo reckons with
 
-bool has_secant_servo(const cell::Loading& loading) {
-    if (loading.velocity_gradient || loading.servo.kind != cell::ServoKind::Secant) {
-        return false;
-    }
-    for (const cell::AxisControl& axis : loading.axis) {
-        if (axis.control != cell::Control::StrainRate) {
-            return true;
-        }
-    }
-    return false;
+bool has_stress_to_hold(const cell::Loading& loading) {
+    const auto holds = [](const cell::AxisControl& axis) { return axis.control != cell::Control::StrainRate; };
+    return !loading.velocity_gradient && std::any_of(loading.axis.begin(), loading.axis.end(), holds);
 }
 
 /// Whether the servo must look at the contact network's stiffness in this step. What it knew before a time without a
 /// stress to hold is of another state: it forgets that, and looks anew when it next has one.
 bool needs_moduli(World& world, const cell::Loading& loading) {
-    if (!has_secant_servo(loading)) {
+    if (loading.servo.kind != cell::ServoKind::Secant || !has_stress_to_hold(loading)) {
         world.servo.modulus = {};
         return false;
     }
     return world.servo.modulus == Vec3{} || world.clock.step % modulus_interval == 0;
+}
+
+/// A servo without a largest rate of its own keeps to an inertial number. The grains stay those of the caches.
+void look_at_sizes(const World& world, const cell::Loading& loading, StepCaches& caches) {
+    if (caches.servo_unit_rate == 0 && has_stress_to_hold(loading) && !loading.servo.max_rate) {
+        const double median = grains::median_diameter(world.grains);
+        caches.servo_unit_rate = rate_of_inertial_number(servo_inertial_number, median, world.material.density, 1.0);
+    }
 }
 
 /// Contact memory travels in single precision during a burst of fast steps; the world has it in double again whenever
@@ -137,7 +141,7 @@ Mat3 one_step(
         give_back_memory(caches, plan.mode, world);
         world.servo.modulus = contact::affine_moduli(world.grains, world.contacts, world.material, cell.h);
     }
-    const Mat3 gradient = cell::drive(cell, plan.loading, stress, plan.dt, world.servo);
+    const Mat3 gradient = cell::drive(cell, plan.loading, stress, plan.dt, caches.servo_unit_rate, world.servo);
 
     // 5 gather, 6 move: the cell moves on with the new gradient in the next step, when this motion is looked at
     const motion::StepMotion motion =
@@ -167,6 +171,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     const contact::LawConstants law = contact::resolve_law(world.material);
     grains::to_rows(world.grains, caches.rows);
     take_memory(world, plan.mode, caches);
+    look_at_sizes(world, plan.loading, caches);
     caches.sleep = plan.load == nullptr && plan.drag == 0;
     caches.slept.clear();
     caches.slept.reserve(most_slept_steps);

@@ -38,6 +38,7 @@ struct StepCaches {
     std::vector<motion::StepMotion> slept; ///< steps that they have not made yet
     contact::StepSetting contact_setting;
     contact::SingleMemory memory; ///< of the contacts, in fast mode
+    double servo_unit_rate = 0;   ///< largest rate of the servo under a stress of 1 Pa, see cell/drive.hpp [1/s]
 };
 
 /// Advances the world by `steps` steps. @return of the last one

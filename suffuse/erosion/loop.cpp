@@ -15,7 +15,7 @@
 #include "suffuse/erosion/transport.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
-#include "suffuse/stats/gradation.hpp"
+#include "suffuse/grains/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ seep(const dem::World& world, std::span<const double> gradients, const Vec3& dir
 /// meanwhile: where they rest does not depend on it, how many steps they take does.
 dem::RelaxReport relax_further(dem::World& world, const ProbeSpec& spec, const Surroundings& around) {
     constexpr dem::Lent all{true, true};
-    const double median = stats::median_diameter(world.grains);
+    const double median = grains::median_diameter(world.grains);
     dem::lend_inertia(world, median, {}, all);
     dem::StepCaches caches;
     const dem::RelaxReport report = dem::relax(

@@ -7,7 +7,7 @@
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/erosion/extraction.hpp"
-#include "suffuse/stats/gradation.hpp"
+#include "suffuse/grains/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -174,7 +174,7 @@ std::vector<PathRow> reequilibrate(
 
     plan.loading = held_loading(world, pass.stress_before);
     plan.loading.servo.max_rate = dem::rate_of_inertial_number(
-        spec.inertial_number, stats::median_diameter(world.grains), world.material.density, before
+        spec.inertial_number, grains::median_diameter(world.grains), world.material.density, before
     );
     const dem::BalanceState settled = resettling.run_phase("servo", most_steps_under_stress, [&](const auto& state) {
         const Vec3 strain = edge_strains(start_h, world.cell.h);

@@ -3,9 +3,9 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/grains/gradation.hpp"
 #include "suffuse/packing/overlaps.hpp"
 #include "suffuse/packing/pace.hpp"
-#include "suffuse/stats/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -134,7 +134,7 @@ CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double
     state.material = world.material;
     state.damping = damping;
     state.mode = mode;
-    state.median_diameter = stats::median_diameter(world.grains);
+    state.median_diameter = grains::median_diameter(world.grains);
     const Prepare& prepare = spec.prepare;
     world.material.friction = prepare.friction.value_or(world.material.friction);
     world.material.adhesion_normal = prepare.adhesion_normal.value_or(world.material.adhesion_normal);

@@ -3,9 +3,9 @@
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
+#include "suffuse/grains/gradation.hpp"
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/run/result_json.hpp"
-#include "suffuse/stats/gradation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ void History::record(const dem::World& world, bool anyway) {
     }
     if (grains_ != world.grains.size()) { // sizes of grains never change, but grains are taken out
         grains_ = world.grains.size();
-        median_diameter_ = stats::median_diameter(world.grains);
+        median_diameter_ = grains::median_diameter(world.grains);
     }
     const Mat3 stress = dem::mean_stress_tensor(world);
     const dem::Equilibrium balance = dem::measure_equilibrium(world);

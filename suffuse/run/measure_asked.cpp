@@ -4,8 +4,8 @@
 #include "suffuse/cell/strain.hpp"
 #include "suffuse/erosion/passage.hpp"
 #include "suffuse/flow/seepage.hpp"
+#include "suffuse/grains/gradation.hpp"
 #include "suffuse/run/result_json.hpp"
-#include "suffuse/stats/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -50,8 +50,8 @@ json constrictions(const StageWork& work) {
 }
 
 json grading(const StageWork& work) {
-    const stats::Gradation all = stats::measure_gradation(work.world.grains);
-    const auto size = [&](double share) { return stats::size_at(all, share); };
+    const grains::Gradation all = grains::measure_gradation(work.world.grains);
+    const auto size = [&](double share) { return grains::size_at(all, share); };
     return {
         {"d10", size(0.1)},
         {"d30", size(0.3)},

@@ -1,7 +1,7 @@
 #include "suffuse/run/priced_sample.hpp"
 
 #include "suffuse/dem/stable_dt.hpp"
-#include "suffuse/stats/gradation.hpp"
+#include "suffuse/grains/gradation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ PricedFraction describe_fraction(const grains::Grains& grains, bool fine) {
             fraction.largest = std::max(fraction.largest, 2 * grains.radius[g]);
         }
     }
-    fraction.median = stats::size_at(stats::measure_gradation_of(grains, fine), 0.5);
+    fraction.median = grains::size_at(grains::measure_gradation_of(grains, fine), 0.5);
     return fraction;
 }
 
@@ -90,7 +90,7 @@ PricedSample describe(const grains::Grains& grains) {
     PricedSample sample;
     sample.coarse = describe_fraction(grains, false);
     sample.fines = describe_fraction(grains, true);
-    sample.median = stats::median_diameter(grains);
+    sample.median = grains::median_diameter(grains);
     describe_classes(grains, sample);
     return sample;
 }

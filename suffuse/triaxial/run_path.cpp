@@ -5,8 +5,8 @@
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/grains/gradation.hpp"
 #include "suffuse/stats/coordination.hpp"
-#include "suffuse/stats/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -226,7 +226,7 @@ PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& st
     state.start_h = world.cell.h;
     state.start_stress = stress;
     state.balance.stress = stress;
-    state.median_diameter = stats::median_diameter(world.grains);
+    state.median_diameter = grains::median_diameter(world.grains);
     state.strain_rate = strain_rate_of(spec, world.material, state.median_diameter, pressure);
     state.pace = spec.path == Path::ConstantDeviator ? first_pace : 1;
     state.lent = lent_during(spec, world.material);

@@ -8,7 +8,7 @@
 #include "suffuse/dem/relax.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/stable_dt.hpp"
-#include "suffuse/stats/gradation.hpp"
+#include "suffuse/grains/gradation.hpp"
 
 #include <fmt/format.h>
 
@@ -103,7 +103,7 @@ ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec
     const Vec3 stress = axial_stress(carried);
     const dem::BalanceSpec goal = goal_of(spec);
     LoadedSample sample{world, {}, {}, false};
-    const double median = stats::median_diameter(world.grains);
+    const double median = grains::median_diameter(world.grains);
     dem::lend_inertia(sample.world, median, {}, {true, true}); // where grains rest does not depend on it
     ProbedState state;
     state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(sample.world);

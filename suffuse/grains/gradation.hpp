@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace suffuse::stats {
+namespace suffuse::grains {
 
 /// Sizes in ascending order, and the mass share of the grains up to and with each of them.
 struct Gradation {
@@ -15,8 +15,8 @@ struct Gradation {
 };
 
 /// The gradation of all grains, or of those of the fine or the coarse fraction.
-Gradation measure_gradation(const grains::Grains& grains);
-Gradation measure_gradation_of(const grains::Grains& grains, bool fine);
+Gradation measure_gradation(const Grains& grains);
+Gradation measure_gradation_of(const Grains& grains, bool fine);
 
 /// Mass share of the grains not larger than `diameter` [-].
 double passing(const Gradation& gradation, double diameter);
@@ -25,6 +25,6 @@ double passing(const Gradation& gradation, double diameter);
 double size_at(const Gradation& gradation, double fraction);
 
 /// D50 of all grains: the size that inertial numbers and lent inertia go by [m].
-double median_diameter(const grains::Grains& grains);
+double median_diameter(const Grains& grains);
 
-} // namespace suffuse::stats
+} // namespace suffuse::grains

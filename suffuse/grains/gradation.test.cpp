@@ -1,24 +1,22 @@
-#include "suffuse/stats/gradation.hpp"
+#include "suffuse/grains/gradation.hpp"
 
 #include <gtest/gtest.h>
 
-#include "tests/support/worlds.hpp"
-
-namespace suffuse::stats {
+namespace suffuse::grains {
 namespace {
 
 /// Masses 1, 1, 8 and 64 (diameters 1, 1, 2, 4).
-dem::World four_grains() {
-    dem::World world = test::empty_world(100);
-    test::add(world, {10, 0, 0}, 2);
-    test::add(world, {20, 0, 0}, 0.5, true);
-    test::add(world, {30, 0, 0}, 1);
-    test::add(world, {40, 0, 0}, 0.5, true);
-    return world;
+Grains four_grains() {
+    Grains grains;
+    for (const double radius : {2.0, 0.5, 1.0, 0.5}) {
+        add_grain(grains, {}, radius, 2600);
+    }
+    grains.fine = {0, 1, 0, 1};
+    return grains;
 }
 
 TEST(Gradation, OfFourGrainsPassesByMass) {
-    const Gradation gradation = measure_gradation(four_grains().grains);
+    const Gradation gradation = measure_gradation(four_grains());
     EXPECT_EQ(gradation.diameter, (std::vector<double>{1, 2, 4}));
     EXPECT_NEAR(passing(gradation, 1), 2.0 / 74, 1e-15);
     EXPECT_NEAR(passing(gradation, 3.9), 10.0 / 74, 1e-15);
@@ -27,7 +25,7 @@ TEST(Gradation, OfFourGrainsPassesByMass) {
 }
 
 TEST(Gradation, SizeAtAFractionIsTheSmallestThatPassesIt) {
-    const Gradation gradation = measure_gradation(four_grains().grains);
+    const Gradation gradation = measure_gradation(four_grains());
     EXPECT_EQ(size_at(gradation, 0.5), 4);
     EXPECT_EQ(size_at(gradation, 2.0 / 74), 1);
     EXPECT_EQ(size_at(gradation, 2.01 / 74), 2);
@@ -36,9 +34,9 @@ TEST(Gradation, SizeAtAFractionIsTheSmallestThatPassesIt) {
 }
 
 TEST(Gradation, OfAFractionLeavesTheOtherOut) {
-    const dem::World world = four_grains();
-    EXPECT_EQ(measure_gradation_of(world.grains, true).diameter, std::vector<double>{1});
-    EXPECT_EQ(measure_gradation_of(world.grains, false).diameter, (std::vector<double>{2, 4}));
+    const Grains grains = four_grains();
+    EXPECT_EQ(measure_gradation_of(grains, true).diameter, std::vector<double>{1});
+    EXPECT_EQ(measure_gradation_of(grains, false).diameter, (std::vector<double>{2, 4}));
 }
 
 TEST(Gradation, OfNoGrainsIsEmpty) {
@@ -48,4 +46,4 @@ TEST(Gradation, OfNoGrainsIsEmpty) {
 }
 
 } // namespace
-} // namespace suffuse::stats
+} // namespace suffuse::grains

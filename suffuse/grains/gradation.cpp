@@ -1,12 +1,12 @@
-#include "suffuse/stats/gradation.hpp"
+#include "suffuse/grains/gradation.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace suffuse::stats {
+namespace suffuse::grains {
 namespace {
 
-Gradation gradation_of(const grains::Grains& grains, std::vector<std::uint32_t> rows) {
+Gradation gradation_of(const Grains& grains, std::vector<std::uint32_t> rows) {
     std::sort(rows.begin(), rows.end(), [&](auto a, auto b) { return grains.radius[a] < grains.radius[b]; });
     Gradation gradation;
     double mass = 0;
@@ -28,13 +28,13 @@ Gradation gradation_of(const grains::Grains& grains, std::vector<std::uint32_t> 
 
 } // namespace
 
-Gradation measure_gradation(const grains::Grains& grains) {
+Gradation measure_gradation(const Grains& grains) {
     std::vector<std::uint32_t> rows(grains.size());
     std::iota(rows.begin(), rows.end(), 0U);
     return gradation_of(grains, std::move(rows));
 }
 
-Gradation measure_gradation_of(const grains::Grains& grains, bool fine) {
+Gradation measure_gradation_of(const Grains& grains, bool fine) {
     std::vector<std::uint32_t> rows;
     for (std::uint32_t g = 0; g < grains.size(); ++g) {
         if ((grains.fine[g] != 0) == fine) {
@@ -61,8 +61,8 @@ double size_at(const Gradation& gradation, double fraction) {
     return gradation.diameter[static_cast<std::size_t>(row)];
 }
 
-double median_diameter(const grains::Grains& grains) {
+double median_diameter(const Grains& grains) {
     return size_at(measure_gradation(grains), 0.5);
 }
 
-} // namespace suffuse::stats
+} // namespace suffuse::grains
