@@ -151,7 +151,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     line.typed = "suffuse";
     for (const std::string& word : words) {
-        line.typed += " " + quoted(word);
+        line.typed += " " + shell_word(word);
     }
     CLI::App app;
     app.fallthrough();

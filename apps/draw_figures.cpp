@@ -69,7 +69,7 @@ std::vector<Source> sources_in(const fs::path& run) {
     if (error || sources.empty()) {
         throw IoError(fmt::format(
             "{}: holds no figures; give the folder of a run, or write them with suffuse report {}", folder.string(),
-            quoted(run.string())
+            shell_word(run.string())
         ));
     }
     std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) { return a.id < b.id; });

@@ -26,7 +26,7 @@ void tell_failures(
     }
     console.talk(fmt::format(
         "{} of {} failed; the others are in the report. When the cause is mended: suffuse resume {}", failures.size(),
-        plural(samples, "sample"), quoted(folder.string())
+        plural(samples, "sample"), shell_word(folder.string())
     ));
 }
 

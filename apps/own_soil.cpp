@@ -112,7 +112,7 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
         throw CaseError(fmt::format(
             "{}. No cut of its ends helps: the fines are too small beside the coarse grains. What the criteria of "
             "stability say: suffuse assess {}",
-            found, quoted(path)
+            found, shell_word(path)
         ));
     }
     const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
@@ -120,7 +120,7 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
     throw CaseError(fmt::format(
         "{}. Cut the curve: suffuse new --psd {} --sizes {:.4g}mm,{:.4g}mm{} keeps {:.0f} % of the fines and {:.0f} "
         "% of the coarse grains{}",
-        found, quoted(path), 1e3 * part->finest, 1e3 * part->coarsest,
+        found, shell_word(path), 1e3 * part->finest, 1e3 * part->coarsest,
         spec.particles ? fmt::format(" --particles {}", most) : "", 100 * part->fines_kept, 100 * part->coarse_kept,
         turned.empty() ? "" : ". Such a part is another soil by the criteria of stability, " + turned
     ));

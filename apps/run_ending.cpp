@@ -105,14 +105,14 @@ int tell_end(const EndedRun& ended, const run::RunReport& report, const Console&
     if (!ended.sample.empty() && !run::is_resumable(report.outcome)) {
         console.result(fmt::format(
             "{}: {} in {}; suffuse sweep --collect {} gathers", ended.sample, word, duration_text(ended.seconds),
-            quoted(ended.folder.string())
+            shell_word(ended.folder.string())
         ));
     } else if (has_failed || code == Done || code == Flawed) {
         tell_results(report, fmt::format("{} in {}", word, duration_text(ended.seconds)), console);
     } else {
         console.talk(fmt::format("{} after {}", word, duration_text(ended.seconds)));
-        const std::string sample = ended.sample.empty() ? "" : " --sample " + quoted(ended.sample);
-        console.result(fmt::format("resume with: suffuse resume {}{}", quoted(ended.folder.string()), sample));
+        const std::string sample = ended.sample.empty() ? "" : " --sample " + shell_word(ended.sample);
+        console.result(fmt::format("resume with: suffuse resume {}{}", shell_word(ended.folder.string()), sample));
     }
     const std::optional<run::PlanError> plan_error =
         ended.sample.empty() ? run::record_outcome(ended.folder) : std::nullopt;

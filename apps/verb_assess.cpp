@@ -110,7 +110,7 @@ int assess_verb(const CommandLine& line, const Console& console) {
     console.result(text);
     console.talk(fmt::format(
         "a simulation tells how many grains are free to go: suffuse {} {}",
-        line.subject.ends_with(".toml") ? "run" : "new --psd", quoted(line.subject)
+        line.subject.ends_with(".toml") ? "run" : "new --psd", shell_word(line.subject)
     ));
     console.document(json_text({{"soils", soils}}));
     return Done;

@@ -142,7 +142,7 @@ int verify_verb(const CommandLine& line, const Console& console) {
         plural(found.files, "file"), plural(found.states, "state")
     ));
     if (!is_complete) {
-        console.result(fmt::format("{}; suffuse resume {} goes on", found.missing, quoted(line.subject)));
+        console.result(fmt::format("{}; suffuse resume {} goes on", found.missing, shell_word(line.subject)));
     }
     for (const std::string& name : found.more) {
         console.detail("came later: " + name);

@@ -58,7 +58,7 @@ std::vector<std::string> write_new(const std::vector<NewFile>& files) {
 }
 
 void tell_next(const fs::path& folder, const Console& console) {
-    const std::string path = quoted((folder / "case.toml").string());
+    const std::string path = shell_word((folder / "case.toml").string());
     console.talk(fmt::format("next: suffuse check {}, suffuse plan {}, suffuse run {}", path, path, path));
 }
 

@@ -160,7 +160,7 @@ int export_verb(const CommandLine& line, const Console& console) {
         throw UsageError(fmt::format(
             "export: where to? -o FILE names the file, and by its ending the format (--format for others): suffuse "
             "export {} -o grains.csv; there are {}",
-            quoted(line.subject), fmt::join(io::packing_format_names(), ", ")
+            shell_word(line.subject), fmt::join(io::packing_format_names(), ", ")
         ));
     }
     const io::PackingFormat format = format_of(line);

@@ -124,12 +124,12 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
     options.case_text = job.case_text;
     options.command = line.typed;
     ProgressView view(
-        standard_error(console), job.plan, "Ctrl-C saves and stops; suffuse resume " + quoted(job.folder.string())
+        standard_error(console), job.plan, "Ctrl-C saves and stops; suffuse resume " + shell_word(job.folder.string())
     );
     ProgressFile published(line.sample.empty() ? job.folder : job.folder / "studies" / line.sample, job.plan);
     std::optional<LiveReport> live;
     if (line.sample.empty()) {
-        live.emplace(job.folder, job.what.title, "suffuse resume " + quoted(job.folder.string()), job.plan);
+        live.emplace(job.folder, job.what.title, "suffuse resume " + shell_word(job.folder.string()), job.plan);
     }
     bool told_stop = false;
     options.on_progress = [&](const run::Progress& progress) {

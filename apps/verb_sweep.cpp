@@ -84,10 +84,10 @@ fs::path prepare_folder(const CommandLine& line, const Console& console, casefil
 
 /// One task, as a shell runs it.
 std::string task_text(const Emitted& emitted, const run::Sample& sample, const CommandLine& line) {
-    const std::string limit = line.time_limit.empty() ? "" : " --time-limit " + quoted(line.time_limit);
+    const std::string limit = line.time_limit.empty() ? "" : " --time-limit " + shell_word(line.time_limit);
     return fmt::format(
-        "{} resume {} --sample {} -j {}{}\n", quoted(fs::read_symlink("/proc/self/exe").string()),
-        quoted(emitted.folder.string()), quoted(sample.variant->folder), std::max(1, line.threads), limit
+        "{} resume {} --sample {} -j {}{}\n", shell_word(fs::read_symlink("/proc/self/exe").string()),
+        shell_word(emitted.folder.string()), shell_word(sample.variant->folder), std::max(1, line.threads), limit
     );
 }
 
@@ -120,10 +120,10 @@ std::string slurm_text(const Emitted& emitted, const CommandLine& line) {
         "{}"
         "task=$(sed -n \"${{SLURM_ARRAY_TASK_ID}}p\" {})\n"
         "eval \"exec $task\"\n",
-        plural(std::ssize(emitted.left), "sample"), quoted(folder + "/sweep.sbatch"), quoted(folder),
+        plural(std::ssize(emitted.left), "sample"), shell_word(folder + "/sweep.sbatch"), shell_word(folder),
         for_slurm("suffuse-" + emitted.folder.filename().string()), emitted.left.size(), std::max(1, line.threads),
         memory_of_task(emitted.what), for_slurm(without_patterns(folder) + "/tasks/%a.txt"), warning, time,
-        quoted(folder + "/tasks.txt")
+        shell_word(folder + "/tasks.txt")
     );
 }
 
@@ -147,21 +147,21 @@ int emit(const CommandLine& line, const Console& console) {
         }
     }
     if (emitted.left.empty()) {
-        console.result(fmt::format("every sample is done; suffuse sweep --collect {}", quoted(folder.string())));
+        console.result(fmt::format("every sample is done; suffuse sweep --collect {}", shell_word(folder.string())));
         return Done;
     }
     io::write_file(folder / "tasks.txt", tasks);
     fs::create_directories(folder / "tasks");
     std::string how =
-        fmt::format("parallel < {0}     (or one after the other: sh {0})", quoted((folder / "tasks.txt").string()));
+        fmt::format("parallel < {0}     (or one after the other: sh {0})", shell_word((folder / "tasks.txt").string()));
     if (line.emit == "slurm") {
         set_thread_count(std::max(1, line.threads));
         io::write_file(folder / "sweep.sbatch", slurm_text(emitted, line));
-        how = fmt::format("sbatch {}", quoted((folder / "sweep.sbatch").string()));
+        how = fmt::format("sbatch {}", shell_word((folder / "sweep.sbatch").string()));
     }
     console.result(fmt::format("{} in {}", plural(std::ssize(emitted.left), "task"), folder.string()));
     console.talk("run:    " + how);
-    console.talk(fmt::format("gather: suffuse sweep --collect {}", quoted(folder.string())));
+    console.talk(fmt::format("gather: suffuse sweep --collect {}", shell_word(folder.string())));
     console.document(json_text(
         {{"folder", folder.string()},
          {"tasks", emitted.left.size()},
@@ -214,7 +214,7 @@ int collect(const CommandLine& line, const Console& console) {
         const char* const form = fs::exists(folder / "sweep.sbatch") ? "slurm" : "parallel"; // as before
         console.talk(fmt::format(
             "{} not finished: suffuse sweep {} --emit {} writes tasks for them, suffuse resume {} runs them here",
-            plural(std::ssize(unfinished), "sample"), quoted(folder.string()), form, quoted(folder.string())
+            plural(std::ssize(unfinished), "sample"), shell_word(folder.string()), form, shell_word(folder.string())
         ));
     }
     const int code = !report.failures.empty() ? code_of(report.failures)

@@ -145,13 +145,13 @@ int watch_verb(const CommandLine& line, const Console& console) {
     const fs::path report = folder / "report.html";
     const bool has_report = watch.is_over() && !watch.is_resumable() && fs::exists(report);
     if (watch.is_resumable()) {
-        console.result(fmt::format("resume with: suffuse resume {}", quoted(line.subject)));
+        console.result(fmt::format("resume with: suffuse resume {}", shell_word(line.subject)));
     } else if (has_report) {
         console.result(report.string());
     } else if (!watch.is_over()) {
         console.result(fmt::format(
             "nobody works on this run and it has not ended: it was killed; go on with suffuse resume {}",
-            quoted(line.subject)
+            shell_word(line.subject)
         ));
     }
     console.document(

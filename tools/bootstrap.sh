@@ -76,7 +76,7 @@ need_packages() {
 # configure ON|OFF: with or without tests. Tests, once asked for, stay configured, so that ./run and ./test share one tree.
 configure() {
     [ -e "$build/build.ninja" ] && { [ "$1" = OFF ] || grep -q '^SUFFUSE_TESTS:BOOL=ON' "$build/CMakeCache.txt"; } && return
-    (cd "$root" && step configure configure.log cmake --preset release -DSUFFUSE_TESTS="$1") || fail "cannot configure"
+    (cd "$root" && step configure configure.log cmake --preset release -DSUFFUSE_UNITY=ON -DSUFFUSE_TESTS="$1") || fail "cannot configure"
 }
 
 # build_target NAMES: progress on a terminal for the first, long build; silence when there is nothing to do.

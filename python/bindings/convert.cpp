@@ -186,14 +186,14 @@ py::object to_python(const nlohmann::json& json) {
         for (const auto& [key, value] : json.items()) {
             dict[py::str(key)] = to_python(value);
         }
-        return std::move(dict);
+        return dict;
     }
     case nlohmann::json::value_t::array: {
         py::list list;
         for (const nlohmann::json& value : json) {
             list.append(to_python(value));
         }
-        return std::move(list);
+        return list;
     }
     case nlohmann::json::value_t::string:
         return py::str(json.get_ref<const std::string&>());

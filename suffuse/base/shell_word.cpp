@@ -2,7 +2,7 @@
 
 namespace suffuse {
 
-std::string quoted(const std::string& word) {
+std::string shell_word(const std::string& word) {
     const bool is_plain =
         !word.empty() &&
         word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+%@") ==

@@ -5,6 +5,6 @@
 namespace suffuse {
 
 /// A word for a shell, in quotes where it needs them.
-std::string quoted(const std::string& word);
+std::string shell_word(const std::string& word);
 
 } // namespace suffuse

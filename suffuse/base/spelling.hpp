@@ -1,5 +1,5 @@
 #pragma once
-// Which known word a misspelt one was meant to be.
+// Letters and words: which known word a misspelt one was meant to be.
 
 #include <cstddef>
 #include <optional>
@@ -8,6 +8,11 @@
 #include <vector>
 
 namespace suffuse {
+
+/// Whatever the locale.
+constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
 
 /// Least number of letters inserted, dropped, replaced, or swapped with their neighbor, that turns `a` into `b`
 /// (optimal string alignment); capitals count as their small letters.

@@ -2,30 +2,20 @@
 
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/neighbors/pairs.hpp"
-#include "suffuse/packing/seed.hpp"
 
 #include <gtest/gtest.h>
 
+#include "tests/support/clouds.hpp"
+
 namespace suffuse::packing {
 namespace {
-
-dem::World cloud(int particles) {
-    grains::Soil soil;
-    soil.whole = grains::Grading{{0.15e-3, 0.21e-3, 0.30e-3}, {0, 0.5, 1}, ""};
-    soil.grading_tolerance = 1;
-    const Cloud made = make_cloud(grains::sample_soil(soil, particles), PackSpec{}, 2600, 5);
-    dem::World world;
-    world.cell = made.cell;
-    world.grains = made.grains;
-    return world;
-}
 
 std::size_t overlaps_in(const dem::World& world) {
     return neighbors::find_pairs(world.cell.h, world.grains.position, world.grains.radius, 0.0).size();
 }
 
 TEST(Overlaps, ACloudComesToAPorosityWithoutAny) {
-    dem::World world = cloud(400);
+    dem::World world = test::sand_cloud(400);
     world.cell.velocity_gradient = diagonal({1, 1, 1});
     world.grains.velocity.front() = {1, 0, 0};
     EXPECT_TRUE(bring_to_porosity(world, 0.45));
@@ -36,13 +26,13 @@ TEST(Overlaps, ACloudComesToAPorosityWithoutAny) {
 }
 
 TEST(Overlaps, BeyondJammingSomeAreLeftAndItSaysSo) {
-    dem::World world = cloud(400);
+    dem::World world = test::sand_cloud(400);
     EXPECT_FALSE(bring_to_porosity(world, 0.25, 10)); // spheres jam near 0.36
     EXPECT_GT(overlaps_in(world), 0U);
 }
 
 TEST(Overlaps, ACloudComesNearTouchingAndNoFurther) {
-    dem::World world = cloud(400);
+    dem::World world = test::sand_cloud(400);
     const double reached = bring_near_touching(world);
     EXPECT_EQ(overlaps_in(world), 0U);
     EXPECT_EQ(reached, dem::porosity(world)); // what is reported is what is there

@@ -32,6 +32,11 @@ const json& color::sequence() {
     return colors;
 }
 
+const json& color::dashes() {
+    static const json dashes = json::parse("[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2], [4, 2, 1, 2], [10, 3]]");
+    return dashes;
+}
+
 json complete_specification(const Figure& figure) {
     json specification = figure.chart;
     specification["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";

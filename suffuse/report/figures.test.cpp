@@ -14,15 +14,6 @@ using erosion::ErosionResult;
 using erosion::ProbeResult;
 using nlohmann::json;
 
-const std::vector<std::string>& words(const Table& table, const std::string& name) {
-    for (const Column& column : table.columns()) {
-        if (column.name == name) {
-            return std::get<std::vector<std::string>>(column.values);
-        }
-    }
-    throw Bug("no column " + name);
-}
-
 /// Every field that an encoding or transform of the chart reads.
 void fields_in(const json& part, std::set<std::string>& fields) {
     if (part.is_object()) {
@@ -230,7 +221,7 @@ TEST(SpeedFigure, BandsAreTheQuantilesOfAllGrainsOfTheGroup) {
     }
     const Figure figure = *speed_by_gradient({probe});
     // The first rows are the group's; with ranks 0 to 100 the quantiles are the ranks.
-    EXPECT_EQ(words(figure.table, "kind").front(), "group");
+    EXPECT_EQ(figure.table.words("kind").front(), "group");
     EXPECT_NEAR(figure.table.numbers("speed").front(), 50e-6, 1e-15);
     EXPECT_NEAR(figure.table.numbers("speed_10").front(), 10e-6, 1e-15);
     EXPECT_NEAR(figure.table.numbers("speed_90").front(), 90e-6, 1e-15);
@@ -285,7 +276,7 @@ TEST(PathFigures, LongPathsAreThinnedButKeepTheEndsOfEachPhase) {
     const Figure figure = *stress_path(erosion);
     EXPECT_LT(figure.table.rows(), 1000U);
     EXPECT_EQ(figure.table.numbers("step").back(), static_cast<double>(erosion.path.back().step));
-    EXPECT_EQ(words(figure.table, "phase").front(), "before");
+    EXPECT_EQ(figure.table.words("phase").front(), "before");
 }
 
 TEST(PathFigures, StressIsInKilopascalsAndStrainInPercent) {

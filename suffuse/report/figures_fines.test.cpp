@@ -12,18 +12,9 @@ namespace {
 
 using nlohmann::json;
 
-const std::vector<std::string>& words(const Table& table, const std::string& name) {
-    for (const Column& column : table.columns()) {
-        if (column.name == name) {
-            return std::get<std::vector<std::string>>(column.values);
-        }
-    }
-    throw std::out_of_range(name);
-}
-
 /// Value of one row of a figure over the fines content.
 double value_at(const Figure& figure, const std::string& column, const std::string& quantity, double percent) {
-    const auto& quantities = words(figure.table, "quantity");
+    const auto& quantities = figure.table.words("quantity");
     for (std::size_t row = 0; row < figure.table.rows(); ++row) {
         if (quantities[row].starts_with(quantity) && figure.table.numbers("fines_content")[row] == percent) {
             return figure.table.numbers(column)[row];
@@ -133,14 +124,14 @@ TEST(FinesFigures, ASweepThatEndsEarlyEndsItsAxisEarly) {
 
 TEST(MixtureFigure, HasALineForEachMixtureAndDotsForItsSample) {
     const Figure figure = *mixture_gradings(test::sample_mixtures());
-    const auto& names = words(figure.table, "mixture");
+    const auto& names = figure.table.words("mixture");
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 13U);
     const auto& passing = figure.table.numbers("passing");
     EXPECT_NEAR(*std::max_element(passing.begin(), passing.end()), 100, 1e-12); // rounding
     // The gap between the two fractions is flat at the fines content.
     for (std::size_t row = 0; row < figure.table.rows(); ++row) {
         const double d = figure.table.numbers("diameter")[row];
-        if (d > 0.13 && d < 0.19 && words(figure.table, "kind")[row] == "asked for") {
+        if (d > 0.13 && d < 0.19 && figure.table.words("kind")[row] == "asked for") {
             EXPECT_NEAR(passing[row], figure.table.numbers("fines_content")[row], 1e-9); // rounding
         }
     }

@@ -13,8 +13,6 @@ namespace {
 using flow::ThroatFlux;
 using nlohmann::json;
 
-const char* const dashes = "[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2], [4, 2, 1, 2], [10, 3]]";
-
 json names_of(const std::vector<FluxState>& states) {
     json names = json::array();
     for (const FluxState& state : states) {
@@ -35,7 +33,7 @@ void color_states(json& encoding, const json& names) {
         {"field", "state"},
         {"type", "nominal"},
         {"title", nullptr},
-        {"scale", {{"domain", names}, {"range", json::parse(dashes)}}}};
+        {"scale", {{"domain", names}, {"range", color::dashes()}}}};
 }
 
 /// Exponent of the power of the size with which the median flux grows, by least squares of the logarithms over the

@@ -17,7 +17,6 @@ using erosion::PassResult;
 using erosion::PathRow;
 using nlohmann::json;
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_named = 4;       ///< passes with labels, colors and words of their own
 constexpr std::size_t most_path_rows = 800; ///< drawn; the run's own files hold them all
 

@@ -23,8 +23,6 @@ using erosion::PassResult;
 using grains::Grading;
 using nlohmann::json;
 
-const char* const dashes = "[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2]]";
-
 constexpr std::size_t most_points = 200; ///< of a curve in a drawing
 
 struct Curves {
@@ -75,7 +73,7 @@ json grading_chart(const Curves& curves, std::optional<double> finer_than, Gradi
         }
     })json");
     lines["encoding"]["color"]["scale"] = {{"domain", curves.order}, {"range", curves.colors}};
-    lines["encoding"]["strokeDash"]["scale"] = {{"domain", curves.order}, {"range", json::parse(dashes)}};
+    lines["encoding"]["strokeDash"]["scale"] = {{"domain", curves.order}, {"range", color::dashes()}};
     layers.push_back(lines);
     // Unseen points under the pointer say what a line is and where.
     json points = json::parse(R"json({
@@ -280,7 +278,7 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
         range.erase(range.begin());
     }
     figure.chart["encoding"]["color"]["scale"] = {{"domain", order}, {"range", range}};
-    figure.chart["encoding"]["strokeDash"]["scale"] = {{"domain", order}, {"range", json::parse(dashes)}};
+    figure.chart["encoding"]["strokeDash"]["scale"] = {{"domain", order}, {"range", color::dashes()}};
     return figure;
 }
 

@@ -22,7 +22,6 @@ using erosion::PassResult;
 using erosion::ProbeResult;
 using nlohmann::json;
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_lines = 200;     ///< grains drawn one by one in a panel, both groups together
 constexpr double decades_drawn = 1e9;       ///< below the fastest grain: slower is lost in rounding
 constexpr std::size_t most_panels = 4;      ///< of an erosion, a panel a pass

@@ -18,18 +18,6 @@ namespace {
 using erosion::ErosionResult;
 using erosion::PassResult;
 using erosion::ProbeResult;
-using Verdict = std::optional<bool>;
-
-/// A claim of two parts: false as soon as one part is, true only when both are known to be.
-Verdict both(Verdict first, Verdict second) {
-    if (first == false || second == false) {
-        return false;
-    }
-    if (!first || !second) {
-        return std::nullopt;
-    }
-    return true;
-}
 
 const ProbeResult* probe_at(double gradient, const std::vector<ProbeResult>& probes, const ErosionResult& erosion) {
     const auto fits = [gradient](const ProbeResult& probe) { return std::abs(probe.gradient - gradient) <= 1e-9; };

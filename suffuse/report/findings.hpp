@@ -11,12 +11,23 @@
 
 namespace suffuse::report {
 
+/// Nothing where a run cannot tell.
+using Verdict = std::optional<bool>;
+
+/// A claim of two parts: false as soon as one part is, true only when both are known to be.
+inline Verdict both(Verdict first, Verdict second) {
+    if (first == false || second == false) {
+        return false;
+    }
+    return first && second ? Verdict(true) : std::nullopt;
+}
+
 struct Finding {
-    std::string id;          ///< "E1" to "E7"
-    std::string claim;       ///< the criterion, in words
-    std::string paper;       ///< what the paper reports
-    std::string ours;        ///< what this run found, with numbers
-    std::optional<bool> met; ///< nothing where this run cannot tell
+    std::string id;    ///< "E1" to "E7"
+    std::string claim; ///< the criterion, in words
+    std::string paper; ///< what the paper reports
+    std::string ours;  ///< what this run found, with numbers
+    Verdict met;
 };
 
 /// A change of porosity below this is within what the servo's tolerance on the stress allows: neither a rise nor a

@@ -13,17 +13,6 @@
 namespace suffuse::report {
 namespace {
 
-using Verdict = std::optional<bool>;
-
-constexpr double same_content = 1e-9;
-
-Verdict both(Verdict first, Verdict second) {
-    if (first == false || second == false) {
-        return false;
-    }
-    return first && second ? Verdict(true) : std::nullopt;
-}
-
 /// What the seeds decide together.
 Verdict agreed(const std::vector<Verdict>& of_seed) {
     const auto all = [&](bool wanted) {

@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-const char* const dashes = "[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2]]";
-
 json x_axis(const FinesStudy& study) {
     // Whole tens beyond the last fines content.
     const double last = study.fines_content.empty() ? 1 : study.fines_content.back();
@@ -162,7 +160,7 @@ json fines_panel(
         {"field", "quantity"},
         {"type", "nominal"},
         {"title", nullptr},
-        {"scale", {{"domain", names}, {"range", json::parse(dashes)}}}};
+        {"scale", {{"domain", names}, {"range", color::dashes()}}}};
     drawn[4]["encoding"]["tooltip"] = {
         {{"field", "quantity"}, {"title", "of"}},
         {{"field", "fines_content"}, {"title", "FC [%]"}, {"format", ".4g"}},

@@ -10,7 +10,6 @@
 namespace suffuse::report {
 namespace {
 
-constexpr double same_content = 1e-9;
 constexpr double rising_part = 0.9; // of the highest value: beyond, a curve bends over into its plateau
 
 /// The points of one seed that are there.

@@ -13,6 +13,9 @@
 
 namespace suffuse::report {
 
+/// Fines contents that differ by less are one [-].
+inline constexpr double same_content = 1e-9;
+
 /// One number over the fines content.
 struct ContentCurve {
     std::vector<double> content;            ///< rising [-]

@@ -37,6 +37,17 @@ std::string on_one_line(std::string text) {
     return text;
 }
 
+template <class Value>
+const std::vector<Value>& values_of(const std::vector<Column>& columns, const std::string& name) {
+    for (const Column& column : columns) {
+        const auto* values = std::get_if<std::vector<Value>>(&column.values);
+        if (column.name == name && values != nullptr) {
+            return *values;
+        }
+    }
+    throw Bug("no such column of a table: " + name);
+}
+
 } // namespace
 
 void Table::add(std::string name, std::string unit, std::vector<double> values) {
@@ -69,13 +80,11 @@ std::string Table::cell(std::size_t row, std::size_t column, int digits) const {
 }
 
 const std::vector<double>& Table::numbers(const std::string& name) const {
-    for (const Column& column : columns_) {
-        const auto* values = std::get_if<std::vector<double>>(&column.values);
-        if (column.name == name && values != nullptr) {
-            return *values;
-        }
-    }
-    throw Bug("no column of numbers called " + name);
+    return values_of<double>(columns_, name);
+}
+
+const std::vector<std::string>& Table::words(const std::string& name) const {
+    return values_of<std::string>(columns_, name);
 }
 
 std::string heading(const Column& column) {

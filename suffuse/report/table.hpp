@@ -4,12 +4,15 @@
 // (kPa, mm, %).
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 namespace suffuse::report {
+
+inline constexpr double missing = std::numeric_limits<double>::quiet_NaN(); ///< a cell without a number
 
 struct Column {
     std::string name; ///< snake_case; the field's name in chart specifications
@@ -32,6 +35,9 @@ public:
 
     /// The numbers of a column. A column of words, or an unknown name, is a Bug.
     [[nodiscard]] const std::vector<double>& numbers(const std::string& name) const;
+
+    /// The words of a column, likewise.
+    [[nodiscard]] const std::vector<std::string>& words(const std::string& name) const;
 
 private:
     void add_column(Column column);

@@ -1,5 +1,7 @@
 #include "suffuse/report/warnings.hpp"
 
+#include "suffuse/base/spelling.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,10 +17,6 @@ struct Warning {
     std::string where;
     std::vector<std::string> words = {""}, numbers;
 };
-
-bool is_digit(char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';

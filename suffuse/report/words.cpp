@@ -1,5 +1,7 @@
 #include "suffuse/report/words.hpp"
 
+#include "suffuse/base/spelling.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,10 +15,6 @@ namespace {
 
 const char* const no_break = "\u00a0";
 const std::array<std::string_view, 8> units = {"%", "kPa", "mm", "m²", "m/s", "s", "N", "grains"};
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 bool starts_with_unit(std::string_view rest) {
     return std::any_of(units.begin(), units.end(), [rest](std::string_view unit) {

@@ -66,12 +66,12 @@ std::map<std::string, std::string> read_checksums(const fs::path& run) {
             missing.empty() ? fmt::format(
                                   "{0}: has no {1}: an earlier version made it, or it was stopped in its last moment; "
                                   "suffuse report {2} writes them for what is there now",
-                                  run.string(), checksums_file, quoted(run.string())
+                                  run.string(), checksums_file, shell_word(run.string())
                               )
                             : fmt::format(
                                   "{0}: the run has not ended: {1}; suffuse resume {2} goes on, and suffuse watch {2} "
                                   "shows whether it still runs",
-                                  run.string(), missing, quoted(run.string())
+                                  run.string(), missing, shell_word(run.string())
                               )
         );
     }

@@ -185,7 +185,7 @@ report::ReportData describe_run(
     for (const auto& [key, value] : provenance.items()) {
         data.provenance.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
     }
-    data.redraw = "suffuse report " + quoted(folder.string());
+    data.redraw = "suffuse report " + shell_word(folder.string());
     return data;
 }
 

@@ -30,7 +30,7 @@ double stress_loss(const erosion::PassResult& pass) {
     return report::stress_loss(pass).value_or(1);
 }
 
-json pass_numbers(const erosion::PassResult& pass) {
+json removal_pass(const erosion::PassResult& pass) {
     json numbers = pass_record(pass);
     numbers["stress_loss"] = stress_loss(pass);
     return numbers;
@@ -52,7 +52,7 @@ json removal_numbers(const dem::World& end, const erosion::RemovalResult& remova
         removed += pass.removed;
         steps += pass.steps;
         volumetric_strain += pass.volumetric_strain;
-        of_passes.push_back(pass_numbers(pass));
+        of_passes.push_back(removal_pass(pass));
     }
     const Vec3 strain = erosion::removal_strain(end, removal);
     return {

@@ -22,7 +22,6 @@ constexpr double same_confinement = 0.02; // relative; stages that settle are wi
 constexpr double at_the_end = 0.98;       // of the strain of a test
 // Of one sample: seeds of examples/silty-sand-2016 differ by 4 to 18 % (one standard deviation), most of them by 8.
 constexpr double clear_change = 0.1;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// The stress that a test holds, of the state that it starts from [Pa].
 double confinement(const FinishedStage& state, const TriaxialSpec& test) {
@@ -38,7 +37,7 @@ const json& response_of(const FinishedStage& test) {
 
 double number_of(const FinishedStage& test, const char* key) {
     const json& response = response_of(test);
-    return response.contains(key) && response.at(key).is_number() ? response.at(key).get<double>() : none;
+    return response.contains(key) && response.at(key).is_number() ? response.at(key).get<double>() : std::nan("");
 }
 
 double relative(double before, double after) {
@@ -55,7 +54,7 @@ BeforeAfter gather(
 ) {
     std::vector<double> before, after, changes;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-        const auto [b, a] = is_compared[k] ? number(pairs[k]) : std::pair{none, none};
+        const auto [b, a] = is_compared[k] ? number(pairs[k]) : std::pair{std::nan(""), std::nan("")};
         before.push_back(b), after.push_back(a), changes.push_back(change(b, a));
     }
     return {

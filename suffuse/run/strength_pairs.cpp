@@ -1,7 +1,7 @@
 #include "suffuse/run/strength_pairs.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <optional>
 
 namespace suffuse::run {
@@ -9,8 +9,6 @@ namespace {
 
 using triaxial::Path;
 using triaxial::TriaxialSpec;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 bool is_same_test(const TriaxialSpec& a, const TriaxialSpec& b) {
     return a.path == b.path && a.axis == b.axis && a.strain == b.strain && a.strain_ratio == b.strain_ratio &&
@@ -34,10 +32,10 @@ bool leaves_path(const casefile::StageSpec& spec, const TriaxialSpec& test) {
 /// Share of the mass that a stage took [-]; nothing where it takes none.
 std::optional<double> taken_by(const FinishedStage& stage) {
     if (std::holds_alternative<erosion::ErodeSpec>(stage.stage->spec)) {
-        return stage.numbers.value("eroded_share_of_solids", none);
+        return stage.numbers.value("eroded_share_of_solids", std::nan(""));
     }
     return std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec)
-               ? std::optional(stage.numbers.value("removed_mass_share", none))
+               ? std::optional(stage.numbers.value("removed_mass_share", std::nan("")))
                : std::nullopt;
 }
 

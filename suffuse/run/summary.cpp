@@ -170,7 +170,7 @@ Summary summarize_run(
          with_failures(summary.flaws, summary.failures),
          in_lines(of_case),
          findings,
-         {tell_missing(missing), "suffuse resume " + quoted(folder.string())}}
+         {tell_missing(missing), "suffuse resume " + shell_word(folder.string())}}
     );
     summary.findings = findings_json(data.findings); // what the page shows
     write_json(

@@ -2,10 +2,10 @@
 
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/packing/compact.hpp"
-#include "suffuse/packing/seed.hpp"
 
 #include <gtest/gtest.h>
 
+#include "tests/support/clouds.hpp"
 #include "tests/support/worlds.hpp"
 #include <algorithm>
 #include <string>
@@ -13,19 +13,7 @@
 namespace suffuse::packing {
 namespace {
 
-constexpr double pressure = 1e5; // [Pa]
-
-dem::World cloud() {
-    grains::Soil soil;
-    soil.whole = grains::Grading{{0.15e-3, 0.21e-3, 0.30e-3}, {0, 0.5, 1}, "three points"};
-    soil.grading_tolerance = 0.1;
-    const Cloud made = make_cloud(grains::sample_soil(soil, 300), PackSpec{}, 2600, 5);
-    dem::World world;
-    world.cell = made.cell;
-    world.reference_h = made.cell.h;
-    world.grains = made.grains;
-    return world;
-}
+constexpr double wanted_pressure = 1e5; // [Pa]
 
 struct Compacted {
     dem::World world;
@@ -36,10 +24,10 @@ struct Compacted {
 
 Compacted compact(const Prepare& prepare) {
     CompactSpec spec;
-    spec.pressure = pressure;
+    spec.pressure = wanted_pressure;
     spec.prepare = prepare;
     Compacted result;
-    result.world = cloud();
+    result.world = test::sand_cloud(300);
     dem::StepCaches caches;
     result.state = begin_compaction(result.world, spec, 0.2);
     while (!compact_burst(result.world, caches, spec, {}, result.state)) {
@@ -78,7 +66,7 @@ TEST(Compaction, EndsSettledAtThePressureWithTheFinalParameters) {
     for (const Compacted* sample : {&dense(), &loose()}) {
         const Mat3 stress = sample->state.balance.stress;
         for (int a = 0; a < 3; ++a) {
-            EXPECT_NEAR(stress(a, a), pressure, 5e-3 * pressure);
+            EXPECT_NEAR(stress(a, a), wanted_pressure, 5e-3 * wanted_pressure);
         }
         EXPECT_LE(sample->state.balance.equilibrium.unbalanced_force, 1e-3);
         EXPECT_EQ(sample->world.material.friction, grains::Material{}.friction);
@@ -99,8 +87,8 @@ TEST(Compaction, LeavesNoBondBehind) {
 }
 
 TEST(Compaction, DoesNotOverloadTheDenseSampleOnItsWay) {
-    RecordProperty("overshoot", std::to_string(dense().most_pressure / pressure - 1));
-    EXPECT_LE(dense().most_pressure, 1.5 * pressure); // jamming comes at once; the strain rate is capped by then
+    RecordProperty("overshoot", std::to_string(dense().most_pressure / wanted_pressure - 1));
+    EXPECT_LE(dense().most_pressure, 1.5 * wanted_pressure); // jamming comes at once; the strain rate is capped by then
 }
 
 } // namespace

@@ -45,7 +45,7 @@ void_ratio_tolerance     = 0.01
 only                     = { fines_content = ["30 %"] }
 )";
 
-json stage_of(const TempFolder& folder, const std::string& place) {
+json stage_json(const TempFolder& folder, const std::string& place) {
     return run::read_json(folder / ("run/studies/s/" + place + "/stage.json"));
 }
 
@@ -67,7 +67,7 @@ run::RunReport FinesStudy::report_;
 
 TEST_F(FinesStudy, ThePureSoilsHaveWhatTheDefinitionsSayAndNullWhereThereIsNothing) {
     ASSERT_TRUE(report_.failures.empty()) << report_.failures.front().message;
-    const json sand = stage_of(*folder_, "fc=0/loose"), silt = stage_of(*folder_, "fc=100/loose");
+    const json sand = stage_json(*folder_, "fc=0/loose"), silt = stage_json(*folder_, "fc=100/loose");
     EXPECT_EQ(sand.at("fines_content"), 0);
     EXPECT_EQ(sand.at("intergranular_void_ratio"), sand.at("void_ratio"));
     EXPECT_EQ(sand.at("equivalent_void_ratio"), sand.at("void_ratio"));
@@ -81,7 +81,7 @@ TEST_F(FinesStudy, ThePureSoilsHaveWhatTheDefinitionsSayAndNullWhereThereIsNothi
 }
 
 TEST_F(FinesStudy, StressOfTheFractionsAddsUpToTheStress) {
-    const json mix = stage_of(*folder_, "fc=30/loose");
+    const json mix = stage_json(*folder_, "fc=30/loose");
     const double content = mix.at("fines_content");
     const double sum =
         content * mix.at("alpha_fines").get<double>() + (1 - content) * mix.at("alpha_coarse").get<double>();
@@ -93,11 +93,11 @@ TEST_F(FinesStudy, StressOfTheFractionsAddsUpToTheStress) {
 
 TEST_F(FinesStudy, AWantedIntergranularVoidRatioIsMet) {
     // The tolerance is on e; e_g = (e + FC)/(1 - FC) widens it.
-    EXPECT_NEAR(stage_of(*folder_, "fc=30/asked").at("intergranular_void_ratio").get<double>(), 1.15, 0.01 / 0.68);
+    EXPECT_NEAR(stage_json(*folder_, "fc=30/asked").at("intergranular_void_ratio").get<double>(), 1.15, 0.01 / 0.68);
 }
 
 TEST_F(FinesStudy, RemovalLeavesTheCoarseGrainsUnderTheirStress) {
-    const json before = stage_of(*folder_, "fc=30/loose"), after = stage_of(*folder_, "fc=30/emptied");
+    const json before = stage_json(*folder_, "fc=30/loose"), after = stage_json(*folder_, "fc=30/emptied");
     EXPECT_EQ(after.at("grains").get<int>() + after.at("removed").get<int>(), before.at("grains").get<int>());
     EXPECT_EQ(after.at("fines_content"), 0);
     EXPECT_NEAR(after.at("removed_mass_share").get<double>(), before.at("fines_content").get<double>(), 1e-12);
@@ -109,7 +109,7 @@ TEST_F(FinesStudy, RemovalLeavesTheCoarseGrainsUnderTheirStress) {
 }
 
 TEST_F(FinesStudy, AStageMeasuresWhatItIsAskedFor) {
-    const json stage = stage_of(*folder_, "fc=30/emptied"), measured = stage.at("measured");
+    const json stage = stage_json(*folder_, "fc=30/emptied"), measured = stage.at("measured");
     EXPECT_EQ(measured.size(), 6);
     EXPECT_EQ(measured.at("porosity").at("porosity"), stage.at("porosity"));
     EXPECT_EQ(measured.at("coordination-of-eroded").at("coordination_histogram"), stage.at("coordination_histogram"));
@@ -130,7 +130,7 @@ TEST_F(FinesStudy, AStageMeasuresWhatItIsAskedFor) {
     EXPECT_GE(d, 0.28e-3); // only coarse grains are left
     EXPECT_GT(measured.at("constrictions").at("count"), 0);
     EXPECT_LT(measured.at("constrictions").at("mean"), d);
-    EXPECT_FALSE(stage_of(*folder_, "fc=30/loose").contains("measured"));
+    EXPECT_FALSE(stage_json(*folder_, "fc=30/loose").contains("measured"));
 }
 
 TEST_F(FinesStudy, TheSummaryJudgesWhatThreeFinesContentsCanTell) {
@@ -157,7 +157,9 @@ TEST_F(FinesStudy, ARemovalThatIsStoppedEndsWithTheSameBits) {
     EXPECT_EQ(run_text(reference_constants + study, broken.path(), options).outcome, run::Outcome::Stopped);
     EXPECT_FALSE(std::filesystem::exists(broken / "run/studies/s/fc=30/emptied/stage.json"));
     run_text(reference_constants + study, broken.path());
-    EXPECT_EQ(stage_of(broken, "fc=30/emptied").at("state_hash"), stage_of(*folder_, "fc=30/emptied").at("state_hash"));
+    EXPECT_EQ(
+        stage_json(broken, "fc=30/emptied").at("state_hash"), stage_json(*folder_, "fc=30/emptied").at("state_hash")
+    );
 }
 
 TEST(RemovalTwice, FromTwoStatesOfASampleIsShownWithGrainsThatAllStatesShownHave) {

@@ -6,30 +6,18 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/packing/compact.hpp"
-#include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/target_density.hpp"
 #include "suffuse/run/result_json.hpp"
 
 #include <gtest/gtest.h>
 
+#include "tests/support/clouds.hpp"
 #include <string>
 
 namespace suffuse::packing {
 namespace {
 
 constexpr double pressure = 1e5; // [Pa]
-
-dem::World cloud() {
-    grains::Soil soil;
-    soil.whole = grains::Grading{{0.15e-3, 0.21e-3, 0.30e-3}, {0, 0.5, 1}, "three points"};
-    soil.grading_tolerance = 0.1;
-    const Cloud made = make_cloud(grains::sample_soil(soil, 500), PackSpec{}, 2600, 5);
-    dem::World world;
-    world.cell = made.cell;
-    world.reference_h = made.cell.h;
-    world.grains = made.grains;
-    return world;
-}
 
 CompactSpec spec_of(Protocol protocol) {
     CompactSpec spec;
@@ -46,7 +34,7 @@ struct Prepared {
 /// `stop_after` bursts the state goes through JSON and the caches are new, as after Ctrl-C and resume.
 Prepared prepare(const CompactSpec& spec, int stop_after = -1, dem::Mode mode = dem::Mode::Reference) {
     Prepared result;
-    result.world = cloud();
+    result.world = test::sand_cloud(500);
     auto caches = std::make_unique<dem::StepCaches>();
     result.state = begin_compaction(result.world, spec, 0.2, mode);
     for (int bursts = 0; !compact_burst(result.world, *caches, spec, {}, result.state); ++bursts) {
@@ -80,7 +68,7 @@ protected:
 };
 
 TEST_P(Protocols, EndBalancedAtThePressureAndGiveBackWhatWasLent) {
-    const dem::World start = cloud();
+    const dem::World start = test::sand_cloud(500);
     const Prepared sample = prepared();
     RecordProperty("steps", std::to_string(sample.state.steps));
     RecordProperty("void_ratio", std::to_string(dem::void_ratio(sample.world)));
@@ -147,7 +135,7 @@ TEST(Swift, StepsNoLongerThanItsContactsAllow) {
     CompactSpec spec = spec_of(Protocol::Swift);
     spec.start_porosity = 0.405; // touching within a burst
     spec.prepare.friction = radians(10);
-    dem::World world = cloud();
+    dem::World world = test::sand_cloud(500);
     dem::StepCaches caches;
     CompactState state = begin_compaction(world, spec, 0.2);
     while (state.phase == CompactState::Phase::Compact) {
@@ -161,7 +149,7 @@ TEST(Swift, StartsAtThePorosityAskedFromALooserAndFromADenserCloud) {
     for (const double porosity : {0.45, 0.75}) {
         CompactSpec spec = spec_of(Protocol::Swift);
         spec.start_porosity = porosity;
-        dem::World world = cloud();
+        dem::World world = test::sand_cloud(500);
         const CompactState state = begin_compaction(world, spec, 0.2);
         EXPECT_NEAR(state.start_porosity, porosity, 1e-12); // rounding
         EXPECT_EQ(dem::porosity(world), state.start_porosity);
