@@ -63,7 +63,6 @@ template <class Real>
         t.overlap[k] = static_cast<Real>(m.overlap);
         t.reach_over_distance[k] = static_cast<Real>(m.reach_over_distance);
         t.normal_stiffness[k] = static_cast<Real>(m.normal_stiffness);
-        t.within_reach[k] = static_cast<Real>(m.within_reach);
         t.radius_1[k] = static_cast<Real>(t.exact_radius_1[k]);
         t.radius_2[k] = static_cast<Real>(t.exact_radius_2[k]);
     }
@@ -139,20 +138,13 @@ limit_forces(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t 
     }
 }
 
-/// Contacts that only push: what the other parts of the law would leave at zero is left alone.
+/// Contacts that only push: what the other parts of the law would leave at zero is left alone, and no step needs to
+/// know the normals of the one before.
 template <class Real>
-[[gnu::always_inline]] inline void
-push_apart(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t rows, Tile<Real>& t) {
-    const MemoryColumns<Real> m = columns;
+[[gnu::always_inline]] inline void push_apart(std::size_t rows, Tile<Real>& t) {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
-        const std::size_t c = begin + k;
-        const Real zero{}, was_touching = size_1(Triple<Real>{m.nx[c], m.ny[c], m.nz[c]});
-        const ContactGeometry<Real> geometry = geometry_at(t, k);
-        const Push<Real> out = push(geometry, was_touching);
-        m.nx[c] = out.touching > zero ? geometry.normal.x : zero;
-        m.ny[c] = out.touching > zero ? geometry.normal.y : zero;
-        m.nz[c] = out.touching > zero ? geometry.normal.z : zero;
+        const Push<Real> out = push(geometry_at(t, k));
         t.touching[k] = out.touching;
         set(t.force(), k, out.force);
     }
@@ -163,6 +155,18 @@ template <class Real>
 keep_overlaps(const MemoryColumns<Real>& m, std::size_t begin, std::size_t rows, const Tile<Real>& t) {
     for (std::size_t k = 0; k < rows; ++k) {
         m.overlap[begin + k] = t.touching[k] > Real{} ? t.overlap[k] : Real{};
+    }
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void
+keep_normals(const MemoryColumns<Real>& m, std::size_t begin, std::size_t rows, const Tile<Real>& t) {
+    const Real zero{};
+    for (std::size_t k = 0; k < rows; ++k) {
+        const std::size_t c = begin + k;
+        m.nx[c] = t.touching[k] > zero ? t.normal.x[k] : zero;
+        m.ny[c] = t.touching[k] > zero ? t.normal.y[k] : zero;
+        m.nz[c] = t.touching[k] > zero ? t.normal.z[k] : zero;
     }
 }
 
@@ -250,10 +254,13 @@ press(const DomainWork<Real>& w, std::size_t begin, std::size_t end, StressSum& 
             predict_forces<Adhesive, Twisting>(w, c, rows, tile);
             limit_forces<Twisting>(w.memory, c, rows, tile);
         } else {
-            push_apart(w.memory, c, rows, tile);
+            push_apart(rows, tile);
         }
-        if (w.overlaps) {
+        if (w.looked_at) {
             keep_overlaps(w.memory, c, rows, tile);
+            if constexpr (!Springs) {
+                keep_normals(w.memory, c, rows, tile);
+            }
         }
         add_stress(tile.force(), tile.branch, rows, w.quantum, w.largest_force, stress);
         add_to_grains<Springs>(w, c, rows, tile);

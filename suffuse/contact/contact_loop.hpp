@@ -28,7 +28,7 @@ struct DomainWork {
     Real dt;
     SumQuantum quantum;
     double largest_force; ///< [N]
-    bool overlaps;        ///< the table's are wanted
+    bool looked_at;       ///< the table is, after this step
     bool beyond_cache;    ///< there are more grains than a processor's cache holds
     MemoryColumns<Real> memory;
     grains::GrainSum* sums;

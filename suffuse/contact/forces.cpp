@@ -57,7 +57,7 @@ Pressed press_contacts(
         static_cast<Real>(setting.dt),
         quantum,
         largest_force,
-        setting.overlaps,
+        setting.looked_at,
         grains.size() > cached_grains,
         pointers<Real>(memory),
         sums.data()};

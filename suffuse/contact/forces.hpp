@@ -18,11 +18,11 @@ struct alignas(64) ImageShift {
 
 /// What is the same for all contacts in a step.
 struct StepSetting {
-    double volume = 0;              ///< of the cell [m3]
-    double largest_radius = 0;      ///< of all grains [m]
-    double dt = 0;                  ///< [s]
-    bool normals_only = false;      ///< contacts can only push (`dem::contacts_only_push`)
-    bool overlaps = true;           ///< the table's overlaps are wanted: they are, unless the next step comes at once
+    double volume = 0;         ///< of the cell [m3]
+    double largest_radius = 0; ///< of all grains [m]
+    double dt = 0;             ///< [s]
+    bool normals_only = false; ///< contacts can only push (`dem::contacts_only_push`)
+    bool looked_at = true;     ///< somebody reads overlaps, and normals of contacts that only push, after this step
     std::vector<ImageShift> shifts; ///< of the plan's images
 };
 

@@ -150,20 +150,18 @@ struct ContactGeometry {
     Real overlap;             ///< negative: a gap [m]
     Real reach_over_distance; ///< (r1 + r2) / distance [-]
     Real normal_stiffness;    ///< [N/m]
-    Real within_reach;        ///< 1: the pair touches, 0: not
 };
 
 template <class Real>
 [[gnu::always_inline]] inline ContactGeometry<Real>
 find_geometry(const LawConstantsOf<Real>& law, const Triple<Real>& branch, const Real& r1, const Real& r2) noexcept {
-    const Real zero{}, one(1), reach = r1 + r2;
-    const Real distance2 = dot(branch, branch);
-    const Real distance = root(distance2);
+    const Real one(1), reach = r1 + r2;
+    const Real distance = root(dot(branch, branch));
     const Real inverse = one / (reach * distance); // one division for both
     const Real inverse_distance = inverse * reach;
     return {
         inverse_distance * branch, reach - distance, reach * inverse_distance,
-        law.twice_modulus * r1 * r2 * (inverse * distance), reach * reach - distance2 >= zero ? one : zero};
+        law.twice_modulus * r1 * r2 * (inverse * distance)};
 }
 
 /// What the second part leaves to the third: how far force and moments may go.
@@ -220,14 +218,16 @@ template <bool Adhesive, bool Twisting, class Real>
     const Triple<Real>& n = geometry.normal;
     Limits<Real> limits{};
 
-    // Does the pair touch? An old contact lives until its pull exceeds the adhesion (nothing, without adhesion).
-    const Real was_touching = size_1(memory.normal) > zero ? one : zero;
+    // Does the pair touch? It begins to where it overlaps, and an old contact lives until its pull exceeds the
+    // adhesion.
     Bond<Real> bond;
+    limits.touching = geometry.overlap >= zero ? one : zero;
     if constexpr (Adhesive) {
+        const Real was_touching = size_1(memory.normal) > zero ? one : zero;
         bond = bond_between(law, was_touching, memory.bonded, smaller);
+        const Real lives = zero - trial_normal > bond.pull_off ? zero : one;
+        limits.touching = was_touching > zero ? lives : limits.touching;
     }
-    const Real lives = zero - trial_normal > bond.pull_off ? zero : one;
-    limits.touching = was_touching > zero ? lives : geometry.within_reach;
 
     // Relative motion at the contact. The factor on the velocity removes granular ratcheting [reference 1.3, point 2].
     const Triple<Real> lever = r2 * pair.spin_2 + r1 * pair.spin_1;
@@ -297,14 +297,11 @@ struct Push {
 };
 
 /// What is left of the law where contacts only push: nothing adheres, no friction, no memory of shear or turning, no
-/// spin. The same bits as the whole law. @param was_touching above zero: it touched in the step before
+/// spin. The same bits as the whole law.
 template <class Real>
-[[gnu::always_inline]] inline Push<Real>
-push(const ContactGeometry<Real>& geometry, const Real& was_touching) noexcept {
-    const Real zero{}, one(1);
+[[gnu::always_inline]] inline Push<Real> push(const ContactGeometry<Real>& geometry) noexcept {
+    const Real zero{}, one(1), touching = geometry.overlap >= zero ? one : zero;
     const Real trial = geometry.normal_stiffness * geometry.overlap;
-    const Real lives = trial < zero ? zero : one;
-    const Real touching = was_touching > zero ? lives : geometry.within_reach;
     return {(touching > zero ? trial : zero) * geometry.normal, touching};
 }
 

@@ -30,7 +30,7 @@ struct alignas(64) Tile {
     Row<double> exact_radius_1, exact_radius_2;
     Row<Real> radius_1, radius_2, bonded;
     Rows3<Real> normal;
-    Row<Real> overlap, reach_over_distance, normal_stiffness, within_reach;
+    Row<Real> overlap, reach_over_distance, normal_stiffness;
     Rows3<Real> shear_force, bending, twisting;
     Row<Real> normal_force, slip_limit, bending_limit, twisting_limit, touching;
 
@@ -54,7 +54,7 @@ template <class Real, class Other>
 
 template <class Real>
 [[gnu::always_inline]] inline ContactGeometry<Real> geometry_at(const Tile<Real>& t, std::size_t k) {
-    return {triple(t.normal, k), t.overlap[k], t.reach_over_distance[k], t.normal_stiffness[k], t.within_reach[k]};
+    return {triple(t.normal, k), t.overlap[k], t.reach_over_distance[k], t.normal_stiffness[k]};
 }
 
 /// Four lanes, narrowed where the rows are of single precision.

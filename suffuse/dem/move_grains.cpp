@@ -42,7 +42,7 @@ excess(const Matrix& mean_motion, const Double4& watched, const Double4& positio
     return square + broadcast<1>(square) + broadcast<2>(square) - broadcast<3>(watched);
 }
 
-template <class Matrix>
+template <bool Turning, class Matrix>
 [[gnu::always_inline]] inline void
 move_tile(const motion::MotionOf<Double4, Matrix>& motion, const Work& w, std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -50,18 +50,23 @@ move_tile(const motion::MotionOf<Double4, Matrix>& motion, const Work& w, std::s
         const grains::GrainSum& sum = w.sums[g];
         grains::MovingRow& row = w.rows[g];
         const Double4 force = w.load == nullptr ? sum.force : sum.force + w.load_share * double4(w.load[g], 0);
-        Double4 position = row.position, velocity = row.velocity, spin = row.spin;
+        Double4 position = row.position, velocity = row.velocity;
         const Double4 inverse_mass = broadcast<3>(position), inverse_inertia = broadcast<3>(velocity);
         const Double4 free = inverse_mass > Double4{} ? Double4{} + 1.0 : Double4{};
-        motion::move(motion, inverse_mass * force, inverse_inertia * sum.torque, free, position, velocity, spin);
-        row = {
-            with_last_of(position, row.position), with_last_of(velocity, row.velocity), with_last_of(spin, row.spin)};
+        motion::shift(motion, inverse_mass * force, free, position, velocity);
+        row.position = with_last_of(position, row.position);
+        row.velocity = with_last_of(velocity, row.velocity);
+        if constexpr (Turning) {
+            Double4 spin = row.spin;
+            motion::spin_on(motion, inverse_inertia * sum.torque, free, spin);
+            row.spin = with_last_of(spin, row.spin);
+        }
     }
 }
 
 /// Moves the grains of domain `d`, and says whether one of them has left its watch. By tiles: what one grain takes from
 /// its force to its watch is a long chain, and two loops keep the processor busier with several grains than one.
-template <class Matrix>
+template <bool Turning, class Matrix>
 [[gnu::always_inline]] inline bool
 move_domain(const motion::MotionOf<Double4, Matrix>& motion, const Matrix& mean_motion, const Work& w, std::size_t d) {
     constexpr std::size_t tile_grains = 64;
@@ -71,7 +76,7 @@ move_domain(const motion::MotionOf<Double4, Matrix>& motion, const Matrix& mean_
     const std::size_t end = w.only_awake ? w.awake_end[d] : std::min(w.grains, (d + 1) * w.domain_grains);
     for (std::size_t tile = d * w.domain_grains; tile < end; tile += tile_grains) {
         const std::size_t tile_end = std::min(end, tile + tile_grains);
-        move_tile(motion, w, tile, tile_end);
+        move_tile<Turning>(motion, w, tile, tile_end);
         for (std::size_t k = tile; k < tile_end; ++k) {
             const std::uint32_t g = w.roster[k];
             const Double4 over = excess(mean_motion, origin + widened(w.watch[g].place), w.rows[g].position);
@@ -83,12 +88,17 @@ move_domain(const motion::MotionOf<Double4, Matrix>& motion, const Matrix& mean_
 
 SUFFUSE_CLONES bool
 move_in_any_cell(const motion::LaneMotion& motion, const Double4x3& mean_motion, const Work& w, std::size_t d) {
-    return move_domain(motion, mean_motion, w, d);
+    return move_domain<true>(motion, mean_motion, w, d);
 }
 
 SUFFUSE_CLONES bool
 move_in_upright_cell(const motion::DiagonalMotion& motion, const Double4& mean_motion, const Work& w, std::size_t d) {
-    return move_domain(motion, mean_motion, w, d);
+    return move_domain<true>(motion, mean_motion, w, d);
+}
+
+SUFFUSE_CLONES bool
+shift_in_upright_cell(const motion::DiagonalMotion& motion, const Double4& mean_motion, const Work& w, std::size_t d) {
+    return move_domain<false>(motion, mean_motion, w, d);
 }
 
 /// The sleepers of a domain, four side by side through all the steps.
@@ -135,7 +145,7 @@ SUFFUSE_CLONES void coast_in_upright_cell(
 
 bool move_grains(
     const motion::StepMotion& step, const contact::SumPlan& plan, const grains::GrainLoad* load, double load_share,
-    const Mat3& mean_motion, const Watch& watch, bool only_awake, std::vector<grains::MovingRow>& rows,
+    bool turning, const Mat3& mean_motion, const Watch& watch, bool only_awake, std::vector<grains::MovingRow>& rows,
     std::vector<grains::GrainSum>& sums
 ) {
     const bool loaded = load != nullptr && !load->force.empty();
@@ -161,8 +171,10 @@ bool move_grains(
     std::atomic<bool> too_far = false;
     parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t d = first; d < last; ++d) {
-            if (upright ? move_in_upright_cell(diagonal, diagonal_mean, work, d)
-                        : move_in_any_cell(any, any_mean, work, d)) {
+            const bool is_too_far = !upright  ? move_in_any_cell(any, any_mean, work, d)
+                                    : turning ? move_in_upright_cell(diagonal, diagonal_mean, work, d)
+                                              : shift_in_upright_cell(diagonal, diagonal_mean, work, d);
+            if (is_too_far) {
                 too_far = true;
             }
         }

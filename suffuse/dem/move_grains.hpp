@@ -26,11 +26,12 @@ struct Watch {
 /// Collects into the first `plan.grains` rows of `sums` the contact force and torque on each grain, sets the other rows
 /// to zero, adds the load and moves the grains.
 /// @param only_awake grains in no row of the contact table sleep: `coast_sleepers` moves them later
+/// @param turning whether a grain turns: none does where contacts only push
 /// @param mean_motion from the cell at which the watch was made to the cell of the next step
 /// @return whether a grain that was moved is further than the watch allows
 bool move_grains(
     const motion::StepMotion& step, const contact::SumPlan& plan, const grains::GrainLoad* load, double load_share,
-    const Mat3& mean_motion, const Watch& watch, bool only_awake, std::vector<grains::MovingRow>& rows,
+    bool turning, const Mat3& mean_motion, const Watch& watch, bool only_awake, std::vector<grains::MovingRow>& rows,
     std::vector<grains::GrainSum>& sums
 );
 

@@ -125,7 +125,7 @@ Mat3 one_step(
     contact::set_up_step(
         neighborhood.sum_plan(), cell.h, image_velocity, neighborhood.largest_radius(), plan.dt, caches.contact_setting
     );
-    caches.contact_setting.overlaps = last || looks_at_moduli;
+    caches.contact_setting.looked_at = last || looks_at_moduli;
     const contact::Pressed pressed = press(world, caches, plan.mode, law);
     if (pressed.wild) {
         throw StateError(fmt::format(
@@ -148,8 +148,8 @@ Mat3 one_step(
         motion::plan_motion(plan.dt, plan.damping, plan.drag, cell.velocity_gradient, gradient);
     const Mat3 next_h = cell.h + plan.dt * ((motion.old_gradient + motion.change) * cell.h);
     caches.moved_too_far = move_grains(
-        motion, neighborhood.sum_plan(), plan.load, load_share(plan, k), neighborhood.mean_motion(next_h),
-        neighborhood.watch(), caches.sleep, caches.rows, caches.sums
+        motion, neighborhood.sum_plan(), plan.load, load_share(plan, k), !caches.contact_setting.normals_only,
+        neighborhood.mean_motion(next_h), neighborhood.watch(), caches.sleep, caches.rows, caches.sums
     );
     if (caches.sleep) {
         caches.slept.push_back(motion);

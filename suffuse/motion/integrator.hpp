@@ -68,34 +68,39 @@ inline DiagonalMotion in_diagonals(const StepMotion& m) {
     return a * (power > zero ? driven : (power < zero ? braked : one));
 }
 
-/// Moves a grain that contacts and loads alone would accelerate by `push` [m/s2] and `turn` [rad/s2]. `free` is 1, or 0
-/// for a held grain (whose `push` and `turn` are zero), which keeps its own velocity and spin and is carried along by
-/// the cell as any other.
+/// Moves a grain that contacts and loads alone would accelerate by `push` [m/s2]. `free` is 1, or 0 for a held grain
+/// (whose `push` and `turn` are zero), which keeps its own velocity and spin and is carried along by the cell as any
+/// other.
 template <class Vec, class Matrix, class Scalar>
-[[gnu::always_inline]] inline void move(
-    const MotionOf<Vec, Matrix>& step, const Vec& push, const Vec& turn, const Scalar& free, Vec& position,
-    Vec& velocity, Vec& spin
-) {
+[[gnu::always_inline]] inline void
+shift(const MotionOf<Vec, Matrix>& step, const Vec& push, const Scalar& free, Vec& position, Vec& velocity) {
     const Vec fluctuation = velocity - step.old_gradient * position;
     Vec acceleration = damped(push, fluctuation, step.dt, step.damping);
-    Vec spin_up = damped(turn, spin, step.dt, step.damping);
     if (step.drag > 0) {
-        const Scalar drag = free * step.drag;
-        acceleration -= drag * fluctuation;
-        spin_up -= drag * spin;
+        acceleration -= free * step.drag * fluctuation;
     }
     acceleration += step.old_gradient * velocity;
     velocity += step.dt * acceleration;
-    spin += step.dt * spin_up;
     velocity += step.change * position;
-    spin += step.spin_change;
     position += step.dt * velocity;
 }
 
-/// What `move` does, to the bit, to a grain that nothing pushes or turns, without drag.
+/// The same for its spin; contacts and loads alone would change that by `turn` [rad/s2].
+template <class Vec, class Matrix, class Scalar>
+[[gnu::always_inline]] inline void
+spin_on(const MotionOf<Vec, Matrix>& step, const Vec& turn, const Scalar& free, Vec& spin) {
+    Vec spin_up = damped(turn, spin, step.dt, step.damping);
+    if (step.drag > 0) {
+        spin_up -= free * step.drag * spin;
+    }
+    spin += step.dt * spin_up;
+    spin += step.spin_change;
+}
+
+/// What these do, to the bit, to a grain that nothing pushes or turns, without drag.
 template <class Vec, class Matrix>
 [[gnu::always_inline]] inline void coast(const MotionOf<Vec, Matrix>& step, Vec& position, Vec& velocity, Vec& spin) {
-    const Vec nothing{}; // added as `move` does, for the sign of zeros
+    const Vec nothing{}; // added as they do, for the sign of zeros
     velocity += step.dt * (nothing + step.old_gradient * velocity);
     spin += nothing;
     velocity += step.change * position;

@@ -15,7 +15,8 @@ struct Grain {
 constexpr double mass = 2, inertia = 0.5;
 
 Grain moved(const StepMotion& step, Grain grain, const Vec3& force, const Vec3& torque, double free = 1) {
-    move(step, (free / mass) * force, (free / inertia) * torque, free, grain.position, grain.velocity, grain.spin);
+    shift(step, (free / mass) * force, free, grain.position, grain.velocity);
+    spin_on(step, (free / inertia) * torque, free, grain.spin);
     return grain;
 }
 
@@ -85,7 +86,8 @@ void expect_coasting_as_moving(const MotionOf<Vec, Matrix>& step) {
     Double4 position{0.3, -0.7, 0.0, 5}, velocity{-0.2, -0.0, 0.9, 7}, spin{-0.0, 4, -1, 9};
     Double4 other_position = position, other_velocity = velocity, other_spin = spin;
     for (int k = 0; k < 50; ++k) {
-        move(step, nothing, nothing, one, position, velocity, spin);
+        shift(step, nothing, one, position, velocity);
+        spin_on(step, nothing, one, spin);
         coast(step, other_position, other_velocity, other_spin);
     }
     for (int a = 0; a < 3; ++a) { // the bits, also of the sign of a zero
