@@ -5,10 +5,14 @@
 #include "suffuse/base/vec3.hpp"
 
 #include <array>
+#include <cstddef>
 
 namespace suffuse {
 
 using Double4 = double __attribute__((vector_size(32)));
+
+/// Of everything that holds one: code for plain processors would do with less, code for AVX would not.
+inline constexpr std::size_t double4_alignment = 32;
 
 /// Four floats side by side, for what need not be known to the last bit.
 using Float4 = float __attribute__((vector_size(16)));
@@ -50,7 +54,7 @@ transposed(const Double4& a, const Double4& b, const Double4& c, const Double4& 
 }
 
 /// A 3 x 3 matrix by columns; its product with the x, y and z of a Double4 has the bits of Mat3 times Vec3.
-struct Double4x3 {
+struct alignas(double4_alignment) Double4x3 {
     std::array<Double4, 3> column;
 };
 

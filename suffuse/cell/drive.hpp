@@ -22,9 +22,9 @@ secant_rate(const Loading& loading, const ServoState& servo, int a, double wante
 }
 
 /// Takes this step into the servo's means.
-inline void observe(const Mat3& stress, const Mat3& gradient, double response, ServoState& servo) {
+inline void observe(const Vec3& stress, const Mat3& gradient, double response, ServoState& servo) {
     for (int a = 0; a < 3; ++a) {
-        servo.mean_stress[a] += (stress(a, a) - servo.mean_stress[a]) / response;
+        servo.mean_stress[a] += (stress[a] - servo.mean_stress[a]) / response;
         servo.mean_rate[a] += (-gradient(a, a) - servo.mean_rate[a]) / response;
     }
 }
@@ -50,11 +50,12 @@ inline double largest_rate(const Loading& loading, const ServoState& servo, doub
 }
 
 /// New velocity gradient of the cell [1/s], extension positive; updates the means of `servo`.
-/// @param stress of this step, compression positive [Pa]; @param dt [s]; @param unit_rate as for `largest_rate` [1/s]
+/// @param stress of each axis in this step or the one before, compression positive [Pa]; @param dt [s]; @param
+/// unit_rate as for `largest_rate` [1/s]
 inline Mat3
-drive(const Cell& cell, const Loading& loading, const Mat3& stress, double dt, double unit_rate, ServoState& servo) {
+drive(const Cell& cell, const Loading& loading, const Vec3& stress, double dt, double unit_rate, ServoState& servo) {
     if (servo.mean_stress == Vec3{}) { // the first load: no drift
-        servo.mean_stress = {stress(0, 0), stress(1, 1), stress(2, 2)};
+        servo.mean_stress = stress;
     }
     if (loading.velocity_gradient) {
         observe(stress, *loading.velocity_gradient, loading.servo.response, servo);
@@ -69,15 +70,15 @@ drive(const Cell& cell, const Loading& loading, const Mat3& stress, double dt, d
             continue;
         }
         const ServoSpec& spec = loading.servo;
-        const double wanted = wanted_stress(loading, a, {stress(0, 0), stress(1, 1), stress(2, 2)});
-        const double missing = wanted - stress(a, a); // compression positive
-        double rate = 0;                              // compression positive
+        const double wanted = wanted_stress(loading, a, stress);
+        const double missing = wanted - stress[a]; // compression positive
+        double rate = 0;                           // compression positive
         if (spec.kind == ServoKind::Inertial) {
             rate = -cell.velocity_gradient(a, a);
             const double sense = rate * missing > 0 ? -1.0 : rate * missing < 0 ? 1.0 : 0.0;
             rate += (1 + sense * spec.damping) * dt * missing / spec.mass;
         } else {
-            rate = secant_rate(loading, servo, a, wanted, stress(a, a), dt);
+            rate = secant_rate(loading, servo, a, wanted, stress[a], dt);
         }
         gradient(a, a) = -std::clamp(rate, -most, most);
     }

@@ -35,7 +35,7 @@ double elastic_response(const ServoSpec& spec, int steps, double* most = nullptr
     servo.modulus = belief * Vec3{modulus, modulus, modulus};
     double stress = start;
     for (int k = 0; k < steps; ++k) {
-        cell.velocity_gradient = drive(cell, loading, diagonal({stress, 0, 0}), dt, 0, servo);
+        cell.velocity_gradient = drive(cell, loading, {stress, 0, 0}, dt, 0, servo);
         stress += dt * (drift - modulus * cell.velocity_gradient(0, 0));
         if (most != nullptr) {
             *most = std::max(*most, stress);
@@ -80,7 +80,7 @@ TEST(SecantServo, LeavesNoLagUnderAMeanStressWhileAnotherAxisIsCompressed) {
     for (int k = 0; k < 3000; ++k) {
         const double mean = (stress.x + stress.y + stress.z) / 3;
         most = std::max(most, mean);
-        cell.velocity_gradient = drive(cell, loading, diagonal(stress), dt, 0, servo);
+        cell.velocity_gradient = drive(cell, loading, stress, dt, 0, servo);
         for (int a = 0; a < 3; ++a) {
             stress[a] -= dt * modulus * cell.velocity_gradient(a, a);
         }
@@ -109,7 +109,7 @@ TEST(SecantServo, KeepsToItsLargestRateAndSqueezesASampleWithoutContacts) {
     loading.servo = servo;
     ServoState state;
     EXPECT_EQ(drive({}, loading, {}, 1e-8, 0, state), diagonal({-7, -7, -7}));
-    const Mat3 too_much = diagonal({2e5, 2e5, 2e5});
+    const Vec3 too_much{2e5, 2e5, 2e5};
     EXPECT_EQ(drive({}, loading, too_much, 1e-8, 0, state), diagonal({7, 7, 7}));
     EXPECT_EQ(drive({}, loading, {}, 1e-8, 0, state), diagonal({-7, -7, -7})); // whatever came before
 }
@@ -154,7 +154,7 @@ TEST(Drive, ControlsEachAxisOnItsOwn) {
     ServoState state;
     state.modulus = {1e8, 1e8, 1e8};
     const double dt = 1e-8;
-    const Mat3 gradient = drive({}, loading, diagonal({0.9999e5, 5e5, 7e5}), dt, 0, state);
+    const Mat3 gradient = drive({}, loading, {0.9999e5, 5e5, 7e5}, dt, 0, state);
     EXPECT_NEAR(gradient(0, 0), -10 / (1e8 * 100 * dt), 1e-10);
     EXPECT_EQ(gradient(1, 1), 0);
     EXPECT_EQ(gradient(2, 2), 2);

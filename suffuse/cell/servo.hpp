@@ -58,6 +58,7 @@ inline double wanted_stress(const Loading& loading, int a, const Vec3& stress) {
 /// What the servo remembers between steps.
 struct ServoState {
     Vec3 modulus{}; ///< longitudinal modulus of the contact network along each axis, kept up to date by the driver [Pa]
+    Vec3 stress{};  ///< of each axis in the last step, compression positive [Pa]
     Vec3 held_stress{}; ///< held along each axis by the last loading stage, compression positive; zero: none [Pa]
     Vec3 mean_stress{}; ///< of each axis over the response time, compression positive; zero: not seen yet [Pa]
     Vec3 mean_rate{};   ///< strain rate of each axis over the response time, compression positive [1/s]

@@ -3,13 +3,14 @@
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/contact/contact_loop.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <mutex>
 
 namespace suffuse::contact {
 namespace {
 
-constexpr std::size_t cached_grains = 100'000; // about 160 bytes each
+constexpr std::size_t cached_grains = 20'000; // about 160 bytes each, in the cache next to a core
 
 /// `columns` of Contacts or SingleMemory.
 template <class Real, class Columns>
@@ -35,11 +36,25 @@ void for_each_memory(Table& contacts, Single& single, Visit&& visit) {
     visit(contacts.overlap, single.overlap);
 }
 
+/// A domain is through: those that it reaches wait for one less.
+void go_on_after(std::size_t domain, const SumPlan& plan, DomainSequel& sequel) {
+    for (std::uint32_t k = plan.reach_start[domain]; k < plan.reach_start[domain + 1]; ++k) {
+        const std::uint32_t reached = plan.reach[k];
+        if (std::atomic_ref(sequel.waits_for[reached]).fetch_sub(1, std::memory_order_acq_rel) == 1) {
+            sequel.run(reached);
+        }
+    }
+}
+
 template <class Real, class Memory>
 Pressed press_contacts(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
-    const LawConstants& law, const Contacts& contacts, Memory& memory, std::vector<grains::GrainSum>& sums
+    const LawConstants& law, const Contacts& contacts, Memory& memory, std::vector<grains::GrainSum>& sums,
+    DomainSequel* sequel
 ) {
+    if (sequel != nullptr) {
+        sequel->waits_for = plan.reached_by;
+    }
     // Grains whose centers coincide push with 2 E r2. With shear, the sum of a force's components stays below twice
     // that until they are nearly there. And no stress reaches the modulus. The quantum follows from the state alone, as
     // the same bits after a resume ask for.
@@ -72,6 +87,9 @@ Pressed press_contacts(
                 sums[plan.roster[k]] = {}; // now, so that the loop finds them in the cache
             }
             press_loop(work, plan.domain_start[d], plan.domain_start[d + 1], part);
+            if (sequel != nullptr) {
+                go_on_after(d, plan, *sequel);
+            }
         }
         const std::lock_guard lock(adding);
         for (std::size_t q = 0; q < part.quanta.size(); ++q) {
@@ -118,16 +136,17 @@ void from_single(const SingleMemory& single, Contacts& contacts) {
 
 Pressed compute_forces(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
-    const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums
+    const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums, DomainSequel* sequel
 ) {
-    return press_contacts<double>(grains, plan, setting, law, contacts, contacts, sums);
+    return press_contacts<double>(grains, plan, setting, law, contacts, contacts, sums, sequel);
 }
 
 Pressed compute_forces(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
-    const LawConstants& law, const Contacts& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums
+    const LawConstants& law, const Contacts& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums,
+    DomainSequel* sequel
 ) {
-    return press_contacts<float>(grains, plan, setting, law, contacts, memory, sums);
+    return press_contacts<float>(grains, plan, setting, law, contacts, memory, sums, sequel);
 }
 
 } // namespace suffuse::contact

@@ -7,6 +7,7 @@
 #include "suffuse/contact/sum_plan.hpp"
 #include "suffuse/grains/moving_rows.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace suffuse::contact {
@@ -38,12 +39,19 @@ struct Pressed {
     bool wild = false; ///< a force is not finite, or beyond what grains of this modulus exert however much they overlap
 };
 
+/// What is to happen to the grains of a domain as soon as the sums of all that acts on them are complete and no contact
+/// looks at where they are any more: while the loop goes on elsewhere, and they are still in the cache.
+struct DomainSequel {
+    std::function<void(std::size_t domain)> run; ///< on any thread, once for each domain
+    std::vector<std::uint32_t> waits_for;        ///< for each domain, how many others are not through yet; scratch
+};
+
 /// One step of every contact: updates their memory, and makes the first `plan.grains` rows of `sums` the force and
 /// torque on each grain of the contacts of its own domain, the others those from other domains.
 /// @param sums `plan.rows()` rows; those beyond the grains must be zero, and those of grains without a contact
 Pressed compute_forces(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
-    const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums
+    const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums, DomainSequel* sequel = nullptr
 );
 
 /// What contacts remember, in single precision: the columns of Contacts of the same names.
@@ -63,7 +71,8 @@ void from_single(const SingleMemory& single, Contacts& contacts);
 /// The same with the memory and the law in single precision; distances, and sums over contacts, stay in double.
 Pressed compute_forces(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
-    const LawConstants& law, const Contacts& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums
+    const LawConstants& law, const Contacts& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums,
+    DomainSequel* sequel = nullptr
 );
 
 } // namespace suffuse::contact

@@ -2,10 +2,12 @@
 
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/random.hpp"
+#include "suffuse/contact/carry_over.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -264,47 +266,132 @@ TEST(SumPlan, GivesEveryShareFromAnotherDomainARowOfItsOwnInTheOrderOfTheTable) 
     plan_sums(contacts, grains, plan);
     EXPECT_EQ(plan.domain_start, (std::vector<std::uint32_t>{0, 4, 5}));
     EXPECT_EQ(plan.second_sum, (std::vector<std::uint32_t>{1, grains, grains + 1, grains + 2, there + 1}));
-    EXPECT_EQ(plan.remote, (std::vector<RemoteShare>{{grains, there}, {grains + 1, there + 1}, {grains + 2, there}}));
+    EXPECT_EQ(plan.remote, (std::vector<std::uint32_t>{there, there + 1, there}));
     EXPECT_EQ(plan.remote_start, (std::vector<std::uint32_t>{0, 0, 3}));
+    EXPECT_EQ(plan.reach, (std::vector<std::uint32_t>{0, 1, 1}));
+    EXPECT_EQ(plan.reach_start, (std::vector<std::uint32_t>{0, 2, 3}));
+    EXPECT_EQ(plan.reached_by, (std::vector<std::uint32_t>{1, 2}));
     EXPECT_EQ(plan.rows(), grains + 3);
     EXPECT_EQ(plan.images, (std::vector<cell::Image>{{0, 0, 0}, {1, 0, 0}}));
     EXPECT_EQ(plan.image, (std::vector<std::uint16_t>{0, 1, 1, 1, 1}));
 }
 
-TEST(SumPlan, OfManyDomainsHasEachRowCollectedOnceByTheDomainOfItsGrain) {
-    constexpr std::uint32_t grains = 5 * domain_size(0) + 17;
+constexpr std::uint32_t many_grains = 5 * domain_size(0) + 17;
+
+/// Each grain but the last touches two of those after it.
+Contacts contacts_anywhere() {
     RandomStream random(8, "plan");
     Contacts contacts;
-    for (std::uint32_t i = 0; i + 1 < grains; ++i) {
+    for (std::uint32_t i = 0; i + 1 < many_grains; ++i) {
         for (int k = 0; k < 2; ++k) {
             contacts.first.push_back(i);
-            contacts.second.push_back(i + 1 + static_cast<std::uint32_t>(random.uniform() * (grains - 1 - i)));
+            contacts.second.push_back(i + 1 + static_cast<std::uint32_t>(random.uniform() * (many_grains - 1 - i)));
             contacts.image.push_back({static_cast<int>(random.uniform() * 3) - 1, 0, 0});
         }
     }
+    return contacts;
+}
+
+TEST(SumPlan, OfManyDomainsHasEachRowCollectedOnceByTheDomainOfItsGrain) {
+    const Contacts contacts = contacts_anywhere();
     SumPlan plan;
-    plan_sums(contacts, grains, plan);
-    std::vector<std::uint32_t> grain_of(plan.rows(), grains);
+    plan_sums(contacts, many_grains, plan);
     for (std::size_t d = 0; d < plan.domains(); ++d) {
         for (std::uint32_t k = plan.remote_start[d]; k < plan.remote_start[d + 1]; ++k) {
-            const auto [row, grain] = plan.remote[k];
-            ASSERT_EQ(grain / plan.domain_grains, d);
-            ASSERT_EQ(std::exchange(grain_of[row], grain), grains) << "collected twice";
-            ASSERT_TRUE(k == plan.remote_start[d] || plan.remote[k - 1].row < row) << "not in the order of the table";
+            ASSERT_EQ(plan.remote[k] / plan.domain_grains, d);
         }
     }
-    std::uint32_t next_row = grains;
+    std::vector<std::uint32_t> next_row(plan.remote_start.begin(), plan.remote_start.end() - 1);
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const std::uint32_t second = contacts.second[c];
+        const std::size_t to = second / plan.domain_grains;
         ASSERT_EQ(plan.images[plan.image[c]], contacts.image[c]);
-        if (contacts.first[c] / plan.domain_grains == second / plan.domain_grains) {
+        if (contacts.first[c] / plan.domain_grains == to) {
             ASSERT_EQ(plan.second_sum[c], second);
         } else {
-            ASSERT_EQ(plan.second_sum[c], next_row++);
-            ASSERT_EQ(grain_of[plan.second_sum[c]], second);
+            const std::uint32_t row = next_row[to]++; // in the order of the table
+            ASSERT_EQ(plan.second_sum[c], many_grains + row);
+            ASSERT_EQ(plan.remote[row], second);
         }
     }
-    EXPECT_EQ(next_row, plan.rows());
+    EXPECT_TRUE(std::equal(next_row.begin(), next_row.end(), plan.remote_start.begin() + 1));
+}
+
+TEST(SumPlan, OfADomainKnowsWhichOnesReachIt) {
+    const Contacts contacts = contacts_anywhere();
+    SumPlan plan;
+    plan_sums(contacts, many_grains, plan);
+    std::set<std::pair<std::size_t, std::size_t>> expected, found;
+    for (std::size_t d = 0; d < plan.domains(); ++d) {
+        expected.emplace(d, d);
+    }
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        expected.emplace(contacts.first[c] / plan.domain_grains, contacts.second[c] / plan.domain_grains);
+    }
+    std::vector<std::uint32_t> reached_by(plan.domains(), 0);
+    for (std::size_t d = 0; d < plan.domains(); ++d) {
+        for (std::uint32_t k = plan.reach_start[d]; k < plan.reach_start[d + 1]; ++k) {
+            found.emplace(d, plan.reach[k]);
+            ++reached_by[plan.reach[k]];
+        }
+    }
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(plan.reached_by, reached_by);
+}
+
+/// Of several domains that reach each other: the grains of a pair lie anywhere in the table.
+Sample scattered_pairs(std::size_t count) {
+    Sample s = random_pairs(count, false, false);
+    std::vector<std::uint32_t> order(s.grains.size()), new_row(order.size());
+    for (std::uint32_t k = 0; k < order.size(); ++k) {
+        order[k] = static_cast<std::uint32_t>(1009U * k % order.size()); // a prime that does not divide it
+        new_row[order[k]] = k;
+    }
+    select_rows(s.grains, order);
+    s.contacts = renumbered(s.contacts, new_row);
+    return s;
+}
+
+TEST(DomainSequel, RunsOnceForEachDomainWhenItsSumsAreCompleteOnAnyNumberOfThreads) {
+    for (const int threads : {1, 2, 4}) {
+        Sample s = scattered_pairs(3000);
+        SumPlan plan;
+        plan_sums(s.contacts, s.grains.size(), plan);
+        ASSERT_GT(plan.reach.size(), 2 * plan.domains());
+        std::vector<grains::MovingRow> rows;
+        grains::to_rows(s.grains, rows);
+        StepSetting setting;
+        set_up_step(plan, s.h, s.image_velocity, 2e-4, dt, setting);
+        std::vector<grains::GrainSum> sums(plan.rows());
+        std::vector<std::vector<grains::GrainSum>> seen(plan.domains());
+        const auto look = [&](std::size_t d) {
+            std::vector<grains::GrainSum> now;
+            for (std::size_t k = d * plan.domain_grains; k < plan.awake_end[d]; ++k) {
+                now.push_back(sums[plan.roster[k]]);
+            }
+            now.insert(
+                now.end(), sums.begin() + static_cast<std::ptrdiff_t>(plan.grains + plan.remote_start[d]),
+                sums.begin() + static_cast<std::ptrdiff_t>(plan.grains + plan.remote_start[d + 1])
+            );
+            return now;
+        };
+        DomainSequel sequel;
+        sequel.run = [&](std::size_t d) {
+            const std::vector<grains::GrainSum> now = look(d);
+            seen[d].insert(seen[d].end(), now.begin(), now.end());
+        };
+        set_thread_count(threads);
+        compute_forces(rows, plan, setting, resolve_law(s.material), s.contacts, sums, &sequel);
+        set_thread_count(1);
+        for (std::size_t d = 0; d < plan.domains(); ++d) {
+            const std::vector<grains::GrainSum> complete = look(d);
+            ASSERT_EQ(seen[d].size(), complete.size()) << d;
+            for (std::size_t k = 0; k < complete.size(); ++k) {
+                ASSERT_EQ(xyz(seen[d][k].force), xyz(complete[k].force));
+                ASSERT_EQ(xyz(seen[d][k].torque), xyz(complete[k].torque));
+            }
+        }
+    }
 }
 
 TEST(SumPlan, ListsTheGrainsOfADomainThoseOfSomeContactFirst) {

@@ -72,13 +72,17 @@ void plan_remote_rows(const Contacts& contacts, SumPlan& plan) {
             place[from * domains + to] += to != from ? 1 : 0;
         }
     });
-    std::vector<std::uint32_t> first_row(domains);
-    auto row = static_cast<std::uint32_t>(plan.grains);
+    plan.reach.clear();
+    plan.reach_start.assign(1, 0);
+    plan.reached_by.assign(domains, 0);
     for (std::size_t from = 0; from < domains; ++from) {
-        first_row[from] = row;
-        for (std::size_t to = 0; to < domains; ++to) {
-            row += place[from * domains + to];
+        for (std::size_t to = from; to < domains; ++to) {
+            if (to == from || place[from * domains + to] > 0) {
+                plan.reach.push_back(static_cast<std::uint32_t>(to));
+                ++plan.reached_by[to];
+            }
         }
+        plan.reach_start.push_back(static_cast<std::uint32_t>(plan.reach.size()));
     }
     plan.remote_start.assign(1, 0);
     std::uint32_t collected = 0;
@@ -91,13 +95,14 @@ void plan_remote_rows(const Contacts& contacts, SumPlan& plan) {
     resize_exactly(plan.remote, collected);
     resize_exactly(plan.second_sum, contacts.size());
     for_each_domain(plan, [&](std::size_t from) {
-        std::uint32_t own = first_row[from];
         for (std::size_t c = plan.domain_start[from]; c < plan.domain_start[from + 1]; ++c) {
             const std::uint32_t grain = contacts.second[c];
             const std::size_t to = domain_of(grain);
-            plan.second_sum[c] = to == from ? grain : own;
+            plan.second_sum[c] = grain;
             if (to != from) {
-                plan.remote[place[from * domains + to]++] = {own++, grain};
+                const std::uint32_t k = place[from * domains + to]++;
+                plan.remote[k] = grain;
+                plan.second_sum[c] = static_cast<std::uint32_t>(plan.grains) + k;
             }
         }
     });
@@ -117,7 +122,7 @@ void plan_roster(const Contacts& contacts, SumPlan& plan) {
             }
         }
         for (std::size_t k = plan.remote_start[d]; k < plan.remote_start[d + 1]; ++k) {
-            awake[plan.remote[k].grain - begin] = 1;
+            awake[plan.remote[k] - begin] = 1;
         }
         auto next = static_cast<std::uint32_t>(begin);
         for (const std::uint8_t kind : {std::uint8_t{1}, std::uint8_t{0}}) {

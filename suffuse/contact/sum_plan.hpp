@@ -16,21 +16,19 @@ constexpr std::size_t domain_size(std::size_t grains) {
     return grains < 65'536 ? 1024 : 4096;
 }
 
-/// A row of the sums beyond those of the grains, and the grain that it is for.
-struct RemoteShare {
-    std::uint32_t row, grain;
-
-    bool operator==(const RemoteShare&) const = default;
-};
-
 struct SumPlan {
     std::size_t grains = 0;
     std::size_t domain_grains = domain_size(0);
     std::vector<std::uint32_t> domain_start; ///< first contact row of each domain, and the end
     std::vector<std::uint32_t>
-        second_sum;                  ///< for each contact, the row of the sums that its second grain's share goes to
-    std::vector<RemoteShare> remote; ///< what each domain collects, in the order of the table
+        second_sum; ///< for each contact, the row of the sums that its second grain's share goes to
+    std::vector<std::uint32_t>
+        remote; ///< for each row of the sums beyond those of the grains, the grain that it is for:
+                ///< a domain's follow each other, in the order of the table, as it collects them
     std::vector<std::uint32_t> remote_start; ///< first of each domain's, and the end
+    std::vector<std::uint32_t> reach;        ///< the domains whose grains each domain's contacts reach, its own too
+    std::vector<std::uint32_t> reach_start;  ///< first of each domain's, and the end
+    std::vector<std::uint32_t> reached_by;   ///< for each domain, how many reach it
     std::vector<std::uint32_t> roster;       ///< the grains of each domain, those of some row of the table first
     std::vector<std::uint32_t> awake_end;    ///< for each domain, the end of those first ones
     std::vector<std::uint16_t> image;        ///< for each contact, its row of `images`

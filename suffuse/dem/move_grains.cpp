@@ -5,31 +5,17 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 
 namespace suffuse::dem {
 namespace {
 
-struct Work {
-    std::size_t grains, domain_grains;
-    const contact::RemoteShare* remote;
-    const std::uint32_t *remote_start, *roster, *awake_end;
-    const Vec3* load; ///< null: none
-    double load_share;
-    const WatchedGrain* watch;
-    const Vec3* origin;
-    bool only_awake;
-    grains::MovingRow* rows;
-    grains::GrainSum* sums;
-};
-
 /// Adds to the grains of domain `d` what other domains exert on them, in the order of the table.
-[[gnu::always_inline]] inline void collect(const Work& w, std::size_t d) {
+[[gnu::always_inline]] inline void collect(const GrainMove& w, std::size_t d) {
     for (std::uint32_t k = w.remote_start[d]; k < w.remote_start[d + 1]; ++k) {
-        const auto [row, grain] = w.remote[k];
-        w.sums[grain].force += w.sums[row].force;
-        w.sums[grain].torque += w.sums[row].torque;
-        w.sums[row] = {};
+        grains::GrainSum &share = w.sums[w.grains + k], &sum = w.sums[w.remote[k]];
+        sum.force += share.force;
+        sum.torque += share.torque;
+        share = {};
     }
 }
 
@@ -44,7 +30,7 @@ excess(const Matrix& mean_motion, const Double4& watched, const Double4& positio
 
 template <bool Turning, class Matrix>
 [[gnu::always_inline]] inline void
-move_tile(const motion::MotionOf<Double4, Matrix>& motion, const Work& w, std::size_t begin, std::size_t end) {
+move_tile(const motion::MotionOf<Double4, Matrix>& motion, const GrainMove& w, std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t g = w.roster[k];
         const grains::GrainSum& sum = w.sums[g];
@@ -64,11 +50,12 @@ move_tile(const motion::MotionOf<Double4, Matrix>& motion, const Work& w, std::s
     }
 }
 
-/// Moves the grains of domain `d`, and says whether one of them has left its watch. By tiles: what one grain takes from
+/// By tiles: what one grain takes from
 /// its force to its watch is a long chain, and two loops keep the processor busier with several grains than one.
 template <bool Turning, class Matrix>
-[[gnu::always_inline]] inline bool
-move_domain(const motion::MotionOf<Double4, Matrix>& motion, const Matrix& mean_motion, const Work& w, std::size_t d) {
+[[gnu::always_inline]] inline bool move_in_tiles(
+    const motion::MotionOf<Double4, Matrix>& motion, const Matrix& mean_motion, const GrainMove& w, std::size_t d
+) {
     constexpr std::size_t tile_grains = 64;
     collect(w, d);
     const Double4 origin = double4(w.origin[d], 0);
@@ -86,19 +73,16 @@ move_domain(const motion::MotionOf<Double4, Matrix>& motion, const Matrix& mean_
     return most[0] > 0;
 }
 
-SUFFUSE_CLONES bool
-move_in_any_cell(const motion::LaneMotion& motion, const Double4x3& mean_motion, const Work& w, std::size_t d) {
-    return move_domain<true>(motion, mean_motion, w, d);
+SUFFUSE_CLONES bool move_in_any_cell(const GrainMove& w, std::size_t d) {
+    return move_in_tiles<true>(w.motion, w.mean_motion, w, d);
 }
 
-SUFFUSE_CLONES bool
-move_in_upright_cell(const motion::DiagonalMotion& motion, const Double4& mean_motion, const Work& w, std::size_t d) {
-    return move_domain<true>(motion, mean_motion, w, d);
+SUFFUSE_CLONES bool move_in_upright_cell(const GrainMove& w, std::size_t d) {
+    return move_in_tiles<true>(w.upright_motion, w.upright_mean_motion, w, d);
 }
 
-SUFFUSE_CLONES bool
-shift_in_upright_cell(const motion::DiagonalMotion& motion, const Double4& mean_motion, const Work& w, std::size_t d) {
-    return move_domain<false>(motion, mean_motion, w, d);
+SUFFUSE_CLONES bool shift_in_upright_cell(const GrainMove& w, std::size_t d) {
+    return move_in_tiles<false>(w.upright_motion, w.upright_mean_motion, w, d);
 }
 
 /// The sleepers of a domain, four side by side through all the steps.
@@ -143,13 +127,13 @@ SUFFUSE_CLONES void coast_in_upright_cell(
 
 } // namespace
 
-bool move_grains(
+GrainMove plan_move(
     const motion::StepMotion& step, const contact::SumPlan& plan, const grains::GrainLoad* load, double load_share,
     bool turning, const Mat3& mean_motion, const Watch& watch, bool only_awake, std::vector<grains::MovingRow>& rows,
     std::vector<grains::GrainSum>& sums
 ) {
     const bool loaded = load != nullptr && !load->force.empty();
-    const Work work{
+    return {
         rows.size(),
         plan.domain_grains,
         plan.remote.data(),
@@ -162,24 +146,20 @@ bool move_grains(
         watch.origin.data(),
         only_awake,
         rows.data(),
-        sums.data()};
-    const bool upright = is_diagonal(step.old_gradient) && is_diagonal(step.change) && is_diagonal(mean_motion);
-    const motion::LaneMotion any = motion::in_lanes(step);
-    const motion::DiagonalMotion diagonal = motion::in_diagonals(step);
-    const Double4x3 any_mean = double4x3(mean_motion);
-    const Double4 diagonal_mean = double4_diagonal(mean_motion);
-    std::atomic<bool> too_far = false;
-    parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t d = first; d < last; ++d) {
-            const bool is_too_far = !upright  ? move_in_any_cell(any, any_mean, work, d)
-                                    : turning ? move_in_upright_cell(diagonal, diagonal_mean, work, d)
-                                              : shift_in_upright_cell(diagonal, diagonal_mean, work, d);
-            if (is_too_far) {
-                too_far = true;
-            }
-        }
-    });
-    return too_far;
+        sums.data(),
+        turning,
+        is_diagonal(step.old_gradient) && is_diagonal(step.change) && is_diagonal(mean_motion),
+        motion::in_lanes(step),
+        double4x3(mean_motion),
+        motion::in_diagonals(step),
+        double4_diagonal(mean_motion)};
+}
+
+bool move_domain(const GrainMove& move, std::size_t domain) {
+    if (!move.upright) {
+        return move_in_any_cell(move, domain);
+    }
+    return move.turning ? move_in_upright_cell(move, domain) : shift_in_upright_cell(move, domain);
 }
 
 void coast_sleepers(

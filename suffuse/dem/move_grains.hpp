@@ -23,17 +23,36 @@ struct Watch {
     std::vector<Vec3> origin; ///< of each domain of the sum plan: a place near most of its grains [m]
 };
 
-/// Collects into the first `plan.grains` rows of `sums` the contact force and torque on each grain, sets the other rows
-/// to zero, adds the load and moves the grains.
+/// What moves the grains in one step, for all domains. Points into what it was made of.
+struct GrainMove {
+    std::size_t grains, domain_grains;
+    const std::uint32_t *remote, *remote_start, *roster, *awake_end;
+    const Vec3* load; ///< null: none
+    double load_share;
+    const WatchedGrain* watch;
+    const Vec3* origin;
+    bool only_awake;
+    grains::MovingRow* rows;
+    grains::GrainSum* sums;
+    bool turning, upright;
+    motion::LaneMotion motion;
+    Double4x3 mean_motion;
+    motion::DiagonalMotion upright_motion;
+    alignas(double4_alignment) Double4 upright_mean_motion;
+};
+
 /// @param only_awake grains in no row of the contact table sleep: `coast_sleepers` moves them later
 /// @param turning whether a grain turns: none does where contacts only push
 /// @param mean_motion from the cell at which the watch was made to the cell of the next step
-/// @return whether a grain that was moved is further than the watch allows
-bool move_grains(
+GrainMove plan_move(
     const motion::StepMotion& step, const contact::SumPlan& plan, const grains::GrainLoad* load, double load_share,
     bool turning, const Mat3& mean_motion, const Watch& watch, bool only_awake, std::vector<grains::MovingRow>& rows,
     std::vector<grains::GrainSum>& sums
 );
+
+/// Collects into the sums of a domain's grains what other domains exert on them, whose rows it sets to zero, adds the
+/// load and moves the grains. @return whether one of them is further than the watch allows
+bool move_domain(const GrainMove& move, std::size_t domain);
 
 constexpr std::size_t most_slept_steps = 64;
 

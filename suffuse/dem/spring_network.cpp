@@ -90,9 +90,9 @@ void SpringNetwork::apply(const Motions& in, Motions& out) const {
     });
     parallel_for(plan_.domains(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = plan_.remote_start[begin]; k < plan_.remote_start[end]; ++k) {
-            const auto [row, grain] = plan_.remote[k];
-            out.shift[grain] += out.shift[row];
-            out.turn[grain] += out.turn[row];
+            const std::uint32_t grain = plan_.remote[k];
+            out.shift[grain] += out.shift[plan_.grains + k];
+            out.turn[grain] += out.turn[plan_.grains + k];
         }
     });
 }

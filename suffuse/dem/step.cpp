@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace suffuse::dem {
@@ -90,20 +91,72 @@ void pair(World& world, StepCaches& caches, const StepPlan& plan) {
     take_memory(world, plan.mode, caches);
 }
 
-contact::Pressed press(World& world, StepCaches& caches, Mode mode, const contact::LawConstants& law) {
+contact::Pressed
+press(World& world, StepCaches& caches, Mode mode, const contact::LawConstants& law, contact::DomainSequel* sequel) {
     const contact::SumPlan& sums = caches.neighborhood.sum_plan();
     if (mode == Mode::Fast) {
         return contact::compute_forces(
-            caches.rows, sums, caches.contact_setting, law, world.contacts, caches.memory, caches.sums
+            caches.rows, sums, caches.contact_setting, law, world.contacts, caches.memory, caches.sums, sequel
         );
     }
-    return contact::compute_forces(caches.rows, sums, caches.contact_setting, law, world.contacts, caches.sums);
+    return contact::compute_forces(caches.rows, sums, caches.contact_setting, law, world.contacts, caches.sums, sequel);
+}
+
+/// Whether domains are to be moved as soon as they can. Several threads wait for each other where they have few domains
+/// each: all are then moved together afterwards, to the same bits.
+bool moves_early(const contact::SumPlan& plan) {
+    constexpr std::size_t many = 32;
+    const auto threads = static_cast<std::size_t>(thread_count());
+    return threads == 1 || plan.domains() >= many * threads;
+}
+
+/// Whether the servo has to see the stress of this very step: the reference's does, and ours as long as it does not
+/// know how stiff the sample is. Otherwise it answers to the step before, so that grains need not wait for the stress.
+bool answers_at_once(const World& world, const cell::Loading& loading) {
+    return has_stress_to_hold(loading) &&
+           (loading.servo.kind == cell::ServoKind::Inertial || world.servo.modulus == Vec3{});
+}
+
+void move_one_domain(StepCaches& caches, std::size_t domain) {
+    if (move_domain(caches.move, domain)) {
+        std::atomic_ref(caches.moved_too_far).store(true, std::memory_order_relaxed);
+    }
+}
+
+void move_all(StepCaches& caches) {
+    parallel_for(caches.neighborhood.sum_plan().domains(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t d = begin; d < end; ++d) {
+            move_one_domain(caches, d);
+        }
+    });
 }
 
 /// Share of the load that acts in step `k` of a burst.
 double load_share(const StepPlan& plan, std::int64_t k) {
     const std::int64_t step = plan.load_steps + k + 1;
     return step < plan.load_ramp ? static_cast<double>(step) / static_cast<double>(plan.load_ramp) : 1.0;
+}
+
+struct Answer {
+    Mat3 gradient;             ///< velocity gradient of the cell from this step on [1/s]
+    motion::StepMotion motion; ///< of the grains, with it
+};
+
+/// The servo's, to the stress of each axis [Pa]; makes the move of this step of it. What moves is looked at in the cell
+/// of the next step.
+Answer answer_to(const Vec3& stress, World& world, StepCaches& caches, const StepPlan& plan, std::int64_t k) {
+    const cell::Cell& cell = world.cell;
+    const Neighborhood& neighborhood = caches.neighborhood;
+    const Mat3 gradient = cell::drive(cell, plan.loading, stress, plan.dt, caches.servo_unit_rate, world.servo);
+    const motion::StepMotion motion =
+        motion::plan_motion(plan.dt, plan.damping, plan.drag, cell.velocity_gradient, gradient);
+    const Mat3 next_h = cell.h + plan.dt * ((motion.old_gradient + motion.change) * cell.h);
+    caches.move = plan_move(
+        motion, neighborhood.sum_plan(), plan.load, load_share(plan, k), !caches.contact_setting.normals_only,
+        neighborhood.mean_motion(next_h), neighborhood.watch(), caches.sleep, caches.rows, caches.sums
+    );
+    caches.moved_too_far = false;
+    return {gradient, motion};
 }
 
 /// @param k number of the step within its burst; @param last nobody looks at the contacts before the last one
@@ -120,13 +173,21 @@ Mat3 one_step(
     // 2 pair
     pair(world, caches, plan);
 
-    // 3 touch, 4 press
+    // 3 answer, to the stress of the step before
     const bool looks_at_moduli = needs_moduli(world, plan.loading);
+    const bool at_once = answers_at_once(world, plan.loading);
+    const bool early = !at_once && moves_early(neighborhood.sum_plan());
+    Answer answer;
+    if (!at_once) {
+        answer = answer_to(world.servo.stress, world, caches, plan, k);
+    }
+
+    // 4 touch, 5 press, and early 6 gather, 7 move: a domain as soon as its forces are complete
     contact::set_up_step(
         neighborhood.sum_plan(), cell.h, image_velocity, neighborhood.largest_radius(), plan.dt, caches.contact_setting
     );
     caches.contact_setting.looked_at = last || looks_at_moduli;
-    const contact::Pressed pressed = press(world, caches, plan.mode, law);
+    const contact::Pressed pressed = press(world, caches, plan.mode, law, early ? &caches.sequel : nullptr);
     if (pressed.wild) {
         throw StateError(fmt::format(
             "at step {} a contact force is not a number or beyond all reason: the motion has blown up; take a smaller "
@@ -136,28 +197,27 @@ Mat3 one_step(
     }
     const Mat3 stress = (1 / cell::volume(cell)) * pressed.force_branch;
 
-    // 7 measure: the servo answers to this step's stress and drives this step's motion
+    // 8 measure
     if (looks_at_moduli) {
         give_back_memory(caches, plan.mode, world);
         world.servo.modulus = contact::affine_moduli(world.grains, world.contacts, world.material, cell.h);
     }
-    const Mat3 gradient = cell::drive(cell, plan.loading, stress, plan.dt, caches.servo_unit_rate, world.servo);
+    world.servo.stress = {stress(0, 0), stress(1, 1), stress(2, 2)};
+    if (at_once) {
+        answer = answer_to(world.servo.stress, world, caches, plan, k);
+    }
 
-    // 5 gather, 6 move: the cell moves on with the new gradient in the next step, when this motion is looked at
-    const motion::StepMotion motion =
-        motion::plan_motion(plan.dt, plan.damping, plan.drag, cell.velocity_gradient, gradient);
-    const Mat3 next_h = cell.h + plan.dt * ((motion.old_gradient + motion.change) * cell.h);
-    caches.moved_too_far = move_grains(
-        motion, neighborhood.sum_plan(), plan.load, load_share(plan, k), !caches.contact_setting.normals_only,
-        neighborhood.mean_motion(next_h), neighborhood.watch(), caches.sleep, caches.rows, caches.sums
-    );
+    // 6 gather, 7 move
+    if (!early) {
+        move_all(caches);
+    }
     if (caches.sleep) {
-        caches.slept.push_back(motion);
+        caches.slept.push_back(answer.motion);
         if (caches.slept.size() == most_slept_steps) {
             wake(caches);
         }
     }
-    cell.velocity_gradient = gradient;
+    cell.velocity_gradient = answer.gradient; // the cell moves on with it in the next step
 
     ++world.clock.step;
     world.clock.time += plan.dt;
@@ -179,6 +239,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
         caches.neighborhood.look_at_sleepers(world);
     }
     caches.contact_setting.normals_only = !plan.loading.velocity_gradient && contacts_only_push(world);
+    caches.sequel.run = [&caches](std::size_t domain) { move_one_domain(caches, domain); };
     StepReport report;
     try {
         for (std::int64_t k = 0; k < steps; ++k) {

@@ -37,6 +37,8 @@ struct StepCaches {
     bool sleep = false;                    ///< grains in no row of the contact table do, in this burst
     std::vector<motion::StepMotion> slept; ///< steps that they have not made yet
     contact::StepSetting contact_setting;
+    GrainMove move{};             ///< of this step
+    contact::DomainSequel sequel; ///< which makes it
     contact::SingleMemory memory; ///< of the contacts, in fast mode
     double servo_unit_rate = 0;   ///< largest rate of the servo under a stress of 1 Pa, see cell/drive.hpp [1/s]
 };

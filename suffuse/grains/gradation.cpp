@@ -9,19 +9,19 @@ namespace {
 Gradation gradation_of(const Grains& grains, std::vector<std::uint32_t> rows) {
     std::sort(rows.begin(), rows.end(), [&](auto a, auto b) { return grains.radius[a] < grains.radius[b]; });
     Gradation gradation;
-    double mass = 0;
+    double solid = 0; // all grains are of one density; their `mass` may be one that they are lent (dem/lent_inertia.hpp)
     for (const std::uint32_t g : rows) {
-        mass += grains.mass[g];
+        solid += sphere_volume(grains.radius[g]);
         const double diameter = 2 * grains.radius[g];
         if (gradation.diameter.empty() || diameter > gradation.diameter.back()) {
             gradation.diameter.push_back(diameter);
-            gradation.passing.push_back(mass);
+            gradation.passing.push_back(solid);
         } else {
-            gradation.passing.back() = mass;
+            gradation.passing.back() = solid;
         }
     }
     for (double& share : gradation.passing) {
-        share /= mass;
+        share /= solid;
     }
     return gradation;
 }

@@ -39,6 +39,14 @@ TEST(Gradation, OfAFractionLeavesTheOtherOut) {
     EXPECT_EQ(measure_gradation_of(grains, false).diameter, (std::vector<double>{2, 4}));
 }
 
+TEST(Gradation, IsThatOfTheSolidWhateverInertiaTheGrainsAreLent) {
+    Grains grains = four_grains();
+    const Gradation own = measure_gradation(grains);
+    grains.mass[1] *= 64, grains.mass[3] *= 64;
+    EXPECT_EQ(measure_gradation(grains).passing, own.passing);
+    EXPECT_EQ(median_diameter(grains), 4);
+}
+
 TEST(Gradation, OfNoGrainsIsEmpty) {
     const Gradation gradation = measure_gradation({});
     EXPECT_EQ(passing(gradation, 1), 0);

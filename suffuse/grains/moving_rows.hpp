@@ -9,7 +9,7 @@
 
 namespace suffuse::grains {
 
-struct alignas(32) MovingRow {
+struct alignas(double4_alignment) MovingRow {
     Double4 position; ///< [m]; last lane: 1/mass, zero for a held grain [1/kg]
     Double4 velocity; ///< [m/s]; last lane: 1/inertia, zero for a held grain [1/(kg m2)]
     Double4 spin;     ///< [rad/s]; last lane: radius [m]

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::int64_t schema = 1; // raised when a name or a meaning changes
 const std::string kind = "suffuse state";
+const std::string last_stress = "servo/stress"; // states of before the servo answered to it do not hold it
 
 // Each list below binds every member of its struct by name: a new member stops the compiler until it is saved too.
 
@@ -70,12 +71,13 @@ template <class State, class Visit>
 void list_world(State& world, Visit&& visit) {
     auto& [cell, reference_h, grains, material, contacts, servo, clock, seed] = world;
     auto& [h, velocity_gradient] = cell;
-    auto& [modulus, held_stress, mean_stress, mean_rate] = servo;
+    auto& [modulus, stress, held_stress, mean_stress, mean_rate] = servo;
     auto& [step, time] = clock;
     visit("cell/h", "m", h);
     visit("cell/velocity_gradient", "1/s", velocity_gradient);
     visit("cell/reference_h", "m", reference_h);
     visit("servo/modulus", "Pa", modulus);
+    visit(last_stress, "Pa", stress);
     visit("servo/held_stress", "Pa", held_stress);
     visit("servo/mean_stress", "Pa", mean_stress);
     visit("servo/mean_rate", "1/s", mean_rate);
@@ -150,7 +152,11 @@ public:
         number = values<T>(name, {}).front();
     }
 
-    void operator()(const std::string& name, const std::string&, Vec3& v) { v = vector(values<double>(name, {3}), 0); }
+    void operator()(const std::string& name, const std::string&, Vec3& v) {
+        if (name != last_stress || file_.has(name)) {
+            v = vector(values<double>(name, {3}), 0);
+        }
+    }
 
     void operator()(const std::string& name, const std::string&, Mat3& m) {
         const auto found = values<double>(name, {3, 3});
@@ -284,6 +290,9 @@ Checkpoint load_world(const std::filesystem::path& path) {
     }
     Checkpoint checkpoint;
     list_world(checkpoint.world, Loader(file));
+    if (!file.has(last_stress)) {
+        checkpoint.world.servo.modulus = {}; // it looks anew
+    }
     list_contacts(checkpoint.world.contacts, Loader(file));
     check_tables(file, checkpoint.world);
     for (const std::string& name : file.names("attributes")) {

@@ -9,7 +9,7 @@ namespace suffuse::motion {
 
 /// What is the same for all grains in a step, over the vector type of the loop that moves them.
 template <class Vec, class Matrix>
-struct MotionOf {
+struct alignas(double4_alignment) MotionOf {
     double dt = 0;       ///< [s]
     double damping = 0;  ///< local, non-viscous: share of the force taken where it does positive work [-]
     double drag = 0;     ///< viscous: deceleration / velocity relative to the mean motion; relaxation only [1/s]
