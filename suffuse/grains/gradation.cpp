@@ -9,7 +9,8 @@ namespace {
 Gradation gradation_of(const Grains& grains, std::vector<std::uint32_t> rows) {
     std::sort(rows.begin(), rows.end(), [&](auto a, auto b) { return grains.radius[a] < grains.radius[b]; });
     Gradation gradation;
-    double solid = 0; // all grains are of one density; their `mass` may be one that they are lent (dem/lent_inertia.hpp)
+    // All grains are of one density; their mass may be one that they are lent (dem/lent_inertia.hpp).
+    double solid = 0;
     for (const std::uint32_t g : rows) {
         solid += sphere_volume(grains.radius[g]);
         const double diameter = 2 * grains.radius[g];
