@@ -13,6 +13,7 @@
 #include "suffuse/erosion/probe.hpp"
 #include "suffuse/erosion/reequilibrate.hpp"
 #include "suffuse/erosion/transport.hpp"
+#include "suffuse/flow/reynolds.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/grains/gradation.hpp"
@@ -27,10 +28,11 @@
 namespace suffuse::erosion {
 namespace {
 
-/// Step 2: the permeability, the throats' fluxes, and the fluid's forces on the grains at each gradient. The pore
-/// network, larger than the world, is gone when this returns.
+/// Step 2: the permeability, how fast the water is, the throats' fluxes, and the fluid's forces on the grains at each
+/// gradient. The pore network, larger than the world, is gone when this returns.
 struct Seeping {
     double permeability = 0; ///< [m2]
+    double reynolds = 0;     ///< at a hydraulic gradient of 1 [-]
     flow::ThroatFlux throat_flux;
     std::vector<ProbeLoad> loads;
 };
@@ -39,7 +41,12 @@ Seeping
 seep(const dem::World& world, std::span<const double> gradients, const Vec3& direction, const flow::Fluid& fluid) {
     const flow::Seepage unit =
         flow::solve_seepage(world.cell, world.grains.position, world.grains.radius, {1, direction, false}, fluid);
-    Seeping seeping{unit.permeability, flow::describe_fluxes(unit.network, unit.field.flux, 1), {}};
+    const double size = flow::sauter_diameter(world.grains.radius);
+    Seeping seeping{
+        unit.permeability,
+        flow::reynolds_number(unit.permeability, 1, size, fluid),
+        flow::describe_fluxes(unit.network, unit.field.flux, 1),
+        {}};
     for (const double gradient : gradients) {
         seeping.loads.push_back({gradient, unit.grain_force});
         for (Vec3& force : seeping.loads.back().force) {
@@ -201,6 +208,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     // 2 flow
     const Seeping seeping = seep(next, {&spec.gradient, 1}, spec.direction, around.fluid);
     pass.permeability_before = seeping.permeability;
+    pass.reynolds_before = std::abs(spec.gradient) * seeping.reynolds;
     pass.throat_flux_before = seeping.throat_flux;
     pass.wall_seconds["flow"] = watch.lap();
 
@@ -230,6 +238,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     watch.lap();
     const Seeping after = seep(next, {}, spec.direction, around.fluid);
     pass.permeability_after = after.permeability;
+    pass.reynolds_after = std::abs(spec.gradient) * after.reynolds;
     pass.throat_flux_after = after.throat_flux;
     pass.wall_seconds["flow"] += watch.lap();
 

@@ -135,6 +135,7 @@ struct PassResult {
     double void_ratio_after = 0, fines_content_after = 0;
     double volumetric_strain = 0;                           ///< of this pass, compression positive [-]
     double permeability_before = 0, permeability_after = 0; ///< along the flow [m2]
+    double reynolds_before = 0, reynolds_after = 0;         ///< of the water at the gradient, flow/reynolds.hpp [-]
     flow::ThroatFlux throat_flux_before, throat_flux_after; ///< how the flow spreads over the throats
     std::int64_t steps = 0;
     std::map<std::string, double>

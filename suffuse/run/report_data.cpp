@@ -172,7 +172,7 @@ report::ReportData describe_run(
     show_stability(what, story, data);
     for (std::optional<report::PageTable> table :
          {tabulate_removals(stages), tabulate_strength(strength), tabulate_tests(what, stages),
-          tabulate_water(folder, stages, story), tabulate_erosions(stages)}) {
+          tabulate_water(folder, stages, story, what.fluid), tabulate_erosions(stages)}) {
         if (table) {
             data.tables.push_back(std::move(*table));
         }

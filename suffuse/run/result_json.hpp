@@ -122,12 +122,12 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Fate, {{Fate::Left, "left"}, {Fate::Lodged, "lodged
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Transport, distance, id, diameter, mass, travel, progress, path, throats, constriction, fate
 )
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack fluxes, merged voids, and transport
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack fluxes, merged voids, transport ...
     PassResult, pass, probe, constrictions, merge, constrictions_by_merge, detachable, held_back, removed, transport,
     eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,
     stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after,
-    fines_content_after, volumetric_strain, permeability_before, permeability_after, throat_flux_before,
-    throat_flux_after, steps, wall_seconds, failed, reached_target, verdict
+    fines_content_after, volumetric_strain, permeability_before, permeability_after, reynolds_before, reynolds_after,
+    throat_flux_before, throat_flux_after, steps, wall_seconds, failed, reached_target, verdict
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemovalResult, erosion, start_h, asked_mass)

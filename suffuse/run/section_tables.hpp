@@ -1,6 +1,7 @@
 #pragma once
 // The tables at the head of the report's sections on removal and on water.
 
+#include "suffuse/flow/fluid.hpp"
 #include "suffuse/report/page_table.hpp"
 #include "suffuse/run/erosion_story.hpp"
 
@@ -10,10 +11,11 @@
 
 namespace suffuse::run {
 
-/// Permeability of every state whose flow was solved, beside Kozeny and Carman's for spheres of the sample's Sauter
-/// diameter, k = n^3 d^2/(180 (1 - n)^2) [Carman 1937]; nothing where there was no flow.
+/// Permeability of every state whose flow was solved, and conductivity for the fluid, beside Kozeny and Carman's for
+/// spheres of the sample's Sauter diameter, k = n^3 d^2/(180 (1 - n)^2) [Carman 1937]; nothing where there was no flow.
 std::optional<report::PageTable> tabulate_water(
-    const std::filesystem::path& folder, const std::vector<FinishedStage>& stages, const ErosionStory& story
+    const std::filesystem::path& folder, const std::vector<FinishedStage>& stages, const ErosionStory& story,
+    const flow::Fluid& fluid
 );
 
 /// Fines taken out without water in part or in passes, a row a pass, or a row a stage where these are many; nothing

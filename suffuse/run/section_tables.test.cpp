@@ -15,6 +15,17 @@ TEST(KozenyCarman, TheSauterDiameterIsThatOfEqualSurfacePerVolume) {
     EXPECT_NEAR(kozeny_carman({0.5e-3, 1.5e-3}, 0.4), kozeny_carman({1.4e-3}, 0.4), 1e-20); // rounding
 }
 
+TEST(WaterTable, TellsAPermeabilityAsAConductivityOfTheFluidToo) {
+    casefile::Variant variant;
+    casefile::Stage seep{.name = "seep", .spec = flow::FlowSpec{}};
+    const nlohmann::json numbers = {{"permeability", 1e-10}, {"porosity", 0.4}};
+    const auto table = tabulate_water("nowhere", {{nullptr, &variant, &seep, numbers, {}}}, {}, {1000, 1e-3});
+    ASSERT_TRUE(table.has_value());
+    EXPECT_EQ(table->header[3], "conductivity K [m/s]");
+    EXPECT_EQ(table->rows[0][3], "9.81·10⁻⁴");
+    EXPECT_EQ(table->rows[0].size(), table->header.size());
+}
+
 TEST(RemovalTable, HasARowForEachPassAndNoneForWhatTakesAllAtOnce) {
     casefile::Variant variant;
     variant.folder = "s/order=random";

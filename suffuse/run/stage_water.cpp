@@ -3,6 +3,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/detachment.hpp"
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/flow/reynolds.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/io/checkpoint.hpp"
@@ -84,6 +85,8 @@ json pass_numbers(const erosion::PassResult& pass) {
         {"constrictions_by_merge", by_merge},
         {"permeability_before", pass.permeability_before},
         {"permeability_after", pass.permeability_after},
+        {"reynolds_number_before", pass.reynolds_before},
+        {"reynolds_number_after", pass.reynolds_after},
         {"half_carried_by_before", pass.throat_flux_before.half_carried_by},
         {"half_carried_by_after", pass.throat_flux_after.half_carried_by},
         {"reached_target", pass.reached_target},
@@ -103,6 +106,21 @@ void note_open_packing(StageWork& work, const std::string& when, double porosity
             "more (validation/permeability.md), and its ratio to a denser state's is too high as well; the fluid's "
             "forces add up to the gradient all the same",
             work.place(), when, solid_fraction, open_packing
+        ));
+    }
+}
+
+/// Where less than this is left of the flow by the water's inertia, which the pore network leaves out.
+constexpr double slow_enough = 0.9;
+
+void note_fast_water(StageWork& work, const std::string& when, double gradient, double reynolds, double porosity) {
+    const double left = flow::share_left_by_inertia(reynolds, porosity);
+    if (left < slow_enough) {
+        work.warnings.push_back(fmt::format(
+            "{}: at i = {:.3g} the water {} has a Reynolds number of {:.2g}: its inertia, which slow flow leaves out, "
+            "would leave some {:.0f} % of the flux (Ergun); the permeability told is that of slow flow; the fluid's "
+            "forces add up to the gradient all the same",
+            work.place(), gradient, when, reynolds, 100 * left
         ));
     }
 }
@@ -183,7 +201,8 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
     const dem::World& world = work.world;
     const flow::Seepage seepage =
         flow::solve_seepage(world.cell, world.grains.position, world.grains.radius, spec, work.what.fluid);
-    note_open_packing(work, "of the sample", dem::porosity(world));
+    const double porosity = dem::porosity(world);
+    note_open_packing(work, "of the sample", porosity);
     json& numbers = work.numbers;
     numbers["gradient"] = spec.gradient;
     numbers["permeability"] = seepage.permeability;
@@ -192,6 +211,11 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
         numbers["permeability"] = *seepage.tensor;
     }
     numbers["mean_velocity"] = seepage.mean_velocity;
+    const double reynolds = flow::reynolds_number(
+        seepage.permeability, spec.gradient, flow::sauter_diameter(world.grains.radius), work.what.fluid
+    );
+    numbers["reynolds_number"] = reynolds;
+    note_fast_water(work, "in the sample", spec.gradient, reynolds, porosity);
     numbers["pressure_gradient"] = seepage.pressure_gradient;
     numbers["force_sum"] = seepage.force_sum;
     numbers["force_sum_error"] = seepage.force_sum_error;
@@ -275,7 +299,9 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     note_target(work, spec, result);
     if (!result.passes.empty()) {
         const erosion::PassResult& last = result.passes.back();
-        note_open_packing(work, fmt::format("after pass {}", last.pass), last.porosity_after);
+        const std::string when = fmt::format("after pass {}", last.pass);
+        note_open_packing(work, when, last.porosity_after);
+        note_fast_water(work, when, spec.gradient, last.reynolds_after, last.porosity_after);
     }
     work.numbers["passes"] = passes;
     for (const auto of : {erosion::ErodedTarget::Of::Fines, erosion::ErodedTarget::Of::Solids}) {

@@ -70,6 +70,23 @@ TEST(OpenPackings, AreWarnedOfWhereTheirPermeabilityIsAsked) {
     EXPECT_EQ(warnings(reference_soil() + study_of_packing("packing500")).find("solid fraction"), std::string::npos);
 }
 
+TEST(FastWater, IsWarnedOfWhereItsInertiaWouldCount) {
+    const auto flow_at = [](const std::string& gradient) {
+        const TempFolder folder;
+        run_text(
+            reference_constants + reference_soil() + study_of_packing("packing500") +
+                "[[study.s.stage]]\nname = \"flow\"\ndo = \"flow\"\ngradient = " + gradient + "\n",
+            folder.path()
+        );
+        return stage_of(folder.path(), "flow");
+    };
+    const json slow = flow_at("0.5"), fast = flow_at("500");
+    EXPECT_NEAR(slow.at("reynolds_number"), 0.001 * fast.at("reynolds_number").get<double>(), 1e-12); // rounding
+    EXPECT_LT(slow.at("reynolds_number"), 1);
+    EXPECT_EQ(slow.at("warnings").dump().find("inertia"), std::string::npos);
+    EXPECT_NE(fast.at("warnings").dump().find("its inertia, which slow flow leaves out"), std::string::npos);
+}
+
 TEST(ReferenceErosion, ForcedRemovalUnderADeviatorLosesStressContractsAndFallsInPorosity) {
     const TempFolder folder;
     run_text(

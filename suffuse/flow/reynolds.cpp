@@ -1,0 +1,31 @@
+#include "suffuse/flow/reynolds.hpp"
+
+#include "suffuse/base/constants.hpp"
+
+#include <cmath>
+
+namespace suffuse::flow {
+
+double sauter_diameter(std::span<const double> radius) {
+    double cubes = 0, squares = 0;
+    for (const double r : radius) {
+        cubes += r * r * r;
+        squares += r * r;
+    }
+    return squares > 0 ? 2 * cubes / squares : 0;
+}
+
+double conductivity(double permeability, const Fluid& fluid) {
+    return permeability * fluid.density * gravity / fluid.viscosity;
+}
+
+double reynolds_number(double permeability, double gradient, double diameter, const Fluid& fluid) {
+    return fluid.density * conductivity(permeability, fluid) * std::abs(gradient) * diameter / fluid.viscosity;
+}
+
+double share_left_by_inertia(double reynolds, double porosity) {
+    const double inertial_over_viscous = 1.75 * reynolds / (150 * (1 - porosity)); // both of the slow flow's flux
+    return 2 / (1 + std::sqrt(1 + 4 * inertial_over_viscous));
+}
+
+} // namespace suffuse::flow
