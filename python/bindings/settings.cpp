@@ -12,6 +12,8 @@
 #include "python/bindings/convert.hpp"
 #include "python/bindings/key_doc.hpp"
 #include "python/bindings/key_value.hpp"
+#include <array>
+#include <utility>
 
 namespace suffuse::python {
 namespace {
@@ -107,7 +109,8 @@ void bind_balance(py::module_& m) {
 }
 
 /// One value for all axes, or three of them; None where the other way of control has the axis.
-void take_axes(const py::object& given, cell::Control control, cell::Loading& loading) {
+/// @param[in,out] taken axes that have a value
+void take_axes(const py::object& given, cell::Control control, cell::Loading& loading, std::array<bool, 3>& taken) {
     if (given.is_none()) {
         return;
     }
@@ -121,6 +124,14 @@ void take_axes(const py::object& given, cell::Control control, cell::Loading& lo
     }
     for (std::size_t a = 0; a < 3; ++a) {
         if (!parts[a].is_none()) {
+            if (std::exchange(taken[a], true)) {
+                throw CaseError(fmt::format(
+                    "loading: axis {} has a stress and a strain rate; None in one of them leaves it to the other, as "
+                    "in "
+                    "strain_rate=(None, None, 10), stress=(1e5, 1e5, None)",
+                    a + 1
+                ));
+            }
             loading.axis[a] = {control, quantity_of(parts[a], dimension, what)};
         }
     }
@@ -137,8 +148,9 @@ cell::Loading make_loading(
         }
         loading.velocity_gradient = matrix_of(velocity_gradient, dimension::rate, "velocity_gradient");
     }
-    take_axes(strain_rate, cell::Control::StrainRate, loading);
-    take_axes(stress, cell::Control::Stress, loading);
+    std::array<bool, 3> taken{};
+    take_axes(strain_rate, cell::Control::StrainRate, loading, taken);
+    take_axes(stress, cell::Control::Stress, loading, taken);
     if (const auto rate = optional_quantity(max_rate, dimension::rate, "max_rate")) {
         loading.servo.max_rate = *rate;
     }

@@ -76,6 +76,9 @@ py::array_t<double> step(
     WorldHandle& w, std::int64_t steps, const cell::Loading& loading, const py::object& time_step, double damping,
     const py::object& force, const std::string& mode, const py::object& on_progress
 ) {
+    if (steps < 1) {
+        throw CaseError(fmt::format("steps: found {}, expected 1 or more", steps));
+    }
     const auto asked = read_asked(w, loading, time_step, damping, force, mode);
     dem::StepReport report;
     Attention attention(on_progress);

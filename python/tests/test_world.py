@@ -124,6 +124,22 @@ def test_steps_do_not_depend_on_how_they_are_cut(settled):
     assert other.hash == settled.hash
 
 
+def test_a_step_is_at_least_one(settled):
+    for steps in (0, -5):
+        with pytest.raises(suffuse.CaseError, match="expected 1 or more"):
+            settled.step(steps)
+
+
+def test_an_axis_is_driven_in_one_way():
+    with pytest.raises(suffuse.CaseError, match="axis 1 has a stress and a strain rate"):
+        suffuse.Loading(strain_rate=(10, None, None), stress="100 kPa")
+
+
+def test_a_sample_is_unloaded_to_no_stress(settled):
+    settled.settle(suffuse.Loading(stress=0))
+    assert abs(settled.mean_stress) < 1e-8 * settled.material.modulus
+
+
 def test_a_saved_world_comes_back_to_the_bit(settled, tmp_path):
     settled.save(tmp_path / "state.h5")
     back = suffuse.World.load(tmp_path / "state.h5")

@@ -10,21 +10,54 @@
 
 namespace suffuse::dem {
 
-double stress_error(const cell::Loading& loading, const Mat3& stress) {
-    if (loading.velocity_gradient) {
-        return 0;
-    }
-    double largest = 0, error = 0;
-    for (int a = 0; a < 3; ++a) {
-        const cell::AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
-        if (axis.control == cell::Control::StrainRate) {
+namespace {
+
+/// Stress over modulus that counts as none.
+constexpr double unloaded = 1e-8;
+
+/// What the axes under stress control are to bear, and what they do [Pa].
+struct Borne {
+    int axes = 0;
+    double wanted = 0, found = 0, error = 0; ///< each the largest of them, in size
+};
+
+Borne borne_by(const cell::Loading& loading, const Mat3& stress) {
+    Borne borne;
+    for (int a = 0; a < 3 && !loading.velocity_gradient; ++a) {
+        if (loading.axis[static_cast<std::size_t>(a)].control == cell::Control::StrainRate) {
             continue;
         }
         const double wanted = cell::wanted_stress(loading, a, {stress(0, 0), stress(1, 1), stress(2, 2)});
-        largest = std::max(largest, std::abs(wanted));
-        error = std::max(error, std::abs(wanted - stress(a, a)));
+        ++borne.axes;
+        borne.wanted = std::max(borne.wanted, std::abs(wanted));
+        borne.found = std::max(borne.found, std::abs(stress(a, a)));
+        borne.error = std::max(borne.error, std::abs(wanted - stress(a, a)));
     }
-    return largest > 0 ? error / largest : 0;
+    return borne;
+}
+
+/// A sample that is to bear nothing on all its axes rests when it does: what is left of its contacts is no measure of a
+/// balance, and there may be none.
+bool is_balanced(
+    const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state, const grains::Material& material
+) {
+    const Borne borne = borne_by(loading, state.stress);
+    const bool unloads = borne.axes > 0 && borne.wanted == 0;
+    if (unloads && borne.found > unloaded * material.modulus) {
+        return false;
+    }
+    if (unloads && borne.axes == 3) {
+        return true;
+    }
+    return state.equilibrium.contacts > 0 && state.equilibrium.unbalanced_force <= spec.unbalanced_force &&
+           stress_error(loading, state.stress) <= spec.stress_error;
+}
+
+} // namespace
+
+double stress_error(const cell::Loading& loading, const Mat3& stress) {
+    const Borne borne = borne_by(loading, stress);
+    return borne.wanted > 0 ? borne.error / borne.wanted : 0;
 }
 
 cell::Loading isotropic_stress(double pressure) {
@@ -43,9 +76,7 @@ bool settle_burst(
     state.stress = advance(world, caches, plan, burst_steps).stress;
     state.steps += burst_steps;
     state.equilibrium = measure_equilibrium(world);
-    const bool balanced = state.equilibrium.contacts > 0 &&
-                          state.equilibrium.unbalanced_force <= spec.unbalanced_force &&
-                          stress_error(plan.loading, state.stress) <= spec.stress_error;
+    const bool balanced = is_balanced(plan.loading, spec, state, world.material);
     state.balanced_steps = balanced ? state.balanced_steps + burst_steps : 0;
     return state.balanced_steps >= spec.patience;
 }

@@ -19,7 +19,8 @@ struct BalanceState {
 };
 
 /// One burst. @return whether the state has been balanced for the patience asked: stress errors of all
-/// stress-controlled axes and unbalanced force below the limits of `spec`.
+/// stress-controlled axes and unbalanced force below the limits of `spec`. Where they are to bear nothing, they bear
+/// less than 1e-8 of the modulus.
 bool settle_burst(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec& spec, BalanceState& state);
 
 /// Bursts until balanced.
@@ -30,7 +31,8 @@ settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec
 /// Where a settling has had its time: what is still missing. @throws StateError always.
 [[noreturn]] void report_not_balanced(const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state);
 
-/// Largest error of a controlled stress, as a share of it (of the largest, where a target is zero) [-].
+/// Largest error of a controlled stress, as a share of it (of the largest, where a target is zero; 0 where all are)
+/// [-].
 double stress_error(const cell::Loading& loading, const Mat3& stress);
 
 /// Holds every axis at the given stress, compression positive [Pa], or fixed where not given.

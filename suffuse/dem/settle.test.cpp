@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.hpp"
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -72,6 +73,23 @@ TEST(Settle, NeedsTheForcesBalanced) {
     run.world.grains.velocity[13] = {1e-3, 0, 0};
     run.spec.unbalanced_force = 1e-12;
     EXPECT_EQ(run.bursts(), 0);
+}
+
+TEST(Settle, ToNoStressIsOverWhenNothingIsBorneAndNotBefore) {
+    Settling run;
+    run.plan.loading = isotropic_stress(0);
+    run.plan.loading.servo.max_rate = 0; // held at 100 kPa, and balanced
+    EXPECT_EQ(run.bursts(), 0);
+    run.plan.loading.servo.max_rate = 1e3;
+    run.plan.dt = 1e-8;
+    const BalanceState rest = settle(run.world, run.caches, run.plan, run.spec, 20'000);
+    EXPECT_LT(std::abs(mean_stress(rest.stress)), 1e-8 * run.world.material.modulus);
+    run.world.cell.h = 1.1 * run.world.cell.h;
+    for (Vec3& place : run.world.grains.position) {
+        place *= 1.1; // nothing touches any more
+    }
+    StepCaches caches;
+    EXPECT_EQ(settle(run.world, caches, run.plan, run.spec, 20'000).equilibrium.contacts, 0);
 }
 
 TEST(Settle, NeedsTheStressesMet) {
