@@ -83,12 +83,18 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
              "encoding": {"tooltip": [{"field": "state", "title": "state"},
                 {"field": "permeability", "title": "k [m²]", "format": ".4g"},
                 {"field": "eroded_mass", "title": "eroded mass [%]", "format": ".4g"}]}},
-            {"transform": [{"filter": "datum.label"}],
+            {"transform": [{"filter": "datum.label && !datum.low"}],
              "mark": {"type": "text", "align": "left", "dx": 8, "dy": 14, "color": "#333333"},
+             "encoding": {"text": {"field": "label", "type": "nominal"}}},
+            {"transform": [{"filter": "datum.label && datum.low"}],
+             "mark": {"type": "text", "align": "left", "dx": 14, "dy": 2, "color": "#333333"},
              "encoding": {"text": {"field": "label", "type": "nominal"}}}
         ]
     })json");
-    figure.chart["transform"] = {{{"calculate", fmt::format("datum.permeability / {}", unit)}, {"as", "drawn"}}};
+    // Below a point that lies on the axis its label would cross the axis' numbers.
+    figure.chart["transform"] = {
+        {{"calculate", fmt::format("datum.permeability / {}", unit)}, {"as", "drawn"}},
+        {{"calculate", fmt::format("datum.permeability < {}", 0.08 * highest)}, {"as", "low"}}};
     figure.chart["encoding"]["y"]["title"] = "permeability k [" + power_of_ten(decade) + " m²]";
     figure.chart["encoding"]["y"]["scale"] = {{"domain", {0, 1.1 * highest / unit}}};
     figure.chart["encoding"]["x"]["scale"] = {{"domain", {0, 1.15 * figure.table.numbers("eroded_mass").back()}}};

@@ -39,8 +39,7 @@ std::vector<report::NamedErosion> named_erosions(const ErosionStory& story) {
 
 } // namespace
 
-/// The sample's own grading at the sizes of the curve asked for, and at many between.
-grains::Grading sampled_grading(const std::vector<double>& radius) {
+grains::Grading sampled_grading(const std::vector<double>& radius, const std::optional<grains::Soil>& soil) {
     const auto [least, most] = std::minmax_element(radius.begin(), radius.end());
     grains::Grading grading;
     constexpr int points = 60;
@@ -49,6 +48,19 @@ grains::Grading sampled_grading(const std::vector<double>& radius) {
             2 * *least * std::pow(*most / *least, static_cast<double>(k) / points) * (1 + 1e-12 * k)
         );
     }
+    std::vector<double> corners = soil ? grains::asked_grading(*soil).diameter : std::vector<double>{};
+    if (soil && soil->finer_than) {
+        corners.push_back(*soil->finer_than);
+    }
+    const double finest = grading.diameter.front(), coarsest = grading.diameter.back();
+    for (const double size : corners) {
+        if (size > finest && size < coarsest) {
+            grading.diameter.push_back(size);
+        }
+    }
+    std::ranges::sort(grading.diameter);
+    const auto repeated = std::ranges::unique(grading.diameter);
+    grading.diameter.erase(repeated.begin(), repeated.end());
     grading.passing = grains::sample_curve(radius, grading.diameter);
     return grading;
 }
@@ -62,7 +74,7 @@ draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, co
         const std::vector<double> radius = radii_before(folder, *story.eroded);
         const auto& soil = story.eroded->variant->soil;
         if (!radius.empty()) {
-            const grains::Grading sampled = sampled_grading(radius);
+            const grains::Grading sampled = sampled_grading(radius, soil);
             if (soil) {
                 add(report::grading_curves(grains::asked_grading(*soil), sampled, soil->finer_than, axis), figures);
             }

@@ -5,6 +5,7 @@
 #include "suffuse/run/erosion_story.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace suffuse::run {
@@ -16,7 +17,8 @@ draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, co
 /// Internal stability of the eroded soil by its grading, for the section "Soils".
 void show_stability(const casefile::Case& what, const ErosionStory& story, report::ReportData& data);
 
-/// A sample's grading at sizes evenly spaced on the logarithmic axis.
-grains::Grading sampled_grading(const std::vector<double>& radius);
+/// A sample's grading at sizes evenly spaced on the logarithmic axis, and at those of its soil: the corners of the
+/// curve asked for and the limit of the fines, on both sides of which a gap may lie.
+grains::Grading sampled_grading(const std::vector<double>& radius, const std::optional<grains::Soil>& soil);
 
 } // namespace suffuse::run

@@ -1,9 +1,30 @@
 #include "suffuse/run/erosion_figures.hpp"
 
+#include "suffuse/grains/sampling.hpp"
+
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
 
 namespace suffuse::run {
 namespace {
+
+TEST(GradingOfASample, HasTheCornersOfTheCurveAskedForAndTheLimitOfTheFines) {
+    grains::Soil soil;
+    soil.whole = {{1e-4, 3e-4, 1.2e-3, 4e-3}, {0, 0.5, 0.5, 1}, "gap"};
+    soil.finer_than = 5e-4; // in the gap, where the curve is level
+    std::vector<double> radius{0.5e-4, 1.4e-4, 0.61e-3, 2e-3};
+    const grains::Grading sampled = sampled_grading(radius, soil);
+    const double fines = grains::sample_curve(radius, std::vector{5e-4})[0];
+    for (const double size : {3e-4, 5e-4, 1.2e-3}) {
+        const auto at = std::ranges::find(sampled.diameter, size);
+        ASSERT_NE(at, sampled.diameter.end()) << size;
+        EXPECT_EQ(sampled.passing[static_cast<std::size_t>(at - sampled.diameter.begin())], fines) << size;
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(sampled.diameter, std::less_equal()));
+    EXPECT_EQ(sampled_grading(radius, std::nullopt).diameter.size(), 61U);
+}
 
 TEST(StabilityOfARun, IsSaidToBeThatOfTheSimulatedGrading) {
     casefile::Variant variant;

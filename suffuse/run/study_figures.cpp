@@ -232,7 +232,7 @@ std::vector<report::Mixture> describe_mixtures(
         const std::filesystem::path state = stage_folder(folder, *stage->variant, *stage->stage) / "state.h5";
         report::Mixture mixture{fines_content, grains::asked_grading(*stage->variant->soil), {}};
         if (std::filesystem::exists(state)) {
-            mixture.sampled = sampled_grading(io::load_world(state).world.grains.radius);
+            mixture.sampled = sampled_grading(io::load_world(state).world.grains.radius, stage->variant->soil);
         }
         mixtures.push_back(std::move(mixture));
     }
