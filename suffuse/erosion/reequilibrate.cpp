@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/stopwatch.hpp"
+#include "suffuse/cell/strain.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/settle.hpp"
@@ -27,7 +28,7 @@ constexpr double lost_stress = 1e-6; // share of the stress before: the skeleton
 class PathRecorder {
 public:
     PathRecorder(const dem::World& start, const ErosionResult& so_far, const PassResult& pass)
-        : pass_(pass.pass), initial_mass_(so_far.initial_mass), start_volume_(cell::volume(start.cell)) {
+        : pass_(pass.pass), initial_mass_(so_far.initial_mass), start_h_(start.cell.h) {
         if (!so_far.path.empty()) {
             first_step_ = so_far.path.back().step;
             first_strain_ = so_far.path.back().volumetric_strain;
@@ -37,7 +38,7 @@ public:
     void
     add(const std::string& phase, const dem::World& world, const Mat3& stress, double unbalanced_force,
         std::int64_t steps) {
-        const double strain = -std::log(cell::volume(world.cell) / start_volume_);
+        const double strain = cell::volumetric_strain(start_h_, world.cell.h);
         const double eroded = 1 - total_mass(world.grains) / initial_mass_;
         rows_.push_back(
             {pass_, phase, first_step_ + steps, stress, first_strain_ + strain, dem::porosity(world), unbalanced_force,
@@ -49,7 +50,8 @@ public:
 
 private:
     int pass_;
-    double initial_mass_, start_volume_;
+    double initial_mass_;
+    Mat3 start_h_;
     std::int64_t first_step_ = 0;
     double first_strain_ = 0;
     std::vector<PathRow> rows_;
@@ -68,23 +70,6 @@ bool rests(const dem::BalanceState& state, const dem::BalanceSpec& balance, doub
     return state.balanced_steps >= balance.patience ||
            std::abs(dem::mean_stress(state.stress)) <= lost_stress * stress_before;
 }
-
-} // namespace
-
-void describe_before(const dem::World& world, PassResult& pass) {
-    pass.stress_before = dem::mean_stress_tensor(world);
-    pass.porosity_before = dem::porosity(world);
-}
-
-Vec3 edge_strains(const Mat3& start_h, const Mat3& h) {
-    Vec3 strain;
-    for (int a = 0; a < 3; ++a) {
-        strain[a] = -std::log(h(a, a) / start_h(a, a));
-    }
-    return strain;
-}
-
-namespace {
 
 /// A skeleton on its way to a new equilibrium.
 struct Resettling {
@@ -151,6 +136,11 @@ void judge(const dem::BalanceState& settled, const dem::BalanceSpec& balance, do
 
 } // namespace
 
+void describe_before(const dem::World& world, PassResult& pass) {
+    pass.stress_before = dem::mean_stress_tensor(world);
+    pass.porosity_before = dem::porosity(world);
+}
+
 std::vector<PathRow> reequilibrate(
     dem::World& world, const ResettleSpec& spec, const ErosionResult& so_far, const Surroundings& around,
     PassResult& pass
@@ -177,7 +167,7 @@ std::vector<PathRow> reequilibrate(
         spec.inertial_number, grains::median_diameter(world.grains), world.material.density, before
     );
     const dem::BalanceState settled = resettling.run_phase("servo", most_steps_under_stress, [&](const auto& state) {
-        const Vec3 strain = edge_strains(start_h, world.cell.h);
+        const Vec3 strain = cell::axial_strains(start_h, world.cell.h);
         pass.failed = std::max({std::abs(strain.x), std::abs(strain.y), std::abs(strain.z)}) > spec.max_strain;
         return pass.failed || state.balanced_steps >= around.balance.patience;
     });

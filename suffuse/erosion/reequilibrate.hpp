@@ -17,7 +17,4 @@ std::vector<PathRow> reequilibrate(
     PassResult& pass
 );
 
-/// Logarithmic strain of each edge of the cell since it was `start_h`, compression positive [-].
-Vec3 edge_strains(const Mat3& start_h, const Mat3& h);
-
 } // namespace suffuse::erosion

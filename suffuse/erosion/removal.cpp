@@ -1,6 +1,7 @@
 #include "suffuse/erosion/removal.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/cell/strain.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/erosion/extraction.hpp"
@@ -111,7 +112,7 @@ double removed_share(const dem::World& world, const RemovalResult& result) {
 }
 
 Vec3 removal_strain(const dem::World& world, const RemovalResult& result) {
-    return edge_strains(result.start_h, world.cell.h);
+    return cell::axial_strains(result.start_h, world.cell.h);
 }
 
 } // namespace suffuse::erosion
