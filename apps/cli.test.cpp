@@ -141,6 +141,13 @@ TEST_F(Cli, HostileWordsAreAnsweredAndShownHarmless) {
     }
 }
 
+TEST_F(Cli, AFolderInPlaceOfItsCaseIsSaidToBeOne) {
+    say({"new", "a", "--from", "replay"});
+    const Said said = say({"check", "a"});
+    EXPECT_EQ(said.code, 74);
+    EXPECT_NE(said.error.find("it is a folder; its case is a/case.toml"), std::string::npos) << said.error;
+}
+
 TEST_F(Cli, JsonIsOneDocumentInSuccessAndInFailure) {
     say({"new", "a", "--from", "replay"});
     EXPECT_EQ(say({"check", "a/case.toml", "--json"}).json().at("errors"), 0);

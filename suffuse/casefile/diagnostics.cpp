@@ -107,7 +107,16 @@ std::string render_one(const Diagnostic& d, const Palette& paint) {
     return out;
 }
 
-/// One line for each further warning of the kind of `first`, the first few, under its help.
+/// Warnings of one code; errors of one file that ask for the same, as in every line of a table with the wrong mark
+/// between its columns.
+bool are_alike(const Diagnostic& a, const Diagnostic& b) {
+    if (a.is_warning != b.is_warning || a.code != b.code) {
+        return false;
+    }
+    return a.is_warning || (!a.help.empty() && a.help == b.help && a.file == b.file);
+}
+
+/// One line for each further problem of the kind of `first`, the first few, under its help.
 template <class Iterator, class IsAlike>
 std::string render_rest(Iterator first, Iterator end, IsAlike is_alike, std::size_t indent) {
     constexpr std::ptrdiff_t most = 3;
@@ -123,8 +132,10 @@ std::string render_rest(Iterator first, Iterator end, IsAlike is_alike, std::siz
             ++told;
         }
     }
-    const std::string more =
-        fmt::format("{:{}} = and {} more; suffuse check --json lists all\n", "", indent, count - told);
+    const std::string more = fmt::format(
+        "{:{}} = and {} more{}\n", "", indent, count - told,
+        first->is_warning ? "; suffuse check --json lists all" : " that ask for the same"
+    );
     return out + (count > told ? more : "");
 }
 
@@ -198,10 +209,14 @@ std::string count_problems(const std::vector<Diagnostic>& list) {
 std::string render(const std::vector<Diagnostic>& list, bool color) {
     const Palette paint = color ? Palette{"\x1b[1;31m", "\x1b[1;33m", "\x1b[34m", "\x1b[1m", "\x1b[0m"} : Palette{};
     std::string out;
+    constexpr std::ptrdiff_t most_errors = 3; // of one kind that are told in full
     bool has_errors = false;
     for (auto d = list.begin(); d != list.end(); ++d) {
         has_errors = has_errors || !d->is_warning;
-        const auto is_alike = [&](const Diagnostic& other) { return d->is_warning && other.code == d->code; };
+        const std::ptrdiff_t kin =
+            std::count_if(list.begin(), list.end(), [&](const Diagnostic& other) { return are_alike(*d, other); });
+        const bool is_folded = d->is_warning || kin > most_errors;
+        const auto is_alike = [&](const Diagnostic& other) { return is_folded && are_alike(*d, other); };
         if (std::none_of(list.begin(), d, is_alike)) {
             out += render_one(*d, paint) + render_rest(d, list.end(), is_alike, gutter_of(*d)) + "\n";
         }

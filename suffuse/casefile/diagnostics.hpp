@@ -41,8 +41,9 @@ private:
     std::vector<Diagnostic> list_;
 };
 
-/// Source line with carets and help for each, then a line that counts them; of several warnings of one code the first,
-/// the others in a line each. `color` uses terminal colors.
+/// Source line with carets and help for each, then a line that counts them; of several warnings of one code, and of
+/// more than three errors with the same help in one file, the first, the others in a line each. `color` uses terminal
+/// colors.
 std::string render(const std::vector<Diagnostic>& list, bool color = false);
 
 /// "2 errors, 1 warning".

@@ -71,6 +71,24 @@ TEST(Diagnostics, WarningsOfOneCodeAreShownInFullOnce) {
     EXPECT_NE(shown.find("6 errors, 6 warnings"), std::string::npos);
 }
 
+TEST(Diagnostics, ManyErrorsThatAskForTheSameAreShownInFullOnce) {
+    const auto shown_of = [](int lines) {
+        Problems problems;
+        const auto source = source_of("a\nb\nc\nd\ne\nf\n");
+        for (int line = 1; line <= lines; ++line) {
+            problems.error("E1", {source, line, 1, 1}, "number " + std::to_string(line), "do this");
+        }
+        problems.error("E1", {source, 6, 1, 1}, "another", "do that");
+        return render(problems.sorted());
+    };
+    const std::string few = shown_of(3), many = shown_of(5);
+    EXPECT_EQ(few.find("also:"), std::string::npos) << few;
+    EXPECT_NE(many.find("  = also: line 2: number 2\n"), std::string::npos) << many;
+    EXPECT_NE(many.find("and 1 more that ask for the same"), std::string::npos) << many;
+    EXPECT_NE(many.find("error[E1]: another"), std::string::npos) << many;
+    EXPECT_NE(many.find("6 errors"), std::string::npos) << many;
+}
+
 TEST(Diagnostics, AFurtherWarningOfAnotherFileNamesIt) {
     Problems problems;
     problems.warning("W1", {source_of("a\nb\n"), 2, 1, 1}, "first");

@@ -366,7 +366,10 @@ read_grading_points(const std::shared_ptr<const Source>& source, Problems& probl
         if (cells.size() != table.rows[0].cells.size()) {
             problems.error(
                 "E502", table.rows[k].place,
-                fmt::format("{} values where the header names {} columns", cells.size(), table.rows[0].cells.size()),
+                fmt::format(
+                    "{} value{} where the header names {} columns", cells.size(), cells.size() == 1 ? "" : "s",
+                    table.rows[0].cells.size()
+                ),
                 table.mark == ',' ? "one value for each column; where numbers have a decimal comma, columns are "
                                     "separated by ; as in 0,063;12,5, the header too"
                                   : "one value for each column"

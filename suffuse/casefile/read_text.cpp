@@ -5,7 +5,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace suffuse::casefile {
 
@@ -136,7 +138,12 @@ std::string read_whole_file(const std::string& path) {
         }
     }
     if (std::ferror(file.get()) != 0) {
-        fail(std::strerror(errno));
+        const int reason = errno;
+        const std::string within = path + (path.ends_with('/') ? "" : "/") + "case.toml";
+        if (std::error_code none; reason == EISDIR && std::filesystem::exists(within, none)) {
+            fail(("it is a folder; its case is " + within).c_str());
+        }
+        fail(std::strerror(reason));
     }
     return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
