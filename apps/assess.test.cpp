@@ -73,6 +73,10 @@ TEST_F(Assess, TakesSharesInPercent) {
     EXPECT_EQ(call("dyke.csv --relative-density 170%"), 2);
     expect_in("or as in 50%", error);
     EXPECT_EQ(call("dyke.csv -i 3x%"), 2);
+    EXPECT_EQ(call("dyke.csv -i 0,4"), 2);
+    expect_in("write a decimal point", error);
+    EXPECT_EQ(call("dyke.csv -i 12m/30m --json"), 0);
+    EXPECT_EQ(nlohmann::json::parse(out)["soils"][0]["seepage"]["gradient"], 0.4);
 }
 
 TEST_F(Assess, JsonHasTheKeysOfTheFormatsPage) {

@@ -46,6 +46,7 @@ struct CommandLine {
     bool clear = false;                    ///< the cache
     std::string from;                      ///< template of `new`
     std::string psd, sizes;                ///< grading curve of `new`, and the part of it that is modeled
+    std::string pressure;                  ///< of `new`: on the soil, with its unit
     std::optional<std::int64_t> particles; ///< of `new`: grains of the quick preset
     std::string bench;                     ///< "step" or "flow"
     std::string mode = "reference";        ///< of `bench step`
@@ -56,8 +57,9 @@ struct CommandLine {
     int replicate = 1;
     double gradient = 0.05;
 
-    std::string fines; ///< of `assess`: size below which grains are fine, with its unit
-    std::optional<double> seepage_gradient, relative_density, porosity, stress_share;
+    std::string fines;                      ///< of `assess`: size below which grains are fine, with its unit
+    std::optional<double> seepage_gradient; ///< of `assess` and `new`
+    std::optional<double> relative_density, porosity, stress_share;
     bool coarse_fabric = false; ///< uniformity of the coarse part alone
 };
 

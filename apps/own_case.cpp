@@ -63,14 +63,14 @@ porosity = 0.65                       #~
 [[study.erosion.stage]]
 name     = "initial"
 do       = "compact"
-pressure = "100 kPa"                  #~ yours: the effective stress at the depth that you ask about
+pressure = {pressure:<27}{pressure_mark} the effective stress at the depth that you ask about
 prepare  = {{ friction = "10 deg" }}    #~ during compaction only: lower is denser
 measure  = ["void-ratios", "porosity", "permeability"]
 
 [[study.erosion.stage]]
 name      = "erosion"
 do        = "erode"
-gradient  = 0.05                      #~ yours: the hydraulic gradient i of the seepage
+gradient  = {gradient:<26}{gradient_mark} the hydraulic gradient i of the seepage
 direction = "z"
 passes    = 2                         #~ each takes out what is free to go, then lets the soil settle
 measure   = ["flow", "constrictions", "coordination-of-eroded", "stress", "volumetric-strain", "porosity", "grading"]
@@ -90,13 +90,12 @@ strain  = "10 %"                      #~
 measure = ["stress-strain"]
 )";
 
-constexpr double assumed_pressure = 100e3; // [Pa]
-constexpr double usual_modulus = 356e6;    // [Pa]
+constexpr double usual_modulus = 356e6; // [Pa]
 
-/// Stiff enough for the finest grains, to two digits [Pa].
-double modulus_for(const grains::Grading& grading) {
+/// Stiff enough for the finest grains at this pressure [Pa], to two digits [Pa].
+double modulus_for(const grains::Grading& grading, double pressure) {
     const double ratio = grading.diameter.back() / grading.diameter.front();
-    const double squeezed = casefile::squeezed_overlap_at(assumed_pressure, usual_modulus, ratio);
+    const double squeezed = casefile::squeezed_overlap_at(pressure, usual_modulus, ratio);
     const double wanted = std::max(usual_modulus, usual_modulus * squeezed / casefile::good_squeezed);
     const double unit = std::pow(10.0, std::floor(std::log10(wanted)) - 1);
     return wanted > usual_modulus ? std::ceil(wanted / unit) * unit : usual_modulus;
@@ -127,13 +126,19 @@ std::string cut_remark(const OwnSoil& soil, const CutVerdicts& verdicts) {
 
 } // namespace
 
-std::string own_case_text(const OwnSoil& soil, const CutVerdicts& verdicts) {
+std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions, const CutVerdicts& verdicts) {
     constexpr std::int64_t standard_over_quick = 4;
-    const double modulus = modulus_for(soil.grading);
+    const double pressure = conditions.pressure.value_or(assumed_pressure);
+    const double modulus = modulus_for(soil.grading, pressure);
+    const auto mark = [](const std::optional<double>& given) { return given ? "# as asked:" : "#~ yours:"; };
     return fmt::format(
         case_form, fmt::arg("name", soil.name), fmt::arg("quick", soil.quick_grains),
         fmt::arg("standard", standard_over_quick * soil.quick_grains), fmt::arg("limit", 1e3 * soil.finer_than),
         fmt::arg("content", 100 * soil.fines_content), fmt::arg("reason", soil.reason),
+        fmt::arg("pressure", '"' + print_quantity(pressure, dimension::pressure) + '"'),
+        fmt::arg("pressure_mark", mark(conditions.pressure)),
+        fmt::arg("gradient", conditions.gradient.value_or(assumed_gradient)),
+        fmt::arg("gradient_mark", mark(conditions.gradient)),
         fmt::arg("modulus", '"' + print_quantity(modulus, dimension::pressure) + '"'),
         fmt::arg(
             "stiffer",

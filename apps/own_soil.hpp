@@ -39,10 +39,19 @@ struct OwnSoilSpec {
 /// file as read_grading() tells them.
 OwnSoil model_own_soil(const std::string& path, const OwnSoilSpec& spec);
 
+/// What the soil is under. Assumed where the user does not say.
+struct OwnConditions {
+    std::optional<double> pressure = {}; ///< [Pa]
+    std::optional<double> gradient = {}; ///< hydraulic [-]
+};
+
+inline constexpr double assumed_pressure = 100e3; ///< [Pa]
+inline constexpr double assumed_gradient = 0.05;  ///< [-]
+
 struct CutVerdicts;
 
 /// The case and its grading as files, and where they belong in its folder.
-std::string own_case_text(const OwnSoil& soil, const CutVerdicts& verdicts);
+std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions, const CutVerdicts& verdicts);
 std::string own_grading_text(const OwnSoil& soil, const std::string& path);
 
 } // namespace suffuse::apps

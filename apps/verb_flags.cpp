@@ -1,11 +1,13 @@
 #include "apps/verb_flags.hpp"
 
+#include "suffuse/base/units.hpp"
 #include "suffuse/io/text_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "apps/command_line.hpp"
+#include <cctype>
 #include <limits>
 #include <type_traits>
 
@@ -38,19 +40,19 @@ CLI::Validator number_in(T least, T most) {
     );
 }
 
-/// A ratio: a bare number, or one with %, as a case has them. "30%" becomes "0.3".
+/// A ratio as a case has them: a bare number, one with %, or a quotient. "30%" and "3m/10m" become "0.3".
 CLI::Validator ratio_in(double least, double most) {
     const std::string expected = most < std::numeric_limits<double>::max()
                                      ? fmt::format("a number from {} to {}, or as in {:.4g}%", least, most, 50 * most)
                                      : fmt::format("a number of {} or more, or as in 30%", least);
     return CLI::Validator(
         [=](std::string& text) {
-            if (const std::size_t mark = text.find_last_not_of(" %");
-                text.ends_with('%') && mark != std::string::npos) {
-                const auto percent = io::number_of<double>(text.substr(0, mark + 1));
-                if (percent) {
-                    text = fmt::format("{}", *percent / 100);
-                }
+            try {
+                text = fmt::format("{}", parse_quantity(text, dimension::none));
+            } catch (const UnitError& problem) {
+                const bool is_number = !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) != 0;
+                return is_number ? fmt::format("{}; {}", problem.what(), problem.help)
+                                 : fmt::format("{} is not {}", text, expected);
             }
             return complaint_of_range(text, least, most, expected);
         },
@@ -220,6 +222,16 @@ void add_case_verbs(CLI::App& app, CommandLine& line) {
         ->type_name("N")
         ->check(number_in<std::int64_t>(1, 10'000'000))
         ->needs(psd);
+    make->add_option("--pressure", line.pressure, "with --psd: the effective stress on the soil; 100kPa is assumed")
+        ->type_name("P")
+        ->needs(psd);
+    make->add_option(
+            "-i,--gradient", line.seepage_gradient,
+            "with --psd: the hydraulic gradient of the seepage, as in 0.4 or 12m/30m; 0.05 is assumed"
+    )
+        ->type_name("I")
+        ->transform(ratio_in(0, std::numeric_limits<double>::max()))
+        ->needs(psd);
 
     CLI::App* check = app.add_subcommand("check", "read a case and tell all that is wrong with it");
     add_subject(*check, line, "CASE", case_text);
@@ -288,7 +300,10 @@ void add_assess_verb(CLI::App& app, CommandLine& line) {
     );
     assess->add_option("--fines", line.fines, "size below which grains count as fine; found on the curve unless given")
         ->type_name("D");
-    assess->add_option("-i,--gradient", line.seepage_gradient, "hydraulic gradient of upward seepage")
+    assess
+        ->add_option(
+            "-i,--gradient", line.seepage_gradient, "hydraulic gradient of upward seepage, as in 0.4 or 12m/30m"
+        )
         ->type_name("I")
         ->transform(ratio_in(0, std::numeric_limits<double>::max()));
     assess->add_option("--relative-density", line.relative_density, "0 loosest, 1 densest; both unless given")

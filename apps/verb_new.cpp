@@ -1,6 +1,7 @@
 // new: a commented case and its data, from an example or from a grading curve of the user's.
 
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/units.hpp"
 #include "suffuse/io/atomic_file.hpp"
 
 #include <fmt/format.h>
@@ -132,12 +133,43 @@ run::Range planned_time(const fs::path& path) {
     return plan_case(what, run::samples_at_once(what)).seconds;
 }
 
+OwnConditions conditions_of(const CommandLine& line) {
+    OwnConditions conditions{{}, line.seepage_gradient};
+    if (!line.pressure.empty()) {
+        conditions.pressure = quantity_of(line.pressure, dimension::pressure, "--pressure", false);
+    }
+    if (conditions.pressure && !(*conditions.pressure > 0)) {
+        throw UsageError(fmt::format("--pressure {}: it is above 0", shown(line.pressure)));
+    }
+    if (conditions.gradient && !(*conditions.gradient > 0)) {
+        throw UsageError("--gradient 0: nothing seeps; it is above 0");
+    }
+    return conditions;
+}
+
+void tell_assumed(const OwnConditions& conditions, const fs::path& path, const Console& console) {
+    std::vector<std::string> assumed;
+    if (!conditions.pressure) {
+        assumed.push_back(fmt::format("a pressure of {}", print_quantity(assumed_pressure, dimension::pressure)));
+    }
+    if (!conditions.gradient) {
+        assumed.push_back(fmt::format("a gradient of {}", assumed_gradient));
+    }
+    if (!assumed.empty()) {
+        console.talk(fmt::format(
+            "{} {} assumed: put yours into {}", fmt::join(assumed, " and "), assumed.size() > 1 ? "are" : "is",
+            shown(path.string())
+        ));
+    }
+}
+
 int new_from_soil(const CommandLine& line, const Console& console) {
     const OwnSoil soil = model_own_soil(line.psd, {sizes_of(line.sizes), line.particles});
     const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
+    const OwnConditions conditions = conditions_of(line);
     const fs::path folder = line.subject.empty() ? soil.name : line.subject;
     const std::vector<std::string> written = write_new(
-        {{folder / "case.toml", own_case_text(soil, verdicts)},
+        {{folder / "case.toml", own_case_text(soil, conditions, verdicts)},
          {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, line.psd)}}
     );
     console.result(fmt::format("{}", fmt::join(written, "\n")));
@@ -150,6 +182,8 @@ int new_from_soil(const CommandLine& line, const Console& console) {
          {"left_out", soil.left_out},
          {"stability", stability_json(verdicts)},
          {"particles", soil.quick_grains},
+         {"pressure", conditions.pressure.value_or(assumed_pressure)},
+         {"gradient", conditions.gradient.value_or(assumed_gradient)},
          {"seconds", {seconds.least, seconds.most}}}
     ));
     console.talk(fmt::format(
@@ -163,10 +197,7 @@ int new_from_soil(const CommandLine& line, const Console& console) {
     console.talk(fmt::format(
         "{} grains in the preset quick: {} on this machine", count_text(soil.quick_grains), duration_range_text(seconds)
     ));
-    console.talk(fmt::format(
-        "a pressure of 100 kPa and a gradient of 0.05 are assumed: put yours into {}",
-        shown((folder / "case.toml").string())
-    ));
+    tell_assumed(conditions, folder / "case.toml", console);
     tell_next(folder, console);
     return Done;
 }

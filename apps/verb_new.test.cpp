@@ -93,6 +93,27 @@ TEST_F(NewSoil, TheVerdictsThatACutTurnsAreSaidAndStayWithTheCase) {
     EXPECT_EQ(say({"assess", "gravel/case.toml", "--json"}).json()["soils"][0]["tally"]["unstable"], 2);
 }
 
+TEST_F(NewSoil, PressureAndGradientCanBeGivenAndAreThenNotAssumed) {
+    const Said made = say({"new", "--psd", "gap.csv", "--pressure", "300 kPa", "-i", "12 m / 30 m", "--json"});
+    ASSERT_EQ(made.code, 0) << made.error;
+    EXPECT_EQ(made.json().at("pressure"), 300e3);
+    EXPECT_EQ(made.json().at("gradient"), 0.4);
+    EXPECT_EQ(made.error.find("assumed"), std::string::npos) << made.error;
+    const std::string text = read_all(folder / "gap/case.toml");
+    expect_in("pressure = \"300 kPa\"                  # as asked: the effective stress", text);
+    expect_in("gradient  = 0.4                       # as asked: the hydraulic gradient", text);
+    EXPECT_EQ(say({"check", "gap/case.toml", "--json"}).code, 0);
+    ASSERT_EQ(say({"new", "soft", "--psd", "gap.csv", "-i", "0.4"}).code, 0);
+    const auto modulus = [&](const std::string& name) {
+        const std::string whole = read_all(folder / name / "case.toml");
+        return whole.substr(whole.find("modulus"), 40);
+    };
+    EXPECT_NE(modulus("gap"), modulus("soft")); // stiffer for the finest grains under more stress
+    expect_in("a pressure of 100 kPa is assumed", say({"new", "third", "--psd", "gap.csv", "-i", "0.4"}).error);
+    EXPECT_EQ(say({"new", "none", "--psd", "gap.csv", "--pressure", "0 kPa"}).code, 2);
+    EXPECT_EQ(say({"new", "none", "--psd", "gap.csv", "-i", "0"}).code, 2);
+}
+
 TEST_F(NewSoil, TheNumberOfGrainsCanBeAskedFor) {
     const Said made = say({"new", "--psd", "gap.csv", "--particles", "23456", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;

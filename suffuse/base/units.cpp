@@ -255,7 +255,42 @@ Quantity parse_quantity(std::string_view text) {
     return quantity;
 }
 
+namespace {
+
+/// Where "12 m / 30 m" is divided: at the first / that a number follows. A unit never has one there but in 1/1.
+std::size_t find_division(std::string_view text) {
+    for (std::size_t at = text.find('/'); at != std::string_view::npos; at = text.find('/', at + 1)) {
+        const std::string_view divisor = trimmed(text.substr(at + 1));
+        if (!divisor.empty() && (is_digit(divisor[0]) || divisor[0] == '.')) {
+            return at;
+        }
+    }
+    return std::string_view::npos;
+}
+
+double parse_quotient(std::string_view text, std::size_t at) {
+    const Quantity dividend = parse_quantity(text.substr(0, at)), divisor = parse_quantity(text.substr(at + 1));
+    if (dividend.dimension != divisor.dimension) {
+        throw UnitError(
+            fmt::format(
+                "\"{}\" divides {} by {}, a ratio is expected", text, with_article(dividend.dimension),
+                with_article(divisor.dimension)
+            ),
+            "write both in units of one kind, as in \"12 m / 30 m\""
+        );
+    }
+    if (!(std::abs(divisor.value) > 0) || !std::isfinite(dividend.value / divisor.value)) {
+        throw UnitError(fmt::format("\"{}\" divides by nothing", text), "write a divisor above 0");
+    }
+    return dividend.value / divisor.value;
+}
+
+} // namespace
+
 double parse_quantity(std::string_view text, Dimension wanted) {
+    if (const std::size_t at = find_division(text); wanted == dimension::none && at != std::string_view::npos) {
+        return parse_quotient(text, at);
+    }
     const Quantity quantity = parse_quantity(text);
     if (quantity.dimension == wanted && (quantity.has_unit || wanted == dimension::none)) {
         return quantity.value;

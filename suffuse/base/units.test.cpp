@@ -80,6 +80,21 @@ TEST(Units, AUnitHasItsNumberOrNone) {
     }
 }
 
+TEST(Units, ARatioMayBeAQuotient) {
+    EXPECT_EQ(parse_quantity("12 m / 30 m", dimension::none), 0.4);
+    EXPECT_EQ(parse_quantity("12m/30m", dimension::none), 0.4);
+    EXPECT_EQ(parse_quantity("300 mm / 1 m", dimension::none), 0.3);
+    EXPECT_EQ(parse_quantity("1/4", dimension::none), 0.25);
+    EXPECT_EQ(parse_quantity("30 1/s / 60 1/s", dimension::none), 0.5);
+    EXPECT_EQ(parse_quantity("3 1/s", dimension::rate), 3); // a unit is none
+    EXPECT_EQ(
+        message_of("12 m / 30", dimension::none),
+        "\"12 m / 30\" divides a length by a ratio, a ratio is expected | write both in units of one kind, as in "
+        "\"12 m / 30 m\""
+    );
+    EXPECT_EQ(message_of("1/0", dimension::none), "\"1/0\" divides by nothing | write a divisor above 0");
+}
+
 TEST(Units, ErrorsSayWhatIsWrongAndWhatToDo) {
     EXPECT_EQ(message_of("100 kpa*", dimension::pressure).substr(0, 12), "unknown unit");
     EXPECT_EQ(

@@ -296,7 +296,9 @@ std::vector<Key> preparation_rows() {
 
 std::vector<Key> erosion_rows() {
     std::vector<Key> rows = {
-        required(ratio("stage.flow", "gradient", any, "Hydraulic gradient i.")),
+        required(
+            ratio("stage.flow", "gradient", any, "Hydraulic gradient i, also as head over length: \"12 m / 30 m\".")
+        ),
         direction("stage.flow", "Where the water goes: grad p = -i rho_w g direction."),
         flag("stage.flow", "tensor", "Solves three directions and reports the permeability tensor."),
         list_of(ratio("stage.detach", "gradients", from_zero, "Hydraulic gradients to probe; nothing is removed.")),
@@ -319,7 +321,10 @@ std::vector<Key> erosion_rows() {
                 "stage.erode.until_eroded", "of", names::words_of(names::eroded_of),
                 "Of which mass before the first pass: of the fines (unless said), or of all grains."
             ),
-            ratio("stage.erode", "gradient", above_zero, "Hydraulic gradient i."),
+            ratio(
+                "stage.erode", "gradient", above_zero,
+                "Hydraulic gradient i, also as head over length: \"12 m / 30 m\"."
+            ),
         }
     );
     append(rows, probe_rows("stage.erode"));
