@@ -20,11 +20,9 @@ struct SumPlan {
     std::size_t grains = 0;
     std::size_t domain_grains = domain_size(0);
     std::vector<std::uint32_t> domain_start; ///< first contact row of each domain, and the end
-    std::vector<std::uint32_t>
-        second_sum; ///< for each contact, the row of the sums that its second grain's share goes to
-    std::vector<std::uint32_t>
-        remote; ///< for each row of the sums beyond those of the grains, the grain that it is for:
-                ///< a domain's follow each other, in the order of the table, as it collects them
+    std::vector<std::uint32_t> second_sum;   ///< for each contact, the row of the sums for its second grain's share
+    std::vector<std::uint32_t> remote;       ///< for each row of the sums beyond those of the grains, its grain: a
+                                             ///< domain's follow each other, in the order in which it collects them
     std::vector<std::uint32_t> remote_start; ///< first of each domain's, and the end
     std::vector<std::uint32_t> reach;        ///< the domains whose grains each domain's contacts reach, its own too
     std::vector<std::uint32_t> reach_start;  ///< first of each domain's, and the end

@@ -50,8 +50,8 @@ move_tile(const motion::MotionOf<Double4, Matrix>& motion, const GrainMove& w, s
     }
 }
 
-/// By tiles: what one grain takes from
-/// its force to its watch is a long chain, and two loops keep the processor busier with several grains than one.
+/// By tiles: what one grain takes from its force to its watch is a long chain, and two loops keep the processor busier
+/// with several grains than one.
 template <bool Turning, class Matrix>
 [[gnu::always_inline]] inline bool move_in_tiles(
     const motion::MotionOf<Double4, Matrix>& motion, const Matrix& mean_motion, const GrainMove& w, std::size_t d

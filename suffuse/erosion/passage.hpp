@@ -14,8 +14,7 @@ namespace suffuse::erosion {
 struct CoarseSkeleton {
     Constrictions constrictions; ///< between voids merged as asked
     ConstrictionsByMerge by_merge;
-    std::vector<double>
-        widest_path; ///< for each grain of the world the diameter of the widest path from where it is [m]
+    std::vector<double> widest_path; ///< diameter of the widest path from where each grain of the world is [m]
 };
 
 /// @param with_paths also finds the widest paths along `direction` (the cell axis nearest to it).

@@ -34,8 +34,8 @@ struct ProbeResult {
     std::vector<double> diameter;    ///< [m]
     std::vector<double> fluid_force; ///< magnitude [N]
     std::vector<int> coordination;   ///< contacts in the equilibrium
-    std::vector<std::array<double, probe_samples + 1>>
-        speed;                                         ///< at full force, and after each tenth of the watch [m/s]
+    /// At full force, and after each tenth of the watch [m/s].
+    std::vector<std::array<double, probe_samples + 1>> speed;
     std::vector<double> twin_speed;                    ///< at the end, without fluid [m/s]
     std::vector<double> displacement;                  ///< along the drag, relative to the twin [m]
     std::vector<double> free_speed, free_displacement; ///< of the same grain without contacts [m/s], [m]
@@ -138,10 +138,9 @@ struct PassResult {
     double reynolds_before = 0, reynolds_after = 0;         ///< of the water at the gradient, flow/reynolds.hpp [-]
     flow::ThroatFlux throat_flux_before, throat_flux_after; ///< how the flow spreads over the throats
     std::int64_t steps = 0;
-    std::map<std::string, double>
-        wall_seconds;            ///< by part: "flow", "relax", "probe", "constrictions", "constant volume", "servo"
-    bool failed = false;         ///< the skeleton does not carry its stresses any more
-    bool reached_target = false; ///< it stops because as much has left as was asked
+    std::map<std::string, double> wall_seconds; ///< by part: "relax", "flow", "probe", "constrictions" ...
+    bool failed = false;                        ///< the skeleton does not carry its stresses any more
+    bool reached_target = false;                ///< it stops because as much has left as was asked
     std::string verdict; ///< empty, or why the procedure stops here ("nothing leaves", "coarse skeleton too small ...")
 };
 

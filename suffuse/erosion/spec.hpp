@@ -89,8 +89,7 @@ struct ErodeSpec {
     DetachSpec detached;
     ConstrictionSize passes_constriction = ConstrictionSize::Mean;
     pores::VoidMerge merge = pores::VoidMerge::None; ///< of the voids between which constrictions are counted
-    std::optional<double>
-        transport_distance; ///< ConstrictionSize::FlowPath: along the flow; else the cell's length along it [m]
+    std::optional<double> transport_distance;        ///< along the flow; else the cell's length along it [m]
     std::optional<ForcedRemoval> forced;
     bool until_nothing_leaves = false;        ///< go on beyond `passes`
     std::optional<ErodedTarget> until_eroded; ///< no pass after the one that reaches it

@@ -17,8 +17,7 @@ struct ThroatFlux {
     double mean = 0;              ///< of the fluxes' sizes, at a hydraulic gradient of 1 [m3/s]
     double half_carried_by = 0;   ///< the smallest share of the throats through which half of the flow goes [-]
     std::vector<double> quantile; ///< flux/mean at shares 0, 1/100, ... 1 of the throats, smallest first [-]
-    std::vector<double>
-        carried; ///< share of the flow (sum of sizes) through those shares of the throats, largest first [-]
+    std::vector<double> carried;  ///< share of the flow through those shares of the throats, largest first [-]
     std::vector<double> diameter; ///< of the inscribed circle: median of each class of equally many throats [m]
     std::vector<double> flux_10, flux_50, flux_90; ///< flux/mean of each class: quantiles [-]
 };

@@ -15,8 +15,7 @@ struct GraphEdge {
 };
 
 struct WeightedGraph {
-    std::vector<std::uint32_t>
-        first; ///< the neighbors of node i are entries [first[i], first[i + 1]), in rising order,
+    std::vector<std::uint32_t> first;  ///< node i has the neighbors [first[i], first[i + 1]), in rising order,
     std::vector<std::uint32_t> middle; ///< those below i up to middle[i]
     std::vector<std::uint32_t> neighbor;
     std::vector<double> weight;

@@ -15,10 +15,11 @@ namespace suffuse::io {
 struct VtkArray {
     std::string name;
     int components = 1;
+    /// Row after row.
     std::variant<
         std::vector<float>, std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint32_t>,
         std::vector<std::uint8_t>>
-        values; ///< row after row
+        values;
 };
 
 VtkArray vtk_scalars(std::string name, const std::vector<double>& values);

@@ -38,8 +38,7 @@ inline constexpr double cloud_inertial_number = 8.466e-3;
 struct CompactSpec {
     double pressure = 0; ///< [Pa]
     Protocol protocol = Protocol::Faithful;
-    std::optional<double>
-        start_porosity; ///< Swift: to which the cloud is brought, without forces, before the first step [-]
+    std::optional<double> start_porosity; ///< Swift: to which the cloud is brought without forces [-]
     Prepare prepare;
     std::optional<double> void_ratio; ///< wanted void ratio, met by searching the preparation [-]
     /// Instead: wanted void ratio with the fines counted as voids; `void_ratio` follows with the fines content [-].

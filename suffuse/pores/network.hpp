@@ -55,10 +55,9 @@ struct PoreNetwork {
     Mat3 h; ///< columns are the cell vectors [m]
     Pores pores;
     Throats throats;
-    std::size_t bodies = 0; ///< bodies of water: the unknowns of a flow problem
-    std::vector<std::uint32_t>
-        hidden;        ///< grains buried in others: no pore touches them, the fluid exerts no force on them
-    double jitter = 0; ///< see Triangulation [m]
+    std::size_t bodies = 0;            ///< bodies of water: the unknowns of a flow problem
+    std::vector<std::uint32_t> hidden; ///< grains buried in others: no pore touches them, no fluid pushes them
+    double jitter = 0;                 ///< see Triangulation [m]
 };
 
 /// A throat between two pores of one body: an artificial cut through one void, no constriction.

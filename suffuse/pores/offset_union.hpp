@@ -41,10 +41,9 @@ public:
     }
 
     struct Joined {
-        std::uint32_t kept = 0; ///< root of the joined set
-        std::uint32_t absorbed =
-            0;            ///< root of the set that was added to it; the same as `kept` where the edge closes a loop
-        cell::Image loop; ///< periods that the closed loop leads through
+        std::uint32_t kept = 0;     ///< root of the joined set
+        std::uint32_t absorbed = 0; ///< that of the set added to it; the same where the edge closes a loop
+        cell::Image loop;           ///< periods that the closed loop leads through
     };
 
     /// Joins node `p` with node `q` moved by `image`.

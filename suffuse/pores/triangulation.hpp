@@ -22,11 +22,10 @@ struct Triangulation {
     std::vector<std::array<std::uint32_t, 4>> neighbor;
     std::vector<std::array<cell::Image, 4>> neighbor_image;
 
-    std::vector<std::uint32_t>
-        hidden;             ///< grains buried so deep in others that no tetrahedron has them: they have no pores
-    std::size_t ghosts = 0; ///< images that were needed around the cell and its parts
-    double margin = 0;      ///< distance from the cell to which surfaces of images were needed [m]
-    double jitter = 0;      ///< largest displacement used to decide degenerate cases, 0 where none was needed [m]
+    std::vector<std::uint32_t> hidden; ///< grains buried so deep that no tetrahedron has them: they have no pores
+    std::size_t ghosts = 0;            ///< images that were needed around the cell and its parts
+    double margin = 0;                 ///< distance from the cell to which surfaces of images were needed [m]
+    double jitter = 0; ///< largest displacement used to decide degenerate cases, 0 where none was needed [m]
 
     [[nodiscard]] std::size_t size() const { return grain.size(); }
 };

@@ -60,8 +60,8 @@ struct WrittenReport {
 };
 
 /// Writes `run_folder/report.html`, `figures/ID.csv` and `figures/ID.vl.json` (or `ID.svg`), and the scene's still
-/// pictures, `figures/own-grains-K.png`. `page_folder` is where report/build.sh
-/// left the page's script; empty or without it, the report is plain. Throws IoError, naming the file.
+/// pictures, `figures/own-grains-K.png`. `page_folder` is where report/build.sh left the page's script; empty or
+/// without it, the report is plain. Throws IoError, naming the file.
 WrittenReport write_report(
     const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder = {}
 );

@@ -17,8 +17,8 @@ inline constexpr double missing = std::numeric_limits<double>::quiet_NaN(); ///<
 struct Column {
     std::string name; ///< snake_case; the field's name in chart specifications
     std::string unit; ///< "kPa", "mm", "%"; "-" for a ratio; empty for words and counts
-    std::variant<std::vector<double>, std::vector<std::string>>
-        values; ///< a number that is not finite is a missing value
+    /// A number that is not finite is a missing value.
+    std::variant<std::vector<double>, std::vector<std::string>> values;
 };
 
 class Table {

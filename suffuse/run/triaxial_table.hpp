@@ -11,8 +11,8 @@ namespace suffuse::run {
 
 /// Strength, deformation, and failure under loads that stay. A cell is empty where the test does not show the number:
 /// strength where it stops at a stress, dilatancy at constant volume and below 2 % of strain, instability where water
-/// drains: single rows of a loose sample that gives way in bursts are none. Columns that would be
-/// empty are left out; nothing without a test.
+/// drains: single rows of a loose sample that gives way in bursts are none. Columns that would be empty
+/// are left out; nothing without a test.
 std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, const std::vector<FinishedStage>& stages);
 
 } // namespace suffuse::run
