@@ -110,6 +110,18 @@ predict_forces(const DomainWork<Real>& w, std::size_t begin, std::size_t rows, T
     }
 }
 
+/// Puts the scales where the limits were.
+template <class Real>
+[[gnu::always_inline]] inline void find_scales(std::size_t rows, Tile<Real>& t) {
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < rows; ++k) {
+        const Limits<Real> limits{{}, t.slip_limit[k], t.bending_limit[k], {}, {}};
+        const Scales<Real> scales = find_scales(limits, triple(t.shear_force, k), triple(t.bending, k));
+        t.slip_limit[k] = scales.shear_force;
+        t.bending_limit[k] = scales.bending;
+    }
+}
+
 template <bool Twisting, class Real>
 [[gnu::always_inline]] inline void
 limit_forces(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t rows, Tile<Real>& t) {
@@ -117,15 +129,14 @@ limit_forces(const MemoryColumns<Real>& columns, std::size_t begin, std::size_t 
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
         const std::size_t c = begin + k;
-        const Limits<Real> limits{
-            t.normal_force[k], t.slip_limit[k], t.bending_limit[k], Twisting ? t.twisting_limit[k] : Real{},
-            t.touching[k]};
+        const Limits<Real> limits{t.normal_force[k], {}, {}, Twisting ? t.twisting_limit[k] : Real{}, t.touching[k]};
+        const Scales<Real> scales{t.slip_limit[k], t.bending_limit[k]};
         ContactMemory<Real> memory{triple(t.shear_force, k), triple(t.bending, k), {}, {}, 0};
         if constexpr (Twisting) {
             memory.twisting = triple(t.twisting, k);
         }
         const ContactOutcome<Real> out =
-            limit_forces<Twisting>(geometry_at(t, k), limits, t.radius_1[k], t.radius_2[k], memory);
+            limit_forces<Twisting>(geometry_at(t, k), limits, scales, t.radius_1[k], t.radius_2[k], memory);
         m.fx[c] = memory.shear_force.x, m.fy[c] = memory.shear_force.y, m.fz[c] = memory.shear_force.z;
         m.bx[c] = memory.bending.x, m.by[c] = memory.bending.y, m.bz[c] = memory.bending.z;
         m.nx[c] = memory.normal.x, m.ny[c] = memory.normal.y, m.nz[c] = memory.normal.z;
@@ -252,6 +263,7 @@ press(const DomainWork<Real>& w, std::size_t begin, std::size_t end, StressSum& 
         find_geometry(w.exact_law, rows, tile);
         if constexpr (Springs) {
             predict_forces<Adhesive, Twisting>(w, c, rows, tile);
+            find_scales(rows, tile);
             limit_forces<Twisting>(w.memory, c, rows, tile);
         } else {
             push_apart(rows, tile);

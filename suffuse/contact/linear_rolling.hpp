@@ -128,19 +128,7 @@ template <class Real>
     return scale * v;
 }
 
-/// The same for two vectors, with one division.
-template <class Real>
-[[gnu::always_inline]] inline void
-limit_both(Triple<Real>& a, const Real& limit_a, Triple<Real>& b, const Real& limit_b) {
-    const Real one(1), tiny = std::numeric_limits<Real>::min(); // keeps a zero from dividing
-    const Real a2 = dot(a, a), b2 = dot(b, b);
-    const Real size_a = root(a2 > tiny ? a2 : tiny), size_b = root(b2 > tiny ? b2 : tiny);
-    const Real inverse = one / (size_a * size_b);
-    a = (a2 > limit_a * limit_a ? limit_a * (size_b * inverse) : one) * a;
-    b = (b2 > limit_b * limit_b ? limit_b * (size_a * inverse) : one) * b;
-}
-
-// The law has three parts. Each is short enough for a processor to have several contacts under way at once; a loop over
+// The law has four parts. Each is short enough for a processor to have several contacts under way at once; a loop over
 // many contacts runs the parts one after the other over a tile, `linear_rolling` over one contact.
 
 /// First part: where the grains are against each other.
@@ -164,7 +152,7 @@ find_geometry(const LawConstantsOf<Real>& law, const Triple<Real>& branch, const
         law.twice_modulus * r1 * r2 * (inverse * distance)};
 }
 
-/// What the second part leaves to the third: how far force and moments may go.
+/// What the second part leaves to the next ones: how far force and moments may go.
 template <class Real>
 struct Limits {
     Real normal_force;  ///< [N]
@@ -260,19 +248,39 @@ template <bool Adhesive, bool Twisting, class Real>
     return limits;
 }
 
-/// Third part: force and moments at their limits, and what the contact exerts. A pair that does not touch forgets
+/// What brings shear force and bending moment back to their limits where they exceed them [-].
+template <class Real>
+struct Scales {
+    Real shear_force, bending;
+};
+
+/// Third part: two roots and one division, which take long and keep little else busy.
+template <class Real>
+[[gnu::always_inline]] inline Scales<Real>
+find_scales(const Limits<Real>& limits, const Triple<Real>& shear_force, const Triple<Real>& bending) noexcept {
+    const Real one(1), tiny = std::numeric_limits<Real>::min(); // keeps a zero from dividing
+    const Real force2 = dot(shear_force, shear_force), moment2 = dot(bending, bending);
+    const Real force = root(force2 > tiny ? force2 : tiny), moment = root(moment2 > tiny ? moment2 : tiny);
+    const Real inverse = one / (force * moment);
+    return {
+        force2 > limits.slip * limits.slip ? limits.slip * (moment * inverse) : one,
+        moment2 > limits.bending * limits.bending ? limits.bending * (force * inverse) : one};
+}
+
+/// Fourth part: force and moments at their limits, and what the contact exerts. A pair that does not touch forgets
 /// everything and exerts nothing: exact zeros, so that it may stay in the list.
 template <bool Twisting, class Real>
 [[gnu::always_inline]] inline ContactOutcome<Real> limit_forces(
-    const ContactGeometry<Real>& geometry, const Limits<Real>& limits, const Real& r1, const Real& r2,
-    ContactMemory<Real>& memory
+    const ContactGeometry<Real>& geometry, const Limits<Real>& limits, const Scales<Real>& scales, const Real& r1,
+    const Real& r2, ContactMemory<Real>& memory
 ) noexcept {
     const Real zero{}, touching = limits.touching;
     const auto kept = [&](const Triple<Real>& v) {
         return Triple<Real>{touching > zero ? v.x : zero, touching > zero ? v.y : zero, touching > zero ? v.z : zero};
     };
     const Triple<Real>& n = geometry.normal;
-    limit_both(memory.shear_force, limits.slip, memory.bending, limits.bending);
+    memory.shear_force = scales.shear_force * memory.shear_force;
+    memory.bending = scales.bending * memory.bending;
     Triple<Real> moment = memory.bending;
     if constexpr (Twisting) {
         memory.twisting = limited(memory.twisting, limits.twisting);
@@ -313,7 +321,8 @@ inline ContactOutcome<Real> linear_rolling(
 ) noexcept {
     const ContactGeometry<Real> geometry = find_geometry(law, pair.branch, pair.radius_1, pair.radius_2);
     const Limits<Real> limits = predict_forces<Adhesive, Twisting>(law, dt, pair, geometry, memory);
-    return limit_forces<Twisting>(geometry, limits, pair.radius_1, pair.radius_2, memory);
+    const Scales<Real> scales = find_scales(limits, memory.shear_force, memory.bending);
+    return limit_forces<Twisting>(geometry, limits, scales, pair.radius_1, pair.radius_2, memory);
 }
 
 } // namespace suffuse::contact

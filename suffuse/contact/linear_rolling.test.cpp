@@ -202,10 +202,10 @@ TEST(LinearRolling, FrictionStaysInTheConeAndMomentsBelowTheirLimits) {
 
 TEST(LinearRolling, MomentsOfTheSmallestGrainsAreCutAtTheirLimitToo) {
     // Of grains of a micrometer under a hundred pascals they are 1e-17 N m, in weak contacts far less.
-    Triple<double> force{2e-12, 0, 0}, moment{0, 2e-21, 0};
-    limit_both(force, 1e-12, moment, 1e-21);
-    EXPECT_NEAR(force.x / 1e-12, 1, 1e-12);
-    EXPECT_NEAR(moment.y / 1e-21, 1, 1e-12);
+    const Force force{2e-12, 0, 0}, moment{0, 2e-21, 0};
+    const Scales<double> scales = find_scales({1e-12, 1e-12, 1e-21, 0, 1}, force, moment);
+    EXPECT_NEAR(scales.shear_force, 0.5, 1e-12);
+    EXPECT_NEAR(scales.bending, 0.5, 1e-12);
 }
 
 TEST(LinearRolling, ShearStrengthOfABondIsAdhesionPlusFrictionAndItBreaksThere) {
