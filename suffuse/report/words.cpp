@@ -45,10 +45,14 @@ std::string short_number(double value, int digits) {
         // The round trip drops trailing zeros and never falls into powers of ten in this range.
         return sign + fmt::format("{}", std::strtod(fmt::format("{:.{}g}", size, digits).c_str(), nullptr));
     }
-    const std::string text = fmt::format("{:.{}e}", size, digits - 1);
+    return number_with_power(value, digits);
+}
+
+std::string number_with_power(double value, int digits) {
+    const std::string text = fmt::format("{:.{}e}", std::abs(value), digits - 1);
     const std::size_t at = text.find('e');
     const double leading = std::strtod(text.substr(0, at).c_str(), nullptr);
-    return sign + fmt::format("{}·", leading) + power_of_ten(std::atoi(text.c_str() + at + 1));
+    return fmt::format("{}{}·", value < 0 ? "−" : "", leading) + power_of_ten(std::atoi(text.c_str() + at + 1));
 }
 
 bool is_noise(double percent) {

@@ -11,6 +11,9 @@ namespace suffuse::report {
 /// `digits` significant digits, no trailing zeros, powers of ten written as such outside 0.001 to 100,000: 1.37·10⁻⁵.
 std::string short_number(double value, int digits = 3);
 
+/// With its power of ten whatever its size: 1.37·10⁻³, so that the numbers of a column can be compared at a glance.
+std::string number_with_power(double value, int digits = 3);
+
 /// Of a percentage of the volume or of a stress: below a hundredth a change is noise of the balance.
 bool is_noise(double percent);
 

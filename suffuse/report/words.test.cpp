@@ -21,6 +21,8 @@ TEST(Words, PowersOfTenAreWrittenAsSuch) {
     EXPECT_EQ(short_number(-5e-11), "−5·10⁻¹¹");
     EXPECT_EQ(short_number(9.999e5), "1·10⁶");
     EXPECT_EQ(short_number(std::nan("")), "–");
+    EXPECT_EQ(number_with_power(-1.785e-3), "−1.78·10⁻³");
+    EXPECT_EQ(number_with_power(0.2), "2·10⁻¹");
 }
 
 TEST(Words, ANumberAndItsUnitStayOnOneLine) {

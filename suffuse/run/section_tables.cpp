@@ -22,7 +22,7 @@ water_row(const std::string& state, double permeability, double porosity, double
         state,
         fmt::format("{:.4f}", porosity),
         short_number(permeability),
-        short_number(flow::conductivity(permeability, fluid)),
+        report::number_with_power(flow::conductivity(permeability, fluid)),
         short_number(by_formula),
         short_number(permeability / by_formula, 2)};
 }
