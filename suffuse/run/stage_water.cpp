@@ -10,6 +10,7 @@
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/io/flow_tables.hpp"
 #include "suffuse/io/tables.hpp"
+#include "suffuse/report/words.hpp"
 #include "suffuse/run/case_hash.hpp"
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/result_json.hpp"
@@ -117,10 +118,10 @@ void note_fast_water(StageWork& work, const std::string& when, double gradient, 
     const double left = flow::share_left_by_inertia(reynolds, porosity);
     if (left < slow_enough) {
         work.warnings.push_back(fmt::format(
-            "{}: at i = {:.3g} the water {} has a Reynolds number of {:.2g}: its inertia, which slow flow leaves out, "
+            "{}: at i = {:.3g} the water {} has a Reynolds number of {}: its inertia, which slow flow leaves out, "
             "would leave some {:.0f} % of the flux (Ergun); the permeability told is that of slow flow; the fluid's "
             "forces add up to the gradient all the same",
-            work.place(), gradient, when, reynolds, 100 * left
+            work.place(), gradient, when, report::short_number(reynolds, 2), 100 * left
         ));
     }
 }
