@@ -38,6 +38,8 @@ print(f"largest force {force[largest]:.3g} N, on grain {packing.grains.id[larges
 network = water.network
 print(f"{network.pores} pores, {network.throats} throats; "
       f"void volume in pores / void volume {network.void_volume.sum() / (packing.porosity * numpy.linalg.det(packing.cell)):.5f}")
+speed = numpy.average(numpy.linalg.norm(water.pore_velocity, axis=1), weights=network.void_volume)
+print(f"water from pore to pore: {1e3 * speed:.3g} mm/s on average, tortuosity {water.tortuosity:.3f}")
 sizes = network.constrictions()
 print(f"constrictions: mean {1e6 * sizes.mean:.1f} um, median {1e6 * sizes.median:.1f} um, D35 {1e6 * sizes.d35:.1f} um")
 through = network.widest_paths("x")

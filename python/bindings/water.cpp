@@ -1,5 +1,6 @@
 // Pore networks, constrictions and seepage, of a world or of any packing given as arrays.
 
+#include "suffuse/flow/pore_velocity.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/pores/constrictions.hpp"
 #include "suffuse/pores/widest_path.hpp"
@@ -39,10 +40,15 @@ Packing packing_of(const py::object& first, const py::object& position, const py
     return packing;
 }
 
-/// A column of a table that lives inside `Owner`.
-template <class Owner, class Table, class Column>
+/// A flow, and the packing that it was solved in.
+struct SolvedSeepage : Seepage {
+    Packing packing;
+};
+
+/// A column of a table that lives inside `Owner`, or inside what it is derived from.
+template <class Owner, class Base, class Table, class Column>
 void add_column(
-    py::class_<Owner, std::shared_ptr<Owner>>& type, const char* name, Table Owner::*table, Column Table::*column,
+    py::class_<Owner, std::shared_ptr<Owner>>& type, const char* name, Table Base::*table, Column Table::*column,
     const char* doc
 ) {
     type.def_property_readonly(
@@ -50,9 +56,9 @@ void add_column(
     );
 }
 
-template <class Owner, class Column>
+template <class Owner, class Base, class Column>
 void add_column(
-    py::class_<Owner, std::shared_ptr<Owner>>& type, const char* name, Column Owner::*column, const char* doc
+    py::class_<Owner, std::shared_ptr<Owner>>& type, const char* name, Column Base::*column, const char* doc
 ) {
     type.def_property_readonly(
         name, [=](const std::shared_ptr<Owner>& owner) { return look_at((*owner).*column, hold(owner)); }, doc
@@ -207,23 +213,28 @@ void bind_network(py::module_& m) {
     );
 }
 
-std::shared_ptr<Seepage> seep(
+std::vector<Vec3> pore_velocities_of(const SolvedSeepage& water) {
+    return flow::pore_velocities(water.network, water.packing.position, water.packing.radius, water.field.flux);
+}
+
+std::shared_ptr<SolvedSeepage> seep(
     const py::object& first, const py::object& position, const py::object& radius, const py::object& gradient,
     const py::object& direction, const flow::Fluid& fluid, bool tensor
 ) {
-    const Packing packing = packing_of(first, position, radius);
+    Packing packing = packing_of(first, position, radius);
     flow::FlowSpec spec;
     spec.gradient = quantity_of(gradient, dimension::none, "gradient");
     spec.direction = direction_of(direction);
     spec.tensor = tensor;
     const Working working;
     const cell::Cell cell{packing.h, {}};
-    return std::make_shared<Seepage>(flow::solve_seepage(cell, packing.position, packing.radius, spec, fluid));
+    flow::Seepage seepage = flow::solve_seepage(cell, packing.position, packing.radius, spec, fluid);
+    return std::make_shared<SolvedSeepage>(SolvedSeepage{std::move(seepage), std::move(packing)});
 }
 
 void bind_seepage(py::module_& m) {
-    using Water = std::shared_ptr<Seepage>;
-    py::class_<Seepage, Water> type(
+    using Water = std::shared_ptr<SolvedSeepage>;
+    py::class_<SolvedSeepage, Water> type(
         m, "Seepage", "Steady flow through a frozen packing, and what it does to the grains."
     );
     type.def_property_readonly(
@@ -239,25 +250,40 @@ void bind_seepage(py::module_& m) {
     type.def_readonly("permeability", &Seepage::permeability, "Intrinsic, along the direction [m2].");
     type.def_property_readonly(
         "tensor",
-        [](const Seepage& water) -> py::object {
+        [](const SolvedSeepage& water) -> py::object {
             return water.tensor ? py::object(to_array(*water.tensor)) : py::object(py::none());
         },
         "3 x 3: permeability, where asked; else None [m2]."
     );
     type.def_property_readonly(
-        "pressure_gradient", [](const Seepage& water) { return to_array(water.pressure_gradient); }, "3: mean [Pa/m]."
+        "pressure_gradient", [](const SolvedSeepage& water) { return to_array(water.pressure_gradient); },
+        "3: mean [Pa/m]."
     );
     type.def_property_readonly(
-        "mean_velocity", [](const Seepage& water) { return to_array(water.mean_velocity); }, "3: superficial [m/s]."
+        "mean_velocity", [](const SolvedSeepage& water) { return to_array(water.mean_velocity); },
+        "3: superficial [m/s]."
     );
     type.def_property_readonly(
-        "force_sum", [](const Seepage& water) { return to_array(water.force_sum); }, "3: over all grains [N]."
+        "pore_velocity",
+        [](const SolvedSeepage& water) {
+            const auto velocity = std::make_shared<std::vector<Vec3>>(pore_velocities_of(water));
+            return look_at(*velocity, hold(velocity));
+        },
+        "pores x 3: mean velocity of the water in each pore, reckoned anew at each look [m/s]."
+    );
+    type.def_property_readonly(
+        "tortuosity",
+        [](const SolvedSeepage& water) { return flow::tortuosity(water.network, pore_velocities_of(water)); },
+        "Mean speed of the water from pore to pore over that of its mean motion; not a number at rest [-]."
+    );
+    type.def_property_readonly(
+        "force_sum", [](const SolvedSeepage& water) { return to_array(water.force_sum); }, "3: over all grains [N]."
     );
     type.def_readonly(
         "force_sum_error", &Seepage::force_sum_error, "|force_sum + V grad p| / |V grad p|: the balance of forces [-]."
     );
     type.def_property_readonly(
-        "residual", [](const Seepage& water) { return water.field.residual; }, "Of the pressures, relative [-]."
+        "residual", [](const SolvedSeepage& water) { return water.field.residual; }, "Of the pressures, relative [-]."
     );
     const std::string doc = "Solves the flow through a World, or through cell, positions and radii [m].\n\ngradient: " +
                             key_doc(key_of("stage.flow", "gradient")) +

@@ -47,6 +47,17 @@ def test_flow_takes_arrays_or_a_world_and_balances_its_forces(packing):
     assert numpy.abs(flux).max() < 1e-9 * numpy.abs(water.flux).max()  # what flows in flows out
 
 
+def test_water_moves_from_pore_to_pore_as_it_does_on_the_whole(packing):
+    water = suffuse.seep(packing, gradient=0.05, direction="x")
+    volume, void = numpy.linalg.det(packing.cell), water.network.void_volume
+    assert water.pore_velocity.shape == (water.network.pores, 3)
+    assert void @ water.pore_velocity == pytest.approx(volume * water.mean_velocity, rel=1e-9)
+    speed = numpy.linalg.norm(water.pore_velocity, axis=1)
+    winding = void @ speed / (volume * numpy.linalg.norm(water.mean_velocity))
+    assert water.tortuosity == pytest.approx(winding, rel=1e-9) and 1.05 < winding < 2
+    assert numpy.isnan(suffuse.seep(packing).tortuosity)  # at rest
+
+
 def test_flow_is_linear_in_gradient_and_viscosity(packing):
     one = suffuse.seep(packing, gradient=0.01)
     ten = suffuse.seep(packing, gradient="10 %", fluid=suffuse.Fluid(viscosity="2 mPa*s"))

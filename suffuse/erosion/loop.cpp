@@ -13,6 +13,7 @@
 #include "suffuse/erosion/probe.hpp"
 #include "suffuse/erosion/reequilibrate.hpp"
 #include "suffuse/erosion/transport.hpp"
+#include "suffuse/flow/pore_velocity.hpp"
 #include "suffuse/flow/reynolds.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
@@ -28,11 +29,12 @@
 namespace suffuse::erosion {
 namespace {
 
-/// Step 2: the permeability, how fast the water is, the throats' fluxes, and the fluid's forces on the grains at each
-/// gradient. The pore network, larger than the world, is gone when this returns.
+/// Step 2: the permeability, how fast the water is and how its ways wind, the throats' fluxes, and the fluid's forces
+/// on the grains at each gradient. The pore network, larger than the world, is gone when this returns.
 struct Seeping {
     double permeability = 0; ///< [m2]
     double reynolds = 0;     ///< at a hydraulic gradient of 1 [-]
+    double tortuosity = 0;   ///< [-]
     flow::ThroatFlux throat_flux;
     std::vector<ProbeLoad> loads;
 };
@@ -42,9 +44,12 @@ seep(const dem::World& world, std::span<const double> gradients, const Vec3& dir
     const flow::Seepage unit =
         flow::solve_seepage(world.cell, world.grains.position, world.grains.radius, {1, direction, false}, fluid);
     const double size = flow::sauter_diameter(world.grains.radius);
+    const std::vector<Vec3> velocity =
+        flow::pore_velocities(unit.network, world.grains.position, world.grains.radius, unit.field.flux);
     Seeping seeping{
         unit.permeability,
         flow::reynolds_number(unit.permeability, 1, size, fluid),
+        flow::tortuosity(unit.network, velocity),
         flow::describe_fluxes(unit.network, unit.field.flux, 1),
         {}};
     for (const double gradient : gradients) {
@@ -209,6 +214,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     const Seeping seeping = seep(next, {&spec.gradient, 1}, spec.direction, around.fluid);
     pass.permeability_before = seeping.permeability;
     pass.reynolds_before = std::abs(spec.gradient) * seeping.reynolds;
+    pass.tortuosity_before = seeping.tortuosity;
     pass.throat_flux_before = seeping.throat_flux;
     pass.wall_seconds["flow"] = watch.lap();
 
@@ -239,6 +245,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     const Seeping after = seep(next, {}, spec.direction, around.fluid);
     pass.permeability_after = after.permeability;
     pass.reynolds_after = std::abs(spec.gradient) * after.reynolds;
+    pass.tortuosity_after = after.tortuosity;
     pass.throat_flux_after = after.throat_flux;
     pass.wall_seconds["flow"] += watch.lap();
 

@@ -136,6 +136,7 @@ struct PassResult {
     double volumetric_strain = 0;                           ///< of this pass, compression positive [-]
     double permeability_before = 0, permeability_after = 0; ///< along the flow [m2]
     double reynolds_before = 0, reynolds_after = 0;         ///< of the water at the gradient, flow/reynolds.hpp [-]
+    double tortuosity_before = 0, tortuosity_after = 0;     ///< of its ways, flow/pore_velocity.hpp [-]
     flow::ThroatFlux throat_flux_before, throat_flux_after; ///< how the flow spreads over the throats
     std::int64_t steps = 0;
     std::map<std::string, double> wall_seconds; ///< by part: "relax", "flow", "probe", "constrictions" ...

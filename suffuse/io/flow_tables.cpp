@@ -7,13 +7,15 @@
 namespace suffuse::io {
 
 void write_pores_csv(
-    const std::filesystem::path& path, const pores::PoreNetwork& network, std::span<const double> pressure
+    const std::filesystem::path& path, const pores::PoreNetwork& network, std::span<const double> pressure,
+    std::span<const Vec3> velocity
 ) {
     const pores::Pores& pores = network.pores;
     expects(pressure.size() == pores.size(), "there is a pressure for each pore");
-    CsvWriter table(path, "x,y,z,volume,void_volume,pressure");
+    expects(velocity.size() == pores.size(), "there is a velocity for each pore");
+    CsvWriter table(path, "x,y,z,volume,void_volume,pressure,vx,vy,vz");
     for (std::size_t p = 0; p < pores.size(); ++p) {
-        table.row(pores.center[p], pores.volume[p], pores.void_volume[p], pressure[p]);
+        table.row(pores.center[p], pores.volume[p], pores.void_volume[p], pressure[p], velocity[p]);
     }
     table.finish();
 }
@@ -36,10 +38,11 @@ void write_throats_csv(
 
 void write_pores_vtu(
     const std::filesystem::path& path, const pores::PoreNetwork& network, std::span<const Vec3> position,
-    std::span<const double> pressure
+    std::span<const double> pressure, std::span<const Vec3> velocity
 ) {
     const pores::Pores& pores = network.pores;
     expects(pressure.size() == pores.size(), "there is a pressure for each pore");
+    expects(velocity.size() == pores.size(), "there is a velocity for each pore");
     std::vector<std::array<Vec3, 4>> corners(pores.size());
     for (std::size_t p = 0; p < pores.size(); ++p) {
         for (std::size_t k = 0; k < 4; ++k) {
@@ -48,7 +51,8 @@ void write_pores_vtu(
     }
     write_pores_vtu(
         path, corners,
-        {vtk_scalars("pressure", {pressure.begin(), pressure.end()}), vtk_scalars("void_volume", pores.void_volume)}
+        {vtk_scalars("pressure", {pressure.begin(), pressure.end()}), vtk_scalars("void_volume", pores.void_volume),
+         vtk_vectors("velocity", {velocity.begin(), velocity.end()})}
     );
 }
 

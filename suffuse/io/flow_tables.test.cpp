@@ -34,14 +34,18 @@ pores::PoreNetwork one_pore() {
 TEST(FlowTables, PoresAndThroatsHaveTheColumnsOfTheFormat) {
     const TempFolder folder;
     const std::vector<double> pressure{7}, conductance{8}, flux{-9};
-    write_pores_csv(folder / "pores.csv", one_pore(), pressure);
-    EXPECT_EQ(read_all(folder / "pores.csv"), "x,y,z,volume,void_volume,pressure\n0.25,0.5,0.75,0.5,0.125,7\n");
+    const std::vector<Vec3> velocity{{-1, 2, 0}};
+    write_pores_csv(folder / "pores.csv", one_pore(), pressure, velocity);
+    EXPECT_EQ(
+        read_all(folder / "pores.csv"), "x,y,z,volume,void_volume,pressure,vx,vy,vz\n0.25,0.5,0.75,0.5,0.125,7,-1,2,0\n"
+    );
     write_throats_csv(folder / "throats.csv", one_pore(), conductance, flux);
     EXPECT_EQ(
         read_all(folder / "throats.csv"),
         "pore_1,pore_2,area,hydraulic_radius,inscribed_radius,length,conductance,flux\n0,0,2,3,4,5,8,-9\n"
     );
-    EXPECT_THROW(write_pores_csv(folder / "pores.csv", one_pore(), {}), Bug);
+    EXPECT_THROW(write_pores_csv(folder / "pores.csv", one_pore(), {}, velocity), Bug);
+    EXPECT_THROW(write_pores_csv(folder / "pores.csv", one_pore(), pressure, {}), Bug);
     EXPECT_THROW(write_throats_csv(folder / "throats.csv", one_pore(), conductance, {}), Bug);
 }
 
@@ -49,12 +53,15 @@ TEST(FlowTables, CornersOfAPoreAreTheImagesThatItTouches) {
     const TempFolder folder;
     const std::vector<Vec3> position{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
     const std::vector<double> pressure{7};
-    write_pores_vtu(folder / "pores.vtu", one_pore(), position, pressure);
+    const std::vector<Vec3> velocity{{-1, 2, 3}};
+    write_pores_vtu(folder / "pores.vtu", one_pore(), position, pressure, velocity);
     const std::string text = read_all(folder / "pores.vtu");
-    const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}; // the last one a period higher
-    EXPECT_NE(
-        text.find({reinterpret_cast<const char*>(corners.data()), corners.size() * sizeof(float)}), std::string::npos
-    );
+    const auto holds = [&](const std::vector<float>& values) {
+        const auto* bytes = reinterpret_cast<const char*>(values.data());
+        return text.find({bytes, values.size() * sizeof(float)}) != std::string::npos;
+    };
+    EXPECT_TRUE(holds({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1})); // the last one a period higher
+    EXPECT_TRUE(holds({-1, 2, 3}));
 }
 
 } // namespace

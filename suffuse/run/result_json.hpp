@@ -127,7 +127,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack 
     eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,
     stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after,
     fines_content_after, volumetric_strain, permeability_before, permeability_after, reynolds_before, reynolds_after,
-    throat_flux_before, throat_flux_after, steps, wall_seconds, failed, reached_target, verdict
+    tortuosity_before, tortuosity_after, throat_flux_before, throat_flux_after, steps, wall_seconds, failed,
+    reached_target, verdict
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemovalResult, erosion, start_h, asked_mass)

@@ -15,16 +15,24 @@ namespace {
 using nlohmann::json;
 using report::short_number;
 
-/// A row of the table on water.
-std::vector<std::string>
-water_row(const std::string& state, double permeability, double porosity, double by_formula, const flow::Fluid& fluid) {
+/// What the water finds in one state. A tortuosity of 0: not known, of a run of an earlier version.
+struct Seepage {
+    double permeability, porosity, tortuosity;
+};
+
+/// A row of the table on water. @param radius of its grains [m]
+std::vector<std::string> water_row(
+    const std::string& state, const Seepage& seepage, const std::vector<double>& radius, const flow::Fluid& fluid
+) {
+    const double by_formula = kozeny_carman(radius, seepage.porosity);
     return {
         state,
-        fmt::format("{:.4f}", porosity),
-        short_number(permeability),
-        report::number_with_power(flow::conductivity(permeability, fluid)),
+        fmt::format("{:.4f}", seepage.porosity),
+        short_number(seepage.permeability),
+        report::number_with_power(flow::conductivity(seepage.permeability, fluid)),
         short_number(by_formula),
-        short_number(permeability / by_formula, 2)};
+        short_number(seepage.permeability / by_formula, 2),
+        seepage.tortuosity > 0 ? fmt::format("{:.2f}", seepage.tortuosity) : "–"};
 }
 
 std::vector<double> radii_in(const std::filesystem::path& state) {
@@ -40,11 +48,12 @@ void add_flows(
         if (!stage.numbers.contains(key) || !stage.numbers[key].is_number()) {
             continue;
         }
-        const double porosity = stage.numbers.at("porosity");
+        const json tortuosity = stage.numbers.value("tortuosity", json());
         const std::filesystem::path state = stage_folder(folder, *stage.variant, *stage.stage) / "state.h5";
         rows.push_back(water_row(
-            stage.variant->folder + "/" + stage.stage->name, stage.numbers[key], porosity,
-            kozeny_carman(radii_in(state), porosity), fluid
+            stage.variant->folder + "/" + stage.stage->name,
+            {stage.numbers[key], stage.numbers.at("porosity"), tortuosity.is_number() ? tortuosity.get<double>() : 0},
+            radii_in(state), fluid
         ));
     }
 }
@@ -64,16 +73,17 @@ void add_passes(
         const std::filesystem::path after =
             k + 1 == passes.size() ? place / "state.h5" : pass_file(place, static_cast<int>(k) + 1);
         if (k == 0 && passes[k].permeability_before > 0) {
-            const auto before = radii_in(stage_folder(folder, variant, parent) / "state.h5");
             rows.push_back(water_row(
-                "before erosion", passes[k].permeability_before, passes[k].porosity_before,
-                kozeny_carman(before, passes[k].porosity_before), fluid
+                "before erosion",
+                {passes[k].permeability_before, passes[k].porosity_before, passes[k].tortuosity_before},
+                radii_in(stage_folder(folder, variant, parent) / "state.h5"), fluid
             ));
         }
         if (passes[k].permeability_after > 0) {
             rows.push_back(water_row(
-                fmt::format("after pass {}", passes[k].pass), passes[k].permeability_after, passes[k].porosity_after,
-                kozeny_carman(radii_in(after), passes[k].porosity_after), fluid
+                fmt::format("after pass {}", passes[k].pass),
+                {passes[k].permeability_after, passes[k].porosity_after, passes[k].tortuosity_after}, radii_in(after),
+                fluid
             ));
         }
     }
@@ -159,11 +169,12 @@ std::optional<report::PageTable> tabulate_water(
         "From the slow flow through the pores, along the gradient; as a conductivity K = k ρ g/μ of this fluid, too. "
         "Beside it Kozeny and Carman's for spheres of the "
         "sample's Sauter diameter d, k = n³ d²/(180 (1 − n)²). The pore network lies above it, by 13 % at n = 0.365 "
-        "and 50 % at n = 0.48 for equal spheres: a ratio of two states' permeabilities carries the difference.";
+        "and 50 % at n = 0.48 for equal spheres: a ratio of two states' permeabilities carries the difference. "
+        "Tortuosity: the mean speed of the water from pore to pore over that of its mean motion.";
     table.header = {
-        "state",    "porosity n [-]", "permeability k [m²]", "conductivity K [m/s]", "k by Kozeny and Carman [m²]",
-        "ratio [-]"};
-    table.numeric = {false, true, true, true, true, true};
+        "state",     "porosity n [-]", "permeability k [m²]", "conductivity K [m/s]", "k by Kozeny and Carman [m²]",
+        "ratio [-]", "tortuosity [-]"};
+    table.numeric = {false, true, true, true, true, true, true};
     add_flows(folder, stages, fluid, table.rows);
     add_passes(folder, story, fluid, table.rows);
     return table.rows.empty() ? std::nullopt : std::optional(std::move(table));

@@ -18,11 +18,16 @@ TEST(KozenyCarman, TheSauterDiameterIsThatOfEqualSurfacePerVolume) {
 TEST(WaterTable, TellsAPermeabilityAsAConductivityOfTheFluidToo) {
     casefile::Variant variant;
     casefile::Stage seep{.name = "seep", .spec = flow::FlowSpec{}};
-    const nlohmann::json numbers = {{"permeability", 1e-10}, {"porosity", 0.4}};
-    const auto table = tabulate_water("nowhere", {{nullptr, &variant, &seep, numbers, {}}}, {}, {1000, 1e-3});
+    const nlohmann::json numbers = {{"permeability", 1e-10}, {"porosity", 0.4}, {"tortuosity", 1.234}};
+    const nlohmann::json still = {{"permeability", 1e-10}, {"porosity", 0.4}, {"tortuosity", nullptr}};
+    const auto table = tabulate_water(
+        "nowhere", {{nullptr, &variant, &seep, numbers, {}}, {nullptr, &variant, &seep, still, {}}}, {}, {1000, 1e-3}
+    );
     ASSERT_TRUE(table.has_value());
     EXPECT_EQ(table->header[3], "conductivity K [m/s]");
     EXPECT_EQ(table->rows[0][3], "9.81·10⁻⁴");
+    EXPECT_EQ(table->rows[0].back(), "1.23");
+    EXPECT_EQ(table->rows[1].back(), "–") << "at a gradient of 0 it is unknown";
     EXPECT_EQ(table->rows[0].size(), table->header.size());
 }
 

@@ -3,6 +3,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/detachment.hpp"
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/flow/pore_velocity.hpp"
 #include "suffuse/flow/reynolds.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
@@ -88,6 +89,8 @@ json pass_numbers(const erosion::PassResult& pass) {
         {"permeability_after", pass.permeability_after},
         {"reynolds_number_before", pass.reynolds_before},
         {"reynolds_number_after", pass.reynolds_after},
+        {"tortuosity_before", pass.tortuosity_before},
+        {"tortuosity_after", pass.tortuosity_after},
         {"half_carried_by_before", pass.throat_flux_before.half_carried_by},
         {"half_carried_by_after", pass.throat_flux_after.half_carried_by},
         {"reached_target", pass.reached_target},
@@ -212,6 +215,9 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
         numbers["permeability"] = *seepage.tensor;
     }
     numbers["mean_velocity"] = seepage.mean_velocity;
+    const std::vector<Vec3> velocity =
+        flow::pore_velocities(seepage.network, world.grains.position, world.grains.radius, seepage.field.flux);
+    numbers["tortuosity"] = flow::tortuosity(seepage.network, velocity);
     const double reynolds = flow::reynolds_number(
         seepage.permeability, spec.gradient, flow::sauter_diameter(world.grains.radius), work.what.fluid
     );
@@ -235,14 +241,16 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
     numbers["steps"] = 0;
     if (work.write_tables) {
         io::write_grain_forces_csv(work.folder / "grain_forces.csv", world.grains, {seepage.grain_force});
-        io::write_pores_csv(work.folder / "pores.csv", seepage.network, seepage.field.pressure);
+        io::write_pores_csv(work.folder / "pores.csv", seepage.network, seepage.field.pressure, velocity);
         io::write_throats_csv(work.folder / "throats.csv", seepage.network, seepage.conductance, seepage.field.flux);
     }
     const std::vector<std::string>& formats = work.what.output.formats;
     if (std::find(formats.begin(), formats.end(), "vtp") == formats.end()) {
         return;
     }
-    io::write_pores_vtu(work.folder / "pores.vtu", seepage.network, world.grains.position, seepage.field.pressure);
+    io::write_pores_vtu(
+        work.folder / "pores.vtu", seepage.network, world.grains.position, seepage.field.pressure, velocity
+    );
 }
 
 void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
