@@ -1,7 +1,7 @@
 #pragma once
-// What erosion did to the strength: compression before fines went and the same test after, on one sample, sample by
-// sample (strength_pairs.hpp says what same means); what a test could not show is told instead of compared. The rise of
-// the pore pressure at a constant deviator stress is no compression, and told on its own.
+// What erosion did to the strength: a test before fines went and the same test after, on one sample, sample by sample
+// (strength_pairs.hpp says what same means); what a test could not show is told instead of compared. Compression is
+// told by its deviator stress, a test that holds it by the pore pressure that is borne.
 
 #include "suffuse/report/study_curves.hpp"
 #include "suffuse/run/finished_stage.hpp"
@@ -29,10 +29,16 @@ struct StrengthChange {
     BeforeAfter peak_deviator;    ///< [Pa]
     BeforeAfter final_deviator;   ///< [Pa]
     BeforeAfter friction_angle;   ///< mobilized at the peak [rad]
+    BeforeAfter pore_pressure;    ///< the most that is borne where the deviator stress is held; else none [Pa]
     BeforeAfter void_ratio;       ///< before fines went, and where the second test starts [-]
     std::vector<std::string> remarks;
 
-    /// By the peak; nothing where the change is none beside the scatter of samples.
+    [[nodiscard]] bool holds_deviator() const;
+
+    /// What tells the strength: the pore pressure or the highest deviator stress [Pa].
+    [[nodiscard]] const BeforeAfter& borne() const { return holds_deviator() ? pore_pressure : peak_deviator; }
+
+    /// By what is borne; nothing where the change is none beside the scatter of samples.
     [[nodiscard]] std::optional<bool> is_weaker() const;
 };
 

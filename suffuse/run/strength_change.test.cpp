@@ -4,6 +4,7 @@
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/strength_words.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <list>
@@ -143,6 +144,79 @@ TEST(StrengthChange, RemarksOnWhatItsTestsDoNotShow) {
         (std::vector<std::string>{
             "before is highest at its end, and may rise further", "after liquefied", "after has a flaw (warnings)"})
     );
+}
+
+/// Tests that hold the deviator stress, and what they bear.
+ErodedStudy pore_pressure_study(const std::vector<std::pair<double, double>>& borne) {
+    ErodedStudy study;
+    for (const auto& [before, after] : borne) {
+        study.add_sample(75e3, 75e3);
+        for (const int row : {2, 3}) {
+            std::get<triaxial::TriaxialSpec>(study.variants.back().stages[static_cast<std::size_t>(row)].spec).path =
+                triaxial::Path::ConstantDeviator;
+            study.at(row).numbers["response"]["excess_pore_pressure"] = row == 2 ? before : after;
+        }
+    }
+    return study;
+}
+
+TEST(StrengthChange, WhereTheDeviatorStressIsHeldIsThatOfThePorePressureBorne) {
+    const ErodedStudy study = pore_pressure_study({{40e3, 20e3}, {50e3, 15e3}});
+    const std::vector<StrengthChange> changes = compare_strength(study.stages);
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_DOUBLE_EQ(changes.front().pore_pressure.change.mean, -0.6); // of -50 % and -70 %
+    EXPECT_EQ(changes.front().peak_deviator.change.seeds, 0);
+    EXPECT_EQ(changes.front().is_weaker(), true);
+    EXPECT_EQ(
+        tell_strength(changes).front(),
+        "Strength, after against before: the soil without 12 % of its mass is weaker. With the deviator stress held, "
+        "the excess pore pressure that it bears goes from 45 to 17.5 kPa (−60 ± 14 %), the void ratio from 0.7 to 0.9. "
+        "Means of 2 samples, ± one standard deviation."
+    );
+    EXPECT_EQ(strength_headline(changes).value().label, "excess pore pressure borne");
+    const report::PageTable table = tabulate_strength(changes).value();
+    EXPECT_EQ(table.header[4], "excess pore pressure borne [kPa]");
+    EXPECT_EQ(table.rows.front()[4], "45 → 17.5");
+    EXPECT_EQ(table.rows.front().size(), table.header.size());
+    EXPECT_EQ(strength_json(changes).at(0).at("excess_pore_pressure").at("change").at("mean"), -0.6);
+    EXPECT_TRUE(strength_json(changes).at(0).at("peak_deviator").is_null());
+}
+
+TEST(StrengthChange, OfThePorePressureThatOneSampleBearsIsOneBeyondHalf) {
+    EXPECT_EQ(compare_strength(pore_pressure_study({{40e3, 24e3}}).stages).front().is_weaker(), std::nullopt);
+    EXPECT_EQ(compare_strength(pore_pressure_study({{40e3, 16e3}}).stages).front().is_weaker(), true);
+}
+
+TEST(StrengthChange, WhereTheDeviatorStressIsHeldNeedsTheSameOne) {
+    ErodedStudy study = pore_pressure_study({{40e3, 20e3}});
+    study.at(0).numbers["stress"] = Mat3(diagonal({75e3, 75e3, 150e3}));
+    EXPECT_EQ(
+        compare_strength(study.stages).front().remarks,
+        std::vector<std::string>{"not compared, for after holds a deviator stress of 0 kPa, not of 75 kPa"}
+    );
+}
+
+TEST(StrengthChange, OfManyTestsOfBothKindsHasATableAndRangesOfBoth) {
+    ErodedStudy study = pore_pressure_study({{40e3, 20e3}});
+    std::list<ErodedStudy> others(3);
+    std::vector<FinishedStage> stages = study.stages;
+    for (ErodedStudy& other : others) {
+        other.study.name = fmt::format("s{}", stages.size());
+        other.add_sample(400e3, 300e3);
+        stages.insert(stages.end(), other.stages.begin(), other.stages.end());
+    }
+    const std::vector<StrengthChange> changes = compare_strength(stages);
+    ASSERT_EQ(changes.size(), 4U);
+    EXPECT_NE(
+        tell_strength(changes).front().find("; the highest deviator stress changes by −25 to −25 %; the excess pore "
+                                            "pressure borne changes by −50 to −50 %."),
+        std::string::npos
+    );
+    const report::PageTable table = tabulate_strength(changes).value();
+    EXPECT_EQ(table.header.size(), 12U);
+    for (const std::vector<std::string>& row : table.rows) {
+        EXPECT_EQ(row.size(), table.header.size());
+    }
 }
 
 TEST(StrengthChange, NeedsTheSameTestAndAnErosionBetween) {

@@ -107,8 +107,8 @@ private:
 
 const TriaxialSpec* test_of_strength(const casefile::Stage& stage) {
     const auto* spec = std::get_if<TriaxialSpec>(&stage.spec);
-    const bool is_one = spec != nullptr && !spec->deviator_stress && !spec->stress_ratio &&
-                        spec->path != Path::Proportional && spec->path != Path::ConstantDeviator;
+    const bool is_one =
+        spec != nullptr && !spec->deviator_stress && !spec->stress_ratio && spec->path != Path::Proportional;
     return is_one ? spec : nullptr;
 }
 

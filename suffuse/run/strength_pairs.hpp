@@ -20,8 +20,7 @@ struct TestPair {
 /// In the order of the tests after.
 std::vector<TestPair> find_test_pairs(const std::vector<FinishedStage>& stages);
 
-/// The settings of a test of strength; null for other stages, tests that stop at a stress or hold the deviator stress,
-/// and proportional paths.
+/// The settings of a test of strength; null for other stages, tests that stop at a stress, and proportional paths.
 const triaxial::TriaxialSpec* test_of_strength(const casefile::Stage& stage);
 
 } // namespace suffuse::run

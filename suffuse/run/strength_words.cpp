@@ -54,8 +54,8 @@ std::string verdict_of(const StrengthChange& change) {
     if (weaker) {
         return *weaker ? "is weaker" : "is not weaker but stronger";
     }
-    return change.peak_deviator.change.seeds > 0 ? "shows no change of strength beyond the scatter of samples"
-                                                 : "cannot be compared";
+    return change.borne().change.seeds > 0 ? "shows no change of strength beyond the scatter of samples"
+                                           : "cannot be compared";
 }
 
 std::string remarks_of(const StrengthChange& change, const char* between) {
@@ -81,6 +81,12 @@ std::string tell(const StrengthChange& change) {
             change_in_percent(change.peak_deviator)
         );
     }
+    if (change.pore_pressure.change.seeds > 0) {
+        text += fmt::format(
+            ". With the deviator stress held, the excess pore pressure that it bears goes from {} ({})",
+            from_to(change.pore_pressure, kilo, 3, " kPa"), change_in_percent(change.pore_pressure)
+        );
+    }
     if (change.friction_angle.change.seeds > 0) {
         text += ", the friction angle there from " + from_to(change.friction_angle, degree, 3, "°");
     }
@@ -91,43 +97,49 @@ std::string tell(const StrengthChange& change) {
         );
     }
     text += fmt::format(
-        "{} from {}.", change.peak_deviator.change.seeds > 0 ? ", the void ratio" : "; the void ratio goes",
+        "{} from {}.", change.borne().change.seeds > 0 ? ", the void ratio" : "; the void ratio goes",
         from_to(change.void_ratio, 1, 3, "")
     );
     if (const std::string remarks = remarks_of(change, "; "); !remarks.empty()) {
         text += " " + report::as_sentence(remarks) + ".";
     }
-    const int samples = change.peak_deviator.change.seeds;
-    text += samples > 1    ? fmt::format(" Means of {} samples, ± one standard deviation.", samples)
-            : samples == 1 ? " One sample: the strengths of others differ by some 10 %."
-                           : "";
+    const int samples = change.borne().change.seeds;
+    text += samples > 1               ? fmt::format(" Means of {} samples, ± one standard deviation.", samples)
+            : samples == 0            ? ""
+            : change.holds_deviator() ? " One sample: what others bear differs by some 50 %."
+                                      : " One sample: the strengths of others differ by some 10 %.";
     return text;
+}
+
+/// "; WHAT changes by −30 to +5 %"; empty where no two tests tell it.
+std::string range_of(const std::vector<StrengthChange>& changes, BeforeAfter StrengthChange::*value, const char* what) {
+    double least = INFINITY, most = -INFINITY;
+    for (const StrengthChange& change : changes) {
+        if (const report::Scatter& by = (change.*value).change; by.seeds > 0) {
+            least = std::min(least, by.mean), most = std::max(most, by.mean);
+        }
+    }
+    return least > most ? ""
+                        : fmt::format(
+                              "; {} changes by {}{} to {}{} %", what, least > 0 ? "+" : "",
+                              short_number(percent * least, 2), most > 0 ? "+" : "", short_number(percent * most, 2)
+                          );
 }
 
 /// Of many: how many fared how.
 std::string tell_all(const std::vector<StrengthChange>& changes) {
     std::size_t weaker = 0, stronger = 0;
-    double least = INFINITY, most = -INFINITY;
     for (const StrengthChange& change : changes) {
         weaker += change.is_weaker() == true ? 1 : 0;
         stronger += change.is_weaker() == false ? 1 : 0;
-        if (change.peak_deviator.change.seeds > 0) {
-            least = std::min(least, change.peak_deviator.change.mean),
-            most = std::max(most, change.peak_deviator.change.mean);
-        }
     }
-    std::string text = fmt::format(
+    const std::string text = fmt::format(
         "Of {} comparisons of a test before fines went with the same test after (table “{}”), {} find the soil weaker, "
         "{} stronger, and {} no change beyond the scatter of samples",
         changes.size(), title_of_table, weaker, stronger, changes.size() - weaker - stronger
     );
-    if (least <= most) {
-        text += fmt::format(
-            "; the highest deviator stress changes by {}{} to {}{} %", least > 0 ? "+" : "",
-            short_number(percent * least, 2), most > 0 ? "+" : "", short_number(percent * most, 2)
-        );
-    }
-    return text + ".";
+    return text + range_of(changes, &StrengthChange::peak_deviator, "the highest deviator stress") +
+           range_of(changes, &StrengthChange::pore_pressure, "the excess pore pressure borne") + ".";
 }
 
 } // namespace
@@ -145,16 +157,14 @@ std::vector<std::string> tell_strength(const std::vector<StrengthChange>& change
 }
 
 std::optional<report::Headline> strength_headline(const std::vector<StrengthChange>& changes) {
-    const auto told =
-        std::ranges::find_if(changes, [](const StrengthChange& c) { return c.peak_deviator.change.seeds > 0; });
+    const auto told = std::ranges::find_if(changes, [](const StrengthChange& c) { return c.borne().change.seeds > 0; });
     if (told == changes.end() || changes.size() > most_told) {
         return std::nullopt;
     }
     return report::Headline{
-        change_in_percent(told->peak_deviator), "highest deviator stress",
-        fmt::format(
-            "{} to {}: {}", told->before->name, told->after->name, from_to(told->peak_deviator, kilo, 3, " kPa")
-        )};
+        change_in_percent(told->borne()),
+        told->holds_deviator() ? "excess pore pressure borne" : "highest deviator stress",
+        fmt::format("{} to {}: {}", told->before->name, told->after->name, from_to(told->borne(), kilo, 3, " kPa"))};
 }
 
 std::optional<report::PageTable> tabulate_strength(const std::vector<StrengthChange>& changes) {
@@ -167,17 +177,19 @@ std::optional<report::PageTable> tabulate_strength(const std::vector<StrengthCha
     table.note =
         "The same test on the same sample, before fines went and after; changes are those of each sample, ± one "
         "standard deviation over the samples. Void ratio: before fines went, and where the second test starts.";
-    table.header = {
-        "tests",
-        "samples",
-        "mass gone [%]",
-        "void ratio e [-]",
-        "highest q [kPa]",
-        "change [%]",
-        "friction angle φ there [°]",
-        "q at the end [kPa]",
-        "change [%]",
-        "remarks"};
+    const bool some_hold = std::ranges::any_of(changes, &StrengthChange::holds_deviator);
+    const bool all_hold = std::ranges::all_of(changes, &StrengthChange::holds_deviator);
+    table.header = {"tests", "samples", "mass gone [%]", "void ratio e [-]"};
+    if (!all_hold) {
+        table.header.insert(
+            table.header.end(),
+            {"highest q [kPa]", "change [%]", "friction angle φ there [°]", "q at the end [kPa]", "change [%]"}
+        );
+    }
+    if (some_hold) {
+        table.header.insert(table.header.end(), {"excess pore pressure borne [kPa]", "change [%]"});
+    }
+    table.header.emplace_back("remarks");
     table.numeric.assign(table.header.size(), true);
     table.numeric.front() = table.numeric.back() = false;
     const auto pair = [](const BeforeAfter& value, double unit, int digits) {
@@ -188,16 +200,24 @@ std::optional<report::PageTable> tabulate_strength(const std::vector<StrengthCha
                                       : std::string("–");
     };
     for (const StrengthChange& change : changes) {
-        table.rows.push_back(
-            {fmt::format(
-                 "{}{}: {}, {}", change.study->name, values_of(change), change.before->name, change.after->name
-             ),
-             std::to_string(change.peak_deviator.change.seeds), with_scatter(change.removed_mass, percent, 3),
-             pair(change.void_ratio, 1, 3), pair(change.peak_deviator, kilo, 4),
-             with_scatter(change.peak_deviator.change, percent, 2), pair(change.friction_angle, degree, 3),
-             pair(change.final_deviator, kilo, 4), with_scatter(change.final_deviator.change, percent, 2),
-             change.remarks.empty() ? "–" : remarks_of(change, "; ")}
-        );
+        std::vector<std::string> row = {
+            fmt::format("{}{}: {}, {}", change.study->name, values_of(change), change.before->name, change.after->name),
+            std::to_string(change.borne().change.seeds), with_scatter(change.removed_mass, percent, 3),
+            pair(change.void_ratio, 1, 3)};
+        if (!all_hold) {
+            row.insert(
+                row.end(), {pair(change.peak_deviator, kilo, 4), with_scatter(change.peak_deviator.change, percent, 2),
+                            pair(change.friction_angle, degree, 3), pair(change.final_deviator, kilo, 4),
+                            with_scatter(change.final_deviator.change, percent, 2)}
+            );
+        }
+        if (some_hold) {
+            row.insert(
+                row.end(), {pair(change.pore_pressure, kilo, 3), with_scatter(change.pore_pressure.change, percent, 2)}
+            );
+        }
+        row.push_back(change.remarks.empty() ? "–" : remarks_of(change, "; "));
+        table.rows.push_back(std::move(row));
     }
     return table;
 }
