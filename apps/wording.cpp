@@ -120,6 +120,9 @@ std::string duration_range_text(const run::Range& seconds) {
         return unit.size == 1 ? fmt::format("{:.0f}", value) : whole_or_half(value / unit.size);
     };
     const std::string low = number(seconds.least), high = number(most);
+    if (low.find_first_not_of("0.") == std::string::npos) {
+        return fmt::format("up to {} {}", high, unit.name);
+    }
     return low == high ? fmt::format("about {} {}", high, unit.name) : fmt::format("{}-{} {}", low, high, unit.name);
 }
 

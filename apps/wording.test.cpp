@@ -25,6 +25,7 @@ TEST(Wording, ARangeHasOneUnitAndIsNeverNarrowerThanATenth) {
     EXPECT_EQ(duration_range_text({3600 * 6, 3600 * 6}), "6-7 h");
     EXPECT_EQ(duration_range_text({50, 50}), "50-55 s");
     EXPECT_EQ(duration_range_text({86400 * 3, 86400 * 5}), "3-5 days");
+    EXPECT_EQ(duration_range_text({20, 3600 * 12}), "up to 12 h"); // not "0.0-12 h"
 }
 
 TEST(Wording, SizesAndCounts) {
