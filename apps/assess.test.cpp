@@ -84,7 +84,7 @@ TEST_F(Assess, JsonHasTheKeysOfTheFormatsPage) {
     const auto soil = nlohmann::json::parse(out)["soils"][0];
     EXPECT_EQ(soil["soil"], "dyke.csv");
     EXPECT_NEAR(soil["gap"]["to"].get<double>(), 1e-3, 1e-15);
-    EXPECT_EQ(soil["fine_fraction"]["basis"], "as asked");
+    EXPECT_EQ(soil["fine_fraction"]["basis"], "as given");
     EXPECT_EQ(soil["criteria"].size(), 10U);
     EXPECT_EQ(soil["criteria"][1]["id"], "kenney-lau-1986");
     EXPECT_EQ(soil["criteria"][1]["verdict"], "unstable");

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.hpp"
-#include "apps/cut_verdicts.hpp"
 #include "apps/own_soil.hpp"
 #include <algorithm>
 #include <cmath>
@@ -18,8 +17,9 @@ namespace {
 
 constexpr std::string_view case_form =
     R"(# Suffusion of {name}: a sample is packed from its grading, compacted, eroded, and sheared before and after.
-# `#~` marks what was assumed for you; the report lists all of it on its first page. Two of these values decide what you
-# will see: the `pressure` on the soil and the `gradient` of the water. What a key means: suffuse explain KEY.
+# `#~` marks what was assumed for you; the report lists all of it on its first page. Two of these values are those of your
+# site: the `pressure` on the soil and the `gradient` of the water. (Grains have no weight here: fines that carry no load
+# leave under any gradient.) What a key means: suffuse explain KEY.
 schema = 1
 title  = "Suffusion of {name}"
 seed   = 1
@@ -46,10 +46,9 @@ damping           = 0.2               #~ local, non-viscous
 density   = "1000 kg/m^3"
 viscosity = "1 mPa*s"
 
-{stability}
 [soil.{name}]
-psd   = "data/{name}.csv"             # d [mm], passing [%]{left_out}
-fines = {{ finer_than = "{limit:.4g} mm" }} #~ {content:.3g} % of the mass; {reason}
+psd   = "data/{name}.csv"             # d [mm], passing [%]
+{sizes}fines = {{ finer_than = "{limit:.4g} mm" }} #~ {content:.3g} % of the mass; {reason}
 
 [study.erosion]
 soil      = "{name}"
@@ -101,32 +100,20 @@ double modulus_for(const grains::Grading& grading, double pressure) {
     return wanted > usual_modulus ? std::ceil(wanted / unit) * unit : usual_modulus;
 }
 
-/// Stays with the case: the report's criteria are those of the modeled part alone.
-std::string stability_comment(const CutVerdicts& verdicts) {
-    std::string text = "# Internal stability of the grading as given, by the criteria of `suffuse assess`:\n#   " +
-                       verdicts.given + "\n";
-    if (!verdicts.turned.empty()) {
-        text += fmt::format(
-            "# of the part that is modeled here, which is what the report shows:\n#   {}\n# The cut turns verdicts:\n# "
-            "  {}\n",
-            verdicts.modeled, turned_text(verdicts)
-        );
-    }
-    return text;
-}
-
-/// Goes to the first page of the report, with what was assumed.
-std::string cut_remark(const OwnSoil& soil, const CutVerdicts& verdicts) {
+/// The part of the curve that is modeled, where it is not all of it.
+std::string sizes_line(const OwnSoil& soil) {
     if (soil.left_out.empty()) {
         return {};
     }
-    return "; #~ without " + soil.left_out +
-           (verdicts.turned.empty() ? "" : "; with it, by stability criteria: " + verdicts.given);
+    return fmt::format(
+        "sizes = [\"{:.4g} mm\", \"{:.4g} mm\"] #~ without {}\n", 1e3 * soil.grading.diameter.front(),
+        1e3 * soil.grading.diameter.back(), soil.left_out
+    );
 }
 
 } // namespace
 
-std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions, const CutVerdicts& verdicts) {
+std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions) {
     constexpr std::int64_t standard_over_quick = 4;
     const double pressure = conditions.pressure.value_or(assumed_pressure);
     const double modulus = modulus_for(soil.grading, pressure);
@@ -144,19 +131,16 @@ std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions, 
             "stiffer",
             modulus > usual_modulus ? "; so that the finest grains between the coarsest overlap by some 5 %" : ""
         ),
-        fmt::arg("left_out", cut_remark(soil, verdicts)), fmt::arg("stability", stability_comment(verdicts))
+        fmt::arg("sizes", sizes_line(soil))
     );
 }
 
 std::string own_grading_text(const OwnSoil& soil, const std::string& path) {
     std::string text =
         fmt::format("# {}: percent passing by mass.\n", shown(std::filesystem::path(path).filename().string()));
-    if (!soil.left_out.empty()) {
-        text += fmt::format("# Without {}; the rest is 100 %.\n", soil.left_out);
-    }
     text += "d [mm],passing [%]\n";
-    for (std::size_t k = 0; k < soil.grading.diameter.size(); ++k) {
-        text += fmt::format("{:.10g},{:.10g}\n", 1e3 * soil.grading.diameter[k], 100 * soil.grading.passing[k]);
+    for (std::size_t k = 0; k < soil.measured.diameter.size(); ++k) {
+        text += fmt::format("{:.10g},{:.10g}\n", 1e3 * soil.measured.diameter[k], 100 * soil.measured.passing[k]);
     }
     return text;
 }

@@ -48,10 +48,8 @@ struct OwnConditions {
 inline constexpr double assumed_pressure = 100e3; ///< [Pa]
 inline constexpr double assumed_gradient = 0.05;  ///< [-]
 
-struct CutVerdicts;
-
 /// The case and its grading as files, and where they belong in its folder.
-std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions, const CutVerdicts& verdicts);
+std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions);
 std::string own_grading_text(const OwnSoil& soil, const std::string& path);
 
 } // namespace suffuse::apps

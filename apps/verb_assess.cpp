@@ -63,7 +63,7 @@ assess_all(const CommandLine& line, const stability::AssessSpec& spec, const Con
         own.finer_than = spec.finer_than ? spec.finer_than : soil.finer_than;
         soils.push_back(
             {line.subject + ", soil " + name, what.soils.size() > 1 ? name : "",
-             stability::assess(grains::asked_grading(soil), own)}
+             stability::assess_measured(soil.measured ? *soil.measured : grains::asked_grading(soil), own)}
         );
     }
     if (soils.empty()) {

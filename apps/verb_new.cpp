@@ -111,7 +111,7 @@ void tell_stability(const OwnSoil& soil, const CutVerdicts& verdicts, const Cons
         return;
     }
     console.talk("internal stability of the grading as given: " + verdicts.given);
-    console.talk("internal stability of the part that is modeled, as the report will show it: " + verdicts.modeled);
+    console.talk("internal stability of the part that is modeled: " + verdicts.modeled);
     console.talk(fmt::format(
         "warning: the cut turns {}: {}. Of the soil itself the first line holds; the run answers for the part alone",
         plural(std::ssize(verdicts.turned), "verdict"), turned_text(verdicts)
@@ -169,7 +169,7 @@ int new_from_soil(const CommandLine& line, const Console& console) {
     const OwnConditions conditions = conditions_of(line);
     const fs::path folder = line.subject.empty() ? soil.name : line.subject;
     const std::vector<std::string> written = write_new(
-        {{folder / "case.toml", own_case_text(soil, conditions, verdicts)},
+        {{folder / "case.toml", own_case_text(soil, conditions)},
          {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, line.psd)}}
     );
     console.result(fmt::format("{}", fmt::join(written, "\n")));

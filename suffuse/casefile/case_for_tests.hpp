@@ -117,6 +117,9 @@ coarse = { psd = "data/sand.csv" }
 fines = { psd = "data/silt.csv" }
 fines_content = "20 %"
 fines_auto = "none"
+[soil.part]
+psd = { d = ["50 um", "0.2 mm", "1 mm"], passing = ["10 %", "60 %", "90 %"] }
+sizes = ["0.2 mm", "1 mm"]
 [soil.split]
 psd = "data/sand.csv"
 fines = "kenney-lau"

@@ -121,6 +121,10 @@ const std::vector<Wrong> values = {
 const std::vector<Wrong> contradictions = {
     {"E207", 4, 9, 46, "either `psd` or `finer_than`",
      with_line(4, "fines = { finer_than = \"1 mm\", psd = \"data/silt.csv\" }")},
+    {"E205", 4, 9, 8, "the finest and the coarsest", with_line(4, "sizes = [\"1 mm\"]")},
+    {"E205", 4, 9, 16, "the finest and the coarsest", with_line(4, "sizes = [\"1 mm\", \"1 mm\"]")},
+    {"E507", 4, 9, 16, "no mass lies between", with_line(4, "sizes = [\"5 mm\", \"9 mm\"]")},
+    {"E207", 2, 7, 4, "no `psd`", with_line(3, "sizes = [\"1 um\", \"9 mm\"]\ncoarse = { psd = \"data/sand.csv\" }")},
     {"E207", 2, 7, 4, "second grading", with_line(4, "fines = { psd = \"data/silt.csv\" }")},
     {"E201", 2, 7, 4, "`fines_content`", with_line(3, "coarse = { psd = \"data/sand.csv\" }")},
     {"E207", 17, 8, 9, "makes its own sample", with_stage("from = \"initial\"\ndo = \"pack\"\n")},

@@ -73,6 +73,9 @@ constexpr std::array code_table = {
         "The first line names the columns, `d [mm],passing [%]`; other units may stand in the brackets. Sizes may be "
         "called size, sieve or aperture, and shares finer or cumulative retained."},
     Code{
+        "E507", "nothing between the sizes",
+        "`sizes` cuts the part out of a grading that is modeled; some mass has to lie between them."},
+    Code{
         "E601", "a sample too small for its largest grain",
         "The cell would be narrower than three of its largest grains, which then meet their own images. Take more "
         "grains, or cut the coarse end of the grading."},

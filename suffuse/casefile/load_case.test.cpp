@@ -46,6 +46,9 @@ TEST(LoadCase, EveryValueReachesItsSpecInSi) {
     ASSERT_TRUE(c.soils.at("two").fines);
     EXPECT_EQ(c.soils.at("two").fines->diameter, (std::vector<double>{5e-5, 6e-5}));
     EXPECT_EQ(c.soils.at("whole").whole->passing, (std::vector<double>{0, 0.5, 1}));
+    EXPECT_FALSE(c.soils.at("whole").measured);
+    EXPECT_EQ(c.soils.at("part").whole->passing, (std::vector<double>{0, 1}));
+    EXPECT_EQ(c.soils.at("part").measured->passing, (std::vector<double>{0.1, 0.6, 0.9}));
     EXPECT_EQ(c.studies.size(), 3U);
     const auto& compact = spec_of<packing::CompactSpec>(c, "main", "initial");
     EXPECT_EQ(compact.prepare.friction, radians(5));

@@ -5,6 +5,7 @@
 #include "suffuse/casefile/diagnostics.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/node.hpp"
+#include "suffuse/casefile/read_grading.hpp"
 #include "suffuse/casefile/schema.hpp"
 
 #include <algorithm>
@@ -21,8 +22,9 @@ struct ReadContext {
     Problems& problems;
     std::string folder;                  ///< of the case file: relative paths start here
     std::map<std::string, Place> places; ///< "study.erosion.particles" -> where its value stands
-    std::map<std::string, std::optional<grains::Grading>> gradings; ///< by path; empty where it could not be read
-    bool is_resolved = false;                                       ///< a run's own copy, and not what a user wrote
+    std::map<std::pair<std::string, CurveEnds>, std::optional<grains::Grading>>
+        gradings;             ///< by path, and whether its ends may be open; empty where it could not be read
+    bool is_resolved = false; ///< a run's own copy, and not what a user wrote
 };
 
 class Reader {

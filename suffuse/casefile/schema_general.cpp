@@ -131,6 +131,11 @@ std::vector<Key> soil_and_study_rows() {
     );
     return {
         other("soil.*", "psd", psd, "Grading curve of the whole soil: columns `d [mm]`, `passing [%]` by mass."),
+        list_of(quantity(
+            "soil.*", "sizes", dimension::length, above_zero,
+            "The finest and the coarsest size that are modeled, of a curve that goes on beyond them; its ends may be "
+            "open."
+        )),
         table("soil.*", "coarse", "Coarse part of a soil of two fractions."),
         required(other("soil.*.coarse", "psd", psd, "Grading curve of the coarse part alone.")),
         other(

@@ -3,9 +3,11 @@
 #include "suffuse/casefile/read_grading.hpp"
 #include "suffuse/casefile/read_text.hpp"
 #include "suffuse/casefile/special_fields.hpp"
+#include "suffuse/grains/grading.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace suffuse::casefile {
@@ -15,10 +17,10 @@ namespace {
 using grains::Grading;
 
 /// A curve from a file; each file is read once a case, however many sweeps ask for it.
-std::optional<Grading> read_curve_file(Reader& v, const Node& node) {
+std::optional<Grading> read_curve_file(Reader& v, const Node& node, CurveEnds ends) {
     const std::string path = resolved_path(v.context().folder, node.text);
     auto& known = v.context().gradings;
-    if (const auto found = known.find(path); found != known.end()) {
+    if (const auto found = known.find({path, ends}); found != known.end()) {
         return found->second;
     }
     std::error_code failed;
@@ -32,11 +34,11 @@ std::optional<Grading> read_curve_file(Reader& v, const Node& node) {
     const std::string shown = (std::filesystem::path(v.context().folder) / node.text).lexically_normal().string();
     try {
         const auto source = std::make_shared<Source>(Source{shown, read_whole_file(path)});
-        auto grading = parse_grading(source, v.context().problems);
+        auto grading = parse_grading(source, v.context().problems, ends);
         if (grading) {
             grading->origin = node.text;
         }
-        return known[path] = grading;
+        return known[{path, ends}] = grading;
     } catch (const IoError& problem) {
         v.error("E501", node.place, problem.what(), "make the file readable");
         return std::nullopt;
@@ -44,7 +46,7 @@ std::optional<Grading> read_curve_file(Reader& v, const Node& node) {
 }
 
 /// A curve written out: { d = [...], passing = [...], origin = "..." }.
-std::optional<Grading> read_curve_table(Reader& v, const Node& node) {
+std::optional<Grading> read_curve_table(Reader& v, const Node& node, CurveEnds ends) {
     const Node::Entry *sizes = node.find("d"), *shares = node.find("passing"), *origin = node.find("origin");
     for (const auto& [key, place, value] : node.entries) {
         if (key != "d" && key != "passing" && key != "origin") {
@@ -91,22 +93,51 @@ std::optional<Grading> read_curve_table(Reader& v, const Node& node) {
         return std::nullopt;
     }
     const std::string from = origin != nullptr && origin->value.is_text() ? origin->value.text : "";
-    return make_grading(std::move(points), from, node.place, v.context().problems);
+    return make_grading(std::move(points), from, node.place, v.context().problems, ends);
 }
 
-std::optional<Grading> read_curve(Reader& v) {
+std::optional<Grading> read_curve(Reader& v, CurveEnds ends = CurveEnds::Closed) {
     const Node* node = v.take("psd");
     if (node == nullptr) {
         return std::nullopt;
     }
     if (node->is_table()) {
-        return read_curve_table(v, *node);
+        return read_curve_table(v, *node, ends);
     }
     if (node->is_text()) {
-        return read_curve_file(v, *node);
+        return read_curve_file(v, *node, ends);
     }
     v.wrong_type("psd", *node, "the path of a CSV file");
     return std::nullopt;
+}
+
+/// The part of the curve between the `sizes`, where they are given: what lies beyond them is left out.
+void read_part(Reader& v, grains::Soil& soil) {
+    std::vector<double> sizes;
+    v.field("sizes", sizes);
+    const Node* node = v.take("sizes");
+    if (node == nullptr || !soil.whole || sizes.empty()) {
+        return;
+    }
+    const Grading& curve = *soil.whole;
+    if (sizes.size() != 2 || !(sizes[0] < sizes[1])) {
+        v.error("E205", node->place, "`sizes` needs the finest and the coarsest size", R"(as in ["0.3 mm", "4 mm"])");
+        return;
+    }
+    const double finest = std::max(sizes[0], curve.diameter.front()),
+                 coarsest = std::min(sizes[1], curve.diameter.back());
+    if (!(grains::passing(curve, finest) < grains::passing(curve, coarsest))) {
+        v.error(
+            "E507", node->place, "no mass lies between the `sizes`",
+            fmt::format(
+                "the curve runs from {} to {}", print_quantity(curve.diameter.front(), dimension::length),
+                print_quantity(curve.diameter.back(), dimension::length)
+            )
+        );
+        return;
+    }
+    soil.measured = std::move(soil.whole);
+    soil.whole = grains::part_between(*soil.measured, finest, coarsest);
 }
 
 void read_fines(Reader& v, grains::Soil& soil) {
@@ -142,6 +173,11 @@ void check_parts(Reader& v, bool fines_have_curve) {
         v.error(
             "E201", v.place(), fmt::format("{} needs a grading", v.title()),
             "psd = \"data/sand.csv\", or `coarse`, `fines` and `fines_content`"
+        );
+    } else if (v.has("sizes") && !has_whole) {
+        v.error(
+            "E207", v.place(), fmt::format("{} has `sizes`, and no `psd` that they could be a part of", v.title()),
+            "leave `sizes` out: the two gradings say which grains there are"
         );
     } else if (has_whole && (fines_have_curve || has_content)) {
         v.error(
@@ -182,7 +218,8 @@ Node write_curve(const Grading& grading) {
 grains::Soil read_soil(ReadContext& context, const Node& table, const Place& place, const std::string& path) {
     Reader v(context, table, place, {"soil.*"}, path);
     grains::Soil soil;
-    soil.whole = read_curve(v);
+    soil.whole = read_curve(v, v.has("sizes") ? CurveEnds::MayBeOpen : CurveEnds::Closed);
+    read_part(v, soil);
     v.table("coarse", [&](Reader& inner) { soil.coarse = read_curve(inner); });
     read_fines(v, soil);
     const Node::Entry* fines = table.find("fines");
@@ -203,7 +240,10 @@ Node write_soil(const grains::Soil& soil) {
     Writer v({"soil.*"});
     Node fines;
     if (soil.whole) {
-        v.set("psd", write_curve(*soil.whole).find("psd")->value);
+        v.set("psd", write_curve(soil.measured.value_or(*soil.whole)).find("psd")->value);
+    }
+    if (soil.measured) {
+        v.field("sizes", std::vector{soil.whole->diameter.front(), soil.whole->diameter.back()});
     }
     if (soil.coarse) {
         v.set("coarse", write_curve(*soil.coarse));

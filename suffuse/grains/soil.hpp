@@ -17,6 +17,7 @@ struct Grading {
 /// Either one grading with a size below which grains are fine, or two gradings mixed at a fines content.
 struct Soil {
     std::optional<Grading> whole;
+    std::optional<Grading> measured;  ///< the curve, with open ends or not, that `whole` is a part of
     std::optional<double> finer_than; ///< fines are smaller than this diameter [m]
     bool kenney_lau = false;          ///< fines by Kenney and Lau's split where it exists
     bool report_kenney_lau = false;   ///< report that split too, without using it

@@ -203,9 +203,9 @@ std::optional<Figure> eroded_grading(const Grading& sampled, const ErosionResult
     figure.section = "Erosion";
     figure.title = "Grading before erosion, of what left and of what remains";
     figure.caption = fmt::format(
-        "{} grains with {} % of the mass left; D50 moves from {} to {} mm.", grouped(std::ssize(erosion.ledger)),
-        short_number(100 * eroded / erosion.initial_mass), short_number(1e3 * grains::size_at(sampled, 0.5)),
-        short_number(1e3 * grains::size_at(remains, 0.5))
+        "{} grains with {} % of the mass were carried out; D50 moves from {} to {} mm.",
+        grouped(std::ssize(erosion.ledger)), short_number(100 * eroded / erosion.initial_mass),
+        short_number(1e3 * grains::size_at(sampled, 0.5)), short_number(1e3 * grains::size_at(remains, 0.5))
     );
     figure.chart = grading_chart(curves, std::nullopt, axis);
     figure.table = std::move(curves).table();

@@ -130,19 +130,28 @@ PageTable stability_table(const Assessment& assessment) {
 Figure stability_grading(const Assessment& assessment, GradingAxis axis) {
     const grains::Grading& grading = assessment.grading;
     Points points;
+    // Ends that were not measured were completed for the criteria; they are not drawn.
+    const double lowest = assessment.missing_fine, highest = 1 - assessment.missing_coarse;
+    const auto is_measured = [&](double passing) { return passing >= lowest && passing <= highest; };
     for (std::size_t k = 0; k < grading.diameter.size(); ++k) {
-        points.add("grading", to_mm * grading.diameter[k], to_percent * grading.passing[k]);
+        if (is_measured(grading.passing[k])) {
+            points.add("grading", to_mm * grading.diameter[k], to_percent * grading.passing[k]);
+        }
     }
     for (const int percent : {10, 15, 50, 60, 85, 90}) {
-        points.add("marks", to_mm * grains::size_at(grading, percent / 100.0), percent, fmt::format("d{}", percent));
+        if (const double share = percent / 100.0; is_measured(share)) {
+            points.add("marks", to_mm * grains::size_at(grading, share), percent, fmt::format("d{}", percent));
+        }
     }
     const double from = to_mm * grading.diameter.front() / 1.15, to = to_mm * grading.diameter.back() * 1.15;
     Figure figure;
     figure.id = "own-stability-grading";
     figure.section = "Soils";
     figure.title = "Grading, and the sizes that criteria of internal stability read";
+    const bool knows_uniformity = is_measured(0.1) && is_measured(0.6);
     figure.caption = fmt::format(
-        "D60/D10 = {}{}{}.", short_number(grains::uniformity(grading)),
+        "{}{}{}.",
+        knows_uniformity ? "D60/D10 = " + short_number(grains::uniformity(grading)) : "D60/D10 was not measured",
         assessment.gap
             ? fmt::format(
                   "; sizes from {} to {} mm are missing (gray)", short_number(to_mm * assessment.gap->fine_end),
@@ -182,9 +191,9 @@ Figure stability_shape(const Assessment& assessment) {
     figure.section = "Soils";
     figure.title = "Shape of the grading: H(d) = F(4d) − F(d) over F(d)";
     figure.caption = fmt::format(
-        "Least H/F = {} {}; unstable where the curve comes below H = F (1986) or 1.3 F (1985). Below both H = F and "
-        "15 % lies what Li and Fannin call unstable.",
-        short_number(*least->value), least->remark
+        "Least H/F{}; unstable where the curve comes below H = F (1986) or 1.3 F (1985). Below both H = F and 15 % "
+        "lies what Li and Fannin call unstable.",
+        least->value ? fmt::format(" = {} {}", short_number(*least->value), least->remark) : ": " + least->remark
     );
     figure.table.add("curve", std::move(points.curve));
     figure.table.add("finer", "%", std::move(points.x));

@@ -30,10 +30,27 @@ std::string full_key(const std::string& table, const std::string& stage, const s
     return table.empty() ? key : table + "." + key;
 }
 
-} // namespace
+/// Where a comment begins, outside of texts in quotes.
+std::size_t comment_of(std::string_view line) {
+    bool quoted = false;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        if (line[k] == '"') {
+            quoted = !quoted;
+        } else if (line[k] == '#' && !quoted) {
+            return k;
+        }
+    }
+    return std::string_view::npos;
+}
 
-std::vector<report::AssumedValue> assumed_values(std::string_view case_text) {
-    std::vector<report::AssumedValue> values;
+/// One line that gives a key.
+struct Given {
+    std::string table, stage, key, value, note;
+    bool is_assumed = false;
+};
+
+std::vector<Given> given_keys(std::string_view case_text) {
+    std::vector<Given> all;
     std::string table, stage;
     for (std::size_t at = 0; at < case_text.size();) {
         const std::size_t end = std::min(case_text.find('\n', at), case_text.size());
@@ -44,22 +61,43 @@ std::vector<report::AssumedValue> assumed_values(std::string_view case_text) {
             stage.clear();
             continue;
         }
-        const std::size_t mark = line.find("#~"), equals = line.find('=');
-        if (equals == std::string::npos || line.starts_with('#')) {
+        const std::size_t equals = line.find('='), comment = comment_of(line);
+        if (equals == std::string::npos || comment < equals) {
             continue;
         }
-        const std::string key = trimmed(std::string_view(line).substr(0, equals));
-        if (key == "name") {
-            const std::size_t open = line.find('"', equals), close = line.find('"', open + 1);
-            stage = close == std::string::npos ? std::string{} : line.substr(open + 1, close - open - 1);
+        const std::size_t mark = comment == std::string::npos ? comment : line.find("#~", comment);
+        Given given{table, stage, trimmed(std::string_view(line).substr(0, equals)), {}, {}};
+        given.value = trimmed(std::string_view(line).substr(equals + 1, comment - equals - 1));
+        given.is_assumed = mark != std::string::npos;
+        given.note = given.is_assumed ? trimmed(std::string_view(line).substr(mark + 2)) : "";
+        if (given.key == "name" && given.value.size() > 2) {
+            stage = given.value.substr(1, given.value.size() - 2);
         }
-        if (mark == std::string::npos || mark < equals) {
-            continue;
+        all.push_back(std::move(given));
+    }
+    return all;
+}
+
+/// Whether the preset in force gives another value for it, or it belongs to one that is not.
+bool is_overruled(const Given& given, const std::vector<Given>& all, const std::string& preset) {
+    if (given.table.starts_with("presets.")) {
+        return given.table != preset;
+    }
+    return std::ranges::any_of(all, [&](const Given& other) {
+        const bool shortens_tests = other.key == "triaxial_strain" && given.key == "strain";
+        return other.table == preset && (other.key == given.key || shortens_tests);
+    });
+}
+
+} // namespace
+
+std::vector<report::AssumedValue> assumed_values(std::string_view case_text, const std::string& preset) {
+    std::vector<report::AssumedValue> values;
+    const std::vector<Given> all = given_keys(case_text);
+    for (const Given& given : all) {
+        if (given.is_assumed && !is_overruled(given, all, "presets." + preset)) {
+            values.push_back({full_key(given.table, given.stage, given.key), given.value, given.note});
         }
-        values.push_back(
-            {full_key(table, stage, key), trimmed(std::string_view(line).substr(equals + 1, mark - equals - 1)),
-             trimmed(std::string_view(line).substr(mark + 2))}
-        );
     }
     return values;
 }

@@ -6,7 +6,8 @@ namespace suffuse::run {
 namespace {
 
 TEST(AssumedValues, CarryTheirTableAndTheirStage) {
-    const auto values = assumed_values(R"(# `#~` marks = a choice
+    const auto values = assumed_values(
+        R"(# `#~` marks = a choice
 seed = 2016
 [grain]
 density = "2600 kg/m^3"               #~
@@ -18,7 +19,9 @@ name     = "initial"
 pressure = "100 kPa"                  #~
 [[study.erosion.stage]]
 porosity = 0.65 #~
-)");
+)",
+        "standard"
+    );
     ASSERT_EQ(values.size(), 4U);
     EXPECT_EQ(values[0].key, "grain.density");
     EXPECT_EQ(values[0].value, "\"2600 kg/m^3\"");
@@ -28,9 +31,34 @@ porosity = 0.65 #~
     EXPECT_EQ(values[3].key, "study.erosion: porosity") << "the name of the stage before is not its own";
 }
 
+TEST(AssumedValues, AreThoseInForceUnderThePresetWithoutOtherComments) {
+    const char* const text = R"([presets.quick]
+particles       = 2000 #~ few
+triaxial_strain = "5 %" #~
+[presets.long]
+particles = 1_000_000 #~ many
+[soil.a]
+psd = "data/a#1.csv" # d [mm]; #~ ours
+[study.erosion]
+particles = 8000 #~ cost grows with it
+[[study.erosion.stage]]
+name   = "shear"
+strain = "10 %" #~
+)";
+    const auto quick = assumed_values(text, "quick"), standard = assumed_values(text, "standard");
+    ASSERT_EQ(quick.size(), 3U);
+    EXPECT_EQ(quick[0].value, "2000");
+    EXPECT_EQ(quick[1].key, "presets.quick.triaxial_strain");
+    EXPECT_EQ(quick[2].value, "\"data/a#1.csv\"");
+    EXPECT_EQ(quick[2].note, "ours");
+    ASSERT_EQ(standard.size(), 3U);
+    EXPECT_EQ(standard[1].value, "8000");
+    EXPECT_EQ(standard[2].value, "\"10 %\"");
+}
+
 TEST(AssumedValues, ACaseWithoutMarksHasNone) {
-    EXPECT_TRUE(assumed_values("").empty());
-    EXPECT_TRUE(assumed_values("[a]\nb = 1\n").empty());
+    EXPECT_TRUE(assumed_values("", "quick").empty());
+    EXPECT_TRUE(assumed_values("[a]\nb = 1\n", "quick").empty());
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/stability_view.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/stability/open_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,15 @@ std::vector<report::NamedErosion> named_erosions(const ErosionStory& story) {
         erosions.emplace_back(name_of(*other), &*other->findings.erosion);
     }
     return erosions;
+}
+
+/// A limit with all of the soil on one side is warned of when the case is read; the criteria need both.
+stability::Assessment assess_with(const grains::Grading& grading, const std::optional<double>& finer_than) {
+    stability::AssessSpec spec;
+    if (finer_than && grains::passing(grading, *finer_than) > 0 && grains::passing(grading, *finer_than) < 1) {
+        spec.finer_than = finer_than;
+    }
+    return stability::assess_measured(grading, spec);
 }
 
 } // namespace
@@ -101,19 +111,21 @@ void show_stability(const casefile::Case& what, const ErosionStory& story, repor
         return;
     }
     const grains::Soil& soil = *story.eroded->variant->soil;
-    const grains::Grading asked = grains::asked_grading(soil);
-    stability::AssessSpec spec;
-    // A limit with all of the soil on one side is warned of when the case is read; the criteria need both.
-    if (soil.finer_than && grains::passing(asked, *soil.finer_than) > 0 &&
-        grains::passing(asked, *soil.finer_than) < 1) {
-        spec.finer_than = soil.finer_than;
+    const grains::Grading simulated = grains::asked_grading(soil);
+    const grains::Grading& given = soil.measured ? *soil.measured : simulated;
+    const stability::Assessment assessment = assess_with(given, soil.finer_than);
+    data.tables.push_back(report::stability_table(assessment));
+    data.tables.back().title = soil.measured ? "Internal stability by the whole grading, as measured"
+                                             : "Internal stability by the simulated grading";
+    if (soil.measured) {
+        data.tables.push_back(report::stability_table(assess_with(simulated, soil.finer_than)));
+        data.tables.back().title = "Internal stability by the part of the grading that was simulated";
+        data.tables.back().note += " Of the soil itself the table before holds.";
+    } else {
+        data.tables.back().note += " All is of the grading that was simulated: where it is a part of the soil's curve, "
+                                   "without the finest or the coarsest grains, the whole soil may be less stable. "
+                                   "suffuse assess judges that.";
     }
-    const stability::Assessment assessment = stability::assess(asked, spec);
-    report::PageTable table = report::stability_table(assessment);
-    table.title = "Internal stability by the simulated grading";
-    table.note += " All is of the grading that was simulated: where it is a part of the soil's curve, without the "
-                  "finest or the coarsest grains, the whole soil may be less stable. suffuse assess judges that.";
-    data.tables.push_back(std::move(table));
     const auto axis = what.report.reversed_size_axis ? report::GradingAxis::Reversed : report::GradingAxis::LeftToRight;
     data.figures.push_back(report::stability_grading(assessment, axis));
     data.figures.push_back(report::stability_shape(assessment));

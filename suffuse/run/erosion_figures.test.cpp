@@ -1,5 +1,6 @@
 #include "suffuse/run/erosion_figures.hpp"
 
+#include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 
 #include <gtest/gtest.h>
@@ -38,6 +39,24 @@ TEST(StabilityOfARun, IsSaidToBeThatOfTheSimulatedGrading) {
     EXPECT_EQ(data.tables.front().title, "Internal stability by the simulated grading");
     EXPECT_NE(data.tables.front().note.find("the whole soil may be less stable"), std::string::npos);
     EXPECT_EQ(data.tables.front().rows.front()[3], "≥ 1.3");
+    EXPECT_EQ(data.figures.size(), 2U);
+}
+
+TEST(StabilityOfARun, OfAPartOfACurveIsShownBesideThatOfTheWhole) {
+    casefile::Variant variant;
+    grains::Soil& soil = variant.soil.emplace();
+    soil.measured = {{1e-5, 1e-4, 2e-4, 4e-4, 4e-3}, {0.05, 0.3, 0.35, 0.6, 1}, "invented"};
+    soil.whole = grains::part_between(*soil.measured, 2e-4, 4e-3);
+    const FinishedStage eroded{nullptr, &variant, nullptr, {}, {}};
+    ErosionStory story;
+    story.eroded = &eroded;
+    report::ReportData data;
+    show_stability({}, story, data);
+    ASSERT_EQ(data.tables.size(), 2U);
+    EXPECT_EQ(data.tables[0].title, "Internal stability by the whole grading, as measured");
+    EXPECT_EQ(data.tables[1].title, "Internal stability by the part of the grading that was simulated");
+    EXPECT_EQ(data.tables[0].rows.front()[4], "unstable");
+    EXPECT_EQ(data.tables[1].rows.front()[4], "stable");
     EXPECT_EQ(data.figures.size(), 2U);
 }
 

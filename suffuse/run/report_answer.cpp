@@ -2,6 +2,7 @@
 #include "suffuse/run/report_answer.hpp"
 
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/grains/grading.hpp"
 #include "suffuse/report/findings.hpp"
 #include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
@@ -28,16 +29,31 @@ std::string percent_or_none(double percent) {
     return report::is_noise(percent) ? "less than 0.01 %" : report::short_number(percent) + " %";
 }
 
-std::string tell_pass(const erosion::PassResult& pass) {
+/// How many of the fines that the water would carry were carried out.
+std::string tell_removed(const erosion::PassResult& pass) {
+    if (pass.detachable == 0) {
+        return fmt::format("Pass {}: the water detaches no fine grain", pass.pass);
+    }
     if (pass.removed == 0) {
-        return fmt::format("Pass {}: none of {} detachable fines left.", pass.pass, grouped(pass.detachable));
+        return fmt::format("Pass {}: none of {} detachable fines was carried out", pass.pass, grouped(pass.detachable));
     }
     return fmt::format(
-        "Pass {}: {} of {} detachable fines left, {:.2f} % of the initial mass; porosity {:.4f} to {:.4f}, "
-        "permeability "
-        "{} to {} m²; at constant volume the skeleton lost {} of its mean stress, and resettling strained it by {}.",
-        pass.pass, grouped(pass.removed), grouped(pass.detachable), pass.eroded_mass_percent_of_initial,
-        pass.porosity_before, pass.porosity_after, report::short_number(pass.permeability_before),
+        "Pass {}: {} of {} detachable fines {} carried out, {} of the initial mass", pass.pass, grouped(pass.removed),
+        grouped(pass.detachable), pass.removed == 1 ? "was" : "were",
+        report::is_noise(pass.eroded_mass_percent_of_initial)
+            ? "less than 0.01 %"
+            : fmt::format("{:.2f} %", pass.eroded_mass_percent_of_initial)
+    );
+}
+
+std::string tell_pass(const erosion::PassResult& pass) {
+    if (pass.removed == 0) {
+        return tell_removed(pass) + ".";
+    }
+    return fmt::format(
+        "{}; porosity {:.4f} to {:.4f}, permeability {} to {} m²; at constant volume the skeleton lost {} of its mean "
+        "stress, and resettling strained it by {}.",
+        tell_removed(pass), pass.porosity_before, pass.porosity_after, report::short_number(pass.permeability_before),
         report::short_number(pass.permeability_after), percent_or_none(100 * report::stress_loss(pass).value_or(0)),
         percent_or_none(100 * pass.volumetric_strain)
     );
@@ -55,7 +71,8 @@ std::string tell_later_passes(const erosion::ErosionResult& erosion) {
         largest_loss = std::max(largest_loss, report::stress_loss(pass).value_or(0));
     }
     return fmt::format(
-        "Passes 2 to {}: {} fines left, {:.2f} % of the initial mass, {} of them in pass 2 and {} in pass {}; porosity "
+        "Passes 2 to {}: {} fines were carried out, {:.2f} % of the initial mass, {} of them in pass 2 and {} in pass "
+        "{}; porosity "
         "{:.4f}, permeability {} m² after the last; the skeleton lost {} of its mean stress at most, and resettling "
         "strained it by {} in all.",
         last.pass, grouped(removed), percent, grouped(second.removed), grouped(last.removed), last.pass,
@@ -170,6 +187,45 @@ std::string tell_question(const ErosionStory& story, bool has_strength) {
     );
 }
 
+/// How much of the soil the sample stands for, where its curve was cut.
+std::optional<std::string> tell_part(const ErosionStory& story) {
+    if (story.eroded == nullptr || !story.eroded->variant->soil || !story.eroded->variant->soil->measured) {
+        return std::nullopt;
+    }
+    const grains::Grading& part = *story.eroded->variant->soil->whole;
+    const grains::Grading& measured = *story.eroded->variant->soil->measured;
+    const double finest = part.diameter.front(), coarsest = part.diameter.back();
+    const double below = grains::passing(measured, finest), up_to = grains::passing(measured, coarsest);
+    return fmt::format(
+        "Only its grains from {} to {} mm are in the sample, {} % of its mass: {} % are finer, {} % coarser. All that "
+        "follows is of that part.",
+        report::short_number(1e3 * finest), report::short_number(1e3 * coarsest),
+        report::short_number(100 * (up_to - below)), report::short_number(100 * below),
+        report::short_number(100 * (1 - up_to))
+    );
+}
+
+/// What it means where hardly a grain that left carried load: another gradient would have taken the same.
+std::string tell_idle(const erosion::ErosionResult& erosion) {
+    constexpr double nearly_all = 0.98;
+    constexpr int least_carrying = 2; // contacts
+    std::int64_t removed = 0, idle = 0;
+    for (const erosion::PassResult& pass : erosion.passes) {
+        for (const auto& [contacts, grains] : pass.coordination_histogram) {
+            removed += grains;
+            idle += contacts < least_carrying ? grains : 0;
+        }
+    }
+    if (removed == 0 || static_cast<double>(idle) < nearly_all * static_cast<double>(removed)) {
+        return {};
+    }
+    return fmt::format(
+        "{} of them carried load: without gravity any water moves such grains, so that this gradient is not a critical "
+        "one, and a soil that criteria of stability call stable loses them too.",
+        idle == removed ? "None" : fmt::format("{} of {}", grouped(removed - idle), grouped(removed))
+    );
+}
+
 /// The stage whose end an erosion starts from.
 const casefile::Stage& start_of(const FinishedStage& erosion) {
     return erosion.variant->stages[static_cast<std::size_t>(std::max(0, erosion.stage->parent))];
@@ -232,6 +288,9 @@ std::vector<std::string> answer_of_erosion(
     if (!story.erosion.passes.empty() && !story.erosion.passes.front().probe.id.empty()) {
         sentences.push_back(tell_question(story, !strength.empty()));
     }
+    if (auto part = tell_part(story)) {
+        sentences.push_back(std::move(*part));
+    }
     if (auto range = tell_range(story, stages)) {
         sentences.push_back(std::move(*range));
     }
@@ -244,6 +303,10 @@ std::vector<std::string> answer_of_erosion(
     if (!story.erosion.passes.empty()) {
         const std::string name = story.others.empty() ? "" : story.eroded->stage->name + ": ";
         sentences.push_back(name + answer_to_erosion(story.erosion));
+        if (std::string idle = tell_idle(story.erosion);
+            !idle.empty() && !story.erosion.passes.front().probe.id.empty()) {
+            sentences.push_back(std::move(idle));
+        }
     }
     if (!are_too_many(story)) {
         for (const FinishedStage* other : story.others) {

@@ -1,7 +1,9 @@
 #include "suffuse/run/report_answer.hpp"
 
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/grains/grading.hpp"
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 namespace suffuse::run {
@@ -55,13 +57,47 @@ TEST(ReportAnswer, IsBriefOfAPassThatTookNothingButForAnUnusualReason) {
     variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
     std::vector<FinishedStage> stages = {erosion_of(variant, variant.stages[1], 0)};
     std::string& verdict = stages.front().findings.erosion->passes.front().verdict;
-    const std::string brief = "Pass 1: none of 39 detachable fines left.";
+    const std::string brief = "Pass 1: none of 39 detachable fines was carried out.";
     verdict = erosion::nothing_leaves;
     EXPECT_EQ(answer_of_erosion(find_story(stages), stages, {}), std::vector<std::string>{brief});
     verdict = "what leaves cannot be told from the twin's noise";
     EXPECT_EQ(
         answer_of_erosion(find_story(stages), stages, {}),
         std::vector<std::string>{brief + " It ended there: what leaves cannot be told from the twin's noise."}
+    );
+}
+
+TEST(ReportAnswer, SaysThatGrainsWithoutLoadLeaveUnderAnyGradient) {
+    casefile::Study study;
+    casefile::Variant variant;
+    variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
+    std::vector<FinishedStage> stages = {erosion_of(variant, variant.stages[1], 3)};
+    stages.front().study = &study;
+    erosion::PassResult& pass = stages.front().findings.erosion->passes.front();
+    pass.probe.id = {7};
+    const auto told = [&] {
+        return fmt::format("{}", fmt::join(answer_of_erosion(find_story(stages), stages, {}), " "));
+    };
+    pass.coordination_histogram = {{0, 2}, {1, 1}};
+    EXPECT_NE(told().find("None of them carried load: without gravity"), std::string::npos) << told();
+    pass.coordination_histogram = {{0, 2}, {2, 1}};
+    EXPECT_EQ(told().find("carried load"), std::string::npos) << told();
+    pass.coordination_histogram = {{0, 2}, {1, 1}};
+    pass.probe.id.clear(); // forced: no water
+    EXPECT_EQ(told().find("carried load"), std::string::npos) << told();
+}
+
+TEST(ReportAnswer, TellsHowMuchOfACutSoilTheSampleStandsFor) {
+    casefile::Variant variant;
+    grains::Soil& soil = variant.soil.emplace();
+    soil.measured = {{1e-4, 1e-3, 1e-2}, {0, 0.25, 1}, "invented"};
+    soil.whole = grains::part_between(*soil.measured, 1e-4, 1e-3);
+    variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
+    const std::vector<FinishedStage> stages = {erosion_of(variant, variant.stages[1], 0)};
+    const std::vector<std::string> answer = answer_of_erosion(find_story(stages), stages, {});
+    EXPECT_EQ(
+        answer.front(), "Only its grains from 0.1 to 1 mm are in the sample, 25 % of its mass: 0 % are finer, 75 % "
+                        "coarser. All that follows is of that part."
     );
 }
 
@@ -84,7 +120,8 @@ TEST(ReportAnswer, TellsManyPassesInTwoSentencesAndHowOftenFinesWereHeld) {
     ASSERT_EQ(answer.size(), 1U);
     EXPECT_TRUE(answer.front().starts_with("Pass 1: 3 of 39")) << answer.front();
     EXPECT_EQ(answer.front().find("Pass 2:"), std::string::npos) << answer.front();
-    EXPECT_NE(answer.front().find("Passes 2 to 6: 15 fines left, 15.00 %"), std::string::npos) << answer.front();
+    EXPECT_NE(answer.front().find("Passes 2 to 6: 15 fines were carried out, 15.00 %"), std::string::npos)
+        << answer.front();
     EXPECT_NE(
         answer.front().find("A mm of flow held a detached grain 0.2 times in pass 1, 0.2 times in pass 6"),
         std::string::npos
@@ -109,7 +146,8 @@ TEST(ReportAnswer, TellsOneErosionOfManyAndTheRangeOfAll) {
     EXPECT_EQ(
         answer[0], "4 erosions took 1.00 to 4.00 % of the mass (table “All erosions”); what follows is of second/base."
     );
-    EXPECT_TRUE(answer[1].starts_with("base: Pass 1: 1 of 39 detachable fines left")) << answer[1];
+    EXPECT_TRUE(answer[1].starts_with("base: Pass 1: 1 of 39 detachable fines was carried out, 1.00 % of"))
+        << answer[1];
 }
 
 } // namespace

@@ -160,7 +160,8 @@ report::ReportData describe_run(
     data.case_warnings = std::move(remarks.case_warnings);
     data.unfinished = std::move(remarks.unfinished);
     if (const std::filesystem::path given = folder / "case.toml"; std::filesystem::exists(given)) {
-        data.assumed = assumed_values(io::read_text(given)); // a program that runs cases of its own leaves none
+        data.assumed =
+            assumed_values(io::read_text(given), what.preset); // a program that runs cases of its own leaves none
     }
     data.figures = draw_study(what, folder, stages, sweep ? &*sweep : nullptr);
     for (report::Figure& figure : draw_erosion(what, folder, story)) {

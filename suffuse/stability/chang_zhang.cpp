@@ -37,9 +37,9 @@ void judge_shape(const LeastRatio& least, double percent, Criterion& criterion) 
     criterion.value = least.value;
     criterion.diameter = least.at.diameter;
     criterion.remark = fmt::format("no gap, {:.3g} % finer than 0.063 mm", percent);
-    if (percent > 20) {
+    if (percent >= 20) { // there the limit of H/F has come down to 0
         criterion.verdict = Verdict::Stable;
-        criterion.remark += ", more than 20 %: stable with any H/F";
+        criterion.remark += ", 20 % or more: stable with any H/F";
         return;
     }
     criterion.limit = percent < 5 ? 1.0 : 4.0 / 3 - percent / 15;

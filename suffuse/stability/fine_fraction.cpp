@@ -22,7 +22,7 @@ std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, s
                 grading.origin
             );
         }
-        return FineFraction{*asked, content, "as asked"};
+        return FineFraction{*asked, content, "as given"};
     }
     if (const auto gap = find_gap(grading)) {
         return FineFraction{gap->fine_end, gap->finer, "fine end of the gap"};

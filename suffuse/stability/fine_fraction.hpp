@@ -11,7 +11,7 @@ namespace suffuse::stability {
 struct FineFraction {
     double finer_than = 0; ///< [m]
     double content = 0;    ///< of the mass [-]
-    std::string basis;     ///< "as asked", "fine end of the gap", "Kenney and Lau's split"
+    std::string basis;     ///< "as given", "fine end of the gap", "Kenney and Lau's split"
 };
 
 /// As asked [m]; else the fine end of a gap; else where Kenney and Lau would split; nothing for a soil without either.

@@ -1,6 +1,7 @@
 #include "suffuse/stability/open_curve.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/grouped.hpp"
 
 #include <fmt/format.h>
 
@@ -57,6 +58,11 @@ bool same(const std::optional<double>& a, const std::optional<double>& b) {
     return *a == *b || std::abs(*a - *b) <= alike * std::abs(*a);
 }
 
+/// Three digits, or whole from a thousand on.
+std::string number_text(double value) {
+    return value < 1000 ? fmt::format("{:.3g}", value) : grouped(std::llround(value));
+}
+
 std::string missing_text(const Grading& measured) {
     std::string text;
     if (const double fine = measured.passing.front(); fine > 0) {
@@ -87,7 +93,7 @@ Criterion agree(const std::vector<Assessment>& completed, std::size_t which, con
     }
     criterion.value.reset(), criterion.diameter.reset();
     if (same_verdict && criterion.verdict != Verdict::CannotSay) {
-        criterion.remark = fmt::format("{:.3g} to {:.3g}, as {} may look", least, most, missing);
+        criterion.remark = fmt::format("{} to {}, depending on {}", number_text(least), number_text(most), missing);
         return criterion;
     }
     criterion.verdict = Verdict::CannotSay;
