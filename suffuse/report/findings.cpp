@@ -105,7 +105,9 @@ Finding judge_separation(const std::vector<ProbeResult>& probes, const ErosionRe
     finding.ours = fmt::format(
         "{} against {} m/s after {} iterations at full force: {}", short_number(fast), short_number(slow),
         grouped(std::llround(last * spacing)),
-        slow > 0 ? short_number(fast / slow) + " times" : "the others stand still"
+        !(slow > 0)          ? "the others stand still"
+        : fast < 1000 * slow ? short_number(fast / slow) + " times"
+                             : grouped(std::llround(fast / slow)) + " times"
     );
     // A watch that ends early, or was first read later than the paper's, shows a separation but cannot deny it.
     const bool watched = probe->watch >= static_cast<std::int64_t>(paper_watch) && last > 0;
@@ -167,19 +169,28 @@ Finding judge_active(const ErosionResult& erosion) {
     return finding;
 }
 
+/// Of a pass that cannot tell what removal does.
+std::string took_nothing(const PassResult* pass, int number) {
+    return pass == nullptr ? fmt::format("there was no pass {}", number) : fmt::format("pass {} took no grain", number);
+}
+
 Finding judge_strain(const ErosionResult& erosion) {
     Finding finding{
         "E5", "Contraction below 0.01 % in pass 1, above 0.1 % in pass 2",
         "almost negligible in pass 1, important in pass 2 (Figure 13)", "", std::nullopt};
-    const PassResult *first = pass_of(erosion, 1), *second = pass_of(erosion, 2);
-    finding.ours =
-        first == nullptr ? "there was no pass 1" : short_number(100 * first->volumetric_strain) + " % in pass 1";
-    finding.ours += second == nullptr ? "; there was no pass 2"
-                                      : ", " + short_number(100 * second->volumetric_strain) + " % in pass 2";
-    finding.met = both(
-        first == nullptr ? std::nullopt : Verdict(std::abs(first->volumetric_strain) < 1e-4),
-        second == nullptr ? std::nullopt : Verdict(second->volumetric_strain > 1e-3)
-    );
+    Verdict negligible, important;
+    const auto tell = [&](int number, Verdict& verdict, auto&& judge) {
+        const PassResult* pass = pass_of(erosion, number);
+        if (pass == nullptr || pass->removed == 0) {
+            return took_nothing(pass, number);
+        }
+        verdict = judge(pass->volumetric_strain);
+        const double percent = 100 * pass->volumetric_strain;
+        return fmt::format("{} in pass {}", is_noise(percent) ? "below 0.01 %" : short_number(percent) + " %", number);
+    };
+    finding.ours = tell(1, negligible, [](double strain) { return std::abs(strain) < 1e-4; });
+    finding.ours += "; " + tell(2, important, [](double strain) { return strain > 1e-3; });
+    finding.met = both(negligible, important);
     return finding;
 }
 
@@ -228,15 +239,18 @@ Finding judge_stress(const ErosionResult& erosion) {
         "a slight change after pass 1, an important one after pass 2 (Figure 13)", "", std::nullopt};
     const auto loss = [&](int number, Verdict& verdict, auto&& judge) {
         const PassResult* pass = pass_of(erosion, number);
-        const double before = pass == nullptr ? 0 : mean_stress(pass->stress_before);
-        if (pass == nullptr || !(before > 0)) {
+        if (pass == nullptr || pass->removed == 0) {
+            return took_nothing(pass, number);
+        }
+        const double before = mean_stress(pass->stress_before);
+        if (!(before > 0)) {
             return fmt::format("pass {} has no stress to compare", number);
         }
-        const double after = mean_stress(pass->stress_constant_volume);
-        verdict = judge((before - after) / before);
+        const double after = mean_stress(pass->stress_constant_volume), percent = 100 * (after - before) / before;
+        verdict = judge(-0.01 * percent);
         return fmt::format(
-            "pass {}: {} to {} kPa ({} %)", number, short_number(before / 1e3, 4), short_number(after / 1e3, 4),
-            short_number(100 * (after - before) / before)
+            "pass {}: {} to {} kPa ({})", number, short_number(before / 1e3, 4), short_number(after / 1e3, 4),
+            is_noise(percent) ? "unchanged" : short_number(percent) + " %"
         );
     };
     Verdict slight, important;

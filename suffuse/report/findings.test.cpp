@@ -151,6 +151,15 @@ TEST(Findings, E5WantsNoStrainFirstAndContractionThen) {
     EXPECT_EQ(met("E5", {}, first_fails), false);
 }
 
+TEST(Findings, APassThatTookNothingCannotTellWhatRemovalDoes) {
+    const ErosionResult erosion = passes({pass(1), pass(2, {})});
+    for (const char* id : {"E4", "E5", "E7"}) {
+        EXPECT_EQ(met(id, {}, erosion), std::nullopt) << id;
+    }
+    EXPECT_EQ(finding("E5", {}, erosion).ours, "below 0.01 % in pass 1; pass 2 took no grain");
+    EXPECT_EQ(finding("E7", {}, erosion).ours, "pass 1: 100 to 100 kPa (unchanged); pass 2 took no grain");
+}
+
 TEST(Findings, E6WantsARiseOnEachRemovalAndAFallInTheSecondPass) {
     const auto porosities = [](double after_removal, double resettled) {
         ErosionResult erosion = passes({pass(1), pass(2)});

@@ -11,6 +11,7 @@ namespace suffuse::report {
 namespace {
 
 constexpr double rising_part = 0.9; // of the highest value: beyond, a curve bends over into its plateau
+constexpr double flat_part = 0.25;  // of the rise: one that has made more of it before the break began earlier
 
 /// The points of one seed that are there.
 struct Points {
@@ -37,6 +38,7 @@ double vertex_of(const std::array<double, 3>& x, const std::array<double, 3>& y)
 
 struct Fit {
     double misfit = 0; ///< sum of squares
+    double slope = 0;  ///< before the break
     double bend = 0;   ///< slope after the break less that before
 };
 
@@ -72,12 +74,15 @@ Fit fit_two_lines(const Points& points, double x0) {
     }
     const std::vector<double> x = without_mean(points.x);
     hinge = without_mean(hinge);
-    hinge = less(hinge, dot(hinge, x) / dot(x, x), x);
+    const double hinge_slope = dot(hinge, x) / dot(x, x);
+    hinge = less(hinge, hinge_slope, x);
     std::vector<double> rest = without_mean(points.y);
-    rest = less(rest, dot(rest, x) / dot(x, x), x);
+    const double rest_slope = dot(rest, x) / dot(x, x);
+    rest = less(rest, rest_slope, x);
     const double length = dot(hinge, hinge);
     Fit fit;
     fit.bend = length > 0 ? dot(rest, hinge) / length : 0;
+    fit.slope = rest_slope - fit.bend * hinge_slope;
     rest = less(rest, fit.bend, hinge);
     fit.misfit = dot(rest, rest);
     return fit;
@@ -179,15 +184,19 @@ std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed) {
     }
     // At least two points on each side, so that each line is a line.
     const double first = points.x[1], last = points.x[points.x.size() - 2];
-    double best = std::numeric_limits<double>::infinity(), at = 0, bend = 0;
+    double at = 0;
+    Fit best;
+    best.misfit = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= trials; ++k) {
         const double x0 = first + (last - first) * k / trials;
         const Fit fit = fit_two_lines(points, x0);
-        if (fit.misfit < best) {
-            best = fit.misfit, at = x0, bend = fit.bend;
+        if (fit.misfit < best.misfit) {
+            best = fit, at = x0;
         }
     }
-    return bend > 0 ? std::optional(at) : std::nullopt;
+    const auto [lowest, highest] = std::ranges::minmax(points.y);
+    const bool is_flat_before = best.slope * (at - points.x.front()) <= flat_part * (highest - lowest);
+    return best.bend > 0 && is_flat_before ? std::optional(at) : std::nullopt;
 }
 
 std::vector<ContentThreshold> find_thresholds(const StageCurve& loose, const StageCurve* dense) {

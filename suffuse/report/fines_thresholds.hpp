@@ -46,7 +46,8 @@ enum class Which { Lowest, Highest };
 std::optional<Extreme> find_extreme(const ContentCurve& curve, std::size_t seed, Which which);
 
 /// Where a curve that starts flat begins to rise: the break of two straight lines that fit best its part up to nine
-/// tenths of its highest value. Nothing where that part has fewer than four points or does not steepen.
+/// tenths of its highest value. Nothing where that part has fewer than four points, does not steepen, or has made a
+/// quarter of its rise before the break.
 std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed);
 
 struct ContentThreshold {

@@ -53,6 +53,8 @@ TEST(FinesThresholds, TwoStraightLinesBreakWhereTheyMeetAndAPlateauDoesNotCount)
 
 TEST(FinesThresholds, ACurveThatOnlyBendsDownHasNoOnset) {
     EXPECT_FALSE(find_onset(curve_of({0, 0.1, 0.2, 0.3, 0.4}, {{0, 0.4, 0.6, 0.7, 0.75}}), 0));
+    EXPECT_FALSE(find_onset(curve_of({0, 0.1, 0.2, 0.3, 0.4, 0.5}, {{0, 0.1, 0.2, 0.3, 0.6, 0.9}}), 0))
+        << "it only steepens";
     EXPECT_FALSE(find_onset(curve_of({0, 0.1, 0.2}, {{0, 0.1, 0.6}}), 0)) << "too few points";
 }
 

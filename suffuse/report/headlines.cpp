@@ -76,8 +76,10 @@ std::vector<Headline> fines_headlines(const std::vector<ContentThreshold>& thres
         }
         const std::string scatter =
             each.at.seeds > 1 ? fmt::format(" ± {}", short_number(100 * each.at.standard_deviation, 2)) : "";
+        const std::string how = each.name == "FC_threshold" ? ", by a parabola" : "";
         headlines.push_back(
-            {fmt::format("{:.0f}{} %", 100 * each.at.mean, scatter), each.name, each.from + seeds_that_have(each.at)}
+            {fmt::format("{:.0f}{} %", 100 * each.at.mean, scatter), each.name,
+             each.from + how + seeds_that_have(each.at)}
         );
     }
     return headlines;

@@ -85,7 +85,7 @@ std::string verdict(const std::vector<StageRow>& stages) {
     std::size_t beyond = 0;
     for (const auto& [name, measured] :
          {std::pair{"unbalanced force (of stages that settle)", &StageRow::unbalanced_force},
-          {"error of the stress", &StageRow::stress_error},
+          {"error of the stress (of tests: that is held)", &StageRow::stress_error},
           {"overlap", &StageRow::overlap},
           {"inertial number (of tests)", &StageRow::inertial_number}}) {
         name_limit(stages, name, measured, limits);

@@ -125,8 +125,8 @@ std::string thresholds_sentence(const std::optional<FinesResults>& results) {
     };
     const auto& list = results->thresholds;
     std::string text = fmt::format(
-        "Of {} fines contents the loose void ratio is lowest at FC = {}", results->loose.points.size(),
-        told(list.front())
+        "Through {} fines contents, by a parabola at its lowest points, the loose void ratio is lowest at FC = {}",
+        results->loose.points.size(), told(list.front())
     );
     if (!results->dense.points.empty()) {
         text += fmt::format(", the dense one at {}", told(list.at(list.size() - 3)));
@@ -149,7 +149,9 @@ std::optional<report::PageTable> thresholds_table(const std::optional<FinesResul
     table.title = "Thresholds of the fines content";
     table.note =
         "FC_threshold: vertex of the parabola through the lowest point of the curve and its neighbors. FC_active: "
-        "break of two straight lines through the rising part of the curve. Deviations are those of the seeds; "
+        "break of two straight lines through the rising part of the curve; none where a quarter of the rise is made "
+        "before "
+        "it. Deviations are those of the seeds; "
         "how far the points of the sweep lie apart comes on top.";
     table.header = {"threshold", "read from", "fines content [%]", "deviation [%]", "seeds"};
     table.numeric = {false, false, true, true, true};

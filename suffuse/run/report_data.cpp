@@ -29,6 +29,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr double largest_good_hold_error = 0.1; // of a stress that a test holds: the stiffness read there is off
+
 /// The largest error of the stresses that a stage was to be in balance under, over that stress; not a number for other
 /// stages.
 double stress_error(const casefile::Stage& stage, const Mat3& stress) {
@@ -75,6 +77,9 @@ report::StageRow stage_row(const casefile::Case& what, const FinishedStage& stag
     row.inertial_number.value =
         n.at("inertial_number_max").get<double>() > 0 ? n["inertial_number_max"].get<double>() : none;
     if (test != nullptr) { // its rate was set by the number that its own rows hold
+        if (const auto error = triaxial::largest_hold_error(stage.findings.curve, test->path)) {
+            row.stress_error = {*error, largest_good_hold_error};
+        }
         row.inertial_number = {0, test->inertial_number};
         for (const triaxial::PathRow& each : stage.findings.curve) {
             row.inertial_number.value = std::max(row.inertial_number.value, each.inertial_number);

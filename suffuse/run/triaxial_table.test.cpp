@@ -19,7 +19,13 @@ report::PageTable table_of(const TriaxialSpec& test, const std::vector<nlohmann:
     study.variants.resize(responses.size());
     std::vector<FinishedStage> stages;
     for (std::size_t k = 0; k < responses.size(); ++k) {
-        stages.push_back({&study, &study.variants[k], study.stages.data(), {{"response", responses[k]}}, {}});
+        stages.push_back(
+            {&study,
+             &study.variants[k],
+             study.stages.data(),
+             {{"response", responses[k]}, {"deviator_stress", 100e3}},
+             {}}
+        );
     }
     return tabulate_tests(what, stages).value();
 }
@@ -64,6 +70,7 @@ TEST(TriaxialTable, SaysNothingThatATestDoesNotShow) {
     const report::PageTable stops = table_of({.stress_ratio = 0.75}, {response()});
     EXPECT_FALSE(has_column(stops, "highest q") || has_column(stops, "friction") || has_column(stops, "E50"));
     EXPECT_TRUE(has_column(stops, "q at the end"));
+    EXPECT_EQ(stops.rows.front()[2], "100") << "of the state at rest, not of the test that went beyond it";
 }
 
 } // namespace

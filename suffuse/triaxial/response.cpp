@@ -59,16 +59,23 @@ const PathRow& peak_of(const std::vector<PathRow>& rows, Path path) {
     });
 }
 
+bool holds_a_stress(Path path) {
+    return path == Path::Drained || path == Path::ConstantMean;
+}
+
+/// That is held: the lateral one, or the mean [Pa].
+double held_stress(const PathRow& row, Path path) {
+    return path == Path::Drained ? row.mean_stress - row.deviator_stress / 3 : row.mean_stress;
+}
+
 /// Axial strain of the first row at which the stress that the path holds is lost.
 std::optional<double> loss_of_hold(const std::vector<PathRow>& rows, Path path) {
-    if (path != Path::Drained && path != Path::ConstantMean) {
+    if (!holds_a_stress(path)) {
         return {};
     }
-    const auto held = [&](const PathRow& row) {
-        return path == Path::Drained ? row.mean_stress - row.deviator_stress / 3 : row.mean_stress;
-    };
-    const double least = (1 - lost_hold_share) * held(rows.front());
-    const auto lost = std::find_if(rows.begin(), rows.end(), [&](const PathRow& row) { return held(row) < least; });
+    const double least = (1 - lost_hold_share) * held_stress(rows.front(), path);
+    const auto lost =
+        std::find_if(rows.begin(), rows.end(), [&](const PathRow& row) { return held_stress(row, path) < least; });
     return lost == rows.end() ? std::nullopt : std::optional(lost->axial_strain);
 }
 
@@ -89,16 +96,17 @@ double stiffness_until(const std::vector<PathRow>& rows, double peak) {
     return 0;
 }
 
-/// Largest -d eps_v / d eps_1 [-], over one percent of strain: the noise of single rows is no dilatancy.
+/// Largest -d eps_v / d eps_1 [-], over one percent of strain or the next row beyond: the noise of single rows is no
+/// dilatancy.
 double largest_dilatancy(const std::vector<PathRow>& rows) {
-    constexpr double slope_span = 0.01;
+    constexpr double slope_span = 0.01 * (1 - 1e-9);
     double dilatancy = 0;
     for (std::size_t k = 0, first = 0; k < rows.size(); ++k) {
-        while (rows[k].axial_strain - rows[first].axial_strain > slope_span) {
+        while (first + 1 < k && rows[k].axial_strain - rows[first + 1].axial_strain >= slope_span) {
             ++first;
         }
         const double run = rows[k].axial_strain - rows[first].axial_strain;
-        if (run >= 0.8 * slope_span) {
+        if (run >= slope_span) {
             dilatancy = std::max(dilatancy, -(rows[k].volumetric_strain - rows[first].volumetric_strain) / run);
         }
     }
@@ -106,6 +114,18 @@ double largest_dilatancy(const std::vector<PathRow>& rows) {
 }
 
 } // namespace
+
+std::optional<double> largest_hold_error(const std::vector<PathRow>& rows, Path path) {
+    if (!holds_a_stress(path) || rows.empty()) {
+        return {};
+    }
+    const double held = held_stress(rows.front(), path);
+    double error = 0;
+    for (const PathRow& row : rows) {
+        error = std::max(error, std::abs(held_stress(row, path) / held - 1));
+    }
+    return error;
+}
 
 Response summarize(const std::vector<PathRow>& rows, Path path) {
     Response response;

@@ -38,6 +38,10 @@ struct Response {
     dem::EnergyParts energy; ///< at the last row, over the volume at the start [J/m3]
 };
 
+/// How far the stress that a drained test or one at a constant mean stress holds was from its value at the start, at
+/// most and over it [-]; nothing of other paths.
+std::optional<double> largest_hold_error(const std::vector<PathRow>& rows, Path path);
+
 Response summarize(const std::vector<PathRow>& rows, Path path = Path::Drained);
 
 } // namespace suffuse::triaxial

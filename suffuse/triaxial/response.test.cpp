@@ -65,6 +65,25 @@ TEST(Summarize, FromAnAnisotropicStartTheStiffnessIsThatOfTheIncrement) {
     EXPECT_NEAR(summarize(curve(lifted, zero)).stiffness, 1e7, 1);
 }
 
+TEST(Summarize, DilatancyDoesNotDependOnHowFarApartRowsAre) {
+    const std::vector<PathRow> all = curve(peaked, [](double e) { return -0.3 * e; });
+    for (const std::size_t every : {1U, 3U, 7U, 15U}) {
+        std::vector<PathRow> rows;
+        for (std::size_t k = 0; k < all.size(); k += every) {
+            rows.push_back(all[k]);
+        }
+        EXPECT_NEAR(summarize(rows).dilatancy, 0.3, 1e-9) << every;
+    }
+}
+
+TEST(Summarize, TellsHowFarTheHeldStressWasOff) {
+    std::vector<PathRow> rows = curve(peaked, zero);
+    EXPECT_NEAR(largest_hold_error(rows, Path::Drained).value(), 0, 1e-12);
+    rows[3].mean_stress += 11e3; // of the lateral 100 kPa
+    EXPECT_NEAR(largest_hold_error(rows, Path::Drained).value(), 0.11, 1e-9);
+    EXPECT_FALSE(largest_hold_error(rows, Path::Undrained));
+}
+
 TEST(Summarize, DilatancyAndContractionAreSlopesAndExtremesOfTheVolume) {
     // Contracts by 0.4 % until 1 %, then dilates at 0.3, then at 0.6 between 5 and 9 %, then stays.
     const auto volume = [](double e) {
