@@ -225,7 +225,10 @@ std::string detail::base_units(Dimension dimension) {
     return text;
 }
 
-Quantity parse_quantity(std::string_view text) {
+namespace {
+
+/// A number and its unit.
+Quantity parse_one(std::string_view text) {
     std::string_view rest = trimmed(text);
     const auto number = take_number(rest);
     if (!number) {
@@ -255,8 +258,6 @@ Quantity parse_quantity(std::string_view text) {
     return quantity;
 }
 
-namespace {
-
 /// Where "12 m / 30 m" is divided: at the first / that a number follows. A unit never has one there but in 1/1.
 std::size_t find_division(std::string_view text) {
     for (std::size_t at = text.find('/'); at != std::string_view::npos; at = text.find('/', at + 1)) {
@@ -269,7 +270,7 @@ std::size_t find_division(std::string_view text) {
 }
 
 double parse_quotient(std::string_view text, std::size_t at) {
-    const Quantity dividend = parse_quantity(text.substr(0, at)), divisor = parse_quantity(text.substr(at + 1));
+    const Quantity dividend = parse_one(text.substr(0, at)), divisor = parse_one(text.substr(at + 1));
     if (dividend.dimension != divisor.dimension) {
         throw UnitError(
             fmt::format(
@@ -287,10 +288,14 @@ double parse_quotient(std::string_view text, std::size_t at) {
 
 } // namespace
 
-double parse_quantity(std::string_view text, Dimension wanted) {
-    if (const std::size_t at = find_division(text); wanted == dimension::none && at != std::string_view::npos) {
-        return parse_quotient(text, at);
+Quantity parse_quantity(std::string_view text) {
+    if (const std::size_t at = find_division(text); at != std::string_view::npos) {
+        return {parse_quotient(text, at), dimension::none, true};
     }
+    return parse_one(text);
+}
+
+double parse_quantity(std::string_view text, Dimension wanted) {
     const Quantity quantity = parse_quantity(text);
     if (quantity.dimension == wanted && (quantity.has_unit || wanted == dimension::none)) {
         return quantity.value;

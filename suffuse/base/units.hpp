@@ -46,11 +46,11 @@ struct Quantity {
     bool has_unit = false; ///< a unit was written; "%" is one
 };
 
-/// The quantity that `text` says. Throws UnitError: no number, unknown unit (naming the nearest known), out of range.
+/// The quantity that `text` says; a quotient of two of one dimension, as a hydraulic gradient is measured, "12 m / 30
+/// m", is a ratio. Throws UnitError: no number, unknown unit (naming the nearest known), out of range.
 Quantity parse_quantity(std::string_view text);
 
-/// The same in SI, of the wanted dimension. A ratio may also be a quotient of two of one dimension, as a hydraulic
-/// gradient is measured: "12 m / 30 m". Throws UnitError where the unit is missing or of another dimension.
+/// The same in SI, of the wanted dimension. Throws UnitError where the unit is missing or of another dimension.
 double parse_quantity(std::string_view text, Dimension wanted);
 
 /// What a unit stands for in SI, written with its number or without: "mm" and "1 mm" are both 1e-3. Throws UnitError.

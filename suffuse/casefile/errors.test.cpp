@@ -104,6 +104,8 @@ const std::vector<Wrong> values = {
     {"E205", 18, 11, 3, "true or false", with_stage("do = \"flow\"\nrestore = \"x\"\ngradient = 0.1\n")},
     {"E206", 10, 6, 6, "\"pack\"", with_line(10, "do = \"pakc\"")},
     {"E206", 13, 6, 10, "known are", with_line(13, "do = \"percolat\"")},
+    {"E312", 18, 11, 10, "compression is positive",
+     with_stage("do = \"settle\"\nstress = [\"-100 kPa\", \"1 kPa\", \"-\"]\n")},
     {"E301", 14, 12, 9, "\"kPa\"", with_line(14, "pressure = \"100 KPa\"")},
     {"E301", 14, 12, 9, "decimal comma", with_line(14, "pressure = \"1,5 kPa\"")},
     {"E310", 14, 12, 3, "write \"100 kPa\" (or \"100 Pa\")", with_line(14, "pressure = 100")},

@@ -172,6 +172,14 @@ TEST(LoadCase, EveryKeyOfTheSchemaIsWrittenBack) {
     }
 }
 
+TEST(LoadCase, AGradientMayBeHeadOverLength) {
+    std::string text = full_case;
+    const std::string bare = "gradient = 0.05", quotient = "gradient = \"12 m / 30 m\"";
+    ASSERT_NE(text.find(bare), std::string::npos);
+    text.replace(text.find(bare), bare.size(), quotient);
+    EXPECT_NE(resolved_toml(load(text)).find("gradient = 0.4"), std::string::npos);
+}
+
 TEST(LoadCase, UnitsMakeNoDifference) {
     const Case a = load(good_case + "[fluid]\nviscosity = \"1 mPa*s\"\ndensity = \"1000 kg/m^3\"\n");
     const Case b = load(good_case + "[fluid]\nviscosity = \"1e-3 Pa*s\"\ndensity = \"1 g/cm^3\"\n");

@@ -87,7 +87,11 @@ bool Reader::in_range(const Key& key, double value, const Node& node) {
     }
     error(
         "E312", node.place, fmt::format("`{}` is {}, out of its range", key.name, shown(node)),
-        fmt::format("it must be {}", range_text(key)), range_text(key)
+        fmt::format(
+            "it must be {}{}", range_text(key),
+            key.dimension == dimension::pressure && value < 0 ? "; compression is positive" : ""
+        ),
+        range_text(key)
     );
     return false;
 }

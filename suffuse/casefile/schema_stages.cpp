@@ -51,7 +51,7 @@ std::vector<Key> servo_rows(const std::string& table) {
 std::vector<Key> movement_rows() {
     const std::string_view axes = "three texts, \"-\" where the other key gives the axis";
     Key stress = quantity(
-        "stage.advance", "stress", dimension::pressure, any,
+        "stage.advance", "stress", dimension::pressure, from_zero,
         "Stress to hold along each axis, compression positive; exactly one of `stress` and `strain_rate` per axis."
     );
     stress.form = axes;
@@ -61,7 +61,7 @@ std::vector<Key> movement_rows() {
     );
     rate.form = axes;
     Key settle_stress = quantity(
-        "stage.settle", "stress", dimension::pressure, any,
+        "stage.settle", "stress", dimension::pressure, from_zero,
         "Stress to hold along each axis, compression positive; \"-\" keeps the axis at its length."
     );
     settle_stress.form = "three texts, \"-\" for an axis of fixed length";
