@@ -102,10 +102,7 @@ std::string heading(const char* first) {
 }
 
 std::string gradient_lines(const stability::UpwardSeepage& seepage, const Assessment& found) {
-    std::string text = fmt::format(
-        "\n  upward seepage, i = {:.4g}; porosity {:.3g}, grains {:.4g} kg/m3\n", seepage.gradient, seepage.porosity,
-        seepage.grain_density
-    );
+    std::string text = "\n  " + seepage_text(seepage) + "\n";
     for (const Criterion& criterion : found.gradients) {
         text += line_of(criterion);
     }
@@ -169,6 +166,15 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
     return about;
 }
 
+std::string seepage_text(const stability::UpwardSeepage& seepage) {
+    return fmt::format(
+        "upward seepage, i = {:.4g}; porosity {:.3g}, grains {:.4g} kg/m3", seepage.gradient, seepage.porosity,
+        seepage.grain_density
+    );
+}
+
+namespace {
+
 /// How much of the finer grains is smaller than the constrictions, at the densest and at the loosest.
 std::string smaller_share(double densest, double loosest) {
     const long from = std::lround(100 * densest), to = std::lround(100 * loosest);
@@ -177,6 +183,17 @@ std::string smaller_share(double densest, double loosest) {
     }
     return from == to ? fmt::format("{} % of the finer grains are smaller than that", to)
                       : fmt::format("{} to {} % of the finer grains are smaller than that", from, to);
+}
+
+} // namespace
+
+std::string constrictions_text(const Assessment& found, const char* join) {
+    const stability::FinesBesideConstrictions& constrictions = found.constrictions;
+    return fmt::format(
+        "constrictions between the grains above {} mm: Dc35 = {} mm at the densest, {} mm at the loosest;{}{}",
+        mm(constrictions.split), mm(constrictions.densest_d35), mm(constrictions.loosest_d35), join,
+        smaller_share(constrictions.densest_passes, constrictions.loosest_passes)
+    );
 }
 
 std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec) {
@@ -192,15 +209,9 @@ std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec)
     if (spec.seepage) {
         text += gradient_lines(*spec.seepage, found);
     }
-    if (!found.has_constrictions) {
-        return text + "\n" + stability::summary(found.criteria);
+    if (found.has_constrictions) {
+        text += "\n  " + constrictions_text(found, "\n  ") + "\n";
     }
-    const stability::FinesBesideConstrictions& constrictions = found.constrictions;
-    text += fmt::format(
-        "\n  constrictions between the grains above {} mm: Dc35 = {} mm at the densest, {} mm at the loosest;\n  {}\n",
-        mm(constrictions.split), mm(constrictions.densest_d35), mm(constrictions.loosest_d35),
-        smaller_share(constrictions.densest_passes, constrictions.loosest_passes)
-    );
     return text + "\n" + stability::summary(found.criteria);
 }
 

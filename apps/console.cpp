@@ -37,6 +37,7 @@ void write_whole(std::FILE* stream, std::string_view text) {
     if (text.empty() || text.back() != '\n') {
         std::fputc('\n', stream);
     }
+    std::fflush(stream); // in order with what the other stream says
 }
 
 /// Folded to the terminal, where there is one.

@@ -7,6 +7,7 @@
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/report/page.hpp"
 #include "suffuse/report/stability_view.hpp"
+#include "suffuse/report/words.hpp"
 #include "suffuse/stability/open_curve.hpp"
 
 #include <fmt/format.h>
@@ -72,16 +73,24 @@ assess_all(const CommandLine& line, const stability::AssessSpec& spec, const Con
     return soils;
 }
 
-void write_page(const AssessedSoil& soil, const json& about, const fs::path& folder, const CommandLine& line) {
+void write_page(
+    const AssessedSoil& soil, const stability::AssessSpec& spec, const json& about, const fs::path& folder,
+    const CommandLine& line
+) {
     report::ReportData data;
     data.title = "Internal stability of " + soil.name;
     data.run = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
     data.answer = {"By its grading alone: " + stability::summary(soil.assessment.criteria) + "."};
+    if (spec.seepage) {
+        data.answer.push_back(report::as_sentence(seepage_text(*spec.seepage)) + ":");
+    }
     for (const Criterion& criterion : soil.assessment.gradients) {
-        data.answer.push_back(fmt::format(
-            "{} at i = {:.3g}: {}; {}.", criterion.name, *criterion.value, stability::verdict_word(criterion.verdict),
-            criterion.remark
-        ));
+        data.answer.push_back(
+            fmt::format("{}: {}; {}.", criterion.name, stability::verdict_word(criterion.verdict), criterion.remark)
+        );
+    }
+    if (soil.assessment.has_constrictions) {
+        data.answer.push_back(report::as_sentence(constrictions_text(soil.assessment)) + ".");
     }
     data.tables = {report::stability_table(soil.assessment)};
     data.figures = {report::stability_grading(soil.assessment), report::stability_shape(soil.assessment)};
@@ -102,7 +111,7 @@ int assess_verb(const CommandLine& line, const Console& console) {
         text += (text.empty() ? "" : "\n\n") + text_of(soil, spec);
         if (!line.output.empty()) {
             const fs::path folder = fs::path(line.output) / soil.folder;
-            write_page(soil, soils.back(), folder, line);
+            write_page(soil, spec, soils.back(), folder, line);
             soils.back()["written"] = (folder / "report.html").string();
             text += fmt::format("\n{}", (folder / "report.html").string());
         }

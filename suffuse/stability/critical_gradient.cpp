@@ -23,9 +23,11 @@ Criterion against(const UpwardSeepage& seepage, double critical) {
 
 std::string margin(const Criterion& criterion) {
     const double left = *criterion.limit - *criterion.value;
-    return *criterion.value > 0
-               ? fmt::format("margin {:.3g}, {:.3g} times the gradient", left, *criterion.limit / *criterion.value)
-               : fmt::format("margin {:.3g}", left);
+    return *criterion.value > 0 ? fmt::format(
+                                      "margin {:.3g}, as the critical gradient is {:.3g} times this one", left,
+                                      *criterion.limit / *criterion.value
+                                  )
+                                : fmt::format("margin {:.3g}", left);
 }
 
 } // namespace
