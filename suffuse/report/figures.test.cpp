@@ -108,13 +108,13 @@ TEST(Figures, ConstrictionsAreToldForEachWayOfMergingVoids) {
     ErosionResult erosion = test::sample_erosion();
     const std::string caption = constriction_sizes(erosion)->caption;
     EXPECT_NE(
-        caption.find("none 0.448 mm (1,500), center 0.32 mm (600), overlap 0.21 mm (120); drawn is none."),
+        caption.find("none 0.448 mm (1,500), center 0.32 mm (600), overlap 0.21 mm (120). Drawn is “none”."),
         std::string::npos
     ) << caption;
     for (erosion::PassResult& pass : erosion.passes) {
         pass.constrictions_by_merge = {}; // as read from a run of before
     }
-    EXPECT_EQ(constriction_sizes(erosion)->caption.find("drawn is"), std::string::npos);
+    EXPECT_EQ(constriction_sizes(erosion)->caption.find("Drawn is"), std::string::npos);
 }
 
 TEST(Figures, AnEmptyRunMakesNone) {

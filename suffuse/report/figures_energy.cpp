@@ -82,8 +82,8 @@ std::optional<Figure> energy_of_tests(const std::vector<TestEnergy>& all) {
     figure.section = "Tests";
     figure.title = "Where the work of the tests goes";
     figure.caption = fmt::format(
-        "Of the work done on the {}, sliding contacts take {} and rolling ones {}; springs hold {} more than at the "
-        "start, and the calculation's own damping takes {}. The parts are found each for itself, and add up to the "
+        "Of the work done on the {}, sliding contacts take {} and rolling ones {}, {} stays in the springs, and the "
+        "calculation's own damping takes {}. The parts are found each for itself, and add up to the "
         "work within {} %.",
         tests.size() == 1 ? "sample" : "samples", range_of_share(tests, &dem::EnergyParts::slip),
         range_of_share(tests, &dem::EnergyParts::rolling), range_of_share(tests, &dem::EnergyParts::springs),
@@ -100,7 +100,7 @@ std::optional<Figure> energy_of_tests(const std::vector<TestEnergy>& all) {
         "width": 480, "height": {"step": 30},
         "mark": {"type": "bar"},
         "encoding": {
-            "y": {"field": "test", "type": "nominal", "title": null, "axis": {"labelLimit": 260}},
+            "y": {"field": "test", "type": "nominal", "title": null, "axis": {"labelLimit": 420}},
             "x": {"field": "share", "type": "quantitative", "title": "share of the work [%]",
                   "stack": "zero", "scale": {"nice": false}},
             "color": {"field": "part", "type": "nominal", "title": null},

@@ -21,9 +21,9 @@ TEST(EnergyFigure, TellsTheSharesOfTheWorkAndHowNearTheyAddUpToIt) {
     ASSERT_TRUE(figure);
     EXPECT_EQ(
         figure->caption,
-        "Of the work done on the sample, sliding contacts take 25 % and rolling ones 58 %; springs hold 15 % more "
-        "than at the start, and the calculation's own damping takes 1 %. The parts are found each for itself, and add "
-        "up to the work within 1 %."
+        "Of the work done on the sample, sliding contacts take 25 % and rolling ones 58 %, 15 % stays in the springs, "
+        "and the calculation's own damping takes 1 %. The parts are found each for itself, and add up to the work "
+        "within 1 %."
     );
     EXPECT_EQ(figure->table.rows(), 5U);
     EXPECT_DOUBLE_EQ(figure->table.numbers("energy")[0], 5);

@@ -1,9 +1,11 @@
 #include "suffuse/report/figures_flux.hpp"
 
+#include "suffuse/report/size_axis.hpp"
 #include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse::report {
@@ -87,10 +89,6 @@ std::optional<Figure> flux_by_size(const std::vector<FluxState>& states) {
     figure.table.add("flux_90", "-", std::move(high));
     figure.chart = json::parse(R"json({
         "width": 480, "height": 300,
-        "encoding": {
-            "x": {"field": "diameter", "type": "quantitative", "scale": {"type": "log", "nice": false},
-                  "title": "diameter of the throat's inscribed circle d [mm]"}
-        },
         "layer": [
             {"transform": [{"filter": "datum.flux_10 > 0"}],
              "mark": {"type": "area", "opacity": 0.15},
@@ -104,6 +102,10 @@ std::optional<Figure> flux_by_size(const std::vector<FluxState>& states) {
                 {"field": "flux_90", "title": "90 % quantile", "format": ".3g"}]}}
         ]
     })json");
+    const auto [least, most] = std::ranges::minmax(figure.table.numbers("diameter"));
+    json& size = figure.chart["encoding"]["x"] = size_axis(least / 1.05, 1.05 * most, false);
+    size["field"] = "diameter";
+    size["title"] = "diameter of the throat's inscribed circle d [mm]";
     const json axis = {{"labelExpr", power_of_ten_labels()}, {"tickCount", 6}};
     for (json& layer : figure.chart["layer"]) {
         layer["encoding"]["y"].update(

@@ -17,16 +17,20 @@ using erosion::PassResult;
 using nlohmann::json;
 
 /// What is written beside each state: nothing where the next one lies on it, and names both; the first and the last
-/// state alone where there are many.
-std::vector<std::string> labels(const std::vector<std::string>& state, const std::vector<double>& eroded) {
+/// state alone where there are many. A permeability that has changed sets two states apart, too.
+std::vector<std::string> labels(
+    const std::vector<std::string>& state, const std::vector<double>& eroded, const std::vector<double>& permeability
+) {
     constexpr std::size_t many = 8;
     std::vector<std::string> shown = state;
     if (state.size() > many) {
         std::fill(shown.begin() + 1, shown.end() - 1, "");
         return shown;
     }
+    const double highest = *std::max_element(permeability.begin(), permeability.end());
     for (std::size_t k = 0; k + 1 < state.size(); ++k) {
-        if (eroded[k + 1] - eroded[k] < 0.04 * eroded.back()) {
+        const double change = std::abs(permeability[k + 1] - permeability[k]);
+        if (eroded[k + 1] - eroded[k] < 0.04 * eroded.back() && change < 0.06 * highest) {
             shown[k + 1] = shown[k] + (k == 0 ? ", after " : " and ") + pass_name(static_cast<int>(k) + 1);
             shown[k].clear();
         }
@@ -68,7 +72,7 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
     const double highest = *std::max_element(permeability.begin(), permeability.end());
     const int decade = static_cast<int>(std::floor(std::log10(highest)));
     const double unit = std::pow(10.0, decade);
-    figure.table.add("label", labels(state, eroded));
+    figure.table.add("label", labels(state, eroded, permeability));
     figure.table.add("state", std::move(state));
     figure.table.add("eroded_mass", "%", std::move(eroded));
     figure.table.add("permeability", "m2", std::move(permeability));

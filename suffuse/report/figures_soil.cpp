@@ -143,8 +143,8 @@ std::string means_by_merge(const PassResult& pass) {
         );
     }
     return fmt::format(
-        " Mean (and number) in pass {} by the way in which pores are merged to voids: {}; drawn is {}.", pass.pass,
-        means, pores::name_of(pass.merge)
+        " Mean (and number) in pass {} by the way in which pores are merged to voids (`merge`): {}. Drawn is “{}”.",
+        pass.pass, means, pores::name_of(pass.merge)
     );
 }
 

@@ -44,10 +44,10 @@ std::vector<std::string> row_of(const Criterion& criterion) {
     std::string verdict = stability::verdict_word(criterion.verdict);
     return {
         criterion.name,
-        criterion.measure,
+        criterion.verified ? verdict : verdict + " (unverified)",
         criterion.value ? short_number(*criterion.value) : "–",
         typeset_limit(criterion),
-        criterion.verified ? verdict : verdict + " (unverified)",
+        criterion.measure,
         criterion.remark,
         criterion.source};
 }
@@ -117,7 +117,7 @@ PageTable stability_table(const Assessment& assessment) {
     table.title = "Internal stability by the grading";
     table.note = as_sentence(stability::summary(assessment.criteria)) +
                  ". Criteria whose limits were not read in a source are marked unverified and not counted.";
-    table.header = {"criterion", "measure", "number", "stable if", "verdict", "remark", "source"};
+    table.header = {"criterion", "verdict", "number", "stable if", "measure", "remark", "source"};
     table.numeric = {false, false, true, false, false, false, false};
     for (const auto* list : {&assessment.criteria, &assessment.gradients}) {
         for (const Criterion& criterion : *list) {
