@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -29,7 +30,8 @@ struct CsvTable {
     char mark = ',';          ///< between columns
 };
 
-enum class Meaning { Other, Size, Passing, CumulativeRetained, Retained };
+/// `Retained` does not say whether on the sieve alone or on it and all coarser ones.
+enum class Meaning { Other, Size, Passing, CumulativeRetained, RetainedOnSieve, Retained };
 
 struct Column {
     std::size_t index = 0;
@@ -41,11 +43,11 @@ struct Column {
 
 struct Columns {
     Column size, share;
-    bool is_retained = false; ///< the share is cumulative percent retained
+    Meaning meaning = Meaning::Passing; ///< of the share
 };
 
 constexpr std::string_view expected_header = "the first line names the columns: `d [mm],passing [%]`; also size, sieve "
-                                             "or diameter, and finer or cumulative retained";
+                                             "or diameter, and finer, cumulative retained or retained on sieve";
 constexpr std::string_view blanks = " \t\r";
 
 int count_characters(std::string_view text) {
@@ -135,9 +137,11 @@ Meaning meaning_of(const std::string& name) {
         return Meaning::Passing;
     }
     const bool is_retained = name.find("retained") != std::string::npos;
-    return !is_retained                              ? Meaning::Other
-           : name.find("cumul") != std::string::npos ? Meaning::CumulativeRetained
-                                                     : Meaning::Retained;
+    const auto says = [&](const char* word) { return name.find(word) != std::string::npos; };
+    return !is_retained                                              ? Meaning::Other
+           : says("cumul")                                           ? Meaning::CumulativeRetained
+           : says("onsieve") || says("oneach") || says("individual") ? Meaning::RetainedOnSieve
+                                                                     : Meaning::Retained;
 }
 
 /// The last word of a heading, where that is a unit: of "d_mm", "passing percent". @return it and what stands before.
@@ -219,11 +223,16 @@ public:
         if (!is_good) {
             return std::nullopt;
         }
-        if (!size_ || !(passing_ || retained_)) {
-            complain_about_missing(header);
-            return std::nullopt;
+        for (const auto& [column, meaning] :
+             {std::pair{&passing_, Meaning::Passing},
+              {&retained_, Meaning::CumulativeRetained},
+              {&on_sieve_, Meaning::RetainedOnSieve}}) {
+            if (size_ && *column) {
+                return Columns{*size_, **column, meaning};
+            }
         }
-        return Columns{*size_, passing_ ? *passing_ : *retained_, !passing_};
+        complain_about_missing(header);
+        return std::nullopt;
     }
 
 private:
@@ -233,7 +242,10 @@ private:
             return true;
         }
         const bool is_size = meaning == Meaning::Size;
-        std::optional<Column>& column = is_size ? size_ : meaning == Meaning::Passing ? passing_ : retained_;
+        std::optional<Column>& column = is_size                                  ? size_
+                                        : meaning == Meaning::Passing            ? passing_
+                                        : meaning == Meaning::CumulativeRetained ? retained_
+                                                                                 : on_sieve_;
         if (column) {
             problems_.error(
                 "E506", cell.place, fmt::format("`{}` and `{}` mean the same", column->name, cell.text),
@@ -254,8 +266,9 @@ private:
         if (size_ && has_plain_retained_) {
             problems_.error(
                 "E506", header.place, "percent retained: on each sieve alone, or on it and all coarser ones?",
-                "name the column `cumulative retained [%]` if it is the latter; else write percent passing, 100 minus "
-                "what is retained on the sieve and on all coarser ones"
+                "name the column `retained on sieve [%]` or `cumulative retained [%]`; of masses write percent "
+                "passing, "
+                "100 minus what is retained on the sieve and on all coarser ones"
             );
             return;
         }
@@ -270,7 +283,7 @@ private:
     }
 
     Problems& problems_;
-    std::optional<Column> size_, passing_, retained_;
+    std::optional<Column> size_, passing_, retained_, on_sieve_;
     bool has_plain_retained_ = false;
 };
 
@@ -345,6 +358,26 @@ private:
     bool has_points_ = false, separates_ = true;
 };
 
+bool is_pan(const CsvCell& size) {
+    return size.text == "pan" || size.text == "Pan" || size.text == "PAN";
+}
+
+/// From what each sieve retains to what passes it: all that neither it nor a coarser one retains.
+void add_up(std::vector<GradingPoint>& points) {
+    constexpr double rounding = 0.01; // of percentages that should add up to 100
+    std::vector<GradingPoint*> coarsest_first;
+    for (GradingPoint& point : points) {
+        coarsest_first.push_back(&point);
+    }
+    std::ranges::sort(coarsest_first, std::greater{}, &GradingPoint::diameter);
+    double retained = 0;
+    for (GradingPoint* point : coarsest_first) {
+        retained += point->passing;
+        const double passing = 1 - retained;
+        point->passing = passing < 1e-9 && passing > -rounding ? 0 : passing;
+    }
+}
+
 } // namespace
 
 std::optional<std::vector<GradingPoint>>
@@ -378,12 +411,19 @@ read_grading_points(const std::shared_ptr<const Source>& source, Problems& probl
             continue;
         }
         const CsvCell &size = cells[columns->size.index], &share = cells[columns->share.index];
+        if (columns->meaning == Meaning::RetainedOnSieve && is_pan(size)) {
+            continue; // what is left when all sieves have theirs
+        }
         const auto diameter = numbers.read(size, columns->size, dimension::length);
         const auto found = numbers.read(share, columns->share, dimension::none);
         is_good = is_good && diameter && found;
         if (diameter && found) {
-            points.push_back({*diameter, columns->is_retained ? 1 - *found : *found, size.place, share.place});
+            const bool is_cumulative = columns->meaning == Meaning::CumulativeRetained;
+            points.push_back({*diameter, is_cumulative ? 1 - *found : *found, size.place, share.place});
         }
+    }
+    if (columns->meaning == Meaning::RetainedOnSieve) {
+        add_up(points);
     }
     return is_good ? std::optional(std::move(points)) : std::nullopt;
 }

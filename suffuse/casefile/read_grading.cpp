@@ -42,6 +42,21 @@ bool check_values(const std::vector<GradingPoint>& points, Problems& problems) {
 
 /// Points with sizes rising.
 bool check_order(const std::vector<GradingPoint>& points, Problems& problems) {
+    const auto rises = [](const GradingPoint& below, const GradingPoint& point) {
+        return point.passing > below.passing;
+    };
+    if (points.size() > 2 && std::ranges::adjacent_find(points, rises) == points.end() &&
+        rises(points.back(), points.front())) {
+        problems.error(
+            "E503", points.front().passing_place,
+            fmt::format(
+                "percent passing falls throughout, from {} at {} to {} at {}", in_percent(points.front().passing),
+                in_mm(points.front().diameter), in_percent(points.back().passing), in_mm(points.back().diameter)
+            ),
+            "name the column `cumulative retained [%]` if that is what it holds"
+        );
+        return false;
+    }
     bool is_good = true;
     for (std::size_t k = 1; k < points.size(); ++k) {
         const GradingPoint &below = points[k - 1], &point = points[k];

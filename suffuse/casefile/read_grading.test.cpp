@@ -49,7 +49,9 @@ TEST(ReadGrading, SieveAnalysesAsLaboratoriesWriteThemGiveTheSameCurve) {
              "Grain size;Finer by mass\n100 um;0 %\n200 um;50 %\n0.4 mm;100 %\n", // units at every number
              "sieve [um];Cumulative retained [%]\r\n400;0\r\n200;50\r\n100;100\r\n",
              "d [mm];retained [%];passing [%];;\n0,4;0;100;;\n0,2;50;50;;\n0,1;50;0;;\n", // empty cells
-             "d_mm,passing_percent\n0.1,0\n0.2,50\n0.4,100\n",                            // as scripts name columns
+             "sieve [mm],retained on sieve [%]\n0.4,0\n0.2,50\n0.1,50\npan,0\n",
+             "Sieve (mm);Individual retained (%)\n0,1;50,004\n0,2;50\n0,4;0\n", // rounded
+             "d_mm,passing_percent\n0.1,0\n0.2,50\n0.4,100\n",                  // as scripts name columns
              "particle size um,finer pct\n100,0\n200,50\n400,100\n",
              "\"d [mm]\";\"passing [%]\"\n\"0,1\";\"0\"\n\"0,2\";\"50\"\n\"0,4\";\"100\"\n",
          }) {
@@ -74,6 +76,8 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
     const std::vector<WrongGrading> wrongs{
         {"E503", 4, 6, "30 % passes 0.4 mm, but 50 % passes the smaller 0.2 mm",
          "d,passing\n0.1,0\n0.2,50\n0.40,30\n0.5,100\n"},
+        {"E503", 2, 5, "cumulative retained [%]", "d,passing\n0.1,90\n0.2,50\n0.4,0\n"},
+        {"E504", 4, 5, "-20 % passing", "d,retained on sieve\n0.4,20\n0.2,50\n0.1,50\n"},
         {"E503", 4, 1, "0.15 mm stands beside 0.2 mm", "d,passing\n0.1,0\n0.2,50\n0.15,60\n0.5,100\n"},
         {"E503", 3, 1, "each once", "d,passing\n0.1,0\n0.1,50\n0.2,100\n"},
         {"E504", 2, 1, "-0.1 mm", "d,passing\n-0.1,0\n0.2,100\n"},
