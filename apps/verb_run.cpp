@@ -171,7 +171,7 @@ void tell_plan(const Job& job, const std::string& verb, const Console& console) 
     }
 }
 
-/// "--preset standard (20-40 min); " after a quick run. The case is read anew for it, and what it holds by then, or
+/// "--preset standard (20-40 min)" after a quick run. The case is read anew for it, and what it holds by then, or
 /// says of that preset, must not turn a run that succeeded into a failure: nothing where it has errors.
 std::string larger_hint(const CommandLine& line, const Job& job) {
     if (job.what.preset != "quick") {
@@ -181,7 +181,7 @@ std::string larger_hint(const CommandLine& line, const Job& job) {
         const casefile::Case larger =
             casefile::load_case(line.subject, {"standard", line.overrides, line.studies}).value;
         return fmt::format(
-            "--preset standard ({}); ", duration_range_text(run::plan_run(larger, job.plan.speed).seconds)
+            "--preset standard ({})", duration_range_text(run::plan_run(larger, job.plan.speed).seconds)
         );
     } catch (const Error&) {
         return "";
@@ -217,7 +217,16 @@ int run_verb(const CommandLine& line, const Console& console) {
     tell_plan(job, "into", console);
     const int code = conduct(job, line, console);
     if (code == Done) {
-        console.talk(fmt::format("next: {}a soil of yours, suffuse new --psd FILE", larger_hint(line, job)));
+        std::vector<std::string> hints;
+        if (std::string larger = larger_hint(line, job); !larger.empty()) {
+            hints.push_back(std::move(larger));
+        }
+        if (!job.what.paper.empty()) { // an example
+            hints.emplace_back("a soil of yours, suffuse new --psd FILE");
+        }
+        if (!hints.empty()) {
+            console.talk(fmt::format("next: {}", fmt::join(hints, "; ")));
+        }
     }
     return code;
 }

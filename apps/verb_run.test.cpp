@@ -193,7 +193,9 @@ TEST_F(Cli, ReportIsWrittenAgainWithoutComputing) {
 }
 
 TEST_F(Cli, ASucceededRunStaysOneWhateverItsCaseHasBecomeMeanwhile) {
-    write_to(folder / "case.toml", cloud_of("0", "preset = \"quick\"\npresets.quick.particles = 200\n"));
+    write_to(
+        folder / "case.toml", cloud_of("0", "paper = \"a paper\"\npreset = \"quick\"\npresets.quick.particles = 200\n")
+    );
     const Said said = say({"run", "case.toml", "-o", "here", "--json"});
     EXPECT_EQ(said.code, 0) << said.error;
     EXPECT_EQ(said.json().at("outcome"), "done"); // one document
