@@ -249,6 +249,30 @@ bool is_meant(const Key& key, std::string_view what) {
     return is_end_of_name || address_in(key, parts_of(what)) == what;
 }
 
+/// The keys of a table: "contact", "soil", "erode" for the stages that do it, with those of its inner tables.
+std::string keys_of_table(std::string_view what) {
+    std::string text;
+    const std::string name(what);
+    for (const std::string& table : {name, "stage." + name, name + ".*"}) {
+        for (const Key& key : schema()) {
+            const bool is_inner = key.table.starts_with(table + ".");
+            if (name.empty() || (key.table != table && !is_inner) || key.kind == ValueKind::Table) {
+                continue;
+            }
+            if (name == "stage" && is_inner) {
+                continue; // those of one verb
+            }
+            text += text.empty() ? table_title(table) + "\n" : "";
+            const std::string path = is_inner ? key.table.substr(table.size() + 1) + "." + key.name : key.name;
+            const std::string usual = key.is_required ? "required" : key.default_text;
+            text += fmt::format("  {:32} {:12} {}\n", path, usual, key.text);
+        }
+    }
+    return text.empty() || name == "stage" || !text.starts_with("a stage")
+               ? text
+               : text + "  what every stage has: suffuse explain stage\n";
+}
+
 } // namespace
 
 std::vector<std::string> codes() {
@@ -268,7 +292,7 @@ std::optional<std::string> explain(std::string_view what) {
             return fmt::format("{}: {}\n  {}\n", code.code, code.title, code.text);
         }
     }
-    std::string text = convention_of(what);
+    std::string text = convention_of(what) + keys_of_table(what);
     for (const Key& key : schema()) {
         if (is_meant(key, what)) {
             text += fmt::format("{}{}", text.empty() ? "" : "\n", describe(key));
@@ -298,6 +322,7 @@ std::vector<std::string> topics() {
     for (const Key& key : schema()) {
         words.push_back(key.name);
     }
+    words.insert(words.end(), names::verbs.begin(), names::verbs.end());
     std::sort(words.begin(), words.end());
     words.erase(std::unique(words.begin(), words.end()), words.end());
     return words;

@@ -128,6 +128,10 @@ TEST(Explain, KnowsKeysCodesAndConventions) {
     EXPECT_NE(explain("study.x.stage.y.gradient")->find("[study.NAME.stage.erode] gradient"), std::string::npos);
     EXPECT_NE(explain("presets.quick.passes")->find("[presets.NAME] passes"), std::string::npos);
     EXPECT_EQ(explain("soil.dyke.fines.finer_than"), explain("fines.finer_than"));
+    EXPECT_NE(explain("erode")->find("a stage that does \"erode\"\n  passes"), std::string::npos);
+    EXPECT_NE(explain("erode")->find("  detached.rule"), std::string::npos);
+    EXPECT_NE(explain("contact")->find("[contact]\n"), std::string::npos);
+    EXPECT_NE(explain("soil")->find("  psd"), std::string::npos);
     EXPECT_FALSE(explain("study.x.stage.y.prepare.adhesion.nromal"));
     EXPECT_FALSE(explain("study.x"));
     EXPECT_FALSE(explain("modulos"));
