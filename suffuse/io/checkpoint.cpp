@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::int64_t schema = 1; // raised when a name or a meaning changes
 const std::string kind = "suffuse state";
+const std::string unfinished_bytes = "unfinished";
 const std::string last_stress = "servo/stress"; // states of before the servo answered to it do not hold it
 
 // Each list below binds every member of its struct by name: a new member stops the compiler until it is saved too.
@@ -251,7 +252,8 @@ void check_tables(const Hdf5Reader& file, const dem::World& world) {
 } // namespace
 
 void save_world(
-    const std::filesystem::path& path, const dem::World& world, const Attributes& attributes, const Attributes& made_by
+    const std::filesystem::path& path, const dem::World& world, const Attributes& attributes, const Attributes& made_by,
+    std::span<const std::uint8_t> unfinished
 ) {
     Hdf5Writer file;
     Attributes origin = made_by;
@@ -266,6 +268,9 @@ void save_world(
         expects(!name.empty() && name.find('/') == std::string::npos, "an attribute's name holds no slash");
         expects(text.find('\0') == std::string::npos, "an attribute's text holds no zero byte");
         file.write_text("attributes/" + name, text);
+    }
+    if (!unfinished.empty()) {
+        file.write(unfinished_bytes, {unfinished.size()}, unfinished.data(), "CBOR");
     }
     Saver save(file);
     list_world(world, save);
@@ -297,6 +302,9 @@ Checkpoint load_world(const std::filesystem::path& path) {
     check_tables(file, checkpoint.world);
     for (const std::string& name : file.names("attributes")) {
         checkpoint.attributes[name] = file.read_text("attributes/" + name);
+    }
+    if (file.has(unfinished_bytes)) {
+        checkpoint.unfinished = file.read<std::uint8_t>(unfinished_bytes);
     }
     return checkpoint;
 }

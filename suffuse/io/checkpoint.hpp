@@ -4,18 +4,22 @@
 
 #include "suffuse/dem/world.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace suffuse::io {
 
-/// Texts that travel with a state: the resolved case, the position within the stage.
+/// Texts that travel with a state: the stage that it is of.
 using Attributes = std::map<std::string, std::string>;
 
 struct Checkpoint {
     dem::World world;
     Attributes attributes;
+    std::vector<std::uint8_t> unfinished; ///< of a state in the middle of a stage: what its verb needs to go on
 };
 
 /// Saves a state under `path`, in full or not at all (IoError). Attribute names hold no '/', texts no zero byte.
@@ -23,7 +27,7 @@ struct Checkpoint {
 /// for those who find it alone; they are no part of the state
 void save_world(
     const std::filesystem::path& path, const dem::World& world, const Attributes& attributes = {},
-    const Attributes& made_by = {}
+    const Attributes& made_by = {}, std::span<const std::uint8_t> unfinished = {}
 );
 
 /// Loads what `save_world` wrote. Throws IoError where the file is not such a state, is damaged or of another schema.

@@ -130,9 +130,11 @@ RC_GTEST_PROP(Checkpoint, LoadingWhatWasSavedGivesTheSameBits, ()) {
     const Attributes attributes{{"case", *rc::gen::nonEmpty(rc::gen::string<std::string>())}, {"stage", ""}};
     RC_PRE(attributes.at("case").find('\0') == std::string::npos);
     const TempFolder folder;
-    save_world(folder / "state.h5", world, attributes);
+    const auto unfinished = *rc::gen::arbitrary<std::vector<std::uint8_t>>();
+    save_world(folder / "state.h5", world, attributes, {}, unfinished);
     const Checkpoint back = load_world(folder / "state.h5");
     RC_ASSERT(back.attributes == attributes);
+    RC_ASSERT(back.unfinished == unfinished);
     RC_ASSERT(same(back.world.grains, world.grains));
     RC_ASSERT(same(back.world.contacts, world.contacts));
     RC_ASSERT(same_bytes(back.world.cell, world.cell));

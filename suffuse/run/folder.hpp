@@ -35,7 +35,7 @@ void check_is_run(const std::filesystem::path& folder);
 /// What the folder of a stage that failed holds instead of its numbers, until it is run again.
 inline constexpr const char* failure_file = "failed.json";
 
-/// A stage that is under way, or was stopped: its state, and as text what its verb needs to go on.
+/// A stage that is under way, or was stopped: its state, and what its verb needs to go on.
 inline constexpr const char* partial_file = "partial.h5";
 
 void keep_failure(const std::filesystem::path& run, const FailedSample& failure);

@@ -40,7 +40,7 @@ IoError strange_partial(const StageWork& work) {
 void take_up(StageWork& work) {
     io::Checkpoint partial = io::load_world(work.folder / partial_file);
     try {
-        const json saved = json::parse(partial.attributes["stage"]);
+        const json saved = json::from_cbor(partial.unfinished);
         work.world = std::move(partial.world);
         work.pictures = StrainPictures(work.what.output, work.folder, work.world);
         work.history.restore(saved.at("history"));

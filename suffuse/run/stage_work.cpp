@@ -33,7 +33,8 @@ void StageWork::save_partial(const nlohmann::json& state) const {
         {"grain_steps", grain_steps},
         {"seconds", seconds()},
         {"commit", commit()}};
-    io::save_world(folder / partial_file, world, {{"stage", all.dump()}});
+    // CBOR, as text has no word for numbers that are infinite, or none
+    io::save_world(folder / partial_file, world, {}, {}, nlohmann::json::to_cbor(all));
 }
 
 void StageWork::note_state() {

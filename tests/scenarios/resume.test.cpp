@@ -7,6 +7,7 @@
 
 #include "tests/support/run_text.hpp"
 #include <atomic>
+#include <cmath>
 
 namespace suffuse::test {
 namespace {
@@ -85,6 +86,53 @@ TEST(Resume, AfterStopsInTheMiddleOfStagesTheBitsAreTheSame) {
     );
 }
 
+/// Fines so small that most float: without water the median one of them does not move at all.
+const std::string floating_fines = R"(
+[soil.mixture]
+coarse            = { psd = { d = ["0.28 mm", "0.32 mm"], passing = ["0 %", "100 %"] } }
+fines             = { psd = { d = ["0.056 mm", "0.064 mm"], passing = ["0 %", "100 %"] } }
+fines_content     = "8 %"
+grading_tolerance = "10 %"
+[study.s]
+soil      = "mixture"
+particles = 1500
+[[study.s.stage]]
+name = "cloud"
+do   = "pack"
+[[study.s.stage]]
+name     = "initial"
+do       = "compact"
+pressure = "100 kPa"
+protocol = "swift"
+[[study.s.stage]]
+name     = "erosion"
+do       = "erode"
+passes   = 3
+gradient = 0.05
+)";
+
+TEST(Resume, OfAnErosionKeepsWhatIsInfinite) {
+    const TempFolder straight, broken;
+    const std::string text = reference_constants + floating_fines;
+    run_text(text, straight.path());
+    std::atomic<bool> stop{false};
+    run::RunOptions options;
+    options.stop = &stop;
+    options.on_progress = [&](const run::Progress&) {
+        stop = std::filesystem::exists(broken / "run/studies/s/erosion/partial.h5");
+    };
+    ASSERT_EQ(run_text(text, broken.path(), options).outcome, run::Outcome::Stopped);
+    const run::RunReport report = run_text(text, broken.path());
+    ASSERT_TRUE(report.failures.empty()) << report.failures.front().message;
+    EXPECT_EQ(hash_of(broken, "erosion"), hash_of(straight, "erosion"));
+    const auto signal_of_first_pass = [](const TempFolder& folder) {
+        const nlohmann::json results = run::read_cbor(folder / "run/studies/s/erosion/results.cbor");
+        return results.at("erosion").at("passes").at(0).at("probe").at("signal_over_twin").get<double>();
+    };
+    EXPECT_TRUE(std::isinf(signal_of_first_pass(straight))); // what the test is about
+    EXPECT_TRUE(std::isinf(signal_of_first_pass(broken)));
+}
+
 TEST(Resume, WhatAnotherVersionSavedInTheMiddleOfAStageIsRefusedOrSaidToBeOfIt) {
     const TempFolder folder;
     const std::string text = sample_of(300);
@@ -97,7 +145,7 @@ TEST(Resume, WhatAnotherVersionSavedInTheMiddleOfAStageIsRefusedOrSaidToBeOfIt) 
     };
     ASSERT_EQ(run_text(text, folder.path(), options).outcome, run::Outcome::Stopped);
     const io::Checkpoint left = io::load_world(partial);
-    const nlohmann::json saved = nlohmann::json::parse(left.attributes.at("stage"));
+    const nlohmann::json saved = nlohmann::json::from_cbor(left.unfinished);
 
     nlohmann::json without_history = saved, without_key = saved, with_other_state = saved, of_another = saved;
     without_history.erase("history");
@@ -105,14 +153,14 @@ TEST(Resume, WhatAnotherVersionSavedInTheMiddleOfAStageIsRefusedOrSaidToBeOfIt) 
     with_other_state["state"] = "burst 3";
     of_another["commit"] = "0123456789";
     for (const nlohmann::json& strange : {without_history, without_key, with_other_state, nlohmann::json(nullptr)}) {
-        io::save_world(partial, left.world, {{"stage", strange.dump()}});
+        io::save_world(partial, left.world, {}, {}, nlohmann::json::to_cbor(strange));
         const run::RunReport report = run_text(text, folder.path());
         ASSERT_EQ(report.failures.size(), 1U) << strange.dump();
         EXPECT_EQ(report.failures[0].kind, "io");
         const std::string& message = report.failures[0].message;
         EXPECT_NE(message.find("remove " + partial.string() + " and resume"), std::string::npos) << message;
     }
-    io::save_world(partial, left.world, {{"stage", of_another.dump()}});
+    io::save_world(partial, left.world, {}, {}, nlohmann::json::to_cbor(of_another));
     EXPECT_TRUE(run_text(text, folder.path()).failures.empty());
     const std::string warnings = stage_of(folder.path(), "initial").at("warnings").dump();
     EXPECT_NE(warnings.find("s/initial: commit 0123456789 began it"), std::string::npos) << warnings;
