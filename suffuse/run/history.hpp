@@ -33,6 +33,9 @@ public:
     /// Appends a row when one is due, or when `anyway`.
     void record(const dem::World& world, bool anyway = false);
 
+    /// Another trial of the same stage, from its start.
+    void begin_anew() { rows_.clear(); }
+
     [[nodiscard]] const std::vector<HistoryRow>& rows() const { return rows_; }
 
     [[nodiscard]] double largest_inertial_number() const;

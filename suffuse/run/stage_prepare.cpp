@@ -133,6 +133,7 @@ void do_compact(StageWork& work, const packing::CompactSpec& asked) {
         const dem::World cloud = work.world;
         const auto reach = [&](const packing::CompactSpec& trial) {
             work.world = cloud;
+            work.history.begin_anew();
             work.pictures.begin_anew(cloud);
             compact(work, trial, packing::begin_compaction(work.world, trial, work.variant.damping, work.what.mode));
             return dem::void_ratio(work.world);

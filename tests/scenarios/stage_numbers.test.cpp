@@ -1,0 +1,56 @@
+// What a stage tells of itself in its files, where it is put together from several trials, passes or directions.
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_text.hpp"
+#include <fstream>
+#include <sstream>
+
+namespace suffuse::test {
+namespace {
+
+const std::string coarse_sand = R"(
+[soil.mixture]
+psd               = { d = ["0.28 mm", "0.32 mm"], passing = ["0 %", "100 %"] }
+grading_tolerance = "10 %"
+[study.s]
+soil      = "mixture"
+particles = 300
+[[study.s.stage]]
+name = "cloud"
+do   = "pack"
+)";
+
+/// The rows of a table that a stage left, as text.
+std::vector<std::string> lines_of(const std::filesystem::path& table) {
+    std::ifstream file(table);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+TEST(StageNumbers, TheHistoryOfACompactionToAVoidRatioIsThatOfTheTrialThatCounts) {
+    const TempFolder folder;
+    run_text(
+        reference_constants + coarse_sand +
+            "[[study.s.stage]]\nname = \"initial\"\ndo = \"compact\"\npressure = \"100 kPa\"\n"
+            "protocol = \"faithful\"\nvoid_ratio = 0.66\nrecord = { every = 50 }\n",
+        folder.path()
+    );
+    const nlohmann::json numbers = stage_of(folder.path(), "initial");
+    ASSERT_GT(numbers.at("steps_of_trials"), numbers.at("steps")); // what the test is about
+    const std::vector<std::string> lines = lines_of(folder / "run/studies/s/initial/history.csv");
+    EXPECT_EQ(std::stoll(lines.back()), numbers.at("steps").get<std::int64_t>());
+    EXPECT_EQ(std::ssize(lines) - 1, numbers.at("steps").get<std::int64_t>() / 50);
+    std::istringstream last(lines.back());
+    std::string cell;
+    for (int column = 0; column < 9; ++column) {
+        std::getline(last, cell, ',');
+    }
+    EXPECT_DOUBLE_EQ(std::stod(cell), numbers.at("void_ratio"));
+}
+
+} // namespace
+} // namespace suffuse::test
