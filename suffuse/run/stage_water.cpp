@@ -227,7 +227,7 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
     numbers["force_sum"] = seepage.force_sum;
     numbers["force_sum_error"] = seepage.force_sum_error;
     work.findings.throat_flux =
-        flow::describe_fluxes(seepage.network, seepage.field.flux, spec.gradient > 0 ? spec.gradient : 1);
+        flow::describe_fluxes(seepage.network, seepage.field.flux, spec.gradient != 0 ? spec.gradient : 1);
     numbers["half_carried_by"] = work.findings.throat_flux->half_carried_by;
     numbers["residual"] = seepage.field.residual;
     numbers["pores"] = seepage.network.pores.size();

@@ -52,5 +52,23 @@ TEST(StageNumbers, TheHistoryOfACompactionToAVoidRatioIsThatOfTheTrialThatCounts
     EXPECT_DOUBLE_EQ(std::stod(cell), numbers.at("void_ratio"));
 }
 
+TEST(StageNumbers, TheMeanFluxThroughThroatsIsThatOfAGradientOfOneWhateverTheSign) {
+    const TempFolder folder;
+    run_text(
+        reference_constants + coarse_sand +
+            "[[study.s.stage]]\nname = \"plus\"\ndo = \"flow\"\ngradient = 0.1\n"
+            "[[study.s.stage]]\nname = \"minus\"\ndo = \"flow\"\ngradient = -0.1\n",
+        folder.path()
+    );
+    const auto mean_flux = [&](const std::string& stage) {
+        return run::read_cbor(folder / ("run/studies/s/" + stage + "/results.cbor"))
+            .at("throat_flux")
+            .at("mean")
+            .get<double>();
+    };
+    EXPECT_GT(mean_flux("plus"), 0);
+    EXPECT_NEAR(mean_flux("minus"), mean_flux("plus"), 1e-6 * mean_flux("plus")); // of the solver
+}
+
 } // namespace
 } // namespace suffuse::test
