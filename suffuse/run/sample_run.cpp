@@ -72,10 +72,6 @@ void do_stage_or_go_on(StageWork& work) {
     }
 }
 
-bool has_fractions(const casefile::Variant& variant) {
-    return variant.soil && (variant.soil->fines || variant.soil->finer_than || variant.soil->kenney_lau);
-}
-
 /// stage.json, but for what is said of the whole run.
 json describe_stage(StageWork& work) {
     json numbers = measure_state(work.world, has_fractions(work.variant));

@@ -41,4 +41,8 @@ bool leaves_tables(const casefile::Case& what, const casefile::Variant& variant,
            std::find(formats.begin(), formats.end(), "csv") != formats.end();
 }
 
+bool has_fractions(const casefile::Variant& variant) {
+    return variant.soil && (variant.soil->fines || variant.soil->finer_than || variant.soil->kenney_lau);
+}
+
 } // namespace suffuse::run

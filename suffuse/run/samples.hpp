@@ -24,4 +24,7 @@ std::vector<Sample> list_samples(const casefile::Case& what, const std::string& 
 /// where [output] asks for it.
 bool leaves_tables(const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage);
 
+/// Whether the soil tells coarse and fine grains apart, so that every stage has their numbers.
+bool has_fractions(const casefile::Variant& variant);
+
 } // namespace suffuse::run

@@ -150,6 +150,7 @@ std::string StageCache::key_of(
         text += "# packing " + hash_of_file(import->path) + "\n";
     }
     text += leaves_tables(what, variant, stage) ? "# leaves tables\n" : "";
+    text += has_fractions(variant) ? "# tells of fines\n" : "";
     return text + casefile::dependencies_of(what, variant, stage);
 }
 

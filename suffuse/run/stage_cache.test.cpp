@@ -67,6 +67,15 @@ TEST_F(Cached, ADamagedEntryIsDroppedAndKeptAnew) {
     }
 }
 
+TEST_F(Cached, AStageWhoseNumbersTellOfFinesIsNotTakenForOneWithout) {
+    const casefile::Case what;
+    stage.spec = packing::CompactSpec{};
+    variant.soil = grains::Soil{};
+    const std::string plain = StageCache::key_of(what, variant, stage, "1");
+    variant.soil->fines.emplace();
+    EXPECT_NE(StageCache::key_of(what, variant, stage, "1"), plain);
+}
+
 TEST_F(Cached, SettingsOfAnotherShapeCountAsNone) {
     cache.keep("key", done());
     for (const char* const text : {"", "[]", "{\"limit_bytes\": \"much\"}"}) {
