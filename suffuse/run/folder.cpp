@@ -165,8 +165,9 @@ std::vector<FailedSample> read_failures(const std::filesystem::path& run, const 
     std::vector<FailedSample> failures;
     for (const Sample& sample : list_samples(what)) {
         for (const casefile::Stage& stage : sample.variant->stages) {
-            const std::filesystem::path file = stage_folder(run, *sample.variant, stage) / failure_file;
-            if (std::filesystem::exists(file)) {
+            const std::filesystem::path folder = stage_folder(run, *sample.variant, stage);
+            const std::filesystem::path file = folder / failure_file;
+            if (std::filesystem::exists(file) && !std::filesystem::exists(folder / "stage.json")) {
                 const nlohmann::json kept = read_json(file);
                 failures.push_back({kept.at("sample"), kept.at("stage"), kept.at("kind"), kept.at("message")});
             }

@@ -153,6 +153,10 @@ private:
 
     void fail(const SampleRun& run, const std::string& kind, const std::string& message) {
         Progress last = run.place();
+        if (std::filesystem::exists(options_.folder / "studies" / last.study / last.stage / "stage.json")) {
+            overview_.break_off(); // the stage is complete: it is who listens to the run that failed
+            throw;
+        }
         try {
             keep_failure(options_.folder, {last.study, last.stage, kind, message});
         } catch (...) { // no place for any sample's results

@@ -24,6 +24,12 @@ bool writes(const casefile::OutputSpec& output, std::string_view format) {
     return std::find(output.formats.begin(), output.formats.end(), format) != output.formats.end();
 }
 
+/// A file that means nothing beside a finished stage; it may as well stay where it cannot be removed.
+void drop(const std::filesystem::path& file) {
+    std::error_code error;
+    std::filesystem::remove(file, error);
+}
+
 std::string stage_name(const casefile::Variant& variant, const casefile::Stage& stage) {
     return variant.folder + "/" + stage.name;
 }
@@ -174,6 +180,7 @@ void SampleRun::run() {
         if (!std::filesystem::exists(folder / "stage.json")) {
             run_stage(*stage_);
         } else {
+            drop(folder / failure_file); // of what came after the stage
             overview_.count_stage();
         }
     }
@@ -215,7 +222,7 @@ bool SampleRun::take_from_cache(
     if (!cache_.take(key, *sample_.variant, stage, folder)) {
         return false;
     }
-    std::filesystem::remove(folder / partial_file);
+    drop(folder / partial_file);
     overview_.count_stage();
     tell("stage taken from the cache", stage);
     Progress taken = place();
@@ -283,16 +290,20 @@ void SampleRun::finish(StageWork& work) {
     const json numbers = describe_stage(work);
     write_files(work, what_.output);
     write_json(work.folder / "stage.json", numbers);
-    std::filesystem::remove(work.folder / partial_file);
+    drop(work.folder / partial_file);
     overview_.count_stage();
     tell("stage done", work.stage, {{"wall_seconds", numbers["wall_seconds"]}});
     control_.finish(numbers);
 }
 
+/// A line that the log cannot take costs no result.
 void SampleRun::tell(const std::string& event, const casefile::Stage& stage, json more) const {
     more["event"] = event;
     more["stage"] = stage_name(*sample_.variant, stage);
-    overview_.tell(std::move(more));
+    try {
+        overview_.tell(std::move(more));
+    } catch (const IoError&) {
+    }
 }
 
 } // namespace suffuse::run

@@ -8,6 +8,7 @@
 #include "tests/support/run_text.hpp"
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace suffuse::test {
 namespace {
@@ -33,6 +34,9 @@ name        = "moved"
 do          = "advance"
 steps       = 700
 strain_rate = ["1 1/s", "0 1/s", "0 1/s"]
+)";
+
+const std::string erosion_of_two_passes = R"(
 [[study.s.stage]]
 name     = "erosion"
 do       = "erode"
@@ -41,7 +45,7 @@ gradient = 0.05
 )";
 
 std::string whole_case() {
-    return sample_of(600) + later_stages;
+    return sample_of(600) + later_stages + erosion_of_two_passes;
 }
 
 std::string hash_of(const TempFolder& folder, const std::string& stage) {
@@ -172,6 +176,34 @@ TEST(Resume, ATimeLimitOfZeroStopsAtOnceAndLeavesARunThatGoesOn) {
     options.time_limit = 0;
     EXPECT_EQ(run_text(whole_case(), folder.path(), options).outcome, run::Outcome::TimeLimit);
     EXPECT_NE(run_text(whole_case(), folder.path()).outcome, run::Outcome::TimeLimit);
+}
+
+TEST(Resume, AStageThatIsCompleteHasNotFailed) {
+    const TempFolder folder;
+    const std::string text = sample_of(300);
+    ASSERT_EQ(run_text(text, folder.path()).outcome, run::Outcome::Done);
+    const std::filesystem::path failed = folder / "run/studies/s/cloud/failed.json";
+    run::write_json(failed, {{"sample", "s"}, {"stage", "cloud"}, {"kind", "io"}, {"message", "the disk is full"}});
+    const run::RunReport report = run_text(text, folder.path());
+    EXPECT_EQ(report.outcome, run::Outcome::Done);
+    EXPECT_TRUE(report.failures.empty());
+    EXPECT_FALSE(std::filesystem::exists(failed));
+}
+
+TEST(Resume, ALineThatTheLogCannotTakeFailsNoStage) {
+    const TempFolder folder;
+    const std::filesystem::path log = folder / "run/events.jsonl";
+    run::RunOptions options;
+    bool is_first = true;
+    options.on_progress = [&](const run::Progress&) {
+        if (std::exchange(is_first, false)) {
+            std::filesystem::rename(log, folder / "run/earlier.jsonl");
+            std::filesystem::create_directory(log);
+        } else if (std::filesystem::exists(folder / "run/studies/s/initial/stage.json")) {
+            std::filesystem::remove(log);
+        }
+    };
+    EXPECT_EQ(run_text(sample_of(300), folder.path(), options).outcome, run::Outcome::Done);
 }
 
 TEST(Resume, AFolderOfAnotherCaseIsRefused) {
