@@ -7,6 +7,7 @@
 #include "suffuse/io/vtk.hpp"
 #include "suffuse/run/case_hash.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/known_state.hpp"
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/measure_asked.hpp"
 #include "suffuse/run/result_json.hpp"
@@ -43,10 +44,20 @@ IoError strange_partial(const StageWork& work) {
     ));
 }
 
+/// What the stage in `folder` ended with.
+dem::World end_of(const std::filesystem::path& folder) {
+    const KnownState end(folder / "state.h5");
+    dem::World world = end.load().world;
+    end.check(world, read_json(folder / "stage.json").value("end_state", ""));
+    return world;
+}
+
 void take_up(StageWork& work) {
-    io::Checkpoint partial = io::load_world(work.folder / partial_file);
+    const KnownState left(work.folder / partial_file, work.folder / partial_file);
+    io::Checkpoint partial = left.load();
     try {
         const json saved = json::from_cbor(partial.unfinished);
+        left.check(partial.world, saved.value("world", ""));
         work.world = std::move(partial.world);
         work.pictures = StrainPictures(work.what.output, work.folder, work.world);
         work.history.restore(saved.at("history"));
@@ -277,7 +288,7 @@ dem::World SampleRun::start_of(const casefile::Stage& stage) const {
     dem::World world;
     if (stage.parent >= 0) {
         const casefile::Stage& parent = sample_.variant->stages[static_cast<std::size_t>(stage.parent)];
-        world = io::load_world(stage_folder(options_.folder, *sample_.variant, parent) / "state.h5").world;
+        world = end_of(stage_folder(options_.folder, *sample_.variant, parent));
     }
     world.material = sample_.variant->material;
     world.seed = sample_.variant->seed;

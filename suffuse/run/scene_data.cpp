@@ -1,9 +1,9 @@
 #include "suffuse/run/scene_data.hpp"
 
 #include "suffuse/dem/inspect.hpp"
-#include "suffuse/io/checkpoint.hpp"
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/known_state.hpp"
 
 #include <fmt/format.h>
 
@@ -23,6 +23,15 @@ constexpr std::size_t most_contacts = 300'000; ///< of a state in a page: beyond
 constexpr std::size_t most_stages = 4;         ///< shown of a run without erosion
 
 using RowOf = std::unordered_map<std::uint32_t, std::uint32_t>;
+
+/// @throws IoError where `file` names a grain that the scene does not have.
+std::uint32_t row_of(const RowOf& rows, std::uint32_t id, const std::filesystem::path& file) {
+    const auto found = rows.find(id);
+    if (found == rows.end()) {
+        KnownState(file).complain(fmt::format("names the grain {}, which the stage did not start with", id));
+    }
+    return found->second;
+}
 
 /// The columns that do not change, with a row a grain in order of id.
 void add_grains(const dem::World& world, Scene& scene) {
@@ -64,7 +73,9 @@ void add_contacts(const dem::World& world, const RowOf& rows, SceneState& state)
     }
 }
 
-SceneState describe_state(const dem::World& world, const Scene& scene, const RowOf& rows) {
+/// @param file that holds `world`
+SceneState
+describe_state(const dem::World& world, const std::filesystem::path& file, const Scene& scene, const RowOf& rows) {
     SceneState state;
     state.h = world.cell.h;
     state.position.resize(scene.id.size());
@@ -72,7 +83,7 @@ SceneState describe_state(const dem::World& world, const Scene& scene, const Row
     const Mat3 inverse_h = inverse(world.cell.h);
     const std::vector<int> coordination = dem::coordination(world);
     for (std::size_t g = 0; g < world.grains.size(); ++g) {
-        const std::uint32_t row = rows.at(world.grains.id[g]);
+        const std::uint32_t row = row_of(rows, world.grains.id[g], file);
         state.position[row] = cell::wrapped(world.cell.h, inverse_h, world.grains.position[g]);
         state.coordination[row] = coordination[g];
     }
@@ -114,7 +125,7 @@ void limit_size(Scene& scene) {
 }
 
 dem::World load(const std::filesystem::path& state) {
-    return io::load_world(state).world;
+    return KnownState(state).load().world;
 }
 
 Scene scene_of_erosion(const std::filesystem::path& folder, const FinishedStage& eroded) {
@@ -126,7 +137,7 @@ Scene scene_of_erosion(const std::filesystem::path& folder, const FinishedStage&
     add_grains(before, scene);
     const RowOf rows = rows_of(scene);
     for (const erosion::LedgerRow& row : erosion.ledger) {
-        scene.left_in[rows.at(row.grain)] = row.pass;
+        scene.left_in[row_of(rows, row.grain, place / "results.cbor")] = row.pass;
     }
     if (const auto* spec = std::get_if<erosion::ErodeSpec>(&eroded.stage->spec); spec != nullptr && !spec->forced) {
         scene.flow_direction = spec->direction;
@@ -138,7 +149,7 @@ Scene scene_of_erosion(const std::filesystem::path& folder, const FinishedStage&
         if (pass > 0 && !std::filesystem::exists(file)) {
             continue; // a run of an earlier version
         }
-        SceneState state = describe_state(pass == 0 ? before : load(file), scene, rows);
+        SceneState state = describe_state(pass == 0 ? before : load(file), file, scene, rows);
         state.label = pass == 0 ? "before erosion" : fmt::format("after pass {}", pass);
         state.passes = pass;
         if (pass < passes) {
@@ -200,12 +211,13 @@ Scene scene_of_stages(
     Scene scene;
     RowOf rows;
     for (const casefile::Stage* stage : stages_to_show(finished, last)) {
-        const dem::World world = load(stage_folder(folder, *last.variant, *stage) / "state.h5");
+        const std::filesystem::path file = stage_folder(folder, *last.variant, *stage) / "state.h5";
+        const dem::World world = load(file);
         if (scene.id.empty()) {
             add_grains(world, scene);
             rows = rows_of(scene);
         }
-        SceneState state = describe_state(world, scene, rows);
+        SceneState state = describe_state(world, file, scene, rows);
         state.label = fmt::format("after {}", stage->name);
         scene.states.push_back(std::move(state));
     }

@@ -2,9 +2,9 @@
 
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/flow/reynolds.hpp"
-#include "suffuse/io/checkpoint.hpp"
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/known_state.hpp"
 #include "suffuse/run/scene_data.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ std::vector<std::string> water_row(
 }
 
 std::vector<double> radii_in(const std::filesystem::path& state) {
-    return std::filesystem::exists(state) ? io::load_world(state).world.grains.radius : std::vector<double>{};
+    return std::filesystem::exists(state) ? KnownState(state).load().world.grains.radius : std::vector<double>{};
 }
 
 void add_flows(

@@ -5,6 +5,7 @@
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/stage_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -27,12 +28,8 @@ void check_time_step(const dem::World& world, double asked) {
 } // namespace
 
 void StageWork::save_partial(const nlohmann::json& state) const {
-    const nlohmann::json all{
-        {"state", state},
-        {"history", history.to_json()},
-        {"grain_steps", grain_steps},
-        {"seconds", seconds()},
-        {"commit", commit()}};
+    const nlohmann::json all{{"state", state},       {"history", history.to_json()},   {"grain_steps", grain_steps},
+                             {"seconds", seconds()}, {"world", describe_state(world)}, {"commit", commit()}};
     // CBOR, as text has no word for numbers that are infinite, or none
     io::save_world(folder / partial_file, world, {}, {}, nlohmann::json::to_cbor(all));
 }

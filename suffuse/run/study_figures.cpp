@@ -1,11 +1,11 @@
 #include "suffuse/run/study_figures.hpp"
 
 #include "suffuse/grains/sampling.hpp"
-#include "suffuse/io/checkpoint.hpp"
 #include "suffuse/report/figures_energy.hpp"
 #include "suffuse/report/figures_fines.hpp"
 #include "suffuse/run/erosion_figures.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/known_state.hpp"
 #include "suffuse/run/probed_states.hpp"
 #include "suffuse/run/study_curves.hpp"
 
@@ -232,7 +232,7 @@ std::vector<report::Mixture> describe_mixtures(
         const std::filesystem::path state = stage_folder(folder, *stage->variant, *stage->stage) / "state.h5";
         report::Mixture mixture{fines_content, grains::asked_grading(*stage->variant->soil), {}};
         if (std::filesystem::exists(state)) {
-            mixture.sampled = sampled_grading(io::load_world(state).world.grains.radius, stage->variant->soil);
+            mixture.sampled = sampled_grading(KnownState(state).load().world.grains.radius, stage->variant->soil);
         }
         mixtures.push_back(std::move(mixture));
     }

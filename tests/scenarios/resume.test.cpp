@@ -206,6 +206,62 @@ TEST(Resume, ALineThatTheLogCannotTakeFailsNoStage) {
     EXPECT_EQ(run_text(sample_of(300), folder.path(), options).outcome, run::Outcome::Done);
 }
 
+TEST(Resume, FromAStateThatIsNotTheOneToldIsRefusedWithItsFile) {
+    const TempFolder folder;
+    run::RunOptions options;
+    options.until = "cloud";
+    ASSERT_EQ(run_text(sample_of(300), folder.path(), options).outcome, run::Outcome::Done);
+    const std::filesystem::path state = folder / "run/studies/s/cloud/state.h5";
+    dem::World world = io::load_world(state).world;
+    world.grains.id[3] = 77777;
+    io::save_world(state, world);
+    const run::RunReport report = run_text(sample_of(300), folder.path());
+    ASSERT_EQ(report.failures.size(), 1U);
+    EXPECT_EQ(report.failures[0].kind, "io");
+    const std::string& message = report.failures[0].message;
+    EXPECT_NE(message.find(state.string()), std::string::npos) << message;
+    EXPECT_NE(message.find("remove " + state.parent_path().string()), std::string::npos) << message;
+
+    std::filesystem::remove_all(state.parent_path());
+    EXPECT_EQ(run_text(sample_of(300), folder.path()).outcome, run::Outcome::Done);
+}
+
+TEST(Resume, InTheMiddleOfAStageIsRefusedFromAStateThatWasChanged) {
+    const TempFolder folder;
+    const std::filesystem::path partial = folder / "run/studies/s/initial/partial.h5";
+    std::atomic<bool> stop{false};
+    run::RunOptions options;
+    options.stop = &stop;
+    options.on_progress = [&](const run::Progress& progress) {
+        stop = progress.stage == "initial" && progress.steps > 0;
+    };
+    ASSERT_EQ(run_text(sample_of(300), folder.path(), options).outcome, run::Outcome::Stopped);
+    io::Checkpoint left = io::load_world(partial);
+    left.world.grains.mass[3] *= 2;
+    io::save_world(partial, left.world, {}, {}, left.unfinished);
+    const run::RunReport report = run_text(sample_of(300), folder.path());
+    ASSERT_EQ(report.failures.size(), 1U);
+    const std::string& message = report.failures[0].message;
+    EXPECT_NE(message.find(partial.string() + ": is not the state that was saved"), std::string::npos) << message;
+    EXPECT_NE(message.find("remove " + partial.string()), std::string::npos) << message;
+}
+
+TEST(Resume, AReportOfAStateWithStrangeGrainsNamesItsFile) {
+    const TempFolder folder;
+    ASSERT_EQ(run_text(sample_of(300) + erosion_of_two_passes, folder.path()).outcome, run::Outcome::Done);
+    const std::filesystem::path state = folder / "run/studies/s/erosion/state.h5";
+    dem::World world = io::load_world(state).world;
+    world.grains.id[3] = 77777;
+    io::save_world(state, world);
+    try {
+        run_text(sample_of(300) + erosion_of_two_passes, folder.path());
+        FAIL() << "was reported";
+    } catch (const IoError& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find(state.string() + ": names the grain 77777"), std::string::npos) << message;
+    }
+}
+
 TEST(Resume, AFolderOfAnotherCaseIsRefused) {
     const TempFolder folder;
     run::RunOptions options;
