@@ -292,12 +292,14 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     }
     json passes = json::array();
     std::int64_t steps = 0; // of the relaxation, of probe and twin, and of the new equilibrium
+    std::int64_t grains = std::ssize(work.world.grains.id) + std::ssize(result.ledger); // before the pass
     work.grain_steps = 0;
     for (const erosion::PassResult& pass : result.passes) {
         passes.push_back(pass_numbers(pass));
         const std::int64_t probe_steps = pass.probe.relax_steps + 2 * (pass.probe.ramp + pass.probe.watch);
         steps += probe_steps + pass.steps;
-        work.grain_steps += (probe_steps + pass.steps) * static_cast<std::int64_t>(work.world.grains.size());
+        work.grain_steps += probe_steps * grains + pass.steps * (grains - pass.removed);
+        grains -= pass.removed;
         work.time_step = pass.probe.time_step;
         note_probe(work, spec.detached, pass.probe, !spec.forced);
         const bool is_usual_end = pass.reached_target || pass.verdict == erosion::nothing_leaves;

@@ -70,5 +70,30 @@ TEST(StageNumbers, TheMeanFluxThroughThroatsIsThatOfAGradientOfOneWhateverTheSig
     EXPECT_NEAR(mean_flux("minus"), mean_flux("plus"), 1e-6 * mean_flux("plus")); // of the solver
 }
 
+TEST(StageNumbers, TheRateOfAnErosionCountsTheGrainsThatWereThereInEachPass) {
+    const TempFolder folder;
+    run_text(
+        reference_constants + reference_soil() + "[study.s]\nsoil = \"sand\"\nparticles = 500\n" + cloud_and_initial +
+            "[[study.s.stage]]\nname = \"erosion\"\ndo = \"erode\"\npasses = 3\ngradient = 0.05\n"
+            "forced = { max_contacts = 3 }\n",
+        folder.path()
+    );
+    const nlohmann::json numbers = stage_of(folder.path(), "erosion");
+    double made = 0, grains = 500;
+    for (const nlohmann::json& pass : numbers.at("passes")) {
+        const nlohmann::json& probe = pass.at("probe");
+        const double probed = probe.at("relax_steps").get<double>() +
+                              2 * (probe.at("ramp").get<double>() + probe.at("watch").get<double>());
+        made += probed * grains;
+        grains -= pass.at("removed").get<double>();
+        made += pass.at("steps").get<double>() * grains;
+    }
+    ASSERT_LT(grains, 500);
+    EXPECT_EQ(grains, numbers.at("grains"));
+    const double told =
+        numbers.at("particle_steps_per_second").get<double>() * numbers.at("wall_seconds").get<double>();
+    EXPECT_NEAR(told, made, 1e-9 * made);
+}
+
 } // namespace
 } // namespace suffuse::test
