@@ -9,7 +9,6 @@
 
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
-#include "python/bindings/work.hpp"
 #include "python/bindings/world_handle.hpp"
 
 namespace suffuse::python {
@@ -25,7 +24,7 @@ py::tuple read_packing(
     }
     io::ImportedPacking packing;
     {
-        const Working working;
+        const py::gil_scoped_release released;
         packing = io::read_packing(path, material.density, length);
     }
     if (!own && !packing.cell) {
@@ -60,8 +59,9 @@ void bind_files(py::module_& m) {
                     fmt::join(io::packing_format_names(), ", ")
                 ));
             }
-            const Working working;
-            dem::World world = w.world();
+            const Reading reading(w);
+            const py::gil_scoped_release released;
+            dem::World world = reading.world();
             dem::sort_by_id(world);
             io::export_packing(path, world, *format);
         },
@@ -71,8 +71,9 @@ void bind_files(py::module_& m) {
     m.def(
         "largest_overlap",
         [](const WorldHandle& w) {
-            const Working working;
-            return io::check_overlaps(w.world().grains, w.world().cell, 2, "packing");
+            const Reading reading(w);
+            const py::gil_scoped_release released;
+            return io::check_overlaps(reading.world().grains, reading.world().cell, 2, "packing");
         },
         "Largest overlap of two grains / the smaller radius [-]."
     );

@@ -1,9 +1,6 @@
 // The columns of the grain table for NumPy. Nothing else in the module knows how they are stored.
 
-#include "suffuse/base/error.hpp"
 #include "suffuse/grains/grains.hpp"
-
-#include <fmt/format.h>
 
 #include "python/bindings/views.hpp"
 #include "python/bindings/world_handle.hpp"
@@ -73,49 +70,6 @@ void bind_grain_columns(py::class_<GrainTable>& type) {
     add_column(type, "mass", &Grains::mass, "grains: density x volume [kg].");
     add_column(type, "inertia", &Grains::inertia, "grains: 0.4 mass x radius^2 [kg m2].");
     add_column(type, "id", &Grains::id, "grains: number of each, stable, never reused [-].");
-}
-
-void WorldHandle::follow_density() const {
-    const double density = world_.material.density;
-    if (density == density_) {
-        return;
-    }
-    if (!(density > 0)) {
-        world_.material.density = density_;
-        throw CaseError(fmt::format("density: found {} kg/m3, expected a positive one", density));
-    }
-    for (std::size_t g = 0; g < world_.grains.size(); ++g) {
-        world_.grains.mass[g] *= density / density_;
-        world_.grains.inertia[g] *= density / density_;
-    }
-    caches_ = {};
-    density_ = density;
-}
-
-dem::World& WorldHandle::world_for_new_rows() {
-    follow_density();
-    if (kept_.use_count() > 1) { // arrays look at these rows: the rows are theirs now
-        Grains copy = world_.grains;
-        *kept_ = std::exchange(world_.grains, std::move(copy));
-        kept_ = std::make_shared<Grains>();
-    }
-    caches_ = {};
-    position_.clear();
-    return world_;
-}
-
-dem::StepCaches& WorldHandle::caches() {
-    follow_density();
-    if (position_ != world_.grains.position || velocity_ != world_.grains.velocity || !(h_ == world_.cell.h)) {
-        caches_ = {};
-    }
-    return caches_;
-}
-
-void WorldHandle::remember_place() {
-    position_ = world_.grains.position;
-    velocity_ = world_.grains.velocity;
-    h_ = world_.cell.h;
 }
 
 } // namespace suffuse::python

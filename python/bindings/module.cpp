@@ -4,7 +4,6 @@
 #include "suffuse/base/version.hpp"
 
 #include "python/bindings/bindings.hpp"
-#include "python/bindings/work.hpp"
 #include <algorithm>
 #include <thread>
 
@@ -20,7 +19,7 @@ PYBIND11_MODULE(_core, m) {
     m.def(
         "set_threads",
         [](int threads) {
-            const python::Working working;
+            const py::gil_scoped_release released;
             const int cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
             set_thread_count(threads > 0 ? threads : cores);
         },

@@ -30,17 +30,17 @@ packing::Protocol protocol_of(const std::string& word) {
 
 /// One compaction, to its end or until it is seen to miss a void ratio asked for.
 packing::CompactState compact_once(
-    WorldHandle& w, const packing::CompactSpec& spec, const dem::BalanceSpec& balance, double damping,
+    Stepping& call, const packing::CompactSpec& spec, const dem::BalanceSpec& balance, double damping,
     Attention& attention
 ) {
-    dem::World& world = w.world();
+    dem::World& world = call.world();
     packing::CompactState state;
     state.material = world.material;
-    const Loan loan(w, state);
+    const Loan loan(call, state);
     state = packing::begin_compaction(world, spec, damping);
     for (bool done = false; !done && !packing::misses_void_ratio(world, spec, state);) {
-        done = packing::compact_burst(world, w.caches(), spec, balance, state);
-        w.remember_place();
+        done = packing::compact_burst(world, call.caches(), spec, balance, state);
+        call.remember_place();
         attention.beat("compact", state.steps);
     }
     return state;
@@ -87,26 +87,27 @@ py::object compact(
         pressure, friction, adhesion_normal, adhesion_shear, void_ratio, void_ratio_tolerance, protocol, max_rate
     );
     packing::CompactState state;
-    Attention attention(on_progress);
+    Stepping call(w);
+    Attention attention(on_progress, call);
     py::dict dict;
-    begin(w);
+    begin(call);
     if (!spec.void_ratio) {
         const Working working;
-        state = compact_once(w, spec, balance, damping, attention);
+        state = compact_once(call, spec, balance, damping, attention);
     } else {
         packing::FoundDensity found;
         {
             const Working working;
-            const dem::World cloud = w.world();
+            const dem::World cloud = call.world();
             const auto start_again = [&] {
-                w.world() = cloud;
-                w.drop_caches();
+                call.world() = cloud;
+                call.drop_caches();
             };
             try {
                 found = packing::search_void_ratio(spec, cloud.material, [&](const packing::CompactSpec& trial) {
                     start_again();
-                    state = compact_once(w, trial, balance, damping, attention);
-                    return dem::void_ratio(w.world());
+                    state = compact_once(call, trial, balance, damping, attention);
+                    return dem::void_ratio(call.world());
                 });
             } catch (...) {
                 start_again(); // the last trial is nothing that was asked for
@@ -115,7 +116,7 @@ py::object compact(
         }
         dict["void_ratio"] = found.void_ratio;
         dict["trials"] = found.trials;
-        dict["preparation_friction"] = found.spec.prepare.friction.value_or(w.world().material.friction);
+        dict["preparation_friction"] = found.spec.prepare.friction.value_or(call.world().material.friction);
     }
     dict["steps"] = state.steps;
     dict["void_ratio_compacted"] = state.void_ratio_compacted;
@@ -147,7 +148,7 @@ Handle make_cloud(
     }
     packing::PackSpec spec;
     spec.porosity = quantity_of(porosity, dimension::none, "porosity");
-    const Working working;
+    const py::gil_scoped_release released;
     packing::Cloud cloud = packing::make_cloud(sample, spec, material.density, seed);
     dem::World world;
     world.cell = cloud.cell;

@@ -19,8 +19,8 @@ using Handle = std::shared_ptr<WorldHandle>;
 inline constexpr double usual_damping = 0.2; // local, non-viscous; [contact] damping of a case
 
 /// Begins with the rows along the curve, as the stages of a run do.
-inline dem::World& begin(WorldHandle& w) {
-    dem::World& world = w.world_for_new_rows();
+inline dem::World& begin(Stepping& call) {
+    dem::World& world = call.world_for_new_rows();
     dem::sort_along_curve(world);
     return world;
 }
@@ -29,20 +29,20 @@ inline dem::World& begin(WorldHandle& w) {
 template <class State>
 class Loan {
 public:
-    Loan(WorldHandle& handle, State& state) : handle_(handle), state_(state) {}
+    Loan(Stepping& call, State& state) : call_(call), state_(state) {}
 
     Loan(const Loan&) = delete;
     Loan& operator=(const Loan&) = delete;
 
     ~Loan() {
         if (state_.phase != State::Phase::Done) {
-            give_back(handle_.world(), state_);
-            handle_.drop_caches();
+            give_back(call_.world(), state_);
+            call_.drop_caches();
         }
     }
 
 private:
-    WorldHandle& handle_;
+    Stepping& call_;
     State& state_;
 };
 

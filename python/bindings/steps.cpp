@@ -43,7 +43,7 @@ struct Asked {
 };
 
 std::shared_ptr<Asked> read_asked(
-    const WorldHandle& w, const cell::Loading& loading, const py::object& time_step, double damping,
+    std::size_t grains, const cell::Loading& loading, const py::object& time_step, double damping,
     const py::object& force, const std::string& mode
 ) {
     auto asked = std::make_shared<Asked>();
@@ -58,7 +58,7 @@ std::shared_ptr<Asked> read_asked(
         asked->computed = false;
     }
     if (!force.is_none()) {
-        asked->load.force = vectors_of(force, "force", w.world().grains.size());
+        asked->load.force = vectors_of(force, "force", grains);
         asked->plan.load = &asked->load;
     }
     return asked;
@@ -79,19 +79,20 @@ py::array_t<double> step(
     if (steps < 1) {
         throw CaseError(fmt::format("steps: found {}, expected 1 or more", steps));
     }
-    const auto asked = read_asked(w, loading, time_step, damping, force, mode);
+    Stepping call(w);
+    const auto asked = read_asked(call.world().grains.size(), loading, time_step, damping, force, mode);
     dem::StepReport report;
-    Attention attention(on_progress);
+    Attention attention(on_progress, call);
     {
         const Working working;
-        dem::StepCaches& caches = w.caches();
+        dem::StepCaches& caches = call.caches();
         for (std::int64_t done = 0; done < steps;) {
-            renew_time_step(*asked, w.world(), done);
+            renew_time_step(*asked, call.world(), done);
             const std::int64_t burst =
                 std::min({steps - done, dem::burst_steps, dem::time_step_interval - done % dem::time_step_interval});
-            report = dem::advance(w.world(), caches, asked->plan, burst);
+            report = dem::advance(call.world(), caches, asked->plan, burst);
             done += burst;
-            w.remember_place(); // before an exception may end the work
+            call.remember_place(); // before an exception may end the work
             attention.beat("step", done);
         }
     }
@@ -103,16 +104,17 @@ py::object settle(
     double damping, std::int64_t max_steps, const py::object& force, const std::string& mode,
     const py::object& on_progress
 ) {
-    const auto asked = read_asked(w, loading, time_step, damping, force, mode);
+    Stepping call(w);
+    const auto asked = read_asked(call.world().grains.size(), loading, time_step, damping, force, mode);
     dem::BalanceState state;
-    Attention attention(on_progress);
+    Attention attention(on_progress, call);
     {
         const Working working;
         for (bool settled = false; !settled;) {
-            renew_time_step(*asked, w.world(), state.steps);
-            asked->plan.drag = dem::slowest_mode_drag(w.world().grains.size(), asked->plan.dt);
-            settled = dem::settle_burst(w.world(), w.caches(), asked->plan, balance, state);
-            w.remember_place();
+            renew_time_step(*asked, call.world(), state.steps);
+            asked->plan.drag = dem::slowest_mode_drag(call.world().grains.size(), asked->plan.dt);
+            settled = dem::settle_burst(call.world(), call.caches(), asked->plan, balance, state);
+            call.remember_place();
             if (!settled && state.steps >= max_steps) {
                 dem::report_not_balanced(loading, balance, state);
             }
@@ -126,20 +128,21 @@ py::object relax(
     WorldHandle& w, double wanted, const py::object& time_step, double damping, std::int64_t max_steps,
     const py::object& on_progress
 ) {
-    const auto asked = read_asked(w, {}, time_step, damping, py::none(), usual_mode);
-    Attention attention(on_progress);
+    Stepping call(w);
+    const auto asked = read_asked(call.world().grains.size(), {}, time_step, damping, py::none(), usual_mode);
+    Attention attention(on_progress, call);
     dem::RelaxReport report;
     {
         const Working working;
-        renew_time_step(*asked, w.world(), 0);
+        renew_time_step(*asked, call.world(), 0);
         report = dem::relax(
-            w.world(), w.caches(), asked->plan.dt, damping, wanted, max_steps,
+            call.world(), call.caches(), asked->plan.dt, damping, wanted, max_steps,
             [&](std::string_view part, long long steps) {
-                w.remember_place();
+                call.remember_place();
                 attention.beat(part, steps);
             }
         );
-        w.remember_place();
+        call.remember_place();
     }
     py::dict dict;
     dict["unbalanced_force"] = report.unbalanced_force;
@@ -167,6 +170,7 @@ py::object run_triaxial(
     const std::string& inertia, const py::object& time_step, int rows, double damping, const std::string& mode,
     const py::object& on_progress
 ) {
+    Stepping call(w);
     const dem::Mode asked_mode = mode_of(mode);
     triaxial::TriaxialSpec spec;
     spec.inertia = word_of(inertia, casefile::names::grain_inertia, "inertia");
@@ -179,15 +183,15 @@ py::object run_triaxial(
     spec.time_step = optional_quantity(time_step, dimension::time, "time_step").value_or(0);
     spec.rows = rows;
     triaxial::PathState state;
-    Attention attention(on_progress);
-    dem::World& world = begin(w);
+    Attention attention(on_progress, call);
+    dem::World& world = begin(call);
     {
         const Working working;
-        const Loan loan(w, state);
+        const Loan loan(call, state);
         state = triaxial::begin_path(world, spec, dem::mean_stress_tensor(world));
         for (bool over = false; !over;) {
-            over = triaxial::path_burst(world, w.caches(), spec, {}, damping, asked_mode, state);
-            w.remember_place();
+            over = triaxial::path_burst(world, call.caches(), spec, {}, damping, asked_mode, state);
+            call.remember_place();
             attention.beat("shear", state.steps);
         }
     }
@@ -204,6 +208,7 @@ py::object run_stress_probe(
     WorldHandle& w, const py::object& increment, int directions, double unbalanced_force, const py::object& time_step,
     double damping, const py::object& on_progress
 ) {
+    Stepping call(w);
     triaxial::StressProbeSpec spec;
     spec.increment = quantity_of(increment, dimension::none, "increment");
     spec.directions = directions;
@@ -216,8 +221,8 @@ py::object run_stress_probe(
         ));
     }
     std::vector<triaxial::StressProbe> probes;
-    Attention attention(on_progress);
-    const dem::World& world = begin(w);
+    Attention attention(on_progress, call);
+    const dem::World& world = begin(call);
     {
         const Working working;
         const Pulse pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };

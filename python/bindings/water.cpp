@@ -9,7 +9,6 @@
 #include "python/bindings/convert.hpp"
 #include "python/bindings/key_doc.hpp"
 #include "python/bindings/views.hpp"
-#include "python/bindings/work.hpp"
 #include "python/bindings/world_handle.hpp"
 #include <algorithm>
 
@@ -118,7 +117,7 @@ void bind_constrictions(py::module_& m) {
                 packing.position.resize(kept);
                 packing.radius.resize(kept);
             }
-            const Working working;
+            const py::gil_scoped_release released;
             return std::make_shared<Constrictions>(
                 pores::find_constrictions(packing.h, packing.position, packing.radius, way)
             );
@@ -145,7 +144,7 @@ void bind_network(py::module_& m) {
     type.def(
         py::init([](const py::object& first, const py::object& position, const py::object& radius) {
             const Packing packing = packing_of(first, position, radius);
-            const Working working;
+            const py::gil_scoped_release released;
             return std::make_shared<PoreNetwork>(pores::build_network(packing.h, packing.position, packing.radius));
         }),
         py::arg("packing_or_cell"), py::arg("position") = py::none(), py::arg("radius") = py::none()
@@ -205,7 +204,7 @@ void bind_network(py::module_& m) {
         "widest_paths",
         [](const PoreNetwork& net, const py::object& direction) {
             const int axis = pores::axis_along(net.h, direction_of(direction));
-            const Working working;
+            const py::gil_scoped_release released;
             return pores::widest_paths(net, axis);
         },
         py::arg("direction") = "z",
@@ -226,7 +225,7 @@ std::shared_ptr<SolvedSeepage> seep(
     spec.gradient = quantity_of(gradient, dimension::none, "gradient");
     spec.direction = direction_of(direction);
     spec.tensor = tensor;
-    const Working working;
+    const py::gil_scoped_release released;
     const cell::Cell cell{packing.h, {}};
     flow::Seepage seepage = flow::solve_seepage(cell, packing.position, packing.radius, spec, fluid);
     return std::make_shared<SolvedSeepage>(SolvedSeepage{std::move(seepage), std::move(packing)});

@@ -1,7 +1,9 @@
 #pragma once
-// Long work from Python: the interpreter is released, one computation runs at a time (all share one pool of threads),
-// and Ctrl-C or an exception of the caller's progress function ends it between two bursts of steps.
+// Long work from Python: the interpreter is released, one call steps at a time (two would halve each other's threads),
+// and Ctrl-C or an exception of the caller's progress function ends it between two bursts of steps. What only reads
+// takes no turn: a run's on_progress may call it while the run computes.
 
+#include "python/bindings/world_handle.hpp"
 #include <chrono>
 #include <mutex>
 #include <optional>
@@ -10,7 +12,7 @@
 
 namespace suffuse::python {
 
-/// While it lives, this thread alone computes. What it calls may compute again.
+/// While it lives, this thread alone steps worlds. What it calls may step others.
 class Turn {
 public:
     Turn() : lock_(mutex()) {}
@@ -33,7 +35,7 @@ class Working {
 /// Looks at Ctrl-C and tells the caller how far the work is, at most ten times a second.
 class Attention {
 public:
-    explicit Attention(pybind11::object on_progress) : on_progress_(std::move(on_progress)) {}
+    Attention(pybind11::object on_progress, Stepping& call) : on_progress_(std::move(on_progress)), call_(call) {}
 
     /// Called between bursts while Working. @throws pybind11::error_already_set: KeyboardInterrupt, or what the
     /// caller's function raised.
@@ -44,6 +46,7 @@ public:
         }
         last_ = now;
         const pybind11::gil_scoped_acquire interpreter;
+        const Stepping::Pause pause(call_);
         if (PyErr_CheckSignals() != 0) {
             throw pybind11::error_already_set();
         }
@@ -54,6 +57,7 @@ public:
 
 private:
     pybind11::object on_progress_;
+    Stepping& call_;
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

@@ -13,7 +13,6 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
 #include "python/bindings/views.hpp"
-#include "python/bindings/work.hpp"
 #include "python/bindings/world_handle.hpp"
 #include <algorithm>
 
@@ -269,8 +268,9 @@ void bind_measures(py::class_<WorldHandle, Handle>& type) {
     type.def(
         "stable_time_step",
         [](const WorldHandle& w, double safety) {
-            const Working working;
-            return dem::stable_time_step(w.world(), safety);
+            const Reading reading(w);
+            const py::gil_scoped_release released;
+            return dem::stable_time_step(reading.world(), safety);
         },
         py::arg("safety") = dem::default_step_safety, "From the stiffest mode of the contact network [s]."
     );
@@ -307,15 +307,16 @@ void bind_changes(py::class_<WorldHandle, Handle>& type) {
     type.def(
         "save",
         [](const WorldHandle& w, const std::filesystem::path& path) {
-            const Working working;
-            io::save_world(path, w.world());
+            const Reading reading(w);
+            const py::gil_scoped_release released;
+            io::save_world(path, reading.world());
         },
         py::arg("path"), "Saves the state to the last bit, as a stage's state.h5."
     );
     type.def_static(
         "load",
         [](const std::filesystem::path& path) {
-            const Working working;
+            const py::gil_scoped_release released;
             return std::make_shared<WorldHandle>(io::load_world(path).world);
         },
         py::arg("path"), "Loads a state.h5."
@@ -365,6 +366,9 @@ void bind_world(py::module_& m) {
     );
     type.def("__len__", [](const WorldHandle& w) { return w.world().grains.size(); });
     type.def("__repr__", [](const WorldHandle& w) {
+        if (!w.is_open()) {
+            return std::string("<suffuse.World: in use by a call that steps it>");
+        }
         return fmt::format(
             "<suffuse.World: {} grains, void ratio {:.4f}, mean stress {:.4g} kPa>", w.world().grains.size(),
             dem::void_ratio(w.world()), dem::mean_stress(dem::mean_stress_tensor(w.world())) / 1e3

@@ -1,7 +1,8 @@
 #pragma once
 // A world as Python holds it, and NumPy arrays that look into it without copying. An array keeps alive what it looks
 // into. Where rows are about to be added, removed or reordered while arrays look at them, those arrays keep the old
-// rows, to themselves, and the world goes on with new ones: nobody ever looks at freed memory.
+// rows, to themselves, and the world goes on with new ones: nobody ever looks at freed memory. While a call steps a
+// world, other threads of Python are refused: they would read what is half done. Who asks holds the interpreter.
 
 #include "suffuse/dem/step.hpp"
 
@@ -19,33 +20,30 @@ public:
     WorldHandle(const WorldHandle&) = delete;
     WorldHandle& operator=(const WorldHandle&) = delete;
 
-    [[nodiscard]] const dem::World& world() const {
-        follow_density();
-        return world_;
-    }
+    /// To look at. @throws StateError while a call steps it and is not just telling its progress.
+    [[nodiscard]] const dem::World& world() const;
 
-    /// For changes that leave every column where it is.
-    [[nodiscard]] dem::World& world() {
-        follow_density();
-        return world_;
-    }
+    /// For changes that leave every column where it is. @throws StateError likewise
+    [[nodiscard]] dem::World& world();
 
-    /// For changes of the rows.
+    /// For changes of the rows. @throws StateError while a call steps or reads it, even where that tells its progress
     dem::World& world_for_new_rows();
-
-    /// The step's caches, made afresh where motion or cell were changed by hand since the last step.
-    dem::StepCaches& caches();
-
-    /// After a change of masses: the caches hold copies of them.
-    void drop_caches() { caches_ = {}; }
-
-    /// After steps: what the caches belong to.
-    void remember_place();
 
     /// Kept alive by arrays, beside the handle itself: the rows that they look into once the world has moved on.
     [[nodiscard]] std::shared_ptr<const void> rows_of_views() const { return kept_; }
 
+    /// Whether it may be looked at now.
+    [[nodiscard]] bool is_open() const { return !steps_ || pauses_; }
+
 private:
+    friend class Stepping;
+    friend class Reading;
+
+    [[noreturn]] static void refuse();
+    void refuse_unless_open() const;
+
+    dem::World& part_from_views();
+
     /// Python may set the density of the material that it was given to look at: the masses are then another density's.
     void follow_density() const;
 
@@ -55,6 +53,72 @@ private:
     std::vector<Vec3> position_, velocity_; ///< after the last step
     Mat3 h_{};
     std::shared_ptr<grains::Grains> kept_ = std::make_shared<grains::Grains>();
+    bool steps_ = false, pauses_ = false; ///< a call steps it; and calls back just now
+    mutable int readers_ = 0;             ///< calls that read it with the interpreter released
+};
+
+/// A call that steps a world, and has it to itself. Made and ended with the interpreter held.
+/// @throws StateError where another call steps or reads it
+class Stepping {
+public:
+    explicit Stepping(WorldHandle& handle);
+
+    ~Stepping() { handle_.steps_ = false; }
+
+    Stepping(const Stepping&) = delete;
+    Stepping& operator=(const Stepping&) = delete;
+
+    [[nodiscard]] dem::World& world() {
+        handle_.follow_density();
+        return handle_.world_;
+    }
+
+    /// For changes of the rows.
+    dem::World& world_for_new_rows() { return handle_.part_from_views(); }
+
+    /// The step's caches, made afresh where motion or cell were changed by hand since the last step.
+    dem::StepCaches& caches();
+
+    /// After a change of masses: the caches hold copies of them.
+    void drop_caches() { handle_.caches_ = {}; }
+
+    /// After steps: what the caches belong to.
+    void remember_place();
+
+    /// Between two bursts, while the caller is told of them: the world may be looked at.
+    class Pause {
+    public:
+        explicit Pause(Stepping& call) : handle_(call.handle_) { handle_.pauses_ = true; }
+
+        ~Pause() { handle_.pauses_ = false; }
+
+        Pause(const Pause&) = delete;
+        Pause& operator=(const Pause&) = delete;
+
+    private:
+        WorldHandle& handle_;
+    };
+
+private:
+    WorldHandle& handle_;
+};
+
+/// A call that reads a world with the interpreter released: nobody steps it meanwhile. Made and ended with the
+/// interpreter held. @throws StateError where another call steps it
+class Reading {
+public:
+    explicit Reading(const WorldHandle& handle) : handle_(handle), world_(handle.world()) { ++handle_.readers_; }
+
+    ~Reading() { --handle_.readers_; }
+
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+
+    [[nodiscard]] const dem::World& world() const { return world_; }
+
+private:
+    const WorldHandle& handle_;
+    const dem::World& world_;
 };
 
 /// The grain table as Python sees it.

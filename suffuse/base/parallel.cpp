@@ -151,8 +151,29 @@ private:
     std::atomic<bool> failed_{false}, stop_{false};
 };
 
-int requested_threads = 1;
-std::unique_ptr<Pool> pool;
+std::atomic<int> requested_threads = 1;
+std::unique_ptr<Pool> pool;             // of all threads that have no crew of their own
+std::atomic<Pool*> idle_pool = nullptr; // the same while no thread loops with it; null also where there is none
+
+/// The pool for one loop, unless another thread loops with it.
+class PoolForOneLoop {
+public:
+    PoolForOneLoop() : taken_(idle_pool.load() == nullptr ? nullptr : idle_pool.exchange(nullptr)) {}
+
+    ~PoolForOneLoop() {
+        if (taken_ != nullptr) {
+            idle_pool.store(taken_);
+        }
+    }
+
+    PoolForOneLoop(const PoolForOneLoop&) = delete;
+    PoolForOneLoop& operator=(const PoolForOneLoop&) = delete;
+
+    [[nodiscard]] Pool* get() const { return taken_; }
+
+private:
+    Pool* taken_;
+};
 
 /// The threads of one worker of `run_side_by_side`: its part of them all, and more when other workers have run out of
 /// tasks. Results do not depend on how many they are, so they may change between two loops.
@@ -190,8 +211,12 @@ private:
 
 thread_local Crew* Crew::own_crew = nullptr;
 
-Pool* current_pool() {
-    return Crew::own_crew != nullptr ? Crew::own_crew->pool() : pool.get();
+/// On the calling thread where there is no pool, or where another thread has it: no result depends on that.
+void run_in(Pool* threads, std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body) {
+    if (threads == nullptr) {
+        return body(0, blocks);
+    }
+    threads->run(blocks, body);
 }
 
 /// The tasks of one `run_side_by_side`: whoever is free takes the next.
@@ -234,23 +259,32 @@ private:
 } // namespace
 
 int thread_count() {
-    return Crew::own_crew != nullptr ? Crew::own_crew->threads() : requested_threads;
+    return Crew::own_crew != nullptr ? Crew::own_crew->threads() : requested_threads.load();
 }
 
 void set_thread_count(int threads) {
+    static std::mutex changing;
+    const std::lock_guard alone(changing);
+    while (pool != nullptr && idle_pool.exchange(nullptr) == nullptr) { // another thread is within a loop
+        std::this_thread::yield();
+    }
     requested_threads = std::max(1, threads);
     pool = requested_threads > 1 ? std::make_unique<Pool>(requested_threads) : nullptr;
+    idle_pool = pool.get();
 }
 
 void detail::run_blocks(std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body) {
     if (blocks == 0) {
         return;
     }
-    Pool* const threads = blocks == 1 || inside_a_loop ? nullptr : current_pool();
-    if (threads == nullptr) {
+    if (blocks == 1 || inside_a_loop) {
         return body(0, blocks);
     }
-    threads->run(blocks, body);
+    if (Crew::own_crew != nullptr) {
+        return run_in(Crew::own_crew->pool(), blocks, body);
+    }
+    const PoolForOneLoop threads;
+    run_in(threads.get(), blocks, body);
 }
 
 void run_side_by_side(std::size_t tasks, int at_once, const std::function<void(std::size_t)>& task) {

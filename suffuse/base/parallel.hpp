@@ -11,7 +11,8 @@
 namespace suffuse {
 
 /// Number of threads that the parallel loops of the calling thread use, at least 1. Set once at the start of a program,
-/// or by a test; a task of `run_side_by_side` has its share of them.
+/// or by a test; a task of `run_side_by_side` has its share of them. One loop at a time has them: where two threads of
+/// the program loop at once, the second runs its loop alone.
 int thread_count();
 void set_thread_count(int threads);
 

@@ -94,6 +94,43 @@ TEST_F(Parallel, TasksSideBySideRunOnceEachOnTheirShareOfTheThreads) {
     }
 }
 
+TEST_F(Parallel, ThreadsThatLoopAtOnceHaveTheSameBits) {
+    set_thread_count(1);
+    const double alone = sum_of_roots(20000);
+    set_thread_count(2);
+    std::atomic<int> wrong{0};
+    {
+        std::vector<std::jthread> callers;
+        for (int caller = 0; caller < 3; ++caller) {
+            callers.emplace_back([&] {
+                for (int repeat = 0; repeat < 2000; ++repeat) {
+                    wrong += sum_of_roots(20000) != alone ? 1 : 0;
+                }
+            });
+        }
+    }
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST_F(Parallel, TheNumberOfThreadsMayChangeWhileAnotherThreadLoops) {
+    set_thread_count(1);
+    const double alone = sum_of_roots(20000);
+    std::atomic<bool> over{false};
+    std::atomic<int> wrong{0};
+    {
+        const std::jthread caller([&] {
+            while (!over) {
+                wrong += sum_of_roots(20000) != alone ? 1 : 0;
+            }
+        });
+        for (int repeat = 0; repeat < 200; ++repeat) {
+            set_thread_count(1 + repeat % 3);
+        }
+        over = true;
+    }
+    EXPECT_EQ(wrong, 0);
+}
+
 TEST_F(Parallel, TheLastTaskSideBySideGetsTheThreadsOfThoseThatHaveEnded) {
     set_thread_count(4);
     double sum = 0;

@@ -1,0 +1,96 @@
+// Who may look at a world, and when.
+
+#include "python/bindings/world_handle.hpp"
+
+#include "suffuse/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace suffuse::python {
+
+void WorldHandle::follow_density() const {
+    const double density = world_.material.density;
+    if (density == density_) {
+        return;
+    }
+    if (!(density > 0)) {
+        world_.material.density = density_;
+        throw CaseError(fmt::format("density: found {} kg/m3, expected a positive one", density));
+    }
+    for (std::size_t g = 0; g < world_.grains.size(); ++g) {
+        world_.grains.mass[g] *= density / density_;
+        world_.grains.inertia[g] *= density / density_;
+    }
+    caches_ = {};
+    density_ = density;
+}
+
+const dem::World& WorldHandle::world() const {
+    refuse_unless_open();
+    follow_density();
+    return world_;
+}
+
+dem::World& WorldHandle::world() {
+    refuse_unless_open();
+    follow_density();
+    return world_;
+}
+
+dem::World& WorldHandle::world_for_new_rows() {
+    if (steps_ || readers_ > 0) {
+        refuse();
+    }
+    return part_from_views();
+}
+
+void WorldHandle::refuse() {
+    throw StateError(
+        "this world is in use by another call, which steps or reads it: wait until that has returned, look at the "
+        "world in its on_progress, or work on a copy() made before"
+    );
+}
+
+void WorldHandle::refuse_unless_open() const {
+    if (!is_open()) {
+        refuse();
+    }
+}
+
+dem::World& WorldHandle::part_from_views() {
+    follow_density();
+    if (kept_.use_count() > 1) { // arrays look at these rows: the rows are theirs now
+        grains::Grains copy = world_.grains;
+        *kept_ = std::exchange(world_.grains, std::move(copy));
+        kept_ = std::make_shared<grains::Grains>();
+    }
+    caches_ = {};
+    position_.clear();
+    return world_;
+}
+
+Stepping::Stepping(WorldHandle& handle) : handle_(handle) {
+    if (handle.steps_ || handle.readers_ > 0) {
+        WorldHandle::refuse();
+    }
+    handle.steps_ = true;
+}
+
+dem::StepCaches& Stepping::caches() {
+    const dem::World& now = world();
+    if (handle_.position_ != now.grains.position || handle_.velocity_ != now.grains.velocity ||
+        !(handle_.h_ == now.cell.h)) {
+        handle_.caches_ = {};
+    }
+    return handle_.caches_;
+}
+
+void Stepping::remember_place() {
+    handle_.position_ = handle_.world_.grains.position;
+    handle_.velocity_ = handle_.world_.grains.velocity;
+    handle_.h_ = handle_.world_.cell.h;
+}
+
+} // namespace suffuse::python

@@ -1,0 +1,103 @@
+"""Threads of Python beside each other: nobody reads what is half done, and nobody waits for a whole run to look."""
+
+import threading
+import time
+
+import numpy
+import pytest
+
+import suffuse
+
+
+def what_it_says(world):
+    return world.mean_stress, world.balance["kinetic_energy"], world.hash, world.grains.coordination.sum()
+
+
+@pytest.fixture
+def two_threads():
+    before = suffuse.threads()
+    suffuse.set_threads(2)
+    yield
+    suffuse.set_threads(before)
+
+
+@pytest.fixture
+def clones(settled_once):
+    """A world of more grains than a parallel loop takes as one block: eight times 500."""
+    shifts = numpy.array([[i, j, k] for i in range(2) for j in range(2) for k in range(2)]) @ settled_once.cell.T
+    position = (settled_once.grains.position[None] + shifts[:, None]).reshape(-1, 3)
+    world = suffuse.World(2 * settled_once.cell, position, numpy.tile(settled_once.grains.radius, 8))
+    world.step(1, time_step=1e-12)
+    return world
+
+
+def test_a_world_is_read_while_another_one_steps(clones, two_threads):
+    stepped, straight = clones.copy(), clones.copy()
+    straight.step(300, time_step=4e-8)
+    truth, over = what_it_says(clones), threading.Event()
+
+    def step():
+        try:
+            stepped.step(300, time_step=4e-8)
+        finally:
+            over.set()
+
+    thread = threading.Thread(target=step)
+    thread.start()
+    while not over.is_set():
+        assert what_it_says(clones) == truth
+    thread.join()
+    assert stepped.hash == straight.hash
+
+
+def test_progress_of_a_run_may_look_at_a_world(clones, small_case, tmp_path, two_threads):
+    truth, looks = what_it_says(clones), []
+
+    def look(progress):
+        looks.append(what_it_says(clones) == truth)
+        clones.save(tmp_path / "state.h5")  # does not wait for the run
+        suffuse.set_threads(2)
+
+    suffuse.Case(small_case).run(tmp_path / "run", on_progress=look)
+    assert looks and all(looks)
+
+
+def test_a_world_that_is_stepped_is_refused_to_other_threads(settled, tmp_path):
+    stepping, looked, enough = threading.Event(), [], threading.Event()
+
+    class Enough(Exception):
+        pass
+
+    def tell(part, steps):
+        looked.append(settled.mean_stress)  # by who steps it, between two bursts
+        for change in (lambda: settled.remove([0]), settled.sort, lambda: settled.step(1), settled.settle):
+            with pytest.raises(suffuse.StateError, match="in use by another call"):
+                change()
+        stepping.set()
+        if enough.is_set():
+            raise Enough
+
+    def step():
+        with pytest.raises(Enough):
+            settled.step(10**9, time_step=4e-8, on_progress=tell)
+
+    thread = threading.Thread(target=step)
+    thread.start()
+    stepping.wait()
+    refused, until = 0, time.monotonic() + 0.5
+    asked = (
+        lambda: settled.hash, lambda: settled.copy(), lambda: settled.contacts, lambda: settled.grains.position,
+        lambda: settled.remove([0]), lambda: settled.step(1), lambda: settled.save(tmp_path / "state.h5"),
+    )
+    while time.monotonic() < until:
+        for ask in asked:
+            try:
+                ask()
+            except suffuse.StateError as error:
+                refused += "in use by another call" in str(error)
+            repr(settled)  # never refused
+    enough.set()
+    thread.join()
+    assert refused > 0 and looked and len(settled) == 500
+    settled.remove([0])
+    settled.step(1)
