@@ -1,6 +1,7 @@
 #pragma once
 // What the functions of a World that do a stage's work have in common.
 
+#include "suffuse/dem/first_contacts.hpp"
 #include "suffuse/dem/order.hpp"
 
 #include <fmt/format.h>
@@ -18,10 +19,13 @@ using Handle = std::shared_ptr<WorldHandle>;
 
 inline constexpr double usual_damping = 0.2; // local, non-viscous; [contact] damping of a case
 
-/// Begins with the rows along the curve, as the stages of a run do.
+/// Begins with the rows along the curve and with contacts, as the stages of a run do.
 inline dem::World& begin(Stepping& call) {
     dem::World& world = call.world_for_new_rows();
     dem::sort_along_curve(world);
+    if (dem::awaits_first_step(world)) {
+        dem::add_first_contacts(world);
+    }
     return world;
 }
 

@@ -131,7 +131,10 @@ void add_contact_column(
 void bind_contacts(py::module_& m) {
     using dem::ContactView;
     py::class_<ContactTable, Contacts> type(
-        m, "Contacts", "The touching contacts as the last step left them, a row each. Later steps do not change them."
+        m, "Contacts",
+        "The touching contacts as the last step left them, or, before the first one, as the geometry has them: a row "
+        "each. "
+        "Later steps do not change them."
     );
     type.def("__len__", [](const ContactTable& table) { return table.rows.size(); });
     add_contact_column(type, "i", &ContactView::i, "contacts: row of the first grain [-].");
@@ -189,7 +192,7 @@ void bind_grains(py::module_& m) {
     type.def_property_readonly(
         "coordination",
         [](const GrainTable& table) {
-            const std::vector<int> counts = dem::coordination(table.handle->world());
+            const std::vector<int> counts = dem::coordination(SeenWorld(*table.handle));
             return py::array_t<int>(static_cast<py::ssize_t>(counts.size()), counts.data());
         },
         "grains: number of touching contacts [-]; a new array."
@@ -220,16 +223,18 @@ void bind_cell(py::class_<WorldHandle, Handle>& type) {
 
 void bind_measures(py::class_<WorldHandle, Handle>& type) {
     type.def_property_readonly(
-        "stress", [](const WorldHandle& w) { return to_array(dem::mean_stress_tensor(w.world())); },
-        "3 x 3: mean stress of the contact forces, compression positive [Pa]."
+        "stress", [](const WorldHandle& w) { return to_array(dem::mean_stress_tensor(SeenWorld(w))); },
+        "3 x 3: mean stress of the contact forces, compression positive [Pa]; before the first step of the normal "
+        "forces "
+        "of the overlaps."
     );
     type.def_property_readonly(
-        "mean_stress", [](const WorldHandle& w) { return dem::mean_stress(dem::mean_stress_tensor(w.world())); },
+        "mean_stress", [](const WorldHandle& w) { return dem::mean_stress(dem::mean_stress_tensor(SeenWorld(w))); },
         "A third of the trace of the stress [Pa]."
     );
     type.def_property_readonly(
         "deviator_stress",
-        [](const WorldHandle& w) { return dem::deviator_stress(dem::mean_stress_tensor(w.world())); },
+        [](const WorldHandle& w) { return dem::deviator_stress(dem::mean_stress_tensor(SeenWorld(w))); },
         "sqrt(3 J2) of the stress [Pa]."
     );
     type.def_property_readonly(
@@ -243,11 +248,11 @@ void bind_measures(py::class_<WorldHandle, Handle>& type) {
         "porosity", [](const WorldHandle& w) { return dem::porosity(w.world()); }, "Voids / all [-]."
     );
     type.def_property_readonly(
-        "balance", [](const WorldHandle& w) { return describe(dem::measure_equilibrium(w.world())); },
+        "balance", [](const WorldHandle& w) { return describe(dem::measure_equilibrium(SeenWorld(w))); },
         "How near the state is to equilibrium: unbalanced_force, kinetic_energy [J], max_overlap_ratio, contacts, ..."
     );
     type.def(
-        "measure", [](const WorldHandle& w) { return to_python(run::measure_state(w.world())); },
+        "measure", [](const WorldHandle& w) { return to_python(run::measure_state(SeenWorld(w))); },
         "The numbers of a state as in stage.json: void ratio, stress, coordination, fines, hash, ..."
     );
     type.def_property_readonly(
@@ -345,9 +350,11 @@ void bind_world(py::module_& m) {
     type.def_property_readonly(
         "contacts",
         [](const WorldHandle& w) {
-            return std::make_shared<ContactTable>(ContactTable{dem::inspect_contacts(w.world())});
+            return std::make_shared<ContactTable>(ContactTable{dem::inspect_contacts(SeenWorld(w))});
         },
-        "The touching contacts as they are now: a row a contact."
+        "The touching contacts as the last step left them, a row each; before the first step those of the geometry, "
+        "without "
+        "shear forces and moments."
     );
     type.def_property(
         "material", [](WorldHandle& w) -> grains::Material& { return w.world().material; },
@@ -371,7 +378,7 @@ void bind_world(py::module_& m) {
         }
         return fmt::format(
             "<suffuse.World: {} grains, void ratio {:.4f}, mean stress {:.4g} kPa>", w.world().grains.size(),
-            dem::void_ratio(w.world()), dem::mean_stress(dem::mean_stress_tensor(w.world())) / 1e3
+            dem::void_ratio(w.world()), dem::mean_stress(dem::mean_stress_tensor(SeenWorld(w))) / 1e3
         );
     });
     bind_cell(type);

@@ -3,6 +3,7 @@
 #include "python/bindings/world_handle.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/dem/first_contacts.hpp"
 
 #include <fmt/format.h>
 
@@ -69,6 +70,12 @@ dem::World& WorldHandle::part_from_views() {
     caches_ = {};
     position_.clear();
     return world_;
+}
+
+SeenWorld::SeenWorld(const WorldHandle& handle) : world_(handle.world()) {
+    if (dem::awaits_first_step(world_)) {
+        dem::add_first_contacts(first_.emplace(world_));
+    }
 }
 
 Stepping::Stepping(WorldHandle& handle) : handle_(handle) {

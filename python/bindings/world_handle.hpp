@@ -7,6 +7,7 @@
 #include "suffuse/dem/step.hpp"
 
 #include <memory>
+#include <optional>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <vector>
@@ -55,6 +56,18 @@ private:
     std::shared_ptr<grains::Grains> kept_ = std::make_shared<grains::Grains>();
     bool steps_ = false, pauses_ = false; ///< a call steps it; and calls back just now
     mutable int readers_ = 0;             ///< calls that read it with the interpreter released
+};
+
+/// A world as measures are to see it: before its first step with the contacts that its geometry has now.
+class SeenWorld {
+public:
+    explicit SeenWorld(const WorldHandle& handle);
+
+    operator const dem::World&() const { return first_ ? *first_ : world_; } // NOLINT(google-explicit-constructor)
+
+private:
+    const dem::World& world_;
+    std::optional<dem::World> first_;
 };
 
 /// A call that steps a world, and has it to itself. Made and ended with the interpreter held.

@@ -23,6 +23,29 @@ def test_a_packing_goes_out_and_comes_back(settled, tmp_path, name):
         assert (back.grains.spin == settled.grains.spin).all()
 
 
+def test_an_imported_packing_knows_its_contacts_before_the_first_step(packing):
+    stepped = packing.copy()
+    stepped.step(1, time_step=1e-15)  # nothing moves
+    assert len(packing.contacts) == len(stepped.contacts) > 500
+    assert packing.contacts.overlap == pytest.approx(stepped.contacts.overlap, abs=1e-15)  # rounding of positions
+    assert (packing.grains.coordination == stepped.grains.coordination).all()
+    before, after = packing.measure(), stepped.measure()
+    for name in ("contacts", "rattlers", "coordination", "backbone_rattlers", "max_overlap_ratio", "mean_stress"):
+        assert before[name] == pytest.approx(after[name], rel=1e-6)
+    assert (packing.contacts.shear_force == 0).all() and (packing.grains.force == 0).all()
+    packing.grains.position *= 1.5  # and those of where the grains are now
+    packing.cell = 1.5 * packing.cell
+    assert len(packing.contacts) == 0 and packing.mean_stress == 0
+
+
+def test_looking_before_the_first_step_changes_no_bit(packing):
+    seen = packing.copy()
+    seen.contacts, seen.stress, seen.balance
+    for world in (packing, seen):
+        world.settle(suffuse.Loading(stress="100 kPa"))
+    assert seen.hash == packing.hash
+
+
 def test_what_is_not_used_is_warned_of(tmp_path):
     (tmp_path / "p.csv").write_text("x,y,z,r,color\n0.5,0.5,0.5,0.1,1\n")
     with pytest.warns(UserWarning, match='column "color" ignored'):

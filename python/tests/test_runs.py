@@ -18,6 +18,14 @@ from suffuse.case import page_folder
 PROGRAM = os.environ["SUFFUSE_PROGRAM"]
 
 
+def test_an_imported_stage_tells_its_contacts(small_case, tmp_path):
+    run = suffuse.Case(small_case).run(tmp_path / "run", until="start")
+    start = run["replay/start"]
+    assert start["contacts"] == len(start.contacts) > 500 and 0 < start.rattlers < 500
+    assert start.max_overlap_ratio == pytest.approx(start.imported_overlap_ratio, rel=1e-12)  # rounding
+    assert start.mean_stress == pytest.approx(100e3, rel=5e-3)  # it was settled there
+
+
 def test_a_case_is_read_checked_and_priced(small_case):
     case = suffuse.Case(small_case, changes={"contact.modulus": "300 MPa"})
     assert case.title == "Replay of an imported packing" and case.material.modulus == 300e6

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/equilibrium.hpp"
+#include "suffuse/dem/first_contacts.hpp"
 #include "suffuse/dem/settle.hpp"
 
 #include <fmt/format.h>
@@ -50,8 +51,10 @@ RelaxReport relax(
     const double drag = slowest_mode_drag(world.grains.size(), dt);
     RelaxReport report;
     const Equilibrium start = measure_equilibrium(world);
-    // A world without contacts may have none, or has yet to find them.
-    double best = start.contacts > 0 ? start.unbalanced_force : std::numeric_limits<double>::max();
+    // A world without contacts may have none, or has yet to find them; and before the first step its forces are
+    // guesses.
+    double best =
+        start.contacts > 0 && !awaits_first_step(world) ? start.unbalanced_force : std::numeric_limits<double>::max();
     std::int64_t since_best = 0; // bursts
     while (report.steps < most_steps && since_best < most_cycles * cycle) {
         const bool held = since_best % cycle < held_bursts;

@@ -1,8 +1,9 @@
 #include "suffuse/dem/spring_network.hpp"
 
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/contact/carry_over.hpp"
 #include "suffuse/contact/stress.hpp"
-#include "suffuse/neighbors/pairs.hpp"
+#include "suffuse/dem/first_contacts.hpp"
 
 #include <algorithm>
 
@@ -11,28 +12,8 @@ namespace {
 
 /// Those that the last step found; before the first step those of the geometry.
 contact::Contacts touching_contacts(const World& world) {
-    contact::Contacts touching;
-    const auto add = [&](std::uint32_t first, std::uint32_t second, const cell::Image& image, const Vec3& normal) {
-        touching.first.push_back(first);
-        touching.second.push_back(second);
-        touching.image.push_back(image);
-        touching.normal.push_back(normal);
-    };
-    const contact::Contacts& known = world.contacts;
-    for (std::size_t c = 0; c < known.size(); ++c) {
-        if (known.touches(c)) {
-            add(known.first[c], known.second[c], known.image[c], known.normal[c]);
-        }
-    }
-    if (known.size() > 0) {
-        return touching;
-    }
-    const std::vector<Vec3>& position = world.grains.position;
-    for (const neighbors::Pair& pair : neighbors::find_pairs(world.cell.h, position, world.grains.radius, 0)) {
-        const Vec3 branch = position[pair.second] + cell::shift(world.cell.h, pair.image) - position[pair.first];
-        add(pair.first, pair.second, pair.image, branch / norm(branch));
-    }
-    return touching;
+    return awaits_first_step(world) || world.contacts.size() == 0 ? find_first_contacts(world)
+                                                                  : contact::touching_rows(world.contacts);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/cell/drive.hpp"
 #include "suffuse/contact/stress.hpp"
+#include "suffuse/dem/first_contacts.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/move_grains.hpp"
@@ -228,6 +229,9 @@ Mat3 one_step(
 
 StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::int64_t steps) {
     expects(steps > 0, "a burst has no step");
+    if (awaits_first_step(world)) {
+        world.contacts = {}; // of the geometry, without memory
+    }
     const contact::LawConstants law = contact::resolve_law(world.material);
     grains::to_rows(world.grains, caches.rows);
     take_memory(world, plan.mode, caches);

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/state_hash.hpp"
 #include "suffuse/contact/carry_over.hpp"
+#include "suffuse/dem/first_contacts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,12 +31,14 @@ std::uint64_t state_hash(const World& world) {
         hash.add(grains.radius[g]);
         hash.add(grains.motion[g]);
     }
-    // Contacts as pairs of ids, whatever rows their grains are stored in.
+    // Contacts as pairs of ids, whatever rows their grains are stored in. The first step forgets those before it.
     std::vector<std::uint32_t> rank(grains.size());
     for (std::uint32_t k = 0; k < order.size(); ++k) {
         rank[order[k]] = k;
     }
-    const contact::Contacts contacts = contact::renumbered(contact::touching_rows(world.contacts), rank);
+    const contact::Contacts contacts = awaits_first_step(world)
+                                           ? contact::Contacts{}
+                                           : contact::renumbered(contact::touching_rows(world.contacts), rank);
     hash.add(std::span<const std::uint32_t>(contacts.first));
     hash.add(std::span<const std::uint32_t>(contacts.second));
     for (std::size_t c = 0; c < contacts.size(); ++c) {

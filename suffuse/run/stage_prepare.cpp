@@ -1,6 +1,7 @@
 // The verbs that bring a sample into being: import, pack, compact.
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/dem/first_contacts.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/erosion/extraction.hpp"
@@ -88,6 +89,7 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     const double overlap = io::check_overlaps(work.world.grains, work.world.cell, spec.max_overlap, spec.path);
     mark_fines(work.variant, spec.path, work.world.grains);
     work.world.reference_h = work.world.cell.h;
+    dem::add_first_contacts(work.world);
     work.numbers["imported"] = true;
     work.numbers["imported_overlap_ratio"] = overlap;
     work.warnings = std::move(packing.warnings);
@@ -101,8 +103,8 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
         work.warnings.push_back(*narrow);
     }
     work.warnings.push_back(fmt::format(
-        "{}: an imported packing carries no contact memory: its shear forces and moments start at zero; settle it "
-        "where that matters",
+        "{}: an imported packing carries no contact memory: its contacts are those of the geometry, with normal forces "
+        "and without shear forces and moments; settle it where that matters",
         work.place()
     ));
 }
