@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "python/bindings/convert.hpp"
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -22,6 +23,14 @@ inline double value_of(const casefile::Key& key, const py::handle& value, std::s
         ));
     }
     return number;
+}
+
+/// A whole number.
+inline std::int64_t count_of(const casefile::Key& key, std::int64_t value, std::string_view name) {
+    if (!key.range.contains(static_cast<double>(value))) {
+        throw CaseError(fmt::format("{}: found {}, expected it to be {}", name, value, casefile::range_text(key)));
+    }
+    return value;
 }
 
 /// Nothing for None.

@@ -80,12 +80,13 @@ packing::CompactSpec spec_of(
 py::object compact(
     WorldHandle& w, const py::object& pressure, const py::object& friction, const py::object& adhesion_normal,
     const py::object& adhesion_shear, const py::object& void_ratio, const py::object& void_ratio_tolerance,
-    const std::string& protocol, const py::object& max_rate, const dem::BalanceSpec& balance, double damping,
+    const std::string& protocol, const py::object& max_rate, const dem::BalanceSpec& balance, const py::object& damping,
     const py::object& on_progress
 ) {
     const packing::CompactSpec spec = spec_of(
         pressure, friction, adhesion_normal, adhesion_shear, void_ratio, void_ratio_tolerance, protocol, max_rate
     );
+    const double asked_damping = value_of(key_of("contact", "damping"), damping, "damping");
     packing::CompactState state;
     Stepping call(w);
     Attention attention(on_progress, call);
@@ -93,7 +94,7 @@ py::object compact(
     begin(call);
     if (!spec.void_ratio) {
         const Working working;
-        state = compact_once(call, spec, balance, damping, attention);
+        state = compact_once(call, spec, balance, asked_damping, attention);
     } else {
         packing::FoundDensity found;
         {
@@ -106,7 +107,7 @@ py::object compact(
             try {
                 found = packing::search_void_ratio(spec, cloud.material, [&](const packing::CompactSpec& trial) {
                     start_again();
-                    state = compact_once(call, trial, balance, damping, attention);
+                    state = compact_once(call, trial, balance, asked_damping, attention);
                     return dem::void_ratio(call.world());
                 });
             } catch (...) {
@@ -147,7 +148,7 @@ Handle make_cloud(
         sample.fine.push_back(fines[g]);
     }
     packing::PackSpec spec;
-    spec.porosity = quantity_of(porosity, dimension::none, "porosity");
+    spec.porosity = value_of(key_of("stage.pack", "porosity"), porosity, "porosity");
     const py::gil_scoped_release released;
     packing::Cloud cloud = packing::make_cloud(sample, spec, material.density, seed);
     dem::World world;

@@ -104,7 +104,12 @@ void bind_balance(py::module_& m) {
     type.def(py::init(from_keywords<BalanceSpec>()));
     quantity_field(type, "balance", "unbalanced_force", &BalanceSpec::unbalanced_force);
     quantity_field(type, "balance", "stress_error", &BalanceSpec::stress_error);
-    type.def_readwrite("patience", &BalanceSpec::patience, key_doc(key_of("balance", "patience")).c_str());
+    const Key& patience = key_of("balance", "patience");
+    type.def_property(
+        "patience", [](const BalanceSpec& spec) { return spec.patience; },
+        [&patience](BalanceSpec& spec, std::int64_t value) { spec.patience = count_of(patience, value, "patience"); },
+        key_doc(patience).c_str()
+    );
     add_repr(type, {"unbalanced_force", "stress_error", "patience"});
 }
 
@@ -151,9 +156,7 @@ cell::Loading make_loading(
     std::array<bool, 3> taken{};
     take_axes(strain_rate, cell::Control::StrainRate, loading, taken);
     take_axes(stress, cell::Control::Stress, loading, taken);
-    if (const auto rate = optional_quantity(max_rate, dimension::rate, "max_rate")) {
-        loading.servo.max_rate = *rate;
-    }
+    loading.servo.max_rate = optional_value_of(key_of("stage.advance.servo", "max_rate"), max_rate, "max_rate");
     return loading;
 }
 

@@ -13,7 +13,7 @@
 
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
-#include "python/bindings/key_doc.hpp"
+#include "python/bindings/key_value.hpp"
 #include "python/bindings/stage_work.hpp"
 #include "python/bindings/views.hpp"
 #include "python/bindings/work.hpp"
@@ -34,6 +34,19 @@ dem::Mode mode_of(const std::string& word) {
     throw CaseError(fmt::format("mode: found \"{}\", expected reference or fast", word));
 }
 
+double damping_of(const py::object& value) {
+    return value_of(key_of("contact", "damping"), value, "damping");
+}
+
+/// Nothing where it is to be computed. @throws CaseError where it is beyond what the sample can take
+std::optional<double> time_step_of(const py::object& value, Stepping& call) {
+    const auto asked = optional_value_of(key_of("stage.advance", "time_step"), value, "time_step");
+    if (asked) {
+        call.check_time_step(*asked);
+    }
+    return asked;
+}
+
 /// What the caller of a step asked for.
 struct Asked {
     dem::StepPlan plan;
@@ -43,22 +56,19 @@ struct Asked {
 };
 
 std::shared_ptr<Asked> read_asked(
-    std::size_t grains, const cell::Loading& loading, const py::object& time_step, double damping,
+    Stepping& call, const cell::Loading& loading, const py::object& time_step, const py::object& damping,
     const py::object& force, const std::string& mode
 ) {
     auto asked = std::make_shared<Asked>();
     asked->plan.mode = mode_of(mode);
     asked->plan.loading = loading;
-    asked->plan.damping = damping;
-    if (const auto dt = optional_quantity(time_step, dimension::time, "time_step")) {
-        if (!(*dt > 0)) {
-            throw CaseError(fmt::format("time_step: found {} s, expected a positive one", *dt));
-        }
+    asked->plan.damping = damping_of(damping);
+    if (const auto dt = time_step_of(time_step, call)) {
         asked->plan.dt = *dt;
         asked->computed = false;
     }
     if (!force.is_none()) {
-        asked->load.force = vectors_of(force, "force", grains);
+        asked->load.force = vectors_of(force, "force", call.world().grains.size());
         asked->plan.load = &asked->load;
     }
     return asked;
@@ -73,14 +83,14 @@ void renew_time_step(Asked& asked, const dem::World& world, std::int64_t done) {
 }
 
 py::array_t<double> step(
-    WorldHandle& w, std::int64_t steps, const cell::Loading& loading, const py::object& time_step, double damping,
-    const py::object& force, const std::string& mode, const py::object& on_progress
+    WorldHandle& w, std::int64_t steps, const cell::Loading& loading, const py::object& time_step,
+    const py::object& damping, const py::object& force, const std::string& mode, const py::object& on_progress
 ) {
     if (steps < 1) {
         throw CaseError(fmt::format("steps: found {}, expected 1 or more", steps));
     }
     Stepping call(w);
-    const auto asked = read_asked(call.world().grains.size(), loading, time_step, damping, force, mode);
+    const auto asked = read_asked(call, loading, time_step, damping, force, mode);
     dem::StepReport report;
     Attention attention(on_progress, call);
     {
@@ -101,11 +111,12 @@ py::array_t<double> step(
 
 py::object settle(
     WorldHandle& w, const cell::Loading& loading, const dem::BalanceSpec& balance, const py::object& time_step,
-    double damping, std::int64_t max_steps, const py::object& force, const std::string& mode,
+    const py::object& damping, std::int64_t max_steps, const py::object& force, const std::string& mode,
     const py::object& on_progress
 ) {
     Stepping call(w);
-    const auto asked = read_asked(call.world().grains.size(), loading, time_step, damping, force, mode);
+    const auto asked = read_asked(call, loading, time_step, damping, force, mode);
+    count_of(key_of("stage.settle", "max_steps"), max_steps, "max_steps");
     dem::BalanceState state;
     Attention attention(on_progress, call);
     {
@@ -125,18 +136,22 @@ py::object settle(
 }
 
 py::object relax(
-    WorldHandle& w, double wanted, const py::object& time_step, double damping, std::int64_t max_steps,
+    WorldHandle& w, double wanted, const py::object& time_step, const py::object& damping, std::int64_t max_steps,
     const py::object& on_progress
 ) {
     Stepping call(w);
-    const auto asked = read_asked(call.world().grains.size(), {}, time_step, damping, py::none(), usual_mode);
+    const auto asked = read_asked(call, {}, time_step, damping, py::none(), usual_mode);
+    count_of(key_of("stage.settle", "max_steps"), max_steps, "max_steps");
+    if (!(wanted > 0)) {
+        throw CaseError(fmt::format("wanted: found {}, expected an unbalanced force above 0", wanted));
+    }
     Attention attention(on_progress, call);
     dem::RelaxReport report;
     {
         const Working working;
         renew_time_step(*asked, call.world(), 0);
         report = dem::relax(
-            call.world(), call.caches(), asked->plan.dt, damping, wanted, max_steps,
+            call.world(), call.caches(), asked->plan.dt, asked->plan.damping, wanted, max_steps,
             [&](std::string_view part, long long steps) {
                 call.remember_place();
                 attention.beat(part, steps);
@@ -167,21 +182,23 @@ T word_of(const std::string& word, const std::array<casefile::names::Word<T>, N>
 py::object run_triaxial(
     WorldHandle& w, const py::object& strain, const std::string& path, const py::object& strain_ratio,
     const py::object& deviator_stress, const py::object& stress_ratio, const py::object& inertial_number,
-    const std::string& inertia, const py::object& time_step, int rows, double damping, const std::string& mode,
-    const py::object& on_progress
+    const std::string& inertia, const py::object& time_step, int rows, const py::object& damping,
+    const std::string& mode, const py::object& on_progress
 ) {
     Stepping call(w);
     const dem::Mode asked_mode = mode_of(mode);
     triaxial::TriaxialSpec spec;
     spec.inertia = word_of(inertia, casefile::names::grain_inertia, "inertia");
-    spec.strain = quantity_of(strain, dimension::none, "strain");
+    const auto key = [](const char* name) -> const casefile::Key& { return key_of("stage.triaxial", name); };
+    spec.strain = value_of(key("strain"), strain, "strain");
     spec.path = word_of(path, casefile::names::triaxial_path, "path");
-    spec.strain_ratio = optional_quantity(strain_ratio, dimension::none, "strain_ratio");
-    spec.deviator_stress = optional_quantity(deviator_stress, dimension::pressure, "deviator_stress");
-    spec.stress_ratio = optional_quantity(stress_ratio, dimension::none, "stress_ratio");
-    spec.inertial_number = quantity_of(inertial_number, dimension::none, "inertial_number");
-    spec.time_step = optional_quantity(time_step, dimension::time, "time_step").value_or(0);
-    spec.rows = rows;
+    spec.strain_ratio = optional_value_of(key("strain_ratio"), strain_ratio, "strain_ratio");
+    spec.deviator_stress = optional_value_of(key("deviator_stress"), deviator_stress, "deviator_stress");
+    spec.stress_ratio = optional_value_of(key("stress_ratio"), stress_ratio, "stress_ratio");
+    spec.inertial_number = value_of(key("inertial_number"), inertial_number, "inertial_number");
+    spec.time_step = time_step_of(time_step, call).value_or(0);
+    spec.rows = static_cast<int>(count_of(key("rows"), rows, "rows"));
+    const double asked_damping = damping_of(damping);
     triaxial::PathState state;
     Attention attention(on_progress, call);
     dem::World& world = begin(call);
@@ -190,7 +207,7 @@ py::object run_triaxial(
         const Loan loan(call, state);
         state = triaxial::begin_path(world, spec, dem::mean_stress_tensor(world));
         for (bool over = false; !over;) {
-            over = triaxial::path_burst(world, call.caches(), spec, {}, damping, asked_mode, state);
+            over = triaxial::path_burst(world, call.caches(), spec, {}, asked_damping, asked_mode, state);
             call.remember_place();
             attention.beat("shear", state.steps);
         }
@@ -205,30 +222,26 @@ py::object run_triaxial(
 }
 
 py::object run_stress_probe(
-    WorldHandle& w, const py::object& increment, int directions, double unbalanced_force, const py::object& time_step,
-    double damping, const py::object& on_progress
+    WorldHandle& w, const py::object& increment, int directions, const py::object& unbalanced_force,
+    const py::object& time_step, const py::object& damping, const py::object& on_progress
 ) {
     Stepping call(w);
     triaxial::StressProbeSpec spec;
-    spec.increment = quantity_of(increment, dimension::none, "increment");
-    spec.directions = directions;
-    spec.unbalanced_force = unbalanced_force;
-    spec.time_step = optional_quantity(time_step, dimension::time, "time_step").value_or(0);
-    if (!(spec.increment > 0) || directions < 1 || !(unbalanced_force > 0)) {
-        throw CaseError(fmt::format(
-            "stress_probe: found increment {}, directions {}, unbalanced_force {}; expected all of them above 0",
-            spec.increment, directions, unbalanced_force
-        ));
-    }
+    const auto key = [](const char* name) -> const casefile::Key& { return key_of("stage.stress-probe", name); };
+    spec.increment = value_of(key("increment"), increment, "increment");
+    spec.directions = static_cast<int>(count_of(key("directions"), directions, "directions"));
+    spec.unbalanced_force = value_of(key("unbalanced_force"), unbalanced_force, "unbalanced_force");
+    spec.time_step = time_step_of(time_step, call).value_or(0);
+    const double asked_damping = damping_of(damping);
     std::vector<triaxial::StressProbe> probes;
     Attention attention(on_progress, call);
     const dem::World& world = begin(call);
     {
         const Working working;
         const Pulse pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };
-        const triaxial::ProbedState state = triaxial::rest_for_probes(world, spec, damping, pulse);
+        const triaxial::ProbedState state = triaxial::rest_for_probes(world, spec, asked_damping, pulse);
         for (int number = 0; number < directions; ++number) {
-            probes.push_back(triaxial::probe_direction(state, spec, number, damping, pulse));
+            probes.push_back(triaxial::probe_direction(state, spec, number, asked_damping, pulse));
         }
     }
     return to_python(nlohmann::json(probes));

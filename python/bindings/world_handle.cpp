@@ -4,6 +4,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/first_contacts.hpp"
+#include "suffuse/dem/stable_dt.hpp"
 
 #include <fmt/format.h>
 
@@ -83,6 +84,25 @@ Stepping::Stepping(WorldHandle& handle) : handle_(handle) {
         WorldHandle::refuse();
     }
     handle.steps_ = true;
+}
+
+void Stepping::check_time_step(double asked) {
+    // What the check costs is some tens of steps: many calls of a few steps make it as seldom as the steps need it.
+    const std::int64_t since = world().clock.step - handle_.stable_at_;
+    if (asked <= handle_.stable_step_ && since >= 0 && since < dem::time_step_interval) {
+        return;
+    }
+    const double limit = dem::stable_time_step(world(), 1);
+    if (!(asked <= limit)) {
+        throw CaseError(fmt::format(
+            "time_step: found {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is unstable; leave it "
+            "out, "
+            "and it is computed",
+            1e9 * asked, 1e9 * limit
+        ));
+    }
+    handle_.stable_step_ = asked;
+    handle_.stable_at_ = world().clock.step;
 }
 
 dem::StepCaches& Stepping::caches() {

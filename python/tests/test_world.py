@@ -295,8 +295,18 @@ def test_arguments_of_a_compaction_are_held_to_their_ranges_and_to_each_other(cl
 def test_a_triaxial_test_without_stress_or_pace_is_refused(cloud, settled):
     with pytest.raises(suffuse.StateError, match="carries a stress"):
         cloud.triaxial()
-    for wrong in ({"inertial_number": 0}, {"strain": 0}, {"rows": 0}):
-        with pytest.raises(suffuse.CaseError, match="above 0"):
+    for wrong, said in (
+        ({"inertial_number": 0}, "above 0"),
+        ({"strain": 0}, "strain: .*above 0 and at most 2"),
+        ({"strain": 20}, "strain: .*at most 2"),  # percent were meant
+        ({"rows": 0}, "rows: found 0"),
+        ({"time_step": -1e-8}, "time_step: .*above 0"),
+        ({"stress_ratio": -0.5}, "stress_ratio: .*above 0"),
+        ({"deviator_stress": "-50 kPa"}, "deviator_stress: .*above 0"),
+        ({"stress_ratio": 0.5, "deviator_stress": "50 kPa"}, "keep one of them"),
+        ({"path": "constant-deviator", "deviator_stress": "50 kPa"}, "give stress_ratio instead"),
+    ):
+        with pytest.raises(suffuse.CaseError, match=said):
             settled.triaxial(**wrong)
 
 
@@ -323,7 +333,7 @@ def test_stress_probes_leave_the_world_as_it_is(cloud, settled):
     assert (settled.grains.position == before).all()
     with pytest.raises(suffuse.StateError, match="carries a stress"):
         cloud.stress_probe()
-    with pytest.raises(suffuse.CaseError, match="above 0"):
+    with pytest.raises(suffuse.CaseError, match="directions: found 0"):
         settled.stress_probe(directions=0)
 
 

@@ -179,6 +179,9 @@ void check_spec(const TriaxialSpec& spec) {
     if (spec.strain_ratio.has_value() != (spec.path == Path::Proportional)) {
         throw CaseError("triaxial: strain_ratio belongs to the path \"proportional\", and is needed there");
     }
+    if (spec.deviator_stress && spec.stress_ratio) {
+        throw CaseError("triaxial: found a deviator_stress and a stress_ratio to stop at; keep one of them");
+    }
     if (spec.path == Path::ConstantDeviator && spec.deviator_stress) {
         throw CaseError("triaxial: the path \"constant-deviator\" holds q; give stress_ratio instead of deviator_stress"
         );
