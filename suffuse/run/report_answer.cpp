@@ -220,9 +220,9 @@ std::string tell_idle(const erosion::ErosionResult& erosion) {
         return {};
     }
     return fmt::format(
-        "{} of them carried load: without gravity any water moves such grains, so that this gradient is not a critical "
+        "{} carried load: without gravity any water moves such grains, so that this gradient is not a critical "
         "one, and a soil that criteria of stability call stable loses them too.",
-        idle == removed ? "None" : fmt::format("{} of {}", grouped(removed - idle), grouped(removed))
+        idle == removed ? "None of them" : fmt::format("Only {} of the {}", grouped(removed - idle), grouped(removed))
     );
 }
 
