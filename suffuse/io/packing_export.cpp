@@ -2,6 +2,7 @@
 
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/brought_home.hpp"
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/io/vtk_writer.hpp"
 
@@ -108,8 +109,8 @@ void export_extended_xyz(const std::filesystem::path& path, const grains::Grains
         grains.size(), a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z
     ));
     for (std::size_t g = 0; g < grains.size(); ++g) {
-        const Vec3 x = cell::wrapped(cell.h, inverse_h, grains.position[g]), &v = grains.velocity[g],
-                   &w = grains.spin[g];
+        const auto [x, v] = brought_home(cell, inverse_h, {grains.position[g], grains.velocity[g]});
+        const Vec3& w = grains.spin[g];
         file.write(fmt::format(
             "{} {} {} {} {} {} {} {} {} {} {} {} {}\n", grains.fine[g] != 0 ? "fine" : "coarse", x.x, x.y, x.z,
             grains.radius[g], v.x, v.y, v.z, w.x, w.y, w.z, grains.id[g], grains.fine[g]

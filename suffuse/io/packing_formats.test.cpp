@@ -111,6 +111,23 @@ TEST(PackingFormats, ExtendedXyzCarriesTheCellAndGrainsAtHomeToTheBit) {
     EXPECT_EQ(back.cell->h, world.cell.h);
 }
 
+TEST(PackingFormats, AGrainBroughtHomeMovesAsTheMeanMotionDoesThere) {
+    dem::World world;
+    world.cell.h = from_columns({2, 0, 0}, {0.5, 3, 0}, {0, 0, 4});
+    world.cell.velocity_gradient(0, 2) = 0.5, world.cell.velocity_gradient(1, 1) = -0.25;
+    const Vec3 place{0.25, 0.5, 1}, motion{1, 2, 3};
+    for (const cell::Image image : {cell::Image(0, 0, 0), cell::Image(1, -2, 3)}) { // one grain and its image
+        const Vec3 shift = cell::shift(world.cell.h, image);
+        const auto g = grains::add_grain(world.grains, place + shift, 0.1, 2600);
+        world.grains.velocity[g] = motion + world.cell.velocity_gradient * shift;
+    }
+    const TempFolder folder;
+    export_packing(folder / "p.xyz", world, PackingFormat::ExtendedXyz);
+    const ImportedPacking back = read_packing(folder / "p.xyz", 2600);
+    EXPECT_EQ(back.grains.position, (std::vector<Vec3>{place, place}));
+    EXPECT_EQ(back.grains.velocity, (std::vector<Vec3>{motion, motion}));
+}
+
 TEST(PackingFormats, LammpsRefusesACellThatItCannotHold) {
     dem::World world;
     world.cell.h(1, 0) = 0.1;

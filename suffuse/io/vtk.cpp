@@ -2,6 +2,7 @@
 
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/brought_home.hpp"
 
 #include <fmt/format.h>
 
@@ -47,14 +48,20 @@ std::string escaped(const std::string& text) {
 void write_grains_vtp(const std::filesystem::path& path, const dem::World& world, std::vector<VtkArray> further) {
     const std::vector<int> coordination = dem::coordination(world);
     VtkMesh mesh;
-    mesh.point = home_positions(world);
+    std::vector<Vec3> velocity;
+    const Mat3 inverse_h = inverse(world.cell.h);
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        const auto home = brought_home(world.cell, inverse_h, {world.grains.position[g], world.grains.velocity[g]});
+        mesh.point.push_back(home.position);
+        velocity.push_back(home.velocity);
+    }
     mesh.corner.resize(mesh.point.size());
     std::iota(mesh.corner.begin(), mesh.corner.end(), 0);
     mesh.point_data = {
         vtk_scalars("radius", world.grains.radius), VtkArray{"id", 1, world.grains.id},
         VtkArray{"fine", 1, world.grains.fine},
         VtkArray{"coordination", 1, std::vector<std::int64_t>(coordination.begin(), coordination.end())},
-        vtk_vectors("velocity", world.grains.velocity)};
+        vtk_vectors("velocity", velocity)};
     std::move(further.begin(), further.end(), std::back_inserter(mesh.point_data));
     write_mesh(path, mesh);
 }

@@ -157,6 +157,15 @@ TEST(Vtk, GrainsArePointsInsideTheCellWithTheirColumns) {
     EXPECT_THROW(write_grains_vtp(folder / "g.vtp", small_world(), {vtk_scalars("pass", {1})}), Bug);
 }
 
+TEST(Vtk, AGrainBroughtHomeMovesAsTheMeanMotionDoesThere) {
+    const TempFolder folder;
+    dem::World world = small_world();
+    world.cell.velocity_gradient(0, 0) = 0.5; // the second grain comes from a period away, 4 m
+    write_grains_vtp(folder / "g.vtp", world);
+    const VtkFile file(folder / "g.vtp");
+    EXPECT_EQ(file.array<float>("velocity", "Float32"), (std::vector<float>{0, 0, 0, 3, 2, 3}));
+}
+
 TEST(Vtk, ContactsAreLinesBetweenCenters) {
     const TempFolder folder;
     const dem::World world = small_world();
