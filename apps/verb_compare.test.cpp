@@ -1,6 +1,7 @@
 // compare and verify as a user calls them: code 5 and what differs.
 
 #include "tests/support/program.hpp"
+#include <sstream>
 
 namespace suffuse {
 namespace {
@@ -51,6 +52,24 @@ TEST_F(Compare, AnotherPressureIsCodeFiveAndSaysWhereItDiffers) {
         near.json().at("differences").size(),
         say({"compare", "first", "second", "--json"}).json().at("differences").size()
     );
+}
+
+TEST_F(Compare, AFigureThatLostTheValuesOfItsLastColumnDiffers) {
+    std::filesystem::copy(folder / "first", folder / "second", std::filesystem::copy_options::recursive);
+    const std::filesystem::path table = folder / "second/figures/own-throat-flux.csv";
+    std::istringstream whole(read_all(table));
+    std::string emptied;
+    int rows = 0;
+    for (std::string line; std::getline(whole, line);) {
+        if (!line.starts_with('#') && rows++ > 0) { // the first names the columns
+            line.erase(line.rfind(',') + 1);
+        }
+        emptied += line + "\n";
+    }
+    write_to(table, emptied);
+    const Said said = say({"compare", "first", "second", "-v"});
+    EXPECT_EQ(said.code, 5) << said.out;
+    expect_in("figure own-throat-flux: ", said.out);
 }
 
 TEST_F(Compare, ARunThatLacksAStageDiffersInIt) {

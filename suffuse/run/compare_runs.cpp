@@ -13,7 +13,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 
 namespace suffuse::run {
 namespace {
@@ -136,11 +135,18 @@ void compare_stages(const fs::path& first, const fs::path& second, double tolera
     }
 }
 
+/// The cells of a row; an empty one is a number that is missing, also at the end.
 std::vector<std::string> split(const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream in(line);
-    for (std::string cell; std::getline(in, cell, ',');) {
-        cells.push_back(cell);
+    std::vector<std::string> cells(1);
+    bool is_quoted = false;
+    for (const char letter : line) {
+        if (letter == '"') {
+            is_quoted = !is_quoted;
+        } else if (letter == ',' && !is_quoted) {
+            cells.emplace_back();
+        } else {
+            cells.back() += letter;
+        }
     }
     return cells;
 }
@@ -177,7 +183,13 @@ void compare_tables(const std::string& name, const fs::path& first, const fs::pa
     const std::vector<std::string> columns = split(a.front());
     for (std::size_t row = 1; row < a.size(); ++row) {
         const std::vector<std::string> left = split(a[row]), right = split(b[row]);
-        for (std::size_t k = 0; k < std::min({left.size(), right.size(), columns.size()}); ++k) {
+        if (left.size() != columns.size() || right.size() != columns.size()) { // damaged: no column has a name
+            if (a[row] != b[row]) {
+                comparer.differ(fmt::format("{}: row {}", name, row), a[row], b[row]);
+            }
+            continue;
+        }
+        for (std::size_t k = 0; k < columns.size(); ++k) {
             const std::string where = fmt::format("{}: {}, row {}", name, columns[k], row);
             const auto x = number_of(left[k]), y = number_of(right[k]);
             if (x && y) {
