@@ -113,7 +113,9 @@ void attach(hid_t object, const std::string& name, const std::string& text) {
 Handle create_dataset(hid_t file, const std::string& name, hid_t type, hid_t space) {
     const Handle groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "a property list");
     H5Pset_create_intermediate_group(groups, 1);
-    return {H5Dcreate2(file, name.c_str(), type, space, groups, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, "to add " + name};
+    const Handle timeless(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "a property list");
+    H5Pset_obj_track_times(timeless, false); // the same state has the same bytes, whenever it is saved
+    return {H5Dcreate2(file, name.c_str(), type, space, groups, timeless, H5P_DEFAULT), H5Dclose, "to add " + name};
 }
 
 /// Values of an array, or the largest number there is where the product is beyond that.

@@ -9,6 +9,7 @@
 
 #include "tests/support/temp_folder.hpp"
 #include <atomic>
+#include <chrono>
 #include <thread>
 
 namespace suffuse::io {
@@ -58,6 +59,22 @@ TEST(Hdf5File, SeveralThreadsReadAndWriteAtTheSameTime) {
     }
     threads.clear(); // waits for all
     EXPECT_EQ(good, 80);
+}
+
+TEST(Hdf5File, HasTheSameBytesWheneverItIsWritten) {
+    const TempFolder folder;
+    const auto write = [&](const char* name) {
+        const double value = 1.5;
+        Hdf5Writer file;
+        file.write("grains/radius", {}, &value, "m");
+        file.write_text("kind", "state");
+        file.write_attribute("program", "suffuse");
+        file.save(folder / name);
+    };
+    write("now.h5");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // HDF5 counts seconds
+    write("later.h5");
+    EXPECT_EQ(test::read_all(folder / "now.h5"), test::read_all(folder / "later.h5"));
 }
 
 TEST(Hdf5File, TextsMayBeEmptyOrLong) {
