@@ -1,6 +1,7 @@
 #include "apps/run_folder.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/io/atomic_file.hpp"
 #include "suffuse/run/folder.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path options_file = "run_options.json";
+const fs::path options_file = "run_options.json", lock_file = ".lock";
 
 void make_folders(const fs::path& folder) {
     std::error_code error;
@@ -102,8 +103,13 @@ void take_run_folder(const fs::path& folder) {
         throw UsageError(fmt::format("{} is a file; -o wants a folder", shown(folder.string())));
     }
     make_folders(folder);
+    const auto is_ours = [](const fs::directory_entry& entry) { // of a run that could not even begin
+        const fs::path name = entry.path().filename();
+        return name == lock_file || io::is_partial(name.string());
+    };
+    const bool is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), is_ours);
     const bool is_begun = fs::exists(folder / options_file) || fs::exists(folder / run::resolved_case_file);
-    if (!is_begun && !fs::is_empty(folder)) {
+    if (!is_begun && !is_free) {
         throw UsageError(fmt::format(
             "{} is not empty and holds no run; give -o a new folder, so that nothing of yours is overwritten",
             shown(folder.string())
@@ -150,7 +156,7 @@ int try_lock(int descriptor, int kind) {
 }
 
 bool is_at_work(const fs::path& folder) {
-    const int descriptor = open((folder / ".lock").c_str(), O_RDONLY | O_CLOEXEC);
+    const int descriptor = open((folder / lock_file).c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) {
         return false;
     }
@@ -160,7 +166,7 @@ bool is_at_work(const fs::path& folder) {
 }
 
 FolderLock::FolderLock(const fs::path& folder, const Console& console, Kind kind)
-    : descriptor_(open((folder / ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+    : descriptor_(open((folder / lock_file).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
     if (descriptor_ < 0) {
         throw IoError(fmt::format("{}: cannot be written: {}", folder.string(), std::strerror(errno)));
     }

@@ -53,6 +53,14 @@ TEST_F(Cli, ARunGoesOnlyWhereNothingIsOverwritten) {
     EXPECT_FALSE(std::filesystem::exists(folder / "runs")); // wrong use leaves nothing behind
 }
 
+TEST_F(Cli, AFolderInWhichARunCouldNotEvenBeginIsFree) {
+    write_to(folder / "case.toml", cloud_of("200"));
+    write_to(folder / "here/.lock", "");
+    write_to(folder / "here/run_options.json.partial-123-1", "");
+    EXPECT_EQ(say({"run", "case.toml", "-o", "here", "-q"}).code, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder / "here/summary.json"));
+}
+
 TEST_F(Cli, ARunOfAnEarlierVersionWithAMeasureThatIsNoneNowSaysHowToGoOn) {
     say({"new", "soil", "--from", "replay"});
     ASSERT_EQ(say({"run", "soil/case.toml", "-o", "here", "--until", "start"}).code, 0);
