@@ -107,6 +107,21 @@ TEST_F(SweepVerb, ARunThatEndsWithAStageIsRefinedByTheCurvesItHasAndAsFar) {
     EXPECT_EQ(hashes("other").size(), 4U) << "the new sample goes no further than the others";
 }
 
+TEST_F(SweepVerb, GatheringNamesTheFlaws) {
+    ASSERT_EQ(suffuse("run case.toml -o whole --no-cache"), 0) << said();
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "whole/studies")) {
+        if (entry.path().filename() == "stage.json") {
+            nlohmann::json numbers = nlohmann::json::parse(read_all(entry.path()));
+            numbers["flaws"] = {"s/moved: bent"};
+            std::ofstream(entry.path()) << numbers;
+            break;
+        }
+    }
+    EXPECT_EQ(suffuse("sweep --collect whole"), 4) << said();
+    EXPECT_NE(said().find("flaw: s/moved: bent"), std::string::npos) << said();
+    EXPECT_NE(said().find("4 of 4 samples done with flaws"), std::string::npos) << said();
+}
+
 TEST_F(SweepVerb, SlurmGetsAJobArrayWithATaskForEachSample) {
     ASSERT_EQ(suffuse("sweep case.toml --emit slurm -o array --time-limit 2h -j 2"), 0) << said();
     const std::string script = read_all(folder / "array/sweep.sbatch");

@@ -14,6 +14,7 @@
 #include "apps/exit_code.hpp"
 #include "apps/failures.hpp"
 #include "apps/page_folder.hpp"
+#include "apps/run_ending.hpp"
 #include "apps/run_folder.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
@@ -201,8 +202,12 @@ int collect(const CommandLine& line, const Console& console) {
         }
     }
     const auto done = samples.size() - unfinished.size() - report.failures.size();
-    console.result(
-        fmt::format("{} of {} done   {}", done, plural(std::ssize(samples), "sample"), report.report.string())
+    tell_results(
+        report,
+        fmt::format(
+            "{} of {} done{}", done, plural(std::ssize(samples), "sample"), report.flaws.empty() ? "" : " with flaws"
+        ),
+        console
     );
     if (!report.failures.empty()) {
         tell_failures(report.failures, std::ssize(samples), folder, console);
