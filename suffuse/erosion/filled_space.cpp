@@ -8,6 +8,7 @@ namespace {
 
 constexpr double rounding = 1e-9; ///< of the radius: grains that touch do not overlap
 constexpr std::int32_t most_bins_an_axis = 256;
+constexpr double most_bins_a_grain = 4;
 
 std::int32_t floor_of(double x) {
     return static_cast<std::int32_t>(std::floor(x));
@@ -20,7 +21,11 @@ std::int32_t periods(std::int32_t i, std::int32_t n) {
 
 } // namespace
 
-FilledSpace::FilledSpace(const Mat3& h, double bin) : h_(h), inverse_h_(inverse(h)), width_(cell::widths(h)) {
+FilledSpace::FilledSpace(const Mat3& h, double bin, std::size_t grains)
+    : h_(h), inverse_h_(inverse(h)), width_(cell::widths(h)) {
+    // A coarse grain stands in every bin that it fills: of bins as small as a fine, that are (D/d)^3.
+    const double most = most_bins_a_grain * static_cast<double>(std::max<std::size_t>(1, grains));
+    bin = std::max(bin, std::cbrt(std::abs(determinant(h)) / most));
     std::size_t all = 1;
     for (std::size_t a = 0; a < 3; ++a) {
         bins_[a] = std::clamp(floor_of(width_[static_cast<int>(a)] / bin), 1, most_bins_an_axis);

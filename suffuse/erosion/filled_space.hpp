@@ -5,6 +5,7 @@
 #include "suffuse/cell/cell.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace suffuse::erosion {
 
 class FilledSpace {
 public:
-    /// @param bin about the diameter of the spheres asked about [m]
-    FilledSpace(const Mat3& h, double bin);
+    /// @param bin about the diameter of the spheres asked about [m]; wider bins are taken where those would be many
+    /// more than the `grains` that may fill them
+    FilledSpace(const Mat3& h, double bin, std::size_t grains);
 
     /// Positions need not lie inside the cell.
     void fill(const Vec3& position, double radius, std::uint32_t grain);

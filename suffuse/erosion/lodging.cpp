@@ -22,7 +22,7 @@ std::vector<std::optional<Vec3>> find_places(const dem::World& world, std::span<
     if (waiting.empty()) {
         return places;
     }
-    FilledSpace space(world.cell.h, 2 * largest);
+    FilledSpace space(world.cell.h, 2 * largest, grains.size());
     for (std::uint32_t g = 0; g < grains.size(); ++g) {
         if (has_left[g] == 0) {
             space.fill(grains.position[g], grains.radius[g], g);
