@@ -334,6 +334,42 @@ TEST(Plan, RecordedTestsWithLentInertiaTookTheStepsThatItSaysWithinAQuarterInThe
     EXPECT_LT(error->of_steps, 0.25);
 }
 
+TEST(Plan, ALargeSampleIsPricedFromSomeOfItsGrains) {
+    const auto plan_of_grains = [](const std::string& particles) {
+        const std::string text = R"(
+schema = 1
+[soil.mixture]
+coarse        = { psd = { d = ["0.8 mm", "1.2 mm"], passing = ["0 %", "100 %"] } }
+fines         = { psd = { d = ["0.15 mm", "0.25 mm"], passing = ["0 %", "100 %"] } }
+fines_content = "20 %"
+[study.s]
+soil      = "mixture"
+particles = )" + particles + R"(
+[[study.s.stage]]
+name = "cloud"
+do   = "pack"
+[[study.s.stage]]
+name     = "initial"
+do       = "compact"
+pressure = "100 kPa"
+protocol = "swift"
+)";
+        return plan_run(casefile::load_case_text(text, "case.toml", ".").value, a_machine);
+    };
+    constexpr double more = 10'000, little = 0.02; // the largest and smallest of more grains are a bit further apart
+    const RunPlan small = plan_of_grains("200000"), large = plan_of_grains("2000000000");
+    for (const std::string name : {"cloud", "initial"}) {
+        const StageEstimate &few = stage_named(small, name), &many = stage_named(large, name);
+        EXPECT_EQ(many.grains, 2'000'000'000);
+        EXPECT_NEAR(many.memory, more * few.memory, little * many.memory) << name;
+        EXPECT_NEAR(many.steps.most, few.steps.most, little * few.steps.most) << name;
+        EXPECT_NEAR(many.seconds.most, more * few.seconds.most, little * many.seconds.most) << name;
+    }
+    const StageEstimate &few = stage_named(small, "cloud"), &many = stage_named(large, "cloud");
+    EXPECT_NEAR(static_cast<double>(many.coarse), more * static_cast<double>(few.coarse), little * more * 1e4);
+    EXPECT_NEAR(*many.fines_content, *few.fines_content, little * *few.fines_content);
+}
+
 TEST(Plan, AMissingPackingIsNamed) {
     casefile::Case what = replay_and("do = \"settle\"\npressure = \"200 kPa\"");
     std::get<casefile::ImportSpec>(what.studies[0].variants[0].stages[0].spec).path = "/nowhere/packing.csv";

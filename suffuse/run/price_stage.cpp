@@ -50,6 +50,9 @@ constexpr Range cloud_seconds{1e-6, 1.5e-5};  // a grain
 constexpr Range geometry_seconds{1e-5, 6e-5}; // a grain: pushing a cloud together
 constexpr Range flow_seconds{1e-5, 6e-5};     // a grain, one direction
 
+// Grains that a plan draws of a sample: more of the same curve say no more of their shares.
+constexpr std::int64_t most_drawn = 300'000;
+
 constexpr double grain_memory = 1000, flow_memory = 5000; // [B], a grain
 
 const Range& preparation_steps(std::string_view kind) {
@@ -84,14 +87,22 @@ public:
         if (!variant_.soil) {
             throw Bug("a stage that packs without a soil");
         }
-        const auto asked = static_cast<int>(variant_.particles);
-        const grains::SampledGrains drawn = grains::sample_soil(*variant_.soil, asked);
+        const std::int64_t some = std::min(variant_.particles, most_drawn);
+        grains::Soil soil = *variant_.soil;
+        if (some < variant_.particles) {
+            soil.grading_tolerance = 1; // fewer follow the curve less closely; it is the run that must
+        }
+        const grains::SampledGrains drawn = grains::sample_soil(soil, static_cast<int>(some));
         grains::Grains grains;
         for (std::size_t g = 0; g < drawn.radius.size(); ++g) {
             add_grain(grains, {}, drawn.radius[g], variant_.material.density);
             grains.fine[g] = drawn.fine[g];
         }
         sample_ = describe(grains);
+        for (PricedFraction* fraction : {&sample_.coarse, &sample_.fines}) {
+            fraction->grains *= static_cast<double>(variant_.particles) / static_cast<double>(some);
+            fraction->mass *= static_cast<double>(variant_.particles) / static_cast<double>(some);
+        }
         sample_.solid_fraction = 1 - spec.porosity;
         return {
             .seconds = count(sample_) * cloud_seconds,
