@@ -49,8 +49,6 @@ public:
 
     [[nodiscard]] std::int64_t prunings() const { return prunings_; } ///< contact tables made so far
 
-    [[nodiscard]] std::size_t candidates() const { return pairs_.size(); } ///< pairs of the wide list
-
 private:
     void measure_grains(const World& world);
     void adapt(double lasted);
