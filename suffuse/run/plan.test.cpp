@@ -370,6 +370,25 @@ protocol = "swift"
     EXPECT_NEAR(*many.fines_content, *few.fines_content, little * *few.fines_content);
 }
 
+TEST(Plan, ALargeMixtureHasItsFinesContentThoughFewOfItsCoarseGrainsAreDrawn) {
+    const std::string text = R"(
+schema = 1
+[soil.mixture]
+coarse        = { psd = { d = ["10 mm", "12 mm"], passing = ["0 %", "100 %"] } }
+fines         = { psd = { d = ["0.15 mm", "0.25 mm"], passing = ["0 %", "100 %"] } }
+fines_content = "20 %"
+[study.s]
+soil      = "mixture"
+particles = 1000000000
+[[study.s.stage]]
+name = "cloud"
+do   = "pack"
+)";
+    const RunPlan plan = plan_run(casefile::load_case_text(text, "case.toml", ".").value, a_machine);
+    EXPECT_EQ(plan.stages.at(0).grains, 1'000'000'000);
+    EXPECT_NEAR(plan.stages.at(0).fines_content.value(), 0.2, 1e-5); // between grains the mass is met exactly
+}
+
 TEST(Plan, AMissingPackingIsNamed) {
     casefile::Case what = replay_and("do = \"settle\"\npressure = \"200 kPa\"");
     std::get<casefile::ImportSpec>(what.studies[0].variants[0].stages[0].spec).path = "/nowhere/packing.csv";

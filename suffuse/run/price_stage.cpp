@@ -64,6 +64,23 @@ const Range& preparation_steps(std::string_view kind) {
     throw Bug(fmt::format("no price of the preparation {}", kind));
 }
 
+/// Makes of a sample of some grains of `soil` one of so many. Of two curves the coarse grains may be very few of those
+/// drawn: their share follows from the soil.
+void scale_up(PricedSample& sample, const grains::Soil& soil, double particles) {
+    double coarse = sample.coarse.grains, fines = sample.fines.grains;
+    if (soil.coarse && soil.fines && coarse > 0 && fines > 0) {
+        coarse = (1 - soil.fines_content) * grains::grains_per_volume(*soil.coarse);
+        fines = soil.fines_content * grains::grains_per_volume(*soil.fines);
+    }
+    const auto make = [&](PricedFraction& fraction, double share) {
+        const double more = fraction.grains > 0 ? particles * share / (coarse + fines) / fraction.grains : 1;
+        fraction.grains *= more;
+        fraction.mass *= more;
+    };
+    make(sample.coarse, coarse);
+    make(sample.fines, fines);
+}
+
 /// One stage: what it takes, and what it makes of the sample.
 class Pricer {
 public:
@@ -99,9 +116,8 @@ public:
             grains.fine[g] = drawn.fine[g];
         }
         sample_ = describe(grains);
-        for (PricedFraction* fraction : {&sample_.coarse, &sample_.fines}) {
-            fraction->grains *= static_cast<double>(variant_.particles) / static_cast<double>(some);
-            fraction->mass *= static_cast<double>(variant_.particles) / static_cast<double>(some);
+        if (some < variant_.particles) {
+            scale_up(sample_, soil, static_cast<double>(variant_.particles));
         }
         sample_.solid_fraction = 1 - spec.porosity;
         return {
@@ -109,7 +125,7 @@ public:
             .memory_a_grain = grain_memory,
             .basis = fmt::format(
                 "no steps; {:.0f} coarse grains, fines content {:.2f} %", sample_.coarse.grains,
-                100 * drawn.fines_content
+                100 * fines_content(sample_)
             )};
     }
 
