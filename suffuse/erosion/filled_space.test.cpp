@@ -19,8 +19,13 @@ TEST(FilledSpace, TakesMemoryForItsGrainsNotForTheirSizeRatio) {
     constexpr long little = 100'000; // [kB]; bins as small as the fines took 1.2 GB
     const long before = peak_memory();
     FilledSpace space(diagonal({10, 10, 10}), 1 / ratio, 1000);
-    for (std::uint32_t g = 0; g < 1000; ++g) { // coarse ones that touch
-        space.fill({g % 10 + 0.5, g / 10 % 10 + 0.5, g / 100 + 0.5}, 0.5, g);
+    std::uint32_t g = 0;
+    for (double x = 0.5; x < 10; ++x) { // coarse ones that touch
+        for (double y = 0.5; y < 10; ++y) {
+            for (double z = 0.5; z < 10; ++z) {
+                space.fill({x, y, z}, 0.5, g++);
+            }
+        }
     }
     EXPECT_LT(peak_memory() - before, little);
     EXPECT_TRUE(space.is_free({1, 1, 1}, 0.5 / ratio, 1000));
