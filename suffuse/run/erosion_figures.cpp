@@ -2,10 +2,10 @@
 
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
-#include "suffuse/io/checkpoint.hpp"
 #include "suffuse/report/figures.hpp"
 #include "suffuse/report/stability_view.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/known_state.hpp"
 #include "suffuse/stability/open_curve.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::vector<double> radii_before(const std::filesystem::path& folder, const Fini
         return {};
     }
     const casefile::Stage& parent = eroded.variant->stages[static_cast<std::size_t>(eroded.stage->parent)];
-    return io::load_world(stage_folder(folder, *eroded.variant, parent) / "state.h5").world.grains.radius;
+    return KnownState(stage_folder(folder, *eroded.variant, parent) / "state.h5").load().world.grains.radius;
 }
 
 void add(std::optional<report::Figure> figure, std::vector<report::Figure>& figures) {
