@@ -118,21 +118,26 @@ py::object settle(
     const auto asked = read_asked(call, loading, time_step, damping, force, mode);
     count_of(key_of("stage.settle", "max_steps"), max_steps, "max_steps");
     dem::BalanceState state;
+    const double stress_before = dem::mean_stress(dem::mean_stress_tensor(SeenWorld(call.world())));
+    bool collapsed = false;
     Attention attention(on_progress, call);
     {
         const Working working;
-        for (bool settled = false; !settled;) {
+        for (bool settled = false; !settled && !collapsed;) {
             renew_time_step(*asked, call.world(), state.steps);
             asked->plan.drag = dem::slowest_mode_drag(call.world().grains.size(), asked->plan.dt);
             settled = dem::settle_burst(call.world(), call.caches(), asked->plan, balance, state);
             call.remember_place();
-            if (!settled && state.steps >= max_steps) {
+            collapsed = !settled && dem::carries_nothing(loading, balance, state, stress_before);
+            if (!settled && !collapsed && state.steps >= max_steps) {
                 dem::report_not_balanced(loading, balance, state);
             }
             attention.beat("settle", state.steps);
         }
     }
-    return to_python(nlohmann::json(state));
+    nlohmann::json reached(state);
+    reached["collapsed"] = collapsed;
+    return to_python(reached);
 }
 
 py::object relax(
@@ -273,7 +278,9 @@ void bind_steps(py::module_& m) {
         py::arg("max_steps") = dem::SettleSpec{}.max_steps, py::arg("force") = py::none(), py::arg("mode") = usual_mode,
         py::arg("on_progress") = py::none(),
         ("Steps until balanced, at constant volume or under the stresses of `loading`; a drag kills the slow modes, as "
-         "in a stage that does \"settle\". Returns what was reached.\n" +
+         "in a stage that does \"settle\". Returns what was reached; `collapsed` is true where the volume is held and "
+         "nothing is "
+         "carried any more, which ends the settling.\n" +
          common)
             .c_str()
     );

@@ -73,7 +73,7 @@ dem::World& WorldHandle::part_from_views() {
     return world_;
 }
 
-SeenWorld::SeenWorld(const WorldHandle& handle) : world_(handle.world()) {
+SeenWorld::SeenWorld(const dem::World& world) : world_(world) {
     if (dem::awaits_first_step(world_)) {
         dem::add_first_contacts(first_.emplace(world_));
     }

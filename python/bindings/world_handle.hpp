@@ -63,7 +63,9 @@ private:
 /// A world as measures are to see it: before its first step with the contacts that its geometry has now.
 class SeenWorld {
 public:
-    explicit SeenWorld(const WorldHandle& handle);
+    explicit SeenWorld(const WorldHandle& handle) : SeenWorld(handle.world()) {}
+
+    explicit SeenWorld(const dem::World& world);
 
     operator const dem::World&() const { return first_ ? *first_ : world_; } // NOLINT(google-explicit-constructor)
 

@@ -81,6 +81,17 @@ bool settle_burst(
     return state.balanced_steps >= spec.patience;
 }
 
+bool carries_nothing(
+    const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state, double stress_before
+) {
+    constexpr double lost_stress = 1e-6; // share of the stress before
+    const auto stands = [](const cell::AxisControl& axis) {
+        return axis.control == cell::Control::StrainRate && axis.value == 0;
+    };
+    return !loading.velocity_gradient && std::ranges::all_of(loading.axis, stands) && state.steps >= spec.patience &&
+           mean_stress(state.stress) <= lost_stress * std::max(stress_before, 0.0);
+}
+
 BalanceState
 settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec& spec, std::int64_t max_steps) {
     BalanceState state;
@@ -94,11 +105,14 @@ settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec
 }
 
 void report_not_balanced(const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state) {
+    const bool holds_stress = borne_by(loading, state.stress).axes > 0;
     throw StateError(fmt::format(
         "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted {:.2e}), "
-        "mean stress {:.4g} kPa; the stress may be out of reach of this sample: lower it, or give [balance] more room",
+        "mean stress {:.4g} kPa; {}",
         state.steps, state.equilibrium.unbalanced_force, spec.unbalanced_force, stress_error(loading, state.stress),
-        spec.stress_error, mean_stress(state.stress) / 1e3
+        spec.stress_error, mean_stress(state.stress) / 1e3,
+        holds_stress ? "the stress may be out of reach of this sample: lower it, or give [balance] more room"
+                     : "no stress is held; give [balance] more room, or a stress that keeps the grains together"
     ));
 }
 

@@ -23,6 +23,12 @@ struct BalanceState {
 /// less than 1e-8 of the modulus.
 bool settle_burst(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec& spec, BalanceState& state);
 
+/// Whether a sample whose volume is held carries nothing any more: a millionth of the mean stress of before [Pa], or,
+/// where that was none, nothing at all for the patience asked. It rests then, and no balance of forces will tell so.
+bool carries_nothing(
+    const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state, double stress_before
+);
+
 /// Bursts until balanced.
 /// @throws StateError when that takes more than `max_steps`, with what is still missing.
 BalanceState

@@ -153,5 +153,21 @@ TEST(Step, StopsAtAForceThatIsNotANumber) {
     EXPECT_THROW(test::advance(run.world, run.caches, run.plan, 3), Error);
 }
 
+TEST(CarriesNothing, WhereTheVolumeIsHeldAndTheStressIsGone) {
+    const BalanceSpec spec;
+    BalanceState state;
+    state.steps = spec.patience;
+    EXPECT_TRUE(carries_nothing(constant_volume(), spec, state, 0)); // a cloud
+    EXPECT_TRUE(carries_nothing(constant_volume(), spec, state, 1e5));
+    EXPECT_FALSE(carries_nothing(isotropic_stress(1e5), spec, state, 1e5)) << "is pressed together again";
+    state.stress = diagonal({1, 1, 1});
+    EXPECT_FALSE(carries_nothing(constant_volume(), spec, state, 1e5));
+    EXPECT_TRUE(carries_nothing(constant_volume(), spec, state, 1e7));
+    EXPECT_FALSE(carries_nothing(constant_volume(), spec, state, 0));
+    state.stress = {};
+    state.steps = spec.patience - 1;
+    EXPECT_FALSE(carries_nothing(constant_volume(), spec, state, 1e5));
+}
+
 } // namespace
 } // namespace suffuse::dem

@@ -85,15 +85,22 @@ void note_energy(StageWork& work, const triaxial::TriaxialSpec& spec, const tria
 void do_settle(StageWork& work, const dem::SettleSpec& spec) {
     dem::BalanceState state;
     std::int64_t known_contacts = 0; // when the time step was chosen
+    double stress_before = dem::mean_stress(dem::mean_stress_tensor(work.world));
     if (work.resumed.is_null()) {
         dem::sort_along_curve(work.world);
     } else {
         state = work.resumed.at("balance").get<dem::BalanceState>();
         work.time_step = work.resumed.at("time_step");
         known_contacts = work.resumed.at("known_contacts");
+        stress_before = work.resumed.at("stress_before");
     }
     work.control.save_with([&] {
-        work.save_partial({{"balance", state}, {"time_step", work.time_step}, {"known_contacts", known_contacts}});
+        work.save_partial(
+            {{"balance", state},
+             {"time_step", work.time_step},
+             {"known_contacts", known_contacts},
+             {"stress_before", stress_before}}
+        );
     });
     dem::StepCaches caches;
     bool settled = false;
@@ -109,6 +116,12 @@ void do_settle(StageWork& work, const dem::SettleSpec& spec) {
         settled = dem::settle_burst(work.world, caches, plan, work.what.balance, state);
         work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
         work.note_state();
+        if (!settled && dem::carries_nothing(spec.loading, work.what.balance, state, stress_before)) {
+            settled = true;
+            work.warnings.push_back(fmt::format(
+                "{}: the sample carries no stress at this volume: its grains are not held together", work.place()
+            ));
+        }
         if (!settled && state.steps >= spec.max_steps) {
             dem::report_not_balanced(spec.loading, work.what.balance, state);
         }

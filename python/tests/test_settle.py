@@ -1,0 +1,25 @@
+"""Settling at constant volume ends where nothing is left to settle."""
+
+import numpy
+import pytest
+
+import suffuse
+
+
+def test_a_cloud_carries_nothing_and_settles_at_once():
+    reached = suffuse.make_cloud(numpy.full(100, 1e-4)).settle()
+    assert reached["collapsed"] and reached["steps"] <= 2 * suffuse.Balance().patience
+
+
+def test_a_sample_that_loses_its_stress_has_collapsed(settled):
+    settled.remove(numpy.arange(0, 500, 2))
+    reached = settled.settle(max_steps=50_000)
+    assert reached["collapsed"] and abs(settled.mean_stress) <= 0.1  # a millionth of 100 kPa
+    again = settled.settle(suffuse.Loading(stress="100 kPa"))
+    assert not again["collapsed"] and settled.mean_stress == pytest.approx(100e3, rel=5e-3)
+
+
+def test_what_has_no_stress_to_lower_is_not_told_to(settled):
+    settled.grains.velocity = numpy.random.default_rng(1).normal(size=(500, 3))
+    with pytest.raises(suffuse.StateError, match="no stress is held"):
+        settled.settle(max_steps=50)
