@@ -212,12 +212,10 @@ void bind_cell(py::class_<WorldHandle, Handle>& type) {
         [](WorldHandle& w, const py::object& value) { w.world().reference_h = cell_of(value); },
         "3 x 3: the cell at which the strain counts as zero [m]."
     );
-    type.def_property(
+    type.def_property_readonly(
         "velocity_gradient", [](const WorldHandle& w) { return to_array(w.world().cell.velocity_gradient); },
-        [](WorldHandle& w, const py::object& value) {
-            w.world().cell.velocity_gradient = matrix_of(value, dimension::rate, "velocity_gradient");
-        },
-        "3 x 3: dv/dx of the cell, extension positive [1/s]."
+        "3 x 3: dv/dx of the cell in the last step, extension positive [1/s]. The loading of a step sets it: "
+        "world.step(n, suffuse.Loading(velocity_gradient=...))."
     );
 }
 
