@@ -124,6 +124,7 @@ void bind_cases(py::module_& m) {
         "quantity", [](const std::string& text) { return parse_quantity(text).value; }, py::arg("text"),
         "\"100 kPa\" -> 100000.0: a quantity in SI."
     );
+    m.def("pressure_unit", [](const py::object& unit) { return unit_of(unit, dimension::pressure, "unit"); });
 }
 
 } // namespace suffuse::python

@@ -95,10 +95,12 @@ Vec3 direction_of(const py::handle& value) {
     }
     const auto text = value.cast<std::string>();
     const bool backwards = text.starts_with('-');
-    const std::string_view axis = std::string_view(text).substr(backwards ? 1 : 0);
+    const std::string_view axis = std::string_view(text).substr(backwards || text.starts_with('+') ? 1 : 0);
     const std::size_t a = std::string_view("xyz").find(axis);
     if (axis.size() != 1 || a == std::string_view::npos) {
-        throw CaseError(fmt::format("direction: found \"{}\", expected x, y, z, -x, -y, -z or three numbers", text));
+        throw CaseError(
+            fmt::format("direction: found \"{}\", expected x, y, z, +x, -x and so on, or three numbers", text)
+        );
     }
     Vec3 v;
     v[static_cast<int>(a)] = backwards ? -1 : 1;

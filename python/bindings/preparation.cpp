@@ -129,6 +129,9 @@ Handle make_cloud(
     std::uint64_t seed
 ) {
     const std::vector<double> radii = numbers_of(radius, "radius");
+    if (radii.empty()) {
+        throw CaseError("radius: found no grains, expected the radius of one or more");
+    }
     std::vector<std::uint8_t> fines(radii.size(), 0);
     if (!fine.is_none()) {
         const std::vector<double> claims = numbers_of(fine, "fine", radii.size());

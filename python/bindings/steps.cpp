@@ -40,6 +40,9 @@ double damping_of(const py::object& value) {
 
 /// Nothing where it is to be computed. @throws CaseError where it is beyond what the sample can take
 std::optional<double> time_step_of(const py::object& value, Stepping& call) {
+    if (py::isinstance<py::str>(value) && value.cast<std::string>() == "computed") {
+        return std::nullopt;
+    }
     const auto asked = optional_value_of(key_of("stage.advance", "time_step"), value, "time_step");
     if (asked) {
         call.check_time_step(*asked);
@@ -184,6 +187,17 @@ T word_of(const std::string& word, const std::array<casefile::names::Word<T>, N>
     throw CaseError(fmt::format("{}: found \"{}\", expected one of {}", key, word, all));
 }
 
+/// A number, or one of the words of a case.
+double inertial_number_of(const py::object& value) {
+    if (py::isinstance<py::str>(value)) {
+        const auto word = value.cast<std::string>();
+        if (word == "strict" || word == "loose") {
+            return word == "strict" ? 1e-4 : 1e-3;
+        }
+    }
+    return value_of(key_of("stage.triaxial", "inertial_number"), value, "inertial_number");
+}
+
 py::object run_triaxial(
     WorldHandle& w, const py::object& strain, const std::string& path, const py::object& strain_ratio,
     const py::object& deviator_stress, const py::object& stress_ratio, const py::object& inertial_number,
@@ -200,7 +214,7 @@ py::object run_triaxial(
     spec.strain_ratio = optional_value_of(key("strain_ratio"), strain_ratio, "strain_ratio");
     spec.deviator_stress = optional_value_of(key("deviator_stress"), deviator_stress, "deviator_stress");
     spec.stress_ratio = optional_value_of(key("stress_ratio"), stress_ratio, "stress_ratio");
-    spec.inertial_number = value_of(key("inertial_number"), inertial_number, "inertial_number");
+    spec.inertial_number = inertial_number_of(inertial_number);
     spec.time_step = time_step_of(time_step, call).value_or(0);
     spec.rows = static_cast<int>(count_of(key("rows"), rows, "rows"));
     const double asked_damping = damping_of(damping);
@@ -256,13 +270,15 @@ py::object run_stress_probe(
 
 void bind_steps(py::module_& m) {
     auto type = py::reinterpret_borrow<py::class_<WorldHandle, Handle>>(m.attr("World"));
-    const std::string common =
-        "\ntime_step: computed from the contact network, and again every 2000 steps, unless given"
-        "\ndamping: " +
-        key_doc(key_of("contact", "damping")) +
-        "\nforce: n x 3, on each grain from outside the skeleton [N]"
-        "\nmode: \"reference\", or \"fast\": contact law and memory in single precision"
+    const std::string pace = "\ntime_step: computed from the contact network, and again every 2000 steps, unless given"
+                             "\ndamping: " +
+                             key_doc(key_of("contact", "damping"));
+    const std::string told =
         "\non_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work";
+    const std::string common = pace +
+                               "\nforce: n x 3, on each grain from outside the skeleton [N]"
+                               "\nmode: \"reference\", or \"fast\": contact law and memory in single precision" +
+                               told;
     type.def(
         "step", &step, py::arg("steps"), py::arg("loading") = cell::Loading{}, py::kw_only(),
         py::arg("time_step") = py::none(), py::arg("damping") = usual_damping, py::arg("force") = py::none(),
@@ -287,7 +303,7 @@ void bind_steps(py::module_& m) {
     type.def(
         "relax", &relax, py::arg("wanted") = 1e-8, py::kw_only(), py::arg("time_step") = py::none(),
         py::arg("damping") = usual_damping, py::arg("max_steps") = 400'000, py::arg("on_progress") = py::none(),
-        ("Relaxes at constant volume until the unbalanced force is below `wanted`, or falls no more.\n" + common)
+        ("Relaxes at constant volume until the unbalanced force is below `wanted`, or falls no more.\n" + pace + told)
             .c_str()
     );
     type.def(

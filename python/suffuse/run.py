@@ -51,7 +51,7 @@ class Tensor(numpy.ndarray):
     """An array in SI; called with a unit, the same in it: stage.stress("kPa")."""
 
     def __call__(self, unit):
-        return numpy.asarray(self) / _core.quantity(f"1 {unit}")
+        return numpy.asarray(self) / _core.pressure_unit(unit)
 
 
 class Pass(dict):

@@ -2,9 +2,11 @@
 
 import math
 
+import numpy
 import pytest
 
 import suffuse
+from suffuse.run import Tensor
 
 
 def test_steps_are_held_to_the_ranges_of_a_case(settled):
@@ -32,3 +34,43 @@ def test_steps_are_held_to_the_ranges_of_a_case(settled):
         suffuse.Loading(stress="100 kPa", max_rate=0)
     assert settled.hash == before
     settled.step(1, damping="20 %", time_step=4e-8)
+
+
+def test_words_of_a_case_are_taken(settled, packing):
+    for direction in ("+x", "x", (1, 0, 0)):
+        assert suffuse.seep(packing, direction=direction).permeability > 0
+    for word, ratio in (("strict", 1e-4), ("loose", 1e-3)):
+        rates = [settled.copy().triaxial(1e-5, inertial_number=n, rows=1)["strain_rate"] for n in (word, ratio)]
+        assert rates[0] == rates[1]
+    by_word, computed = settled.copy(), settled.copy()
+    by_word.step(60, time_step="computed")
+    computed.step(60)
+    assert by_word.hash == computed.hash
+
+
+def test_a_docstring_names_arguments_that_the_call_has():
+    for name in ("step", "settle", "relax"):
+        said = getattr(suffuse.World, name).__doc__
+        signature = said.splitlines()[0]
+        for word in ("time_step", "damping", "force", "mode", "on_progress"):
+            assert (f"\n{word}: " in said or f"\n    {word}: " in said) == (f"{word}:" in signature), (name, word)
+
+
+def test_a_cloud_of_nothing_is_refused():
+    with pytest.raises(suffuse.CaseError, match="radius: found no grains"):
+        suffuse.make_cloud([])
+
+
+def test_the_velocity_gradient_is_the_loadings(settled):
+    with pytest.raises(AttributeError):
+        settled.velocity_gradient = [[-5, 0, 0], [0, 0, 0], [0, 0, 0]]
+    gradient = [[-5, 0, 0], [0, 0, 0], [0, 0, 0]]
+    settled.step(10, suffuse.Loading(velocity_gradient=gradient))
+    assert settled.velocity_gradient.tolist() == gradient
+
+
+def test_a_stress_is_told_in_units_of_pressure_only():
+    stress = (1e5 * numpy.eye(3)).view(Tensor)
+    assert stress("kPa")[0, 0] == 100
+    with pytest.raises(suffuse.UnitError, match="a pressure is expected"):
+        stress("mm")
