@@ -196,6 +196,7 @@ void bind_runs(py::module_& m) {
     m.def("check_until", [](const CaseHandle& what, const std::string& until) {
         apps::check_until(what.loaded.value, until);
     });
+    m.def("check_time_limit", [](const py::object& limit) { optional_quantity(limit, dimension::time, "time_limit"); });
     m.def("asked_run", [](const fs::path& folder) {
         const apps::AskedRun asked = apps::read_asked(folder);
         return py::make_tuple(asked.case_file, asked.preset, asked.overrides, asked.studies);

@@ -1,5 +1,6 @@
 """Cases: read, checked, priced, run."""
 
+import os
 import pathlib
 import sys
 import tomllib
@@ -131,7 +132,8 @@ class Case:
         """
         from suffuse.run import Run
 
-        _core.check_until(self._core, until)  # before a folder is made
+        _core.check_until(self._core, until)  # both before a folder is made
+        _core.check_time_limit(time_limit)
         place = _core.new_run_folder(self._core, None if folder is None else pathlib.Path(folder))
         return Run(place, conduct(self._core, place, until, time_limit, on_progress or on_event, threads, cache))
 
@@ -198,6 +200,8 @@ def conduct(case, folder, until, time_limit, on_progress, threads, cache):
 def _as_toml(value):
     if hasattr(value, "tolist"):  # NumPy's arrays and numbers
         value = value.tolist()
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, dict):

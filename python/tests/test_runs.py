@@ -226,3 +226,14 @@ def test_a_triaxial_test_leaves_its_curve(small_case, tmp_path):
     world.reference_cell = world.cell
     again = world.triaxial("0.5 %", inertial_number=5e-3)
     assert [row["deviator_stress"] for row in again["curve"]] == curve["deviator_stress"].tolist()
+
+
+def test_a_path_is_a_text_of_a_case(small_case):
+    packing = small_case.parent / "packing.csv"
+    assert suffuse.Case(small_case, changes={"study.replay.stage.start.packing": packing}).stages[0] == "replay/start"
+
+
+def test_a_time_limit_that_is_none_leaves_no_folder(small_case, tmp_path):
+    with pytest.raises(suffuse.UnitError, match="time_limit"):
+        suffuse.Case(small_case).run(tmp_path / "run", time_limit="2 kPa")
+    assert not (tmp_path / "run").exists()
