@@ -1,6 +1,7 @@
 // check, explain, schema: a case before it is run.
 
 #include "suffuse/casefile/schema.hpp"
+#include "suffuse/run/read_import.hpp"
 
 #include <fmt/format.h>
 
@@ -40,6 +41,9 @@ int check_verb(const CommandLine& line, const Console& console) {
     }
     if (!loaded.warnings.empty() && !console.wants_json()) {
         console.talk(casefile::render(loaded.warnings, console.has_color()));
+    }
+    for (const std::string& said : run::check_imports(loaded.value)) { // packings are data of the case, too
+        console.talk("warning: " + said);
     }
     console.result(fmt::format(
         "{}: no errors{}; preset {}, {}, {} in all", line.subject,

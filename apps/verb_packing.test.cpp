@@ -7,6 +7,26 @@ namespace {
 
 using namespace test;
 
+TEST_F(Cli, CheckReadsThePackingsOfACase) {
+    write_to(folder / "two.csv", "x,y,z,r\n0,0,0,1e-4\n0,0,3e-4,1e-4\n");
+    const auto checked = [&](const std::string& cell) {
+        write_to(
+            folder / "case.toml", "schema = 1\n[study.s]\n[[study.s.stage]]\nname = \"i\"\ndo = \"import\"\npacking = "
+                                  "\"two.csv\"\n" +
+                                      cell
+        );
+        return say({"check", "case.toml"});
+    };
+    const Said good = checked("cell = [\"0.5 mm\", \"0.5 mm\", \"0.5 mm\"]\n");
+    EXPECT_EQ(good.code, 0) << good.error;
+    EXPECT_EQ(good.error.find("share"), std::string::npos) << good.error;
+    EXPECT_EQ(checked("").code, 3);
+    EXPECT_EQ(checked("cell = [\"1 mm\", \"1 mm\", \"0.3 mm\"]\n").code, 3); // they overlap through the boundary
+    const Said wide = checked("cell = [\"1 m\", \"1 m\", \"1 m\"]\n");
+    EXPECT_EQ(wide.code, 0);
+    expect_in("`cell` and `unit` say which lengths are meant", wide.error);
+}
+
 TEST_F(Cli, PackingsTravel) {
     say({"new", "soil", "--from", "replay"});
     const std::string cell = "1.4360856339985508e-3,1.4358137235332051e-3,1.436026846625529e-3";

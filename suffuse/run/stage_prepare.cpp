@@ -11,8 +11,8 @@
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/target_density.hpp"
-#include "suffuse/run/imported_cell.hpp"
 #include "suffuse/run/mark_fines.hpp"
+#include "suffuse/run/read_import.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
 
@@ -83,25 +83,15 @@ void warn_of_shear_stress(StageWork& work, double pressure) {
 } // namespace
 
 void do_import(StageWork& work, const casefile::ImportSpec& spec) {
-    io::ImportedPacking packing = io::read_packing(spec.path, work.variant.material.density, spec.unit);
-    work.world.cell.h = imported_cell(spec, packing);
-    work.world.grains = std::move(packing.grains);
-    const double overlap = io::check_overlaps(work.world.grains, work.world.cell, spec.max_overlap, spec.path);
+    ImportedSample sample = read_import(spec, work.variant.material.density, work.place());
+    work.world.cell.h = sample.h;
+    work.world.grains = std::move(sample.grains);
     mark_fines(work.variant, spec.path, work.world.grains);
     work.world.reference_h = work.world.cell.h;
     dem::add_first_contacts(work.world);
     work.numbers["imported"] = true;
-    work.numbers["imported_overlap_ratio"] = overlap;
-    work.warnings = std::move(packing.warnings);
-    if (packing.cell && !(packing.cell->h == work.world.cell.h)) {
-        work.warnings.push_back(fmt::format("{}: the case's cell is taken, not that of {}", work.place(), spec.path));
-    }
-    if (const auto strange = io::size_warning(work.world.grains, work.place())) {
-        work.warnings.push_back(*strange);
-    }
-    if (const auto narrow = io::narrow_cell_warning(work.world.grains, work.world.cell.h, work.place())) {
-        work.warnings.push_back(*narrow);
-    }
+    work.numbers["imported_overlap_ratio"] = sample.overlap;
+    work.warnings = std::move(sample.warnings);
     work.warnings.push_back(fmt::format(
         "{}: an imported packing carries no contact memory: its contacts are those of the geometry, with normal forces "
         "and without shear forces and moments; settle it where that matters",
