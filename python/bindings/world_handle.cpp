@@ -92,15 +92,7 @@ void Stepping::check_time_step(double asked) {
     if (asked <= handle_.stable_step_ && since >= 0 && since < dem::time_step_interval) {
         return;
     }
-    const double limit = dem::stable_time_step(world(), 1);
-    if (!(asked <= limit)) {
-        throw CaseError(fmt::format(
-            "time_step: found {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is unstable; leave it "
-            "out, "
-            "and it is computed",
-            1e9 * asked, 1e9 * limit
-        ));
-    }
+    dem::check_time_step(world(), asked);
     handle_.stable_step_ = asked;
     handle_.stable_at_ = world().clock.step;
 }

@@ -1,9 +1,12 @@
 #include "suffuse/dem/stable_dt.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/spring_network.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +92,18 @@ double stable_time_step(const World& world, double safety) {
         }
     }
     return safety * 2 / highest;
+}
+
+void check_time_step(const World& world, double asked) {
+    const double limit = stable_time_step(world, 1);
+    if (!(asked <= limit)) {
+        throw CaseError(fmt::format(
+            "time_step: found {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is unstable; leave it "
+            "out, "
+            "and it is computed",
+            1e9 * asked, 1e9 * limit
+        ));
+    }
 }
 
 } // namespace suffuse::dem

@@ -30,6 +30,10 @@ pair_frequency(const grains::Material& material, double shear_ratio, const Inert
 /// the largest [s]. Grains with several neighbors are quicker than pairs: look again when `network_has_grown`.
 double stable_time_step(const World& world, double safety = default_step_safety);
 
+/// Longer steps blow a sample up, or heat it while it seems to settle. @throws CaseError where the time step that
+/// somebody asks for [s] is beyond the stability limit of the world as it is.
+void check_time_step(const World& world, double asked);
+
 inline constexpr std::int64_t time_step_interval = 1000; ///< steps after which a computed time step is computed again
 
 /// Whether so many more contacts touch than when the time step was computed that it may be too long now: with them a

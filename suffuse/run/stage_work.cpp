@@ -1,31 +1,12 @@
 #include "suffuse/run/stage_work.hpp"
 
-#include "suffuse/base/error.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/stage_cache.hpp"
 
-#include <fmt/format.h>
-
 namespace suffuse::run {
-namespace {
-
-/// A time step of the user's own beyond what the sample can take blows it up, or heats it while it seems to settle.
-void check_time_step(const dem::World& world, double asked) {
-    constexpr double lent = 2; // inertia that a compaction lends allows so much more
-    const double limit = dem::stable_time_step(world, 1);
-    if (asked > lent * limit) {
-        throw CaseError(fmt::format(
-            "`time_step` is {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is unstable; leave it out, "
-            "and the program chooses",
-            1e9 * asked, 1e9 * limit
-        ));
-    }
-}
-
-} // namespace
 
 void StageWork::save_partial(const nlohmann::json& state) const {
     const nlohmann::json all{{"state", state},       {"history", history.to_json()},   {"grain_steps", grain_steps},
@@ -69,7 +50,9 @@ void do_stage(StageWork& work) {
     std::visit(
         [&](const auto& spec) {
             if constexpr (requires { spec.time_step; }) {
-                check_time_step(work.world, spec.time_step);
+                if (spec.time_step > 0) {
+                    dem::check_time_step(work.world, spec.time_step);
+                }
             }
         },
         work.stage.spec

@@ -281,7 +281,7 @@ TEST(OwnTimeStep, BeyondWhatTheSampleCanTakeIsRefused) {
     const run::RunReport report = run_text(text, folder.path());
     EXPECT_EQ(report.outcome, run::Outcome::SomeFailed);
     ASSERT_EQ(report.failures.size(), 1U);
-    EXPECT_NE(report.failures[0].message.find("`time_step` is 1000 ns, expected at most"), std::string::npos)
+    EXPECT_NE(report.failures[0].message.find("time_step: found 1000 ns, expected at most"), std::string::npos)
         << report.failures[0].message;
 }
 
