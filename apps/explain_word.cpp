@@ -28,8 +28,8 @@ std::string explain_word(const std::string& word) {
     throw UsageError(fmt::format(
         "nothing is known about {}; {}", shown(word),
         nearest ? fmt::format("a similar word: suffuse explain {}", *nearest)
-                : "suffuse schema lists all keys of a case; codes (E310), figures (figure-9) and criteria (kezdi-1979) "
-                  "are known too"
+                : "suffuse schema lists all keys of a case; its tables (contact), verbs (erode), codes (E310), figures "
+                  "(figure-9) and criteria (kezdi-1979) are known too"
     ));
 }
 

@@ -98,9 +98,8 @@ void check_time_step(const World& world, double asked) {
     const double limit = stable_time_step(world, 1);
     if (!(asked <= limit)) {
         throw CaseError(fmt::format(
-            "time_step: found {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is unstable; leave it "
-            "out, "
-            "and it is computed",
+            "time_step: found {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is "
+            "unstable; leave it out, and it is computed",
             1e9 * asked, 1e9 * limit
         ));
     }
