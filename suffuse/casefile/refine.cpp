@@ -1,9 +1,9 @@
 #include "suffuse/casefile/refine.hpp"
 
-#include "suffuse/base/units.hpp"
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/diagnostics.hpp"
 #include "suffuse/casefile/node.hpp"
+#include "suffuse/casefile/sweep_value.hpp"
 
 #include <fmt/format.h>
 
@@ -31,37 +31,19 @@ double number_of(const std::string& text) {
 
 } // namespace
 
-std::optional<double> size_of_value(const Scalar& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) {
-        try {
-            return parse_quantity(*text).value;
-        } catch (const UnitError&) {
-            return std::nullopt;
-        }
-    }
-    if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-        return static_cast<double>(*integer);
-    }
-    const auto* number = std::get_if<double>(&value);
-    return number != nullptr ? std::optional(*number) : std::nullopt;
-}
-
 Scalar value_between(const Scalar& a, const Scalar& b, double share) {
     const auto between = [&](double x, double y) { return x + share * (y - x); };
     const auto *text_a = std::get_if<std::string>(&a), *text_b = std::get_if<std::string>(&b);
     if (text_a != nullptr && text_b != nullptr && unit_of(*text_a) == unit_of(*text_b)) {
         return fmt::format("{:.6g} {}", between(number_of(*text_a), number_of(*text_b)), unit_of(*text_a));
     }
-    const double value = between(size_of_value(a).value(), size_of_value(b).value());
+    const Quantity x = quantity_of(a).value(), y = quantity_of(b).value();
+    const double value = between(x.value, y.value);
     if (std::holds_alternative<std::int64_t>(a) && std::holds_alternative<std::int64_t>(b)) {
         return static_cast<std::int64_t>(std::llround(value));
     }
-    const std::string* const text = text_a != nullptr ? text_a : text_b;
-    const Dimension dimension = text != nullptr ? parse_quantity(*text).dimension : dimension::none;
-    if (dimension == dimension::none) {
-        return number_of(fmt::format("{:.6g}", value));
-    }
-    return print_quantity(number_of(fmt::format("{:.6g}", value)), dimension);
+    const double rounded = number_of(fmt::format("{:.6g}", value));
+    return x.dimension == dimension::none ? Scalar(rounded) : Scalar(print_quantity(rounded, x.dimension));
 }
 
 std::vector<Variant> variants_at(const Case& c, const std::string& study, const std::map<std::string, Scalar>& values) {

@@ -5,17 +5,13 @@
 #include "suffuse/casefile/case.hpp"
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace suffuse::casefile {
 
-/// A sweep value as a number in SI; nothing for words and flags.
-std::optional<double> size_of_value(const Scalar& value);
-
 /// The value at `share` of the way from `a` to `b`, written as they are, with at most six digits: of "30 %" and "35 %"
-/// the half is "32.5 %". Both have a size and the same dimension.
+/// the half is "32.5 %". Both are quantities of the same dimension.
 Scalar value_between(const Scalar& a, const Scalar& b, double share);
 
 /// The copies of a study of `c` for one value of each of its sweeps, with every replicate. @throws CaseProblems where a

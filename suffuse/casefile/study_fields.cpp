@@ -4,10 +4,10 @@
 #include "suffuse/casefile/fields.hpp"
 #include "suffuse/casefile/overrides.hpp"
 #include "suffuse/casefile/physics_checks.hpp"
-#include "suffuse/casefile/refine.hpp"
 #include "suffuse/casefile/sample_checks.hpp"
 #include "suffuse/casefile/soil_fields.hpp"
 #include "suffuse/casefile/stage_list.hpp"
+#include "suffuse/casefile/sweep_value.hpp"
 #include "suffuse/casefile/variants.hpp"
 
 #include <fmt/format.h>
@@ -74,7 +74,7 @@ void check_refine(ReadContext& context, const Study& study, const std::string& p
             "E406", context.places[path + ".refine.key"], fmt::format("`{}` is not swept", refine.key),
             "name a key of `sweep`"
         );
-    } else if (!std::all_of(sweep->values.begin(), sweep->values.end(), size_of_value)) {
+    } else if (!std::all_of(sweep->values.begin(), sweep->values.end(), quantity_of)) {
         context.problems.error(
             "E406", context.places[path + ".refine.key"],
             fmt::format("the sweep over `{}` cannot be refined", refine.key),

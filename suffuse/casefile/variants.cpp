@@ -1,7 +1,7 @@
 #include "suffuse/casefile/variants.hpp"
 
 #include "suffuse/base/state_hash.hpp"
-#include "suffuse/base/units.hpp"
+#include "suffuse/casefile/sweep_value.hpp"
 
 #include <fmt/format.h>
 
@@ -11,33 +11,10 @@ namespace suffuse::casefile {
 
 namespace {
 
-double size_of(const Scalar& value) {
-    if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-        return static_cast<double>(*integer);
-    }
-    return std::get<double>(value);
-}
-
 /// "20 %" and 0.2 are the same value.
 bool same_value(const Scalar& a, const Scalar& b) {
-    if (a == b) {
-        return true;
-    }
-    const auto quantity = [](const Scalar& value) -> Quantity {
-        if (const auto* text = std::get_if<std::string>(&value)) {
-            return parse_quantity(*text);
-        }
-        return {size_of(value), dimension::none, false};
-    };
-    if (std::holds_alternative<bool>(a) || std::holds_alternative<bool>(b)) {
-        return false;
-    }
-    try {
-        const Quantity x = quantity(a), y = quantity(b);
-        return x.value == y.value && x.dimension == y.dimension;
-    } catch (const UnitError&) {
-        return false; // words, and different ones
-    }
+    const std::optional<Quantity> x = quantity_of(a), y = quantity_of(b);
+    return a == b || (x && y && x->value == y->value && x->dimension == y->dimension);
 }
 
 bool is_chosen(const Stage& stage, const std::map<std::string, Scalar>& values) {
@@ -56,12 +33,9 @@ std::string folder_of(const std::string& key, const Scalar& value) {
     std::string name = key.substr(key.rfind('.') + 1);
     if (key == "fines_content") {
         name = "fc";
-        try {
-            const auto* written = std::get_if<std::string>(&value);
-            const double share = written != nullptr ? parse_quantity(*written, dimension::none) : size_of(value);
-            text = fmt::format("{:.6g}", share * 100);
-        } catch (const UnitError&) {
-            // Not a share: reported where the soil is read, under a folder that is never made.
+        const std::optional<Quantity> share = quantity_of(value);
+        if (share && share->dimension == dimension::none) { // otherwise reported where the soil is read
+            text = fmt::format("{:.6g}", share->value * 100);
         }
     }
     std::string plain;

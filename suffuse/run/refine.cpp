@@ -1,8 +1,8 @@
 #include "suffuse/run/refine.hpp"
 
 #include "suffuse/casefile/load_case.hpp"
-#include "suffuse/casefile/node.hpp"
 #include "suffuse/casefile/refine.hpp"
+#include "suffuse/casefile/sweep_value.hpp"
 #include "suffuse/casefile/variants.hpp"
 #include "suffuse/run/folder.hpp"
 
@@ -31,11 +31,6 @@ std::string what_to_do(const casefile::Diagnostic& problem) {
                                          problem.file
                                      )
                                    : fmt::format("mend {} and call again, or begin anew", problem.file));
-}
-
-std::string written(const Scalar& value) {
-    const auto* text = std::get_if<std::string>(&value);
-    return text != nullptr ? *text : casefile::print_value(casefile::make_node(value));
 }
 
 json scalar_json(const Scalar& value) {
@@ -99,7 +94,7 @@ trace(const Study& study, const std::string& stage_name, const std::filesystem::
             std::vector<Point>& curve = curves[others];
             auto point = std::find_if(curve.begin(), curve.end(), [&](const Point& p) { return p.value == value; });
             if (point == curve.end()) {
-                point = curve.insert(curve.end(), {value, casefile::size_of_value(value).value(), 0, 0});
+                point = curve.insert(curve.end(), {value, casefile::quantity_of(value).value().value, 0, 0});
             }
             point->sum += *number;
             ++point->seeds;
@@ -144,7 +139,7 @@ void refine_stage(
             one.values[refine.key] = value;
             one.reason = fmt::format(
                 "{} of {} is {} at {} = {}", refine.of, stage, refine.maximum ? "highest" : "lowest", refine.key,
-                written(curve[extreme].value)
+                casefile::written(curve[extreme].value)
             );
             const bool is_new = std::none_of(found.begin(), found.end(), [&](const Refinement& other) {
                 return other.study == one.study && other.values == one.values;

@@ -1,7 +1,6 @@
 #include "suffuse/run/study_curves.hpp"
 
-#include "suffuse/base/units.hpp"
-#include "suffuse/casefile/node.hpp"
+#include "suffuse/casefile/sweep_value.hpp"
 #include "suffuse/report/fines_study.hpp"
 
 #include <algorithm>
@@ -13,27 +12,6 @@ namespace {
 
 using nlohmann::json;
 using report::SweepPoint;
-
-/// A sweep value in SI; not a number for words and flags.
-double size_of(const casefile::Scalar& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) {
-        try {
-            return parse_quantity(*text).value;
-        } catch (const UnitError&) {
-            return std::nan("");
-        }
-    }
-    if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-        return static_cast<double>(*integer);
-    }
-    const auto* number = std::get_if<double>(&value);
-    return number != nullptr ? *number : std::nan("");
-}
-
-std::string written(const casefile::Scalar& value) {
-    const auto* text = std::get_if<std::string>(&value);
-    return text != nullptr ? *text : casefile::print_value(casefile::make_node(value));
-}
 
 /// All numbers of a stage, those of inner objects by joined names. Lists are no single numbers.
 void collect_numbers(const json& from, const std::string& prefix, std::map<std::string, double>& numbers) {
@@ -90,8 +68,9 @@ SweepPoint point_of(const casefile::Study& study, const casefile::Variant& varia
     SweepPoint point;
     for (const casefile::Sweep& sweep : study.sweep) {
         const casefile::Scalar& value = variant.values.at(sweep.key);
-        point.value.push_back(size_of(value));
-        point.written.push_back(written(value));
+        const std::optional<Quantity> quantity = casefile::quantity_of(value);
+        point.value.push_back(quantity ? quantity->value : std::nan(""));
+        point.written.push_back(casefile::written(value));
     }
     return point;
 }
