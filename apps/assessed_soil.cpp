@@ -1,12 +1,12 @@
 #include "apps/assessed_soil.hpp"
 
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/report/or_null.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/console.hpp"
 #include "apps/wording.hpp"
-#include <cmath>
 
 namespace suffuse::apps {
 namespace {
@@ -15,25 +15,21 @@ using nlohmann::json;
 using stability::Assessment;
 using stability::Criterion;
 
-json optional_json(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? json(*value) : json(nullptr);
-}
-
 json criterion_json(const Criterion& criterion) {
     static const char* const senses[] = {"at-least", "at-most", "between"};
     return {
         {"id", criterion.id},
         {"name", criterion.name},
         {"measure", criterion.measure},
-        {"value", optional_json(criterion.value)},
-        {"limit", optional_json(criterion.limit)},
-        {"upper", optional_json(criterion.upper)},
+        {"value", or_null(criterion.value)},
+        {"limit", or_null(criterion.limit)},
+        {"upper", or_null(criterion.upper)},
         {"sense", senses[static_cast<int>(criterion.sense)]},
         {"verdict", stability::verdict_word(criterion.verdict)},
         {"verified", criterion.verified},
         {"remark", criterion.remark},
         {"source", criterion.source},
-        {"diameter", optional_json(criterion.diameter)}};
+        {"diameter", or_null(criterion.diameter)}};
 }
 
 json list_json(const std::vector<Criterion>& criteria) {
@@ -116,14 +112,14 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
     json sizes = json::object();
     for (const int percent : {5, 10, 15, 50, 60, 85, 90}) {
         const auto size = size_of(found, percent / 100.0);
-        sizes[fmt::format("d{}", percent)] = optional_json(size);
+        sizes[fmt::format("d{}", percent)] = or_null(size);
     }
     const stability::Tally tally = stability::count_verdicts(found.criteria);
     const stability::FinesBesideConstrictions& constrictions = found.constrictions;
     json about = {
         {"soil", soil.name},
         {"sizes", sizes},
-        {"uniformity", optional_json(uniformity_of(found))},
+        {"uniformity", or_null(uniformity_of(found))},
         {"gap", nullptr},
         {"fine_fraction", nullptr},
         {"finer_limit", found.finer_limit},
@@ -161,7 +157,7 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
             {"gradient", spec.seepage->gradient},
             {"porosity", spec.seepage->porosity},
             {"grain_density", spec.seepage->grain_density},
-            {"stress_share", optional_json(spec.seepage->stress_share)}};
+            {"stress_share", or_null(spec.seepage->stress_share)}};
     }
     return about;
 }

@@ -1,6 +1,6 @@
 #include "suffuse/report/figure.hpp"
 
-#include <cmath>
+#include "suffuse/report/or_null.hpp"
 
 namespace suffuse::report {
 
@@ -16,8 +16,7 @@ json rows_of(const Table& table) {
             if (const auto* words = std::get_if<std::vector<std::string>>(&column.values)) {
                 object[column.name] = (*words)[row];
             } else {
-                const double value = std::get<std::vector<double>>(column.values)[row];
-                object[column.name] = std::isfinite(value) ? json(value) : json(nullptr);
+                object[column.name] = or_null(std::get<std::vector<double>>(column.values)[row]);
             }
         }
         rows.push_back(std::move(object));

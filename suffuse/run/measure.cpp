@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace suffuse::run {
 namespace {
@@ -21,7 +20,7 @@ using nlohmann::json;
 
 /// What does not exist for this sample is null, not zero.
 json number_if(bool exists, double value) {
-    return exists && std::isfinite(value) ? json(value) : json(nullptr);
+    return exists ? or_null(value) : json();
 }
 
 json shares_json(const stats::PerClass<double>& share) {

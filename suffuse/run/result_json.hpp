@@ -5,12 +5,11 @@
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/erosion/removal.hpp"
 #include "suffuse/packing/compact.hpp"
+#include "suffuse/report/or_null.hpp"
 #include "suffuse/triaxial/response.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <optional>
 
 namespace suffuse {
 
@@ -28,11 +27,6 @@ inline void to_json(nlohmann::json& json, const Mat3& m) {
 
 inline void from_json(const nlohmann::json& json, Mat3& m) {
     m = transpose(from_columns(json.at(0).get<Vec3>(), json.at(1).get<Vec3>(), json.at(2).get<Vec3>()));
-}
-
-template <class T>
-nlohmann::json or_null(const std::optional<T>& value) {
-    return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
 namespace grains {

@@ -112,7 +112,7 @@ void do_pack(StageWork& work, const packing::PackSpec& spec) {
     work.numbers["fines_content_reached"] = sample.fines_content;
     if (work.variant.soil->report_kenney_lau) { // beside the split in use
         const std::optional<double> split = grains::kenney_lau_split(grains::asked_grading(*work.variant.soil));
-        work.numbers["kenney_lau_split"] = split ? nlohmann::json(*split) : nlohmann::json(nullptr);
+        work.numbers["kenney_lau_split"] = or_null(split);
     }
 }
 

@@ -93,13 +93,12 @@ double longest_sample(const casefile::Case& what, const std::filesystem::path& f
 json findings_json(const std::vector<report::Finding>& findings) {
     json list = json::array();
     for (const report::Finding& finding : findings) {
-        const json met = finding.met ? json(*finding.met) : json(nullptr);
         list.push_back(
             {{"id", finding.id},
              {"claim", finding.claim},
              {"paper", finding.paper},
              {"ours", finding.ours},
-             {"met", met}}
+             {"met", or_null(finding.met)}}
         );
     }
     return list;
