@@ -1,23 +1,11 @@
 #include "suffuse/erosion/detachment.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "suffuse/base/quantile.hpp"
 
 namespace suffuse::erosion {
 namespace {
 
 constexpr double most_hidden = 0.05; // share of the fines: hidden ones beyond it make the verdict one on noise
-
-/// Value below which a share `q` of `values` lies.
-double quantile(std::vector<double> values, double q) {
-    if (values.empty()) {
-        return 0;
-    }
-    const auto last = static_cast<double>(values.size() - 1);
-    const auto rank = static_cast<std::ptrdiff_t>(std::min(last, std::ceil(q * last)));
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    return values[static_cast<std::size_t>(rank)];
-}
 
 /// The paper's first group: the speed rises over every tenth of the watch.
 bool rises_throughout(const std::array<double, probe_samples + 1>& speed) {
@@ -53,7 +41,7 @@ bool detaches_by_displacement(const DetachSpec& spec, const ProbeResult& probe, 
 
 void judge_detachment(const DetachSpec& spec, ProbeResult& result) {
     const std::size_t fines = result.id.size();
-    result.twin_noise = quantile(result.twin_speed, spec.noise_quantile);
+    result.twin_noise = result.twin_speed.empty() ? 0 : upper_quantile(result.twin_speed, spec.noise_quantile);
     result.by_velocity.assign(fines, 0);
     result.by_displacement.assign(fines, 0);
     result.agreement = {};

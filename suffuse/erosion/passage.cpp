@@ -1,5 +1,6 @@
 #include "suffuse/erosion/passage.hpp"
 
+#include "suffuse/base/quantile.hpp"
 #include "suffuse/pores/constrictions.hpp"
 #include "suffuse/pores/locate.hpp"
 #include "suffuse/pores/network.hpp"
@@ -54,9 +55,7 @@ std::optional<std::string> skeleton_complaint(const dem::World& world) {
             coarse.radius.size()
         );
     }
-    std::vector<double> radius = coarse.radius;
-    std::nth_element(radius.begin(), radius.begin() + static_cast<std::ptrdiff_t>(radius.size() / 2), radius.end());
-    const double diameter = 2 * radius[radius.size() / 2];
+    const double diameter = 2 * upper_quantile(coarse.radius, 0.5);
     const Vec3 width = cell::widths(world.cell.h);
     const double narrow = std::min({width.x, width.y, width.z});
     if (narrow < narrowest_skeleton * diameter) {

@@ -1,6 +1,7 @@
 #include "suffuse/erosion/probe.hpp"
 
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/quantile.hpp"
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/settle.hpp"
@@ -112,15 +113,6 @@ private:
     int sample_ = 0;
 };
 
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return 0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// What the grains would do free of contacts: a constant force after a linear ramp, reduced by the local damping.
 void fill_free_flight(
     const grains::Grains& grains, const std::vector<std::uint32_t>& fines, const ProbeSetting& setting,
@@ -149,10 +141,10 @@ void fill_scales(
     }
     const double contact_force = dem::measure_equilibrium(equilibrium).mean_contact_force;
     result.fluid_over_contact = contact_force > 0 ? force / contact_force : 0;
-    const double noise = median(result.twin_speed);
-    result.signal_over_twin =
-        noise > 0 ? median(final_speeds) / noise : std::numeric_limits<double>::infinity(); // a twin at rest
-    result.viscous_time = median(viscous_times);
+    const double noise = upper_quantile(result.twin_speed, 0.5);
+    result.signal_over_twin = noise > 0 ? upper_quantile(final_speeds, 0.5) / noise
+                                        : std::numeric_limits<double>::infinity(); // a twin at rest
+    result.viscous_time = fines.empty() ? 0 : upper_quantile(viscous_times, 0.5);
     result.beyond_viscous_time =
         static_cast<double>(setting.spec.ramp + setting.spec.watch) * setting.time_step > result.viscous_time;
 }

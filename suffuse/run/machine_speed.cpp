@@ -1,6 +1,7 @@
 #include "suffuse/run/machine_speed.hpp"
 
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/quantile.hpp"
 #include "suffuse/base/random.hpp"
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/dem/order.hpp"
@@ -9,9 +10,9 @@
 #include "suffuse/dem/step.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace suffuse::run {
@@ -55,7 +56,7 @@ double steps_per_second(dem::World world, double seconds, dem::Mode mode) {
     dem::advance(world, caches, plan, warm_up);
     const double grains = static_cast<double>(world.grains.size());
     const auto burst = std::clamp<std::int64_t>(std::llround(work_of_burst / grains), 5, dem::burst_steps);
-    std::array<double, windows> rates{};
+    std::vector<double> rates(windows);
     for (double& rate : rates) {
         const Stopwatch watch;
         double spent = 0;
@@ -67,9 +68,7 @@ double steps_per_second(dem::World world, double seconds, dem::Mode mode) {
         }
         rate = static_cast<double>(steps) / spent;
     }
-    constexpr std::size_t quartile = 3 * windows / 4;
-    std::nth_element(rates.begin(), rates.begin() + quartile, rates.end());
-    return rates[quartile];
+    return quantile(std::move(rates), 0.75);
 }
 
 } // namespace
