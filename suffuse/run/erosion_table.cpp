@@ -21,7 +21,7 @@ std::vector<std::string> row_of(const FinishedStage& stage) {
         largest_loss = std::max(largest_loss, report::stress_loss(pass).value_or(0));
     }
     return {
-        stage.variant->folder + "/" + stage.stage->name,
+        stage.name(),
         fmt::format("{:g}", first.probe.gradient),
         fmt::format("{}", erosion.passes.size()),
         fmt::format("{:.2f}", eroded_percent(erosion)),

@@ -14,6 +14,9 @@ struct FinishedStage {
     const casefile::Stage* stage = nullptr;
     nlohmann::json numbers; ///< stage.json
     StageFindings findings;
+
+    /// "STUDY/SAMPLE/STAGE".
+    [[nodiscard]] std::string name() const { return stage_name(*variant, *stage); }
 };
 
 } // namespace suffuse::run

@@ -1,6 +1,7 @@
 #include "suffuse/run/missing_stages.hpp"
 
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/samples.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,7 +18,7 @@ MissingStages find_missing_stages(const casefile::Case& what, const std::filesys
             for (const casefile::Stage& stage : variant.stages) {
                 ++missing.of;
                 if (!std::filesystem::exists(stage_folder(run, variant, stage) / "stage.json")) {
-                    missing.names.push_back(variant.folder + "/" + stage.name);
+                    missing.names.push_back(stage_name(variant, stage));
                 }
             }
         }

@@ -274,8 +274,7 @@ std::optional<std::string> tell_range(const ErosionStory& story, const std::vect
     return fmt::format(
         "{} erosions took {:.2f} to {:.2f} % of the mass (table “All erosions”); what follows is of {}.",
         percent.size(), *least, *most,
-        are_too_many(story) ? story.eroded->variant->folder + "/" + story.eroded->stage->name
-                            : "the sample " + story.eroded->variant->folder
+        are_too_many(story) ? story.eroded->name() : "the sample " + story.eroded->variant->folder
     );
 }
 

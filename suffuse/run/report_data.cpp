@@ -62,7 +62,7 @@ report::StageRow stage_row(const casefile::Case& what, const FinishedStage& stag
                          std::holds_alternative<erosion::ErodeSpec>(spec);
     const bool touches = n.at("contacts").get<std::int64_t>() > 0;
     report::StageRow row;
-    row.name = stage.variant->folder + "/" + stage.stage->name;
+    row.name = stage.name();
     row.grains = n.at("grains");
     row.void_ratio = n.at("void_ratio");
     row.porosity = n.at("porosity");

@@ -21,18 +21,10 @@ namespace {
 
 using nlohmann::json;
 
-bool writes(const casefile::OutputSpec& output, std::string_view format) {
-    return std::find(output.formats.begin(), output.formats.end(), format) != output.formats.end();
-}
-
 /// A file that means nothing beside a finished stage; it may as well stay where it cannot be removed.
 void drop(const std::filesystem::path& file) {
     std::error_code error;
     std::filesystem::remove(file, error);
-}
-
-std::string stage_name(const casefile::Variant& variant, const casefile::Stage& stage) {
-    return variant.folder + "/" + stage.name;
 }
 
 /// What a program of another version saved in the middle of a stage may have other names, or mean something else.
@@ -67,8 +59,8 @@ void take_up(StageWork& work) {
         if (const std::string writer = saved.value("commit", "unknown"); writer != commit()) {
             work.has_two_makers = true;
             work.warnings.push_back(fmt::format(
-                "{}: commit {} began it and commit {} went on; its numbers may be those of neither alone",
-                stage_name(work.variant, work.stage), writer, commit()
+                "{}: commit {} began it and commit {} went on; its numbers may be those of neither alone", work.place(),
+                writer, commit()
             ));
         }
     } catch (const json::exception&) {
@@ -109,7 +101,7 @@ json describe_stage(StageWork& work) {
             .push_back(fmt::format(
                 "{}: the largest overlap is {:.1f} % of the smaller radius; a higher contact.modulus or a lower "
                 "pressure makes it smaller",
-                stage_name(work.variant, work.stage), 100 * overlap
+                work.place(), 100 * overlap
             ));
     }
     numbers["end_state"] = describe_state(work.world);
@@ -148,7 +140,7 @@ void write_pictures(const StageWork& work, const casefile::OutputSpec& output) {
 void write_files(const StageWork& work, const casefile::OutputSpec& output) {
     const dem::World& world = work.world;
     io::save_world(
-        work.folder / "state.h5", world, {{"stage", stage_name(work.variant, work.stage)}},
+        work.folder / "state.h5", world, {{"stage", work.place()}},
         {{"case_hash", case_hash(work.what)}, {"stage", work.place()}}
     );
     work.history.write_csv(work.folder / "history.csv");

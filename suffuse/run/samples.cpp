@@ -31,14 +31,21 @@ std::vector<Sample> list_samples(const casefile::Case& what, const std::string& 
     return samples;
 }
 
+std::string stage_name(const casefile::Variant& variant, const casefile::Stage& stage) {
+    return variant.folder + "/" + stage.name;
+}
+
+bool writes(const casefile::OutputSpec& output, std::string_view format) {
+    return std::find(output.formats.begin(), output.formats.end(), format) != output.formats.end();
+}
+
 bool leaves_tables(const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage) {
-    const auto& formats = what.output.formats;
     const casefile::Stage* origin = &stage;
     while (origin->parent >= 0) {
         origin = &variant.stages[static_cast<std::size_t>(origin->parent)];
     }
     return &stage == &variant.stages.back() || std::holds_alternative<casefile::ImportSpec>(origin->spec) ||
-           std::find(formats.begin(), formats.end(), "csv") != formats.end();
+           writes(what.output, "csv");
 }
 
 bool has_fractions(const casefile::Variant& variant) {

@@ -4,6 +4,7 @@
 #include "suffuse/casefile/case.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace suffuse::run {
@@ -19,6 +20,12 @@ struct Sample {
 /// In the order of the file. With `until`, each sample ends with its stage of that name, and those without one are
 /// left out. The samples point into `what`.
 std::vector<Sample> list_samples(const casefile::Case& what, const std::string& until = {});
+
+/// "STUDY/SAMPLE/STAGE", as warnings and tables say where.
+std::string stage_name(const casefile::Variant& variant, const casefile::Stage& stage);
+
+/// Whether [output] asks for this format.
+bool writes(const casefile::OutputSpec& output, std::string_view format);
 
 /// Whether the stage leaves CSV tables of many rows: the last stage does, those of imported samples do, and others
 /// where [output] asks for it.

@@ -51,7 +51,7 @@ void add_flows(
         const json tortuosity = stage.numbers.value("tortuosity", json());
         const std::filesystem::path state = stage_folder(folder, *stage.variant, *stage.stage) / "state.h5";
         rows.push_back(water_row(
-            stage.variant->folder + "/" + stage.stage->name,
+            stage.name(),
             {stage.numbers[key], stage.numbers.at("porosity"), tortuosity.is_number() ? tortuosity.get<double>() : 0},
             radii_in(state), fluid
         ));
@@ -124,7 +124,7 @@ std::optional<report::PageTable> tabulate_removals(const std::vector<FinishedSta
         if (spec == nullptr || spec->takes_all_fines_at_once() || !stage.numbers.contains("passes")) {
             continue;
         }
-        const std::string name = stage.variant->folder + "/" + stage.stage->name;
+        const std::string name = stage.name();
         double mass = 0;
         for (const json& pass : stage.numbers.at("passes")) {
             mass += pass.at("eroded_mass_percent_of_initial").get<double>();

@@ -118,7 +118,7 @@ numbers_of(const CacheEntry& entry, const casefile::Variant& variant, const case
         numbers["stage"] = stage.name;
         numbers["from_cache"] = true;
         for (const char* const list : {"warnings", "flaws"}) {
-            numbers[list] = renamed(numbers.at(list), entry.made_as, variant.folder + "/" + stage.name);
+            numbers[list] = renamed(numbers.at(list), entry.made_as, stage_name(variant, stage));
         }
         return bytes == static_cast<std::uintmax_t>(entry.bytes) ? std::optional(std::move(numbers)) : std::nullopt;
     } catch (const fs::filesystem_error&) {

@@ -114,7 +114,7 @@ void do_settle(StageWork& work, const dem::SettleSpec& spec) {
         dem::StepPlan plan = plan_for(work, spec.loading);
         plan.drag = dem::slowest_mode_drag(work.world.grains.size(), work.time_step);
         settled = dem::settle_burst(work.world, caches, plan, work.what.balance, state);
-        work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
+        work.count_steps(dem::burst_steps);
         work.note_state();
         if (!settled && dem::carries_nothing(spec.loading, work.what.balance, state, stress_before)) {
             settled = true;
@@ -149,7 +149,7 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
         over = triaxial::path_burst(
             work.world, caches, spec, work.what.balance, work.variant.damping, work.what.mode, state
         );
-        work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
+        work.count_steps(dem::burst_steps);
         work.note_state();
         if (!over) {
             work.control.beat("shear", state.steps, &work.world);
@@ -233,7 +233,7 @@ void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {
         const dem::StepPlan plan = plan_for(work, spec.loading);
         dem::advance(work.world, caches, plan, burst);
         done += burst;
-        work.grain_steps += burst * static_cast<std::int64_t>(work.world.grains.size());
+        work.count_steps(burst);
         work.note_state();
         if (done < spec.steps) {
             work.control.beat("advance", done, &work.world);

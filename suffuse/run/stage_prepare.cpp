@@ -50,7 +50,7 @@ void compact(StageWork& work, const packing::CompactSpec& spec, packing::Compact
     bool done = state.phase == packing::CompactState::Phase::Done;
     while (!done && !packing::misses_void_ratio(work.world, spec, state)) {
         done = packing::compact_burst(work.world, caches, spec, work.what.balance, state);
-        work.grain_steps += dem::burst_steps * static_cast<std::int64_t>(work.world.grains.size());
+        work.count_steps(dem::burst_steps);
         work.note_state();
         const bool settling = state.phase != packing::CompactState::Phase::Compact;
         work.control.beat(settling ? "settle" : "compact", state.steps, &work.world);

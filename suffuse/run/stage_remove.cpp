@@ -89,7 +89,7 @@ void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
     while (goes_on) {
         goes_on = erosion::remove_once(work.world, spec, around, removal);
         work.history.record(work.world, true);
-        work.grain_steps += removal.erosion.passes.back().steps * static_cast<std::int64_t>(work.world.grains.size());
+        work.count_steps(removal.erosion.passes.back().steps);
         if (goes_on) {
             work.save_partial({{"removal", removal}});
         }

@@ -15,6 +15,7 @@
 #include "suffuse/run/case_hash.hpp"
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/result_json.hpp"
+#include "suffuse/run/samples.hpp"
 #include "suffuse/run/scene_data.hpp"
 #include "suffuse/run/stage_work.hpp"
 
@@ -244,13 +245,11 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
         io::write_pores_csv(work.folder / "pores.csv", seepage.network, seepage.field.pressure, velocity);
         io::write_throats_csv(work.folder / "throats.csv", seepage.network, seepage.conductance, seepage.field.flux);
     }
-    const std::vector<std::string>& formats = work.what.output.formats;
-    if (std::find(formats.begin(), formats.end(), "vtp") == formats.end()) {
-        return;
+    if (writes(work.what.output, "vtp")) {
+        io::write_pores_vtu(
+            work.folder / "pores.vtu", seepage.network, world.grains.position, seepage.field.pressure, velocity
+        );
     }
-    io::write_pores_vtu(
-        work.folder / "pores.vtu", seepage.network, world.grains.position, seepage.field.pressure, velocity
-    );
 }
 
 void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
@@ -265,7 +264,7 @@ void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
     const auto count = static_cast<std::int64_t>(work.findings.probes.size());
     work.time_step = first.time_step;
     work.numbers["steps"] = first.relax_steps + (count + 1) * (first.ramp + first.watch); // one twin serves all
-    work.grain_steps = work.numbers["steps"].get<std::int64_t>() * static_cast<std::int64_t>(work.world.grains.size());
+    work.count_steps(work.numbers["steps"]);
 }
 
 void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {

@@ -6,6 +6,7 @@
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/run/control.hpp"
 #include "suffuse/run/history.hpp"
+#include "suffuse/run/samples.hpp"
 #include "suffuse/run/strain_pictures.hpp"
 #include "suffuse/triaxial/run_path.hpp"
 
@@ -43,7 +44,10 @@ struct StageWork {
     double earlier_seconds = 0; ///< wall time before the stage was taken up again [s]
 
     /// "STUDY/SAMPLE/STAGE", as warnings say where.
-    [[nodiscard]] std::string place() const { return variant.folder + "/" + stage.name; }
+    [[nodiscard]] std::string place() const { return stage_name(variant, stage); }
+
+    /// Steps that the grains of the world now have made.
+    void count_steps(std::int64_t steps) { grain_steps += steps * static_cast<std::int64_t>(world.grains.size()); }
 
     /// The state after a burst: a row of the history and a picture, where they are due.
     void note_state();

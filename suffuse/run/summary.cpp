@@ -155,7 +155,7 @@ Summary summarize_run(
     Summary summary;
     json by_name = json::object();
     for (const FinishedStage& stage : stages) {
-        by_name[stage.variant->folder + "/" + stage.stage->name] = stage.numbers;
+        by_name[stage.name()] = stage.numbers;
         append(stage.numbers.at("warnings"), summary.warnings);
         append(stage.numbers.at("flaws"), summary.flaws);
     }

@@ -27,7 +27,7 @@ std::vector<report::Figure> draw_fluxes(const std::vector<FinishedStage>& stages
     }
     for (const FinishedStage& stage : stages) {
         if (stage.findings.throat_flux) {
-            add(stage.variant->folder + "/" + stage.stage->name, *stage.findings.throat_flux, states);
+            add(stage.name(), *stage.findings.throat_flux, states);
         }
     }
     std::vector<report::Figure> figures;
