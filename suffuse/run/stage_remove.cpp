@@ -77,8 +77,7 @@ json removal_numbers(const dem::World& end, const erosion::RemovalResult& remova
 } // namespace
 
 void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
-    const erosion::Surroundings around{
-        work.what.fluid, work.what.balance, work.variant.damping, work.what.mode, work.control.pulse()};
+    const erosion::Surroundings around = work.surroundings();
     erosion::RemovalResult removal;
     bool goes_on = true;
     if (work.resumed.is_null()) {

@@ -28,10 +28,6 @@ namespace {
 
 using nlohmann::json;
 
-erosion::Surroundings surroundings(StageWork& work) {
-    return {work.what.fluid, work.what.balance, work.variant.damping, work.what.mode, work.control.pulse()};
-}
-
 json probe_numbers(const erosion::ProbeResult& probe) {
     const auto count = [](const auto& verdicts) {
         return std::count(verdicts.begin(), verdicts.end(), std::uint8_t{1});
@@ -253,7 +249,7 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
 }
 
 void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
-    work.findings.probes = erosion::probe_gradients(work.world, spec, surroundings(work));
+    work.findings.probes = erosion::probe_gradients(work.world, spec, work.surroundings());
     json probes = json::array();
     for (const erosion::ProbeResult& probe : work.findings.probes) {
         probes.push_back(probe_numbers(probe));
@@ -285,7 +281,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
                  {"stage", fmt::format("{}, pass {}", work.place(), passes_done())}}
             );
         }
-        goes_on = erosion::erode_once(work.world, spec, surroundings(work), result);
+        goes_on = erosion::erode_once(work.world, spec, work.surroundings(), result);
         work.history.record(work.world, true);
         work.save_partial({{"result", result}, {"goes_on", goes_on}});
     }

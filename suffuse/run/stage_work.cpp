@@ -15,6 +15,10 @@ void StageWork::save_partial(const nlohmann::json& state) const {
     io::save_world(folder / partial_file, world, {}, {}, nlohmann::json::to_cbor(all));
 }
 
+erosion::Surroundings StageWork::surroundings() const {
+    return {what.fluid, what.balance, variant.damping, what.mode, control.pulse()};
+}
+
 void StageWork::note_state() {
     history.record(world);
     pictures.see(world);

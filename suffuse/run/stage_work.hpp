@@ -3,7 +3,7 @@
 // function.
 
 #include "suffuse/casefile/case.hpp"
-#include "suffuse/erosion/result.hpp"
+#include "suffuse/erosion/loop.hpp"
 #include "suffuse/run/control.hpp"
 #include "suffuse/run/history.hpp"
 #include "suffuse/run/samples.hpp"
@@ -48,6 +48,9 @@ struct StageWork {
 
     /// Steps that the grains of the world now have made.
     void count_steps(std::int64_t steps) { grain_steps += steps * static_cast<std::int64_t>(world.grains.size()); }
+
+    /// What an erosion or a removal needs of the case.
+    [[nodiscard]] erosion::Surroundings surroundings() const;
 
     /// The state after a burst: a row of the history and a picture, where they are due.
     void note_state();
