@@ -142,6 +142,13 @@ std::vector<std::string> sweep_values(const casefile::Study& study, const casefi
     return point_of(study, variant).written;
 }
 
+bool is_behind(
+    const FinishedStage& stage, const casefile::Study& study, const casefile::Stage& of, const SweepPoint& point
+) {
+    return stage.study == &study && stage.stage->name == of.name &&
+           sweep_values(study, *stage.variant) == point.written;
+}
+
 std::string values_name(const std::vector<std::string>& keys, const SweepPoint& point) {
     std::string name;
     for (std::size_t k = 0; k < keys.size(); ++k) {

@@ -12,6 +12,11 @@ std::vector<report::StudyCurves> trace_curves(const casefile::Case& what, const 
 /// Values of the study's swept keys, as written in the case.
 std::vector<std::string> sweep_values(const casefile::Study& study, const casefile::Variant& variant);
 
+/// Whether a sample's stage is one of the seeds behind this point of the stage's curve.
+bool is_behind(
+    const FinishedStage& stage, const casefile::Study& study, const casefile::Stage& of, const report::SweepPoint& point
+);
+
 /// "FC 10 %", "gradient 0.1, friction 30 deg"; empty without a sweep.
 std::string values_name(const std::vector<std::string>& keys, const report::SweepPoint& point);
 std::string values_name(const casefile::Study& study, const casefile::Variant& variant);

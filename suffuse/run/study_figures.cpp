@@ -68,8 +68,7 @@ std::vector<Test> gather_tests(const casefile::Case& what, const std::vector<Fin
                 dem::EnergyParts energy; // summed over the seeds [J/m3]
                 double borne = 0;        // pore pressure, summed over the seeds [Pa]
                 for (const FinishedStage& stage : stages) {
-                    if (stage.study == &study && stage.stage->name == study.stages[k].name &&
-                        !stage.findings.curve.empty() && sweep_values(study, *stage.variant) == point.written) {
+                    if (!stage.findings.curve.empty() && is_behind(stage, study, study.stages[k], point)) {
                         of_seed.push_back(rows_of(stage.findings.curve));
                         energy = energy + stage.findings.curve.back().energy;
                         borne += or_zero(stage.numbers.at("response").at("excess_pore_pressure"));

@@ -85,13 +85,12 @@ void leave_out_empty_columns(report::PageTable& table) {
 
 /// Of the samples at one set of sweep values.
 std::vector<json> responses_of(
-    const casefile::Study& study, const std::string& stage, const SweepPoint& point,
+    const casefile::Study& study, const casefile::Stage& stage, const SweepPoint& point,
     const std::vector<FinishedStage>& stages
 ) {
     std::vector<json> responses;
     for (const FinishedStage& each : stages) {
-        if (each.study == &study && each.stage->name == stage && each.numbers.contains("response") &&
-            sweep_values(study, *each.variant) == point.written) {
+        if (each.numbers.contains("response") && is_behind(each, study, stage, point)) {
             responses.push_back(each.numbers.at("response"));
         }
     }
@@ -128,7 +127,7 @@ std::optional<report::PageTable> tabulate_tests(const casefile::Case& what, cons
         for (std::size_t k = 0; k < study.stages.size(); ++k) {
             const auto* test = std::get_if<TriaxialSpec>(&study.stages[k].spec);
             for (const SweepPoint& point : traced[s].stages[k].points) {
-                const auto responses = responses_of(study, study.stages[k].name, point, stages);
+                const auto responses = responses_of(study, study.stages[k], point, stages);
                 if (test != nullptr && !responses.empty()) {
                     const std::string values = values_name(traced[s].keys, point);
                     const std::string name =
