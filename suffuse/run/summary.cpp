@@ -104,8 +104,8 @@ json findings_json(const std::vector<report::Finding>& findings) {
     return list;
 }
 
-std::vector<report::Finding> judge(const casefile::Case& what, const std::vector<FinishedStage>& stages) {
-    std::vector<report::Finding> findings = judge_fines_of(gather_fines(what, stages));
+std::vector<report::Finding> judge(const std::optional<FinesResults>& fines, const std::vector<FinishedStage>& stages) {
+    std::vector<report::Finding> findings = judge_fines_of(fines);
     for (report::Finding& finding : judge_erosion_by_seed(stages)) {
         findings.push_back(std::move(finding));
     }
@@ -162,7 +162,8 @@ Summary summarize_run(
     summary.failures = read_failures(folder, what);
     const MissingStages missing = find_missing_stages(what, folder);
     const std::vector<casefile::Diagnostic> of_case = check_again(folder);
-    const std::vector<report::Finding> findings = judge(what, stages);
+    const std::optional<FinesResults> fines = gather_fines(what, stages);
+    const std::vector<report::Finding> findings = judge(fines, stages);
     const report::ReportData data = describe_run(
         what, folder, stages, provenance,
         {summary.warnings,
@@ -186,7 +187,7 @@ Summary summarize_run(
                                   {"warnings", summary.warnings},
                                   {"flaws", summary.flaws},
                                   {"findings", findings_json(findings)},
-                                  {"thresholds", thresholds_json(gather_fines(what, stages))},
+                                  {"thresholds", thresholds_json(fines)},
                                   {"strength", strength_json(compare_strength(stages))},
                                   {"samples", count_samples(what, folder, summary.failures.size())},
                                   {"failures", summary.failures},
