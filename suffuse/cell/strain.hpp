@@ -4,6 +4,7 @@
 
 #include "suffuse/base/vec3.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse::cell {
@@ -14,6 +15,11 @@ inline Vec3 axial_strains(const Mat3& from, const Mat3& to) {
     return {
         -std::log(deformation_gradient(0, 0)), -std::log(deformation_gradient(1, 1)),
         -std::log(deformation_gradient(2, 2))};
+}
+
+/// Of the axis that strained most, either way [-].
+inline double largest_strain(const Vec3& axial) {
+    return std::max({std::abs(axial.x), std::abs(axial.y), std::abs(axial.z)});
 }
 
 /// Their sum, where nothing is sheared [-].

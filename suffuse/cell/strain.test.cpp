@@ -14,6 +14,7 @@ TEST(Strain, OfACellThatIsHalvedIsTheLogarithmOfTwo) {
     EXPECT_NEAR(strain.y, 0, rounding);
     EXPECT_NEAR(strain.z, -std::log(2), rounding);
     EXPECT_NEAR(volumetric_strain(from, to), strain.x + strain.y + strain.z, rounding);
+    EXPECT_NEAR(largest_strain({0.1, -0.3, 0.2}), 0.3, 0);
 }
 
 TEST(Strain, OfShearChangesNoVolume) {

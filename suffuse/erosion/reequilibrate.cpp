@@ -167,8 +167,7 @@ std::vector<PathRow> reequilibrate(
         spec.inertial_number, grains::median_diameter(world.grains), world.material.density, before
     );
     const dem::BalanceState settled = resettling.run_phase("servo", most_steps_under_stress, [&](const auto& state) {
-        const Vec3 strain = cell::axial_strains(start_h, world.cell.h);
-        pass.failed = std::max({std::abs(strain.x), std::abs(strain.y), std::abs(strain.z)}) > spec.max_strain;
+        pass.failed = cell::largest_strain(cell::axial_strains(start_h, world.cell.h)) > spec.max_strain;
         return pass.failed || state.balanced_steps >= around.balance.patience;
     });
     judge(settled, around.balance, spec.max_strain, pass);

@@ -1,5 +1,6 @@
 // The verb remove: fines taken out without water, at once or in passes.
 
+#include "suffuse/cell/strain.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/removal.hpp"
 #include "suffuse/report/passes.hpp"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace suffuse::run {
@@ -65,7 +65,7 @@ json removal_numbers(const dem::World& end, const erosion::RemovalResult& remova
         {"stress_ratio_before", before > 0 ? deviator / before : 0},
         {"stress_loss", stress_loss(last)},
         {"strain", strain},
-        {"largest_strain", std::max({std::abs(strain.x), std::abs(strain.y), std::abs(strain.z)})},
+        {"largest_strain", cell::largest_strain(strain)},
         {"volumetric_strain", volumetric_strain},
         {"porosity_before", first.porosity_before},
         {"porosity_after_removal", last.porosity_after_removal},

@@ -1,5 +1,6 @@
 #include "suffuse/run/strain_pictures.hpp"
 
+#include "suffuse/cell/strain.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/io/packing_export.hpp"
 #include "suffuse/io/vtk.hpp"
@@ -43,8 +44,7 @@ int StrainPictures::multiples(const dem::World& world) const {
     if (output_->snapshots.when != When::Strain || world.grains.size() == 0) {
         return 0;
     }
-    const Vec3 strain = dem::strain(world);
-    const double largest = std::max({std::abs(strain.x), std::abs(strain.y), std::abs(strain.z)});
+    const double largest = cell::largest_strain(dem::strain(world));
     constexpr double rounding = 1e-9;
     return static_cast<int>(std::floor(largest / output_->snapshots.every * (1 + rounding)));
 }
