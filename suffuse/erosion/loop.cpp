@@ -1,7 +1,7 @@
 #include "suffuse/erosion/loop.hpp"
 
-#include "suffuse/base/error.hpp"
 #include "suffuse/base/stopwatch.hpp"
+#include "suffuse/dem/carried_stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/lent_inertia.hpp"
 #include "suffuse/dem/order.hpp"
@@ -183,14 +183,7 @@ void judge_end(const dem::World& world, const ErodeSpec& spec, const ErosionResu
 } // namespace
 
 ErosionResult begin_erosion(const dem::World& world) {
-    const double pressure = dem::mean_stress(dem::mean_stress_tensor(world));
-    if (!(pressure > 0)) {
-        throw StateError(fmt::format(
-            "an erosion needs a skeleton that carries a stress, and this one's mean stress is {:.4g} kPa: compact or "
-            "settle it under a pressure first",
-            pressure / 1e3
-        ));
-    }
+    dem::require_pressure(dem::mean_stress_tensor(world), "an erosion needs a skeleton");
     ErosionResult result;
     result.initial_mass = total_mass(world.grains);
     return result;

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/cell/strain.hpp"
+#include "suffuse/dem/carried_stress.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/stable_dt.hpp"
@@ -207,21 +208,12 @@ double strain_rate_of(const TriaxialSpec& spec, const grains::Material& material
 
 PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress) {
     check_spec(spec);
-    const double pressure = dem::mean_stress(stress);
-    if (!(pressure > 0)) {
-        throw StateError(fmt::format(
-            "a triaxial test needs a sample that carries a stress, and this one's mean stress is {:.4g} kPa: compact "
-            "or "
-            "settle it under a pressure first",
-            pressure / 1e3
-        ));
-    }
+    const double pressure = dem::require_pressure(stress, "a triaxial test needs a sample");
     const double q = deviator(stress, spec.axis);
     if (spec.path == Path::ConstantDeviator && !(q >= least_ratio * pressure)) {
         throw StateError(fmt::format(
             "a path at constant deviator stress holds the one that the sample starts with, and this one's is {:.4g} "
-            "kPa "
-            "at a mean stress of {:.4g} kPa: shear it first, as with stress_ratio = 0.5",
+            "kPa at a mean stress of {:.4g} kPa: shear it first, as with stress_ratio = 0.5",
             q / 1e3, pressure / 1e3
         ));
     }

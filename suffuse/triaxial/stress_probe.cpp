@@ -3,6 +3,7 @@
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/cell/strain.hpp"
+#include "suffuse/dem/carried_stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/lent_inertia.hpp"
 #include "suffuse/dem/relax.hpp"
@@ -93,13 +94,7 @@ load(const ProbedState& state, const StressProbeSpec& spec, const Vec3& incremen
 
 ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec, double damping, const Pulse& pulse) {
     const Mat3 carried = dem::mean_stress_tensor(world);
-    if (!(dem::mean_stress(carried) > 0)) {
-        throw StateError(fmt::format(
-            "stress probes need a sample that carries a stress, and this one's mean stress is {:.4g} kPa: compact or "
-            "settle it under a pressure first",
-            dem::mean_stress(carried) / 1e3
-        ));
-    }
+    dem::require_pressure(carried, "stress probes need a sample");
     const Vec3 stress = axial_stress(carried);
     const dem::BalanceSpec goal = goal_of(spec);
     LoadedSample sample{world, {}, {}, false};
