@@ -3,24 +3,30 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/order.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <unordered_set>
 
 namespace suffuse::erosion {
 
-void extract(
-    dem::World& world, std::span<const Leaver> leavers, int pass, const std::string& reason,
-    std::vector<LedgerRow>& ledger
+std::vector<LedgerRow> extract(
+    dem::World& world, std::span<const std::uint32_t> leaving, std::span<const int> contacts, const std::string& reason,
+    const ErosionResult& so_far, PassResult& pass
 ) {
     const grains::Grains& grains = world.grains;
-    std::vector<std::uint32_t> rows;
-    for (const Leaver& leaver : leavers) {
-        const std::uint32_t g = leaver.row;
-        ledger.push_back({grains.id[g], pass, 2 * grains.radius[g], grains.mass[g], leaver.coordination, reason});
-        rows.push_back(g);
+    const double before = total_mass(grains);
+    std::vector<LedgerRow> ledger = so_far.ledger;
+    for (const std::uint32_t g : leaving) {
+        ledger.push_back({grains.id[g], pass.pass, 2 * grains.radius[g], grains.mass[g], contacts[g], reason});
+        ++pass.coordination_histogram[contacts[g]];
     }
-    dem::remove_grains(world, rows);
+    dem::remove_grains(world, leaving);
+    check_ledger(world, ledger, so_far.initial_mass);
+    const double left = total_mass(grains);
+    pass.removed = std::ssize(leaving);
+    pass.eroded_mass_percent = 100 * (1 - left / before);
+    pass.eroded_mass_percent_of_initial = 100 * (before - left) / so_far.initial_mass;
+    return ledger;
 }
 
 double total_mass(const grains::Grains& grains) {

@@ -4,21 +4,19 @@
 #include "suffuse/dem/world.hpp"
 #include "suffuse/erosion/result.hpp"
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace suffuse::erosion {
 
-/// A grain that is to leave.
-struct Leaver {
-    std::uint32_t row = 0; ///< of the grain table
-    int coordination = 0;  ///< contacts when it leaves
-};
-
-/// Takes the leavers out of the world and writes them into the ledger.
-void extract(
-    dem::World& world, std::span<const Leaver> leavers, int pass, const std::string& reason,
-    std::vector<LedgerRow>& ledger
+/// Takes grains out of the world by their rows; `pass` learns how many they are, of which mass and with how many
+/// contacts. @param contacts of all grains, when it was decided who leaves
+/// @return the ledger so far and these grains. Throws Bug where it does not add up.
+std::vector<LedgerRow> extract(
+    dem::World& world, std::span<const std::uint32_t> leaving, std::span<const int> contacts, const std::string& reason,
+    const ErosionResult& so_far, PassResult& pass
 );
 
 /// Throws Bug unless skeleton and ledger together are the initial mass, and no grain is in both.

@@ -20,23 +20,31 @@ dem::World four_grains() {
 
 TEST(Extraction, WhatLeavesIsInTheLedgerAndNothingElse) {
     dem::World world = four_grains();
-    const double mass = total_mass(world.grains);
-    std::vector<LedgerRow> ledger;
-    extract(world, std::vector<Leaver>{{1, 3}}, 2, "velocity", ledger);
+    ErosionResult so_far;
+    so_far.initial_mass = total_mass(world.grains);
+    PassResult pass;
+    pass.pass = 2;
+    const auto ledger =
+        extract(world, std::vector<std::uint32_t>{1}, std::vector<int>{0, 3, 0, 0}, "velocity", so_far, pass);
     ASSERT_EQ(ledger.size(), 1U);
     EXPECT_EQ(ledger[0].grain, 1U);
     EXPECT_EQ(ledger[0].pass, 2);
     EXPECT_EQ(ledger[0].coordination, 3);
     EXPECT_EQ(ledger[0].diameter, 0.04);
     EXPECT_EQ(world.grains.id, (std::vector<std::uint32_t>{0, 2, 3}));
-    EXPECT_NO_THROW(check_ledger(world, ledger, mass));
+    EXPECT_EQ(pass.removed, 1);
+    EXPECT_EQ(pass.coordination_histogram, (std::map<int, std::int64_t>{{3, 1}}));
+    EXPECT_NEAR(pass.eroded_mass_percent, 8, 1e-12); // of 1 + 8 + 27 + 64; rounding
+    EXPECT_NEAR(pass.eroded_mass_percent_of_initial, 8, 1e-12);
+    EXPECT_NO_THROW(check_ledger(world, ledger, so_far.initial_mass));
 }
 
 TEST(Extraction, ALedgerThatMissesOrRepeatsAGrainIsADefect) {
     dem::World world = four_grains();
-    const double mass = total_mass(world.grains);
-    std::vector<LedgerRow> ledger;
-    extract(world, std::vector<Leaver>{{0, 0}, {1, 0}}, 1, "velocity", ledger);
+    ErosionResult so_far;
+    const double mass = so_far.initial_mass = total_mass(world.grains);
+    PassResult pass;
+    const auto ledger = extract(world, std::vector<std::uint32_t>{0, 1}, std::vector<int>(4), "velocity", so_far, pass);
     std::vector<LedgerRow> missing(ledger.begin(), ledger.begin() + 1), repeated = ledger;
     repeated.push_back(ledger.front());
     EXPECT_THROW(check_ledger(world, missing, mass), Bug);

@@ -111,11 +111,10 @@ std::vector<std::uint32_t> find_detachable(
 }
 
 /// Step 5: of the detachable fines those that leave. Those that travel and are held lodge where they are held.
-std::vector<Leaver> let_through(
-    dem::World& world, const CoarseSkeleton& skeleton, const ErodeSpec& spec, const flow::Fluid& fluid,
-    const ErosionResult& so_far, PassResult& pass
+std::vector<std::uint32_t> let_through(
+    dem::World& world, const std::vector<int>& contacts, const CoarseSkeleton& skeleton, const ErodeSpec& spec,
+    const flow::Fluid& fluid, const ErosionResult& so_far, PassResult& pass
 ) {
-    const std::vector<int> contacts = dem::coordination(world);
     std::vector<std::uint32_t> rows = find_detachable(world, spec, pass.probe, contacts);
     pass.detachable = std::ssize(rows);
     if (travels(spec)) {
@@ -125,14 +124,8 @@ std::vector<Leaver> let_through(
             return !passes(skeleton, spec.passes_constriction, g, 2 * world.grains.radius[g]);
         });
     }
-    pass.removed = std::ssize(rows);
-    pass.held_back = pass.detachable - pass.removed;
-    std::vector<Leaver> leavers;
-    for (const std::uint32_t g : rows) {
-        leavers.push_back({g, contacts[g]});
-        ++pass.coordination_histogram[contacts[g]];
-    }
-    return leavers;
+    pass.held_back = pass.detachable - std::ssize(rows);
+    return rows;
 }
 
 std::string reason_of(const ErodeSpec& spec) {
@@ -195,7 +188,6 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     Stopwatch watch;
     dem::World next = world; // the caller's world changes only when the pass is complete
     dem::sort_along_curve(next);
-    const double mass = total_mass(next.grains);
     describe_before(next, pass);
 
     // 1 equilibrium
@@ -224,12 +216,9 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.wall_seconds["constrictions"] = watch.lap();
 
     // 5 extraction
-    const std::vector<Leaver> leavers = let_through(next, skeleton, spec, around.fluid, result, pass);
-    std::vector<LedgerRow> ledger = result.ledger;
-    extract(next, leavers, pass.pass, reason_of(spec), ledger);
-    check_ledger(next, ledger, result.initial_mass);
-    pass.eroded_mass_percent = 100 * (1 - total_mass(next.grains) / mass);
-    pass.eroded_mass_percent_of_initial = 100 * (mass - total_mass(next.grains)) / result.initial_mass;
+    const std::vector<int> contacts = dem::coordination(next); // before grains that lodge leave theirs
+    const std::vector<std::uint32_t> leaving = let_through(next, contacts, skeleton, spec, around.fluid, result, pass);
+    std::vector<LedgerRow> ledger = extract(next, leaving, contacts, reason_of(spec), result, pass);
     pass.wall_seconds["extraction"] = watch.lap();
 
     // 6 new equilibrium

@@ -23,26 +23,19 @@ std::string reason_of(RemovedFines which) {
                                            : "removed, inactive";
 }
 
-/// What pass.pass takes, in the order of the grain table: all of the class where all goes at once, else as much as is
-/// still to go by the end of the pass.
-std::vector<Leaver>
-choose_leavers(const dem::World& world, const RemoveSpec& spec, const RemovalResult& result, PassResult& pass) {
+/// What pass `number` takes, in the order of the grain table: all of the class where all goes at once, else as much as
+/// is still to go by the end of the pass.
+std::vector<std::uint32_t>
+choose_leaving(const dem::World& world, const RemoveSpec& spec, const RemovalResult& result, int number) {
     std::vector<std::uint32_t> rows = fines_to_remove(world, spec.grains);
     const bool takes_all = spec.share >= 1 && spec.passes == 1;
     if (!takes_all) {
         const double gone = result.erosion.initial_mass - total_mass(world.grains);
-        const double by_now = result.asked_mass * pass.pass / spec.passes;
+        const double by_now = result.asked_mass * number / spec.passes;
         rows = take_mass(world, put_in_order(world, std::move(rows), spec.order), by_now - gone);
         std::sort(rows.begin(), rows.end());
     }
-    const std::vector<int> contacts = dem::coordination(world);
-    std::vector<Leaver> leavers;
-    for (const std::uint32_t g : rows) {
-        leavers.push_back({g, contacts[g]});
-        ++pass.coordination_histogram[contacts[g]];
-    }
-    pass.detachable = pass.removed = static_cast<std::int64_t>(leavers.size());
-    return leavers;
+    return rows;
 }
 
 } // namespace
@@ -75,18 +68,14 @@ bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& 
     PassResult pass;
     pass.pass = static_cast<int>(result.erosion.passes.size()) + 1;
     describe_before(next, pass);
-    const double mass = total_mass(next.grains);
-    const std::vector<Leaver> leavers = choose_leavers(next, spec, result, pass);
-    if (leavers.size() == next.grains.size()) {
+    const std::vector<std::uint32_t> leaving = choose_leaving(next, spec, result, pass.pass);
+    if (leaving.size() == next.grains.size()) {
         throw StateError("all grains are fines and would be removed: nothing stays to carry the stresses; leave this "
                          "fines content out (key `only`)");
     }
-    std::vector<LedgerRow> ledger = result.erosion.ledger;
-    extract(next, leavers, pass.pass, reason_of(spec.grains), ledger);
-    check_ledger(next, ledger, result.erosion.initial_mass);
-    const double left = total_mass(next.grains);
-    pass.eroded_mass_percent = 100 * (1 - left / mass);
-    pass.eroded_mass_percent_of_initial = 100 * (mass - left) / result.erosion.initial_mass;
+    std::vector<LedgerRow> ledger =
+        extract(next, leaving, dem::coordination(next), reason_of(spec.grains), result.erosion, pass);
+    pass.detachable = pass.removed;
     const std::vector<PathRow> path = reequilibrate(next, spec.resettle, result.erosion, around, pass);
     const bool is_last = pass.pass >= spec.passes;
     if (!is_last && pass.verdict.empty() && fines_to_remove(next, spec.grains).empty()) {
@@ -98,13 +87,6 @@ bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& 
     result.erosion.passes.push_back(std::move(pass));
     world = std::move(next);
     return go_on;
-}
-
-RemovalResult remove_fines(dem::World& world, const RemoveSpec& spec, const Surroundings& around) {
-    RemovalResult result = begin_removal(world, spec);
-    while (remove_once(world, spec, around, result)) {
-    }
-    return result;
 }
 
 double removed_share(const dem::World& world, const RemovalResult& result) {

@@ -25,9 +25,6 @@ RemovalResult begin_removal(const dem::World& world, const RemoveSpec& spec);
 /// @throws StateError where no grain stays; the world is then as before, as it is when the pulse interrupts.
 bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& around, RemovalResult& result);
 
-/// All passes.
-RemovalResult remove_fines(dem::World& world, const RemoveSpec& spec, const Surroundings& around);
-
 /// Mass removed so far over the mass at the beginning [-].
 double removed_share(const dem::World& world, const RemovalResult& result);
 

@@ -17,6 +17,14 @@ constexpr double r = 0.5e-3;     // of the coarse grains [m]
 constexpr double overlap = 2e-6; // between them [m]
 constexpr double edge = 2 * r - overlap;
 
+/// All passes.
+RemovalResult remove_fines(dem::World& world, const RemoveSpec& spec = {}) {
+    RemovalResult result = begin_removal(world, spec);
+    while (remove_once(world, spec, {}, result)) {
+    }
+    return result;
+}
+
 /// A simple cubic lattice of coarse grains, a fine one of `fine_radius` in the middle of each void, under the stress
 /// that this lattice has, which the servo is to hold.
 dem::World lattice(double fine_radius, double scale = 1) {
@@ -52,7 +60,7 @@ TEST(Removal, OfFinesThatLieLooseChangesNothing) {
     dem::World world = lattice(0.3e-3); // the void takes 0.366 mm
     const double p = dem::mean_stress(dem::mean_stress_tensor(world));
     EXPECT_NEAR(p, coarse_stress(world, edge), 1e-9 * p); // rounding of positions of 4 mm against overlaps of 2 um
-    const RemovalResult result = remove_fines(world, {}, {});
+    const RemovalResult result = remove_fines(world);
     const PassResult& pass = result.erosion.passes.at(0);
     EXPECT_EQ(pass.removed, 64);
     EXPECT_EQ(world.grains.size(), 64U);
@@ -69,7 +77,7 @@ TEST(Removal, OfFinesThatCarryLoadLeavesTheStressOfTheCoarseLatticeAndThenItsStr
     const double before = world.servo.held_stress.x;
     const double left = coarse_stress(world, edge);
     ASSERT_GT(before, 1.2 * left);
-    const RemovalResult result = remove_fines(world, {}, {});
+    const RemovalResult result = remove_fines(world);
     const PassResult& pass = result.erosion.passes.at(0);
     EXPECT_NEAR(dem::mean_stress(pass.stress_constant_volume) / left, 1, 1e-9);
     // Under the servo the spacing s falls until E r (2r - s)/s^2 is the stress before: s from the quadratic equation.
@@ -82,7 +90,7 @@ TEST(Removal, OfFinesThatCarryLoadLeavesTheStressOfTheCoarseLatticeAndThenItsStr
 TEST(Removal, ResettlesInTheSameStepsByTheSameStrainWhateverTheSizeOfTheGrains) {
     const auto removed = [](double scale) {
         dem::World world = lattice(std::sqrt(0.75) * edge - r + 1e-6, scale);
-        return remove_fines(world, {}, {}).erosion.passes.at(0);
+        return remove_fines(world).erosion.passes.at(0);
     };
     const PassResult sand = removed(1), boulders = removed(128); // a power of two: the same bits
     EXPECT_EQ(sand.steps, boulders.steps);
@@ -94,7 +102,7 @@ TEST(Removal, ResettlesTheMoreSlowlyTheSmallerTheInertialNumberAskedFor) {
         dem::World world = lattice(std::sqrt(0.75) * edge - r + 1e-6);
         RemoveSpec spec;
         spec.resettle.inertial_number = inertial_number;
-        return remove_fines(world, spec, {}).erosion.passes.at(0);
+        return remove_fines(world, spec).erosion.passes.at(0);
     };
     const PassResult usual = removed(dem::loaded_inertial_number), slow = removed(dem::loaded_inertial_number / 8);
     EXPECT_GT(slow.steps, 2 * usual.steps);
@@ -106,7 +114,7 @@ TEST(Removal, ResettlesTheMoreSlowlyTheSmallerTheInertialNumberAskedFor) {
 TEST(Removal, NeedsASkeletonThatCarriesAStress) {
     dem::World world = lattice(0.3e-3);
     world.contacts = {};
-    EXPECT_THROW(remove_fines(world, {}, {}), StateError);
+    EXPECT_THROW(remove_fines(world), StateError);
 }
 
 TEST(Removal, TakesTheClassAskedFor) {
@@ -123,7 +131,7 @@ TEST(Removal, ASkeletonThatStrainsTooFarHasFailedAndTheStageEnds) {
     dem::World world = lattice(fine_radius);
     RemoveSpec spec;
     spec.resettle.max_strain = 1e-6; // less than the lattice needs
-    const RemovalResult result = remove_fines(world, spec, {});
+    const RemovalResult result = remove_fines(world, spec);
     EXPECT_NE(result.erosion.passes.at(0).verdict.find("fails"), std::string::npos);
     EXPECT_TRUE(result.erosion.passes.at(0).failed);
     EXPECT_EQ(world.grains.size(), 64U);
@@ -135,7 +143,7 @@ TEST(Removal, InPassesTakesEqualPartsOfTheShareToWithinAGrain) {
     RemoveSpec spec;
     spec.share = 0.5;
     spec.passes = 3;
-    const RemovalResult result = remove_fines(world, spec, {});
+    const RemovalResult result = remove_fines(world, spec);
     ASSERT_EQ(result.erosion.passes.size(), 3U);
     double gone = 0;
     for (const PassResult& pass : result.erosion.passes) {
@@ -154,7 +162,7 @@ TEST(Removal, OfTheWholeShareInPassesEndsWithAllGone) {
     RemoveSpec spec;
     spec.passes = 7;
     spec.order = RemovalOrder::FewestContacts;
-    const RemovalResult result = remove_fines(world, spec, {});
+    const RemovalResult result = remove_fines(world, spec);
     EXPECT_TRUE(fines_to_remove(world, RemovedFines::All).empty());
     EXPECT_EQ(result.erosion.passes.size(), 7U);
     EXPECT_EQ(result.erosion.passes.back().verdict, "");
@@ -173,7 +181,7 @@ TEST(Removal, LooksAtTheClassAnewInEachPassAndEndsWhenNoneIsLeft) {
     RemoveSpec spec;
     spec.grains = RemovedFines::Inactive;
     spec.passes = 4;
-    const RemovalResult result = remove_fines(world, spec, {});
+    const RemovalResult result = remove_fines(world, spec);
     EXPECT_EQ(result.erosion.ledger.size(), 1U);
     EXPECT_NE(result.erosion.passes.back().verdict.find("no grain is left"), std::string::npos);
     EXPECT_FALSE(result.erosion.passes.back().failed);
@@ -186,7 +194,7 @@ TEST(Removal, ByChanceTakesTheSameGrainsForTheSameSeedOnly) {
         dem::World world = lattice(0.3e-3);
         world.seed = seed;
         std::vector<std::uint32_t> ids;
-        for (const LedgerRow& row : remove_fines(world, spec, {}).erosion.ledger) {
+        for (const LedgerRow& row : remove_fines(world, spec).erosion.ledger) {
             ids.push_back(row.grain);
         }
         return std::pair(ids, dem::state_hash(world));
@@ -200,7 +208,7 @@ TEST(Removal, OfASampleOfFinesAloneIsRefused) {
     for (auto& fine : world.grains.fine) {
         fine = 1;
     }
-    EXPECT_THROW(remove_fines(world, {}, {}), StateError);
+    EXPECT_THROW(remove_fines(world), StateError);
     EXPECT_EQ(world.grains.size(), 128U);
 }
 
