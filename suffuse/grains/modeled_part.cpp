@@ -62,6 +62,12 @@ double last_good(double good, double bad, IsGood is_good) {
     return good;
 }
 
+/// The last good size on the way from `start` to `end`, rounded inwards; nothing where not even the start is good.
+template <class IsGood>
+std::optional<double> last_followed(double start, double end, bool rounds_up, IsGood is_good) {
+    return is_good(start) ? std::optional(round_size(last_good(start, end, is_good), rounds_up)) : std::nullopt;
+}
+
 } // namespace
 
 double representative_count(const Grading& grading, double finer_than, const Representative& spec) {
@@ -103,25 +109,17 @@ find_modeled_part(const Grading& grading, double finer_than, double most, const 
 }
 
 std::optional<double> followed_above(const Grading& grading, double particles, double tolerance) {
-    const double finest = size_at(grading, 0), coarsest = size_at(grading, 1), most_of_it = size_at(grading, 0.9);
-    const auto is_good = [&](double size) {
+    const double finest = size_at(grading, 0), coarsest = size_at(grading, 1);
+    return last_followed(size_at(grading, 0.9), finest, true, [&](double size) {
         return can_follow(part_between(grading, size, coarsest), particles, tolerance);
-    };
-    if (!is_good(most_of_it)) {
-        return std::nullopt;
-    }
-    return round_size(last_good(most_of_it, finest, is_good), true);
+    });
 }
 
 std::optional<double> followed_below(const Grading& grading, double particles, double tolerance) {
-    const double finest = size_at(grading, 0), coarsest = size_at(grading, 1), least_of_it = size_at(grading, 0.1);
-    const auto is_good = [&](double size) {
+    const double finest = size_at(grading, 0), coarsest = size_at(grading, 1);
+    return last_followed(size_at(grading, 0.1), coarsest, false, [&](double size) {
         return can_follow(part_between(grading, finest, size), particles, tolerance);
-    };
-    if (!is_good(least_of_it)) {
-        return std::nullopt;
-    }
-    return round_size(last_good(least_of_it, coarsest, is_good), false);
+    });
 }
 
 } // namespace suffuse::grains
