@@ -41,8 +41,7 @@ std::vector<Key> servo_rows(const std::string& table) {
         quantity(
             table + ".servo", "max_rate", dimension::rate, above_zero,
             "Largest strain rate of an axis under stress control. By default inertial number 1.7e-3 under the stress "
-            "to "
-            "bear (50 1/s for a sand of 0.21 mm at 100 kPa), at least twice the rate of strained axes."
+            "to bear (50 1/s for a sand of 0.21 mm at 100 kPa), at least twice the rate of strained axes."
         ),
         ratio(table + ".servo", "response", above_zero, "Secant servo: response time in steps."),
     };

@@ -137,9 +137,8 @@ SampledGrains sample_whole(const Soil& soil, std::size_t particles) {
     if (limit && !(*limit > least && *limit < largest)) {
         throw CaseError(
             fmt::format(
-                "fines finer than {:.6g} mm: {} runs from {:.6g} to {:.6g} mm, so this leaves no fines or "
-                "no "
-                "skeleton; choose a size between",
+                "fines finer than {:.6g} mm: {} runs from {:.6g} to {:.6g} mm, so this leaves no fines or no skeleton; "
+                "choose a size between",
                 *limit * 1e3, named(grading), least * 1e3, largest * 1e3
             ),
             grading.origin

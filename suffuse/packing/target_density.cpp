@@ -69,8 +69,8 @@ FoundDensity search_start(const CompactSpec& wanted, const std::function<double(
 [[noreturn]] void report_range(const CompactSpec& wanted, double densest, double loosest) {
     throw StateError(fmt::format(
         "the void ratio {:.4f} cannot be reached at {:.4g} kPa: this sample goes from {:.4f} (frictionless) to {:.4f} "
-        "(final "
-        "friction with adhesion {:.3g} Pa) during compaction; ask for a value in between, or lend it more adhesion",
+        "(final friction with adhesion {:.3g} Pa) during compaction; ask for a value in between, or lend it more "
+        "adhesion",
         *wanted.void_ratio, wanted.pressure / 1e3, densest, loosest,
         wanted.prepare.adhesion_normal.value_or(default_adhesion)
     ));

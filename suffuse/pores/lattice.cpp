@@ -70,8 +70,7 @@ void check_cell(const Mat3& h) {
     if (!std::isfinite(v) || !(v > 1e-9 * size * size * size)) {
         throw GeometryError(fmt::format(
             "pores: the cell has volume {} m3 at a longest edge of {} m; its three vectors must be finite, "
-            "right-handed and "
-            "not (nearly) in one plane",
+            "right-handed and not (nearly) in one plane",
             v, size
         ));
     }
@@ -86,8 +85,7 @@ void check_grains(const Mat3& compact, std::span<const Vec3> position, std::span
         if (!std::isfinite(norm2(x)) || !std::isfinite(radius[g]) || !(radius[g] > 0)) {
             throw GeometryError(fmt::format(
                 "pores: grain in row {} has position ({}, {}, {}) m and radius {} m; finite numbers and a positive "
-                "radius are "
-                "needed",
+                "radius are needed",
                 g, x.x, x.y, x.z, radius[g]
             ));
         }
@@ -97,8 +95,7 @@ void check_grains(const Mat3& compact, std::span<const Vec3> position, std::span
     if (2 * *largest > 1.25 * period) { // contacts with the grain's own image overlap by a few percent, no more
         throw GeometryError(fmt::format(
             "pores: grain in row {} has diameter {} m and the cell repeats every {} m: it would sit inside its own "
-            "image; a "
-            "larger cell is needed",
+            "image; a larger cell is needed",
             largest - radius.begin(), 2 * *largest, period
         ));
     }

@@ -150,9 +150,7 @@ std::optional<report::PageTable> thresholds_table(const std::optional<FinesResul
     table.note =
         "FC_threshold: vertex of the parabola through the lowest point of the curve and its neighbors. FC_active: "
         "break of two straight lines through the rising part of the curve; none where a quarter of the rise is made "
-        "before "
-        "it. Deviations are those of the seeds; "
-        "how far the points of the sweep lie apart comes on top.";
+        "before it. Deviations are those of the seeds; how far the points of the sweep lie apart comes on top.";
     table.header = {"threshold", "read from", "fines content [%]", "deviation [%]", "seeds"};
     table.numeric = {false, false, true, true, true};
     for (const report::ContentThreshold& threshold : results->thresholds) {

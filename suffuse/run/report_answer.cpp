@@ -72,9 +72,8 @@ std::string tell_later_passes(const erosion::ErosionResult& erosion) {
     }
     return fmt::format(
         "Passes 2 to {}: {} fines were carried out, {:.2f} % of the initial mass, {} of them in pass 2 and {} in pass "
-        "{}; porosity "
-        "{:.4f}, permeability {} m² after the last; the skeleton lost {} of its mean stress at most, and resettling "
-        "strained it by {} in all.",
+        "{}; porosity {:.4f}, permeability {} m² after the last; the skeleton lost {} of its mean stress at most, and "
+        "resettling strained it by {} in all.",
         last.pass, grouped(removed), percent, grouped(second.removed), grouped(last.removed), last.pass,
         last.porosity_after, report::short_number(last.permeability_after), percent_or_none(100 * largest_loss),
         percent_or_none(100 * strain)

@@ -167,10 +167,10 @@ std::optional<report::PageTable> tabulate_water(
     table.title = "Permeability";
     table.note =
         "From the slow flow through the pores, along the gradient; as a conductivity K = k ρ g/μ of this fluid, too. "
-        "Beside it Kozeny and Carman's for spheres of the "
-        "sample's Sauter diameter d, k = n³ d²/(180 (1 − n)²). The pore network lies above it, by 13 % at n = 0.365 "
-        "and 50 % at n = 0.48 for equal spheres: a ratio of two states' permeabilities carries the difference. "
-        "Tortuosity: the mean speed of the water from pore to pore over that of its mean motion.";
+        "Beside it Kozeny and Carman's for spheres of the sample's Sauter diameter d, k = n³ d²/(180 (1 − n)²). The "
+        "pore network lies above it, by 13 % at n = 0.365 and 50 % at n = 0.48 for equal spheres: a ratio of two "
+        "states' permeabilities carries the difference. Tortuosity: the mean speed of the water from pore to pore over "
+        "that of its mean motion.";
     table.header = {
         "state",     "porosity n [-]", "permeability k [m²]", "conductivity K [m/s]", "k by Kozeny and Carman [m²]",
         "ratio [-]", "tortuosity [-]"};
