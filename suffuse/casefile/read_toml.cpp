@@ -2,7 +2,6 @@
 
 #include "suffuse/casefile/read_text.hpp"
 
-#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>

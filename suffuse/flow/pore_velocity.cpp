@@ -3,7 +3,6 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

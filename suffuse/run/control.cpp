@@ -4,8 +4,6 @@
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
 
-#include <algorithm>
-
 namespace suffuse::run {
 namespace {
 

@@ -16,7 +16,6 @@
 #include <cstdint>
 #include <ctime>
 #include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace suffuse::run {

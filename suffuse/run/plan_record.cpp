@@ -3,7 +3,6 @@
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/run/folder.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace suffuse::run {

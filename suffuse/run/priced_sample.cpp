@@ -4,7 +4,6 @@
 #include "suffuse/grains/gradation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <mutex>
 #include <new>
 #include <set>
 

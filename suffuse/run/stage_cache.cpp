@@ -15,7 +15,6 @@
 #include <chrono>
 #include <dlfcn.h>
 #include <fstream>
-#include <iterator>
 #include <unistd.h>
 
 namespace suffuse::run {

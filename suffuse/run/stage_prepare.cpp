@@ -7,7 +7,6 @@
 #include "suffuse/erosion/extraction.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
-#include "suffuse/io/packing_file.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/target_density.hpp"
@@ -17,8 +16,6 @@
 #include "suffuse/run/stage_work.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace suffuse::run {
 namespace {
