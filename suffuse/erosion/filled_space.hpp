@@ -2,9 +2,9 @@
 // Which part of a periodic cell grains fill, as grains come and go: spheres in the bins that they reach into.
 
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/cell/bins.hpp"
 #include "suffuse/cell/cell.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,12 +31,16 @@ private:
         std::uint32_t grain = 0;
     };
 
-    template <class Visit>
-    void visit_bins(const Vec3& position, double radius, Visit&& visit) const;
+    /// Around a sphere, in fractions of the cell vectors [-].
+    struct Box {
+        Vec3 low, high;
+    };
+
+    [[nodiscard]] Box box_around(const Vec3& position, double radius) const;
 
     Mat3 h_, inverse_h_;
     Vec3 width_; ///< of the cell [m]
-    std::array<std::int32_t, 3> bins_{};
+    cell::Bins bins_;
     std::vector<std::vector<Sphere>> spheres_; ///< by bin
 };
 

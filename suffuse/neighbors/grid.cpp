@@ -3,6 +3,7 @@
 #include "suffuse/base/parallel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -25,21 +26,17 @@ Grid build_grid(
     for (const std::uint32_t g : members) {
         grid.largest_radius = std::max(grid.largest_radius, radius[g]);
     }
-    // As fine as the grains allow, but never many more cells than grains: a few fines in a large cell stay cheap.
+    // As fine as the grains allow, but never many more bins than grains: a few fines in a large cell stay cheap.
     const double size = 2 * grid.largest_radius + margin;
     const double most = std::cbrt(2.0 * static_cast<double>(members.size())) + 1;
     for (int a = 0; a < 3; ++a) {
-        grid.cells[static_cast<std::size_t>(a)] = std::max(1, static_cast<int>(std::min(width[a] / size, most)));
+        grid.bins.along[static_cast<std::size_t>(a)] = std::max(1, static_cast<int>(std::min(width[a] / size, most)));
     }
-    const auto [nx, ny, nz] = grid.cells;
-    std::vector<std::uint32_t> slot(members.size());
-    grid.start.assign(
-        static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz) + 1, 0
-    );
+    std::vector<std::uint32_t> bin(members.size());
+    grid.start.assign(grid.bins.count() + 1, 0);
     for (std::size_t k = 0; k < members.size(); ++k) {
-        const Vec3& s = home.fraction[members[k]];
-        slot[k] = static_cast<std::uint32_t>((grid.slot(s.z, 2) * ny + grid.slot(s.y, 1)) * nx + grid.slot(s.x, 0));
-        ++grid.start[slot[k] + 1];
+        bin[k] = static_cast<std::uint32_t>(grid.bins.bin_of(home.fraction[members[k]]));
+        ++grid.start[bin[k] + 1];
     }
     for (std::size_t k = 1; k < grid.start.size(); ++k) {
         grid.start[k] += grid.start[k - 1];
@@ -47,7 +44,7 @@ Grid build_grid(
     std::vector<std::uint32_t> next(grid.start.begin(), grid.start.end() - 1);
     grid.grain.resize(members.size());
     for (std::size_t k = 0; k < members.size(); ++k) {
-        grid.grain[next[slot[k]]++] = members[k];
+        grid.grain[next[bin[k]]++] = members[k];
     }
     return grid;
 }

@@ -1,10 +1,10 @@
 #pragma once
-// Grains of one size class, sorted by the cells of a regular grid in fractional coordinates.
+// Grains of one size class, sorted into bins of the periodic cell.
 
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/cell/bins.hpp"
 #include "suffuse/cell/cell.hpp"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,21 +21,14 @@ struct HomePositions {
 HomePositions bring_home(const Mat3& h, std::span<const Vec3> position);
 
 struct Grid {
-    std::array<int, 3> cells{1, 1, 1}; ///< per axis
-    double largest_radius = 0;         ///< of the class [m]
-    std::vector<std::uint32_t> start;  ///< first row of `grain` for each grid cell, and one past the end
-    std::vector<std::uint32_t> grain;  ///< grain rows, sorted by grid cell
-
-    /// Grid cell of a fraction in [0, 1) along `axis`.
-    [[nodiscard]] int slot(double fraction, int axis) const {
-        const int n = cells[static_cast<std::size_t>(axis)];
-        const int k = static_cast<int>(fraction * n);
-        return k < n ? k : n - 1;
-    }
+    cell::Bins bins;
+    double largest_radius = 0;        ///< of the class [m]
+    std::vector<std::uint32_t> start; ///< first row of `grain` for each bin, and one past the end
+    std::vector<std::uint32_t> grain; ///< grain rows, sorted by bin
 };
 
 /// One grid a size class, coarsest first; `members[c]` are the grains of class c.
-/// `margin` [m] widens the grid cells, so that a search of equal grains looks at three cells an axis.
+/// `margin` [m] widens the bins, so that a search of equal grains looks at three an axis.
 std::vector<Grid> build_grids(const Mat3& h, const HomePositions& home, std::span<const double> radius, double margin);
 
 /// Size class of a radius: 0 for the largest, one more for each halving.

@@ -15,12 +15,6 @@ namespace {
 
 constexpr double rounding_slack = 1e-9; // of a cell: fractions are rounded, the searched range must not be
 
-/// Floor of a/b and the remainder, for the period and the slot of a running grid index.
-std::pair<int, int> divide_floor(int a, int b) {
-    const int q = a >= 0 ? a / b : -((b - 1 - a) / b);
-    return {q, a - q * b};
-}
-
 Pair ordered(std::uint32_t i, std::uint32_t j, const cell::Image& image) {
     return i <= j ? Pair{i, j, image} : Pair{j, i, -image};
 }
@@ -51,32 +45,18 @@ private:
     void collect_from(const Grid& grid, std::uint32_t i, bool own_class, std::vector<Pair>& pairs) const {
         const double reach = radius_[i] + grid.largest_radius + margin_;
         const Vec3& s = home_.fraction[i];
-        std::array<int, 3> low{}, high{};
-        for (int a = 0; a < 3; ++a) {
-            const auto k = static_cast<std::size_t>(a);
-            const double span = reach / width_[a] + rounding_slack;
-            low[k] = static_cast<int>(std::floor((s[a] - span) * grid.cells[k]));
-            high[k] = static_cast<int>(std::floor((s[a] + span) * grid.cells[k]));
-        }
-        for (int z = low[2]; z <= high[2]; ++z) {
-            const auto [pz, cz] = divide_floor(z, grid.cells[2]);
-            for (int y = low[1]; y <= high[1]; ++y) {
-                const auto [py, cy] = divide_floor(y, grid.cells[1]);
-                for (int x = low[0]; x <= high[0]; ++x) {
-                    const auto [px, cx] = divide_floor(x, grid.cells[0]);
-                    const auto slot = static_cast<std::size_t>((cz * grid.cells[1] + cy) * grid.cells[0] + cx);
-                    test_slot(grid, slot, {px, py, pz}, i, own_class, pairs);
-                }
-            }
-        }
+        const Vec3 span = Vec3{reach / width_.x, reach / width_.y, reach / width_.z} + rounding_slack * Vec3{1, 1, 1};
+        grid.bins.for_each(s - span, s + span, [&](std::size_t bin, const cell::Image& period) {
+            test_bin(grid, bin, period, i, own_class, pairs);
+        });
     }
 
-    void test_slot(
-        const Grid& grid, std::size_t slot, const cell::Image& period, std::uint32_t i, bool own_class,
+    void test_bin(
+        const Grid& grid, std::size_t bin, const cell::Image& period, std::uint32_t i, bool own_class,
         std::vector<Pair>& pairs
     ) const {
         const Vec3 origin = home_.position[i] - cell::shift(h_, period);
-        for (std::uint32_t k = grid.start[slot]; k < grid.start[slot + 1]; ++k) {
+        for (std::uint32_t k = grid.start[bin]; k < grid.start[bin + 1]; ++k) {
             const std::uint32_t j = grid.grain[k];
             if (own_class && (j < i || (j == i && period <= cell::Image{}))) {
                 continue;

@@ -3,6 +3,7 @@
 // grid a size class (a factor of two each), so that fines and gravel share a cell without slowing each other down.
 
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/cell/bins.hpp"
 
 #include <cstdint>
 #include <span>
@@ -24,10 +25,10 @@ public:
 
 private:
     struct Level {
-        int cells = 1; // per axis
+        cell::Bins bins;
         double largest_radius = 0;
         bool used = false;
-        std::vector<std::int32_t> head; // first grain of each grid cell, -1 where it is empty
+        std::vector<std::int32_t> head; // first grain of each bin, -1 where it is empty
     };
 
     [[nodiscard]] double deepest_in(const Level& level, const Vec3& position, double radius, double enough) const;
@@ -36,7 +37,7 @@ private:
     std::span<const double> radius_;
     std::vector<Level> levels_;
     std::vector<std::uint8_t> level_of_;
-    std::vector<std::int32_t> next_; // the following grain of the same grid cell
+    std::vector<std::int32_t> next_; // the following grain of the same bin
     std::vector<Vec3> position_;
 };
 

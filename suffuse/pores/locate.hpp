@@ -2,6 +2,7 @@
 // Which pore a point lies in: the tetrahedra of a network sorted into bins over the periodic cell.
 
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/cell/bins.hpp"
 #include "suffuse/pores/network.hpp"
 
 #include <array>
@@ -31,18 +32,14 @@ private:
         cell::Image image;
     };
 
-    [[nodiscard]] std::size_t bin(std::int32_t i, std::int32_t j, std::int32_t k) const;
     template <class Visit>
     void visit_bins(std::uint32_t pore, Visit&& visit) const;
 
     Mat3 h_, inverse_h_;
-    std::array<std::int32_t, 3> bins_{};
+    cell::Bins bins_;
     std::vector<std::array<Vec3, 4>> corner_; ///< [m]
     std::vector<std::uint32_t> first_;        ///< entries of bin b are [first_[b], first_[b + 1])
     std::vector<Entry> entries_;
 };
-
-/// One point; make a PoreLocator for many.
-PoreLocator::Place locate_pore(const PoreNetwork& network, std::span<const Vec3> position, const Vec3& point);
 
 } // namespace suffuse::pores

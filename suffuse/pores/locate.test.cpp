@@ -38,11 +38,11 @@ TEST(PoreLocator, FindsTheTetrahedronOfAnyPoint) {
     }
 }
 
-TEST(PoreLocator, OnePointNeedsNoLocator) {
+TEST(PoreLocator, APointMovedByPeriodsLiesInTheSamePoreMovedByThem) {
     const test::Packing packing = test::random_packing(identity(), 20, 0.1, 0.15, 4);
     const PoreNetwork network = build_network(packing.h, packing.position, packing.radius);
-    const auto one = locate_pore(network, packing.position, {0.3, 0.4, 0.5});
-    const auto moved = locate_pore(network, packing.position, {1.3, -0.6, 0.5});
+    const PoreLocator locator(network, packing.position);
+    const auto one = locator.find({0.3, 0.4, 0.5}), moved = locator.find({1.3, -0.6, 0.5});
     EXPECT_EQ(one.pore, moved.pore);
     EXPECT_EQ(moved.image - one.image, (cell::Image{1, -1, 0}));
 }
