@@ -71,7 +71,9 @@ constexpr std::array code_table = {
     Code{
         "E506", "bad header of a grading",
         "The first line names the columns, `d [mm],passing [%]`; other units may stand in the brackets. Sizes may be "
-        "called size, sieve or aperture, and shares finer, cumulative retained or retained on sieve."},
+        "called size, sieve or aperture, and shares finer, cumulative retained or retained on sieve; what is retained "
+        "may "
+        "be a mass, `retained on sieve [g]`, with a line `pan`."},
     Code{
         "E507", "nothing between the sizes",
         "`sizes` cuts the part out of a grading that is modeled; some mass has to lie between them."},

@@ -1,8 +1,8 @@
 #pragma once
 // A sieve analysis as laboratories write it, read without guessing: columns between commas, semicolons or tabs, decimal
 // commas where commas separate nothing, units in the header (`d [um]`, `Sieve (mm)`, `% passing`) or at every number,
-// percent passing, or percent retained on each sieve or on it and all coarser ones. What could mean two things is
-// refused.
+// percent passing, or percents or masses retained on each sieve or on it and all coarser ones. What could mean two
+// things is refused.
 
 #include "suffuse/casefile/diagnostics.hpp"
 

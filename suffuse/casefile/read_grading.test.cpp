@@ -50,6 +50,11 @@ TEST(ReadGrading, SieveAnalysesAsLaboratoriesWriteThemGiveTheSameCurve) {
              "sieve [um];Cumulative retained [%]\r\n400;0\r\n200;50\r\n100;100\r\n",
              "d [mm];retained [%];passing [%];;\n0,4;0;100;;\n0,2;50;50;;\n0,1;50;0;;\n", // empty cells
              "sieve [mm],retained on sieve [%]\n0.4,0\n0.2,50\n0.1,50\npan,0\n",
+             "sieve [mm],retained on sieve [g]\n0.4,0\n0.2,150\n0.1,150\npan,0\n", // weighed
+             "Sieve (mm);Mass retained on sieve (kg)\nPan;0\n0,1;0,15\n0,2;0,15\n0,4;0\n",
+             "size_mm,mass_retained_on_sieve_g\n0.4,0\n0.2,150\n0.1,150\npan,0\n",
+             "sieve [mm],cumulative mass retained [g]\n0.4,0\n0.2,150\n0.1,300\npan,300\n",
+             "sieve [mm],cumulative retained [%]\n0.4,0\n0.2,50\n0.1,100\npan,100\n",
              "Sieve (mm);Individual retained (%)\n0,1;50,004\n0,2;50\n0,4;0\n", // rounded
              "d_mm,passing_percent\n0.1,0\n0.2,50\n0.4,100\n",                  // as scripts name columns
              "particle size um,finer pct\n100,0\n200,50\n400,100\n",
@@ -100,7 +105,13 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
         {"E502", 3, 1, "write a decimal point", "d,passing\n0.1,0\n\"1,000\",100\n"},
         {"E502", 3, 1, "the same mark everywhere", "d;passing\n0.1;0\n1,000;100\n"},
         {"E502", 3, 1, "is not a number", "d;passing\n4;100\npan;0\n"},
-        {"E506", 1, 1, "100 minus", "sieve [mm],retained [g]\n0.2,10\n0.1,30\n"},
+        {"E506", 1, 1, "with [g] where masses", "sieve [mm],retained [g]\n0.2,10\n0.1,30\n"},
+        {"E504", 3, 1, "no line `pan`", "sieve [mm],retained on sieve [g]\n0.2,0\n0.1,30\n"},
+        {"E504", 4, 1, "0 or more", "sieve [mm],retained on sieve [g]\n0.2,-1\n0.1,30\npan,0\n"},
+        {"E504", 4, 1, "not all 0", "sieve [mm],retained on sieve [g]\n0.2,0\n0.1,0\npan,0\n"},
+        {"E504", 3, 5, "-50 % passing",
+         "sieve [mm],cumulative retained [g]\n0.2,0\n0.1,30\npan,20\n"}, // of its own mass
+        {"E504", 3, 5, "starts at 40 % passing", "sieve [mm],retained on sieve [g]\n0.2,0\n0.1,60\npan,40\n"},
         {"E506", 1, 3, "`d` and `size` mean the same", "d,size,passing\n0.1,1,0\n"},
         {"E506", 1, 3, "is a mass", "d,passing [g]\n0.1,0\n0.2,100\n"},
         {"E505", 0, 0, "empty", ""},
