@@ -1,6 +1,7 @@
 #include "suffuse/io/checkpoint.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/state_hash.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/contact/carry_over.hpp"
 #include "suffuse/io/hdf5_file.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr std::int64_t schema = 1; // raised when a name or a meaning changes
 const std::string kind = "suffuse state";
-const std::string unfinished_bytes = "unfinished";
+const std::string unfinished_bytes = "unfinished", unfinished_hash = "unfinished_hash";
 const std::string last_stress = "servo/stress"; // states of before the servo answered to it do not hold it
 
 // Each list below binds every member of its struct by name: a new member stops the compiler until it is saved too.
@@ -249,6 +250,25 @@ void check_tables(const Hdf5Reader& file, const dem::World& world) {
     }
 }
 
+std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
+    StateHash hash;
+    hash.add(bytes);
+    return hash.value();
+}
+
+/// Anything may stand in these bytes, so that damage would pass for what a stage did; states of before have no hash.
+std::vector<std::uint8_t> read_unfinished(const Hdf5Reader& file) {
+    if (!file.has(unfinished_bytes)) {
+        return {};
+    }
+    std::vector<std::uint8_t> bytes = file.read<std::uint8_t>(unfinished_bytes);
+    if (file.has(unfinished_hash) &&
+        file.read<std::uint64_t>(unfinished_hash) != std::vector<std::uint64_t>{hash_of(bytes)}) {
+        file.complain("what its stage needs to go on was changed or damaged");
+    }
+    return bytes;
+}
+
 } // namespace
 
 void save_world(
@@ -271,6 +291,8 @@ void save_world(
     }
     if (!unfinished.empty()) {
         file.write(unfinished_bytes, {unfinished.size()}, unfinished.data(), "CBOR");
+        const std::uint64_t hash = hash_of(unfinished);
+        file.write(unfinished_hash, {}, &hash, "");
     }
     Saver save(file);
     list_world(world, save);
@@ -303,9 +325,7 @@ Checkpoint load_world(const std::filesystem::path& path) {
     for (const std::string& name : file.names("attributes")) {
         checkpoint.attributes[name] = file.read_text("attributes/" + name);
     }
-    if (file.has(unfinished_bytes)) {
-        checkpoint.unfinished = file.read<std::uint8_t>(unfinished_bytes);
-    }
+    checkpoint.unfinished = read_unfinished(file);
     return checkpoint;
 }
 

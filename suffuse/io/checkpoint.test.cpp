@@ -125,6 +125,18 @@ bool same(const contact::Contacts& a, const contact::Contacts& b) {
            same_bytes(a.bonded, b.bonded);
 }
 
+TEST(Checkpoint, WhatAStageNeedsToGoOnIsRefusedWhereOneByteOfItHasChanged) {
+    const TempFolder folder;
+    const std::string needed = "what the verb needs to go on";
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(needed.data());
+    save_world(folder / "partial.h5", {}, {}, {}, {bytes, needed.size()});
+    EXPECT_EQ(load_world(folder / "partial.h5").unfinished, std::vector<std::uint8_t>(bytes, bytes + needed.size()));
+    std::string file = test::read_all(folder / "partial.h5");
+    file.replace(file.find(needed), needed.size(), "what the verb heeds to go on");
+    write_file(folder / "partial.h5", file);
+    EXPECT_THROW(load_world(folder / "partial.h5"), IoError);
+}
+
 RC_GTEST_PROP(Checkpoint, LoadingWhatWasSavedGivesTheSameBits, ()) {
     const dem::World world = any_world();
     const Attributes attributes{{"case", *rc::gen::nonEmpty(rc::gen::string<std::string>())}, {"stage", ""}};

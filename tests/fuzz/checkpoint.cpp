@@ -69,7 +69,8 @@ const std::vector<Array>& arrays() {
         {"contacts/overlap", 'd', {1}},
         {"contacts/twisting", 'd', {1}},
         {"contacts/bonded", 'b', {1}},
-        {"attributes/case", 't', {}}};
+        {"attributes/case", 't', {}},
+        {"unfinished", 'b', {3}}};
     return list;
 }
 
