@@ -42,7 +42,7 @@ int check_verb(const CommandLine& line, const Console& console) {
     if (!loaded.warnings.empty() && !console.wants_json()) {
         console.talk(casefile::render(loaded.warnings, console.has_color()));
     }
-    for (const std::string& said : run::check_imports(loaded.value)) { // packings are data of the case, too
+    for (const std::string& said : run::check_imports(loaded.value).warnings) { // packings are data of the case, too
         console.talk("warning: " + said);
     }
     console.result(fmt::format(

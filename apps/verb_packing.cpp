@@ -4,8 +4,8 @@
 #include "suffuse/base/units.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/io/packing_checks.hpp"
 #include "suffuse/io/packing_export.hpp"
-#include "suffuse/io/packing_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +14,7 @@
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace suffuse::apps {
@@ -21,21 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double any_overlap = 1;      // only looked at, not judged
-constexpr double usual_density = 2600; // [kg/m3]; a packing's geometry does not depend on it
-
-nlohmann::json
-describe(const io::ImportedPacking& read, const std::optional<cell::Cell>& cell, const std::string& file) {
-    const auto [least, most] = std::minmax_element(read.grains.radius.begin(), read.grains.radius.end());
+nlohmann::json describe(const io::TakenPacking& taken, const std::string& file) {
+    const auto [least, most] = std::minmax_element(taken.grains.radius.begin(), taken.grains.radius.end());
     nlohmann::json json = {
-        {"file", file}, {"grains", read.grains.size()}, {"radius", {*least, *most}}, {"warnings", read.warnings}};
-    if (cell) {
-        const Mat3& h = cell->h; // rows of the matrix whose columns are the cell vectors
+        {"file", file}, {"grains", taken.grains.size()}, {"radius", {*least, *most}}, {"warnings", taken.warnings}};
+    if (taken.h) {
+        const Mat3& h = *taken.h; // rows of the matrix whose columns are the cell vectors
         json["cell"] = {{h(0, 0), h(0, 1), h(0, 2)}, {h(1, 0), h(1, 1), h(1, 2)}, {h(2, 0), h(2, 1), h(2, 2)}};
-        const double solid = grains::solid_volume(read.grains), volume = cell::volume(*cell);
+        const double solid = grains::solid_volume(taken.grains), volume = determinant(h);
         json["porosity"] = 1 - solid / volume;
         json["void_ratio"] = volume / solid - 1;
-        json["largest_overlap"] = io::check_overlaps(read.grains, *cell, any_overlap, file);
+        json["largest_overlap"] = taken.overlap;
     }
     return json;
 }
@@ -45,6 +42,11 @@ std::string length_text(double length) {
     return print_quantity(std::stod(fmt::format("{:.4g}", length)), dimension::length);
 }
 
+/// So many of them, but all of a number above 100, which a wrong cell may give: no power of ten.
+std::string digits(double value, int count) {
+    return std::abs(value) < 100 ? fmt::format("{:.{}g}", value, count) : fmt::format("{:.0f}", value);
+}
+
 std::string sentence(const nlohmann::json& about) {
     std::string text = fmt::format(
         "{}: {} grains, d {} to {}", about["file"].get<std::string>(), count_text(about["grains"]),
@@ -52,8 +54,8 @@ std::string sentence(const nlohmann::json& about) {
     );
     if (about.contains("void_ratio")) {
         text += fmt::format(
-            ", void ratio {:.4f}, largest overlap {:.2g} % of the smaller radius", about["void_ratio"].get<double>(),
-            100 * about["largest_overlap"].get<double>()
+            ", void ratio {}, largest overlap {} % of the smaller radius", digits(about["void_ratio"], 4),
+            digits(100 * about["largest_overlap"].get<double>(), 2)
         );
     }
     return text;
@@ -88,10 +90,10 @@ double unit_of(const std::string& text) {
 }
 
 /// The grains that were read, as far as they are known: enough to write them in any format.
-dem::World world_of(const io::ImportedPacking& read, const std::optional<cell::Cell>& cell) {
+dem::World world_of(const io::TakenPacking& taken) {
     dem::World world;
-    world.grains = read.grains;
-    world.cell = cell.value_or(cell::Cell{});
+    world.grains = taken.grains;
+    world.cell.h = taken.h.value_or(world.cell.h);
     return world;
 }
 
@@ -116,38 +118,31 @@ void check_is_no_run(const fs::path& given) {
 } // namespace
 
 int import_verb(const CommandLine& line, const Console& console) {
-    const double unit = line.unit.empty() ? 1 : unit_of(line.unit);
-    io::ImportedPacking read = io::read_packing(line.subject, usual_density, unit);
-    std::optional<cell::Cell> cell = read.cell;
+    io::PackingRequest request{.file = line.subject, .only_looks = true};
+    if (!line.unit.empty()) {
+        request.unit = unit_of(line.unit);
+    }
     if (!line.cell.empty()) {
-        cell = cell::Cell{cell_of(line.cell), {}};
+        request.cell = cell_of(line.cell);
     }
-    if (auto strange = io::size_warning(read.grains, line.subject)) {
-        read.warnings.push_back(std::move(*strange));
-    }
-    if (cell) {
-        if (auto narrow = io::narrow_cell_warning(read.grains, cell->h, line.subject)) {
-            read.warnings.push_back(std::move(*narrow));
-        }
-    }
-    nlohmann::json about = describe(read, cell, line.subject);
-    for (const std::string& warning : read.warnings) {
+    const io::TakenPacking taken = io::take_packing(request);
+    nlohmann::json about = describe(taken, line.subject);
+    for (const std::string& warning : taken.warnings) {
         console.talk("warning: " + warning);
     }
     if (!line.output.empty()) {
         const io::PackingFormat format = format_of(line);
-        if (!cell && format != io::PackingFormat::Csv && format != io::PackingFormat::Yade) {
+        if (!taken.h && format != io::PackingFormat::Csv && format != io::PackingFormat::Yade) {
             throw UsageError(fmt::format(
-                "{} carries no cell, and {} is written with one; give --cell LX,LY,LZ", shown(line.subject),
-                shown(line.output)
+                "{}, and {} is written with one; give --cell LX,LY,LZ", shown(taken.no_cell), shown(line.output)
             ));
         }
-        io::export_packing(line.output, world_of(read, cell), format);
+        io::export_packing(line.output, world_of(taken), format);
         about["written"] = line.output;
     }
     console.result(sentence(about));
-    if (!cell) {
-        console.talk("with --cell LX,LY,LZ also its void ratio and overlaps");
+    if (!taken.h) {
+        console.talk(shown(taken.no_cell) + "; with --cell LX,LY,LZ also its void ratio and overlaps");
     }
     console.document(json_text(about));
     return Done;

@@ -24,7 +24,7 @@ TEST_F(Cli, CheckReadsThePackingsOfACase) {
     EXPECT_EQ(checked("cell = [\"1 mm\", \"1 mm\", \"0.3 mm\"]\n").code, 3); // they overlap through the boundary
     const Said wide = checked("cell = [\"1 m\", \"1 m\", \"1 m\"]\n");
     EXPECT_EQ(wide.code, 0);
-    expect_in("`cell` and `unit` say which lengths are meant", wide.error);
+    expect_in("cell and unit say which lengths are meant", wide.error);
 }
 
 TEST_F(Cli, PackingsTravel) {
@@ -63,6 +63,29 @@ TEST_F(Cli, APackingInMillimetersIsWarnedOfAndReadWithItsUnit) {
     const Said other = say({"import", "mm.csv", "--unit", "kPa"});
     EXPECT_EQ(other.code, 2);
     expect_in("--unit kPa: ", other.error);
+}
+
+TEST_F(Cli, ImportSaysWhatACaseWouldRefuse) {
+    const std::string rows = "0 0 0 1e-4\n0 0 1.5e-4 1e-4\n";
+    write_to(folder / "two.txt", "##PERIODIC:: 3e-3 3e-3 3e-3\n" + rows);
+    const Said looked = say({"import", "two.txt", "--cell", "4e-3,4e-3,4e-3"});
+    EXPECT_EQ(looked.code, 0) << looked.error;
+    expect_in("warning: two.txt: the cell given, 0.004 x 0.004 x 0.004 m, is taken, not the file's own", looked.error);
+    expect_in("warning: two.txt: grains 0 and 1 overlap by 0.5 of the smaller radius", looked.error);
+    expect_in("largest overlap 50 % of the smaller radius", looked.out);
+    const std::string stage =
+        "schema = 1\n[study.s]\n[[study.s.stage]]\nname = \"i\"\ndo = \"import\"\npacking = \"two.txt\"\n";
+    write_to(folder / "case.toml", stage);
+    for (const std::string verb : {"check", "plan", "run"}) {
+        const Said refused = say({verb, "case.toml"});
+        EXPECT_EQ(refused.code, 3) << verb;
+        expect_in("grains 0 and 1 overlap by 0.5 of the smaller radius", refused.error);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "runs")); // before anything runs
+    write_to(folder / "case.toml", stage + "max_overlap = 0.6\ncell = [\"4 mm\", \"4 mm\", \"4 mm\"]\n");
+    const Said allowed = say({"check", "case.toml"});
+    EXPECT_EQ(allowed.code, 0) << allowed.error;
+    expect_in("warning: s/i: the cell given, 0.004 x", allowed.error);
 }
 
 TEST_F(Cli, BenchSpeaksTheNamesThatScriptsRelyOn) {

@@ -1,8 +1,8 @@
 // Packings from and for other programs.
 
 #include "suffuse/dem/order.hpp"
+#include "suffuse/io/packing_checks.hpp"
 #include "suffuse/io/packing_export.hpp"
-#include "suffuse/io/packing_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,35 +15,27 @@ namespace suffuse::python {
 namespace {
 
 py::tuple read_packing(
-    const std::filesystem::path& path, const py::object& cell, const grains::Material& material, const py::object& unit
+    const std::filesystem::path& path, const py::object& cell, const grains::Material& material, const py::object& unit,
+    double max_overlap
 ) {
-    const double length = unit_of(unit, dimension::length, "unit");
-    std::optional<Mat3> own;
+    io::PackingRequest request{.file = path, .density = material.density, .max_overlap = max_overlap};
+    request.unit = unit_of(unit, dimension::length, "unit");
     if (!cell.is_none()) {
-        own = cell_of(cell);
+        request.cell = cell_of(cell);
     }
-    io::ImportedPacking packing;
+    io::TakenPacking taken;
     {
         const py::gil_scoped_release released;
-        packing = io::read_packing(path, material.density, length);
+        taken = io::take_packing(request);
     }
-    if (!own && !packing.cell) {
-        throw CaseError(
-            path.string() + ": carries no cell; give cell=(LX, LY, LZ) in meters, or its 3 x 3 matrix", path.string()
-        );
-    }
-    if (auto strange = io::size_warning(packing.grains, path.string())) {
-        packing.warnings.push_back(std::move(*strange));
-    }
-    const Mat3 h = own ? *own : packing.cell->h;
-    if (auto narrow = io::narrow_cell_warning(packing.grains, h, path.string())) {
-        packing.warnings.push_back(std::move(*narrow));
+    if (!taken.h) {
+        throw CaseError(taken.no_cell + "; give cell=(LX, LY, LZ) in meters, or its 3 x 3 matrix", path.string());
     }
     dem::World world;
-    world.cell.h = world.reference_h = h;
-    world.grains = std::move(packing.grains);
+    world.cell.h = world.reference_h = *taken.h;
+    world.grains = std::move(taken.grains);
     world.material = material;
-    return py::make_tuple(std::make_shared<WorldHandle>(std::move(world)), packing.warnings);
+    return py::make_tuple(std::make_shared<WorldHandle>(std::move(world)), taken.warnings);
 }
 
 } // namespace
@@ -67,7 +59,10 @@ void bind_files(py::module_& m) {
         },
         py::arg("path"), py::arg("world"), py::arg("format")
     );
-    m.def("read_packing", &read_packing, py::arg("path"), py::arg("cell"), py::arg("material"), py::arg("unit"));
+    m.def(
+        "read_packing", &read_packing, py::arg("path"), py::arg("cell"), py::arg("material"), py::arg("unit"),
+        py::arg("max_overlap")
+    );
     m.def(
         "largest_overlap",
         [](const WorldHandle& w) {

@@ -1,7 +1,5 @@
 """Packings from and for other programs, to the bit where the format carries it."""
 
-import warnings
-
 import numpy
 import pytest
 
@@ -56,8 +54,7 @@ def test_a_file_without_a_cell_asks_for_it(tmp_path):
     (tmp_path / "p.csv").write_text("x,y,z,r\n0.5,0.5,0.5,0.03\n")
     with pytest.raises(suffuse.CaseError, match="carries no cell; give cell="):
         suffuse.read_packing(tmp_path / "p.csv")
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with pytest.warns(UserWarning, match="cell and unit say which lengths are meant"):  # one grain hardly fills it
         assert len(suffuse.read_packing(tmp_path / "p.csv", cell=("1 m", 1, "100 cm"))) == 1
 
 
@@ -73,6 +70,17 @@ def test_a_file_in_millimeters_is_warned_of_and_read_with_its_unit(tmp_path):
             suffuse.read_packing(tmp_path / "p.csv", cell=(1, 1, 1), unit=unit)
     with pytest.raises(suffuse.CaseError, match="above 0"):
         suffuse.read_packing(tmp_path / "p.csv", cell=(1, 1, 1), unit=0)
+
+
+def test_overlaps_and_cells_are_checked_as_in_a_case(tmp_path):
+    (tmp_path / "p.txt").write_text("##PERIODIC:: 3e-3 3e-3 3e-3\n0 0 0 1e-4\n0 0 1.5e-4 1e-4\n")
+    with pytest.raises(suffuse.CaseError, match="grains 0 and 1 overlap by 0.5"):
+        suffuse.read_packing(tmp_path / "p.txt")
+    assert len(suffuse.read_packing(tmp_path / "p.txt", max_overlap=0.6)) == 2
+    with pytest.warns(UserWarning, match="the cell given, 0.002 x 0.002 x 0.002 m, is taken, not the file's own"):
+        suffuse.read_packing(tmp_path / "p.txt", cell=(2e-3, 2e-3, 2e-3), max_overlap=0.6)
+    with pytest.raises(suffuse.CaseError, match="max_overlap"):
+        suffuse.read_packing(tmp_path / "p.txt", max_overlap=0)
 
 
 def test_a_narrow_cell_is_warned_of(tmp_path):

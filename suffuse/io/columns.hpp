@@ -5,6 +5,8 @@
 #include "suffuse/io/packing_file.hpp"
 #include "suffuse/io/text_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -51,6 +53,14 @@ inline double positive_in(const LineReader& reader, std::string_view field, std:
         );
     }
     return value;
+}
+
+/// Why a box is no cell.
+inline std::string not_periodic(const std::string& file, int line, std::string_view found, std::size_t axis) {
+    return fmt::format(
+        "{}:{}: found {} along {}, and samples are periodic along all axes: its box is no cell", file, line, found,
+        "xyz"[axis]
+    );
 }
 
 } // namespace suffuse::io

@@ -33,6 +33,7 @@ public:
                 need_line("the number of atoms");
                 atoms_ = to_count(reader_, reader_.line(), "number of atoms");
             } else if (head.starts_with("ITEM: BOX BOUNDS")) {
+                read_boundaries(head);
                 read_box(head.find("xy xz yz") != std::string_view::npos);
             } else if (head.starts_with("ITEM: ATOMS")) {
                 last = read_atoms(split_at_blanks(head.substr(item.size() + 5)));
@@ -53,6 +54,19 @@ private:
     void need_line(std::string_view what) {
         if (!reader_.next()) {
             reader_.complain(fmt::format("the file ends, expected {}", what));
+        }
+    }
+
+    /// Behind the words stand two letters an axis, one a side: p is periodic; f, s and m are walls or empty space. Old
+    /// versions write none.
+    void read_boundaries(std::string_view head) {
+        const auto words = split_at_blanks(head);
+        no_cell_.clear();
+        for (std::size_t axis = 0; axis < 3 && words.size() >= 6 && no_cell_.empty(); ++axis) {
+            const std::string_view sides = words[words.size() - 3 + axis];
+            if (sides.find_first_not_of("fsm") == std::string_view::npos) {
+                no_cell_ = not_periodic(file_, reader_.number(), fmt::format("boundaries {}", sides), axis);
+            }
         }
     }
 
@@ -104,7 +118,10 @@ private:
         }
         const auto velocity = columns.find("vx", "vy", "vz"), spin = columns.find("omegax", "omegay", "omegaz");
         ImportedPacking packing;
-        packing.cell = cell::Cell{box_.h, {}};
+        packing.no_cell = no_cell_;
+        if (no_cell_.empty()) {
+            packing.cell = cell::Cell{box_.h, {}};
+        }
         for (std::size_t row = 0; row < atoms_; ++row) {
             need_line(fmt::format("{} atoms, found {}", atoms_, row));
             const auto f = split_at_blanks(reader_.line());
@@ -126,6 +143,7 @@ private:
     double density_;
     std::size_t atoms_ = 0;
     Box box_;
+    std::string no_cell_; // why the box is none
 };
 
 } // namespace

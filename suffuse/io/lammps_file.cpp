@@ -117,6 +117,13 @@ private:
                 reader_.complain(fmt::format("found diameter {}, expected a positive one", diameter));
             }
             const double own_density = to_number(reader_, f[3], "density");
+            if (!(own_density > 0)) {
+                reader_.complain(fmt::format(
+                    "found density {}, expected a positive one: atom_style sphere has id, type, diameter, density, x, "
+                    "y, z",
+                    own_density
+                ));
+            }
             if (std::abs(own_density - density_) > density_tolerance * density_) {
                 ++other_density_;
             }
@@ -158,7 +165,7 @@ private:
         }
         if (other_density_ > 0) {
             result_.warnings.push_back(fmt::format(
-                "{}: the density of {} atoms is not used: the case's {} kg/m3 is", file_, other_density_, density_
+                "{}: the density of {} atoms is not used; grains are of {} kg/m3", file_, other_density_, density_
             ));
         }
         if (determinant(h_) > 0) {

@@ -147,6 +147,10 @@ TEST(PackingFormats, AnEndingTellsTheFormatAndEachNameHasOne) {
     }
 }
 
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    return text.replace(text.find(what), what.size(), with);
+}
+
 const char* const dump_text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"
                               "ITEM: ATOMS id x y z radius\n1 9 9 9 0.5\n"
                               "ITEM: TIMESTEP\n10\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp pp\n"
@@ -162,6 +166,25 @@ TEST(PackingFormats, ADumpIsReadAtItsLastFrameWithScaledPositionsAndATiltedBox) 
     EXPECT_EQ(packing.grains.radius[0], 0.25);
     ASSERT_EQ(packing.warnings.size(), 1U);
     EXPECT_NE(packing.warnings[0].find("the last of 2 frames"), std::string::npos);
+}
+
+TEST(PackingFormats, ABoxThatIsNotPeriodicIsNoCell) {
+    const std::string dump = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp ff\n0 1\n0 1\n0 1\n"
+                             "ITEM: ATOMS id x y z radius\n1 0.5 0.5 0.5 0.1\n";
+    const ImportedPacking walls = parse(dump);
+    EXPECT_FALSE(walls.cell.has_value());
+    EXPECT_NE(walls.no_cell.find("p.any:5: found boundaries ff along z"), std::string::npos) << walls.no_cell;
+    for (const char* sides : {"pp pp pp", "xy xz yz pp pp pp", ""}) { // old versions do not tell
+        std::string text = replaced(dump, "pp pp ff", sides);
+        if (sides[0] == 'x') {
+            text = replaced(text, "0 1\n0 1\n0 1\n", "0 1 0\n0 1 0\n0 1 0\n");
+        }
+        EXPECT_TRUE(parse(text).cell.has_value()) << sides;
+        EXPECT_TRUE(parse(text).no_cell.empty()) << sides;
+    }
+    const std::string xyz = "1\nLattice=\"1 0 0 0 1 0 0 0 1\" Properties=pos:R:3:radius:R:1 pbc=\"T F T\"\n0 0 0 0.1\n";
+    EXPECT_NE(parse(xyz).no_cell.find("p.any:2: found pbc F along y"), std::string::npos);
+    EXPECT_TRUE(parse(replaced(xyz, "T F T", "T T T")).cell.has_value());
 }
 
 TEST(PackingFormats, BadFilesAreRefusedWithTheirPlace) {
@@ -180,10 +203,6 @@ TEST(PackingFormats, BadFilesAreRefusedWithTheirPlace) {
         std::string::npos
     );
     EXPECT_NE(complaint("<VTKFile type=\"PolyData\"></VTKFile>").find("has no points"), std::string::npos);
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-    return text.replace(text.find(what), what.size(), with);
 }
 
 /// PolyData of two grains as other programs write it.

@@ -95,15 +95,15 @@ void LineReader::complain(const std::string& message) const {
     throw CaseError(fmt::format("{}:{}: {}", file_, number_, message), file_, number_);
 }
 
-std::vector<std::string_view> split_at_commas(std::string_view line) {
+std::vector<std::string_view> split_at(std::string_view line, char mark) {
     std::vector<std::string_view> fields;
     for (;;) {
-        const std::size_t comma = line.find(',');
-        fields.push_back(trimmed(line.substr(0, comma)));
-        if (comma == std::string_view::npos) {
+        const std::size_t end = line.find(mark);
+        fields.push_back(trimmed(line.substr(0, end)));
+        if (end == std::string_view::npos) {
             return fields;
         }
-        line.remove_prefix(comma + 1);
+        line.remove_prefix(end + 1);
     }
 }
 
@@ -120,7 +120,11 @@ std::vector<std::string_view> split_at_blanks(std::string_view line) {
 double to_number(const LineReader& reader, std::string_view field, std::string_view column) {
     const std::optional<double> value = number_of<double>(field);
     if (!value || !std::isfinite(*value)) {
-        reader.complain(fmt::format("column {}: found {}, expected a finite number", column, shown(field)));
+        const bool has_comma = field.find(',') != std::string_view::npos;
+        reader.complain(fmt::format(
+            "column {}: found {}, expected a finite number{}", column, shown(field),
+            has_comma ? " with a decimal point" : ""
+        ));
     }
     return *value;
 }

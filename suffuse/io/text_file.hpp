@@ -42,8 +42,8 @@ private:
     int number_ = 0;
 };
 
-/// Fields of a line, between commas (blanks around them do not count) or between blanks.
-std::vector<std::string_view> split_at_commas(std::string_view line);
+/// Fields of a line, between marks (blanks around them do not count) or between blanks.
+std::vector<std::string_view> split_at(std::string_view line, char mark);
 std::vector<std::string_view> split_at_blanks(std::string_view line);
 
 /// A number that is all of `text`, perhaps behind a +; it may be infinite or none ("nan").

@@ -65,9 +65,10 @@ VectorColumns three_from(std::size_t first) {
     return {first, first + 1, first + 2};
 }
 
-std::optional<cell::Cell> read_cell(const LineReader& reader, std::string_view lattice) {
+void read_cell(const LineReader& reader, const std::string& file, std::string_view head, ImportedPacking& packing) {
+    const std::string_view lattice = value_of(head, "Lattice");
     if (lattice.empty()) {
-        return std::nullopt;
+        return;
     }
     const auto numbers = split_at_blanks(lattice);
     if (numbers.size() != 9) {
@@ -80,7 +81,14 @@ std::optional<cell::Cell> read_cell(const LineReader& reader, std::string_view l
     if (!(determinant(h) > 0)) {
         reader.complain("Lattice: its vectors span no volume, expected three vectors, right-handed");
     }
-    return cell::Cell{h, {}};
+    const auto periodic = split_at_blanks(value_of(head, "pbc"));
+    for (std::size_t axis = 0; axis < std::min<std::size_t>(periodic.size(), 3); ++axis) {
+        if (periodic[axis].starts_with('F') || periodic[axis] == "0") {
+            packing.no_cell = not_periodic(file, reader.number(), fmt::format("pbc {}", periodic[axis]), axis);
+            return;
+        }
+    }
+    packing.cell = cell::Cell{h, {}};
 }
 
 } // namespace
@@ -109,7 +117,7 @@ ImportedPacking parse_extended_xyz(const std::string& file, std::string_view tex
     const auto velocity = layout.find("velo", 3), spin = layout.find("angular_velocity", 3),
                fine = layout.find("fine", 1);
     ImportedPacking packing;
-    packing.cell = read_cell(reader, value_of(head, "Lattice"));
+    read_cell(reader, file, head, packing);
     Vec3 origin;
     if (const auto given = split_at_blanks(value_of(head, "Origin")); given.size() == 3) {
         origin = vector_in(reader, given, {0, 1, 2});

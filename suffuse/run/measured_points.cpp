@@ -16,7 +16,7 @@ report::Points read_points(const std::filesystem::path& path) {
         reader.complain("there is no header; its first line names columns of the figure, as in axial_strain [%]");
     }
     std::vector<std::string> names, units;
-    for (const std::string_view heading : io::split_at_commas(reader.line())) {
+    for (const std::string_view heading : io::split_at(reader.line(), ',')) {
         const std::size_t bracket = heading.find(" [");
         names.emplace_back(heading.substr(0, bracket));
         const bool has_unit = bracket != std::string_view::npos && heading.ends_with(']');
@@ -26,7 +26,7 @@ report::Points read_points(const std::filesystem::path& path) {
     std::map<std::string, std::vector<std::string>> words; // of the columns that hold some
     const auto holds_words = [](const std::string& name) { return name == "series" || name == "panel"; };
     while (reader.next()) {
-        const std::vector<std::string_view> fields = io::split_at_commas(reader.line());
+        const std::vector<std::string_view> fields = io::split_at(reader.line(), ',');
         if (fields.size() != names.size()) {
             reader.complain(fmt::format("{} fields, and the header has {}", fields.size(), names.size()));
         }

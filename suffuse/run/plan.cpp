@@ -2,9 +2,8 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
-#include "suffuse/io/packing_file.hpp"
-#include "suffuse/run/imported_cell.hpp"
 #include "suffuse/run/price_stage.hpp"
+#include "suffuse/run/read_import.hpp"
 #include "suffuse/run/samples.hpp"
 
 #include <algorithm>
@@ -92,19 +91,10 @@ Range side_by_side(const std::vector<StageEstimate>& stages, int at_once) {
 }
 
 std::int64_t largest_sample(const casefile::Case& what) {
-    std::int64_t most = 0;
+    std::int64_t most = check_imports(what).largest; // what is wrong with a packing is told before anything runs
     for (const casefile::Study& study : what.studies) {
         for (const casefile::Variant& variant : study.variants) {
             most = std::max(most, variant.particles);
-            for (const casefile::Stage& stage : variant.stages) {
-                const auto* import = std::get_if<casefile::ImportSpec>(&stage.spec);
-                if (import == nullptr) {
-                    continue;
-                }
-                const auto read = io::read_packing(import->path, what.material.density, import->unit);
-                imported_cell(*import, read); // a missing one is told before anything runs
-                most = std::max(most, static_cast<std::int64_t>(read.grains.size()));
-            }
         }
     }
     return most;

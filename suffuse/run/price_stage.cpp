@@ -3,12 +3,10 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/grains/sampling.hpp"
-#include "suffuse/io/packing_file.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/pace.hpp"
-#include "suffuse/run/imported_cell.hpp"
-#include "suffuse/run/mark_fines.hpp"
 #include "suffuse/run/preparation_price.hpp"
+#include "suffuse/run/read_import.hpp"
 #include "suffuse/triaxial/run_path.hpp"
 
 #include <fmt/format.h>
@@ -88,15 +86,9 @@ public:
         : case_(what), variant_(variant), sample_(sample) {}
 
     StagePrice operator()(const casefile::ImportSpec& spec) {
-        io::ImportedPacking packing = io::read_packing(spec.path, variant_.material.density, spec.unit);
-        mark_fines(variant_, spec.path, packing.grains);
-        const double volume = std::abs(determinant(imported_cell(spec, packing)));
-        sample_ = describe(packing.grains);
-        double solid = 0;
-        for (const double r : packing.grains.radius) {
-            solid += sphere_volume(r);
-        }
-        take_state(sample_, state_at(sample_, solid / volume));
+        const ImportedSample read = read_import(spec, variant_, variant_.folder);
+        sample_ = describe(read.grains);
+        take_state(sample_, state_at(sample_, grains::solid_volume(read.grains) / std::abs(determinant(read.h))));
         return {.seconds = {0, 0.1}, .memory_a_grain = grain_memory, .basis = "read from a file"};
     }
 

@@ -10,7 +10,6 @@
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/target_density.hpp"
-#include "suffuse/run/mark_fines.hpp"
 #include "suffuse/run/read_import.hpp"
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
@@ -80,10 +79,9 @@ void warn_of_shear_stress(StageWork& work, double pressure) {
 } // namespace
 
 void do_import(StageWork& work, const casefile::ImportSpec& spec) {
-    ImportedSample sample = read_import(spec, work.variant.material.density, work.place());
+    ImportedSample sample = read_import(spec, work.variant, work.place());
     work.world.cell.h = sample.h;
     work.world.grains = std::move(sample.grains);
-    mark_fines(work.variant, spec.path, work.world.grains);
     work.world.reference_h = work.world.cell.h;
     dem::add_first_contacts(work.world);
     work.numbers["imported"] = true;
