@@ -269,13 +269,10 @@ std::vector<std::uint8_t> read_unfinished(const Hdf5Reader& file) {
     return bytes;
 }
 
-} // namespace
-
-void save_world(
-    const std::filesystem::path& path, const dem::World& world, const Attributes& attributes, const Attributes& made_by,
+void write_world(
+    Hdf5Writer& file, const dem::World& world, const Attributes& attributes, const Attributes& made_by,
     std::span<const std::uint8_t> unfinished
 ) {
-    Hdf5Writer file;
     Attributes origin = made_by;
     origin.insert({{"program", std::string("suffuse ") + version()}, {"commit", commit()}});
     origin.emplace("seed", std::to_string(world.seed));
@@ -298,11 +295,9 @@ void save_world(
     list_world(world, save);
     const contact::Contacts touching = contact::touching_rows(world.contacts);
     list_contacts(touching, save);
-    file.save(path);
 }
 
-Checkpoint load_world(const std::filesystem::path& path) {
-    const Hdf5Reader file(path);
+Checkpoint read_world(const Hdf5Reader& file) {
     if (!file.has("kind") || !file.has("schema") || file.read_text("kind") != kind) {
         file.complain("it is not a state saved by suffuse");
     }
@@ -327,6 +322,31 @@ Checkpoint load_world(const std::filesystem::path& path) {
     }
     checkpoint.unfinished = read_unfinished(file);
     return checkpoint;
+}
+
+} // namespace
+
+void save_world(
+    const std::filesystem::path& path, const dem::World& world, const Attributes& attributes, const Attributes& made_by,
+    std::span<const std::uint8_t> unfinished
+) {
+    Hdf5Writer file;
+    write_world(file, world, attributes, made_by, unfinished);
+    file.save(path);
+}
+
+Checkpoint load_world(const std::filesystem::path& path) {
+    return read_world(Hdf5Reader(path));
+}
+
+std::string world_to_bytes(const dem::World& world) {
+    Hdf5Writer file;
+    write_world(file, world, {}, {}, {});
+    return std::string(file.image());
+}
+
+dem::World world_from_bytes(std::string_view bytes) {
+    return read_world(Hdf5Reader(bytes, "the bytes of a state")).world;
 }
 
 } // namespace suffuse::io

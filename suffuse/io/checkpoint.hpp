@@ -9,6 +9,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace suffuse::io {
@@ -32,5 +33,11 @@ void save_world(
 
 /// Loads what `save_world` wrote. Throws IoError where the file is not such a state, is damaged or of another schema.
 Checkpoint load_world(const std::filesystem::path& path);
+
+/// The bytes of the file that `save_world` would write, for another process.
+std::string world_to_bytes(const dem::World& world);
+
+/// @throws IoError as `load_world`
+dem::World world_from_bytes(std::string_view bytes);
 
 } // namespace suffuse::io

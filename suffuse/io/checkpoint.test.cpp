@@ -182,6 +182,20 @@ TEST(Checkpoint, RowsThatDoNotTouchAreLeftOutAndTheHashIsTheSame) {
     EXPECT_EQ(dem::state_hash(back), dem::state_hash(world));
 }
 
+TEST(Checkpoint, TheBytesForAnotherProcessAreThoseOfTheFile) {
+    const TempFolder folder;
+    const dem::World world = two_grains();
+    save_world(folder / "state.h5", world);
+    const std::string bytes = world_to_bytes(world);
+    EXPECT_EQ(bytes, test::read_all(folder / "state.h5"));
+    const dem::World back = world_from_bytes(bytes);
+    EXPECT_TRUE(same(back.grains, world.grains));
+    EXPECT_EQ(dem::state_hash(back), dem::state_hash(world));
+    for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 23) {
+        EXPECT_THROW(static_cast<void>(world_from_bytes(bytes.substr(0, size))), IoError) << size;
+    }
+}
+
 TEST(Checkpoint, ArraysHavePlainNamesAndUnits) {
     const TempFolder folder;
     save_world(folder / "state.h5", two_grains(), {{"case", "schema = 1"}});

@@ -137,6 +137,22 @@ bool can_hold(hid_t data, std::size_t count, std::size_t size) {
     return count == 0 || (size > 0 && (count - 1) / best_compression <= stored / size);
 }
 
+/// How a file in memory is opened.
+Handle in_memory() {
+    constexpr std::size_t growth = std::size_t{1} << 20;
+    constexpr hbool_t on_disk = 0;
+    Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
+    require(H5Pset_fapl_core(access, growth, on_disk) >= 0, "a file in memory");
+    return access;
+}
+
+/// HDF5 tells files in memory apart by name.
+std::string name_in_memory(const void* owner) {
+    return fmt::format("suffuse {}", fmt::ptr(owner));
+}
+
+constexpr const char* damaged = "it is not an HDF5 file, or it is damaged";
+
 std::string stripped(std::string text) { // the one blank that stands for an empty text, and padding
     while (!text.empty() && text.back() == '\0') {
         text.pop_back();
@@ -148,12 +164,7 @@ std::string stripped(std::string text) { // the one blank that stands for an emp
 
 Hdf5Writer::Hdf5Writer() : lock_(library_mutex()) {
     keep_quiet();
-    constexpr std::size_t growth = std::size_t{1} << 20;
-    constexpr hbool_t on_disk = 0;
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
-    require(H5Pset_fapl_core(access, growth, on_disk) >= 0, "a file in memory");
-    const std::string name = fmt::format("suffuse {}", fmt::ptr(this)); // HDF5 tells files in memory apart by name
-    file_ = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    file_ = H5Fcreate(name_in_memory(this).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory());
     require(file_ >= 0, "a file in memory");
 }
 
@@ -183,13 +194,16 @@ void Hdf5Writer::write_text(const std::string& name, const std::string& text) {
 }
 
 void Hdf5Writer::save(const std::filesystem::path& path) {
+    write_file(path, image());
+}
+
+std::string_view Hdf5Writer::image() {
     require(H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, "to complete the file in memory");
     const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
     // The image where the memory driver holds it: a copy would double what a large state takes.
     void* handle = nullptr;
     require(size > 0 && H5Fget_vfd_handle(file_, H5P_DEFAULT, &handle) >= 0, "the image of the file");
-    const char* image = *static_cast<char**>(handle);
-    write_file(path, {image, static_cast<std::size_t>(size)});
+    return {*static_cast<char**>(handle), static_cast<std::size_t>(size)};
 }
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : lock_(library_mutex()), path_(path.string()) {
@@ -199,7 +213,18 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : lock_(library_mutex(
     }
     file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (file_ < 0) {
-        complain("it is not an HDF5 file, or it is damaged");
+        complain(damaged);
+    }
+}
+
+Hdf5Reader::Hdf5Reader(std::string_view image, const std::string& name) : lock_(library_mutex()), path_(name) {
+    keep_quiet();
+    const Handle access = in_memory();
+    // HDF5 copies the bytes, as it may write to its own.
+    require(H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()) >= 0, "the image of a file");
+    file_ = H5Fopen(name_in_memory(this).c_str(), H5F_ACC_RDONLY, access);
+    if (file_ < 0) {
+        complain(damaged);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace suffuse::io {
@@ -36,6 +37,9 @@ public:
     /// Completes the file on disk: it is there in full, or an IoError says why not and the old one remains.
     void save(const std::filesystem::path& path);
 
+    /// The bytes of the completed file, which are there until more is added.
+    [[nodiscard]] std::string_view image();
+
 private:
     std::unique_lock<std::recursive_mutex> lock_;
     std::int64_t file_ = -1;
@@ -44,6 +48,9 @@ private:
 class Hdf5Reader {
 public:
     explicit Hdf5Reader(const std::filesystem::path& path);
+
+    /// Of the bytes of a file. @param name of where they are from, in messages
+    Hdf5Reader(std::string_view image, const std::string& name);
     ~Hdf5Reader();
     Hdf5Reader(const Hdf5Reader&) = delete;
     Hdf5Reader& operator=(const Hdf5Reader&) = delete;
