@@ -1,6 +1,7 @@
 #include "suffuse/dem/inspect.hpp"
 
 #include "suffuse/cell/strain.hpp"
+#include "suffuse/contact/linear_rolling.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/contact/sum_touching.hpp"
 
@@ -23,6 +24,11 @@ ContactView view_of(const World& world, std::size_t c) {
     return {i, j, contacts.image[c], contacts.overlap[c], n, -push * n, -contacts.shear_force[c], -moment};
 }
 
+bool has_reached(const Vec3& v, double limit) {
+    constexpr double rounding = 1e-6; // of single precision
+    return limit > 0 && norm(v) >= (1 - rounding) * limit;
+}
+
 } // namespace
 
 std::vector<ContactView> inspect_contacts(const World& world) {
@@ -33,6 +39,24 @@ std::vector<ContactView> inspect_contacts(const World& world) {
         }
     }
     return views;
+}
+
+ContactsAtLimit find_contacts_at_limit(const World& world) {
+    const contact::LawConstants law = contact::resolve_law(world.material);
+    const contact::Contacts& contacts = world.contacts;
+    ContactsAtLimit found;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        if (!contacts.touches(c)) {
+            continue;
+        }
+        const double push = contact::normal_force(world.grains, contacts, world.material, c);
+        const double r1 = world.grains.radius[contacts.first[c]], r2 = world.grains.radius[contacts.second[c]];
+        const bool bonded = !contacts.bonded.empty() && contacts.bonded[c] != 0;
+        found.sliding.push_back(!bonded && has_reached(contacts.shear_force[c], law.tan_friction * push) ? 1 : 0);
+        const double most_bending = law.rolling_limit * std::min(r1, r2) * std::abs(push);
+        found.rolling.push_back(has_reached(contacts.bending[c], most_bending) ? 1 : 0);
+    }
+    return found;
 }
 
 Mat3 mean_stress_tensor(const World& world) {

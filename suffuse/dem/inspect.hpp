@@ -4,6 +4,7 @@
 
 #include "suffuse/dem/world.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace suffuse::dem {
@@ -20,6 +21,15 @@ struct ContactView {
 };
 
 std::vector<ContactView> inspect_contacts(const World& world);
+
+/// Which of the touching contacts, in the order of `inspect_contacts`, the last step left at a limit of the law (to
+/// 1e-6: fast mode is of single precision). Where the limit is zero or there is none, no contact has reached it.
+struct ContactsAtLimit {
+    std::vector<std::uint8_t> sliding; ///< 1: |shear force| = tan(friction) x normal force, and not bonded
+    std::vector<std::uint8_t> rolling; ///< 1: |bending moment| = rolling_friction x min(r1, r2) x |normal force|
+};
+
+ContactsAtLimit find_contacts_at_limit(const World& world);
 
 /// Stress of the last step's contact forces with branches at the positions now, compression positive [Pa]; the same
 /// choice as the reference's, within 1e-6 of the tensor inside the step.
