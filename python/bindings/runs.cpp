@@ -118,9 +118,9 @@ private:
     std::exception_ptr raised_;
 };
 
-/// Runs on a thread of its own; this one listens to the user meanwhile.
+/// Runs on a thread of its own; this one listens to the user meanwhile, and has the turn, for what on_progress steps.
 run::RunReport run_and_listen(const casefile::Case& what, run::RunOptions options, Listener& listener) {
-    const py::gil_scoped_release released;
+    const Working working;
     run::RunReport report;
     std::exception_ptr failure;
     Mailbox mailbox;
@@ -128,7 +128,6 @@ run::RunReport run_and_listen(const casefile::Case& what, run::RunOptions option
     options.on_progress = [&](const run::Progress& progress) { mailbox.post(progress); };
     std::thread worker([&] {
         try {
-            const Turn turn;
             const apps::FolderLock lock(options.folder, apps::Console());
             report = run::run_case(what, options);
         } catch (...) {

@@ -1,7 +1,7 @@
 #pragma once
 // Long work from Python: the interpreter is released, one call steps at a time (two would halve each other's threads),
-// and Ctrl-C or an exception of the caller's progress function ends it between two bursts of steps. What only reads
-// takes no turn: a run's on_progress may call it while the run computes.
+// and Ctrl-C or an exception of the caller's progress function ends it between two bursts of steps. The turn is the
+// calling thread's: what its on_progress calls may step other worlds. What only reads takes no turn.
 
 #include "python/bindings/world_handle.hpp"
 #include <chrono>
@@ -12,24 +12,27 @@
 
 namespace suffuse::python {
 
-/// While it lives, this thread alone steps worlds. What it calls may step others.
-class Turn {
+/// While it lives, this thread alone steps worlds, and the interpreter is released. What it calls may step others.
+class Working {
 public:
-    Turn() : lock_(mutex()) {}
+    /// Waits until no other thread steps. @throws pybind11::error_already_set: KeyboardInterrupt meanwhile
+    Working() {
+        while (!turn_.try_lock_for(std::chrono::milliseconds(100))) {
+            const pybind11::gil_scoped_acquire interpreter;
+            if (PyErr_CheckSignals() != 0) {
+                throw pybind11::error_already_set();
+            }
+        }
+    }
 
 private:
-    static std::recursive_mutex& mutex() {
-        static std::recursive_mutex one;
+    static std::recursive_timed_mutex& mutex() {
+        static std::recursive_timed_mutex one;
         return one;
     }
 
-    std::lock_guard<std::recursive_mutex> lock_;
-};
-
-/// Likewise, with the interpreter released.
-class Working {
     pybind11::gil_scoped_release released_; // first: another thread that computes may want the interpreter
-    Turn turn_;
+    std::unique_lock<std::recursive_timed_mutex> turn_{mutex(), std::defer_lock};
 };
 
 /// Looks at Ctrl-C and tells the caller how far the work is, at most ten times a second.

@@ -1,5 +1,6 @@
 """Threads of Python beside each other: nobody reads what is half done, and nobody waits for a whole run to look."""
 
+import _thread
 import threading
 import time
 
@@ -101,3 +102,83 @@ def test_a_world_that_is_stepped_is_refused_to_other_threads(settled, tmp_path):
     assert refused > 0 and looked and len(settled) == 500
     settled.remove([0])
     settled.step(1)
+
+
+def test_progress_of_a_run_may_step_another_world(clones, small_case, tmp_path, two_threads):
+    straight, stepped, folder, before_the_end = clones.copy(), clones.copy(), tmp_path / "run", []
+
+    def step(progress):
+        stepped.step(10, time_step=4e-8)
+        before_the_end.append(not (folder / "report.html").exists())
+
+    suffuse.Case(small_case).run(folder, on_progress=step)
+    straight.step(10 * len(before_the_end), time_step=4e-8)
+    assert before_the_end[0] and stepped.hash == straight.hash
+    alone = suffuse.Case(small_case).run(tmp_path / "alone")
+    for stage in alone:
+        assert alone[stage]["state_hash"] == suffuse.Run(folder)[stage]["state_hash"]
+
+
+def test_progress_of_a_step_may_make_a_run(settled, small_case, tmp_path):
+    class Enough(Exception):
+        pass
+
+    def run(part, steps):
+        outcomes.append(suffuse.Case(small_case).run(tmp_path / "run").outcome)
+        raise Enough
+
+    outcomes = []
+    with pytest.raises(Enough):
+        settled.step(10**9, time_step=4e-8, on_progress=run)
+    assert outcomes == ["done"]
+
+
+def test_waiting_for_another_threads_steps_answers_to_ctrl_c(settled, packing):
+    stepping, enough = threading.Event(), threading.Event()
+
+    class Enough(Exception):
+        pass
+
+    def tell(part, steps):
+        stepping.set()
+        if enough.is_set():
+            raise Enough
+
+    def step():
+        with pytest.raises(Enough):
+            settled.step(10**9, time_step=4e-8, on_progress=tell)
+
+    thread = threading.Thread(target=step)
+    thread.start()
+    stepping.wait()
+    threading.Timer(0.3, _thread.interrupt_main).start()
+    with pytest.raises(KeyboardInterrupt):
+        packing.step(1, time_step=1e-9)
+    enough.set()
+    thread.join()
+    packing.step(1, time_step=1e-9)
+
+
+def test_arrays_that_are_written_while_another_thread_steps_harm_nothing_but_the_numbers(settled):
+    over, position, velocity = threading.Event(), settled.grains.position, settled.grains.velocity
+    place, pace = position.copy(), velocity.copy()
+
+    def write():
+        random = numpy.random.default_rng(1)
+        while not over.is_set():
+            g = random.integers(500)
+            position[g], velocity[g] = random.uniform(0, 1.4e-3, 3), random.normal(size=3)
+
+    thread = threading.Thread(target=write)
+    thread.start()
+    try:
+        for _ in range(20):
+            settled.step(100, time_step=4e-8)
+    except suffuse.Error:
+        pass  # what was written may be no packing at all
+    over.set()
+    thread.join()
+    position[:], velocity[:] = place, pace
+    settled.grains.spin = 0
+    settled.step(100, time_step=4e-8)
+    assert len(settled) == 500 and numpy.isfinite(position).all()
