@@ -8,10 +8,12 @@ namespace suffuse::python {
 
 void bind_errors(pybind11::module_& m);
 void bind_settings(pybind11::module_& m); ///< material, fluid, balance, loading
+void bind_contacts(pybind11::module_& m);
 void bind_world(pybind11::module_& m);
 void bind_steps(pybind11::module_& m);       ///< what moves a world; after bind_world
 void bind_preparation(pybind11::module_& m); ///< what makes a sample; after bind_world
-void bind_water(pybind11::module_& m);       ///< pore networks and flow
+void bind_pores(pybind11::module_& m);       ///< pore networks and constrictions
+void bind_water(pybind11::module_& m);       ///< flow; after bind_pores
 void bind_files(pybind11::module_& m);       ///< packings from and for other programs
 void bind_stability(pybind11::module_& m);   ///< what a grading says
 void bind_cases(pybind11::module_& m);       ///< case files, plans, the schema

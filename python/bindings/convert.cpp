@@ -181,6 +181,15 @@ py::array_t<double> to_array(const Mat3& m) {
     return py::array_t<double>({3, 3}, m.m.front().data());
 }
 
+py::array_t<double> to_array(const std::vector<Vec3>& rows) {
+    py::array_t<double> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}});
+    double* out = array.mutable_data();
+    for (const Vec3& row : rows) {
+        *out++ = row.x, *out++ = row.y, *out++ = row.z;
+    }
+    return array;
+}
+
 py::object to_python(const nlohmann::json& json) {
     switch (json.type()) {
     case nlohmann::json::value_t::object: {

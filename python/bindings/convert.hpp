@@ -45,6 +45,7 @@ std::vector<double> numbers_of(const py::handle& value, std::string_view what, s
 
 py::array_t<double> to_array(const Vec3& v);
 py::array_t<double> to_array(const Mat3& m);
+py::array_t<double> to_array(const std::vector<Vec3>& rows); ///< n x 3
 py::object to_python(const nlohmann::json& json);
 
 } // namespace suffuse::python

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_core, m) {
     using namespace suffuse;
 
     m.doc() = "The compiled half of suffuse; import suffuse instead.";
+    m.attr("__module__") = "suffuse"; // of all that follows: where users, and pickle, find it
     m.attr("__version__") = version();
     m.def("commit", &commit, "Short hash of the source that this module was built from.");
     m.def("compiler", &compiler);
@@ -27,9 +28,11 @@ PYBIND11_MODULE(_core, m) {
     );
     python::bind_errors(m);
     python::bind_settings(m);
+    python::bind_contacts(m);
     python::bind_world(m);
     python::bind_steps(m);
     python::bind_preparation(m);
+    python::bind_pores(m);
     python::bind_water(m);
     python::bind_files(m);
     python::bind_stability(m);

@@ -11,6 +11,7 @@
 #include "python/bindings/convert.hpp"
 #include "python/bindings/key_value.hpp"
 #include "python/bindings/stage_work.hpp"
+#include "python/bindings/typed.hpp"
 #include "python/bindings/views.hpp"
 #include "python/bindings/work.hpp"
 #include <algorithm>
@@ -77,11 +78,11 @@ packing::CompactSpec spec_of(
     return spec;
 }
 
-py::object compact(
-    WorldHandle& w, const py::object& pressure, const py::object& friction, const py::object& adhesion_normal,
-    const py::object& adhesion_shear, const py::object& void_ratio, const py::object& void_ratio_tolerance,
-    const std::string& protocol, const py::object& max_rate, const dem::BalanceSpec& balance, const py::object& damping,
-    const py::object& on_progress
+py::dict compact(
+    WorldHandle& w, const Quantity& pressure, const QuantityOrNone& friction, const QuantityOrNone& adhesion_normal,
+    const QuantityOrNone& adhesion_shear, const QuantityOrNone& void_ratio, const Quantity& void_ratio_tolerance,
+    const std::string& protocol, const QuantityOrNone& max_rate, const dem::BalanceSpec& balance,
+    const Quantity& damping, const CallableOrNone& on_progress
 ) {
     const packing::CompactSpec spec = spec_of(
         pressure, friction, adhesion_normal, adhesion_shear, void_ratio, void_ratio_tolerance, protocol, max_rate
@@ -125,7 +126,7 @@ py::object compact(
 }
 
 Handle make_cloud(
-    const py::object& radius, const py::object& porosity, const py::object& fine, const grains::Material& material,
+    const Numbers& radius, const Quantity& porosity, const NumbersOrNone& fine, const grains::Material& material,
     std::uint64_t seed
 ) {
     const std::vector<double> radii = numbers_of(radius, "radius");
@@ -173,13 +174,17 @@ void bind_preparation(py::module_& m) {
         py::arg("void_ratio") = py::none(),
         py::arg("void_ratio_tolerance") = packing::CompactSpec{}.void_ratio_tolerance,
         py::arg("protocol") = std::string(name_of(packing::Protocol::Faithful)), py::arg("max_rate") = py::none(),
-        py::arg("balance") = dem::BalanceSpec{}, py::arg("damping") = usual_damping,
+        py::arg_v("balance", dem::BalanceSpec{}, "Balance()"), py::arg("damping") = usual_damping,
         py::arg("on_progress") = py::none(),
         with_keys(
             "Compacts a cloud isotropically, then settles it with the final material, as a stage that does "
-            "\"compact\".\n",
+            "\"compact\". Returns a dictionary: `steps`, `void_ratio_compacted` (before settling); and where a void "
+            "ratio "
+            "was asked for `void_ratio`, `trials` and `preparation_friction` [rad].\n"
+            "on_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work",
             {{"stage.compact", "pressure"},
              {"stage.compact.prepare", "friction"},
+             {"contact", "damping"},
              {"stage.compact", "void_ratio"},
              {"stage.compact", "void_ratio_tolerance"},
              {"stage.compact", "protocol"},
@@ -188,7 +193,7 @@ void bind_preparation(py::module_& m) {
     );
     m.def(
         "make_cloud", &make_cloud, py::arg("radius"), py::arg("porosity") = packing::PackSpec{}.porosity, py::kw_only(),
-        py::arg("fine") = py::none(), py::arg("material") = grains::Material{}, py::arg("seed") = 0,
+        py::arg("fine") = py::none(), py::arg_v("material", grains::Material{}, "Material()"), py::arg("seed") = 0,
         "Grains of the given radii [m] placed at random in a periodic cube, none overlapping; the same for one seed."
     );
 }

@@ -12,6 +12,7 @@
 #include "python/bindings/convert.hpp"
 #include "python/bindings/key_doc.hpp"
 #include "python/bindings/key_value.hpp"
+#include "python/bindings/typed.hpp"
 #include <array>
 #include <utility>
 
@@ -26,43 +27,54 @@ void quantity_field(py::class_<Spec>& type, const char* table, const char* name,
     const Key& key = key_of(table, name);
     type.def_property(
         name, [field](const Spec& spec) { return spec.*field; },
-        [field, name, &key](Spec& spec, const py::object& value) { spec.*field = value_of(key, value, name); },
+        [field, name, &key](Spec& spec, const Quantity& value) { spec.*field = value_of(key, value, name); },
         key_doc(key).c_str()
     );
 }
 
-/// Keyword arguments as assignments, so that they are checked and named alike.
 template <class Spec>
-auto from_keywords() {
-    return [](const py::kwargs& given) {
-        py::object made = py::cast(Spec{});
-        for (const auto& [name, value] : given) {
-            if (!py::hasattr(made, name)) {
-                throw py::type_error(fmt::format("there is no field {}", py::str(name).cast<std::string>()));
-            }
-            py::setattr(made, name, value);
+Spec from_fields(const py::dict& given) {
+    py::object made = py::cast(Spec{});
+    for (const auto& [name, value] : given) {
+        if (!py::hasattr(made, name)) {
+            throw py::type_error(fmt::format("there is no field {}", py::str(name).cast<std::string>()));
         }
-        return made.cast<Spec>();
-    };
+        py::setattr(made, name, value);
+    }
+    return made.cast<Spec>();
 }
 
+/// Keyword arguments as assignments, so that they are checked and named alike; a text, an equality and a pickle of the
+/// same fields.
 template <class Spec>
-void add_repr(py::class_<Spec>& type, std::vector<std::string> fields) {
-    type.def("__repr__", [fields = std::move(fields)](const py::object& self) {
+void make_value(py::class_<Spec>& type, const std::vector<const char*>& fields) {
+    const auto values = [fields](const py::object& self) {
+        py::dict dict;
+        for (const char* field : fields) {
+            dict[field] = self.attr(field);
+        }
+        return dict;
+    };
+    type.def(py::init([](const py::kwargs& given) { return from_fields<Spec>(given); }));
+    type.def(py::pickle(values, &from_fields<Spec>));
+    type.def("__eq__", [values](const py::object& self, const py::object& other) {
+        return py::isinstance<Spec>(other) && values(self).equal(values(other));
+    });
+    type.def("__repr__", [values](const py::object& self) {
         std::string text;
-        for (const std::string& field : fields) {
+        for (const auto& [field, value] : values(self)) {
             text += fmt::format(
-                "{}{}={}", text.empty() ? "" : ", ", field, py::repr(self.attr(field.c_str())).cast<std::string>()
+                "{}{}={}", text.empty() ? "" : ", ", field.template cast<std::string>(),
+                py::repr(value).template cast<std::string>()
             );
         }
-        return fmt::format("{}({})", py::type::of(self).attr("__name__").cast<std::string>(), text);
+        return fmt::format("{}({})", py::type::of(self).attr("__name__").template cast<std::string>(), text);
     });
 }
 
 void bind_material(py::module_& m) {
     using grains::Material;
     py::class_<Material> type(m, "Material", "The constants of the contact law; keywords set fields.");
-    type.def(py::init(from_keywords<Material>()));
     quantity_field(type, "grain", "density", &Material::density);
     quantity_field(type, "contact", "modulus", &Material::modulus);
     quantity_field(type, "contact", "shear_ratio", &Material::shear_ratio);
@@ -77,13 +89,13 @@ void bind_material(py::module_& m) {
         type.def_property(
             fmt::format("adhesion_{}", name).c_str(),
             [field = field](const Material& material) { return material.*field; },
-            [field = field, &key](Material& material, const py::object& value) {
+            [field = field, &key](Material& material, const Quantity& value) {
                 material.*field = value_of(key, value, "adhesion");
             },
             key_doc(key).c_str()
         );
     }
-    add_repr(
+    make_value(
         type, {"density", "modulus", "shear_ratio", "friction", "rolling_stiffness", "rolling_friction",
                "twisting_stiffness", "twisting_friction", "adhesion_normal", "adhesion_shear"}
     );
@@ -92,16 +104,14 @@ void bind_material(py::module_& m) {
 void bind_fluid(py::module_& m) {
     using flow::Fluid;
     py::class_<Fluid> type(m, "Fluid", "The pore fluid; keywords set fields.");
-    type.def(py::init(from_keywords<Fluid>()));
     quantity_field(type, "fluid", "density", &Fluid::density);
     quantity_field(type, "fluid", "viscosity", &Fluid::viscosity);
-    add_repr(type, {"density", "viscosity"});
+    make_value(type, {"density", "viscosity"});
 }
 
 void bind_balance(py::module_& m) {
     using dem::BalanceSpec;
     py::class_<BalanceSpec> type(m, "Balance", "When a state counts as settled; keywords set fields.");
-    type.def(py::init(from_keywords<BalanceSpec>()));
     quantity_field(type, "balance", "unbalanced_force", &BalanceSpec::unbalanced_force);
     quantity_field(type, "balance", "stress_error", &BalanceSpec::stress_error);
     const Key& patience = key_of("balance", "patience");
@@ -110,7 +120,7 @@ void bind_balance(py::module_& m) {
         [&patience](BalanceSpec& spec, std::int64_t value) { spec.patience = count_of(patience, value, "patience"); },
         key_doc(patience).c_str()
     );
-    add_repr(type, {"unbalanced_force", "stress_error", "patience"});
+    make_value(type, {"unbalanced_force", "stress_error", "patience"});
 }
 
 /// One value for all axes, or three of them; None where the other way of control has the axis.
@@ -142,9 +152,10 @@ void take_axes(const py::object& given, cell::Control control, cell::Loading& lo
     }
 }
 
+using Axes = Typed<"float | str | Sequence[float | str | None] | None">;
+
 cell::Loading make_loading(
-    const py::object& stress, const py::object& strain_rate, const py::object& velocity_gradient,
-    const py::object& max_rate
+    const Axes& stress, const Axes& strain_rate, const NumbersOrNone& velocity_gradient, const QuantityOrNone& max_rate
 ) {
     cell::Loading loading;
     if (!velocity_gradient.is_none()) {
@@ -160,32 +171,70 @@ cell::Loading make_loading(
     return loading;
 }
 
+/// What the axes of this control are told, None at the others; None where there is no such axis.
+py::object axes_of(const cell::Loading& loading, cell::Control control) {
+    py::list values;
+    bool any = false;
+    for (const cell::AxisControl& axis : loading.axis) {
+        const bool is_told = !loading.velocity_gradient && axis.control == control;
+        values.append(is_told ? py::object(py::float_(axis.value)) : py::object(py::none()));
+        any = any || is_told;
+    }
+    return any ? py::object(py::tuple(values)) : py::object(py::none());
+}
+
+/// In the order of the constructor.
+py::tuple arguments_of(const cell::Loading& loading) {
+    const auto& gradient = loading.velocity_gradient;
+    return py::make_tuple(
+        axes_of(loading, cell::Control::Stress), axes_of(loading, cell::Control::StrainRate),
+        gradient ? py::object(to_array(*gradient).attr("tolist")()) : py::object(py::none()), loading.servo.max_rate
+    );
+}
+
 void bind_loading(py::module_& m) {
     const std::string doc = fmt::format(
-        "What drives the cell, per axis; one value serves all three, and None leaves an axis to the other argument. An "
-        "axis with neither stays as it is.\n\nstress: {}\nstrain_rate: {}\nvelocity_gradient: {}\nmax_rate: {}",
-        key_doc(key_of("stage.advance", "stress")), key_doc(key_of("stage.advance", "strain_rate")),
-        key_doc(key_of("stage.advance", "velocity_gradient")), key_doc(key_of("stage.advance.servo", "max_rate"))
+        "What drives the cell, per axis; one value serves all three, and None leaves an axis to the other argument, as "
+        "in Loading(strain_rate=(None, None, 10), stress=(\"100 kPa\", \"100 kPa\", None)). An axis with neither stays "
+        "as it is.\n\nstress: to hold along each axis, compression positive [Pa]\nstrain_rate: along each axis, "
+        "compression positive [1/s]\nvelocity_gradient: 3 x 3, dv/dx of the cell, extension positive, instead of the "
+        "other two [1/s]\nmax_rate: {}",
+        key_doc(key_of("stage.advance.servo", "max_rate"))
     );
-    py::class_<cell::Loading>(m, "Loading", doc.c_str())
-        .def(
-            py::init(&make_loading), py::arg("stress") = py::none(), py::arg("strain_rate") = py::none(), py::kw_only(),
-            py::arg("velocity_gradient") = py::none(), py::arg("max_rate") = py::none()
-        )
-        .def("__repr__", [](const cell::Loading& loading) {
-            if (loading.velocity_gradient) {
-                return std::string("Loading(velocity_gradient=...)");
+    constexpr std::array fields{"stress", "strain_rate", "velocity_gradient", "max_rate"};
+    constexpr std::array docs{
+        "3: to hold along each axis, None where its strain rate is given; compression positive [Pa].",
+        "3: along each axis, None where its stress is given; compression positive [1/s].",
+        "3 x 3, a row each: dv/dx of the cell, or None [1/s].",
+        "Largest strain rate under stress control, or None [1/s]."};
+    py::class_<cell::Loading> type(m, "Loading", doc.c_str());
+    type.def(
+        py::init(&make_loading), py::arg("stress") = py::none(), py::arg("strain_rate") = py::none(), py::kw_only(),
+        py::arg("velocity_gradient") = py::none(), py::arg("max_rate") = py::none()
+    );
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        type.def_property_readonly(
+            fields[k], [k](const cell::Loading& loading) { return py::object(arguments_of(loading)[k]); }, docs[k]
+        );
+    }
+    type.def(py::pickle(&arguments_of, [](const py::tuple& state) {
+        return make_loading(py::object(state[0]), py::object(state[1]), py::object(state[2]), py::object(state[3]));
+    }));
+    type.def("__eq__", [](const cell::Loading& self, const py::object& other) {
+        return py::isinstance<cell::Loading>(other) &&
+               arguments_of(self).equal(arguments_of(other.cast<const cell::Loading&>()));
+    });
+    type.def("__repr__", [fields](const cell::Loading& loading) {
+        const py::tuple values = arguments_of(loading);
+        std::string text;
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            if (const py::object value = values[k]; !value.is_none()) {
+                const auto told = py::repr(value).cast<std::string>();
+                text += fmt::format("{}{}={}", text.empty() ? "" : ", ", fields[k], told);
             }
-            std::string text;
-            for (const cell::AxisControl& axis : loading.axis) {
-                const bool is_stress = axis.control == cell::Control::Stress;
-                text += fmt::format(
-                    "{}{} {}", text.empty() ? "" : ", ", is_stress ? "stress" : "strain rate",
-                    print_quantity(axis.value, is_stress ? dimension::pressure : dimension::rate)
-                );
-            }
-            return fmt::format("Loading({})", text);
-        });
+        }
+        return fmt::format("Loading({})", text);
+    });
 }
 
 } // namespace

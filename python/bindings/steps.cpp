@@ -15,6 +15,7 @@
 #include "python/bindings/convert.hpp"
 #include "python/bindings/key_value.hpp"
 #include "python/bindings/stage_work.hpp"
+#include "python/bindings/typed.hpp"
 #include "python/bindings/views.hpp"
 #include "python/bindings/work.hpp"
 #include "python/bindings/world_handle.hpp"
@@ -86,8 +87,8 @@ void renew_time_step(Asked& asked, const dem::World& world, std::int64_t done) {
 }
 
 py::array_t<double> step(
-    WorldHandle& w, std::int64_t steps, const cell::Loading& loading, const py::object& time_step,
-    const py::object& damping, const py::object& force, const std::string& mode, const py::object& on_progress
+    WorldHandle& w, std::int64_t steps, const cell::Loading& loading, const QuantityOrNone& time_step,
+    const Quantity& damping, const NumbersOrNone& force, const std::string& mode, const CallableOrNone& on_progress
 ) {
     if (steps < 1) {
         throw CaseError(fmt::format("steps: found {}, expected 1 or more", steps));
@@ -98,12 +99,11 @@ py::array_t<double> step(
     Attention attention(on_progress, call);
     {
         const Working working;
-        dem::StepCaches& caches = call.caches();
         for (std::int64_t done = 0; done < steps;) {
             renew_time_step(*asked, call.world(), done);
             const std::int64_t burst =
                 std::min({steps - done, dem::burst_steps, dem::time_step_interval - done % dem::time_step_interval});
-            report = dem::advance(call.world(), caches, asked->plan, burst);
+            report = dem::advance(call.world(), call.caches(), asked->plan, burst);
             done += burst;
             call.remember_place(); // before an exception may end the work
             attention.beat("step", done);
@@ -112,10 +112,10 @@ py::array_t<double> step(
     return to_array(report.stress);
 }
 
-py::object settle(
-    WorldHandle& w, const cell::Loading& loading, const dem::BalanceSpec& balance, const py::object& time_step,
-    const py::object& damping, std::int64_t max_steps, const py::object& force, const std::string& mode,
-    const py::object& on_progress
+py::dict settle(
+    WorldHandle& w, const cell::Loading& loading, const dem::BalanceSpec& balance, const QuantityOrNone& time_step,
+    const Quantity& damping, std::int64_t max_steps, const NumbersOrNone& force, const std::string& mode,
+    const CallableOrNone& on_progress
 ) {
     Stepping call(w);
     const auto asked = read_asked(call, loading, time_step, damping, force, mode);
@@ -143,9 +143,9 @@ py::object settle(
     return to_python(reached);
 }
 
-py::object relax(
-    WorldHandle& w, double wanted, const py::object& time_step, const py::object& damping, std::int64_t max_steps,
-    const py::object& on_progress
+py::dict relax(
+    WorldHandle& w, double wanted, const QuantityOrNone& time_step, const Quantity& damping, std::int64_t max_steps,
+    const CallableOrNone& on_progress
 ) {
     Stepping call(w);
     const auto asked = read_asked(call, {}, time_step, damping, py::none(), usual_mode);
@@ -198,11 +198,11 @@ double inertial_number_of(const py::object& value) {
     return value_of(key_of("stage.triaxial", "inertial_number"), value, "inertial_number");
 }
 
-py::object run_triaxial(
-    WorldHandle& w, const py::object& strain, const std::string& path, const py::object& strain_ratio,
-    const py::object& deviator_stress, const py::object& stress_ratio, const py::object& inertial_number,
-    const std::string& inertia, const py::object& time_step, int rows, const py::object& damping,
-    const std::string& mode, const py::object& on_progress
+py::dict run_triaxial(
+    WorldHandle& w, const Quantity& strain, const std::string& path, const QuantityOrNone& strain_ratio,
+    const QuantityOrNone& deviator_stress, const QuantityOrNone& stress_ratio, const Quantity& inertial_number,
+    const std::string& inertia, const QuantityOrNone& time_step, int rows, const Quantity& damping,
+    const std::string& mode, const CallableOrNone& on_progress
 ) {
     Stepping call(w);
     const dem::Mode asked_mode = mode_of(mode);
@@ -240,9 +240,9 @@ py::object run_triaxial(
     return to_python(result);
 }
 
-py::object run_stress_probe(
-    WorldHandle& w, const py::object& increment, int directions, const py::object& unbalanced_force,
-    const py::object& time_step, const py::object& damping, const py::object& on_progress
+py::list run_stress_probe(
+    WorldHandle& w, const Quantity& increment, int directions, const Quantity& unbalanced_force,
+    const QuantityOrNone& time_step, const Quantity& damping, const CallableOrNone& on_progress
 ) {
     Stepping call(w);
     triaxial::StressProbeSpec spec;
@@ -280,7 +280,7 @@ void bind_steps(py::module_& m) {
                                "\nmode: \"reference\", or \"fast\": contact law and memory in single precision" +
                                told;
     type.def(
-        "step", &step, py::arg("steps"), py::arg("loading") = cell::Loading{}, py::kw_only(),
+        "step", &step, py::arg("steps"), py::arg_v("loading", cell::Loading{}, "Loading()"), py::kw_only(),
         py::arg("time_step") = py::none(), py::arg("damping") = usual_damping, py::arg("force") = py::none(),
         py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
         ("Advances by `steps` under `loading`, at constant volume unless given; returns the stress of the last step "
@@ -289,13 +289,14 @@ void bind_steps(py::module_& m) {
             .c_str()
     );
     type.def(
-        "settle", &settle, py::arg("loading") = cell::Loading{}, py::kw_only(), py::arg("balance") = dem::BalanceSpec{},
-        py::arg("time_step") = py::none(), py::arg("damping") = usual_damping,
-        py::arg("max_steps") = dem::SettleSpec{}.max_steps, py::arg("force") = py::none(), py::arg("mode") = usual_mode,
-        py::arg("on_progress") = py::none(),
+        "settle", &settle, py::arg_v("loading", cell::Loading{}, "Loading()"), py::kw_only(),
+        py::arg_v("balance", dem::BalanceSpec{}, "Balance()"), py::arg("time_step") = py::none(),
+        py::arg("damping") = usual_damping, py::arg("max_steps") = dem::SettleSpec{}.max_steps,
+        py::arg("force") = py::none(), py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
         ("Steps until balanced, at constant volume or under the stresses of `loading`; a drag kills the slow modes, as "
-         "in a stage that does \"settle\". Returns what was reached; `collapsed` is true where the volume is held and "
-         "nothing is "
+         "in a stage that does \"settle\". Returns a dictionary of what was reached: `steps`, `balanced_steps` (in a "
+         "row), "
+         "`equilibrium` (as World.balance), `stress` [Pa]; `collapsed` is true where the volume is held and nothing is "
          "carried any more, which ends the settling.\n" +
          common)
             .c_str()
@@ -303,7 +304,10 @@ void bind_steps(py::module_& m) {
     type.def(
         "relax", &relax, py::arg("wanted") = 1e-8, py::kw_only(), py::arg("time_step") = py::none(),
         py::arg("damping") = usual_damping, py::arg("max_steps") = 400'000, py::arg("on_progress") = py::none(),
-        ("Relaxes at constant volume until the unbalanced force is below `wanted`, or falls no more.\n" + pace + told)
+        ("Relaxes at constant volume until the unbalanced force is below `wanted`, or falls no more. Returns a "
+         "dictionary: "
+         "`unbalanced_force`, `steps`, `reached_floor` (it fell no more).\n" +
+         pace + told)
             .c_str()
     );
     type.def(
@@ -313,8 +317,19 @@ void bind_steps(py::module_& m) {
         py::arg("inertia") = "lent", py::arg("time_step") = py::none(), py::arg("rows") = triaxial::TriaxialSpec{}.rows,
         py::arg("damping") = usual_damping, py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
         with_keys(
-            "Compresses along z, as a stage that does \"triaxial\"; returns `curve`, a list of rows, `response`, "
-            "`steps`, `strain_rate` and `median_diameter`.\n",
+            "Compresses along z, as a stage that does \"triaxial\". Returns a dictionary: `curve`, `response`, "
+            "`steps`, "
+            "`strain_rate` [1/s] and `median_diameter` [m].\n\n"
+            "curve: a list of rows, each with axial_strain, volumetric_strain [-], stress (3 x 3), mean_stress p, "
+            "deviator_stress q (axial minus mean lateral), excess_pore_pressure [Pa], void_ratio, coordination, "
+            "mechanical_coordination, unbalanced_force, inertial_number [-], second_order_work (since the row before) "
+            "and energy (its parts, since the start) [J/m3]\n"
+            "response: peak_deviator, final_deviator, stiffness (E50), excess_pore_pressure [Pa], peak_ratio (q/p), "
+            "peak_strain, dilatancy, largest_contraction, final_volumetric_strain, lost_at [-], friction_angle [rad], "
+            "instability (p, q, strain), liquefied, energy [J/m3]; None where the test does not tell\n"
+            "time_step: computed unless given\nrows: of the curve\n"
+            "mode: \"reference\", or \"fast\": contact law and memory in single precision\n"
+            "on_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work",
             {{"stage.triaxial", "strain"},
              {"stage.triaxial", "path"},
              {"stage.triaxial", "strain_ratio"},
@@ -331,8 +346,10 @@ void bind_steps(py::module_& m) {
         py::arg("damping") = usual_damping, py::arg("on_progress") = py::none(),
         with_keys(
             "Puts small loads of all directions of axisymmetric stress (z against x and y) on copies of the world, as "
-            "a stage that does \"stress-probe\"; returns a list with `angle`, `stress`, `strain`, `second_order_work`, "
-            "`normalized`, `answer` and `steps` of each. The world stays as it is.\n",
+            "a stage that does \"stress-probe\"; returns a list of dictionaries with `angle` [rad], `stress` (change "
+            "of "
+            "each axis) [Pa], `strain`, `second_order_work` [J/m3], `normalized` (that over |stress| |strain|) [-], "
+            "`answer` and `steps` of each. The world stays as it is.\n",
             {{"stage.stress-probe", "increment"},
              {"stage.stress-probe", "directions"},
              {"stage.stress-probe", "unbalanced_force"}}

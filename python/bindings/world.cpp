@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/contacts.hpp"
 #include "python/bindings/convert.hpp"
+#include "python/bindings/typed.hpp"
 #include "python/bindings/views.hpp"
 #include "python/bindings/world_handle.hpp"
 #include <algorithm>
@@ -20,13 +22,6 @@ namespace suffuse::python {
 namespace {
 
 using Handle = std::shared_ptr<WorldHandle>;
-
-/// The touching contacts at the last step; a picture of them, which later steps do not change.
-struct ContactTable {
-    std::vector<dem::ContactView> rows;
-};
-
-using Contacts = std::shared_ptr<ContactTable>;
 
 std::vector<std::uint8_t> claims_of(const py::object& given, std::size_t rows, std::string_view what) {
     std::vector<std::uint8_t> claims(rows, 0);
@@ -38,8 +33,8 @@ std::vector<std::uint8_t> claims_of(const py::object& given, std::size_t rows, s
 }
 
 Handle make_world(
-    const py::object& cell, const py::object& position, const py::object& radius, const py::object& velocity,
-    const py::object& spin, const py::object& fine, const grains::Material& material, std::uint64_t seed
+    const Numbers& cell, const Numbers& position, const Numbers& radius, const NumbersOrNone& velocity,
+    const NumbersOrNone& spin, const NumbersOrNone& fine, const grains::Material& material, std::uint64_t seed
 ) {
     dem::World world;
     world.cell.h = world.reference_h = cell_of(cell);
@@ -99,76 +94,6 @@ py::dict describe(const dem::Equilibrium& balance) {
     return dict;
 }
 
-// ---- contacts
-
-void add_contact_vectors(
-    py::class_<ContactTable, Contacts>& type, const char* name, Vec3 dem::ContactView::*field, const char* doc
-) {
-    type.def_property_readonly(
-        name,
-        [field](const Contacts& table) {
-            const double* first = table->rows.empty() ? nullptr : &(table->rows.front().*field).x;
-            return look_at(first, table->rows.size(), 3, sizeof(dem::ContactView), hold(table));
-        },
-        doc
-    );
-}
-
-template <class T>
-void add_contact_column(
-    py::class_<ContactTable, Contacts>& type, const char* name, T dem::ContactView::*field, const char* doc
-) {
-    type.def_property_readonly(
-        name,
-        [field](const Contacts& table) {
-            const T* first = table->rows.empty() ? nullptr : &(table->rows.front().*field);
-            return look_at(first, table->rows.size(), 0, sizeof(dem::ContactView), hold(table));
-        },
-        doc
-    );
-}
-
-void bind_contacts(py::module_& m) {
-    using dem::ContactView;
-    py::class_<ContactTable, Contacts> type(
-        m, "Contacts",
-        "The touching contacts as the last step left them, or, before the first one, as the geometry has them: a row "
-        "each. "
-        "Later steps do not change them."
-    );
-    type.def("__len__", [](const ContactTable& table) { return table.rows.size(); });
-    add_contact_column(type, "i", &ContactView::i, "contacts: row of the first grain [-].");
-    add_contact_column(type, "j", &ContactView::j, "contacts: row of the second grain [-].");
-    add_contact_column(type, "overlap", &ContactView::overlap, "contacts: sum of the radii less the distance [m].");
-    add_contact_vectors(type, "normal", &ContactView::normal, "contacts x 3: from the first grain to the second [-].");
-    add_contact_vectors(type, "normal_force", &ContactView::normal_force, "contacts x 3: on the first grain [N].");
-    add_contact_vectors(type, "shear_force", &ContactView::shear_force, "contacts x 3: on the first grain [N].");
-    add_contact_vectors(
-        type, "moment", &ContactView::moment, "contacts x 3: bending and twisting, on the first grain [N m]."
-    );
-    type.def_property_readonly(
-        "image",
-        [](const Contacts& table) {
-            static_assert(sizeof(cell::Image) == 3 * sizeof(std::int16_t));
-            const std::int16_t* first = table->rows.empty() ? nullptr : &table->rows.front().image.a;
-            return look_at(first, table->rows.size(), 3, sizeof(ContactView), hold(table));
-        },
-        "contacts x 3: periods by which the second grain is moved, it is met at position[j] + cell @ image [-]."
-    );
-    type.def_property_readonly(
-        "compression",
-        [](const ContactTable& table) {
-            py::array_t<double> values(static_cast<py::ssize_t>(table.rows.size()));
-            double* out = values.mutable_data();
-            for (const ContactView& c : table.rows) {
-                *out++ = -dot(c.normal_force, c.normal);
-            }
-            return values;
-        },
-        "contacts: normal force, compression positive [N]; a new array."
-    );
-}
-
 // ---- grains
 
 void bind_grains(py::module_& m) {
@@ -178,6 +103,20 @@ void bind_grains(py::module_& m) {
         "it alive; when grains are removed or reordered, arrays taken before keep the rows of before."
     );
     type.def("__len__", [](const GrainTable& table) { return table.handle->world().grains.size(); });
+    type.def("__repr__", [](const GrainTable& table) {
+        if (!table.handle->is_open()) {
+            return std::string("<suffuse.Grains: in use by a call that steps them>");
+        }
+        const std::vector<double>& radius = table.handle->world().grains.radius;
+        if (radius.empty()) {
+            return std::string("<suffuse.Grains: none>");
+        }
+        const auto [least, most] = std::ranges::minmax_element(radius);
+        return fmt::format("<suffuse.Grains: {}, of {:.4g} to {:.4g} mm>", radius.size(), 2e3 * *least, 2e3 * *most);
+    });
+    type.def("__reduce__", [](const GrainTable& table) { // with its world
+        return py::make_tuple(py::module_::import("builtins").attr("getattr"), py::make_tuple(table.handle, "grains"));
+    });
     bind_grain_columns(type);
     type.def_property_readonly(
         "diameter",
@@ -204,12 +143,12 @@ void bind_grains(py::module_& m) {
 void bind_cell(py::class_<WorldHandle, Handle>& type) {
     type.def_property(
         "cell", [](const WorldHandle& w) { return to_array(w.world().cell.h); },
-        [](WorldHandle& w, const py::object& value) { w.world().cell.h = cell_of(value); },
+        [](WorldHandle& w, const Numbers& value) { w.world().cell.h = cell_of(value); },
         "3 x 3: the periodic cell, columns are its vectors [m]. Grains do not move when it is set."
     );
     type.def_property(
         "reference_cell", [](const WorldHandle& w) { return to_array(w.world().reference_h); },
-        [](WorldHandle& w, const py::object& value) { w.world().reference_h = cell_of(value); },
+        [](WorldHandle& w, const Numbers& value) { w.world().reference_h = cell_of(value); },
         "3 x 3: the cell at which the strain counts as zero [m]."
     );
     type.def_property_readonly(
@@ -247,10 +186,11 @@ void bind_measures(py::class_<WorldHandle, Handle>& type) {
     );
     type.def_property_readonly(
         "balance", [](const WorldHandle& w) { return describe(dem::measure_equilibrium(SeenWorld(w))); },
-        "How near the state is to equilibrium: unbalanced_force, kinetic_energy [J], max_overlap_ratio, contacts, ..."
+        "How near the state is to equilibrium: unbalanced_force (of grains with two contacts or more), "
+        "unbalanced_force_all, max_overlap_ratio [-], mean_contact_force [N], kinetic_energy [J], contacts, rattlers."
     );
     type.def(
-        "measure", [](const WorldHandle& w) { return to_python(run::measure_state(SeenWorld(w))); },
+        "measure", [](const WorldHandle& w) { return py::dict(to_python(run::measure_state(SeenWorld(w)))); },
         "The numbers of a state as in stage.json: void ratio, stress, coordination, fines, hash, ..."
     );
     type.def_property_readonly(
@@ -282,7 +222,7 @@ void bind_measures(py::class_<WorldHandle, Handle>& type) {
 void bind_changes(py::class_<WorldHandle, Handle>& type) {
     type.def(
         "remove",
-        [](WorldHandle& w, const py::object& given) {
+        [](WorldHandle& w, const Numbers& given) {
             const std::vector<std::uint32_t> rows = rows_of(given, w.world().grains.size());
             dem::remove_grains(w.world_for_new_rows(), rows);
             return rows.size();
@@ -307,6 +247,22 @@ void bind_changes(py::class_<WorldHandle, Handle>& type) {
     type.def(
         "__deepcopy__", [copy](const WorldHandle& w, const py::dict&) { return copy(w); }, py::arg("memo")
     );
+    type.def(py::pickle(
+        [](const WorldHandle& w) {
+            std::string bytes;
+            {
+                const Reading reading(w);
+                const py::gil_scoped_release released;
+                bytes = io::world_to_bytes(reading.world());
+            }
+            return py::bytes(bytes);
+        },
+        [](const py::bytes& bytes) {
+            const auto held = static_cast<std::string_view>(bytes);
+            const py::gil_scoped_release released;
+            return std::make_shared<WorldHandle>(io::world_from_bytes(held));
+        }
+    ));
     type.def(
         "save",
         [](const WorldHandle& w, const std::filesystem::path& path) {
@@ -329,7 +285,6 @@ void bind_changes(py::class_<WorldHandle, Handle>& type) {
 } // namespace
 
 void bind_world(py::module_& m) {
-    bind_contacts(m);
     bind_grains(m);
     py::class_<WorldHandle, Handle> type(
         m, "World",
@@ -340,16 +295,13 @@ void bind_world(py::module_& m) {
     type.def(
         py::init(&make_world), py::arg("cell"), py::arg("position"), py::arg("radius"), py::kw_only(),
         py::arg("velocity") = py::none(), py::arg("spin") = py::none(), py::arg("fine") = py::none(),
-        py::arg("material") = grains::Material{}, py::arg("seed") = 0
+        py::arg_v("material", grains::Material{}, "Material()"), py::arg("seed") = 0
     );
     type.def_property_readonly(
         "grains", [](const Handle& w) { return GrainTable{w}; }, "The grain table: a row a grain."
     );
     type.def_property_readonly(
-        "contacts",
-        [](const WorldHandle& w) {
-            return std::make_shared<ContactTable>(ContactTable{dem::inspect_contacts(SeenWorld(w))});
-        },
+        "contacts", [](const WorldHandle& w) { return take_contacts(SeenWorld(w)); },
         "The touching contacts as the last step left them, a row each; before the first step those of the geometry, "
         "without "
         "shear forces and moments."

@@ -34,6 +34,7 @@ from suffuse._core import (
     Key,
     Loading,
     Material,
+    PoreNetwork,
     Seepage,
     SolverError,
     StateError,
@@ -43,20 +44,15 @@ from suffuse._core import (
     __version__,
     commit,
     compiler,
-    constrictions,
     explain,
-    largest_overlap,
-    make_cloud,
     quantity,
     schema,
-    seep,
-    set_threads,
     threads,
 )
 from suffuse.case import Case, Plan, Table, print_progress, progress
 from suffuse.packing import read, read_packing, write_packing
 from suffuse.run import Figure, Pass, Run, Stage
-from suffuse.sample import PoreNetwork
+from suffuse.sample import constrictions, largest_overlap, make_cloud, seep, set_threads
 from suffuse.stability import Assessment, assess
 
 __all__ = [name for name in dir() if not name.startswith("_") and name not in ("case", "packing", "run", "sample", "stability")]

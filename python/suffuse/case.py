@@ -137,6 +137,10 @@ class Case:
         place = _core.new_run_folder(self._core, None if folder is None else pathlib.Path(folder))
         return Run(place, conduct(self._core, place, until, time_limit, on_progress or on_event, threads, cache))
 
+    def __reduce__(self):
+        """To another process it travels as what it was asked as, and is read again there."""
+        return Case, (self.path, self._asked_preset, self._changes, self._asked_studies)
+
     def __repr__(self):
         return f"<suffuse.Case {str(self.path)!r}: {len(self.stages)} stages, preset {self.preset}>"
 
@@ -213,8 +217,12 @@ def _as_toml(value):
     return repr(value)
 
 
-def print_progress(progress):
-    """For Case.run(on_progress=...): a line at the end of each stage, and of what failed, on standard error."""
+def print_progress(progress, steps=None):
+    """For on_progress, on standard error: of a run a line at the end of each stage, and of what failed; of a call that
+    steps a world one line that counts."""
+    if steps is not None:
+        print(f"\r{progress}: {steps:,} steps ", end="", file=sys.stderr, flush=True)
+        return
     if progress["failure"]:
         print(f'{progress["study"]}/{progress["stage"]} failed: {progress["failure"]}', file=sys.stderr)
     if progress["stage_finished"]:

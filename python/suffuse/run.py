@@ -100,9 +100,15 @@ class Stage:
 
     def __getattr__(self, name):
         """A number of stage.json: stage.void_ratio is stage["void_ratio"]."""
-        if name.startswith("_") or name not in self.numbers:
+        if name.startswith("_"):  # pickle and copy ask for such before the stage knows its folder
+            raise AttributeError(name)
+        if name not in self.numbers:
             raise AttributeError(self._no(name))
         return self.numbers[name]
+
+    def __getstate__(self):
+        """For another process: where the stage is, not what was read of it."""
+        return {"folder": self.folder, "name": self.name}
 
     def __dir__(self):
         return sorted(set(super().__dir__()) | set(self.numbers))

@@ -1,10 +1,10 @@
-"""What a world, its contacts and its pores offer beyond their columns."""
+"""What a world, its contacts and its pores offer beyond their columns; and functions that make or read worlds."""
 
 import numpy
 
 from suffuse import _core
 
-_COLUMNS = ("i", "j", "overlap", "normal", "normal_force", "shear_force", "force_n")
+_COLUMNS = ("i", "j", "overlap", "normal", "normal_force", "shear_force", "moment", "force_n", "sliding", "rolling")
 
 
 def _force_n(contacts):
@@ -32,38 +32,63 @@ def _psd(world):
     return sizes, share[len(mass) - 1 - last]
 
 
+def _solve(network, gradient=0.0, direction="z", viscosity=None, density=None, tensor=False):
+    """The flow through the packing: a Seepage.
+
+    gradient: hydraulic gradient i along `direction`, or three numbers: i times the direction of the water [-]
+    viscosity [Pa s] and density [kg/m3]: those of Fluid() unless given
+    tensor: solves three directions and reports the permeability tensor
+    """
+    vector = numpy.asarray(gradient, dtype=float) if not isinstance(gradient, str) else numpy.zeros(())
+    if vector.shape == (3,):
+        gradient = float(numpy.linalg.norm(vector))
+        direction = tuple(vector / gradient) if gradient > 0 else direction
+    given = {"viscosity": viscosity, "density": density}
+    fluid = _core.Fluid(**{name: value for name, value in given.items() if value is not None})
+    packing = network.cell, network.position, network.radius
+    return _core.seep(*packing, gradient=gradient, direction=direction, fluid=fluid, tensor=tensor)
+
+
 _core.Contacts.force_n = property(_force_n, doc=_force_n.__doc__)
 _core.Contacts.__getitem__ = _select
 _core.World.psd = property(_psd, doc=_psd.__doc__)
+_core.PoreNetwork.solve = _solve
 
 
-class PoreNetwork(_core.PoreNetwork):
-    """The pore network of a periodic packing: of a World, of a stage of a run, or of cell, positions and radii [m]. A
-    pore is a tetrahedron of the weighted Delaunay triangulation, a throat a facet; arrays look into it without copying.
-    """
+def _as(core):
+    """Marks a function of ours as what stands for one of pybind11's: those cannot be sent to another process."""
 
-    def __init__(self, packing_or_cell, position=None, radius=None):
-        self._packing = (getattr(packing_or_cell, "world", packing_or_cell), position, radius)
-        super().__init__(*self._packing)
+    def take(function):
+        function.__doc__ = core.__doc__.partition("\n\n")[2]
+        function.__module__ = "suffuse"
+        return function
 
-    def solve(self, gradient=0.0, direction="z", viscosity=None, density=None, tensor=False):
-        """The flow through the packing: a Seepage.
+    return take
 
-        gradient: hydraulic gradient i along `direction`, or three numbers: i times the direction of the water
-        """
-        vector = numpy.asarray(gradient, dtype=float) if not isinstance(gradient, str) else numpy.zeros(())
-        if vector.shape == (3,):
-            gradient = float(numpy.linalg.norm(vector))
-            direction = tuple(vector / gradient) if gradient > 0 else direction
-        given = {"viscosity": viscosity, "density": density}
-        fluid = _core.Fluid(**{name: value for name, value in given.items() if value is not None})
-        return _core.seep(*self._packing, gradient=gradient, direction=direction, fluid=fluid, tensor=tensor)
 
-    def constrictions(self, of="all", merge="none"):
-        """Constrictions between all grains, or, of="coarse", of the coarse skeleton of a World.
+@_as(_core.seep)
+def seep(packing_or_cell, position=None, radius=None, *, gradient=0.0, direction="z", fluid=None, tensor=False):
+    return _core.seep(
+        packing_or_cell, position, radius, gradient=gradient, direction=direction, fluid=fluid or _core.Fluid(),
+        tensor=tensor,
+    )
 
-        merge: which neighboring pores are one void, with no constriction between them; see suffuse.constrictions
-        """
-        if (of, merge) == ("all", "none"):
-            return super().constrictions()
-        return _core.constrictions(*self._packing, of=of, merge=merge)
+
+@_as(_core.constrictions)
+def constrictions(packing_or_cell, position=None, radius=None, *, of="all", merge="none"):
+    return _core.constrictions(packing_or_cell, position, radius, of=of, merge=merge)
+
+
+@_as(_core.make_cloud)
+def make_cloud(radius, porosity=0.65, *, fine=None, material=None, seed=0):
+    return _core.make_cloud(radius, porosity, fine=fine, material=material or _core.Material(), seed=seed)
+
+
+@_as(_core.largest_overlap)
+def largest_overlap(world):
+    return _core.largest_overlap(world)
+
+
+@_as(_core.set_threads)
+def set_threads(threads=0):
+    _core.set_threads(threads)

@@ -58,6 +58,20 @@ def test_water_moves_from_pore_to_pore_as_it_does_on_the_whole(packing):
     assert numpy.isnan(suffuse.seep(packing).tortuosity)  # at rest
 
 
+def test_water_tells_whether_it_is_slow_enough_for_a_flow_without_inertia(packing, small_case, tmp_path):
+    water = suffuse.seep(packing, gradient=0.05, direction="x")
+    radius = packing.grains.radius
+    sauter = 2 * (radius**3).sum() / (radius**2).sum()
+    assert water.reynolds_number == pytest.approx(1000 * water.mean_velocity[0] * sauter / 1e-3, rel=1e-9)
+    assert 0.99 < water.flux_left_by_inertia < 1
+    fast = suffuse.seep(packing, gradient=-500, direction="x")
+    assert fast.reynolds_number == pytest.approx(10000 * water.reynolds_number, rel=1e-9)
+    assert fast.flux_left_by_inertia < 0.9 and suffuse.seep(packing).reynolds_number == 0
+    stage = suffuse.Case(small_case).run(tmp_path / "run")["replay/seep"]  # the program's own number
+    again = suffuse.seep(stage, gradient=stage["gradient"], direction="x")
+    assert again.reynolds_number == stage["reynolds_number"] and again.permeability == stage["permeability_along"]
+
+
 def test_flow_is_linear_in_gradient_and_viscosity(packing):
     one = suffuse.seep(packing, gradient=0.01)
     ten = suffuse.seep(packing, gradient="10 %", fluid=suffuse.Fluid(viscosity="2 mPa*s"))

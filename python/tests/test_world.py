@@ -67,25 +67,6 @@ def test_views_survive_sorting(settled):
     assert (numpy.diff(settled.grains.id.astype(int)) > 0).all()
 
 
-def test_contacts_are_a_picture_that_steps_do_not_change(settled):
-    contacts = settled.contacts
-    overlap, kept = contacts.overlap, contacts.overlap.copy()
-    del contacts
-    settled.step(200, suffuse.Loading(strain_rate=(0, 0, "100 1/s")))
-    gc.collect()
-    assert (overlap == kept).all() and not overlap.flags.writeable
-
-
-def test_contacts_carry_the_stress(settled):
-    c, g = settled.contacts, settled.grains
-    branch = g.position[c.j] + c.image @ settled.cell.T - g.position[c.i]
-    # Love's formula: the sum of force (x) branch over the volume; forces act on grain i, so compression is positive.
-    stress = -numpy.einsum("ca,cb->ab", c.normal_force + c.shear_force, branch) / numpy.linalg.det(settled.cell)
-    assert numpy.allclose(stress, settled.stress, rtol=0, atol=1e-9 * settled.mean_stress)  # another order of the sum
-    assert settled.mean_stress == pytest.approx(100e3, rel=5e-3)  # what the balance allows
-    assert c.compression == pytest.approx(numpy.linalg.norm(c.normal_force, axis=1), rel=1e-12)  # rounding
-
-
 def test_the_force_of_two_grains_is_that_of_the_law(two_grains):
     two_grains.step(1, time_step=1e-12, damping=0)
     c = two_grains.contacts
@@ -113,6 +94,25 @@ def test_grains_that_were_moved_by_hand_are_found(two_grains):
     two_grains.grains.position[0] = [8.9e-3 - 1.995e-3, 8.9e-3, 8.9e-3]
     two_grains.step(1, time_step=1e-9)
     assert two_grains.contacts.overlap[0] == pytest.approx(0.005e-3, rel=1e-6)
+
+
+def test_grains_that_progress_moves_by_hand_are_found():
+    world = suffuse.World((10e-3,) * 3, [[2e-3] * 3, [8e-3] * 3], [1e-3, 1e-3])
+    world.grains.held = True
+    contacts = []
+
+    class Enough(Exception):
+        pass
+
+    def move(part, steps):
+        world.grains.position[1] = [2e-3 + 1.99e-3, 2e-3, 2e-3]
+        contacts.append(len(world.contacts))
+        if len(contacts) > 3:
+            raise Enough
+
+    with pytest.raises(Enough):
+        world.step(10**9, time_step=1e-9, on_progress=move)
+    assert contacts[0] == 0 and contacts[-1] == 1
 
 
 def test_steps_do_not_depend_on_how_they_are_cut(settled):
