@@ -12,6 +12,8 @@
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 namespace suffuse::apps {
@@ -21,20 +23,48 @@ namespace fs = std::filesystem;
 
 constexpr std::ptrdiff_t most_shown = 20; // without --verbose
 
-/// "number 3.1 was 2.9 (6 %)": the largest first.
-std::string row_of(const run::Difference& difference) {
-    const std::string off = difference.relative < 1 ? fmt::format("   {:.3g} %", 100 * difference.relative) : "";
-    return fmt::format("  {}   {} and {}{}\n", difference.where, difference.first, difference.second, off);
+/// The number with as many digits as tell the two apart, and two more.
+std::string distinct_digits(const std::string& number, double relative) {
+    const double digits = 2 + std::ceil(-std::log10(std::min(relative, 1.0)));
+    return fmt::format(
+        "{:.{}g}", std::strtod(number.c_str(), nullptr), static_cast<int>(std::clamp(digits, 4.0, 17.0))
+    );
 }
 
-std::string table_of(std::vector<run::Difference> differences, bool all) {
-    std::stable_sort(differences.begin(), differences.end(), [](const auto& a, const auto& b) {
-        return a.relative > b.relative;
-    });
+/// "number   2.900 and 3.100   6 %"
+std::string row_of(const run::Difference& difference) {
+    if (!difference.is_number) {
+        return fmt::format("  {}   {} and {}\n", difference.where, difference.first, difference.second);
+    }
+    return fmt::format(
+        "  {}   {} and {}   {:.3g} %\n", difference.where, distinct_digits(difference.first, difference.relative),
+        distinct_digits(difference.second, difference.relative), 100 * difference.relative
+    );
+}
+
+const char* heading_of(run::Relevance about) {
+    switch (about) {
+    case run::Relevance::Presence:
+        return "in one of the runs only:";
+    case run::Relevance::Result:
+        return "results of stages:";
+    case run::Relevance::Figure:
+        return "numbers behind figures:";
+    case run::Relevance::Computation:
+        break;
+    }
+    return "how it was computed, which is no result:";
+}
+
+std::string table_of(const std::vector<run::Difference>& differences, bool all) {
     const std::ptrdiff_t shown = all ? std::ssize(differences) : std::min(most_shown, std::ssize(differences));
     std::string text;
     for (std::ptrdiff_t k = 0; k < shown; ++k) {
-        text += row_of(differences[static_cast<std::size_t>(k)]);
+        const run::Difference& difference = differences[static_cast<std::size_t>(k)];
+        if (k == 0 || differences[static_cast<std::size_t>(k - 1)].about != difference.about) {
+            text += fmt::format("{}\n", heading_of(difference.about));
+        }
+        text += row_of(difference);
     }
     if (shown < std::ssize(differences)) {
         text += fmt::format("  and {} more; -v lists them\n", std::ssize(differences) - shown);
@@ -42,16 +72,37 @@ std::string table_of(std::vector<run::Difference> differences, bool all) {
     return text;
 }
 
-/// The sentence of a comparison, before its table.
+/// The sentence of a comparison, before its table: whether the runs differ, in what, and by how much.
 std::string verdict_on(const run::Comparison& found, double tolerance) {
+    const std::string beyond = tolerance > 0 ? " beyond the tolerance" : "";
     const std::string states = fmt::format(
         "{} in both, {} with the same bits; {} compared", plural(found.stages, "stage"), found.same_states,
         plural(found.numbers, "number")
     );
     if (found.differences.empty()) {
-        return fmt::format("no difference{}: {}", tolerance > 0 ? " beyond the tolerance" : "", states);
+        return fmt::format("no difference{}: {}", beyond, states);
     }
-    return fmt::format("{}: {}", plural(std::ssize(found.differences), "difference"), states);
+    const auto of_computation = std::ranges::count_if(found.differences, [](const run::Difference& difference) {
+        return difference.about == run::Relevance::Computation;
+    });
+    const auto of_results = std::ssize(found.differences) - of_computation;
+    if (of_results == 0) {
+        return fmt::format(
+            "the same results{}, with {} in how they were computed: {}", beyond, plural(of_computation, "difference"),
+            states
+        );
+    }
+    const run::Difference& first = found.differences.front();
+    const auto largest = std::ranges::find_if(found.differences, [](const run::Difference& difference) {
+        return difference.is_number && difference.about != run::Relevance::Computation;
+    });
+    return fmt::format(
+        "the runs differ{} in {}, {}: {}", beyond, plural(of_results, "result"),
+        largest != found.differences.end()
+            ? fmt::format("by up to {:.3g} % ({})", 100 * largest->relative, largest->where)
+            : fmt::format("the first is {}", first.where),
+        states
+    );
 }
 
 /// What is in each of two runs that share no stage: there is nothing else to say of them.
@@ -80,10 +131,10 @@ int compare_two(const CommandLine& line, const Console& console) {
         console.document(json_text(found));
         return Differs;
     }
+    console.result(verdict_on(found, tolerance));
     for (const std::string& circumstance : found.circumstances) {
         console.result("  " + circumstance);
     }
-    console.result(verdict_on(found, tolerance));
     console.result(table_of(found.differences, console.is_verbose()));
     console.document(json_text(found));
     return found.differences.empty() ? Done : Differs;

@@ -54,6 +54,36 @@ TEST_F(Compare, AnotherPressureIsCodeFiveAndSaysWhereItDiffers) {
     );
 }
 
+TEST_F(Compare, WhetherAndHowMuchRunsDifferIsSaidFirstAndResultsComeBeforeNoise) {
+    ASSERT_EQ(run("second", {"--set", "study.replay.stage.settled.pressure=101 kPa"}).code, 0);
+    const Said said = say({"compare", "first", "second", "-v"});
+    EXPECT_EQ(said.out.rfind("the runs differ in ", 0), 0U) << said.out.substr(0, 200);
+    const auto place = [&](const char* what) {
+        const std::size_t at = said.out.find(what);
+        EXPECT_NE(at, std::string::npos) << what;
+        return at;
+    };
+    EXPECT_LT(place("case - "), place("results of stages:"));
+    EXPECT_LT(place("replay/settled: mean_stress"), place("numbers behind figures:"));
+    EXPECT_LT(place("numbers behind figures:"), place("how it was computed, which is no result:"));
+    const std::size_t noise = place("how it was computed, which is no result:");
+    for (const char* const what : {"state_hash", "unbalanced_force", "force_sum[1]", "force_sum_error", "residual"}) {
+        EXPECT_GT(place(what), noise) << what;
+    }
+    expect_in("replay/settled: mean_stress   1.0001e+05 and 1.0101e+05   0.989 %", said.out);
+}
+
+TEST_F(Compare, RunsThatDifferOnlyInHowTheyWereComputedHaveTheSameResults) {
+    std::filesystem::copy(folder / "first", folder / "second", std::filesystem::copy_options::recursive);
+    const std::filesystem::path kept = folder / "second/studies/replay/seep/stage.json";
+    nlohmann::json stage = nlohmann::json::parse(read_all(kept));
+    stage["residual"] = 2 * stage.at("residual").get<double>();
+    write_to(kept, stage.dump());
+    const Said said = say({"compare", "first", "second"});
+    EXPECT_EQ(said.code, 5);
+    expect_in("the same results, with 1 difference in how they were computed", said.out);
+}
+
 TEST_F(Compare, AFigureThatLostTheValuesOfItsLastColumnDiffers) {
     std::filesystem::copy(folder / "first", folder / "second", std::filesystem::copy_options::recursive);
     const std::filesystem::path table = folder / "second/figures/own-throat-flux.csv";

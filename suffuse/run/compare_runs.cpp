@@ -10,9 +10,11 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace suffuse::run {
 namespace {
@@ -26,6 +28,11 @@ const std::set<std::string> passed_over = {"wall_seconds", "particle_steps_per_s
                                            "state_hash",   "end_state",
                                            "warnings",     "flaws",
                                            "stage"};
+
+// Of stage.json: how a result was reached. They differ between runs whose results agree.
+const std::set<std::string> of_computation = {
+    "steps",          "time_step",           "unbalanced_force", "unbalanced_force_yade",
+    "kinetic_energy", "inertial_number_max", "residual",         "force_sum_error"};
 
 constexpr std::array<const char*, 6> circumstances = {"version", "commit", "compiler", "seed", "mode", "preparation"};
 
@@ -55,35 +62,54 @@ class Comparer {
 public:
     Comparer(double tolerance, Comparison& found) : tolerance_(tolerance), found_(found) {}
 
-    void compare(const std::string& where, double a, double b) {
+    void compare(const std::string& where, double a, double b, Relevance about) {
         ++found_.numbers;
         const double scale = std::max(std::abs(a), std::abs(b)), off = scale > 0 ? std::abs(a - b) / scale : 0;
         const bool are_both_undefined = std::isnan(a) && std::isnan(b);
         if (!(off <= tolerance_) && !are_both_undefined) {
-            found_.differences.push_back({where, fmt::format("{}", a), fmt::format("{}", b), off});
+            const double relative = std::isnan(off) ? 1 : off; // one of the two is undefined
+            found_.differences.push_back({where, fmt::format("{}", a), fmt::format("{}", b), relative, about, true});
         }
     }
 
-    void compare(const std::string& where, const json& a, const json& b) {
+    void compare(const std::string& where, const json& a, const json& b, Relevance about) {
         if (a.is_number() && b.is_number()) {
-            compare(where, a.get<double>(), b.get<double>());
+            compare(where, a.get<double>(), b.get<double>(), about);
         } else if (a.is_object() && b.is_object()) {
-            compare_objects(where, a, b);
+            compare_objects(where, a, b, about);
         } else if (a.is_array() && b.is_array() && a.size() == b.size()) {
+            const double rounding = rounding_of(a, b);
             for (std::size_t k = 0; k < a.size(); ++k) {
-                compare(fmt::format("{}[{}]", where, k), a[k], b[k]);
+                const bool is_rounding = std::max(size_of(a[k]), size_of(b[k])) < rounding;
+                compare(fmt::format("{}[{}]", where, k), a[k], b[k], is_rounding ? Relevance::Computation : about);
             }
         } else if (a != b) {
-            differ(where, text_of(a), text_of(b));
+            differ(where, text_of(a), text_of(b), about);
         }
     }
 
-    void differ(const std::string& where, const std::string& a, const std::string& b) {
-        found_.differences.push_back({where, a, b, 1});
+    void differ(const std::string& where, const std::string& a, const std::string& b, Relevance about) {
+        found_.differences.push_back({where, a, b, 1, about});
     }
 
 private:
-    void compare_objects(const std::string& where, const json& a, const json& b) {
+    static double size_of(const json& value) {
+        return value.is_number() ? std::abs(value.get<double>()) : std::numeric_limits<double>::infinity();
+    }
+
+    /// Below it, a component of a vector is what rounding left of a zero: next to its largest it says nothing.
+    static double rounding_of(const json& a, const json& b) {
+        constexpr double share = 1e-12;
+        double largest = 0;
+        for (const json* vector : {&a, &b}) {
+            for (const json& component : *vector) {
+                largest = std::max(largest, size_of(component));
+            }
+        }
+        return std::isfinite(largest) ? share * largest : 0;
+    }
+
+    void compare_objects(const std::string& where, const json& a, const json& b, Relevance about) {
         std::set<std::string> keys;
         for (const json* object : {&a, &b}) {
             for (const auto& [key, value] : object->items()) {
@@ -94,11 +120,15 @@ private:
             if (passed_over.contains(key)) {
                 continue;
             }
+            const Relevance of_key = of_computation.contains(key) ? Relevance::Computation : about;
             const std::string inner = where + (where.ends_with(": ") ? "" : ".") + key;
             if (!a.contains(key) || !b.contains(key)) {
-                differ(inner, a.contains(key) ? text_of(a.at(key)) : "-", b.contains(key) ? text_of(b.at(key)) : "-");
+                differ(
+                    inner, a.contains(key) ? text_of(a.at(key)) : "-", b.contains(key) ? text_of(b.at(key)) : "-",
+                    of_key
+                );
             } else {
-                compare(inner, a.at(key), b.at(key));
+                compare(inner, a.at(key), b.at(key), of_key);
             }
         }
     }
@@ -114,7 +144,7 @@ void compare_stages(const fs::path& first, const fs::path& second, double tolera
         const auto other = b.find(name);
         if (other == b.end()) {
             found.only_first.push_back(name);
-            comparer.differ(name, "done", "not there");
+            comparer.differ(name, "done", "not there", Relevance::Presence);
             continue;
         }
         ++found.stages;
@@ -122,15 +152,16 @@ void compare_stages(const fs::path& first, const fs::path& second, double tolera
         ++(is_same ? found.same_states : found.other_states);
         if (!is_same && tolerance == 0) {
             comparer.differ(
-                name + ": state_hash", numbers.value("state_hash", "-"), other->second.value("state_hash", "-")
+                name + ": state_hash", numbers.value("state_hash", "-"), other->second.value("state_hash", "-"),
+                Relevance::Computation
             );
         }
-        comparer.compare(name + ": ", numbers, other->second);
+        comparer.compare(name + ": ", numbers, other->second, Relevance::Result);
     }
     for (const auto& [name, numbers] : b) {
         if (!a.contains(name)) {
             found.only_second.push_back(name);
-            comparer.differ(name, "not there", "done");
+            comparer.differ(name, "not there", "done", Relevance::Presence);
         }
     }
 }
@@ -176,7 +207,7 @@ void compare_tables(const std::string& name, const fs::path& first, const fs::pa
             return fmt::format("{} rows of {}", table.size(), table.empty() ? "nothing" : table.front());
         };
         if (a != b) {
-            comparer.differ(name, about(a), about(b));
+            comparer.differ(name, about(a), about(b), Relevance::Figure);
         }
         return;
     }
@@ -185,7 +216,7 @@ void compare_tables(const std::string& name, const fs::path& first, const fs::pa
         const std::vector<std::string> left = split(a[row]), right = split(b[row]);
         if (left.size() != columns.size() || right.size() != columns.size()) { // damaged: no column has a name
             if (a[row] != b[row]) {
-                comparer.differ(fmt::format("{}: row {}", name, row), a[row], b[row]);
+                comparer.differ(fmt::format("{}: row {}", name, row), a[row], b[row], Relevance::Figure);
             }
             continue;
         }
@@ -193,9 +224,9 @@ void compare_tables(const std::string& name, const fs::path& first, const fs::pa
             const std::string where = fmt::format("{}: {}, row {}", name, columns[k], row);
             const auto x = number_of(left[k]), y = number_of(right[k]);
             if (x && y) {
-                comparer.compare(where, *x, *y);
+                comparer.compare(where, *x, *y, Relevance::Figure);
             } else if (left[k] != right[k]) {
-                comparer.differ(where, left[k], right[k]);
+                comparer.differ(where, left[k], right[k], Relevance::Figure);
             }
         }
     }
@@ -222,7 +253,7 @@ void compare_figures(const fs::path& first, const fs::path& second, double toler
         if (!fs::exists(first / file) || !fs::exists(second / file)) {
             comparer.differ(
                 "figure " + name, fs::exists(first / file) ? "there" : "not there",
-                fs::exists(second / file) ? "there" : "not there"
+                fs::exists(second / file) ? "there" : "not there", Relevance::Presence
             );
         } else {
             compare_tables("figure " + name, first / file, second / file, comparer);
@@ -267,7 +298,24 @@ Comparison compare_runs(const fs::path& first, const fs::path& second, double to
     compare_stages(first, second, tolerance, found);
     compare_circumstances(first, second, found.circumstances);
     compare_figures(first, second, tolerance, found);
+    std::ranges::stable_sort(found.differences, [](const Difference& a, const Difference& b) {
+        return std::pair(a.about, -a.relative) < std::pair(b.about, -b.relative);
+    });
     return found;
+}
+
+const char* name_of(Relevance about) {
+    switch (about) {
+    case Relevance::Presence:
+        return "presence";
+    case Relevance::Result:
+        return "result";
+    case Relevance::Figure:
+        return "figure";
+    case Relevance::Computation:
+        break;
+    }
+    return "computation";
 }
 
 void to_json(json& json, const Comparison& comparison) {
@@ -277,7 +325,8 @@ void to_json(json& json, const Comparison& comparison) {
             {{"where", difference.where},
              {"first", difference.first},
              {"second", difference.second},
-             {"relative", difference.relative}}
+             {"relative", difference.relative},
+             {"about", name_of(difference.about)}}
         );
     }
     json = {
