@@ -199,11 +199,10 @@ int run_verb(const CommandLine& line, const Console& console) {
     job.case_text = casefile::read_whole_file(line.subject);
     set_threads(line.threads);
     job.cache = cache_folder(line, cache_beside(line.output.empty() ? "runs/new" : line.output));
-    job.plan = plan_rest(job.what, line.output, job.cache, line.until);
+    job.folder = line.output;
     if (line.output.empty()) {
         job.folder = make_run_folder(line.subject);
     } else {
-        job.folder = line.output;
         take_run_folder(job.folder);
     }
     const FolderLock lock(job.folder, console);
@@ -214,6 +213,8 @@ int run_verb(const CommandLine& line, const Console& console) {
                          is_asked ? std::optional(job.cache.string()) : std::nullopt}
         );
     }
+    run::open_folder(job.folder, job.what, job.case_text); // another case's is refused before a plan is made and told
+    job.plan = plan_rest(job.what, job.folder, job.cache, line.until);
     tell_plan(job, "into", console);
     const int code = conduct(job, line, console);
     if (code == Done) {

@@ -46,7 +46,10 @@ TEST_F(Cli, ARunGoesOnlyWhereNothingIsOverwritten) {
     EXPECT_FALSE(std::filesystem::exists(folder / "here/studies/replay/seep"));
     EXPECT_EQ(say({"run", "soil/case.toml", "-o", "here"}).code, 0); // the same case goes on
     EXPECT_TRUE(std::filesystem::exists(folder / "here/studies/replay/seep/stage.json"));
-    EXPECT_EQ(say({"run", "soil/case.toml", "-o", "here", "--set", "seed=7"}).code, 3);
+    const Said another = say({"run", "soil/case.toml", "-o", "here", "--set", "seed=7"});
+    EXPECT_EQ(another.code, 3);
+    expect_in("holds a run of another case", another.error);
+    EXPECT_EQ(another.error.find("plan  "), std::string::npos) << "what is refused is not planned";
     const Said wrong = say({"run", "soil/case.toml", "--until", "sepe"});
     EXPECT_EQ(wrong.code, 2);
     expect_in("seep", wrong.error);
