@@ -162,8 +162,8 @@ void read_fines(Reader& v, grains::Soil& soil) {
 }
 
 /// One grading with a size, or two with a fines content: nothing in between.
-void check_parts(Reader& v, bool fines_have_curve) {
-    const bool has_whole = v.has("psd"), has_coarse = v.has("coarse"), has_content = v.has("fines_content");
+void check_parts(Reader& v, bool fines_have_curve, const Node::Entry* content) {
+    const bool has_whole = v.has("psd"), has_coarse = v.has("coarse"), has_content = content != nullptr;
     if (has_whole && has_coarse) {
         v.error(
             "E207", v.place(), fmt::format("{} has both `psd` and `coarse`", v.title()),
@@ -179,10 +179,15 @@ void check_parts(Reader& v, bool fines_have_curve) {
             "E207", v.place(), fmt::format("{} has `sizes`, and no `psd` that they could be a part of", v.title()),
             "leave `sizes` out: the two gradings say which grains there are"
         );
-    } else if (has_whole && (fines_have_curve || has_content)) {
+    } else if (has_whole && has_content) {
         v.error(
-            "E207", v.place(),
-            fmt::format("{} has a `psd` for all grains, and a second grading or a fines content beside it", v.title()),
+            "E207", content->value.place, // in the soil, or in the sweep that gives it
+            fmt::format("{} has a `psd` for all grains, which fixes its fines content", v.title()),
+            "leave `fines_content` out here, or give the soil `coarse`, `fines` and `fines_content` instead of `psd`"
+        );
+    } else if (has_whole && fines_have_curve) {
+        v.error(
+            "E207", v.place(), fmt::format("{} has a `psd` for all grains, and a second grading beside it", v.title()),
             "write fines = { finer_than = \"0.26 mm\" }, or give `coarse` instead of `psd`"
         );
     } else if (has_coarse && !(fines_have_curve && has_content)) {
@@ -192,7 +197,9 @@ void check_parts(Reader& v, bool fines_have_curve) {
                 "{} has a `coarse` part and needs `{}`", v.title(),
                 fines_have_curve ? "fines_content" : "fines = { psd = ... }"
             ),
-            "a soil of two fractions has `coarse`, `fines` and `fines_content`"
+            fines_have_curve
+                ? "fines_content = \"20 %\", by mass; also where each study sweeps it, which then replaces it"
+                : "a soil of two fractions has `coarse`, `fines` and `fines_content`"
         );
     }
 }
@@ -231,7 +238,7 @@ grains::Soil read_soil(ReadContext& context, const Node& table, const Place& pla
         soil.report_kenney_lau =
             v.find_word("fines_auto", *automatic, v.key_of("fines_auto").choices) == std::optional<std::size_t>(0);
     }
-    check_parts(v, fines_have_curve);
+    check_parts(v, fines_have_curve, table.find("fines_content"));
     v.finish();
     return soil;
 }
