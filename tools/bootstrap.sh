@@ -7,7 +7,7 @@ build=$root/build/release
 logs=$root/build/logs
 jobs=${SUFFUSE_JOBS:-2}
 build_packages="g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libhdf5-dev libtomlplusplus-dev
-    libcli11-dev nlohmann-json3-dev libfmt-dev zlib1g-dev libssl-dev pybind11-dev python3-dev python3-numpy"
+    libcli11-dev nlohmann-json3-dev libfmt-dev libfftw3-dev zlib1g-dev libssl-dev pybind11-dev python3-dev python3-numpy"
 test_packages="libeigen3-dev libgtest-dev librapidcheck-dev libbenchmark-dev voro++-dev clang-format chromium fonts-dejavu-core python3-pytest"
 fuzz_packages="clang libclang-rt-14-dev"
 

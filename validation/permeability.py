@@ -32,7 +32,8 @@ def van_der_hoef(solid_fraction):
     return porosity / (18 * solid_fraction * drag)
 
 
-def measure(way, grains, seed):
+def packed(way, grains, seed):
+    """A sample of equal spheres."""
     angle, resisted = WAYS[way]
     rolling = {} if resisted else {"rolling_stiffness": 0, "rolling_friction": 0}
     material = suffuse.Material(
@@ -40,6 +41,11 @@ def measure(way, grains, seed):
     )
     world = suffuse.make_cloud(numpy.full(int(grains), common.DIAMETER / 2), porosity=0.5, material=material, seed=int(seed))
     common.compact(world)
+    return world
+
+
+def measure(way, grains, seed):
+    world = packed(way, grains, seed)
     state = common.state_of(world)
     tensor = numpy.asarray(suffuse.seep(world, tensor=True).tensor)
     permeability = numpy.trace(tensor) / 3 / common.DIAMETER**2
@@ -111,4 +117,5 @@ def main():
     verdict.end()
 
 
-main()
+if __name__ == "__main__":
+    main()

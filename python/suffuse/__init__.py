@@ -35,6 +35,7 @@ from suffuse._core import (
     Loading,
     Material,
     PoreNetwork,
+    ResolvedFlow,
     Seepage,
     SolverError,
     StateError,
@@ -52,7 +53,7 @@ from suffuse._core import (
 from suffuse.case import Case, Plan, Table, print_progress, progress
 from suffuse.packing import read, read_packing, write_packing
 from suffuse.run import Figure, Pass, Run, Stage
-from suffuse.sample import constrictions, largest_overlap, make_cloud, seep, set_threads
+from suffuse.sample import constrictions, largest_overlap, make_cloud, resolve_flow, seep, set_threads
 from suffuse.stability import Assessment, assess
 
 __all__ = [name for name in dir() if not name.startswith("_") and name not in ("case", "packing", "run", "sample", "stability")]

@@ -74,6 +74,16 @@ def seep(packing_or_cell, position=None, radius=None, *, gradient=0.0, direction
     )
 
 
+@_as(_core.resolve_flow)
+def resolve_flow(
+    packing_or_cell, position=None, radius=None, *, gradient=0.0, direction="z", fluid=None, tensor=False, boxes_across=12.0
+):
+    return _core.resolve_flow(
+        packing_or_cell, position, radius, gradient=gradient, direction=direction, fluid=fluid or _core.Fluid(),
+        tensor=tensor, boxes_across=boxes_across,
+    )
+
+
 @_as(_core.constrictions)
 def constrictions(packing_or_cell, position=None, radius=None, *, of="all", merge="none"):
     return _core.constrictions(packing_or_cell, position, radius, of=of, merge=merge)

@@ -118,3 +118,15 @@ def test_bad_geometry_and_bad_words_are_errors(packing):
         suffuse.PoreNetwork((1, 1, 1), [[0.5, 0.5, 0.5]], [2.0])
     with pytest.raises(suffuse.CaseError, match="a packing is a World"):
         suffuse.PoreNetwork((1, 1, 1))
+
+
+def test_resolved_flow_carries_the_whole_gradient_and_tells_its_grid():
+    position = [(0.1, 0.2, 0.3), (0.7, 0.6, 0.9), (0.4, 0.75, 0.35)]
+    flow = suffuse.resolve_flow(numpy.eye(3), position, [0.3, 0.3, 0.15], gradient=0.3, direction="-x", boxes_across=8)
+    assert numpy.allclose(flow.force_sum, -flow.pressure_gradient, rtol=1e-12)
+    assert numpy.allclose(flow.grain_force.sum(axis=0), flow.force_sum, rtol=1e-12)
+    assert flow.permeability == pytest.approx(-flow.mean_velocity[0] * 1e-3 / flow.pressure_gradient[0], rel=1e-12)
+    assert len(flow.boxes) == 3 and flow.across_smallest == pytest.approx(0.3 / flow.spacing)
+    assert flow.tensor is None
+    with pytest.raises(suffuse.CaseError, match="at least 4"):
+        suffuse.resolve_flow(numpy.eye(3), position, [0.3, 0.3, 0.15], boxes_across=2)

@@ -155,6 +155,7 @@ ramp = 500
 watch = 2_000
 probe_unbalanced_force = 1e-7
 relax_limit = 1000
+resolve = 8
 detached = { by = "displacement", over = "0.1 d", noise_quantile = 0.99 }
 restore = true
 only = { fines_content = [0.1] }
@@ -240,6 +241,7 @@ do = "flow"
 gradient = 0.05
 direction = "x"
 tensor = true
+resolve = 12
 [study.sized]
 soil = "two"
 sample_size = { coarse_grains = 2_000, cell_width = 12, at_least = 3_000 }

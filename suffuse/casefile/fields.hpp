@@ -167,6 +167,7 @@ void fields(V& v, flow::FlowSpec& s) {
     v.field("gradient", s.gradient);
     v.direction(s.direction);
     v.field("tensor", s.tensor);
+    v.field("resolve", s.resolve);
 }
 
 template <class V>
@@ -184,6 +185,7 @@ void probe_fields(V& v, erosion::ProbeSpec& probe, erosion::DetachSpec& detached
     v.field("watch", probe.watch);
     v.field("probe_unbalanced_force", probe.unbalanced_force);
     v.field("relax_limit", probe.relax_limit);
+    v.field("resolve", probe.resolve);
     v.table("detached", [&](auto& inner) { fields(inner, detached); });
 }
 

@@ -171,6 +171,14 @@ std::vector<Key> stress_probe_rows() {
     };
 }
 
+Key resolving(const std::string& stage, const std::string& what) {
+    return count(
+        stage, "resolve", {4, 200, false, false},
+        what + "so many of its boxes across the Sauter diameter; 12 is usual. Minutes and gigabytes for 10,000 grains; "
+               "`plan` tells. Not unless given."
+    );
+}
+
 std::vector<Key> probe_rows(const std::string& stage) {
     const std::string detached = stage + ".detached";
     return {
@@ -188,6 +196,10 @@ std::vector<Key> probe_rows(const std::string& stage) {
         count(
             stage, "relax_limit", from_one,
             "Steps of that relaxation after which the floor reached is taken and reported."
+        ),
+        resolving(
+            stage, "Takes the fluid's forces, and the permeabilities, from a flow between the grains themselves on a "
+                   "grid instead of the pore network's: "
         ),
         table(stage, "detached", "Which fines count as detachable."),
         choice(
@@ -300,6 +312,7 @@ std::vector<Key> erosion_rows() {
         ),
         direction("stage.flow", "Where the water goes: grad p = -i rho_w g direction."),
         flag("stage.flow", "tensor", "Solves three directions and reports the permeability tensor."),
+        resolving("stage.flow", "Solves the flow a second time, between the grains themselves on a grid: "),
         list_of(ratio("stage.detach", "gradients", from_zero, "Hydraulic gradients to probe; nothing is removed.")),
     };
     append(rows, probe_rows("stage.detach"));

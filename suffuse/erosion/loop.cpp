@@ -18,6 +18,7 @@
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/grains/gradation.hpp"
+#include "suffuse/stokes/resolved_flow.hpp"
 
 #include <fmt/format.h>
 
@@ -30,7 +31,8 @@ namespace suffuse::erosion {
 namespace {
 
 /// Step 2: the permeability, how fast the water is and how its ways wind, the throats' fluxes, and the fluid's forces
-/// on the grains at each gradient. The pore network, larger than the world, is gone when this returns.
+/// on the grains at each gradient. The pore network, larger than the world, is gone when this returns. Where the flow
+/// is resolved on a grid, permeability and forces are of that.
 struct Seeping {
     double permeability = 0; ///< [m2]
     double reynolds = 0;     ///< at a hydraulic gradient of 1 [-]
@@ -39,16 +41,27 @@ struct Seeping {
     std::vector<ProbeLoad> loads;
 };
 
-Seeping
-seep(const dem::World& world, std::span<const double> gradients, const Vec3& direction, const flow::Fluid& fluid) {
-    const flow::Seepage unit =
-        flow::solve_seepage(world.cell, world.grains.position, world.grains.radius, {1, direction, false}, fluid);
-    const double size = flow::sauter_diameter(world.grains.radius);
+Seeping seep(
+    const dem::World& world, std::span<const double> gradients, const Vec3& direction, const ProbeSpec& spec,
+    const Surroundings& around
+) {
+    const grains::Grains& grains = world.grains;
+    const flow::FlowSpec unit_gradient{1, direction};
+    flow::Seepage unit = flow::solve_seepage(world.cell, grains.position, grains.radius, unit_gradient, around.fluid);
+    if (spec.resolve) {
+        stokes::ResolvedFlow resolved = stokes::resolve_flow(
+            world.cell, grains.position, grains.radius, unit_gradient, around.fluid,
+            {.boxes_across = static_cast<double>(*spec.resolve)}, around.pulse
+        );
+        unit.permeability = resolved.permeability;
+        unit.grain_force = std::move(resolved.grain_force);
+    }
+    const double size = flow::sauter_diameter(grains.radius);
     const std::vector<Vec3> velocity =
-        flow::pore_velocities(unit.network, world.grains.position, world.grains.radius, unit.field.flux);
+        flow::pore_velocities(unit.network, grains.position, grains.radius, unit.field.flux);
     Seeping seeping{
         unit.permeability,
-        flow::reynolds_number(unit.permeability, 1, size, fluid),
+        flow::reynolds_number(unit.permeability, 1, size, around.fluid),
         flow::tortuosity(unit.network, velocity),
         flow::describe_fluxes(unit.network, unit.field.flux, 1),
         {}};
@@ -196,7 +209,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.wall_seconds["relax"] = watch.lap();
 
     // 2 flow
-    const Seeping seeping = seep(next, {&spec.gradient, 1}, spec.direction, around.fluid);
+    const Seeping seeping = seep(next, {&spec.gradient, 1}, spec.direction, spec.probe, around);
     pass.permeability_before = seeping.permeability;
     pass.reynolds_before = std::abs(spec.gradient) * seeping.reynolds;
     pass.tortuosity_before = seeping.tortuosity;
@@ -224,7 +237,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     // 6 new equilibrium
     std::vector<PathRow> path = reequilibrate(next, spec.resettle, result, around, pass);
     watch.lap();
-    const Seeping after = seep(next, {}, spec.direction, around.fluid);
+    const Seeping after = seep(next, {}, spec.direction, spec.probe, around);
     pass.permeability_after = after.permeability;
     pass.reynolds_after = std::abs(spec.gradient) * after.reynolds;
     pass.tortuosity_after = after.tortuosity;
@@ -251,7 +264,7 @@ probe_gradients(const dem::World& world, const DetachStageSpec& spec, const Surr
     dem::sort_along_curve(relaxed_world);
     const dem::RelaxReport relaxed = relax_further(relaxed_world, spec.probe, around);
     const double dt = dem::stable_time_step(relaxed_world);
-    const Seeping seeping = seep(relaxed_world, spec.gradients, spec.direction, around.fluid);
+    const Seeping seeping = seep(relaxed_world, spec.gradients, spec.direction, spec.probe, around);
     return probe(relaxed_world, seeping.loads, dt, relaxed, spec.probe, spec.detached, around);
 }
 

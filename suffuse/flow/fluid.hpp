@@ -3,6 +3,9 @@
 
 #include "suffuse/base/vec3.hpp"
 
+#include <cstdint>
+#include <optional>
+
 namespace suffuse::flow {
 
 struct Fluid {
@@ -12,9 +15,10 @@ struct Fluid {
 
 /// `do = "flow"`: steady seepage through the frozen packing.
 struct FlowSpec {
-    double gradient = 0;        ///< hydraulic gradient i [-]
-    Vec3 direction = {0, 0, 1}; ///< where the water goes: grad p = -i rho_w g direction
-    bool tensor = false;        ///< solve three directions and report the permeability tensor
+    double gradient = 0;                      ///< hydraulic gradient i [-]
+    Vec3 direction = {0, 0, 1};               ///< where the water goes: grad p = -i rho_w g direction
+    bool tensor = false;                      ///< solve three directions and report the permeability tensor
+    std::optional<std::int64_t> resolve = {}; ///< boxes across the Sauter diameter of a second solution, on a grid
 };
 
 } // namespace suffuse::flow

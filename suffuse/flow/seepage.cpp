@@ -13,25 +13,6 @@
 namespace suffuse::flow {
 namespace {
 
-void check(const FlowSpec& spec, const Fluid& fluid) {
-    const double length = norm(spec.direction);
-    if (!std::isfinite(length) || !(length > 0)) {
-        throw CaseError(fmt::format(
-            "flow: direction ({}, {}, {}) is not a direction; three finite numbers, not all zero, are expected",
-            spec.direction.x, spec.direction.y, spec.direction.z
-        ));
-    }
-    if (!std::isfinite(spec.gradient)) {
-        throw CaseError("flow: the hydraulic gradient is not a finite number");
-    }
-    if (!(fluid.viscosity > 0) || !(fluid.density > 0) || !std::isfinite(fluid.viscosity * fluid.density)) {
-        throw CaseError(fmt::format(
-            "flow: fluid of viscosity {} Pa s and density {} kg/m3; both must be positive", fluid.viscosity,
-            fluid.density
-        ));
-    }
-}
-
 /// Column b is the mean velocity under a unit pressure gradient along b, times -viscosity.
 Mat3 permeability_tensor(const PressureSolver& solver, const pores::PoreNetwork& network, double viscosity) {
     Mat3 tensor;
@@ -52,6 +33,25 @@ double relative_force_error(const Seepage& s) {
 }
 
 } // namespace
+
+void check(const FlowSpec& spec, const Fluid& fluid) {
+    const double length = norm(spec.direction);
+    if (!std::isfinite(length) || !(length > 0)) {
+        throw CaseError(fmt::format(
+            "flow: direction ({}, {}, {}) is not a direction; three finite numbers, not all zero, are expected",
+            spec.direction.x, spec.direction.y, spec.direction.z
+        ));
+    }
+    if (!std::isfinite(spec.gradient)) {
+        throw CaseError("flow: the hydraulic gradient is not a finite number");
+    }
+    if (!(fluid.viscosity > 0) || !(fluid.density > 0) || !std::isfinite(fluid.viscosity * fluid.density)) {
+        throw CaseError(fmt::format(
+            "flow: fluid of viscosity {} Pa s and density {} kg/m3; both must be positive", fluid.viscosity,
+            fluid.density
+        ));
+    }
+}
 
 Seepage solve_seepage(
     const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius, const FlowSpec& spec,

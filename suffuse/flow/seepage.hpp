@@ -33,6 +33,9 @@ struct Seepage {
     SeepageSeconds seconds;
 };
 
+/// @throws CaseError for a fluid, gradient or direction that cannot be.
+void check(const FlowSpec& spec, const Fluid& fluid);
+
 /// Solves the flow through the grains at `position` with `radius` [m], one row a grain.
 /// @throws GeometryError, SolverError; CaseError for a fluid or direction that cannot be.
 Seepage solve_seepage(

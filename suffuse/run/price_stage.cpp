@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <variant>
 
 namespace suffuse::run {
@@ -52,6 +53,19 @@ constexpr Range flow_seconds{1e-5, 6e-5};     // a grain, one direction
 constexpr std::int64_t most_drawn = 300'000;
 
 constexpr double grain_memory = 1000, flow_memory = 5000; // [B], a grain
+
+constexpr Range resolved_seconds{8e-6, 6e-5}; // a box, one direction
+constexpr double box_memory = 150;            // [B]
+
+/// Boxes of a grid with so many across the Sauter diameter.
+double resolving_boxes(const PricedSample& sample, const grains::Material& material, double across) {
+    double inverse_diameter = 0; // of Sauter's
+    for (const packing::SizeClass& size : sample.classes) {
+        inverse_diameter += size.volume / size.diameter;
+    }
+    const double solid = (sample.coarse.mass + sample.fines.mass) / material.density;
+    return solid / sample.solid_fraction * std::pow(across * inverse_diameter, 3);
+}
 
 const Range& preparation_steps(std::string_view kind) {
     for (const PreparationPrice& price : preparation_prices) {
@@ -209,19 +223,23 @@ public:
     }
 
     StagePrice operator()(const flow::FlowSpec& spec) {
-        return {
+        StagePrice price{
             .seconds = (spec.tensor ? 2.0 : 1.0) * one_flow(),
             .memory_a_grain = grain_memory + flow_memory,
             .basis = "no steps"};
+        add_resolving(price, spec.resolve, spec.tensor ? 3 : 1);
+        return price;
     }
 
     StagePrice operator()(const erosion::DetachStageSpec& spec) {
         const auto gradients = static_cast<double>(spec.gradients.size());
-        return {
+        StagePrice price{
             .reference_steps = first_relaxation + probe(spec.probe, gradients),
             .seconds = one_flow(),
             .memory_a_grain = 3 * grain_memory + flow_memory,
             .basis = fmt::format("relaxation, {} gradients and a twin", spec.gradients.size())};
+        add_resolving(price, spec.probe.resolve, 1);
+        return price;
     }
 
     StagePrice operator()(const erosion::ErodeSpec& spec) {
@@ -233,7 +251,7 @@ public:
         const Range swept{carrying, 1 - swept_rattlers * (1 - carrying)};
         sample_.fines_left = {
             std::min(sample_.fines_left.least, swept.least), std::min(sample_.fines_left.most, swept.most)};
-        return {
+        StagePrice price{
             .steps = 2 * passes * waited(balance_after_removal),
             .reference_steps = passes * probe(spec.probe, 1) + first_relaxation + later * next_relaxation,
             .seconds = (travels ? 3 : 2) * passes * one_flow(),
@@ -242,6 +260,8 @@ public:
                 "{} passes{}: relaxation, probe with its twin, two new equilibria; more where the skeleton gives way",
                 spec.passes, spec.until_nothing_leaves ? " and more, until nothing leaves" : ""
             )};
+        add_resolving(price, spec.probe.resolve, 2 * passes.most);
+        return price;
     }
 
     StagePrice operator()(const erosion::RemoveSpec& spec) {
@@ -356,6 +376,15 @@ private:
         const double q = ratio * sample_.pressure / std::max(1 - ratio / 3, 0.1);
         const double strain = q / variant_.material.modulus;
         return {at_most(strain / stiffest), at_most(strain / softest)};
+    }
+
+    void add_resolving(StagePrice& price, const std::optional<std::int64_t>& across, double solutions) const {
+        if (across) {
+            const double boxes = resolving_boxes(sample_, variant_.material, static_cast<double>(*across));
+            price.seconds += solutions * boxes * resolved_seconds;
+            price.memory_a_grain += boxes * box_memory / count(sample_);
+            price.basis += fmt::format("; a grid of {:.2g} boxes", boxes);
+        }
     }
 
     [[nodiscard]] Range one_flow() const { return count(sample_) * flow_seconds; }

@@ -18,10 +18,12 @@
 #include "suffuse/run/samples.hpp"
 #include "suffuse/run/scene_data.hpp"
 #include "suffuse/run/stage_work.hpp"
+#include "suffuse/stokes/resolved_flow.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suffuse::run {
 namespace {
@@ -196,6 +198,45 @@ void write_constrictions(const std::filesystem::path& folder, const erosion::Ero
     sizes.finish();
 }
 
+/// Root of the mean square difference of the network's forces to the resolved ones, over that of these; null at rest.
+json force_difference(const std::vector<Vec3>& network, const std::vector<Vec3>& resolved) {
+    double difference = 0, size = 0;
+    for (std::size_t g = 0; g < resolved.size(); ++g) {
+        difference += norm2(network[g] - resolved[g]);
+        size += norm2(resolved[g]);
+    }
+    return or_null(std::sqrt(difference / size));
+}
+
+/// The flow between the grains themselves, beside that of the network.
+json resolve(StageWork& work, const flow::FlowSpec& spec, const std::vector<Vec3>& network_force) {
+    const grains::Grains& grains = work.world.grains;
+    const stokes::ResolvedFlow flow = stokes::resolve_flow(
+        work.world.cell, grains.position, grains.radius, spec, work.what.fluid,
+        {.boxes_across = static_cast<double>(*spec.resolve)}, work.control.pulse()
+    );
+    json numbers = {
+        {"permeability", flow.permeability},
+        {"finer_permeability", flow.finer_permeability},
+        {"mean_velocity", flow.mean_velocity},
+        {"force_sum", flow.force_sum},
+        {"force_difference", force_difference(network_force, flow.grain_force)},
+        {"boxes", flow.boxes},
+        {"spacing", flow.spacing},
+        {"across_smallest", flow.across_smallest},
+        {"iterations", flow.iterations},
+        {"residual", flow.residual},
+        {"seconds", flow.seconds}};
+    if (flow.tensor) {
+        numbers["permeability_along"] = flow.permeability;
+        numbers["permeability"] = *flow.tensor;
+    }
+    if (work.write_tables) {
+        io::write_grain_forces_csv(work.folder / "resolved_forces.csv", grains, {flow.grain_force});
+    }
+    return numbers;
+}
+
 } // namespace
 
 void do_flow(StageWork& work, const flow::FlowSpec& spec) {
@@ -203,7 +244,11 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
     const flow::Seepage seepage =
         flow::solve_seepage(world.cell, world.grains.position, world.grains.radius, spec, work.what.fluid);
     const double porosity = dem::porosity(world);
-    note_open_packing(work, "of the sample", porosity);
+    if (spec.resolve) {
+        work.numbers["resolved"] = resolve(work, spec, seepage.grain_force);
+    } else {
+        note_open_packing(work, "of the sample", porosity);
+    }
     json& numbers = work.numbers;
     numbers["gradient"] = spec.gradient;
     numbers["permeability"] = seepage.permeability;
@@ -306,7 +351,9 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     if (!result.passes.empty()) {
         const erosion::PassResult& last = result.passes.back();
         const std::string when = fmt::format("after pass {}", last.pass);
-        note_open_packing(work, when, last.porosity_after);
+        if (!spec.probe.resolve) {
+            note_open_packing(work, when, last.porosity_after);
+        }
         note_fast_water(work, when, spec.gradient, last.reynolds_after, last.porosity_after);
     }
     work.numbers["passes"] = passes;

@@ -1,0 +1,103 @@
+// The flow between the grains themselves, of a world or any packing given as arrays.
+
+#include "suffuse/base/units.hpp"
+#include "suffuse/stokes/resolved_flow.hpp"
+
+#include <fmt/format.h>
+
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/key_doc.hpp"
+#include "python/bindings/packing.hpp"
+#include "python/bindings/typed.hpp"
+
+namespace suffuse::python {
+namespace {
+
+using stokes::ResolvedFlow;
+
+std::shared_ptr<ResolvedFlow> resolve_flow(
+    const PackingOrCell& first, const NumbersOrNone& position, const NumbersOrNone& radius, const Quantity& gradient,
+    const Direction& direction, const flow::Fluid& fluid, bool tensor, double boxes_across
+) {
+    const Packing packing = packing_of(first, position, radius);
+    const flow::FlowSpec spec{quantity_of(gradient, dimension::none, "gradient"), direction_of(direction), tensor};
+    const Pulse look_at_signals = [](std::string_view, long long) {
+        const py::gil_scoped_acquire interpreter;
+        if (PyErr_CheckSignals() != 0) {
+            throw py::error_already_set();
+        }
+    };
+    const py::gil_scoped_release released;
+    return std::make_shared<ResolvedFlow>(stokes::resolve_flow(
+        {packing.h, {}}, packing.position, packing.radius, spec, fluid, {.boxes_across = boxes_across}, look_at_signals
+    ));
+}
+
+template <class Column>
+void add_vector(
+    py::class_<ResolvedFlow, std::shared_ptr<ResolvedFlow>>& type, const char* name, Column ResolvedFlow::*column,
+    const char* doc
+) {
+    type.def_property_readonly(
+        name, [=](const ResolvedFlow& flow) { return to_array(flow.*column); }, doc
+    );
+}
+
+} // namespace
+
+void bind_resolved(py::module_& m) {
+    py::class_<ResolvedFlow, std::shared_ptr<ResolvedFlow>> type(
+        m, "ResolvedFlow",
+        "Steady slow flow between the grains themselves, extrapolated from two grids, and what it does to the grains."
+    );
+    type.def("__repr__", [](const ResolvedFlow& flow) {
+        return fmt::format(
+            "<suffuse.ResolvedFlow: permeability {:.4g} m2, {} x {} x {} boxes of {:.3g} m>", flow.permeability,
+            flow.boxes[0], flow.boxes[1], flow.boxes[2], flow.spacing
+        );
+    });
+    add_column(
+        type, "grain_force", &ResolvedFlow::grain_force, "grains x 3: of the fluid on each grain, without buoyancy [N]."
+    );
+    type.def_readonly("permeability", &ResolvedFlow::permeability, "Intrinsic, along the direction [m2].");
+    type.def_readonly(
+        "finer_permeability", &ResolvedFlow::finer_permeability,
+        "That of the finer grid; how far the extrapolated one lies from it tells how far to trust it [m2]."
+    );
+    type.def_property_readonly(
+        "tensor", [](const ResolvedFlow& flow) -> Typed<"numpy.ndarray | None"> {
+            return flow.tensor ? py::object(to_array(*flow.tensor)) : py::object(py::none());
+        },
+        "3 x 3: permeability, where asked; else None [m2]."
+    );
+    add_vector(type, "pressure_gradient", &ResolvedFlow::pressure_gradient, "3: mean [Pa/m].");
+    add_vector(type, "mean_velocity", &ResolvedFlow::mean_velocity, "3: superficial [m/s].");
+    add_vector(type, "force_sum", &ResolvedFlow::force_sum, "3: over all grains [N].");
+    type.def_property_readonly(
+        "boxes", [](const ResolvedFlow& flow) { return py::make_tuple(flow.boxes[0], flow.boxes[1], flow.boxes[2]); },
+        "Of the finer grid, along x, y, z."
+    );
+    type.def_readonly("spacing", &ResolvedFlow::spacing, "Of the finer grid [m].");
+    type.def_readonly(
+        "across_smallest", &ResolvedFlow::across_smallest,
+        "Spacings across the smallest grain; below some 4 the force on it is a rough one [-]."
+    );
+    type.def_readonly("iterations", &ResolvedFlow::iterations, "Of the solver, the most of a direction.");
+    type.def_readonly("residual", &ResolvedFlow::residual, "Speed left where the water stands still, relative [-].");
+    type.def_readonly("seconds", &ResolvedFlow::seconds, "Wall time [s].");
+    const std::string doc =
+        "Solves the slow flow between the grains themselves on a grid, through a World, or through cell, positions and "
+        "radii [m]; the cell has to be right-angled. The pore network of `seep` approximates, this converges. Seconds "
+        "for hundreds of grains, minutes for ten thousand.\n\ngradient: " +
+        key_doc(key_of("stage.flow", "gradient")) + "\ndirection: " + key_doc(key_of("stage.flow", "direction")) +
+        "\ntensor: " + key_doc(key_of("stage.flow", "tensor")) +
+        "\nboxes_across: boxes of the finer grid across the Sauter diameter of the grains, 4 at least.";
+    m.def(
+        "resolve_flow", &resolve_flow, py::arg("packing_or_cell"), py::arg("position") = py::none(),
+        py::arg("radius") = py::none(), py::kw_only(), py::arg("gradient") = 0.0, py::arg("direction") = "z",
+        py::arg_v("fluid", flow::Fluid{}, "Fluid()"), py::arg("tensor") = false, py::arg("boxes_across") = 12.0,
+        doc.c_str()
+    );
+}
+
+} // namespace suffuse::python
