@@ -29,7 +29,8 @@ function fullRows(panels, most) {
   return most;
 }
 
-/** Legends whose names would not stand in the rows asked for get fewer columns. */
+/** Legends whose names would not stand in the rows asked for get fewer columns; three that do not fit a row, one: the
+    third alone in a second row looks like an accident. */
 function fitLegends(part, width) {
   if (Array.isArray(part)) part.forEach((each) => fitLegends(each, width));
   else if (part && typeof part === "object") {
@@ -37,7 +38,7 @@ function fitLegends(part, width) {
     if (part.legend && Array.isArray(names) && names.every((name) => typeof name === "string")) {
       const symbol = 26 + Math.sqrt(part.legend.symbolSize ?? 100);
       const most = Math.max(1, Math.floor(width / (6.2 * Math.max(...names.map((name) => name.length)) + symbol)));
-      if (names.length > most) part.legend.columns = most;
+      if (names.length > most) part.legend.columns = names.length === 3 ? 1 : most;
       else delete part.legend.columns;
     }
     Object.values(part).forEach((each) => fitLegends(each, width));

@@ -62,6 +62,11 @@ std::string answer_content(const ReportData& report) {
     for (const std::string& line : report.answer) {
         out += "<p class=\"answer\">" + typeset(line) + "</p>\n";
     }
+    if (report.answer.empty()) {
+        out += "<p class=\"answer\">In what was run there is no erosion, removal or test to sum up; its numbers are in "
+               "the "
+               "sections below.</p>\n";
+    }
     out += "</div>\n" + (report.headlines.empty() ? "" : headline_list(report.headlines)) + "</div>\n";
     out += warnings_box(report);
     if (!report.findings.empty()) {

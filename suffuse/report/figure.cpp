@@ -27,7 +27,7 @@ json rows_of(const Table& table) {
 } // namespace
 
 const json& color::sequence() {
-    static const json colors = {"#3b82b8", "#d55e00", "#2a9d74", "#b5669a", "#b5852f", "#7a6fd0"};
+    static const json colors = {"#3b82b8", "#d55e00", "#17ac5b", "#835380", "#c57c92", "#a74346"};
     return colors;
 }
 
@@ -53,7 +53,7 @@ json look_in_print() {
         "axis": {
             "labelFontSize": 11, "titleFontSize": 12, "titleFontWeight": "normal", "titlePadding": 8,
             "labelColor": "#333333", "titleColor": "#111111", "domainColor": "#666666", "tickColor": "#666666",
-            "gridColor": "#e4e4e4", "labelOverlap": true
+            "gridColor": "#e4e4e4", "labelOverlap": true, "labelSeparation": 8
         },
         "legend": {
             "orient": "top", "labelFontSize": 11, "titleFontSize": 11, "titleFontWeight": "normal",

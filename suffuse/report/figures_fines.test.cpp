@@ -138,20 +138,37 @@ TEST(MixtureFigure, HasALineForEachMixtureAndDotsForItsSample) {
     EXPECT_NE(figure.caption.find("0.5 %"), std::string::npos) << figure.caption; // 0.005 of the fines at FC = 100 %
 }
 
-TEST(MixtureFigure, ColorsOfTheTestedFinesContentsStayApart) {
-    const auto channels = [](const std::string& hex) {
-        return std::array<int, 3>{
-            std::stoi(hex.substr(1, 2), nullptr, 16), std::stoi(hex.substr(3, 2), nullptr, 16),
-            std::stoi(hex.substr(5, 2), nullptr, 16)};
-    };
-    for (const auto& [a, b] : {std::pair{0.0, 0.05}, {0.05, 0.1}, {0.1, 0.15}}) {
-        const auto first = channels(fines_color(a)), second = channels(fines_color(b));
-        int distance = 0;
-        for (std::size_t c = 0; c < 3; ++c) {
-            distance += std::abs(first[c] - second[c]);
-        }
-        EXPECT_GT(distance, 40) << a;
+/// A color as deuteranopes see it (Machado et al. 2009), linear light.
+std::array<double, 3> as_without_green(const std::string& hex) {
+    std::array<double, 3> light{}, seen{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        light[c] = std::pow(std::stoi(hex.substr(1 + 2 * c, 2), nullptr, 16) / 255.0, 2.2);
     }
+    constexpr std::array<std::array<double, 3>, 3> machado = {
+        {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
+    for (std::size_t c = 0; c < 3; ++c) {
+        seen[c] = std::pow(
+            std::clamp(machado[c][0] * light[0] + machado[c][1] * light[1] + machado[c][2] * light[2], 0.0, 1.0),
+            1 / 2.2
+        );
+    }
+    return seen;
+}
+
+TEST(MixtureFigure, ColorsOfFinesContentsInOneDrawingStayApartAlsoForTheColorBlind) {
+    const std::vector<std::string> colors = fines_colors({0.05, 0.1, 0.15, 0.2, 0.3, 0.1});
+    EXPECT_EQ(colors[5], colors[1]) << "one content, one color";
+    for (std::size_t a = 0; a < 5; ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            const auto first = as_without_green(colors[a]), second = as_without_green(colors[b]);
+            double distance = 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                distance += std::abs(first[c] - second[c]);
+            }
+            EXPECT_GT(distance, 0.18) << colors[a] << " and " << colors[b]; // 0.13 is one green beside another
+        }
+    }
+    EXPECT_EQ(fines_colors({0.2}).size(), 1U);
 }
 
 TEST(AverageResponse, OfCurvesOnDifferentStrainsIsTheMeanOfTheirLines) {
@@ -195,7 +212,7 @@ TEST(ResponseFigures, TestsOfAMixtureInSeveralStagesHaveItsColorAndDashesOfTheir
     }
     const json encoding = test_paths(tests)->chart["vconcat"][0]["encoding"];
     EXPECT_EQ(encoding["color"]["scale"]["domain"], (json{"FC 0 %", "FC 5 %", "FC 10 %", "FC 15 %"}));
-    EXPECT_EQ(encoding["color"]["scale"]["range"][2], fines_color(0.1));
+    EXPECT_EQ(encoding["color"]["scale"]["range"], (json(fines_colors({0, 0.05, 0.1, 0.15}))));
     EXPECT_EQ(encoding["strokeDash"]["scale"]["domain"], (json{"shear", "shear-emptied"}));
     tests.resize(4);
     EXPECT_EQ(test_paths(tests)->chart["vconcat"][0]["encoding"]["color"]["field"], "test");

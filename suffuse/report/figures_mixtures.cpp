@@ -60,14 +60,16 @@ std::optional<Figure> mixture_gradings(const std::vector<Mixture>& mixtures, Gra
         return std::nullopt;
     }
     double from = mixtures[0].asked.diameter.front(), to = mixtures[0].asked.diameter.back(), difference = 0;
-    json names = json::array(), colors = json::array();
+    json names = json::array();
+    std::vector<double> contents;
     for (const Mixture& mixture : mixtures) {
         from = std::min(from, mixture.asked.diameter.front());
         to = std::max(to, mixture.asked.diameter.back());
         difference = std::max(difference, largest_difference(mixture));
         names.push_back("FC " + percent_name(mixture.fines_content));
-        colors.push_back(fines_color(mixture.fines_content));
+        contents.push_back(mixture.fines_content);
     }
+    const json colors = fines_colors(contents);
     Columns columns;
     bool has_samples = false;
     for (const Mixture& mixture : mixtures) {

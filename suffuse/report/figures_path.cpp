@@ -163,7 +163,7 @@ json stress_chart() {
             "y": {"field": "stress", "type": "quantitative", "title": "stress σ, p [kPa]", "scale": {"zero": true}},
             "color": {"field": "component", "type": "nominal", "title": "stress",
                       "scale": {"domain": ["mean p", "σx", "σy", "σz"],
-                                "range": ["#808080", "#3b82b8", "#d55e00", "#2a9d74"]}},
+                                "range": ["#808080", "#3b82b8", "#d55e00", "#17ac5b"]}},
             "strokeDash": {"field": "component", "type": "nominal",
                       "scale": {"domain": ["mean p", "σx", "σy", "σz"], "range": [[1, 0], [6, 3], [2, 2], [8, 2, 2, 2]]}},
             "order": {"field": "row"},

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace suffuse::report {
 
@@ -44,20 +45,26 @@ std::string percent_name(double fraction) {
     return short_number(100 * fraction) + " %";
 }
 
-std::string fines_color(double fines_content) {
+std::vector<std::string> fines_colors(const std::vector<double>& contents) {
     using Rgb = std::array<double, 3>;
-    // Viridis between its darkest, lost on black, and its brightest, lost on white.
-    static constexpr std::array<Rgb, 6> map = {
-        {{84, 84, 176}, {48, 120, 160}, {31, 145, 135}, {58, 160, 88}, {122, 160, 35}, {190, 140, 20}}};
-    constexpr double stretch = 0.2; // half of the map lies below a fines content of 14 %
-    const double whole = 1 / (1 + stretch), f = std::clamp(fines_content, 0.0, 1.0);
-    const double place = f / (f + stretch) / whole * (map.size() - 1);
-    const std::size_t k = std::min(static_cast<std::size_t>(place), map.size() - 2);
-    Rgb color{};
-    for (std::size_t c = 0; c < 3; ++c) {
-        color[c] = map[k][c] + (place - static_cast<double>(k)) * (map[k + 1][c] - map[k][c]);
+    // Lightness rises from one to the next; the darkest is not lost on black, nor the brightest on white.
+    static constexpr std::array<Rgb, 5> map = {
+        {{1, 63, 255}, {181, 27, 128}, {143, 92, 90}, {187, 140, 10}, {143, 157, 112}}};
+    const std::set<double> known(contents.begin(), contents.end());
+    const std::vector<double> sorted(known.begin(), known.end());
+    const double steps = std::max(1.0, static_cast<double>(sorted.size()) - 1);
+    std::vector<std::string> colors;
+    for (const double content : contents) {
+        const auto rank = static_cast<double>(std::ranges::lower_bound(sorted, content) - sorted.begin());
+        const double place = rank / steps * (map.size() - 1);
+        const std::size_t k = std::min(static_cast<std::size_t>(place), map.size() - 2);
+        std::array<long, 3> color{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            color[c] = std::lround(map[k][c] + (place - static_cast<double>(k)) * (map[k + 1][c] - map[k][c]));
+        }
+        colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]));
     }
-    return fmt::format("#{:02x}{:02x}{:02x}", std::lround(color[0]), std::lround(color[1]), std::lround(color[2]));
+    return colors;
 }
 
 } // namespace suffuse::report

@@ -41,8 +41,8 @@ Scatter number_of(const SweepPoint& point, double fines_content, const std::stri
 /// "10 %" for 0.1.
 std::string percent_name(double fraction);
 
-/// The color of a fines content in every figure: perceptually even, apart on white and on black paper, stretched where
-/// the paper's tests lie.
-std::string fines_color(double fines_content);
+/// The color of each of the fines contents that stand in one drawing, in their order: from blue by magenta to sage, as
+/// far apart as their number allows, also for color-blind readers, on white and on black paper.
+std::vector<std::string> fines_colors(const std::vector<double>& contents);
 
 } // namespace suffuse::report

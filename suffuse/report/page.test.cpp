@@ -101,6 +101,14 @@ TEST_F(Page, OfARunThatIsNotCompleteSaysSoBeforeAnythingElse) {
     EXPECT_NE(text.find("<code>suffuse resume runs/a-0001</code>"), std::string::npos);
 }
 
+TEST_F(Page, OfARunWithNothingToSumUpSaysWhereItsNumbersAre) {
+    ReportData report = test::sample_report("Sand");
+    const auto page = [&] { return read_all(write_report(folder.path(), report, folder / "nowhere").file); };
+    EXPECT_EQ(page().find("its numbers are in the sections below"), std::string::npos);
+    report.answer.clear();
+    EXPECT_NE(page().find("its numbers are in the sections below"), std::string::npos);
+}
+
 TEST_F(Page, WarningsOfTheCheckOfTheCaseStandUnderQuality) {
     ReportData report = test::sample_report("Sand");
     report.case_warnings = {"W602: a narrow cell; take more grains"};

@@ -77,6 +77,22 @@ Table response_table(const std::vector<ResponseCurve>& tests, std::size_t most) 
     return table;
 }
 
+std::vector<std::string> content_colors(const std::vector<ResponseCurve>& tests) {
+    std::vector<double> contents;
+    for (const ResponseCurve& test : tests) {
+        if (std::isfinite(test.fines_content)) {
+            contents.push_back(test.fines_content);
+        }
+    }
+    const std::vector<std::string> known = fines_colors(contents);
+    std::vector<std::string> colors;
+    std::size_t next = 0;
+    for (const ResponseCurve& test : tests) {
+        colors.push_back(std::isfinite(test.fines_content) ? known[next++] : "");
+    }
+    return colors;
+}
+
 int legend_columns(const json& names) {
     std::size_t longest = 1;
     for (const json& name : names) {
@@ -87,13 +103,12 @@ int legend_columns(const json& names) {
 
 void color_by_test(const std::vector<ResponseCurve>& tests, json& encoding) {
     json names = json::array(), colors = json::array();
+    const std::vector<std::string> by_content = content_colors(tests);
     for (const ResponseCurve& test : tests) {
-        names.push_back(test.name);
         const json& sequence = color::sequence();
-        colors.push_back(
-            std::isfinite(test.fines_content) ? json(fines_color(test.fines_content))
-                                              : sequence[colors.size() % sequence.size()]
-        );
+        const std::string& of_content = by_content[names.size()];
+        names.push_back(test.name);
+        colors.push_back(of_content.empty() ? sequence[colors.size() % sequence.size()] : json(of_content));
     }
     encoding["color"] = {
         {"field", "test"},

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace suffuse::report {
@@ -18,6 +19,9 @@ Table response_table(const std::vector<ResponseCurve>& tests, std::size_t most);
 
 /// Color and dashes by test; tests over a fines content have its color.
 void color_by_test(const std::vector<ResponseCurve>& tests, nlohmann::json& encoding);
+
+/// For each test the color of its fines content; empty where that is not known.
+std::vector<std::string> content_colors(const std::vector<ResponseCurve>& tests);
 
 /// Names that stand in one row of a chart of the usual width.
 int legend_columns(const nlohmann::json& names);

@@ -1,4 +1,3 @@
-#include "suffuse/report/fines_study.hpp"
 #include "suffuse/report/response_look.hpp"
 #include "suffuse/report/responses.hpp"
 #include "suffuse/report/words.hpp"
@@ -63,9 +62,10 @@ void color_by_mixture(const std::vector<ResponseCurve>& tests, json& encoding) {
         json::parse("[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2], [12, 3], [5, 2, 1, 2, 1, 2], [1, 3], [12, 2, 4, 2]]");
     std::vector<std::pair<std::string, json>> mixtures, stages;
     std::vector<std::string> seen;
+    const std::vector<std::string> colors = content_colors(tests);
     for (const ResponseCurve& test : tests) {
         const auto [mixture, stage] = mixture_and_stage(test);
-        mixtures.emplace_back(mixture, fines_color(test.fines_content));
+        mixtures.emplace_back(mixture, colors[mixtures.size()]);
         if (std::find(seen.begin(), seen.end(), stage) == seen.end()) {
             stages.emplace_back(stage, patterns[seen.size() % patterns.size()]);
             seen.push_back(stage);

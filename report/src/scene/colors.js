@@ -5,7 +5,7 @@ const hex = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16));
 const coarse = hex("#cfa457");
 const fines = hex("#c8322b");
 const neutral = hex("#b9b5ab");
-const passColors = ["#3b82b8", "#d55e00", "#2a9d74", "#b5669a", "#7a6fd0", "#8c6d1f"].map(hex);
+const passColors = ["#3b82b8", "#d55e00", "#17ac5b", "#835380", "#c57c92", "#a74346"].map(hex);
 const viridis = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"].map(hex);
 
 const css = ([r, g, b]) => `rgb(${Math.round(r)} ${Math.round(g)} ${Math.round(b)})`;
