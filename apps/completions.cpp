@@ -265,7 +265,7 @@ std::string completions_for(const std::string& shell, const std::vector<VerbRow>
         return fish_script(table);
     }
     throw UsageError(fmt::format(
-        "completions for {}{}; there are bash, zsh, fish", shown(shell), near_hint(shell, {"bash", "zsh", "fish"})
+        "no completions for {}{}; there are bash, zsh, fish", shown(shell), near_hint(shell, {"bash", "zsh", "fish"})
     ));
 }
 

@@ -131,7 +131,9 @@ void keep_asked(const fs::path& folder, const AskedRun& asked) {
 
 AskedRun read_asked(const fs::path& folder) {
     if (!fs::exists(folder / options_file)) {
-        throw UsageError(fmt::format("{} holds no run that could be resumed", shown(folder.string())));
+        throw UsageError(fmt::format(
+            "{} holds no run that could be resumed; give the folder that suffuse run has named", shown(folder.string())
+        ));
     }
     const nlohmann::json asked = run::read_json(folder / options_file);
     AskedRun read{

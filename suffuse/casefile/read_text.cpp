@@ -127,7 +127,10 @@ std::string read_whole_file(const std::string& path) {
     };
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
     if (!file) {
-        fail(std::strerror(errno));
+        fail(
+            errno == ENOENT ? "there is no such file; check its name, and the folder that it is looked for from"
+                            : std::strerror(errno)
+        );
     }
     std::string text;
     char block[65536];
@@ -143,7 +146,7 @@ std::string read_whole_file(const std::string& path) {
         if (std::error_code none; reason == EISDIR && std::filesystem::exists(within, none)) {
             fail(("it is a folder; its case is " + within).c_str());
         }
-        fail(std::strerror(reason));
+        fail(reason == EISDIR ? "it is a folder; give a file in it" : std::strerror(reason));
     }
     return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }

@@ -26,7 +26,10 @@ std::optional<Grading> read_curve_file(Reader& v, const Node& node, CurveEnds en
     std::error_code failed;
     if (!std::filesystem::is_regular_file(path, failed)) {
         v.error(
-            "E501", node.place, fmt::format("there is no file {}", path),
+            "E501", node.place,
+            fmt::format(
+                "there is no file {}{}", path, std::filesystem::is_directory(path, failed) ? ": it is a folder" : ""
+            ),
             "paths start at the folder of the case; a grading is a CSV file with the columns `d [mm],passing [%]`"
         );
         return std::nullopt;

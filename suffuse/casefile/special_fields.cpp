@@ -22,7 +22,13 @@ Key over_key(Dimension dimension) {
 void check_file(Reader& v, const Place& place, const std::string& path) {
     std::error_code failed;
     if (!std::filesystem::is_regular_file(path, failed)) {
-        v.error("E501", place, fmt::format("there is no file {}", path), "paths start at the folder of the case");
+        v.error(
+            "E501", place,
+            fmt::format(
+                "there is no file {}{}", path, std::filesystem::is_directory(path, failed) ? ": it is a folder" : ""
+            ),
+            "paths start at the folder of the case"
+        );
     }
 }
 
