@@ -200,6 +200,7 @@ int run_verb(const CommandLine& line, const Console& console) {
     set_threads(line.threads);
     job.cache = cache_folder(line, cache_beside(line.output.empty() ? "runs/new" : line.output));
     job.folder = line.output;
+    job.plan = plan_rest(job.what, job.folder, job.cache, line.until); // where it throws no folder is left
     if (line.output.empty()) {
         job.folder = make_run_folder(line.subject);
     } else {
@@ -213,8 +214,7 @@ int run_verb(const CommandLine& line, const Console& console) {
                          is_asked ? std::optional(job.cache.string()) : std::nullopt}
         );
     }
-    run::open_folder(job.folder, job.what, job.case_text); // another case's is refused before a plan is made and told
-    job.plan = plan_rest(job.what, job.folder, job.cache, line.until);
+    run::open_folder(job.folder, job.what, job.case_text); // another case's is refused before the plan is told
     tell_plan(job, "into", console);
     const int code = conduct(job, line, console);
     if (code == Done) {
