@@ -36,7 +36,7 @@ one = stage(1, "erosion")["passes"][0]
 probe = one["probe"]
 print(f"{threads} threads, one pass: " + ", ".join(f"{s:.2f}" for s in seconds) + " s")
 print(f"steps: relaxation {probe['relax_steps']}, probe and twin {2 * (probe['ramp'] + probe['watch'])}, "
-      f"new equilibrium {one['steps']}; {one['removed']} of {probe['fines']} fines left")
+      f"new equilibrium {one['steps']}; {one['removed']} of {probe['fines']} fines removed, {one['eroded_mass_percent']:.2f} % of the mass")
 print("state    void ratio  coordination  mean stress [kPa]  unbalanced")
 for name, state in (("before", stage(1, "initial")), ("after", stage(1, "erosion"))):
     print(f"{name:8} {state['void_ratio']:.5f}     {state['coordination']:.3f}         "
