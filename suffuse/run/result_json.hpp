@@ -61,8 +61,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // curves of earlier runs lack 
     mechanical_coordination, unbalanced_force, inertial_number, second_order_work, excess_pore_pressure, energy
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE( // whole or not at all, as CompactState
-    PathState, phase, start_h, start_stress, strain_rate, pace, median_diameter, lent, time_step, known_contacts,
-    balance, energy, steps, rows
+    PathState, phase, start_h, start_stress, strain_rate, pace, least_pace, median_diameter, lent, time_step,
+    known_contacts, balance, energy, steps, rows
 )
 
 NLOHMANN_JSON_SERIALIZE_ENUM(Answer, {{Answer::Rests, "rests"}, {Answer::Creeps, "creeps"}, {Answer::Fails, "fails"}})

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/cell/strain.hpp"
+#include "suffuse/contact/stress.hpp"
 #include "suffuse/dem/carried_stress.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace suffuse::triaxial {
@@ -23,6 +25,9 @@ constexpr double fastest_held = 2;   // rate of an axis whose stress is held, at
 constexpr double least_ratio = 0.05; // q/p that a constant deviator needs, for servos to hold it [-]
 constexpr double held_within = 0.02; // of its value, a constant deviator [-]
 constexpr double first_pace = 0.01, quicker = 1.2, slower = 0.5;
+constexpr double closed_a_burst = 0.5;  // of what is missing of the stress to stop at, at most [-]
+constexpr double stops_within = 2.5e-3; // of the deviator stress to stop at, below it [-]
+constexpr double less_patient = 1.1;    // of the least pace, from one slowed burst to the next [-]
 
 double lateral_mean(const Mat3& stress, int axis) {
     return 0.5 * (trace(stress) - stress(axis, axis));
@@ -49,14 +54,15 @@ cell::Loading held_stresses(const TriaxialSpec& spec, double p, double q) {
 cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
     using cell::Control;
     const Mat3 &start = state.start_stress, &now = state.balance.stress;
-    cell::AxisControl axial{Control::StrainRate, state.strain_rate}, lateral;
+    const double rate = state.pace * state.strain_rate;
+    cell::AxisControl axial{Control::StrainRate, rate}, lateral;
     if (const std::optional<double> ratio = imposed_strain_ratio(spec)) {
-        lateral = {Control::StrainRate, -0.5 * (1 - *ratio) * state.strain_rate};
+        lateral = {Control::StrainRate, -0.5 * (1 - *ratio) * rate};
     } else if (spec.path == Path::ConstantMean) {
         lateral = {Control::MeanStress, dem::mean_stress(start)};
     } else if (spec.path == Path::ConstantDeviator) {
         // A sample that fails flows at constant volume, with the axial rate of the other paths.
-        lateral = {Control::StrainRate, -0.5 * state.pace * state.strain_rate};
+        lateral = {Control::StrainRate, -0.5 * rate};
         axial = {Control::Stress, lateral_mean(now, spec.axis) + deviator(start, spec.axis)};
     }
     cell::Loading loading;
@@ -72,8 +78,13 @@ cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
     return loading;
 }
 
-/// Before a sample fails its stresses fall so quickly that the axial servo would lag behind: the cell waits for it.
+/// Full, or on the way to it. At a constant deviator, before a sample fails its stresses fall so quickly that the axial
+/// servo would lag behind: the cell waits for it.
 void keep_pace(const TriaxialSpec& spec, PathState& state) {
+    if (spec.path != Path::ConstantDeviator) {
+        state.pace = std::min(1.0, quicker * state.pace);
+        return;
+    }
     const double q = deviator(state.start_stress, spec.axis);
     const double lag = std::abs(deviator(state.balance.stress, spec.axis) - q) / (held_within * q);
     if (lag > 1) {
@@ -93,9 +104,7 @@ cell::Loading final_loading(const TriaxialSpec& spec, const PathState& state) {
         return held_stresses(spec, start_q / *spec.stress_ratio, start_q);
     }
     if (spec.path == Path::ConstantMean) {
-        return held_stresses(
-            spec, start_mean, spec.deviator_stress ? *spec.deviator_stress : *spec.stress_ratio * start_mean
-        );
+        return held_stresses(spec, start_mean, *deviator_to_stop_at(spec, start_mean));
     }
     const double lateral = lateral_mean(state.start_stress, spec.axis);
     const double q = spec.deviator_stress ? *spec.deviator_stress // or q = eta p, with p = lateral + q/3
@@ -105,13 +114,30 @@ cell::Loading final_loading(const TriaxialSpec& spec, const PathState& state) {
     return loading;
 }
 
-bool has_stress_target(const TriaxialSpec& spec) {
-    return spec.deviator_stress || spec.stress_ratio;
+/// q that is missing of the one to stop at [Pa]; below zero beyond it, nothing where the test goes to a strain.
+std::optional<double> missing_deviator(const TriaxialSpec& spec, const Mat3& stress) {
+    const std::optional<double> asked = deviator_to_stop_at(spec, dem::mean_stress(stress));
+    return asked ? std::optional(*asked - deviator(stress, spec.axis)) : std::nullopt;
 }
 
 bool target_reached(const TriaxialSpec& spec, const PathRow& row) {
-    return (spec.deviator_stress && row.deviator_stress >= *spec.deviator_stress) ||
-           (spec.stress_ratio && row.deviator_stress >= *spec.stress_ratio * row.mean_stress);
+    const std::optional<double> asked = deviator_to_stop_at(spec, row.mean_stress);
+    return asked && row.deviator_stress >= (1 - stops_within) * *asked;
+}
+
+/// The less is missing of the stress to stop at, the more slowly the sample is loaded, so that it comes there from
+/// below, and quasi-static: a burst closes half of the distance at most. Not for ever: what a sample that fails beside
+/// the stress asked for closes is noise. @param closed by a burst of this pace [Pa]; a sample is no stiffer than its
+/// network
+void ease_to_target(const dem::World& world, const TriaxialSpec& spec, double pace, double closed, PathState& state) {
+    const Vec3 modulus = contact::affine_moduli(world.grains, world.contacts, world.material, world.cell.h);
+    const double full_burst = state.strain_rate * static_cast<double>(dem::burst_steps) * state.time_step;
+    const double closing = std::min(closed / pace, modulus[spec.axis] * full_burst);
+    const double to_close = closed_a_burst * *missing_deviator(spec, state.balance.stress);
+    if (to_close < state.pace * closing) {
+        state.pace = std::max(to_close / closing, state.least_pace);
+        state.least_pace = std::min(1.0, less_patient * state.least_pace);
+    }
 }
 
 /// How far the test has come [-]. At a constant deviator a sample widens and lengthens until it fails.
@@ -196,6 +222,10 @@ void renew_time_step(const dem::World& world, const TriaxialSpec& spec, PathStat
 
 } // namespace
 
+std::optional<double> deviator_to_stop_at(const TriaxialSpec& spec, double mean_stress) {
+    return spec.stress_ratio ? std::optional(*spec.stress_ratio * mean_stress) : spec.deviator_stress;
+}
+
 dem::Lent lent_during(const TriaxialSpec& spec, const grains::Material& material) {
     const bool lends = spec.inertia == GrainInertia::Lent && spec.time_step <= 0 && spec.path != Path::ConstantDeviator;
     return {lends, lends && material.friction > 0};
@@ -239,6 +269,10 @@ bool path_burst(
     if (dem::time_step_is_due(state.steps, state.balance.equilibrium.contacts, state.known_contacts)) {
         renew_time_step(world, spec, state);
     }
+    const std::optional<double> missing = missing_deviator(spec, state.balance.stress);
+    if (missing && state.steps == 0) {
+        ease_to_target(world, spec, 1, std::numeric_limits<double>::infinity(), state);
+    }
     const bool settling = state.phase == PathState::Phase::Settle;
     dem::StepPlan plan;
     plan.dt = state.time_step;
@@ -255,8 +289,10 @@ bool path_burst(
         }
         return settled;
     }
-    if (spec.path == Path::ConstantDeviator) {
-        keep_pace(spec, state);
+    const double pace = state.pace;
+    keep_pace(spec, state);
+    if (missing) {
+        ease_to_target(world, spec, pace, *missing - *missing_deviator(spec, state.balance.stress), state);
     }
     dem::follow(state.energy, world, state.balance, state.time_step, damping);
     const PathRow row = measure_row(world, spec, state);
@@ -269,7 +305,7 @@ bool path_burst(
     if (!over) {
         return false;
     }
-    if (has_stress_target(spec) && !reached) {
+    if (missing && !reached) {
         report_out_of_reach(row);
     }
     state.balance.steps = state.balance.balanced_steps = 0;

@@ -37,7 +37,8 @@ struct PathState {
     Mat3 start_h;               ///< cell at the start of the test [m]
     Mat3 start_stress;          ///< [Pa]
     double strain_rate = 0;     ///< axial, compression positive; constant deviator: twice the lateral extension's [1/s]
-    double pace = 1;            ///< constant deviator: share of that rate, so that the axial servo keeps up [-]
+    double pace = 1;            ///< share of that rate: constant deviator, and near a stress to stop at [-]
+    double least_pace = 1e-3;   ///< near a stress to stop at; grows, for not every sample comes there [-]
     double median_diameter = 0; ///< by mass, of the inertial number [m]
     dem::Lent lent;             ///< inertia that grains have beyond their own
     double time_step = 0;       ///< [s]
@@ -47,6 +48,9 @@ struct PathState {
     std::int64_t steps = 0;
     std::vector<PathRow> rows;
 };
+
+/// q at which a test stops, of a sample that bears this mean stress [Pa]; nothing where it goes to a strain.
+std::optional<double> deviator_to_stop_at(const TriaxialSpec& spec, double mean_stress);
 
 /// What a test lends: nothing with a given time step, nor at a constant deviator, where a sample that fails under the
 /// loads that it bears flows as its own inertia lets it; frictionless grains do not turn.
