@@ -38,7 +38,7 @@ TEST_F(Assess, SaysNumberLimitAndVerdictOfEachCriterion) {
     expect_out("fines 25 % below 0.3 mm (fine end of the gap)");
     for (const char* line :
          {"Kenney and Lau 1985      (H/F)min 0.357             >= 1.3        unstable",
-          "Chang and Zhang 2013     gap ratio Gr 3.33          <= 3          unstable",
+          "Chang and Zhang 2013     gap ratio Gr 3.33          < 3           unstable",
           "Sherard 1979             D15c/d85f 4.1              <= 5          stable", "unverified", "unstable ("}) {
         expect_out(line);
     }

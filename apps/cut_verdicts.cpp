@@ -15,7 +15,7 @@ CutVerdicts judge_cut(const grains::Grading& measured, const grains::Grading& mo
     const auto after = stability::assess(modeled, spec).criteria;
     CutVerdicts verdicts{stability::summary(before), stability::summary(after), {}};
     for (std::size_t k = 0; k < before.size(); ++k) {
-        if (before[k].verified && before[k].verdict != after[k].verdict) {
+        if (before[k].verified && after[k].verified && before[k].verdict != after[k].verdict) {
             verdicts.turned.push_back(
                 {before[k].id, before[k].name, stability::verdict_word(before[k].verdict),
                  stability::verdict_word(after[k].verdict)}

@@ -314,7 +314,8 @@ void add_assess_verb(CLI::App& app, CommandLine& line) {
         ->type_name("N")
         ->transform(ratio_in(0.05, 0.95));
     assess->add_option("--density", line.density, "of the grains, with -i; 2650kg/m^3 unless given")->type_name("RHO");
-    assess->add_option("--alpha", line.stress_share, "with -i: mean stress of the fines over that of the soil")
+    assess
+        ->add_option("--alpha", line.stress_share, "with -i: mean effective stress in the fines over that of the soil")
         ->type_name("A")
         ->transform(ratio_in(0, 1));
     assess->add_flag("--coarse-fabric", line.coarse_fabric, "D60/D10 of the coarse part decides how far to look at F");

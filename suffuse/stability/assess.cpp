@@ -51,7 +51,10 @@ void check(const AssessSpec& spec) {
     if (seepage.stress_share) {
         require(
             *seepage.stress_share >= 0 && *seepage.stress_share <= 1,
-            fmt::format("a stress share of {:.6g}: it lies between 0 and 1", *seepage.stress_share)
+            fmt::format(
+                "an alpha of {:.6g}: it lies between 0 and 1, which stands for all fines that carry the mean or more",
+                *seepage.stress_share
+            )
         );
     }
 }
@@ -150,7 +153,8 @@ std::string limit_text(const Criterion& criterion) {
     if (criterion.upper) {
         return fmt::format("{:.3g} to {:.3g}", *criterion.limit, *criterion.upper);
     }
-    return fmt::format("{} {:.3g}", criterion.sense == Sense::AtMost ? "<=" : ">=", *criterion.limit);
+    const char* side = criterion.sense == Sense::AtMost ? "<" : ">";
+    return fmt::format("{}{} {:.3g}", side, criterion.strict ? "" : "=", *criterion.limit);
 }
 
 std::string summary(const std::vector<Criterion>& criteria) {

@@ -57,7 +57,7 @@ Tally count_verdicts(const std::vector<Criterion>& criteria);
 /// "stable", "transition", "unstable", "cannot say".
 const char* verdict_word(Verdict verdict);
 
-/// ">= 1", "<= 4", "2.05 to 3.57"; empty where there is no limit.
+/// ">= 1", "<= 4", "< 3", "2.05 to 3.57"; empty where there is no limit.
 std::string limit_text(const Criterion& criterion);
 
 /// "4 of 6 criteria say unstable (Kezdi 1979, ...), 2 stable (...); cannot say: ...".

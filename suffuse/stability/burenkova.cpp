@@ -114,6 +114,7 @@ Criterion wan_fell_alternative(const Grading& grading, const std::optional<FineF
     criterion.value = coarse;
     criterion.limit = 70;
     criterion.sense = Sense::AtMost;
+    criterion.strict = true;
     criterion.source = "WanFell2008";
     criterion.verified = false;
     if (find_gap(grading)) {

@@ -1,6 +1,6 @@
 #pragma once
 // Criteria on the slopes of the curve: h' = d90/d60 for the coarse part, h'' = d90/d15 for the whole [Burenkova 1993],
-// its logistic form and the alternative for broadly graded soils [Wan and Fell 2004, 2008], as [RMC 2023] gives them.
+// its logistic form and the alternative for broadly graded soils [Wan and Fell 2008], as [RMC 2023] gives them.
 
 #include "suffuse/grains/soil.hpp"
 #include "suffuse/stability/criterion.hpp"

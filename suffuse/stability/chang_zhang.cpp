@@ -43,6 +43,7 @@ void judge_shape(const LeastRatio& least, double percent, Criterion& criterion) 
         return;
     }
     criterion.limit = percent < 5 ? 1.0 : 4.0 / 3 - percent / 15;
+    criterion.verified = percent < 5;
     criterion.verdict = *criterion.value > *criterion.limit ? Verdict::Stable : Verdict::Unstable;
 }
 
@@ -53,6 +54,7 @@ Criterion chang_zhang(const Grading& grading, double limit) {
     criterion.id = "chang-zhang-2013";
     criterion.name = "Chang and Zhang 2013";
     criterion.source = "ChangZhang2013";
+    criterion.strict = true;
     const double percent = 100 * grains::passing(grading, fines_size);
     if (const auto gap = find_gap(grading)) {
         judge_gap(*gap, percent, criterion);

@@ -1,5 +1,6 @@
 #include "suffuse/stability/chang_zhang.hpp"
 
+#include "suffuse/stability/assess.hpp"
 #include "suffuse/stability/curve.hpp"
 #include "suffuse/stability/gradings_for_tests.hpp"
 
@@ -27,6 +28,10 @@ TEST(ChangZhang, TheLineBetweenFiveAndTwentyPercentMeetsBothEnds) {
     EXPECT_NEAR(*chang_zhang(with_fines(0.0500001), 0.2).limit, 1.0, 1e-5);
     EXPECT_NEAR(*chang_zhang(with_fines(0.125), 0.2).limit, 0.5, 1e-9);
     EXPECT_NEAR(*chang_zhang(with_fines(0.1999999), 0.2).limit, 0.0, 1e-5);
+    // The line itself was not read in a source, its ends were.
+    EXPECT_TRUE(chang_zhang(with_fines(0.0499), 0.2).verified);
+    EXPECT_FALSE(chang_zhang(with_fines(0.125), 0.2).verified);
+    EXPECT_TRUE(chang_zhang(with_fines(0.21), 0.2).verified);
     const Criterion silty = chang_zhang(with_fines(0.21), 0.2);
     EXPECT_EQ(silty.verdict, Verdict::Stable);
     EXPECT_FALSE(silty.limit);
@@ -46,6 +51,16 @@ TEST(ChangZhang, AGapIsJudgedByItsRatio) {
     EXPECT_NEAR(*chang_zhang(with_gap(0.30, 3), 0.2).limit, 9.0, 1e-9);
     EXPECT_FALSE(chang_zhang(with_gap(0.30, 3), 0.2).verified);
     EXPECT_EQ(chang_zhang(with_gap(0.36, 30), 0.2).verdict, Verdict::Stable);
+}
+
+TEST(ChangZhang, ItsLimitsAreUnstableThemselvesAndAreShownSo) {
+    // Sizes are binary fractions: Gr is 3 to the bit.
+    const grains::Grading at_limit{{0x1p-15, 0x1p-14, 0x3p-14, 0x1p-9}, {0, 0.08, 0.08, 1}, ""};
+    const Criterion gap = chang_zhang(at_limit, 0.2);
+    EXPECT_EQ(*gap.value, 3);
+    EXPECT_EQ(gap.verdict, Verdict::Unstable);
+    EXPECT_EQ(limit_text(gap), "< 3");
+    EXPECT_EQ(limit_text(chang_zhang(power_law(0.6), 0.2)), "> 1");
 }
 
 TEST(Gap, IsFoundWhereSizesAreMissing) {

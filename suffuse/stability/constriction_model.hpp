@@ -56,8 +56,8 @@ FinesBesideConstrictions
 compare_with_constrictions(const grains::Grading& grading, const std::optional<FineFraction>& fines, double otherwise);
 
 /// Stable where Dc35/d85f <= 1: the size that 35 % of the constrictions of the coarse part undercut, and d85 of the
-/// fine part by surface area [Indraratna et al. 2011, 2015]. Without a relative density it says stable or unstable only
-/// where that holds from the loosest to the densest state; its number is then that of the loosest.
+/// fine part by surface area [Indraratna et al. 2011]. Without a relative density it says stable or unstable only where
+/// that holds from the loosest to the densest state; its number is then that of the loosest.
 Criterion indraratna(const FinesBesideConstrictions& sizes, std::optional<double> relative_density);
 
 } // namespace suffuse::stability

@@ -24,6 +24,7 @@ struct Criterion {
     std::optional<double> limit; ///< the soil is stable on the side of `sense` [-]
     std::optional<double> upper; ///< Sense::Between: stable from `limit` to here [-]
     Sense sense = Sense::AtLeast;
+    bool strict = false; ///< the limit itself is not stable
     Verdict verdict = Verdict::CannotSay;
     std::string remark;             ///< where the number was found, or why the criterion cannot say
     std::string source;             ///< key in docs/references.bib

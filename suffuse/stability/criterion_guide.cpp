@@ -41,7 +41,9 @@ constexpr std::array guides = {
     Guide{
         "chang-zhang-2013", "Chang and Zhang 2013",
         "By the mass P finer than 0.063 mm: without a gap the least H/F, with a gap its width.",
-        "no gap: stable above P = 20 %; H/F > 1 below 5 %; > 4/3 - P/15 (P in %) between", "ChangZhang2013"},
+        "no gap: stable where H/F > 1 below P = 5 %, from 20 % on in any case; a gap: where its ratio < 3 below P = 10 "
+        "%, above 35 % in any case. Between (P in %), unverified and not counted: H/F > 4/3 - P/15, ratio < 0.3 P",
+        "ChangZhang2013"},
     Guide{
         "sherard-1979", "Sherard 1979 (unverified)", "D15 of the coarse part over d85 of the fine part, at the split.",
         "stable where <= 5; the limit was not read in a source and is not counted", "Sherard1979"},
@@ -61,8 +63,9 @@ constexpr std::array guides = {
         "safe where i is below it", "Terzaghi1939"},
     Guide{
         "skempton-brogan-1994", "Skempton and Brogan 1994",
-        "Upward seepage carries the fines alone at alpha i_c, where alpha is the share of the mean effective stress "
-        "that they carry (--alpha); 1 where Kenney and Lau 1985 say stable, (H/F)min >= 1.3. Asked with -i.",
+        "Upward seepage carries the fines alone at alpha i_c. alpha (--alpha) is the mean effective stress in the "
+        "fines over that of the soil, alpha_fines of a run's stage.json (not fines_stress_share, which is FC alpha); "
+        "1 where Kenney and Lau 1985 say stable, (H/F)min >= 1.3. Asked with -i.",
         "safe where i is below it", "SkemptonBrogan1994"},
 };
 

@@ -61,8 +61,8 @@ Criterion skempton_brogan(const UpwardSeepage& seepage, Verdict by_shape) {
         criterion.limit.reset();
         criterion.verdict = Verdict::CannotSay;
         criterion.remark = fmt::format(
-            "the share alpha of the stress that the fines carry is not known (1 where (H/F)min >= 1.3); they hold if "
-            "it is at least {:.3g}",
+            "alpha, the mean effective stress in the fines over that of the soil, is not known (1 where (H/F)min >= "
+            "1.3); they hold if it is at least {:.3g}",
             seepage.gradient / whole
         );
     }

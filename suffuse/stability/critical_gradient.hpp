@@ -12,7 +12,7 @@ struct UpwardSeepage {
     double gradient = 0;                     ///< i of the water, upward [-]
     double porosity = 0.40;                  ///< [-]
     double grain_density = 2650;             ///< [kg/m3]
-    std::optional<double> stress_share = {}; ///< alpha: mean stress of the fines over that of the soil [-]
+    std::optional<double> stress_share = {}; ///< alpha: mean effective stress in the fines over that of the soil [-]
 };
 
 /// (Gs - 1)(1 - n): the gradient that carries the whole weight of the soil.
@@ -24,7 +24,7 @@ Criterion terzaghi(const UpwardSeepage& seepage);
 /// Stable while i stays below alpha (Gs - 1)(1 - n). `by_shape` is what Kenney and Lau 1985 say: where the soil is
 /// stable all grains carry, alpha = 1 [Skempton and Brogan 1994, abstract]. That is their stricter limit, H/F >= 1.3:
 /// from 1 to 1.3 their two limits disagree, and to take alpha = 1 there would be to the unsafe side. Elsewhere alpha
-/// must be known; without it the criterion cannot say, and tells the share that the fines would have to carry.
+/// must be known; without it the criterion cannot say, and tells the alpha that the fines would need.
 Criterion skempton_brogan(const UpwardSeepage& seepage, Verdict by_shape);
 
 } // namespace suffuse::stability
