@@ -79,7 +79,7 @@ std::vector<Key> balance_rows() {
         ),
         ratio(
             "balance", "stress_error", above_zero,
-            "Settled below this: largest error of a controlled stress / that stress."
+            "Settled below this: largest error of a controlled stress / largest wanted stress."
         ),
         count("balance", "patience", from_one, "Steps in a row for which both hold before a stage counts as settled."),
         quantity("fluid", "density", dimension::density, above_zero, "Density of the pore fluid."),

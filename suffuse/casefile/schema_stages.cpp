@@ -350,9 +350,9 @@ std::vector<Key> erosion_rows() {
             ),
             choice(
                 "stage.erode.passes_constriction", "size", names::words_of(names::constriction_size),
-                "Mean (the paper's), median, d35; the widest path along the flow; the flow path: constrictions that "
-                "the grain meets on its way with the water, between all grains that stay, and where it lodges if held; "
-                "or none: every detachable grain leaves."
+                "Mean (the paper's), median (or d50, the same), d35; the widest path along the flow; the flow path: "
+                "constrictions that the grain meets on its way with the water, between all grains that stay, and where "
+                "it lodges if held; or none: every detachable grain leaves."
             ),
             choice(
                 "stage.erode.passes_constriction", "of", names::words_of(names::constrictions_of),

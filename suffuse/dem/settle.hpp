@@ -37,8 +37,7 @@ settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec
 /// Where a settling has had its time: what is still missing. @throws StateError always.
 [[noreturn]] void report_not_balanced(const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state);
 
-/// Largest error of a controlled stress, as a share of it (of the largest, where a target is zero; 0 where all are)
-/// [-].
+/// Largest error of a controlled stress over the largest wanted one; 0 where all wanted are zero [-].
 double stress_error(const cell::Loading& loading, const Mat3& stress);
 
 /// Holds every axis at the given stress, compression positive [Pa], or fixed where not given.

@@ -21,7 +21,7 @@ constexpr const char* name_of(Mode mode) {
 /// All three must hold for a state to count as settled.
 struct BalanceSpec {
     double unbalanced_force = 1e-3; ///< mean resultant over grains with >= 2 contacts / mean contact force [-]
-    double stress_error = 5e-3;     ///< largest error of a controlled stress / that stress [-]
+    double stress_error = 5e-3;     ///< largest error of a controlled stress / largest wanted one [-]
     std::int64_t patience = 500;    ///< steps in a row for which both hold
 };
 
