@@ -17,12 +17,13 @@ def described(owner):
             yield name, getattr(type(owner), name).__doc__, getattr(owner, name)
 
 
-@pytest.mark.parametrize("kind", ["World", "Grains", "Contacts", "PoreNetwork", "Seepage", "Constrictions"])
+@pytest.mark.parametrize("kind", ["World", "Grains", "Contacts", "PoreNetwork", "Seepage", "ResolvedFlow", "Constrictions"])
 def test_every_array_tells_its_shape_and_every_number_its_unit(settled, kind):
     water = suffuse.seep(settled, gradient=0.05, tensor=True)
     owner = {
         "World": settled, "Grains": settled.grains, "Contacts": settled.contacts, "PoreNetwork": water.network,
-        "Seepage": water, "Constrictions": suffuse.constrictions(settled),
+        "Seepage": water, "ResolvedFlow": suffuse.resolve_flow(settled, gradient=0.05, tensor=True, boxes_across=4),
+        "Constrictions": suffuse.constrictions(settled),
     }[kind]
     rows = {
         "grains": len(settled), "contacts": len(settled.contacts), "pores": water.network.pores,

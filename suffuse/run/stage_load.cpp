@@ -70,7 +70,7 @@ void note_energy(StageWork& work, const triaxial::TriaxialSpec& spec, const tria
             work.place(), 100 * energy.damping / taken
         ));
     }
-    if (std::abs(energy.unaccounted()) > much_unaccounted * taken) {
+    if (std::abs(energy.unaccounted()) > much_unaccounted * std::max(taken, energy.work)) { // before yield: in springs
         work.warnings.push_back(fmt::format(
             "{}: springs, motion, slip, rolling and damping leave {:.2g} % of the work of the test unaccounted for",
             work.place(), 100 * energy.unaccounted() / energy.work
@@ -84,7 +84,7 @@ void note_overshoot(StageWork& work, const triaxial::TriaxialSpec& spec, const s
     constexpr double much = 0.01;
     const triaxial::PathRow& stop = rows.back();
     const double asked = triaxial::deviator_to_stop_at(spec, stop.mean_stress).value_or(stop.deviator_stress);
-    const double allowed = std::max(much * asked, work.what.balance.stress_error * stop.mean_stress);
+    const double allowed = std::max(much * asked, work.what.balance.stress_error * rows.front().mean_stress);
     if (stop.deviator_stress > asked + allowed) {
         work.warnings.push_back(fmt::format(
             "{}: asked to stop at a deviator stress of {:.4g} kPa, the test started at {:.4g} and reached {:.4g} kPa: "
