@@ -17,8 +17,8 @@ bool rises_throughout(const std::array<double, probe_samples + 1>& speed) {
     return true;
 }
 
-/// @param noise speed that a grain must exceed [m/s]
-bool detaches_by_velocity(const DetachSpec& spec, const ProbeResult& probe, std::size_t k, double noise) {
+/// @param without speed of the same grain without fluid [m/s]
+bool detaches_by_velocity(const DetachSpec& spec, const ProbeResult& probe, std::size_t k, double without) {
     const double final_speed = probe.speed[k].back();
     switch (spec.rule) {
     case VelocityRule::Rising:
@@ -28,7 +28,7 @@ bool detaches_by_velocity(const DetachSpec& spec, const ProbeResult& probe, std:
     case VelocityRule::StillAccelerating:
         break;
     }
-    return rises_throughout(probe.speed[k]) && final_speed > spec.over * probe.free_speed[k] && final_speed > noise;
+    return rises_throughout(probe.speed[k]) && final_speed - without > spec.over * probe.free_speed[k];
 }
 
 bool detaches_by_displacement(const DetachSpec& spec, const ProbeResult& probe, std::size_t k) {
@@ -49,7 +49,7 @@ void judge_detachment(const DetachSpec& spec, ProbeResult& result) {
     for (std::size_t k = 0; k < fines; ++k) {
         if (result.fluid_force[k] > 0) {
             const bool moves = detaches_by_velocity(spec, result, k, 0);
-            result.by_velocity[k] = detaches_by_velocity(spec, result, k, result.twin_noise) ? 1 : 0;
+            result.by_velocity[k] = detaches_by_velocity(spec, result, k, result.twin_speed[k]) ? 1 : 0;
             result.hidden_by_noise += moves && result.by_velocity[k] == 0 ? 1 : 0;
             result.by_displacement[k] = detaches_by_displacement(spec, result, k) ? 1 : 0;
         }

@@ -7,12 +7,12 @@
 
 namespace suffuse::erosion {
 
-/// Fills in the verdict of both rules for every grain, the twin's noise level, how many fines it hides, and the two-way
-/// table of the rules' agreement. A grain on which no fluid force acts is detachable by neither: at i = 0 both return
-/// no grain.
+/// Fills in the verdict of both rules for every grain, the twin's noise level, which judges none, how many fines what
+/// they do without fluid hides, and the two-way table of the rules' agreement. A grain on which no fluid force acts is
+/// detachable by neither: at i = 0 both return no grain.
 void judge_detachment(const DetachSpec& spec, ProbeResult& result);
 
-/// Whether the twin's noise hides so many fines that the velocity rule cannot tell what the fluid detaches.
+/// Whether what they do without fluid hides so many fines that the velocity rule cannot tell what the fluid detaches.
 bool noise_decides(const DetachSpec& spec, const ProbeResult& result);
 
 /// The verdicts of the rule asked for.

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+
 namespace suffuse::erosion {
 namespace {
 
@@ -38,25 +41,39 @@ TEST(Detachment, AGrainThatFliesFreeIsDetachableAndOneThatFluctuatesIsNot) {
     EXPECT_EQ(probe.by_velocity, (std::vector<std::uint8_t>{1, 0, 0})); // the last is too slow for half of free flight
 }
 
-TEST(Detachment, WhatTheTwinDoesWithoutFluidIsNoise) {
-    ProbeResult probe = probe_of({rising_to(1), rising_to(1)});
-    probe.twin_speed = {0, 2};
+TEST(Detachment, AGrainThatMovesWithoutFluidAsWellIsNotDetachableAndHidesNoOther) {
+    std::vector<std::array<double, probe_samples + 1>> speeds(40, rising_to(1));
+    speeds[0] = speeds[1] = rising_to(9);             // a chain that creeps, and gains speed
+    std::reverse(speeds[1].begin(), speeds[1].end()); // or comes to rest
+    ProbeResult probe = probe_of(speeds);
+    probe.twin_speed[0] = speeds[0].back() - 0.1;
+    probe.twin_speed[1] = speeds[1].back();
     judge_detachment({}, probe);
-    EXPECT_EQ(probe.twin_noise, 2);
-    EXPECT_EQ(probe.by_velocity, (std::vector<std::uint8_t>{0, 0}));
+    EXPECT_EQ(probe.by_velocity[0], 0);
+    EXPECT_EQ(probe.by_velocity[1], 0);
+    EXPECT_EQ(std::accumulate(probe.by_velocity.begin(), probe.by_velocity.end(), 0), 38);
+    EXPECT_EQ(probe.hidden_by_noise, 1); // the other would not be detachable beside a twin at rest either
+    EXPECT_FALSE(noise_decides({}, probe));
 }
 
-TEST(Detachment, CannotBeToldWhereTheTwinsNoiseHidesMoreThanATwentiethOfTheFines) {
+TEST(Detachment, AGrainThatMovesWithoutFluidIsDetachableWhereTheFluidAddsHalfOfFreeFlight) {
+    ProbeResult probe = probe_of({rising_to(3.6), rising_to(3.4)});
+    probe.twin_speed = {3, 3};
+    judge_detachment({}, probe);
+    EXPECT_EQ(probe.by_velocity, (std::vector<std::uint8_t>{1, 0}));
+}
+
+TEST(Detachment, CannotBeToldWhereMoreThanATwentiethOfTheFinesWouldMoveWithoutFluidAsWell) {
     std::vector<std::array<double, probe_samples + 1>> speeds(40, rising_to(1));
     DetachSpec spec;
     for (const auto& [hidden, decides] : {std::pair{2, false}, std::pair{3, true}}) {
         ProbeResult probe = probe_of(speeds);
         for (int k = 0; k < hidden; ++k) {
-            probe.speed[static_cast<std::size_t>(k)] = rising_to(0.7);
+            probe.twin_speed[static_cast<std::size_t>(k)] = 0.8;
         }
-        probe.twin_speed[39] = 0.8;
         judge_detachment(spec, probe);
         EXPECT_EQ(probe.hidden_by_noise, hidden);
+        EXPECT_EQ(std::accumulate(probe.by_velocity.begin(), probe.by_velocity.end(), 0), 40 - hidden);
         EXPECT_EQ(noise_decides(spec, probe), decides);
     }
 }

@@ -26,8 +26,8 @@ struct ProbeSpec {
 enum class DetachBy { Velocity, Displacement };
 
 enum class VelocityRule {
-    StillAccelerating, ///< rises over every tenth of the watch, and ends above a share of free flight and above the
-                       ///< twin's noise
+    StillAccelerating, ///< rises over every tenth of the watch, and ends by a share of free flight above what the same
+                       ///< grain does in the twin
     Rising,            ///< rises over every tenth of the watch
     Above,             ///< ends above a given speed
 };
@@ -39,7 +39,7 @@ struct DetachSpec {
     double over = 0.5;                    ///< share of the free flight: speed, or displacement along the drag [-]
     std::optional<double> over_speed;     ///< VelocityRule::Above: [m/s]
     std::optional<double> over_diameters; ///< displacement rule: an absolute share of the grain's diameter instead [-]
-    double noise_quantile = 0.999;        ///< the twin's speeds up to this quantile are noise [-]
+    double noise_quantile = 0.999;        ///< of the twin's speeds, told as their noise; no grain is judged by it [-]
 };
 
 enum class ConstrictionSize {
