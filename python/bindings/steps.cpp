@@ -1,6 +1,7 @@
 // What moves a world: steps under a loading and under forces, settling, relaxing, triaxial tests and stress probes.
 
 #include "suffuse/casefile/names.hpp"
+#include "suffuse/cell/hold_stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/relax.hpp"
 #include "suffuse/dem/settle.hpp"
@@ -104,6 +105,7 @@ py::array_t<double> step(
             const std::int64_t burst =
                 std::min({steps - done, dem::burst_steps, dem::time_step_interval - done % dem::time_step_interval});
             report = dem::advance(call.world(), call.caches(), asked->plan, burst);
+            cell::hold_stress(loading, call.world().servo);
             done += burst;
             call.remember_place(); // before an exception may end the work
             attention.beat("step", done);
@@ -130,6 +132,7 @@ py::dict settle(
             renew_time_step(*asked, call.world(), state.steps);
             asked->plan.drag = dem::slowest_mode_drag(call.world().grains.size(), asked->plan.dt);
             settled = dem::settle_burst(call.world(), call.caches(), asked->plan, balance, state);
+            cell::hold_stress(loading, call.world().servo);
             call.remember_place();
             collapsed = !settled && dem::carries_nothing(loading, balance, state, stress_before);
             if (!settled && !collapsed && state.steps >= max_steps) {

@@ -1,6 +1,7 @@
 #include "suffuse/packing/compact.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/cell/hold_stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/grains/gradation.hpp"
@@ -115,6 +116,9 @@ void go_on(dem::World& world, const CompactSpec& spec, CompactState& state) {
     }
     const bool lent_some = state.lent != dem::Lent{};
     state.phase = state.phase == Phase::Settle && lent_some ? Phase::Prove : Phase::Done;
+    if (state.phase == Phase::Done) {
+        cell::hold_stress(dem::isotropic_stress(spec.pressure), world.servo);
+    }
 }
 
 /// Frictionless relaxation of what geometry left: ends when little load is left, or when it has had its time.

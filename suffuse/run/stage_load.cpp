@@ -1,5 +1,6 @@
 // The verbs that load a sample: settle, triaxial, stress-probe, advance.
 
+#include "suffuse/cell/hold_stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/dem/relax.hpp"
@@ -24,16 +25,6 @@ dem::StepPlan plan_for(const StageWork& work, const cell::Loading& loading) {
     plan.mode = work.what.mode;
     plan.loading = loading;
     return plan;
-}
-
-/// The next stages hold what this one held.
-void remember_held_stress(const cell::Loading& loading, cell::ServoState& servo) {
-    for (int a = 0; a < 3; ++a) {
-        const cell::AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
-        if (axis.control == cell::Control::Stress) {
-            servo.held_stress[a] = axis.value;
-        }
-    }
 }
 
 /// A sample that strains by itself answers to no load.
@@ -146,7 +137,7 @@ void do_settle(StageWork& work, const dem::SettleSpec& spec) {
             work.control.beat("settle", state.steps, &work.world);
         }
     }
-    remember_held_stress(spec.loading, work.world.servo);
+    cell::hold_stress(spec.loading, work.world.servo);
     work.numbers["steps"] = state.steps;
 }
 
@@ -171,11 +162,6 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
         if (!over) {
             work.control.beat("shear", state.steps, &work.world);
         }
-    }
-    for (int a = 0; a < 3; ++a) {
-        work.world.servo.held_stress[a] = spec.path == triaxial::Path::Drained && a != spec.axis
-                                              ? state.start_stress(a, a)
-                                              : state.balance.stress(a, a);
     }
     work.time_step = state.time_step;
     work.numbers["steps"] = state.steps;
@@ -257,7 +243,7 @@ void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {
             work.control.beat("advance", done, &work.world);
         }
     }
-    remember_held_stress(spec.loading, work.world.servo);
+    cell::hold_stress(spec.loading, work.world.servo);
     work.numbers["steps"] = done;
 }
 

@@ -135,7 +135,6 @@ void do_compact(StageWork& work, const packing::CompactSpec& asked) {
     } else {
         compact(work, spec, work.resumed.get<packing::CompactState>());
     }
-    work.world.servo.held_stress = {spec.pressure, spec.pressure, spec.pressure};
     warn_of_shear_stress(work, spec.pressure);
 }
 

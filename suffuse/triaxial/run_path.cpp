@@ -1,6 +1,7 @@
 #include "suffuse/triaxial/run_path.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/cell/hold_stress.hpp"
 #include "suffuse/cell/strain.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/dem/carried_stress.hpp"
@@ -220,6 +221,13 @@ void renew_time_step(const dem::World& world, const TriaxialSpec& spec, PathStat
     state.known_contacts = state.balance.equilibrium.contacts;
 }
 
+/// Later stages hold the lateral stresses of a drained test, else the stresses that the test has led to.
+void end_path(dem::World& world, const TriaxialSpec& spec, PathState& state) {
+    const bool holds_lateral = spec.path == Path::Drained;
+    cell::hold_stress(holds_lateral ? loading_of(spec, state) : dem::constant_volume(), world.servo);
+    state.phase = PathState::Phase::Done;
+}
+
 } // namespace
 
 std::optional<double> deviator_to_stop_at(const TriaxialSpec& spec, double mean_stress) {
@@ -283,7 +291,7 @@ bool path_burst(
     state.steps += dem::burst_steps;
     if (settling) {
         if (settled) {
-            state.phase = PathState::Phase::Done;
+            end_path(world, spec, state);
         } else {
             check_settling(world, spec, balance, state);
         }
@@ -309,10 +317,12 @@ bool path_burst(
         report_out_of_reach(row);
     }
     state.balance.steps = state.balance.balanced_steps = 0;
-    state.phase = reached ? PathState::Phase::Settle : PathState::Phase::Done;
     give_back(world, state); // a balance is proved with the grains' own inertia
     if (reached) {
         renew_time_step(world, spec, state);
+        state.phase = PathState::Phase::Settle;
+    } else {
+        end_path(world, spec, state);
     }
     return !reached;
 }
