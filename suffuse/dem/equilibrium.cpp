@@ -79,10 +79,12 @@ Equilibrium measure_equilibrium(const World& world) {
     const auto total = static_cast<double>(world.grains.size());
     const double active = total - static_cast<double>(grains.rattlers);
     result.mean_contact_force = contacts.force / static_cast<double>(contacts.count);
-    if (active > 0) {
+    if (grains.active_force > 0) { // grains that just touch carry nothing, and nothing of it is unbalanced
         result.unbalanced_force = grains.active_force / active / result.mean_contact_force;
     }
-    result.unbalanced_force_all = grains.force / total / result.mean_contact_force;
+    if (grains.force > 0) {
+        result.unbalanced_force_all = grains.force / total / result.mean_contact_force;
+    }
     return result;
 }
 

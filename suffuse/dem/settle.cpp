@@ -49,7 +49,7 @@ bool is_balanced(
     if (unloads && borne.axes == 3) {
         return true;
     }
-    return state.equilibrium.contacts > 0 && state.equilibrium.unbalanced_force <= spec.unbalanced_force &&
+    return state.equilibrium.mean_contact_force > 0 && state.equilibrium.unbalanced_force <= spec.unbalanced_force &&
            stress_error(loading, state.stress) <= spec.stress_error;
 }
 

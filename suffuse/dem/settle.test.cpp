@@ -1,6 +1,7 @@
 #include "suffuse/dem/settle.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/dem/first_contacts.hpp"
 #include "suffuse/dem/inspect.hpp"
 
 #include <gtest/gtest.h>
@@ -120,6 +121,21 @@ TEST(Settle, DoesNotCallACloudWithoutContactsBalanced) {
     Settling run;
     run.world = test::empty_world(1);
     test::add(run.world, {0.5, 0.5, 0.5}, 0.01);
+    EXPECT_EQ(run.bursts(), 0);
+}
+
+TEST(Settle, OfGrainsThatJustTouchIsNoBalanceAndNothingOfItIsUnbalanced) {
+    Settling run;
+    constexpr double spacing = 0.25; // powers of two: touching to the last bit
+    run.world = test::empty_world(2 * spacing);
+    for (int k = 0; k < 8; ++k) {
+        const Vec3 site{static_cast<double>(k % 2), static_cast<double>(k / 2 % 2), static_cast<double>(k / 4)};
+        test::add(run.world, spacing * site, 0.5 * spacing);
+    }
+    add_first_contacts(run.world);
+    EXPECT_EQ(measure_equilibrium(run.world).contacts, 24);
+    EXPECT_EQ(measure_equilibrium(run.world).unbalanced_force, 0);
+    EXPECT_EQ(measure_equilibrium(run.world).unbalanced_force_all, 0);
     EXPECT_EQ(run.bursts(), 0);
 }
 

@@ -56,6 +56,7 @@ report::StageRow stage_row(const casefile::Case& what, const FinishedStage& stag
     const json& n = stage.numbers;
     const casefile::StageSpec& spec = stage.stage->spec;
     const double none = std::numeric_limits<double>::quiet_NaN();
+    const auto number = [&](const char* name) { return n.at(name).is_null() ? none : n[name].get<double>(); };
     const auto* test = std::get_if<triaxial::TriaxialSpec>(&spec);
     const bool settles = std::holds_alternative<packing::CompactSpec>(spec) ||
                          std::holds_alternative<dem::SettleSpec>(spec) ||
@@ -64,18 +65,17 @@ report::StageRow stage_row(const casefile::Case& what, const FinishedStage& stag
     report::StageRow row;
     row.name = stage.name();
     row.grains = n.at("grains");
-    row.void_ratio = n.at("void_ratio");
-    row.porosity = n.at("porosity");
-    row.coordination = n.at("coordination");
-    row.mean_stress = n.at("mean_stress");
-    row.deviator_stress = n.at("deviator_stress");
+    row.void_ratio = number("void_ratio");
+    row.porosity = number("porosity");
+    row.coordination = number("coordination");
+    row.mean_stress = number("mean_stress");
+    row.deviator_stress = number("deviator_stress");
     if (touches) {
-        row.unbalanced_force = {n.at("unbalanced_force"), settles ? what.balance.unbalanced_force : none};
-        row.overlap = {n.at("max_overlap_ratio"), largest_good_overlap};
+        row.unbalanced_force = {number("unbalanced_force"), settles ? what.balance.unbalanced_force : none};
+        row.overlap = {number("max_overlap_ratio"), largest_good_overlap};
         row.stress_error = {stress_error(*stage.stage, n.at("stress").get<Mat3>()), what.balance.stress_error};
     }
-    row.inertial_number.value =
-        n.at("inertial_number_max").get<double>() > 0 ? n["inertial_number_max"].get<double>() : none;
+    row.inertial_number.value = number("inertial_number_max") > 0 ? number("inertial_number_max") : none;
     if (test != nullptr) { // its rate was set by the number that its own rows hold
         if (const auto error = triaxial::largest_hold_error(stage.findings.curve, test->path)) {
             row.stress_error = {*error, largest_good_hold_error};

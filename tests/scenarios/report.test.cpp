@@ -138,6 +138,29 @@ TEST(StudyReport, FiguresOneToSixHoldTheNumbersOfTheStages) {
     EXPECT_GT(page.find("W602"), page.find("<section id=\"quality\""));
 }
 
+TEST(StudyReport, OfGrainsThatJustTouchAndCarryNothingIsWritten) {
+    const TempFolder folder;
+    std::ofstream packing(folder / "lattice.csv");
+    packing << "x,y,z,r\n";
+    for (int k = 0; k < 64; ++k) {
+        packing << fmt::format("{},{},{},0.001\n", 0.002 * (k % 4), 0.002 * (k / 4 % 4), 0.002 * (k / 16));
+    }
+    packing.close();
+    run_text(
+        reference_constants + "[study.s]\n[[study.s.stage]]\nname = \"start\"\ndo = \"import\"\n" +
+            "packing = \"lattice.csv\"\ncell = [\"8 mm\", \"8 mm\", \"8 mm\"]\n" +
+            "[[study.s.stage]]\nname = \"flow\"\ndo = \"flow\"\ngradient = 0.01\n",
+        folder.path()
+    );
+    const json start = stage_of(folder.path(), "start");
+    ASSERT_GT(start.at("contacts"), 0);
+    ASSERT_EQ(start.at("mean_stress"), 0);
+    EXPECT_EQ(start.at("unbalanced_force"), 0);
+    for (const char* made : {"summary.json", "report.html", "SHA256SUMS"}) {
+        EXPECT_TRUE(std::filesystem::exists(folder / "run" / made)) << made;
+    }
+}
+
 TEST(StudyReport, OfARunThatWasToEndEarlySaysWhichStagesAreMissing) {
     const TempFolder folder;
     run::RunOptions options;
