@@ -182,21 +182,23 @@ std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed) {
     if (points.x.size() < least_points) {
         return std::nullopt;
     }
-    // At least two points on each side, so that each line is a line.
+    // At least two points on each side, so that each line is a line. Where the best break is at the second or the last
+    // but one of them, any break beyond it fits as well: a line has one point to go through there.
     const double first = points.x[1], last = points.x[points.x.size() - 2];
-    double at = 0;
+    double at = first;
     Fit best;
     best.misfit = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= trials; ++k) {
-        const double x0 = first + (last - first) * k / trials;
+        const double x0 = k == trials ? last : first + (last - first) * k / trials;
         const Fit fit = fit_two_lines(points, x0);
         if (fit.misfit < best.misfit) {
             best = fit, at = x0;
         }
     }
+    const bool is_told = at > first && at < last;
     const auto [lowest, highest] = std::ranges::minmax(points.y);
     const bool is_flat_before = best.slope * (at - points.x.front()) <= flat_part * (highest - lowest);
-    return best.bend > 0 && is_flat_before ? std::optional(at) : std::nullopt;
+    return is_told && best.bend > 0 && is_flat_before ? std::optional(at) : std::nullopt;
 }
 
 std::vector<ContentThreshold> find_thresholds(const StageCurve& loose, const StageCurve* dense) {

@@ -47,7 +47,7 @@ std::optional<Extreme> find_extreme(const ContentCurve& curve, std::size_t seed,
 
 /// Where a curve that starts flat begins to rise: the break of two straight lines that fit best its part up to nine
 /// tenths of its highest value. Nothing where that part has fewer than four points, does not steepen, or has made a
-/// quarter of its rise before the break.
+/// quarter of its rise before the break; nor where all breaks beside one end of it fit alike.
 std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed);
 
 struct ContentThreshold {

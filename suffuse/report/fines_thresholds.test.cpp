@@ -58,6 +58,23 @@ TEST(FinesThresholds, ACurveThatOnlyBendsDownHasNoOnset) {
     EXPECT_FALSE(find_onset(curve_of({0, 0.1, 0.2}, {{0, 0.1, 0.6}}), 0)) << "too few points";
 }
 
+TEST(FinesThresholds, ABreakThatCouldLieAnywhereBesideAnEndCannotBeTold) {
+    const std::vector<double> content{0, 0.1, 0.2, 0.3, 0.4, 0.6};
+    const auto broken_at = [&](double onset) {
+        std::vector<double> value;
+        for (const double x : content) {
+            value.push_back(0.02 + std::max(0.0, x - onset));
+        }
+        return find_onset(curve_of(content, {value}), 0);
+    };
+    EXPECT_FALSE(broken_at(0.1)) << "at any place up to 10 % the first line goes through the first point";
+    EXPECT_FALSE(broken_at(0.05));
+    EXPECT_FALSE(broken_at(0.4)) << "at any place up to 60 % the second line goes through the last point";
+    EXPECT_FALSE(broken_at(0.5));
+    EXPECT_NEAR(broken_at(0.15).value(), 0.15, 0.3 / 400); // two points before it tell
+    EXPECT_NEAR(broken_at(0.35).value(), 0.35, 0.3 / 400); // two points behind it tell
+}
+
 TEST(FinesThresholds, CurvesFollowSeedsAndNotTheirPlaces) {
     StageCurve stage{"loose", {}};
     SweepPoint both, one;

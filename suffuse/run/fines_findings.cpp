@@ -104,7 +104,7 @@ json thresholds_json(const std::optional<FinesResults>& results) {
              {"from", threshold.from},
              {"of_seed", threshold.at.of_seed},
              {"mean", threshold.at.mean},
-             {"standard_deviation", threshold.at.standard_deviation}}
+             {"standard_deviation", threshold.at.seeds > 1 ? json(threshold.at.standard_deviation) : json()}}
         );
     }
     return list;
@@ -148,7 +148,8 @@ std::optional<report::PageTable> thresholds_table(const std::optional<FinesResul
     table.note =
         "FC_threshold: vertex of the parabola through the lowest point of the curve and its neighbors. FC_active: "
         "break of two straight lines through the rising part of the curve; none where a quarter of the rise is made "
-        "before it. Deviations are those of the seeds; how far the points of the sweep lie apart comes on top.";
+        "before it, or where the curve has too few points to one side to tell its place. Deviations are those of the "
+        "seeds; how far the points of the sweep lie apart comes on top.";
     table.header = {"threshold", "read from", "fines content [%]", "deviation [%]", "seeds"};
     table.numeric = {false, false, true, true, true};
     for (const report::ContentThreshold& threshold : results->thresholds) {
