@@ -218,7 +218,7 @@ std::vector<Key> probe_rows(const std::string& stage) {
         ),
         ratio(
             detached, "noise_quantile", open_share,
-            "Speeds of the twin without fluid count as noise up to this quantile."
+            "Quantile of the speeds of the twin without fluid that is told as its noise; no grain is judged by it."
         ),
     };
 }

@@ -139,7 +139,7 @@ void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion:
     }
     if (decides && noise_decides(rule, probe)) {
         work.flaws.push_back(fmt::format(
-            "{}: {} of {} fines move with the water, but not faster than the noise of the twin, which moves without: "
+            "{}: {} of {} fines move with the water, but not enough faster than their own twins without: "
             "what detaches cannot be told; take another seed, more `relax_limit`, or `by = \"displacement\"`",
             work.place(), probe.hidden_by_noise, probe.id.size()
         ));
