@@ -174,6 +174,7 @@ std::vector<PathRow> reequilibrate(
     pass.wall_seconds["servo"] = watch.lap();
 
     pass.steps = resettling.steps;
+    pass.time_step = plan.dt;
     pass.porosity_after = dem::porosity(world);
     pass.void_ratio_after = dem::void_ratio(world);
     pass.fines_content_after = fines_content(world.grains);

@@ -139,6 +139,7 @@ struct PassResult {
     double tortuosity_before = 0, tortuosity_after = 0;     ///< of its ways, flow/pore_velocity.hpp [-]
     flow::ThroatFlux throat_flux_before, throat_flux_after; ///< how the flow spreads over the throats
     std::int64_t steps = 0;
+    double time_step = 0;                       ///< of the last of them [s]
     std::map<std::string, double> wall_seconds; ///< by part: "relax", "flow", "probe", "constrictions" ...
     bool failed = false;                        ///< the skeleton does not carry its stresses any more
     bool reached_target = false;                ///< it stops because as much has left as was asked

@@ -121,7 +121,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack 
     eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,
     stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after,
     fines_content_after, volumetric_strain, permeability_before, permeability_after, reynolds_before, reynolds_after,
-    tortuosity_before, tortuosity_after, throat_flux_before, throat_flux_after, steps, wall_seconds, failed,
+    tortuosity_before, tortuosity_after, throat_flux_before, throat_flux_after, steps, time_step, wall_seconds, failed,
     reached_target, verdict
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)

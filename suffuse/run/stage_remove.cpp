@@ -93,6 +93,7 @@ void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
             work.save_partial({{"removal", removal}});
         }
     }
+    work.time_step = removal.erosion.passes.back().time_step;
     work.numbers.update(removal_numbers(work.world, removal));
     if (const std::string& verdict = removal.erosion.passes.back().verdict; !verdict.empty()) {
         work.warnings.push_back(fmt::format("{}: {}", work.place(), verdict));

@@ -39,6 +39,7 @@ TEST(HeldStress, IsThatOfTheLastLoadingWhateverItControlled) {
         for (std::size_t a = 0; a < 3; ++a) { // to the balance of the settling before, and that of the one after
             EXPECT_NEAR(axial(after, a), axial(before, a), 5e-3 * axial(before, 2)) << loading << ", axis " << a;
         }
+        EXPECT_GT(numbers.at("time_step"), 0) << loading;
     }
 }
 
