@@ -22,7 +22,9 @@ TEST(ExplainWord, KnowsEveryWordThatItOffers) {
 
 TEST(ExplainWord, KnowsCriteriaByTheirAuthorsAndNumbersAndKeysByTheirPlaceInACase) {
     EXPECT_EQ(explain_word("kezdi"), explain_word("kezdi-1979"));
-    EXPECT_NE(explain_word("alpha").find("mean effective stress in the fines over that of the soil"), std::string::npos);
+    EXPECT_NE(
+        explain_word("alpha").find("mean effective stress in the fines over that of the soil"), std::string::npos
+    );
     EXPECT_NE(explain_word("study.x.stage.y.prepare.adhesion.normal").find("adhesion"), std::string::npos);
     EXPECT_THROW(explain_word("study.x.stage.y.nothing"), UsageError);
 }

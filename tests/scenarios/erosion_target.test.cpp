@@ -70,7 +70,8 @@ TEST(ForcedErosion, GoesOnWhereTheProbeFindsNothing) {
     run_text(
         start() + erosion("forced", "passes = 2\ngradient = 1e-4\nwatch = 100\nramp = 100\n" + rule) +
             "[[study.s.stage]]\nname = \"probed\"\nfrom = \"settled\"\ndo = \"erode\"\nrelax_limit = 500\npasses = 2\n"
-            "gradient = 1e-4\nwatch = 100\nramp = 100\n" + rule,
+            "gradient = 1e-4\nwatch = 100\nramp = 100\n" +
+            rule,
         folder.path()
     );
     const auto first = [&](const std::string& stage) {
