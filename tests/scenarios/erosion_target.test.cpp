@@ -64,20 +64,20 @@ std::string text_of(const path& file) {
     return text.str();
 }
 
-TEST(ForcedErosion, GoesOnWhereTheProbeFindsNothing) {
+TEST(ForcedErosion, GoesOnWhateverTheNoiseOfTheProbe) {
     const TempFolder folder;
-    const std::string rule = "detached = { by = \"velocity\", rule = \"above\", over = \"1 m/s\" }\n";
+    // So short a watch of a sample so little relaxed that grains speed up with the water as they do without.
+    const std::string unrest = "relax_limit = 1\npasses = 2\ngradient = 1e-4\nramp = 1\nwatch = 10\n";
+    const std::string erode = "\"\nfrom = \"settled\"\ndo = \"erode\"\n" + unrest;
     run_text(
-        start() + erosion("forced", "passes = 2\ngradient = 1e-4\nwatch = 100\nramp = 100\n" + rule) +
-            "[[study.s.stage]]\nname = \"probed\"\nfrom = \"settled\"\ndo = \"erode\"\nrelax_limit = 500\npasses = 2\n"
-            "gradient = 1e-4\nwatch = 100\nramp = 100\n" +
-            rule,
+        start() + "[[study.s.stage]]\nname = \"forced" + erode + "forced = { max_contacts = 2 }\n" +
+            "[[study.s.stage]]\nname = \"probed" + erode,
         folder.path()
     );
     const auto first = [&](const std::string& stage) {
         return stage_of(folder.path(), stage).at("passes").at(0).at("verdict").get<std::string>();
     };
-    EXPECT_EQ(first("probed"), "nothing leaves any more");
+    EXPECT_NE(first("probed").find("noise"), std::string::npos) << first("probed");
     EXPECT_EQ(first("forced"), "");
     EXPECT_EQ(stage_of(folder.path(), "forced").at("passes").size(), 2U);
 }
