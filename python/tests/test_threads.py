@@ -10,6 +10,20 @@ import pytest
 import suffuse
 
 
+class Enough(Exception):
+    """Ends a step from its on_progress."""
+
+
+def step_in_a_thread(world, tell):
+    def step():
+        with pytest.raises(Enough):
+            world.step(10**9, time_step=4e-8, on_progress=tell)
+
+    thread = threading.Thread(target=step)
+    thread.start()
+    return thread
+
+
 def what_it_says(world):
     return world.mean_stress, world.balance["kinetic_energy"], world.hash, world.grains.coordination.sum()
 
@@ -66,9 +80,6 @@ def test_progress_of_a_run_may_look_at_a_world(clones, small_case, tmp_path, two
 def test_a_world_that_is_stepped_is_refused_to_other_threads(settled, tmp_path):
     stepping, looked, enough = threading.Event(), [], threading.Event()
 
-    class Enough(Exception):
-        pass
-
     def tell(part, steps):
         looked.append(settled.mean_stress)  # by who steps it, between two bursts
         for change in (lambda: settled.remove([0]), settled.sort, lambda: settled.step(1), settled.settle):
@@ -78,12 +89,7 @@ def test_a_world_that_is_stepped_is_refused_to_other_threads(settled, tmp_path):
         if enough.is_set():
             raise Enough
 
-    def step():
-        with pytest.raises(Enough):
-            settled.step(10**9, time_step=4e-8, on_progress=tell)
-
-    thread = threading.Thread(target=step)
-    thread.start()
+    thread = step_in_a_thread(settled, tell)
     stepping.wait()
     refused, until = 0, time.monotonic() + 0.5
     asked = (
@@ -120,9 +126,6 @@ def test_progress_of_a_run_may_step_another_world(clones, small_case, tmp_path, 
 
 
 def test_progress_of_a_step_may_make_a_run(settled, small_case, tmp_path):
-    class Enough(Exception):
-        pass
-
     def run(part, steps):
         outcomes.append(suffuse.Case(small_case).run(tmp_path / "run").outcome)
         raise Enough
@@ -136,20 +139,12 @@ def test_progress_of_a_step_may_make_a_run(settled, small_case, tmp_path):
 def test_waiting_for_another_threads_steps_answers_to_ctrl_c(settled, packing):
     stepping, enough = threading.Event(), threading.Event()
 
-    class Enough(Exception):
-        pass
-
     def tell(part, steps):
         stepping.set()
         if enough.is_set():
             raise Enough
 
-    def step():
-        with pytest.raises(Enough):
-            settled.step(10**9, time_step=4e-8, on_progress=tell)
-
-    thread = threading.Thread(target=step)
-    thread.start()
+    thread = step_in_a_thread(settled, tell)
     stepping.wait()
     threading.Timer(0.3, _thread.interrupt_main).start()
     with pytest.raises(KeyboardInterrupt):
