@@ -76,14 +76,14 @@ void take_bytes(const py::handle& bytes, std::size_t rows, std::vector<T>& colum
 }
 
 /// For another process, of the same build: rows as they are in memory.
-py::tuple take_apart(const ContactTable& table) {
+py::tuple take_contacts_apart(const ContactTable& table) {
     return py::make_tuple(
         commit(), table.rows.size(), bytes_of(table.rows), bytes_of(table.limits.sliding),
         bytes_of(table.limits.rolling)
     );
 }
 
-Contacts put_together(const py::tuple& state) {
+Contacts put_contacts_together(const py::tuple& state) {
     if (state[0].cast<std::string>() != commit()) {
         throw IoError("these contacts were pickled by another build of suffuse: pickle the World, and take its contacts"
         );
@@ -116,7 +116,7 @@ void bind_contacts(py::module_& m) {
                    rolling = std::ranges::count(table.limits.rolling, 1);
         return fmt::format("<suffuse.Contacts: {}, {} sliding, {} rolling>", table.rows.size(), sliding, rolling);
     });
-    type.def(py::pickle(&take_apart, &put_together));
+    type.def(py::pickle(&take_contacts_apart, &put_contacts_together));
     add_contact_column(type, "i", &ContactView::i, "contacts: row of the first grain [-].");
     add_contact_column(type, "j", &ContactView::j, "contacts: row of the second grain [-].");
     add_contact_column(type, "overlap", &ContactView::overlap, "contacts: sum of the radii less the distance [m].");

@@ -34,7 +34,7 @@ auto assign_through(View view) {
 }
 
 template <class Column>
-void add_column(py::class_<GrainTable>& type, const char* name, Column Grains::*column, const char* doc) {
+void add_grain_column(py::class_<GrainTable>& type, const char* name, Column Grains::*column, const char* doc) {
     type.def_property_readonly(
         name, [column](const GrainTable& table) { return view(table, column, false); }, doc
     );
@@ -64,12 +64,12 @@ void bind_grain_columns(py::class_<GrainTable>& type) {
         type, "held", &Grains::motion,
         "grains: keeps its velocity and spin, whatever the forces, true or false; may be changed."
     );
-    add_column(type, "force", &Grains::force, "grains x 3: contact force of the last step [N].");
-    add_column(type, "torque", &Grains::torque, "grains x 3: contact torque of the last step [N m].");
-    add_column(type, "radius", &Grains::radius, "grains: of the sphere [m].");
-    add_column(type, "mass", &Grains::mass, "grains: density x volume [kg].");
-    add_column(type, "inertia", &Grains::inertia, "grains: 0.4 mass x radius^2 [kg m2].");
-    add_column(type, "id", &Grains::id, "grains: number of each, stable, never reused [-].");
+    add_grain_column(type, "force", &Grains::force, "grains x 3: contact force of the last step [N].");
+    add_grain_column(type, "torque", &Grains::torque, "grains x 3: contact torque of the last step [N m].");
+    add_grain_column(type, "radius", &Grains::radius, "grains: of the sphere [m].");
+    add_grain_column(type, "mass", &Grains::mass, "grains: density x volume [kg].");
+    add_grain_column(type, "inertia", &Grains::inertia, "grains: 0.4 mass x radius^2 [kg m2].");
+    add_grain_column(type, "id", &Grains::id, "grains: number of each, stable, never reused [-].");
 }
 
 } // namespace suffuse::python

@@ -96,14 +96,14 @@ constexpr const char* merge_doc =
     "\"center\" (the center of the void sphere of one lies in that of the other), \"overlap\" (their void spheres "
     "overlap)";
 
-py::tuple take_apart(const Constrictions& c) {
+py::tuple take_constrictions_apart(const Constrictions& c) {
     return py::make_tuple(
         py::array_t<double>(static_cast<py::ssize_t>(c.diameter.size()), c.diameter.data()), to_array(c.center), c.mean,
         c.median, c.d35
     );
 }
 
-Constrictions put_together(const py::tuple& state) {
+Constrictions put_constrictions_together(const py::tuple& state) {
     Constrictions c;
     c.diameter = numbers_of(state[0], "diameter");
     c.center = vectors_of(state[1], "center", c.diameter.size());
@@ -120,7 +120,7 @@ void bind_constrictions(py::module_& m) {
     type.def("__repr__", [](const Constrictions& c) {
         return fmt::format("<suffuse.Constrictions: {}, mean {:.4g} mm>", c.diameter.size(), 1e3 * c.mean);
     });
-    type.def(py::pickle(&take_apart, &put_together));
+    type.def(py::pickle(&take_constrictions_apart, &put_constrictions_together));
     add_column(type, "diameter", &Constrictions::diameter, "constrictions: of the circle [m].");
     add_column(type, "center", &Constrictions::center, "constrictions x 3: of the circle [m].");
     type.def_readonly("mean", &Constrictions::mean, "Mean diameter by number of facets [m].");

@@ -43,14 +43,14 @@ Water seep(
 }
 
 /// For another process: what it is solved from.
-py::tuple take_apart(const SolvedSeepage& water) {
+py::tuple take_water_apart(const SolvedSeepage& water) {
     return py::make_tuple(
         to_tuple(water.packed->packing), water.spec.gradient, to_array(water.spec.direction), water.spec.tensor,
         water.fluid
     );
 }
 
-Water put_together(const py::tuple& state) {
+Water put_water_together(const py::tuple& state) {
     const flow::FlowSpec spec{
         state[1].cast<double>(), vector_of(state[2], dimension::none, "direction"), state[3].cast<bool>()};
     return solve(from_tuple(state[0].cast<py::tuple>()), spec, state[4].cast<flow::Fluid>());
@@ -72,7 +72,7 @@ void bind_seepage(py::module_& m) {
         "Steady slow flow through a frozen packing, and what it does to the grains. It travels to another process as "
         "what it was solved from, and is solved again there, to the same bits."
     );
-    type.def(py::pickle(&take_apart, &put_together));
+    type.def(py::pickle(&take_water_apart, &put_water_together));
     type.def("__repr__", [](const SolvedSeepage& water) {
         return fmt::format(
             "<suffuse.Seepage: permeability {:.4g} m2, superficial velocity {:.3g} m/s, Reynolds number {:.2g}>",
