@@ -59,6 +59,7 @@ const std::vector<Wrong> reading = {
     {"E101", 2, 5, 1, "plain ASCII", "schema = 1\na = \ufeca\n"},
     {"E101", 2, 9, 1, "straight quote", "schema = 1\ntitle = \u201cx\"\n"},
     {"E101", 3, 8, 1, "redefine", "schema = 1\nseed = 1\nseed = 2\n"},
+    {"E101", 1, 31, 1, "goes up to", "seed = 99999999999999999999999\n"},
 };
 
 const std::vector<Wrong> keys = {

@@ -108,9 +108,12 @@ std::optional<Node> read_toml(const Text& source, Problems& problems) {
         root.place = {source, 0, 0, 1};
         return root;
     } catch (const toml::parse_error& error) {
+        const std::string description = plain_description(error.description());
+        const bool is_large = description.find("64 bits") != std::string::npos;
         problems.error(
-            "E101", place_of(source, error.source()), plain_description(error.description()),
-            "a case is a TOML file: key = value, texts in quotes, tables in [brackets]"
+            "E101", place_of(source, error.source()), description,
+            is_large ? "a whole number goes up to 9223372036854775807"
+                     : "a case is a TOML file: key = value, texts in quotes, tables in [brackets]"
         );
         return std::nullopt;
     }

@@ -17,15 +17,13 @@ namespace {
 constexpr double process_memory = 40e6;                                                   // [B]
 constexpr double state_disk = 350, table_disk = 900, picture_disk = 200, page_disk = 2e6; // [B], a grain; [B]
 
-double disk_of(const casefile::OutputSpec& output, const casefile::Stage& stage, bool is_last, std::int64_t grains) {
-    double a_grain = state_disk;
-    for (const std::string& format : output.formats) {
-        a_grain += format == "csv" ? table_disk : picture_disk;
-    }
-    if (is_last || std::holds_alternative<casefile::ImportSpec>(stage.spec)) {
-        a_grain += table_disk;
-    }
-    return a_grain * static_cast<double>(grains);
+double disk_of(
+    const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage, std::int64_t grains
+) {
+    const auto& formats = what.output.formats;
+    const auto pictures = static_cast<double>(formats.size()) - static_cast<double>(std::ranges::count(formats, "csv"));
+    const double tables = leaves_tables(what, variant, stage) ? table_disk : 0;
+    return (state_disk + pictures * picture_disk + tables) * static_cast<double>(grains);
 }
 
 void plan_variant(const casefile::Case& what, const casefile::Variant& variant, RunPlan& plan) {
@@ -44,7 +42,7 @@ void plan_variant(const casefile::Case& what, const casefile::Variant& variant, 
         estimate.steps = price.steps + price.reference_steps;
         estimate.seconds = seconds_of(price, plan.speed);
         estimate.memory = price.memory_a_grain * count(ends[k]);
-        estimate.disk = disk_of(what.output, stage, k + 1 == variant.stages.size(), estimate.grains);
+        estimate.disk = disk_of(what, variant, stage, estimate.grains);
         estimate.basis = price.basis;
         if (std::holds_alternative<packing::PackSpec>(stage.spec)) {
             estimate.coarse = std::llround(ends[k].coarse.grains);
