@@ -17,6 +17,23 @@ namespace {
 
 constexpr double coarser = 1.4; // spacing of the other grid over that of the finer
 
+void check_grains(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius) {
+    if (radius.empty()) {
+        throw CaseError("resolved flow: there are no grains; water without grains has no permeability");
+    }
+    const Mat3 inverse_h = inverse(h);
+    for (std::size_t g = 0; g < radius.size(); ++g) {
+        const Vec3& x = position[g];
+        if (!cell::has_period(inverse_h, x) || !std::isfinite(radius[g]) || !(radius[g] > 0)) {
+            throw GeometryError(fmt::format(
+                "resolved flow: the grain in row {} has position ({}, {}, {}) m and radius {} m; a place within {} "
+                "periods of the cell and a radius above 0 are expected",
+                g, x.x, x.y, x.z, radius[g], cell::largest_period
+            ));
+        }
+    }
+}
+
 double finer_spacing(std::span<const double> radius, const ResolvedSpec& spec) {
     if (!(spec.boxes_across >= 4) || !std::isfinite(spec.boxes_across)) {
         throw CaseError(fmt::format(
@@ -24,10 +41,20 @@ double finer_spacing(std::span<const double> radius, const ResolvedSpec& spec) {
             spec.boxes_across
         ));
     }
-    if (radius.empty()) {
-        throw CaseError("resolved flow: there are no grains; water without grains has no permeability");
-    }
     return flow::sauter_diameter(radius) / spec.boxes_across;
+}
+
+/// Two grids that are one along an axis tell nothing of its error.
+void check_grids(const Grid& fine, const Grid& coarse) {
+    for (std::size_t a = 0; a < 3; ++a) {
+        if (fine.boxes[a] == coarse.boxes[a]) {
+            throw GeometryError(fmt::format(
+                "resolved flow: the cell is {} boxes wide along {}, too few for a coarser grid beside it; ask for more "
+                "boxes across a diameter, or take a wider cell",
+                fine.boxes[a], "xyz"[a]
+            ));
+        }
+    }
 }
 
 /// Under unit driving forces along each of `directions`.
@@ -68,6 +95,7 @@ ResolvedFlow resolve_flow(
     const flow::Fluid& fluid, const ResolvedSpec& resolved, const Pulse& pulse
 ) {
     flow::check(spec, fluid);
+    check_grains(cell.h, position, radius);
     const Stopwatch watch;
     const double spacing = finer_spacing(radius, resolved);
     const Vec3 direction = spec.direction / norm(spec.direction);
@@ -76,6 +104,7 @@ ResolvedFlow resolve_flow(
         directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     }
     const Grid fine = grid_over(cell.h, spacing), coarse = grid_over(cell.h, coarser * spacing);
+    check_grids(fine, coarse);
     const std::vector<UnitFlow> on_fine = solve_all(fine, position, radius, directions, resolved, pulse);
     const std::vector<UnitFlow> on_coarse = solve_all(coarse, position, radius, directions, resolved, pulse);
 

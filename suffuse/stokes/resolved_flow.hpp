@@ -40,8 +40,8 @@ struct ResolvedFlow {
 };
 
 /// The flow through the grains at `position` with `radius` [m], one row a grain. Takes about 150 bytes a box.
-/// @throws CaseError for a fluid, direction or resolution that cannot be; GeometryError for a sheared cell, too many
-/// boxes, or grains that leave the water no way; SolverError where the tolerance is not reached.
+/// @throws CaseError for a fluid, direction or resolution that cannot be; GeometryError for a sheared cell, too many or
+/// too few boxes, grains that are none or leave the water no way; SolverError where the tolerance is not reached.
 ResolvedFlow resolve_flow(
     const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius, const flow::FlowSpec& spec,
     const flow::Fluid& fluid, const ResolvedSpec& resolved = {}, const Pulse& pulse = {}

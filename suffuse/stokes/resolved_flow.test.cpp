@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace suffuse::stokes {
@@ -147,8 +148,15 @@ TEST(ResolvedFlow, RefusesWhatItCannotResolve) {
     EXPECT_THROW(flow_through(sheared), GeometryError);
     EXPECT_THROW(flow_through(mixed(), {1}, {2}), CaseError);
     EXPECT_THROW(flow_through(mixed(), {1}, {1e6}), GeometryError);
+    EXPECT_THROW(flow_through(simple_cubic(0.5), {1}, {4}), GeometryError); // 4 boxes wide, on the coarser grid too
     EXPECT_THROW(resolve_flow({}, {}, {}, {1}, {}), CaseError);
     EXPECT_THROW(flow_through(mixed(), {1, {0, 0, 0}}), CaseError);
+    for (const double radius : {0.0, -0.1, std::nan(""), std::numeric_limits<double>::infinity()}) {
+        EXPECT_THROW(flow_through(simple_cubic(radius)), GeometryError);
+    }
+    Packing far = mixed();
+    far.position[1].y = 1e30;
+    EXPECT_THROW(flow_through(far), GeometryError);
 }
 
 } // namespace
