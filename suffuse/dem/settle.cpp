@@ -75,7 +75,7 @@ bool settle_burst(
 ) {
     state.stress = advance(world, caches, plan, burst_steps).stress;
     state.steps += burst_steps;
-    state.equilibrium = measure_equilibrium(world);
+    state.equilibrium = measure_equilibrium(world, plan.load);
     const bool balanced = is_balanced(plan.loading, spec, state, world.material);
     state.balanced_steps = balanced ? state.balanced_steps + burst_steps : 0;
     return state.balanced_steps >= spec.patience;

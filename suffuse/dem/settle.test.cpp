@@ -117,6 +117,22 @@ TEST(Settle, StartsToCountAnewAfterADisturbance) {
     EXPECT_EQ(run.bursts(), 4);
 }
 
+TEST(Settle, ForcesOnGrainsFromOutsideAreBalancedByThoseOfTheContacts) {
+    Settling run;
+    grains::GrainLoad weight;
+    weight.force.assign(run.world.grains.size(), {0, 0, -1e-4}); // a fortieth of a contact force
+    run.plan.load = &weight;
+    for (int k = 0; k < 9; ++k) {
+        run.world.grains.motion[static_cast<std::size_t>(k)] = grains::Motion::Held; // the lowest layer
+    }
+    run.plan.dt = 1e-7;
+    run.spec.unbalanced_force = 1e-5;
+    const BalanceState rest = settle(run.world, run.caches, run.plan, run.spec, 20'000);
+    EXPECT_GT(measure_equilibrium(run.world).unbalanced_force, 1e-3) << "without the load it is none";
+    EXPECT_LT(rest.equilibrium.unbalanced_force_all, 1e-5);
+    EXPECT_NEAR(run.world.grains.force[0].z, -2e-4, 1e-6) << "that of the two layers above";
+}
+
 TEST(Settle, DoesNotCallACloudWithoutContactsBalanced) {
     Settling run;
     run.world = test::empty_world(1);
