@@ -19,8 +19,8 @@ namespace {
 
 std::string reason_of(RemovedFines which) {
     return which == RemovedFines::All      ? "removed"
-           : which == RemovedFines::Active ? "removed, active"
-                                           : "removed, inactive";
+           : which == RemovedFines::Active ? "removed active"
+                                           : "removed inactive";
 }
 
 /// What pass `number` takes, in the order of the grain table: all of the class where all goes at once, else as much as

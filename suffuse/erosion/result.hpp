@@ -36,10 +36,10 @@ struct ProbeResult {
     std::vector<int> coordination;   ///< contacts in the equilibrium
     /// At full force, and after each tenth of the watch [m/s].
     std::vector<std::array<double, probe_samples + 1>> speed;
-    std::vector<double> twin_speed;                    ///< at the end, without fluid [m/s]
-    std::vector<double> displacement;                  ///< along the drag, relative to the twin [m]
-    std::vector<double> free_speed, free_displacement; ///< of the same grain without contacts [m/s], [m]
-    double twin_noise = 0;                             ///< quantile of the twin's speeds that counts as noise [m/s]
+    std::vector<double> twin_speed;                         ///< at the end, without fluid [m/s]
+    std::vector<double> displacement;                       ///< along the drag, relative to the twin [m]
+    std::vector<double> free_speed, free_displacement;      ///< of the same grain without contacts [m/s], [m]
+    double twin_noise = 0;                                  ///< quantile of the twin's speeds; judges no grain [m/s]
     std::vector<std::uint8_t> by_velocity, by_displacement; ///< 1: detachable by that rule
     std::array<std::array<std::int64_t, 2>, 2> agreement{}; ///< [by velocity][by displacement] counts
     std::int64_t hidden_by_noise = 0; ///< fines that would be detachable by velocity if the twin were at rest
@@ -116,7 +116,7 @@ struct LedgerRow {
     double diameter = 0;     ///< [m]
     double mass = 0;         ///< [kg]
     int coordination = 0;    ///< contacts when it left
-    std::string reason;      ///< "velocity", "displacement", "forced"
+    std::string reason;      ///< "velocity", "displacement", "forced"; "removed", "removed active", "removed inactive"
 };
 
 struct PassResult {
@@ -143,7 +143,8 @@ struct PassResult {
     std::map<std::string, double> wall_seconds; ///< by part: "relax", "flow", "probe", "constrictions" ...
     bool failed = false;                        ///< the skeleton does not carry its stresses any more
     bool reached_target = false;                ///< it stops because as much has left as was asked
-    std::string verdict; ///< empty, or why the procedure stops here ("nothing leaves", "coarse skeleton too small ...")
+    std::string
+        verdict; ///< empty, or why the procedure stops here ("nothing leaves any more", "the skeleton fails ...")
 };
 
 struct ErosionResult {
