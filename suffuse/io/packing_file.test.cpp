@@ -134,7 +134,8 @@ TEST(PackingFile, YadeTellsItsColumnsAndItsCellInComments) {
     const ImportedPacking packing = parse("#format id_x_y_z_r_matId\n# by me\n17\t1\t2\t3\t0.5\t0\n");
     EXPECT_EQ(packing.grains.position[0], (Vec3{1, 2, 3}));
     EXPECT_EQ(packing.grains.radius[0], 0.5);
-    EXPECT_EQ(parse("#format x_y_z_r_attrs\n1\t2\t3\t0.5\t8\t9\n").grains.radius[0], 0.5); // attrs are many columns
+    EXPECT_EQ(parse("# by me\n\n  #format r_x_y_z\n0.5\t1\t2\t3\n").grains.radius[0], 0.5); // blank lines are no rows
+    EXPECT_EQ(parse("#format x_y_z_r_attrs\n1\t2\t3\t0.5\t8\t9\n").grains.radius[0], 0.5);  // attrs are many columns
     EXPECT_EQ(parse("# centers x y z, radius r\n1 2 3 0.5\n").grains.position[0], (Vec3{1, 2, 3}));
     const ImportedPacking periodic = parse("##PERIODIC:: 4 5 6\n1 2 3 0.5 -1\n");
     ASSERT_TRUE(periodic.cell.has_value());

@@ -148,15 +148,16 @@ cell::Cell read_edges(const Names& words, const std::string& file) {
 }
 
 Notes read_notes(std::string_view text, const std::string& file) {
+    constexpr std::string_view blanks = " \t\r\n";
     Notes notes;
-    for (std::size_t begin = 0; begin < text.size() && text[begin] == '#';) {
+    for (std::size_t begin = text.find_first_not_of(blanks); begin < text.size() && text[begin] == '#';) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         notes.comments.push_back(text.substr(begin + 1, end - begin - 1));
         const Names words = split_at_blanks(notes.comments.back());
         if (!words.empty() && words.front() == "#PERIODIC::") {
             notes.cell = read_edges(words, file);
         }
-        begin = end + 1;
+        begin = text.find_first_not_of(blanks, end);
     }
     return notes;
 }
