@@ -62,11 +62,12 @@ TEST(Probe, WithoutFluidTheProbeIsItsTwin) {
     }
 }
 
-TEST(Probe, LeavesTheEquilibriumAsItWasAndHoldsTheCoarseGrains) {
-    const dem::World before = floating_and_caught();
-    const auto hash = dem::state_hash(before);
-    watch_fines(before, sideways(3e-9), setting());
-    EXPECT_EQ(dem::state_hash(before), hash);
+TEST(Probe, HoldsTheCoarseGrainsUnlessToldNotTo) {
+    ProbeSetting loose = setting();
+    loose.spec.hold_coarse = false; // the caught grain pushes both apart, and is free
+    ProbeResult result = watch_fines(floating_and_caught(), sideways(3e-9), loose);
+    judge_detachment({}, result);
+    EXPECT_EQ(result.by_displacement, (std::vector<std::uint8_t>{1, 1}));
 }
 
 TEST(Probe, LoadsAndThreadsDoNotKnowOfEachOther) {
