@@ -63,6 +63,12 @@ TEST(StressProbe, AFaceCenteredPackingAnswersWithItsElasticConstants) {
     }
 }
 
+TEST(StressProbe, AStateMayTakeAllItsStepsToRest) {
+    StressProbeSpec spec;
+    spec.max_steps = rest_for_probes(squeezed_lattice(), spec, damping, {}).steps;
+    EXPECT_EQ(rest_for_probes(squeezed_lattice(), spec, damping, {}).steps, spec.max_steps);
+}
+
 TEST(StressProbe, LoadsHaveTheirSizeAndDirection) {
     StressProbeSpec spec;
     spec.directions = 8;
