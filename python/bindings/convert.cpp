@@ -37,6 +37,21 @@ void check_finite(const Array& array, std::string_view what) {
     }
 }
 
+/// A text is a sequence, too, and no list of its letters.
+py::tuple three_of(const py::handle& value, std::string_view what, std::string_view of) {
+    const bool is_list = py::isinstance<py::array>(value)
+                             ? value.cast<py::array>().ndim() > 0
+                             : py::isinstance<py::sequence>(value) && !py::isinstance<py::str>(value);
+    const auto parts = is_list ? py::tuple(value.cast<py::object>()) : py::tuple();
+    if (parts.size() != 3) {
+        throw CaseError(fmt::format(
+            "{}: expected three {}, found {}", what, of,
+            is_list ? std::to_string(parts.size()) : py::repr(value).cast<std::string>()
+        ));
+    }
+    return parts;
+}
+
 /// Errors name the argument.
 template <class Parse>
 double parse_text(const std::string& text, Dimension dimension, std::string_view what, const Parse& parse) {
@@ -108,23 +123,14 @@ Vec3 direction_of(const py::handle& value) {
 }
 
 Vec3 vector_of(const py::handle& value, Dimension dimension, std::string_view what) {
-    if (!py::isinstance<py::sequence>(value) && !py::isinstance<py::array>(value)) {
-        throw CaseError(fmt::format("{}: expected three values, found {}", what, py::repr(value).cast<std::string>()));
-    }
-    const auto parts = py::tuple(value.cast<py::object>());
-    if (parts.size() != 3) {
-        throw CaseError(fmt::format("{}: expected three values, found {}", what, parts.size()));
-    }
+    const py::tuple parts = three_of(value, what, "values");
     return {
         quantity_of(parts[0], dimension, what), quantity_of(parts[1], dimension, what),
         quantity_of(parts[2], dimension, what)};
 }
 
 Mat3 matrix_of(const py::handle& value, Dimension dimension, std::string_view what) {
-    const auto rows = py::tuple(value.cast<py::object>());
-    if (rows.size() != 3) {
-        throw CaseError(fmt::format("{}: expected three rows of three values, found {}", what, rows.size()));
-    }
+    const py::tuple rows = three_of(value, what, "rows of three values");
     Mat3 m;
     for (int a = 0; a < 3; ++a) {
         const Vec3 row = vector_of(rows[static_cast<std::size_t>(a)], dimension, what);
@@ -134,8 +140,8 @@ Mat3 matrix_of(const py::handle& value, Dimension dimension, std::string_view wh
 }
 
 Mat3 cell_of(const py::handle& value) {
-    const auto parts = py::tuple(value.cast<py::object>());
-    const bool is_matrix = parts.size() == 3 && !py::isinstance<py::str>(parts[0]) && py::hasattr(parts[0], "__len__");
+    const py::object first = three_of(value, "cell", "edges, or rows of a matrix")[0];
+    const bool is_matrix = !py::isinstance<py::str>(first) && py::hasattr(first, "__len__");
     const Mat3 h =
         is_matrix ? matrix_of(value, dimension::length, "cell") : diagonal(vector_of(value, dimension::length, "cell"));
     if (!(determinant(h) > 0)) {

@@ -73,7 +73,9 @@ std::vector<std::uint32_t> rows_of(const py::object& given, std::size_t grains) 
     }
     for (const double value : numbers_of(given, "rows to remove")) {
         if (value < 0 || value >= static_cast<double>(grains) || value != std::floor(value)) {
-            throw CaseError(fmt::format("rows to remove: found {}, expected rows from 0 to {}", value, grains - 1));
+            throw CaseError(
+                fmt::format("rows to remove: found {}, expected rows, counted from 0, of the {} grains", value, grains)
+            );
         }
         rows.push_back(static_cast<std::uint32_t>(value));
     }

@@ -8,9 +8,20 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <bit>
 #include <utility>
 
 namespace suffuse::python {
+namespace {
+
+/// Materials are numbers, and nothing else.
+bool are_alike(const grains::Material& a, const grains::Material& b) {
+    using Numbers = std::array<double, sizeof(grains::Material) / sizeof(double)>;
+    return std::bit_cast<Numbers>(a) == std::bit_cast<Numbers>(b);
+}
+
+} // namespace
 
 void WorldHandle::follow_density() const {
     const double density = world_.material.density;
@@ -83,24 +94,33 @@ Stepping::Stepping(WorldHandle& handle) : handle_(handle) {
     if (handle.steps_ || handle.readers_ > 0) {
         WorldHandle::refuse();
     }
+    if (handle.world_.grains.size() == 0) {
+        throw StateError("this world has no grains: there is nothing to step");
+    }
     handle.steps_ = true;
+}
+
+bool Stepping::was_moved() {
+    const dem::World& now = world();
+    return handle_.position_ != now.grains.position || !(handle_.h_ == now.cell.h);
 }
 
 void Stepping::check_time_step(double asked) {
     // What the check costs is some tens of steps: many calls of a few steps make it as seldom as the steps need it.
     const std::int64_t since = world().clock.step - handle_.stable_at_;
-    if (asked <= handle_.stable_step_ && since >= 0 && since < dem::time_step_interval) {
+    const bool is_fresh = since >= 0 && since < dem::time_step_interval && !was_moved() &&
+                          are_alike(handle_.stable_for_, world().material);
+    if (is_fresh && asked <= handle_.stable_step_) {
         return;
     }
     dem::check_time_step(world(), asked);
     handle_.stable_step_ = asked;
+    handle_.stable_for_ = world().material;
     handle_.stable_at_ = world().clock.step;
 }
 
 dem::StepCaches& Stepping::caches() {
-    const dem::World& now = world();
-    if (handle_.position_ != now.grains.position || handle_.velocity_ != now.grains.velocity ||
-        !(handle_.h_ == now.cell.h)) {
+    if (was_moved() || handle_.velocity_ != world().grains.velocity) {
         handle_.caches_ = {};
     }
     return handle_.caches_;

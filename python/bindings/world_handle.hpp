@@ -55,6 +55,7 @@ private:
     Mat3 h_{};
     std::shared_ptr<grains::Grains> kept_ = std::make_shared<grains::Grains>();
     double stable_step_ = 0;              ///< a time step that was seen to be stable [s]
+    grains::Material stable_for_;         ///< of grains of this material
     std::int64_t stable_at_ = 0;          ///< number of the step at which it was
     bool steps_ = false, pauses_ = false; ///< a call steps it; and calls back just now
     mutable int readers_ = 0;             ///< calls that read it with the interpreter released
@@ -75,7 +76,7 @@ private:
 };
 
 /// A call that steps a world, and has it to itself. Made and ended with the interpreter held.
-/// @throws StateError where another call steps or reads it
+/// @throws StateError where another call steps or reads it, or there is nothing to step
 class Stepping {
 public:
     explicit Stepping(WorldHandle& handle);
@@ -120,6 +121,9 @@ public:
     };
 
 private:
+    /// Whether Python moved grains or the cell since the last step.
+    bool was_moved();
+
     WorldHandle& handle_;
 };
 

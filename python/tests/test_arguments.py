@@ -36,6 +36,36 @@ def test_steps_are_held_to_the_ranges_of_a_case(settled):
     settled.step(1, damping="20 %", time_step=4e-8)
 
 
+def test_a_time_step_is_checked_again_where_the_sample_was_changed(settled):
+    settled.step(1, time_step=4e-8)
+    settled.material.modulus *= 100
+    with pytest.raises(suffuse.CaseError, match="this sample is unstable"):
+        settled.step(1, time_step=4e-8)
+    settled.material.modulus /= 100
+    settled.step(1, time_step=4e-8)
+    settled.material.density /= 100
+    with pytest.raises(suffuse.CaseError, match="this sample is unstable"):
+        settled.step(1, time_step=4e-8)
+
+
+def test_cells_and_vectors_that_are_none_are_named():
+    for cell in (1.0, None, "1 m", {1, 2, 3}, (1, 2), ((1, 2), (3, 4), (5, 6))):
+        with pytest.raises(suffuse.CaseError, match="^cell: "):
+            suffuse.World(cell, [[0.5] * 3], [0.1])
+    for wrong in (1.0, "1 1/s", ((1, 2, 3),)):
+        with pytest.raises(suffuse.CaseError, match="^velocity_gradient: "):
+            suffuse.Loading(velocity_gradient=wrong)
+
+
+def test_a_world_without_grains_says_so():
+    world = suffuse.World((1, 1, 1), numpy.zeros((0, 3)), [])
+    for call in (lambda: world.step(1), world.settle, world.relax, lambda: world.compact("100 kPa"), world.triaxial):
+        with pytest.raises(suffuse.StateError, match="has no grains"):
+            call()
+    with pytest.raises(suffuse.CaseError, match="of the 0 grains"):
+        world.remove([0])
+
+
 def test_words_of_a_case_are_taken(settled, packing):
     for direction in ("+x", "x", (1, 0, 0)):
         assert suffuse.seep(packing, direction=direction).permeability > 0
