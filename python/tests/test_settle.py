@@ -23,3 +23,14 @@ def test_what_has_no_stress_to_lower_is_not_told_to(settled):
     settled.grains.velocity = numpy.random.default_rng(1).normal(size=(500, 3))
     with pytest.raises(suffuse.StateError, match="no stress is held"):
         settled.settle(max_steps=50)
+
+
+def test_a_sample_comes_to_rest_under_its_weight_on_grains_that_are_held(settled):
+    grains, weight = settled.grains, numpy.zeros((500, 3))
+    weight[:, 2] = -1e4 * grains.mass  # some hundredths of a contact force
+    grains.held = grains.position[:, 2] % settled.cell[2, 2] < 0.1 * settled.cell[2, 2]
+    reached = settled.settle(force=weight)["equilibrium"]
+    assert reached["unbalanced_force"] <= suffuse.Balance().unbalanced_force
+    borne = ~grains.held & (grains.coordination >= 2)  # the others fall
+    left = numpy.linalg.norm((grains.force + weight)[borne], axis=1).mean()
+    assert left < 0.05 * numpy.linalg.norm(weight[borne], axis=1).mean()
