@@ -17,7 +17,8 @@ struct Packing {
     std::vector<std::uint8_t> fine; ///< of a World only: arrays do not tell
 };
 
-/// @param first a World, what has one (a stage of a run), or a cell. @throws CaseError where it is no packing
+/// @param first a World, what has one (a stage of a run), the network of a packing, or a cell. @throws CaseError where
+/// it is no packing
 Packing packing_of(const py::object& first, const py::object& position, const py::object& radius);
 
 /// For another process, and back.

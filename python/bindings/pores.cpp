@@ -18,6 +18,9 @@ Packing packing_of(const py::object& first, const py::object& position, const py
         const dem::World& world = first.cast<const WorldHandle&>().world();
         return {world.cell.h, world.grains.position, world.grains.radius, world.grains.fine};
     }
+    if (py::isinstance<PackedNetwork>(first)) {
+        return first.cast<const PackedNetwork&>().packing;
+    }
     if (py::hasattr(first, "world")) { // a stage of a run
         return packing_of(first.attr("world"), position, radius);
     }

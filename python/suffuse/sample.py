@@ -4,7 +4,9 @@ import numpy
 
 from suffuse import _core
 
-_COLUMNS = ("i", "j", "overlap", "normal", "normal_force", "shear_force", "moment", "force_n", "sliding", "rolling")
+_COLUMNS = (
+    "i", "j", "image", "overlap", "normal", "normal_force", "shear_force", "moment", "force_n", "sliding", "rolling",
+)
 
 
 def _force_n(contacts):
@@ -45,8 +47,7 @@ def _solve(network, gradient=0.0, direction="z", viscosity=None, density=None, t
         direction = tuple(vector / gradient) if gradient > 0 else direction
     given = {"viscosity": viscosity, "density": density}
     fluid = _core.Fluid(**{name: value for name, value in given.items() if value is not None})
-    packing = network.cell, network.position, network.radius
-    return _core.seep(*packing, gradient=gradient, direction=direction, fluid=fluid, tensor=tensor)
+    return _core.seep(network, gradient=gradient, direction=direction, fluid=fluid, tensor=tensor)
 
 
 _core.Contacts.force_n = property(_force_n, doc=_force_n.__doc__)

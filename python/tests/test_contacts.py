@@ -41,5 +41,5 @@ def test_contacts_tell_which_slide_and_which_roll(settled):
             assert ratio[claim] == pytest.approx(1, abs=rounding) and (ratio[~claim] < 1 - 1e-6).all()
     # stage.json counts a contact from 0.999 of the limit on.
     assert c.sliding.mean() == pytest.approx(settled.measure()["force_distribution"]["sliding_share"], abs=0.01)
-    assert (c[c.sliding].force_n == c.force_n[c.sliding]).all()
+    assert (c[c.sliding].force_n == c.force_n[c.sliding]).all() and (c[:9].image == c.image[:9]).all()
     assert f"{c.sliding.sum()} sliding" in repr(c)

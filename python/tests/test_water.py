@@ -107,6 +107,8 @@ def test_merged_voids_have_each_square_window_of_a_simple_cubic_lattice_once():
 def test_coarse_constrictions_are_wider(settled):
     settled.grains.fine = settled.grains.diameter < numpy.quantile(settled.grains.diameter, 0.3)
     assert suffuse.constrictions(settled, of="coarse").mean > suffuse.constrictions(settled).mean
+    of_network = suffuse.PoreNetwork(settled).solve().network.constrictions(of="coarse")
+    assert of_network.mean == suffuse.constrictions(settled, of="coarse").mean
     with pytest.raises(suffuse.CaseError, match="need a World"):
         suffuse.constrictions((1, 1, 1), [[0, 0, 0]], [0.1], of="coarse")
 
