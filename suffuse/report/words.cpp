@@ -60,7 +60,7 @@ bool is_noise(double percent) {
 }
 
 std::string percent_beyond_noise(double percent) {
-    return is_noise(percent) ? "< 0.01" : short_number(percent, 2);
+    return is_noise(percent) ? "< 0.01" : fmt::format("{}{:.2f}", percent < 0 ? "−" : "", std::abs(percent));
 }
 
 std::string power_of_ten(int exponent) {

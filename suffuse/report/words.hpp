@@ -17,7 +17,7 @@ std::string number_with_power(double value, int digits = 3);
 /// Of a percentage of the volume or of a stress: below a hundredth a change is noise of the balance.
 bool is_noise(double percent);
 
-/// The percentage in two digits, "< 0.01" where it is noise.
+/// The percentage to a hundredth, "< 0.01" where it is noise.
 std::string percent_beyond_noise(double percent);
 
 /// 10⁻⁵ for -5.

@@ -41,6 +41,9 @@ TEST(Words, ASentenceBeginsWithACapital) {
 TEST(Words, AChangeBelowAHundredthOfAPercentIsNoise) {
     EXPECT_TRUE(is_noise(-9e-3) && is_noise(0));
     EXPECT_FALSE(is_noise(0.011) || is_noise(-1));
+    EXPECT_EQ(percent_beyond_noise(9e-3), "< 0.01");
+    EXPECT_EQ(percent_beyond_noise(0.0101), "0.01");
+    EXPECT_EQ(percent_beyond_noise(-11.5), "−11.50");
 }
 
 } // namespace

@@ -26,7 +26,7 @@ using nlohmann::json;
 
 /// "12.3 %", or that there is nothing to tell.
 std::string percent_or_none(double percent) {
-    return report::is_noise(percent) ? "less than 0.01 %" : report::short_number(percent) + " %";
+    return report::is_noise(percent) ? "less than 0.01 %" : report::percent_beyond_noise(percent) + " %";
 }
 
 /// How many of the fines that the water would carry were carried out.
@@ -40,9 +40,7 @@ std::string tell_removed(const erosion::PassResult& pass) {
     return fmt::format(
         "Pass {}: {} of {} detachable fines {} carried out, {} of the initial mass", pass.pass, grouped(pass.removed),
         grouped(pass.detachable), pass.removed == 1 ? "was" : "were",
-        report::is_noise(pass.eroded_mass_percent_of_initial)
-            ? "less than 0.01 %"
-            : fmt::format("{:.2f} %", pass.eroded_mass_percent_of_initial)
+        percent_or_none(pass.eroded_mass_percent_of_initial)
     );
 }
 

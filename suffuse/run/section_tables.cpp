@@ -113,7 +113,7 @@ removal_row(const std::string& name, const json& whole, const json& pass, double
         name,
         fmt::format("{}", pass.at("pass").get<int>()),
         grouped(grains),
-        short_number(mass_percent),
+        fmt::format("{:.2f}", mass_percent),
         fmt::format("{:.2f}", mean),
         report::percent_beyond_noise(100 * pass.at("stress_loss").get<double>()),
         report::percent_beyond_noise(100 * strain),

@@ -52,7 +52,7 @@ TEST(RemovalTable, HasARowForEachPassAndNoneForWhatTakesAllAtOnce) {
     ASSERT_EQ(table.rows.size(), 2U);
     EXPECT_EQ(
         table.rows[1],
-        (std::vector<std::string>{"s/order=random/removed", "2", "4", "12", "1.00", "2", "0.1", "0.4000"})
+        (std::vector<std::string>{"s/order=random/removed", "2", "4", "12.00", "1.00", "2.00", "0.10", "0.4000"})
     );
     EXPECT_EQ(table.header.size(), table.rows[0].size());
     EXPECT_FALSE(tabulate_removals({{nullptr, &variant, &at_once, numbers, {}}}).has_value());
