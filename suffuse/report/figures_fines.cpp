@@ -92,6 +92,7 @@ std::optional<Figure> void_ratios(const FinesStudy& study) {
     }
     for (json& layer : panels[1]["layer"]) {
         layer["encoding"]["y"]["scale"] = {{"domain", {0, top}}, {"nice", false}};
+        layer["mark"]["clip"] = true;
     }
     figure.chart = {
         {"vconcat", panels},

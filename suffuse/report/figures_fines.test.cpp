@@ -119,6 +119,7 @@ TEST(FinesFigures, ASweepThatEndsEarlyEndsItsAxisEarly) {
     study.dense.points.clear();
     const Figure figure = *void_ratios(study);
     EXPECT_EQ(figure.chart["vconcat"][0]["encoding"]["x"]["scale"]["domain"], (json{0, 20}));
+    EXPECT_GT(figure.chart["vconcat"][0]["encoding"]["x"]["scale"]["padding"], 0) << "for half a point at the ends";
     EXPECT_EQ(figure.caption.find("e_min"), std::string::npos);
 }
 

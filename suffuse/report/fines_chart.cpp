@@ -13,6 +13,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int point_room = 6; ///< beyond the first and the last fines content, for the whole of their points [px]
+
 json x_axis(const FinesStudy& study) {
     // Whole tens beyond the last fines content.
     const double last = study.fines_content.empty() ? 1 : study.fines_content.back();
@@ -21,7 +23,7 @@ json x_axis(const FinesStudy& study) {
         {"field", "fines_content"},
         {"type", "quantitative"},
         {"title", "fines content FC, by mass [%]"},
-        {"scale", {{"domain", {0, most}}, {"nice", false}}},
+        {"scale", {{"domain", {0, most}}, {"nice", false}, {"padding", point_room}}},
         {"axis", {{"tickCount", 10}}}};
 }
 
@@ -116,7 +118,7 @@ json fines_panel(
         {"mark": {"type": "rule", "clip": true, "strokeWidth": 1.5}, "encoding": {"y": {"field": "low"}, "y2": {"field": "high"}}},
         {"mark": {"type": "tick", "clip": true, "size": 7, "thickness": 1.5, "orient": "horizontal"}, "encoding": {"y": {"field": "low"}}},
         {"mark": {"type": "tick", "clip": true, "size": 7, "thickness": 1.5, "orient": "horizontal"}, "encoding": {"y": {"field": "high"}}},
-        {"mark": {"type": "point", "clip": true, "filled": true, "size": 42, "opacity": 1}, "encoding": {"y": {}}}
+        {"mark": {"type": "point", "filled": true, "size": 42, "opacity": 1}, "encoding": {"y": {}}}
     ])json");
     json names = json::array(), colors = json::array();
     for (const FinesLine& line : lines) {
