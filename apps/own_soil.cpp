@@ -96,6 +96,13 @@ SizeRange modeled_sizes(const Grading& measured, const std::optional<SizeRange>&
     return sizes;
 }
 
+/// As many digits as an estimate has: "about 850,000", "more than 300,000,000".
+std::string grains_needed(double count) {
+    const double unit = std::pow(10.0, std::floor(std::log10(count)));
+    return count < 1e6 ? "about " + grouped(std::llround(std::ceil(10 * count / unit) * unit / 10))
+                       : "more than " + grouped(std::llround(std::floor(count / unit) * unit));
+}
+
 [[noreturn]] void
 refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, double needed, const OwnSoilSpec& spec) {
     const std::int64_t most = spec.particles.value_or(std::llround(most_quick_grains));
@@ -103,7 +110,7 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
         "{}: sizes from {} to {} are too far apart for one sample: with {:.3g} % of fines (below {}) it takes {} "
         "grains, and {}",
         path, mm(grading.diameter.front()), mm(grading.diameter.back()), 100 * soil.fines_content, mm(soil.finer_than),
-        needed < 1e6 ? "about " + grouped(std::llround(needed)) : fmt::format("more than {:.0e}", 0.9 * needed),
+        grains_needed(needed),
         spec.particles ? fmt::format("--particles allows {}", grouped(most))
                        : fmt::format("a quick sample has at most {} (--particles N allows others)", grouped(most))
     );
@@ -118,10 +125,9 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
     const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
     const std::string turned = turned_text(judge_cut(soil.measured, cut, soil.finer_than));
     throw CaseError(fmt::format(
-        "{}. Cut the curve: suffuse new --psd {} --sizes {:.4g}mm,{:.4g}mm{} keeps {:.0f} % of the fines and {:.0f} "
-        "% of the coarse grains{}",
-        found, shell_word(path), 1e3 * part->finest, 1e3 * part->coarsest,
-        spec.particles ? fmt::format(" --particles {}", most) : "", 100 * part->fines_kept, 100 * part->coarse_kept,
+        "{}. Cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines and {:.0f} % of "
+        "the coarse grains{}",
+        found, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
         turned.empty() ? "" : ". Such a part is another soil by the criteria of stability, " + turned
     ));
 }

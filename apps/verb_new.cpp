@@ -164,9 +164,9 @@ void tell_assumed(const OwnConditions& conditions, const fs::path& path, const C
 }
 
 int new_from_soil(const CommandLine& line, const Console& console) {
+    const OwnConditions conditions = conditions_of(line); // what was typed is judged before what the file holds
     const OwnSoil soil = model_own_soil(line.psd, {sizes_of(line.sizes), line.particles});
     const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
-    const OwnConditions conditions = conditions_of(line);
     const fs::path folder = line.subject.empty() ? soil.name : line.subject;
     const std::vector<std::string> written = write_new(
         {{folder / "case.toml", own_case_text(soil, conditions)},
