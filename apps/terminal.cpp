@@ -120,8 +120,9 @@ std::string state_text(const nlohmann::json& state) {
             continue;
         }
         const double value = number.factor * state.at(std::string(number.key)).get<double>();
-        text +=
-            fmt::format("{}{} {:.{}g}{}", text.empty() ? "" : "  ", number.label, value, number.digits, number.unit);
+        text += fmt::format(
+            "{}{} {}{}", text.empty() ? "" : "  ", number.label, digits_text(value, number.digits), number.unit
+        );
     }
     return text;
 }

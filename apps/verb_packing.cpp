@@ -14,7 +14,7 @@
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 namespace suffuse::apps {
@@ -37,14 +37,9 @@ nlohmann::json describe(const io::TakenPacking& taken, const std::string& file) 
     return json;
 }
 
-/// To four digits.
+/// To four digits. (strtod, as stod throws at a length too small for a normal double, which a file may hold.)
 std::string length_text(double length) {
-    return print_quantity(std::stod(fmt::format("{:.4g}", length)), dimension::length);
-}
-
-/// So many of them, but all of a number above 100, which a wrong cell may give: no power of ten.
-std::string digits(double value, int count) {
-    return std::abs(value) < 100 ? fmt::format("{:.{}g}", value, count) : fmt::format("{:.0f}", value);
+    return print_quantity(std::strtod(fmt::format("{:.4g}", length).c_str(), nullptr), dimension::length);
 }
 
 std::string sentence(const nlohmann::json& about) {
@@ -54,8 +49,8 @@ std::string sentence(const nlohmann::json& about) {
     );
     if (about.contains("void_ratio")) {
         text += fmt::format(
-            ", void ratio {}, largest overlap {} % of the smaller radius", digits(about["void_ratio"], 4),
-            digits(100 * about["largest_overlap"].get<double>(), 2)
+            ", void ratio {}, largest overlap {} % of the smaller radius", digits_text(about["void_ratio"], 4),
+            digits_text(100 * about["largest_overlap"].get<double>(), 2)
         );
     }
     return text;

@@ -65,6 +65,13 @@ TEST_F(Cli, APackingInMillimetersIsWarnedOfAndReadWithItsUnit) {
     expect_in("--unit kPa: ", other.error);
 }
 
+TEST_F(Cli, ImportTellsARadiusThatIsTooSmallForANormalNumber) {
+    write_to(folder / "tiny.csv", "x,y,z,r\n0,0,0,1e-310\n0,0,3e-4,1e-4\n");
+    const Said looked = say({"import", "tiny.csv"});
+    EXPECT_EQ(looked.code, 0) << looked.error;
+    expect_in("tiny.csv: 2 grains, d 2e-3", looked.out);
+}
+
 TEST_F(Cli, ImportSaysWhatACaseWouldRefuse) {
     const std::string rows = "0 0 0 1e-4\n0 0 1.5e-4 1e-4\n";
     write_to(folder / "two.txt", "##PERIODIC:: 3e-3 3e-3 3e-3\n" + rows);

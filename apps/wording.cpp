@@ -140,6 +140,10 @@ std::string count_text(std::int64_t count) {
     return grouped(count);
 }
 
+std::string digits_text(double value, int count) {
+    return std::abs(value) < 100 ? fmt::format("{:.{}g}", value, count) : fmt::format("{:.0f}", value);
+}
+
 std::string steps_text(const run::Range& steps) {
     const std::string low = one_number(steps.least), high = one_number(steps.most);
     return low == high ? high : low + "-" + high;

@@ -21,6 +21,9 @@ std::string size_text(double bytes);
 /// "1,200".
 std::string count_text(std::int64_t count);
 
+/// So many digits, but all of a number above 100: "7.8e-05", "12.3", "1283".
+std::string digits_text(double value, int count);
+
 /// "2.1e6", or "1,200" below ten thousand; a range where its ends differ: "1.2e5-2.1e6".
 std::string steps_text(const run::Range& steps);
 

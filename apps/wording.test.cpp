@@ -36,6 +36,8 @@ TEST(Wording, SizesAndCounts) {
     EXPECT_EQ(count_text(-1200), "-1,200");
     EXPECT_EQ(count_text(999), "999");
     EXPECT_EQ(count_text(1234567), "1,234,567");
+    EXPECT_EQ(digits_text(1283.4, 3), "1283");
+    EXPECT_EQ(digits_text(-12.34, 3), "-12.3");
     EXPECT_EQ(steps_text({2000, 2000}), "2,000");
     EXPECT_EQ(steps_text({2.1e6, 3.2e6}), "2.1e6-3.2e6");
     EXPECT_EQ(plural(1, "stage"), "1 stage");
