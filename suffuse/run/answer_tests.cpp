@@ -1,10 +1,12 @@
 #include "suffuse/run/answer_tests.hpp"
 
 #include "suffuse/report/words.hpp"
+#include "suffuse/run/study_curves.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace suffuse::run {
 namespace {
@@ -52,10 +54,10 @@ std::string tell_failures(const std::vector<json>& responses) {
                          : "";
 }
 
-/// The responses of a test outside sweeps, of all seeds.
+/// The responses of a test, of all seeds.
 struct ToldTest {
     const casefile::Study* study;
-    std::string name;
+    std::string name;    ///< with the values of a sweep
     bool holds_deviator; ///< and fails by its pore pressure
     std::vector<json> responses;
 };
@@ -70,24 +72,44 @@ bool is_told_alone(const FinishedStage& stage, const std::vector<StrengthChange>
     });
 }
 
+/// "shear", "shear with order random".
+std::string name_of_test(const FinishedStage& stage) {
+    return stage.study->sweep.empty()
+               ? stage.stage->name
+               : fmt::format("{} with {}", stage.stage->name, values_name(*stage.study, *stage.variant));
+}
+
+/// Those of a sweep are told as long as they are few; over fines contents they are told as a curve.
+bool too_many_to_tell(const std::vector<ToldTest>& tests, const casefile::Study& study) {
+    constexpr auto most_told = 4;
+    return !study.sweep.empty() &&
+           (std::ranges::count(tests, &study, &ToldTest::study) > most_told ||
+            std::ranges::any_of(study.sweep, [](const auto& swept) { return swept.key == "fines_content"; }));
+}
+
 std::vector<ToldTest>
 gather_told_tests(const std::vector<FinishedStage>& stages, const std::vector<StrengthChange>& strength) {
     std::vector<ToldTest> tests;
     for (const FinishedStage& stage : stages) {
-        if (!stage.numbers.contains("response") || !stage.study->sweep.empty() || !is_told_alone(stage, strength)) {
+        if (!stage.numbers.contains("response") || !is_told_alone(stage, strength)) {
             continue;
         }
+        const std::string name = name_of_test(stage);
         auto test = std::find_if(tests.begin(), tests.end(), [&](const ToldTest& other) {
-            return other.study == stage.study && other.name == stage.stage->name;
+            return other.study == stage.study && other.name == name;
         });
         if (test == tests.end()) {
             const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
             const bool holds = spec != nullptr && spec->path == triaxial::Path::ConstantDeviator;
-            test = tests.insert(test, {stage.study, stage.stage->name, holds, {}});
+            test = tests.insert(test, {stage.study, name, holds, {}});
         }
         test->responses.push_back(stage.numbers.at("response"));
     }
-    return tests;
+    std::vector<ToldTest> told;
+    std::ranges::copy_if(tests, std::back_inserter(told), [&](const ToldTest& test) {
+        return !too_many_to_tell(tests, *test.study);
+    });
+    return told;
 }
 
 } // namespace

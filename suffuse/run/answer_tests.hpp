@@ -9,8 +9,8 @@
 
 namespace suffuse::run {
 
-/// Of tests outside sweeps, over their seeds: those of strength in one sentence, each that holds the deviator stress in
-/// one of its own. Tests among `changes` are told there.
+/// Of tests, over their seeds: those of strength in one sentence, each that holds the deviator stress in one of its
+/// own. Tests among `changes` are told there; of a sweep, where they are few.
 std::vector<std::string>
 answers_to_tests(const std::vector<FinishedStage>& stages, const std::vector<StrengthChange>& changes);
 

@@ -27,6 +27,30 @@ TEST(ReportAnswer, TellsTestsOfStrengthAndNotThoseThatLeadToAState) {
     );
 }
 
+TEST(ReportAnswer, TellsTheTestsOfASweepWhereTheyAreFew) {
+    casefile::Study study;
+    study.name = "orders";
+    study.sweep = {{"stage.removed.order", {"random", "smallest"}}};
+    const casefile::Stage test{.name = "shear", .spec = triaxial::TriaxialSpec{}};
+    std::vector<casefile::Variant> variants(5);
+    const std::vector<std::string> orders = {"random", "smallest", "a", "b", "c"};
+    std::vector<FinishedStage> stages;
+    for (std::size_t k = 0; k < variants.size(); ++k) {
+        variants[k].values = {{"stage.removed.order", orders[k]}, {"fines_content", orders[k]}};
+        stages.push_back({&study, &variants[k], &test, response(100e3 * static_cast<double>(k + 1), 0.02), {}});
+    }
+    EXPECT_TRUE(answer_of_erosion({}, stages, {}).empty());
+    stages.resize(2);
+    EXPECT_EQ(
+        answer_of_erosion({}, stages, {}),
+        std::vector<std::string>{
+            "Highest deviator stress in triaxial compression: 100 kPa at 2 % axial strain in shear "
+            "with order random, 200 kPa at 2 % axial strain in shear with order smallest."}
+    );
+    study.sweep.front().key = "fines_content"; // a curve
+    EXPECT_TRUE(answer_of_erosion({}, stages, {}).empty());
+}
+
 TEST(ReportAnswer, TellsATestOnceWhereItIsComparedWithAnother) {
     casefile::Study study;
     const casefile::Stage before{.name = "before", .spec = triaxial::TriaxialSpec{}};
