@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path options_file = "run_options.json", lock_file = ".lock";
+const fs::path lock_file = ".lock";
 
 void make_folders(const fs::path& folder) {
     std::error_code error;
@@ -108,7 +108,7 @@ void take_run_folder(const fs::path& folder) {
         return name == lock_file || io::is_partial(name.string());
     };
     const bool is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), is_ours);
-    const bool is_begun = fs::exists(folder / options_file) || fs::exists(folder / run::resolved_case_file);
+    const bool is_begun = fs::exists(folder / run::options_file) || fs::exists(folder / run::resolved_case_file);
     if (!is_begun && !is_free) {
         throw UsageError(fmt::format(
             "{} is not empty and holds no run; give -o a new folder, so that nothing of yours is overwritten",
@@ -126,16 +126,16 @@ void keep_asked(const fs::path& folder, const AskedRun& asked) {
     if (asked.cache) {
         kept["cache"] = path_json(*asked.cache);
     }
-    run::write_json(folder / options_file, kept);
+    run::write_json(folder / run::options_file, kept);
 }
 
 AskedRun read_asked(const fs::path& folder) {
-    if (!fs::exists(folder / options_file)) {
+    if (!fs::exists(folder / run::options_file)) {
         throw UsageError(fmt::format(
             "{} holds no run that could be resumed; give the folder that suffuse run has named", shown(folder.string())
         ));
     }
-    const nlohmann::json asked = run::read_json(folder / options_file);
+    const nlohmann::json asked = run::read_json(folder / run::options_file);
     AskedRun read{
         path_of(asked.value("case", nlohmann::json(""))),
         asked.value("preset", ""),

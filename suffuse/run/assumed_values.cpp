@@ -89,13 +89,36 @@ bool is_overruled(const Given& given, const std::vector<Given>& all, const std::
     });
 }
 
+/// Whether --set gives another value for it, or for a part of it.
+bool is_set_anew(const Given& given, const std::vector<std::string>& overrides) {
+    std::string path = given.table.empty() ? "" : given.table + ".";
+    path += (given.stage.empty() ? "" : given.stage + ".") + given.key;
+    return std::ranges::any_of(overrides, [&](const std::string& text) {
+        const std::string set = trimmed(text.substr(0, text.find('=')));
+        return set == path || set.starts_with(path + ".");
+    });
+}
+
+/// Whether it belongs to a study that is none of these.
+bool is_of_another_study(const Given& given, const std::vector<std::string>& studies) {
+    const std::string of_study = "study.";
+    return !studies.empty() && given.table.starts_with(of_study) &&
+           std::ranges::none_of(studies, [&](const std::string& study) {
+               return (given.table + ".").starts_with(of_study + study + ".");
+           });
+}
+
 } // namespace
 
-std::vector<report::AssumedValue> assumed_values(std::string_view case_text, const std::string& preset) {
+std::vector<report::AssumedValue> assumed_values(
+    std::string_view case_text, const std::string& preset, const std::vector<std::string>& overrides,
+    const std::vector<std::string>& studies
+) {
     std::vector<report::AssumedValue> values;
     const std::vector<Given> all = given_keys(case_text);
     for (const Given& given : all) {
-        if (given.is_assumed && !is_overruled(given, all, "presets." + preset)) {
+        if (given.is_assumed && !is_overruled(given, all, "presets." + preset) && !is_set_anew(given, overrides) &&
+            !is_of_another_study(given, studies)) {
             values.push_back({full_key(given.table, given.stage, given.key), given.value, given.note});
         }
     }

@@ -56,6 +56,40 @@ strain = "10 %" #~
     EXPECT_EQ(standard[2].value, "\"10 %\"");
 }
 
+TEST(AssumedValues, WhatIsSetOnTheCommandLineIsNoMoreAssumedByTheCase) {
+    const char* const text = R"([study.erosion]
+particles = 8000 #~ cost grows with it
+[[study.erosion.stage]]
+name     = "initial"
+pressure = "100 kPa" #~
+prepare  = { friction = "10 deg" } #~
+[[study.erosion.stage]]
+name     = "other"
+pressure = "100 kPa" #~
+)";
+    const auto values = assumed_values(
+        text, "standard",
+        {"study.erosion.particles=4000", "study.erosion.stage.initial.pressure = 200 kPa",
+         "study.erosion.stage.initial.prepare.friction=5 deg"}
+    );
+    ASSERT_EQ(values.size(), 1U);
+    EXPECT_EQ(values[0].key, "study.erosion, stage other: pressure");
+}
+
+TEST(AssumedValues, AreThoseOfTheStudiesThatWereRun) {
+    const char* const text = R"([contact]
+modulus = "356 MPa" #~
+[study.fines]
+particles = 8000 #~
+[[study.fines-again.stage]]
+porosity = 0.65 #~
+)";
+    const auto values = assumed_values(text, "standard", {}, {"fines"});
+    ASSERT_EQ(values.size(), 2U);
+    EXPECT_EQ(values[1].key, "study.fines.particles");
+    EXPECT_EQ(assumed_values(text, "standard").size(), 3U);
+}
+
 TEST(AssumedValues, ACaseWithoutMarksHasNone) {
     EXPECT_TRUE(assumed_values("", "quick").empty());
     EXPECT_TRUE(assumed_values("[a]\nb = 1\n", "quick").empty());

@@ -29,6 +29,9 @@ void open_folder(const std::filesystem::path& run, const casefile::Case& what, c
 /// The case as it was resolved when the run began: what makes a folder that of a run.
 inline constexpr const char* resolved_case_file = "case.resolved.toml";
 
+/// What was asked when the run began: preset, overrides, studies.
+inline constexpr const char* options_file = "run_options.json";
+
 /// @throws IoError where the folder holds no run that has begun.
 void check_is_run(const std::filesystem::path& folder);
 

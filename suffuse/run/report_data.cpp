@@ -9,6 +9,7 @@
 #include "suffuse/run/erosion_figures.hpp"
 #include "suffuse/run/erosion_table.hpp"
 #include "suffuse/run/fines_findings.hpp"
+#include "suffuse/run/folder.hpp"
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/report_answer.hpp"
 #include "suffuse/run/report_wishes.hpp"
@@ -114,6 +115,19 @@ void mark_thresholds(const std::vector<report::ContentThreshold>& thresholds, re
     }
 }
 
+/// What the case marks and the run has taken over, without what was typed when it began.
+std::vector<report::AssumedValue> assumed_in(const std::filesystem::path& folder, const casefile::Case& what) {
+    const std::filesystem::path given = folder / "case.toml", options = folder / options_file;
+    if (!std::filesystem::exists(given)) {
+        return {}; // a program that runs cases of its own leaves none
+    }
+    const json asked = std::filesystem::exists(options) ? read_json(options) : json::object();
+    const std::vector<std::string> nothing;
+    return assumed_values(
+        io::read_text(given), what.preset, asked.value("overrides", nothing), asked.value("studies", nothing)
+    );
+}
+
 } // namespace
 
 report::ReportData describe_run(
@@ -164,10 +178,7 @@ report::ReportData describe_run(
     data.warnings = report::merged_warnings(data.warnings);
     data.case_warnings = std::move(remarks.case_warnings);
     data.unfinished = std::move(remarks.unfinished);
-    if (const std::filesystem::path given = folder / "case.toml"; std::filesystem::exists(given)) {
-        data.assumed =
-            assumed_values(io::read_text(given), what.preset); // a program that runs cases of its own leaves none
-    }
+    data.assumed = assumed_in(folder, what);
     data.figures = draw_study(what, folder, stages, sweep ? &*sweep : nullptr);
     for (report::Figure& figure : draw_erosion(what, folder, story)) {
         data.figures.push_back(std::move(figure));
