@@ -73,6 +73,19 @@ TEST_F(Compare, WhetherAndHowMuchRunsDifferIsSaidFirstAndResultsComeBeforeNoise)
     expect_in("replay/settled: mean_stress   1.0001e+05 and 1.0101e+05   0.989 %", said.out);
 }
 
+TEST_F(Compare, AShearStressIsToldAgainstTheStressAndNotAgainstItsOwnChance) {
+    std::filesystem::copy(folder / "first", folder / "second", std::filesystem::copy_options::recursive);
+    const std::filesystem::path kept = folder / "second/studies/replay/settled/stage.json";
+    nlohmann::json stage = nlohmann::json::parse(read_all(kept));
+    stage["stress"][0][1] = stage.at("stress")[0][1].get<double>() + 1e3;
+    write_to(kept, stage.dump());
+    const Said said = say({"compare", "first", "second", "--json"});
+    const nlohmann::json differences = said.json().at("differences");
+    ASSERT_EQ(differences.size(), 1U) << said.out;
+    EXPECT_EQ(differences[0].at("where"), "replay/settled: stress[0][1]");
+    EXPECT_NEAR(differences[0].at("relative").get<double>(), 0.01, 1e-4); // of 100 kPa, within the servo's tolerance
+}
+
 TEST_F(Compare, RunsThatDifferOnlyInHowTheyWereComputedHaveTheSameResults) {
     std::filesystem::copy(folder / "first", folder / "second", std::filesystem::copy_options::recursive);
     const std::filesystem::path kept = folder / "second/studies/replay/seep/stage.json";

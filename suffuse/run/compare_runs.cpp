@@ -62,9 +62,11 @@ class Comparer {
 public:
     Comparer(double tolerance, Comparison& found) : tolerance_(tolerance), found_(found) {}
 
-    void compare(const std::string& where, double a, double b, Relevance about) {
+    /// @param least_scale what a difference is told against where both numbers are smaller
+    void compare(const std::string& where, double a, double b, Relevance about, double least_scale = 0) {
         ++found_.numbers;
-        const double scale = std::max(std::abs(a), std::abs(b)), off = scale > 0 ? std::abs(a - b) / scale : 0;
+        const double scale = std::max({std::abs(a), std::abs(b), least_scale});
+        const double off = scale > 0 ? std::abs(a - b) / scale : 0;
         const bool are_both_undefined = std::isnan(a) && std::isnan(b);
         if (!(off <= tolerance_) && !are_both_undefined) {
             const double relative = std::isnan(off) ? 1 : off; // one of the two is undefined
@@ -72,16 +74,18 @@ public:
         }
     }
 
-    void compare(const std::string& where, const json& a, const json& b, Relevance about) {
+    void compare(const std::string& where, const json& a, const json& b, Relevance about, double least_scale = 0) {
         if (a.is_number() && b.is_number()) {
-            compare(where, a.get<double>(), b.get<double>(), about);
+            compare(where, a.get<double>(), b.get<double>(), about, least_scale);
         } else if (a.is_object() && b.is_object()) {
             compare_objects(where, a, b, about);
         } else if (a.is_array() && b.is_array() && a.size() == b.size()) {
-            const double rounding = rounding_of(a, b);
+            const double rounding = rounding_of(a, b), scale = is_matrix(a) ? largest_of(a, b) : least_scale;
             for (std::size_t k = 0; k < a.size(); ++k) {
                 const bool is_rounding = std::max(size_of(a[k]), size_of(b[k])) < rounding;
-                compare(fmt::format("{}[{}]", where, k), a[k], b[k], is_rounding ? Relevance::Computation : about);
+                compare(
+                    fmt::format("{}[{}]", where, k), a[k], b[k], is_rounding ? Relevance::Computation : about, scale
+                );
             }
         } else if (a != b) {
             differ(where, text_of(a), text_of(b), about);
@@ -95,6 +99,28 @@ public:
 private:
     static double size_of(const json& value) {
         return value.is_number() ? std::abs(value.get<double>()) : std::numeric_limits<double>::infinity();
+    }
+
+    /// A stress, a permeability, a cell: what stands beside its diagonal is chance around zero, and no number of its
+    /// own.
+    static bool is_matrix(const json& value) {
+        constexpr std::size_t rows = 3;
+        return value.size() == rows && std::ranges::all_of(value, [](const json& row) {
+                   return row.is_array() && row.size() == rows &&
+                          std::ranges::all_of(row, [](const json& number) { return number.is_number(); });
+               });
+    }
+
+    static double largest_of(const json& a, const json& b) {
+        double largest = 0;
+        for (const json* matrix : {&a, &b}) {
+            for (const json& row : *matrix) {
+                for (const json& number : row) {
+                    largest = std::max(largest, number.is_number() ? size_of(number) : 0);
+                }
+            }
+        }
+        return largest;
     }
 
     /// Below it, a component of a vector is what rounding left of a zero: next to its largest it says nothing.
