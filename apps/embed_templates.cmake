@@ -1,5 +1,5 @@
 # cmake -DFROM=examples -DTO=templates.cpp -P embed_templates.cmake: case files and their data as string literals.
-file(GLOB files RELATIVE ${FROM} ${FROM}/*/case.toml ${FROM}/*/*.csv ${FROM}/*/data/*.csv)
+file(GLOB files RELATIVE ${FROM} ${FROM}/*/*.toml ${FROM}/*/*.csv ${FROM}/*/data/*.csv)
 list(SORT files)
 set(rows "")
 foreach(file IN LISTS files)
