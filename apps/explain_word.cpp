@@ -3,6 +3,7 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/casefile/explain.hpp"
 #include "suffuse/report/figure_guide.hpp"
+#include "suffuse/report/findings_fines.hpp"
 #include "suffuse/stability/criterion_guide.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +11,32 @@
 #include "apps/command_line.hpp"
 
 namespace suffuse::apps {
+namespace {
+
+/// The paper's findings, as they are judged of a run that has nothing: their claims are the same.
+std::vector<report::Finding> all_findings() {
+    std::vector<report::Finding> findings = report::judge_erosion({}, {});
+    const report::StageCurve nothing;
+    for (report::Finding& finding : report::judge_fines(&nothing, &nothing, {})) {
+        findings.push_back(std::move(finding));
+    }
+    return findings;
+}
+
+std::optional<std::string> explain_finding(const std::string& id) {
+    for (const report::Finding& finding : all_findings()) {
+        if (finding.id == id) {
+            return fmt::format(
+                "finding {} of the paper\n  met when  {}\n  paper     {}\n"
+                "  judged    where a case has a `paper` line: its report, and suffuse compare RUN --paper\n",
+                finding.id, finding.claim, finding.paper
+            );
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
 
 std::string explain_word(const std::string& word) {
     if (const auto text = casefile::explain(word)) {
@@ -21,6 +48,9 @@ std::string explain_word(const std::string& word) {
     if (const auto text = stability::explain_criterion(word)) {
         return *text;
     }
+    if (const auto text = explain_finding(word)) {
+        return *text;
+    }
     auto nearest = nearest_word(word, explained_words());
     if (!nearest) {
         nearest = casefile::nearest_key(word);
@@ -29,7 +59,7 @@ std::string explain_word(const std::string& word) {
         "nothing is known about {}; {}", shown(word),
         nearest ? fmt::format("a similar word: suffuse explain {}", *nearest)
                 : "suffuse schema lists all keys of a case; its tables (contact), verbs (erode), codes (E310), figures "
-                  "(figure-9) and criteria (kezdi-1979) are known too"
+                  "(figure-9), findings (E4) and criteria (kezdi-1979) are known too"
     ));
 }
 
@@ -37,6 +67,9 @@ std::vector<std::string> explained_words() {
     std::vector<std::string> words = casefile::topics();
     for (const auto& more : {report::figure_names(), stability::criterion_ids()}) {
         words.insert(words.end(), more.begin(), more.end());
+    }
+    for (const report::Finding& finding : all_findings()) {
+        words.push_back(finding.id);
     }
     return words;
 }

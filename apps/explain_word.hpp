@@ -1,5 +1,6 @@
 #pragma once
-// One screen on anything that has a name: a key of a case, a code, the conventions, a figure, a criterion of stability.
+// One screen on anything that has a name: a key of a case, a code, the conventions, a figure, a finding,
+// a criterion of stability.
 
 #include <string>
 #include <vector>

@@ -29,6 +29,12 @@ TEST(ExplainWord, KnowsCriteriaByTheirAuthorsAndNumbersAndKeysByTheirPlaceInACas
     EXPECT_THROW(explain_word("study.x.stage.y.nothing"), UsageError);
 }
 
+TEST(ExplainWord, KnowsTheFindingsThatAReportJudges) {
+    EXPECT_NE(explain_word("E4").find("met when  Pass 2: more than 50 %"), std::string::npos) << explain_word("E4");
+    EXPECT_NE(explain_word("M9").find("paper     "), std::string::npos);
+    EXPECT_THROW(explain_word("E8"), UsageError);
+}
+
 TEST(ExplainWord, OffersTheNearestKeyForAMisspeltPlaceInACase) {
     const auto offered = [](const std::string& word) -> std::string {
         try {

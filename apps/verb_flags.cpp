@@ -245,7 +245,8 @@ void add_case_verbs(CLI::App& app, CommandLine& line) {
     add_until(*plan, line);
 
     CLI::App* explain = app.add_subcommand(
-        "explain", "one screen on a key, a table, a verb of a stage, a code, a figure, a criterion, or the conventions"
+        "explain",
+        "one screen on a key, a table, a verb of a stage, a code, a figure, a finding, a criterion, or the conventions"
     );
     add_subject(*explain, line, "WORD", "as in contact.modulus, erode, E310, figure-9, kezdi-1979, conventions");
 
