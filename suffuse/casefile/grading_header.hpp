@@ -29,7 +29,8 @@ struct Columns {
 };
 
 constexpr std::string_view expected_header = "the first line names the columns: `d [mm],passing [%]`; also size, sieve "
-                                             "or diameter, and finer, cumulative retained or retained on sieve";
+                                             "or diameter, and finer, cumulative retained or retained on sieve; titles "
+                                             "above it begin with #";
 
 /// Empty where the header does not say both, which is reported.
 std::optional<Columns> read_grading_header(const CsvRow& header, Problems& problems);

@@ -118,6 +118,7 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
         {"E505", 0, 0, "empty", "# nothing\n\n"},
         {"E505", 0, 0, "at least two points", "d,passing\n0.1,0\n"},
         {"E506", 1, 1, "`d` is missing", "0.1,0\n0.2,100\n"},
+        {"E506", 1, 1, "titles above it begin with #", "Borehole 3\nd,passing\n0.1,0\n0.2,100\n"},
         {"E506", 1, 1, "`passing` is missing", "d,percent\n0.2,100\n"},
         {"E506", 1, 1, "is a pressure", "d [kPa],passing\n0.2,100\n"},
         {"E100", 0, 0, "UTF-16", "\xFF\xFE"},
