@@ -61,10 +61,11 @@ void note_energy(StageWork& work, const triaxial::TriaxialSpec& spec, const tria
             work.place(), 100 * energy.damping / taken
         ));
     }
-    if (std::abs(energy.unaccounted()) > much_unaccounted * std::max(taken, energy.work)) { // before yield: in springs
+    const double turned_over = std::max(taken, energy.work); // before yield most of the work is in springs
+    if (std::abs(energy.unaccounted()) > much_unaccounted * turned_over) {
         work.warnings.push_back(fmt::format(
-            "{}: springs, motion, slip, rolling and damping leave {:.2g} % of the work of the test unaccounted for",
-            work.place(), 100 * energy.unaccounted() / energy.work
+            "{}: springs, motion, slip, rolling and damping leave {:.2g} % of the energy of the test unaccounted for",
+            work.place(), 100 * energy.unaccounted() / turned_over
         ));
     }
 }
