@@ -12,6 +12,7 @@ namespace {
 
 constexpr double rising_part = 0.9; // of the highest value: beyond, a curve bends over into its plateau
 constexpr double flat_part = 0.25;  // of the rise: one that has made more of it before the break began earlier
+constexpr double uneven = 3;        // gaps to the two neighbors: beyond, the far point alone would place the vertex
 
 /// The points of one seed that are there.
 struct Points {
@@ -86,6 +87,11 @@ Fit fit_two_lines(const Points& points, double x0) {
     rest = less(rest, fit.bend, hinge);
     fit.misfit = dot(rest, rest);
     return fit;
+}
+
+bool has_even_gaps(const Extreme& found) {
+    const auto [near, far] = std::minmax({found.at - found.least, found.most - found.at});
+    return far <= uneven * near * (1 + same_content);
 }
 
 Points rising(Points points) {
@@ -204,7 +210,7 @@ std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed) {
 std::vector<ContentThreshold> find_thresholds(const StageCurve& loose, const StageCurve* dense) {
     const auto lowest = [](const ContentCurve& curve, std::size_t seed) -> std::optional<double> {
         const std::optional<Extreme> found = find_extreme(curve, seed, Which::Lowest);
-        return found && !found->is_end ? std::optional(found->vertex) : std::nullopt;
+        return found && !found->is_end && has_even_gaps(*found) ? std::optional(found->vertex) : std::nullopt;
     };
     const ContentCurve e = content_curve(loose, "void_ratio");
     std::vector<ContentThreshold> thresholds{threshold_of("FC_threshold", "lowest void ratio, loose", e, lowest)};

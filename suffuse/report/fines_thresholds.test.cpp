@@ -122,5 +122,21 @@ TEST(FinesThresholds, BetweenLooseAndDenseTheThresholdMovesWithTheDensity) {
     EXPECT_EQ(find_thresholds(loose, nullptr).size(), 3U);
 }
 
+TEST(FinesThresholds, ALowestPointWithOneFarNeighborIsNoThreshold) {
+    const auto threshold = [](std::vector<double> content) {
+        StageCurve loose{"loose", {}};
+        for (const double x : content) {
+            SweepPoint point;
+            point.value = {x};
+            point.seed = {1};
+            point.number["void_ratio"] = scatter_of({(x - 0.35) * (x - 0.35)});
+            loose.points.push_back(point);
+        }
+        return find_thresholds(loose, nullptr).front().at;
+    };
+    EXPECT_EQ(threshold({0, 0.1, 0.2, 0.3, 1}).seeds, 0) << "the parabola's vertex would follow the last point";
+    EXPECT_NEAR(threshold({0, 0.1, 0.2, 0.3, 0.6}).mean, 0.35, 1e-12);
+}
+
 } // namespace
 } // namespace suffuse::report
