@@ -127,10 +127,10 @@ nlohmann::json stability_json(const CutVerdicts& verdicts) {
 }
 
 /// Priced as `suffuse plan` does: how stiff the contacts had to be counts as much as the number of grains.
-run::Range planned_time(const fs::path& path) {
+run::RunPlan price_of(const fs::path& path) {
     const casefile::Case what = casefile::load_case(path.string(), {}).value;
     set_threads(0);
-    return plan_case(what, run::samples_at_once(what)).seconds;
+    return plan_case(what, run::samples_at_once(what));
 }
 
 OwnConditions conditions_of(const CommandLine& line) {
@@ -173,7 +173,7 @@ int new_from_soil(const CommandLine& line, const Console& console) {
          {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, line.psd)}}
     );
     console.result(fmt::format("{}", fmt::join(written, "\n")));
-    const run::Range seconds = planned_time(folder / "case.toml");
+    const run::RunPlan plan = price_of(folder / "case.toml");
     console.document(json_text(
         {{"written", written},
          {"finer_than", soil.finer_than},
@@ -184,7 +184,8 @@ int new_from_soil(const CommandLine& line, const Console& console) {
          {"particles", soil.quick_grains},
          {"pressure", conditions.pressure.value_or(assumed_pressure)},
          {"gradient", conditions.gradient.value_or(assumed_gradient)},
-         {"seconds", {seconds.least, seconds.most}}}
+         {"steps", {plan.steps.least, plan.steps.most}},
+         {"seconds", {plan.seconds.least, plan.seconds.most}}}
     ));
     console.talk(fmt::format(
         "fines: finer than {:.4g} mm, {:.3g} % of the mass: {}", 1e3 * soil.finer_than, 100 * soil.fines_content,
@@ -195,7 +196,8 @@ int new_from_soil(const CommandLine& line, const Console& console) {
     }
     tell_stability(soil, verdicts, console);
     console.talk(fmt::format(
-        "{} grains in the preset quick: {} on this machine", count_text(soil.quick_grains), duration_range_text(seconds)
+        "{} grains in the preset quick: {} on this machine", count_text(soil.quick_grains),
+        duration_range_text(plan.seconds)
     ));
     tell_assumed(conditions, folder / "case.toml", console);
     tell_next(folder, console);
