@@ -9,10 +9,56 @@
 namespace suffuse::packing {
 namespace {
 
-bool is_overlapping(const neighbors::Pair& pair, const Mat3& h, std::span<const Vec3> x, std::span<const double> r) {
-    const double sum = r[pair.first] + r[pair.second];
-    return norm2(x[pair.second] + cell::shift(h, pair.image) - x[pair.first]) < sum * sum;
-}
+/// Pairs within a margin, asked for again and again while grains move a little: chosen from a wider list, which is made
+/// anew when a grain has moved too far for it.
+class NearPairs {
+public:
+    NearPairs(const Mat3& h, std::span<const double> radius)
+        : h_(h), radius_(radius), margin_(0.2 * *std::min_element(radius.begin(), radius.end())) {}
+
+    const std::vector<neighbors::Pair>& find(const std::vector<Vec3>& position) {
+        if (!reaches(position)) {
+            wide_ = neighbors::find_pairs(h_, position, radius_, wide_margins * margin_);
+            listed_at_ = position;
+        }
+        near_.clear();
+        for (const neighbors::Pair& pair : wide_) {
+            if (is_within(pair, position, margin_)) {
+                near_.push_back(pair);
+            }
+        }
+        return near_;
+    }
+
+    [[nodiscard]] bool any_overlaps(const std::vector<Vec3>& position) const {
+        return std::ranges::any_of(near_, [&](const auto& pair) { return is_within(pair, position, 0); });
+    }
+
+private:
+    static constexpr double wide_margins = 3; // two of them are for the motion of a pair
+
+    [[nodiscard]] bool reaches(const std::vector<Vec3>& position) const {
+        const double allowed = 0.5 * (wide_margins - 1) * margin_;
+        for (std::size_t g = 0; g < listed_at_.size(); ++g) {
+            if (norm2(position[g] - listed_at_[g]) > allowed * allowed) {
+                return false;
+            }
+        }
+        return !listed_at_.empty();
+    }
+
+    [[nodiscard]] bool is_within(const neighbors::Pair& pair, const std::vector<Vec3>& position, double margin) const {
+        const double limit = radius_[pair.first] + radius_[pair.second] + margin;
+        const Vec3 branch = position[pair.second] + cell::shift(h_, pair.image) - position[pair.first];
+        return norm2(branch) < limit * limit;
+    }
+
+    const Mat3& h_;
+    std::span<const double> radius_;
+    double margin_; ///< [m]
+    std::vector<neighbors::Pair> wide_, near_;
+    std::vector<Vec3> listed_at_; ///< where grains were when the wider list was made [m]
+};
 
 /// Pushes overlapping pairs apart, one after another, the lighter grain moving further. @return whether any overlapped.
 bool push_apart(
@@ -42,14 +88,14 @@ bool push_apart(
 } // namespace
 
 bool clear_overlaps(const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, int most_rounds) {
-    constexpr int sweeps = 12; // the search for pairs is redone every round
+    constexpr int sweeps = 12; // over the pairs that are near when a round begins
     if (radius.empty()) {
         return true;
     }
-    const double margin = 0.2 * *std::min_element(radius.begin(), radius.end());
+    NearPairs near(h, radius);
     for (int round = 0; round < most_rounds; ++round) {
-        const std::vector<neighbors::Pair> pairs = neighbors::find_pairs(h, position, radius, margin);
-        if (std::ranges::none_of(pairs, [&](const auto& p) { return is_overlapping(p, h, position, radius); })) {
+        const std::vector<neighbors::Pair>& pairs = near.find(position);
+        if (!near.any_overlaps(position)) {
             return true;
         }
         for (int sweep = 0; sweep < sweeps && push_apart(pairs, h, radius, position); ++sweep) {
