@@ -164,25 +164,24 @@ bool is_exhausted(const ErodeSpec& spec, const ErosionResult& so_far, const Pass
 
 /// Whether this pass is the last, and why.
 void judge_end(const dem::World& world, const ErodeSpec& spec, const ErosionResult& so_far, PassResult& pass) {
+    const std::optional<ErodedTarget>& target = spec.until_eroded;
+    const double share = target ? eroded_share(world, so_far.initial_mass, target->of) : 0;
+    pass.reached_target = target && share >= target->share;
+    const std::optional<std::string> complaint = skeleton_complaint(world);
     if (pass.failed) {
         return; // its verdict stands
     }
-    const std::optional<std::string> complaint = skeleton_complaint(world);
     if (!spec.forced && noise_decides(spec.detached, pass.probe)) {
         pass.verdict = "what leaves cannot be told from the twin's noise";
+    } else if (pass.reached_target) {
+        pass.verdict = fmt::format(
+            "{:.3g} % of the {} has left, {:.3g} % was asked for{}", 100 * share, name_of(target->of),
+            100 * target->share, complaint ? "; " + *complaint : ""
+        );
     } else if (is_exhausted(spec, so_far, pass)) {
         pass.verdict = nothing_leaves;
     } else if (complaint) {
         pass.verdict = *complaint;
-    } else if (spec.until_eroded) {
-        const double share = eroded_share(world, so_far.initial_mass, spec.until_eroded->of);
-        pass.reached_target = share >= spec.until_eroded->share;
-        if (pass.reached_target) {
-            pass.verdict = fmt::format(
-                "{:.3g} % of the {} has left, {:.3g} % was asked for", 100 * share, name_of(spec.until_eroded->of),
-                100 * spec.until_eroded->share
-            );
-        }
     }
 }
 

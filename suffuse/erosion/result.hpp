@@ -142,7 +142,7 @@ struct PassResult {
     double time_step = 0;                       ///< of the last of them [s]
     std::map<std::string, double> wall_seconds; ///< by part: "relax", "flow", "probe", "constrictions" ...
     bool failed = false;                        ///< the skeleton does not carry its stresses any more
-    bool reached_target = false;                ///< it stops because as much has left as was asked
+    bool reached_target = false;                ///< as much has left as was asked, whatever the verdict
     std::string
         verdict; ///< empty, or why the procedure stops here ("nothing leaves any more", "the skeleton fails ...")
 };

@@ -3,6 +3,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/detachment.hpp"
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/erosion/passage.hpp"
 #include "suffuse/flow/pore_velocity.hpp"
 #include "suffuse/flow/reynolds.hpp"
 #include "suffuse/flow/seepage.hpp"
@@ -342,7 +343,8 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         grains -= pass.removed;
         work.time_step = pass.probe.time_step;
         note_probe(work, spec.detached, pass.probe, !spec.forced);
-        const bool is_usual_end = pass.reached_target || pass.verdict == erosion::nothing_leaves;
+        const bool is_usual_end = pass.verdict == erosion::nothing_leaves ||
+                                  (pass.reached_target && !pass.failed && !erosion::skeleton_complaint(work.world));
         if (!pass.verdict.empty() && !is_usual_end) {
             work.warnings.push_back(fmt::format("{}: pass {}: {}", work.place(), pass.pass, pass.verdict));
         }

@@ -47,6 +47,22 @@ TEST(ErosionTarget, EndsTheStageWithThePassThatReachesIt) {
     EXPECT_NE(much.at("warnings").dump().find("less than the 90 % of `until_eroded`"), std::string::npos);
 }
 
+TEST(ErosionTarget, IsReachedThoughTheSkeletonComplainsInThatPassAndBothAreTold) {
+    const TempFolder folder;
+    const std::string few = "finer_than = \"0.29 mm\"", soil = reference_soil(); // leaves 13 coarse grains of 500
+    run_text(
+        reference_constants + std::string(soil).replace(soil.find("finer_than"), few.size(), few) +
+            study_of_packing("packing500") + erosion("few", "passes = 3\nuntil_eroded = { share = \"0.1 %\" }\n"),
+        folder.path()
+    );
+    const json stage = stage_of(folder.path(), "few");
+    ASSERT_EQ(stage.at("passes").size(), 1U);
+    const std::string verdict = stage.at("passes").at(0).at("verdict"), warnings = stage.at("warnings").dump();
+    EXPECT_TRUE(stage.at("passes").at(0).at("reached_target"));
+    EXPECT_NE(verdict.find("was asked for; the coarse skeleton has 13 grains left"), std::string::npos) << verdict;
+    EXPECT_NE(warnings.find("the coarse skeleton has 13 grains left"), std::string::npos) << warnings;
+}
+
 TEST(ErosionTarget, AnErosionFromWhichNothingLeavesAnyMoreHasEndedAndWarnsOfNothing) {
     const TempFolder folder;
     std::string rattlers = erosion("rattlers", "passes = 20\n");
