@@ -78,11 +78,17 @@ void note_overshoot(StageWork& work, const triaxial::TriaxialSpec& spec, const s
     const double asked = triaxial::deviator_to_stop_at(spec, stop.mean_stress).value_or(stop.deviator_stress);
     const double allowed = std::max(much * asked, work.what.balance.stress_error * rows.front().mean_stress);
     if (stop.deviator_stress > asked + allowed) {
+        const auto told = [&](const triaxial::PathRow& row) {
+            return spec.stress_ratio ? row.deviator_stress / row.mean_stress : row.deviator_stress / 1e3;
+        };
         work.warnings.push_back(fmt::format(
-            "{}: asked to stop at a deviator stress of {:.4g} kPa, the test started at {:.4g} and reached {:.4g} kPa: "
-            "the sample comes to rest from beyond the stress asked for, its contacts further from sliding than under "
-            "first loading; start from a sample that bears less, or take a smaller inertial_number",
-            work.place(), asked / 1e3, rows.front().deviator_stress / 1e3, stop.deviator_stress / 1e3
+            "{}: asked to stop at {}, the test started at {:.4g} and reached {:.4g}{}: the sample comes to rest from "
+            "beyond the stress asked for, its contacts further from sliding than under first loading; start from a "
+            "sample that bears less, or take a smaller inertial_number",
+            work.place(),
+            spec.stress_ratio ? fmt::format("q/p = {:.4g}", *spec.stress_ratio)
+                              : fmt::format("a deviator stress of {:.4g} kPa", asked / 1e3),
+            told(rows.front()), told(stop), spec.stress_ratio ? "" : " kPa"
         ));
     }
 }

@@ -95,5 +95,18 @@ TEST(StageNumbers, TheRateOfAnErosionCountsTheGrainsThatWereThereInEachPass) {
     EXPECT_NEAR(told, made, 1e-9 * made);
 }
 
+TEST(StageNumbers, AStressRatioThatIsPassedIsToldAsARatioForTheDeviatorMayBeTheOneHeld) {
+    const TempFolder folder;
+    run_text(
+        reference_constants + reference_soil() + study_of_packing("packing500") +
+            "[[study.s.stage]]\nname = \"sheared\"\ndo = \"triaxial\"\nstress_ratio = 0.6\n"
+            "[[study.s.stage]]\nname = \"held\"\ndo = \"triaxial\"\npath = \"constant-deviator\"\nstrain = \"1 %\"\n"
+            "stress_ratio = 0.5\n",
+        folder.path()
+    );
+    const std::string warnings = stage_of(folder.path(), "held").at("warnings").dump();
+    EXPECT_NE(warnings.find("asked to stop at q/p = 0.5, the test started at 0.6"), std::string::npos) << warnings;
+}
+
 } // namespace
 } // namespace suffuse::test
