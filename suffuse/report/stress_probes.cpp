@@ -169,8 +169,8 @@ std::optional<Figure> stability_in_directions(const std::vector<ProbedState>& st
         {"field": "state", "title": "state"}, {"field": "angle", "title": "direction [°]", "format": ".0f"},
         {"field": "normalized_work", "title": "normalized W₂", "format": ".3f"},
         {"field": "axial_strain", "title": "dε₁ [%]", "format": ".2e"},
-        {"field": "lateral_strain", "title": "dε₃ [%]", "format": ".2e"}, {"field": "answer", "title": "the sample"}])json"
-    );
+        {"field": "lateral_strain", "title": "dε₃ [%]", "format": ".2e"},
+        {"field": "unstable", "title": "samples not stable"}, {"field": "samples", "title": "of"}])json");
     for (json* marks : {&figure.chart["hconcat"][0]["layer"][2], &figure.chart["hconcat"][1]}) {
         (*marks)["encoding"]["tooltip"] = tooltip;
         (*marks)["encoding"]["color"] = {

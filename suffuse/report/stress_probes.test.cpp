@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace suffuse::report {
 namespace {
 
@@ -54,6 +56,17 @@ TEST(StressProbes, TheCurveOfAStateIsClosedAndItsStrainsAreInPercent) {
     EXPECT_DOUBLE_EQ(figure.table.numbers("lateral_strain")[1], 0.02);
     EXPECT_DOUBLE_EQ(figure.table.numbers("axial_stress")[1], 1);
     EXPECT_FALSE(stability_in_directions({}).has_value());
+}
+
+TEST(StressProbes, WhatIsShownBesideAPointIsInTheTable) {
+    const Figure figure = *stability_in_directions({state_of({0.9, 1, 0.25, 0.8})});
+    std::set<std::string> columns;
+    for (const Column& column : figure.table.columns()) {
+        columns.insert(column.name);
+    }
+    for (const nlohmann::json& field : figure.chart["hconcat"][1]["encoding"]["tooltip"]) {
+        EXPECT_TRUE(columns.contains(field.at("field"))) << field;
+    }
 }
 
 } // namespace
