@@ -45,10 +45,11 @@ std::string html_table(
     const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
     const std::vector<bool>& numeric, std::string_view css_class
 ) {
+    constexpr std::size_t long_text = 40; // on a narrow screen, of a word a line, it would make its row tall
     const auto cell = [&numeric](const char* tag, std::size_t column, const std::string& text) {
         const bool right = column < numeric.size() && numeric[column];
-        return std::string("<") + tag + (right ? " class=\"number\">" : ">") + with_indices(escaped(text)) + "</" +
-               tag + ">";
+        const char* const kind = right ? " class=\"number\"" : text.size() > long_text ? " class=\"long\"" : "";
+        return fmt::format("<{0}{1}>{2}</{0}>", tag, kind, with_indices(escaped(text)));
     };
     // Wide tables scroll inside their own frame, which the keyboard must be able to reach.
     std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"" + escaped(css_class) + "\"><thead><tr>";

@@ -21,5 +21,12 @@ TEST(Html, IndicesOfOurSymbolsAreSetLowAndNamesOfTheUserStay) {
     EXPECT_NE(html_table({"e_eq"}, {{"<b>e_min"}}, {}, "c").find("&lt;b&gt;e<sub>min</sub>"), std::string::npos);
 }
 
+TEST(Html, ALongTextOfATableIsGivenRoom) {
+    const std::string table = html_table({"a", "b"}, {{"short", "1"}, {std::string(50, 'x'), "2"}}, {false, true}, "t");
+    EXPECT_NE(table.find("<td>short</td>"), std::string::npos);
+    EXPECT_NE(table.find("<td class=\"long\">xxx"), std::string::npos);
+    EXPECT_NE(table.find("<td class=\"number\">2</td>"), std::string::npos);
+}
+
 } // namespace
 } // namespace suffuse::report

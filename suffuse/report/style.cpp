@@ -65,6 +65,7 @@ td.number { white-space: nowrap; }
 table.numbers { width: auto; min-width: 50%; font-size: .84rem; }
 table.numbers th, table.numbers td { padding: .2rem .7rem; }
 table.page-table td:first-child { min-width: 9rem; }
+@media screen { table.page-table td.long:not(:first-child) { min-width: 17rem; } }
 table.provenance { overflow-wrap: anywhere; }
 table.provenance td:first-child, table.stages td:first-child { font-weight: 600; }
 table.provenance td:first-child { width: 14rem; }
