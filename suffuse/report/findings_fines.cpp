@@ -87,14 +87,18 @@ std::string describe_extreme(const ContentCurve& curve, Which which) {
     std::set<double> points;
     for (std::size_t s = 0; s < curve.seed.size(); ++s) {
         const std::optional<Extreme> found = find_extreme(curve, s, which);
-        vertices.push_back(found ? found->vertex : std::nan(""));
+        vertices.push_back(found && found->has_parabola() ? found->vertex : std::nan(""));
         if (found) {
             points.insert(std::round(1e4 * found->at) / 100);
         }
     }
+    if (points.empty()) {
+        return "fewer than three fines contents were run";
+    }
+    const Scatter vertex = scatter_of(std::move(vertices));
     return fmt::format(
-        "{} at FC = {} %, by a parabola through its neighbors {}", which == Which::Lowest ? "lowest" : "highest",
-        fmt::join(points, " or "), percent_of(scatter_of(std::move(vertices)))
+        "{} at FC = {} %{}", which == Which::Lowest ? "lowest" : "highest", fmt::join(points, " or "),
+        vertex.seeds > 0 ? ", by a parabola through its neighbors " + percent_of(vertex) : ""
     );
 }
 

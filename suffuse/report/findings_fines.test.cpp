@@ -128,6 +128,17 @@ TEST(FinesFindings, SeedsThatDisagreeCannotTell) {
     EXPECT_EQ(verdict("M6", findings), true);
 }
 
+TEST(FinesFindings, AParabolaIsToldOnlyWhereItSaysMoreThanThePoint) {
+    const auto told = [](const std::vector<double>& content) {
+        const StageCurve loose = stage_of(papers_soil(), content, 1);
+        return judge_fines(&loose, nullptr, {}).front().ours;
+    };
+    EXPECT_TRUE(told({0, 0.3, 0.4, 0.5, 1}).starts_with("lowest at FC = 40 %, by a parabola"))
+        << told({0, 0.3, 0.4, 0.5, 1});
+    EXPECT_EQ(told({0, 0.2, 0.35, 0.4, 1}).find("parabola"), std::string::npos) << "one neighbor is far";
+    EXPECT_EQ(told({0, 1}), "fewer than three fines contents were run");
+}
+
 /// Removals at the isotropic state and under q/p whose strain per removed mass is `below` up to 15 % and `above` at 30.
 std::vector<Removal> removals_with(double below, double above) {
     std::vector<Removal> all;

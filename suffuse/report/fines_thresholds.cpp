@@ -89,9 +89,14 @@ Fit fit_two_lines(const Points& points, double x0) {
     return fit;
 }
 
-bool has_even_gaps(const Extreme& found) {
-    const auto [near, far] = std::minmax({found.at - found.least, found.most - found.at});
-    return far <= uneven * near * (1 + same_content);
+bool is_far(double gap, double other) {
+    return gap > uneven * other * (1 + same_content);
+}
+
+/// Whether the line after a break has two points, and the second is so far that the break may as well lie between them.
+bool hangs_on_a_far_point(const Points& points, double at) {
+    const auto after = std::ranges::upper_bound(points.x, at);
+    return std::distance(after, points.x.end()) == 2 && is_far(after[1] - after[0], after[0] - after[-1]);
 }
 
 Points rising(Points points) {
@@ -157,6 +162,10 @@ std::optional<double> value_at(const ContentCurve& curve, std::size_t seed, doub
     return std::nullopt;
 }
 
+bool Extreme::has_parabola() const {
+    return !is_end && !is_far(at - least, most - at) && !is_far(most - at, at - least);
+}
+
 std::optional<Extreme> find_extreme(const ContentCurve& curve, std::size_t seed, Which which) {
     const Points points = points_of(curve, seed);
     if (points.x.size() < 3) {
@@ -201,7 +210,7 @@ std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed) {
             best = fit, at = x0;
         }
     }
-    const bool is_told = at > first && at < last;
+    const bool is_told = at > first && at < last && !hangs_on_a_far_point(points, at);
     const auto [lowest, highest] = std::ranges::minmax(points.y);
     const bool is_flat_before = best.slope * (at - points.x.front()) <= flat_part * (highest - lowest);
     return is_told && best.bend > 0 && is_flat_before ? std::optional(at) : std::nullopt;
@@ -210,7 +219,7 @@ std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed) {
 std::vector<ContentThreshold> find_thresholds(const StageCurve& loose, const StageCurve* dense) {
     const auto lowest = [](const ContentCurve& curve, std::size_t seed) -> std::optional<double> {
         const std::optional<Extreme> found = find_extreme(curve, seed, Which::Lowest);
-        return found && !found->is_end && has_even_gaps(*found) ? std::optional(found->vertex) : std::nullopt;
+        return found && found->has_parabola() ? std::optional(found->vertex) : std::nullopt;
     };
     const ContentCurve e = content_curve(loose, "void_ratio");
     std::vector<ContentThreshold> thresholds{threshold_of("FC_threshold", "lowest void ratio, loose", e, lowest)};

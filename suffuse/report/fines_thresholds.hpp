@@ -38,6 +38,9 @@ struct Extreme {
     double vertex = 0;          ///< of the parabola through it and its neighbors; `at` at an end of the curve [-]
     double least = 0, most = 0; ///< its neighbors: the true extreme lies between [-]
     bool is_end = false;        ///< the first or last point of the curve
+
+    /// Whether the vertex says more than `at`: not where a neighbor is missing, or so far that it alone would place it.
+    [[nodiscard]] bool has_parabola() const;
 };
 
 enum class Which { Lowest, Highest };
@@ -47,7 +50,8 @@ std::optional<Extreme> find_extreme(const ContentCurve& curve, std::size_t seed,
 
 /// Where a curve that starts flat begins to rise: the break of two straight lines that fit best its part up to nine
 /// tenths of its highest value. Nothing where that part has fewer than four points, does not steepen, or has made a
-/// quarter of its rise before the break; nor where all breaks beside one end of it fit alike.
+/// quarter of its rise before the break; nor where all breaks beside one end of it fit alike, or one far point alone
+/// would place it.
 std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed);
 
 struct ContentThreshold {

@@ -138,5 +138,17 @@ TEST(FinesThresholds, ALowestPointWithOneFarNeighborIsNoThreshold) {
     EXPECT_NEAR(threshold({0, 0.1, 0.2, 0.3, 0.6}).mean, 0.35, 1e-12);
 }
 
+TEST(FinesThresholds, AnOnsetBeforeTwoPointsFarFromEachOtherIsNone) {
+    const auto onset = [](std::vector<double> content) {
+        ContentCurve curve{std::move(content), {1}, {{}}};
+        for (const double x : curve.content) {
+            curve.value[0].push_back(std::max(0.08 - 0.1 * x, x - 0.2));
+        }
+        return find_onset(curve, 0);
+    };
+    EXPECT_FALSE(onset({0.1, 0.2, 0.3, 1})) << "it may as well lie between the last two";
+    EXPECT_NEAR(onset({0.1, 0.2, 0.3, 0.6}).value_or(0), 0.28 / 1.1, 1e-3); // of the 400 breaks that are tried
+}
+
 } // namespace
 } // namespace suffuse::report

@@ -77,10 +77,12 @@ std::string density(const FinesStudy& study) {
         return {};
     }
     const Reading least = *std::min_element(loose.begin(), loose.end(), is_less);
+    const bool falls = least.fines_content > loose.front().fines_content;
+    const Reading& other = falls ? loose.front() : loose.back();
     std::string text = fmt::format(
-        "The void ratio of the loose state falls from {} at FC = {} to its least, {}, at FC = {}",
-        with_scatter(loose.front().value), percent_name(loose.front().fines_content), with_scatter(least.value),
-        percent_name(least.fines_content)
+        "The void ratio of the loose state {} {} at FC = {} {} its least, {}, at FC = {}", falls ? "falls from" : "is",
+        with_scatter(other.value), percent_name(other.fines_content), falls ? "to" : "and has",
+        with_scatter(least.value), percent_name(least.fines_content)
     );
     if (dense.size() > 1) {
         const Reading densest = *std::min_element(dense.begin(), dense.end(), is_less);

@@ -114,24 +114,24 @@ std::string thresholds_sentence(const std::optional<FinesResults>& results) {
     if (!results || results->thresholds.empty()) {
         return "";
     }
-    const auto told = [](const report::ContentThreshold& threshold) {
-        const report::Scatter& at = threshold.at;
-        const std::string content = at.seeds > 1
-                                        ? fmt::format("{:.1f} ± {:.1f} %", 100 * at.mean, 100 * at.standard_deviation)
-                                        : fmt::format("{:.0f} %", 100 * at.mean);
-        return at.seeds == 0 ? "none" : content + report::seeds_that_have(at);
+    const auto content = [](const report::Scatter& at) {
+        const std::string scatter = at.seeds > 1 ? fmt::format(" ± {:.1f}", 100 * at.standard_deviation) : "";
+        return fmt::format("{:.{}f}{} %", 100 * at.mean, at.seeds > 1 ? 1 : 0, scatter) + report::seeds_that_have(at);
+    };
+    const auto lies = [&](const report::ContentThreshold& lowest) {
+        return lowest.at.seeds > 0 ? "lies at FC = " + content(lowest.at) : "cannot be placed by these fines contents";
+    };
+    const auto begins = [&](const report::ContentThreshold& onset) {
+        return onset.at.seeds > 0 ? "begin to rise at " + content(onset.at) : "show no onset";
     };
     const auto& list = results->thresholds;
     std::string text = fmt::format(
-        "Through {} fines contents, by a parabola at its lowest points, the loose void ratio is lowest at FC = {}",
-        results->loose.points.size(), told(list.front())
+        "Through {} fines contents, by a parabola at its lowest points, the least void ratio of the loose state {}",
+        results->loose.points.size(), lies(list.front())
     );
     if (!results->dense.points.empty()) {
-        text += fmt::format(", the dense one at {}", told(list.at(list.size() - 3)));
+        text += fmt::format(", that of the dense one {}", lies(list.at(list.size() - 3)));
     }
-    const auto begins = [&](const report::ContentThreshold& threshold) {
-        return threshold.at.seeds == 0 ? std::string("show no onset") : "begin to rise at " + told(threshold);
-    };
     return text + fmt::format(
                       "; active fines {}, strong contacts between coarse and fine grains {}.",
                       begins(list.at(list.size() - 2)), begins(list.back())
@@ -148,8 +148,8 @@ std::optional<report::PageTable> thresholds_table(const std::optional<FinesResul
     table.note =
         "FC_threshold: vertex of the parabola through the lowest point of the curve and its neighbors. FC_active: "
         "break of two straight lines through the rising part of the curve; none where a quarter of the rise is made "
-        "before it, or where the curve has too few points to one side to tell its place. Deviations are those of the "
-        "seeds; how far the points of the sweep lie apart comes on top.";
+        "before it, or where the curve has too few points to one side, or too far ones, to tell its place. Deviations "
+        "are those of the seeds; how far the points of the sweep lie apart comes on top.";
     table.header = {"threshold", "read from", "fines content [%]", "deviation [%]", "seeds"};
     table.numeric = {false, false, true, true, true};
     for (const report::ContentThreshold& threshold : results->thresholds) {
