@@ -105,8 +105,12 @@ TEST(StrengthChange, OfSeveralSamplesIsJudgedByTheirScatter) {
     study.add_sample(400e3, 372e3); // -7 %
     EXPECT_EQ(compare_strength(study.stages).front().is_weaker(), true);
     EXPECT_EQ(strength_headline(compare_strength(study.stages)).value().value, "−6 ± 1.4 %"); // sqrt(2)
+    const auto told = [&] { return tell_strength(compare_strength(study.stages)).front(); };
+    // Student's t is 6: with one degree of freedom it is exceeded in 1 - 2 atan(6)/pi of all cases.
+    EXPECT_TRUE(told().ends_with("of so few, scatter alone gives as clear a change in 11 % of the cases.")) << told();
     study.add_sample(400e3, 440e3);
     EXPECT_EQ(compare_strength(study.stages).front().is_weaker(), std::nullopt);
+    EXPECT_TRUE(told().ends_with("Means of 3 samples, ± one standard deviation.")) << told();
 }
 
 TEST(StrengthChange, LeavesOutTestsThatAreNoneAndSaysSo) {
@@ -171,7 +175,8 @@ TEST(StrengthChange, WhereTheDeviatorStressIsHeldIsThatOfThePorePressureBorne) {
         tell_strength(changes).front(),
         "Strength, after against before: the soil without 12 % of its mass is weaker. With the deviator stress held, "
         "the excess pore pressure that it bears goes from 45 to 17.5 kPa (−60 ± 14 %), the void ratio from 0.7 to 0.9. "
-        "Means of 2 samples, ± one standard deviation."
+        "Means of 2 samples, ± one standard deviation; of so few, scatter alone gives as clear a change in 11 % of the "
+        "cases."
     );
     EXPECT_EQ(strength_headline(changes).value().label, "excess pore pressure borne");
     const report::PageTable table = tabulate_strength(changes).value();

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace suffuse::run {
 namespace {
@@ -15,6 +17,8 @@ using report::short_number;
 using report::with_scatter;
 
 constexpr std::size_t most_told = 3; ///< changes, each in a sentence of its own
+constexpr int few_samples = 3;
+constexpr double notable_chance = 0.05;
 constexpr double kilo = 1e3, percent = 100, degree = radians(1);
 
 const char* const title_of_table = "Strength before and after";
@@ -69,6 +73,31 @@ double end_strain(const StrengthChange& change) {
     return std::get<triaxial::TriaxialSpec>(change.after->spec).strain;
 }
 
+/// Probability that as many samples, two or three, of a soil that does not change differ as clearly: Student's t with
+/// one and two degrees of freedom.
+double by_chance(const report::Scatter& change) {
+    const double t = std::abs(change.mean) * std::sqrt(change.seeds) / change.standard_deviation;
+    return change.seeds == 2 ? 1 - 2 / pi * std::atan(t) : 1 - t / std::hypot(t, std::numbers::sqrt2);
+}
+
+/// How many samples a verdict rests on, and what that is worth.
+std::string how_sure(const StrengthChange& change) {
+    const int samples = change.borne().change.seeds;
+    if (samples < 2) {
+        return samples == 0              ? ""
+               : change.holds_deviator() ? " One sample: what others bear differs by some 50 %."
+                                         : " One sample: the strengths of others differ by some 10 %.";
+    }
+    std::string text = fmt::format(" Means of {} samples, ± one standard deviation", samples);
+    if (change.is_weaker() && samples <= few_samples && by_chance(change.borne().change) > notable_chance) {
+        text += fmt::format(
+            "; of so few, scatter alone gives as clear a change in {} % of the cases",
+            short_number(percent * by_chance(change.borne().change), 2)
+        );
+    }
+    return text + ".";
+}
+
 std::string tell(const StrengthChange& change) {
     std::string text = fmt::format(
         "Strength, {}: the soil without {} % of its mass {}", tests_of(change),
@@ -102,12 +131,7 @@ std::string tell(const StrengthChange& change) {
     if (const std::string remarks = remarks_of(change, "; "); !remarks.empty()) {
         text += " " + report::as_sentence(remarks) + ".";
     }
-    const int samples = change.borne().change.seeds;
-    text += samples > 1               ? fmt::format(" Means of {} samples, ± one standard deviation.", samples)
-            : samples == 0            ? ""
-            : change.holds_deviator() ? " One sample: what others bear differs by some 50 %."
-                                      : " One sample: the strengths of others differ by some 10 %.";
-    return text;
+    return text + how_sure(change);
 }
 
 /// "; WHAT changes by −30 to +5 %"; empty where no two tests tell it.
