@@ -275,7 +275,7 @@ std::optional<Figure> speed_by_gradient(const std::vector<ProbeResult>& probes) 
     Figure figure = speed_figure(panels);
     figure.id = "fig09";
     figure.title = "Speed of the fines under the fluid force, by hydraulic gradient";
-    figure.caption = "Detachable fines: " + counts + "." + how_drawn;
+    figure.caption = "Detachable fines by the velocity rule: " + counts + "." + how_drawn;
     return figure;
 }
 
@@ -298,7 +298,8 @@ std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
     Figure figure = speed_figure(panels);
     figure.id = "fig10";
     figure.title = fmt::format("Speed of the fines in each erosion pass, i = {}", panels.front().probe->gradient);
-    figure.caption = "Detachable fines: " + counts + told_of(few, erosion.passes.size()) + "." + how_drawn;
+    figure.caption =
+        "Detachable fines by the velocity rule: " + counts + told_of(few, erosion.passes.size()) + "." + how_drawn;
     return figure;
 }
 

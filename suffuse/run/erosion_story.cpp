@@ -16,8 +16,10 @@ ErosionStory find_story(const std::vector<FinishedStage>& stages) {
         if (story.eroded != nullptr && stage.study != story.eroded->study) {
             continue;
         }
-        if (story.probes.empty()) {
+        if (story.probes.empty() && !stage.findings.probes.empty()) {
             story.probes = stage.findings.probes;
+            const auto* spec = std::get_if<erosion::DetachStageSpec>(&stage.stage->spec);
+            story.probed_by = spec == nullptr ? erosion::DetachSpec{} : spec->detached;
         }
     }
     return story;

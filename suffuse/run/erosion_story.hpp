@@ -11,6 +11,7 @@ namespace suffuse::run {
 struct ErosionStory {
     const FinishedStage* eroded = nullptr; ///< null where nothing was eroded
     std::vector<erosion::ProbeResult> probes;
+    erosion::DetachSpec probed_by; ///< the rule that their stage asks for
     erosion::ErosionResult erosion;
     std::vector<const FinishedStage*> others; ///< from other states of the same sample
 };

@@ -2,6 +2,7 @@
 
 #include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
+#include "suffuse/run/study_curves.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ std::vector<std::string> row_of(const FinishedStage& stage) {
         largest_loss = std::max(largest_loss, report::stress_loss(pass).value_or(0));
     }
     return {
-        stage.name(),
+        in_words_of_sample(stage),
         fmt::format("{:g}", first.probe.gradient),
         fmt::format("{}", erosion.passes.size()),
         fmt::format("{:.2f}", eroded_percent(erosion)),

@@ -1,15 +1,16 @@
 // What a run found, in sentences with its numbers.
 #include "suffuse/run/report_answer.hpp"
 
+#include "suffuse/erosion/detachment.hpp"
 #include "suffuse/erosion/loop.hpp"
 #include "suffuse/grains/grading.hpp"
-#include "suffuse/report/findings.hpp"
 #include "suffuse/report/passes.hpp"
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/answer_tests.hpp"
 #include "suffuse/run/erosion_table.hpp"
 #include "suffuse/run/probed_states.hpp"
 #include "suffuse/run/strength_words.hpp"
+#include "suffuse/run/study_curves.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -113,8 +114,13 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
     return fmt::format("{}", fmt::join(sentences, " "));
 }
 
+/// By the rule asked for.
+std::int64_t count_detachable(const erosion::ProbeResult& probe, const erosion::DetachSpec& rule) {
+    return std::ranges::count(erosion::verdicts(rule, probe), std::uint8_t{1});
+}
+
 /// Whether gradients that differ ten times and more detach the same fines, to a fiftieth.
-bool hardly_depends_on_gradient(const std::vector<erosion::ProbeResult>& probes) {
+bool hardly_depends_on_gradient(const std::vector<erosion::ProbeResult>& probes, const erosion::DetachSpec& rule) {
     constexpr double wide = 10, alike = 0.02;
     double least_gradient = std::numeric_limits<double>::infinity(), most_gradient = 0;
     double fewest = least_gradient, most = 0;
@@ -122,7 +128,7 @@ bool hardly_depends_on_gradient(const std::vector<erosion::ProbeResult>& probes)
         if (probe.gradient <= 0) {
             continue;
         }
-        const auto count = static_cast<double>(report::count_detached(probe).yes);
+        const auto count = static_cast<double>(count_detachable(probe, rule));
         least_gradient = std::min(least_gradient, probe.gradient),
         most_gradient = std::max(most_gradient, probe.gradient);
         fewest = std::min(fewest, count), most = std::max(most, count);
@@ -130,11 +136,10 @@ bool hardly_depends_on_gradient(const std::vector<erosion::ProbeResult>& probes)
     return most > 0 && most_gradient >= wide * least_gradient && most - fewest <= alike * most;
 }
 
-std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
-    const report::Detached first = report::count_detached(probes.front());
-    std::string text = fmt::format("Of {} fines ", grouped(first.yes + first.no));
+std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes, const erosion::DetachSpec& rule) {
+    std::string text = fmt::format("Of {} fines ", grouped(std::ssize(probes.front().id)));
     for (std::size_t k = 0; k < probes.size(); ++k) {
-        const std::int64_t yes = report::count_detached(probes[k]).yes;
+        const std::int64_t yes = count_detachable(probes[k], rule);
         text += fmt::format(
             "{}{} at the gradient i = {:g}",
             k == 0                   ? ""
@@ -143,8 +148,8 @@ std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
             yes == 0 ? "none" : grouped(yes), probes[k].gradient
         );
     }
-    text += " are detachable.";
-    if (hardly_depends_on_gradient(probes)) {
+    text += rule.by == erosion::DetachBy::Displacement ? " are detachable, by their displacement." : " are detachable.";
+    if (hardly_depends_on_gradient(probes, rule)) {
         text +=
             " That the number hardly depends on the gradient says that these fines carry no load: without gravity any "
             "water moves them, and none of these gradients is a critical one.";
@@ -152,24 +157,55 @@ std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes) {
     return text;
 }
 
+/// "571", "1,261 to 1,271".
+std::string range_of(const std::vector<std::int64_t>& counts) {
+    const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
+    return *least == *most ? grouped(*least) : grouped(*least) + " to " + grouped(*most);
+}
+
+/// What a removal did to the samples of all seeds. @param numbers of their stages
+std::string answer_to_removal(const std::string& name, const std::vector<const json*>& numbers) {
+    std::vector<std::int64_t> grains, passes;
+    std::vector<double> mass, strain;
+    std::size_t failed = 0;
+    for (const json* n : numbers) {
+        grains.push_back(n->at("removed")), passes.push_back(std::ssize(n->at("passes")));
+        mass.push_back(n->at("removed_mass_share")), strain.push_back(n->at("volumetric_strain"));
+        failed += n->at("failed").get<bool>() ? 1 : 0;
+    }
+    const std::size_t samples = numbers.size();
+    const report::Scatter share = report::scatter_of(mass), by = report::scatter_of(strain);
+    const std::string many = samples == 1 ? "" : fmt::format(" ({} samples)", samples);
+    return fmt::format(
+        "{}{}: {} fines taken out in {} {}, {} % of the mass; under the stresses held before the skeleton strained by "
+        "{} % in volume{}.",
+        name, many, range_of(grains), range_of(passes),
+        passes == std::vector<std::int64_t>(samples, 1) ? "pass" : "passes", report::with_scatter(share, 100),
+        report::is_noise(100 * by.mean) ? "less than 0.01" : report::with_scatter(by, 100),
+        failed == 0    ? ""
+        : samples == 1 ? ", and failed"
+                       : fmt::format(", and failed in {} of them", failed)
+    );
+}
+
 /// Of stages that take fines out without water, as long as these are few.
 std::vector<std::string> answers_to_removals(const std::vector<FinishedStage>& stages) {
     constexpr std::size_t most = 4;
-    std::vector<std::string> sentences;
+    std::vector<std::pair<std::string, std::vector<const json*>>> removals; // by the name that all seeds share
     for (const FinishedStage& stage : stages) {
-        const json& n = stage.numbers;
-        if (!std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec) || !n.contains("passes")) {
+        if (!std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec) || !stage.numbers.contains("passes")) {
             continue;
         }
-        const std::size_t passes = n.at("passes").size();
-        sentences.push_back(fmt::format(
-            "{}/{}: {} fines taken out in {} {}, {} of the mass; under the stresses held before the skeleton {} {} of "
-            "its volume.",
-            stage.variant->folder, stage.stage->name, grouped(n.at("removed").get<std::int64_t>()), passes,
-            passes == 1 ? "pass" : "passes", percent_or_none(100 * n.at("removed_mass_share").get<double>()),
-            n.at("failed").get<bool>() ? "failed, after it had lost" : "lost",
-            percent_or_none(100 * n.at("volumetric_strain").get<double>())
-        ));
+        const std::string name = in_words(stage);
+        auto removal = std::ranges::find(removals, name, &decltype(removals)::value_type::first);
+        if (removal == removals.end()) {
+            removal = removals.insert(removal, {name, {}});
+        }
+        removal->second.push_back(&stage.numbers);
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [name, numbers] : removals) {
+        sentences.push_back(answer_to_removal(name, numbers));
     }
     return sentences.size() <= most ? sentences : std::vector<std::string>{};
 }
@@ -270,8 +306,7 @@ std::optional<std::string> tell_range(const ErosionStory& story, const std::vect
     const auto [least, most] = std::minmax_element(percent.begin(), percent.end());
     return fmt::format(
         "{} erosions took {:.2f} to {:.2f} % of the mass (table “All erosions”); what follows is of {}.",
-        percent.size(), *least, *most,
-        are_too_many(story) ? story.eroded->name() : "the sample " + story.eroded->variant->folder
+        percent.size(), *least, *most, in_words_of_sample(*story.eroded)
     );
 }
 
@@ -294,7 +329,7 @@ std::vector<std::string> answer_of_erosion(
         sentences.push_back(std::move(*start));
     }
     if (!story.probes.empty()) {
-        sentences.push_back(answer_to_probes(story.probes));
+        sentences.push_back(answer_to_probes(story.probes, story.probed_by));
     }
     if (!story.erosion.passes.empty()) {
         const std::string name = story.others.empty() ? "" : story.eroded->stage->name + ": ";

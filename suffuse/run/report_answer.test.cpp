@@ -153,8 +153,9 @@ TEST(ReportAnswer, TellsManyPassesInTwoSentencesAndHowOftenFinesWereHeld) {
 }
 
 TEST(ReportAnswer, TellsOneErosionOfManyAndTheRangeOfAll) {
+    casefile::Study study;
+    study.name = "second";
     casefile::Variant variant;
-    variant.folder = "second";
     variant.stages = {
         {.name = "initial"},
         {.name = "base", .parent = 0},
@@ -164,14 +165,65 @@ TEST(ReportAnswer, TellsOneErosionOfManyAndTheRangeOfAll) {
     std::vector<FinishedStage> stages;
     for (std::size_t k = 1; k < variant.stages.size(); ++k) {
         stages.push_back(erosion_of(variant, variant.stages[k], static_cast<std::int64_t>(k)));
+        stages.back().study = &study;
     }
     const std::vector<std::string> answer = answer_of_erosion(find_story(stages), stages, {});
     ASSERT_EQ(answer.size(), 2U);
     EXPECT_EQ(
-        answer[0], "4 erosions took 1.00 to 4.00 % of the mass (table “All erosions”); what follows is of second/base."
+        answer[0], "4 erosions took 1.00 to 4.00 % of the mass (table “All erosions”); what follows is of second, base."
     );
     EXPECT_TRUE(answer[1].starts_with("base: Pass 1: 1 of 39 detachable fines was carried out, 1.00 % of"))
         << answer[1];
+}
+
+TEST(ReportAnswer, TellsARemovalInWordsOverItsSeeds) {
+    casefile::Study study;
+    study.name = "orders";
+    study.replicates = 2;
+    study.sweep = {{"stage.removed.order", {"random"}}};
+    const casefile::Stage removal{.name = "removed", .spec = erosion::RemoveSpec{.passes = 2}};
+    std::vector<casefile::Variant> seeds(2);
+    const auto numbers = [](int removed, double strain, bool failed) {
+        return nlohmann::json{
+            {"removed", removed},
+            {"passes", {nullptr, nullptr}},
+            {"removed_mass_share", 0.15},
+            {"volumetric_strain", strain},
+            {"failed", failed}};
+    };
+    std::vector<FinishedStage> stages = {
+        {&study, &seeds[0], &removal, numbers(571, -0.01, false), {}},
+        {&study, &seeds[1], &removal, numbers(1654, -0.03, true), {}}};
+    seeds[0].values = seeds[1].values = {{"stage.removed.order", std::string("random")}};
+    EXPECT_EQ(
+        answer_of_erosion({}, stages, {}),
+        std::vector<std::string>{
+            "orders, removed, order random (2 samples): 571 to 1,654 fines taken out in 2 passes, 15 % of the mass; "
+            "under the stresses held before the skeleton strained by −2 ± 1.4 % in volume, and failed in 1 of them."}
+    );
+    stages = {{&study, seeds.data(), &removal, numbers(571, 1e-6, false), {}}};
+    EXPECT_EQ(
+        answer_of_erosion({}, stages, {}),
+        std::vector<std::string>{
+            "orders, removed, order random: 571 fines taken out in 2 passes, 15 % of the mass; under the stresses held "
+            "before the skeleton strained by less than 0.01 % in volume."}
+    );
+}
+
+TEST(ReportAnswer, CountsWhatIsDetachableByTheRuleThatTheStageAsksFor) {
+    casefile::Study study;
+    const casefile::Variant variant;
+    casefile::Stage stage{.name = "probe", .spec = erosion::DetachStageSpec{}};
+    erosion::ProbeResult probe;
+    probe.gradient = 0.05;
+    probe.id = {1, 2, 3};
+    probe.by_velocity = {1, 1, 0}, probe.by_displacement = {1, 0, 0};
+    const std::vector<FinishedStage> stages = {
+        {&study, &variant, &stage, nlohmann::json::object(), {{probe}, {}, {}, {}}}};
+    const auto told = [&] { return answer_of_erosion(find_story(stages), stages, {}).front(); };
+    EXPECT_EQ(told(), "Of 3 fines 2 at the gradient i = 0.05 are detachable.");
+    std::get<erosion::DetachStageSpec>(stage.spec).detached.by = erosion::DetachBy::Displacement;
+    EXPECT_EQ(told(), "Of 3 fines 1 at the gradient i = 0.05 are detachable, by their displacement.");
 }
 
 } // namespace

@@ -59,9 +59,10 @@ report::StageRow stage_row(const casefile::Case& what, const FinishedStage& stag
     const double none = std::numeric_limits<double>::quiet_NaN();
     const auto number = [&](const char* name) { return n.at(name).is_null() ? none : n[name].get<double>(); };
     const auto* test = std::get_if<triaxial::TriaxialSpec>(&spec);
-    const bool settles = std::holds_alternative<packing::CompactSpec>(spec) ||
-                         std::holds_alternative<dem::SettleSpec>(spec) ||
-                         std::holds_alternative<erosion::ErodeSpec>(spec);
+    const bool settles =
+        std::holds_alternative<packing::CompactSpec>(spec) || std::holds_alternative<dem::SettleSpec>(spec) ||
+        std::holds_alternative<erosion::ErodeSpec>(spec) || std::holds_alternative<erosion::RemoveSpec>(spec) ||
+        (test != nullptr && (test->deviator_stress || test->stress_ratio));
     const bool touches = n.at("contacts").get<std::int64_t>() > 0;
     report::StageRow row;
     row.name = stage.name();

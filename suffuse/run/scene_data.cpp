@@ -4,6 +4,7 @@
 #include "suffuse/report/words.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/known_state.hpp"
+#include "suffuse/run/study_curves.hpp"
 
 #include <fmt/format.h>
 
@@ -157,9 +158,7 @@ Scene scene_of_erosion(const std::filesystem::path& folder, const FinishedStage&
         }
         scene.states.push_back(std::move(state));
     }
-    scene.remark = fmt::format(
-        "The {} grains of {}/{}.", grouped(std::ssize(scene.id)), eroded.variant->folder, eroded.stage->name
-    );
+    scene.remark = fmt::format("The {} grains of {}.", grouped(std::ssize(scene.id)), in_words_of_sample(eroded));
     if (scene.gradient > 0) {
         scene.remark += fmt::format(
             " Speed and fluid force are those of the fines in the probe of the pass that follows, under i = {:g}.",
@@ -221,7 +220,7 @@ Scene scene_of_stages(
         state.label = fmt::format("after {}", stage->name);
         scene.states.push_back(std::move(state));
     }
-    scene.remark = fmt::format("The {} grains of {}.", grouped(std::ssize(scene.id)), last.variant->folder);
+    scene.remark = fmt::format("The {} grains of {}.", grouped(std::ssize(scene.id)), in_words_of_sample(last));
     return scene;
 }
 

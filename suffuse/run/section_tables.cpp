@@ -6,6 +6,7 @@
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/known_state.hpp"
 #include "suffuse/run/scene_data.hpp"
+#include "suffuse/run/study_curves.hpp"
 
 #include <fmt/format.h>
 
@@ -56,14 +57,15 @@ void add_flows(
         const json tortuosity = stage.numbers.value("tortuosity", json());
         const std::filesystem::path state = stage_folder(folder, *stage.variant, *stage.stage) / "state.h5";
         rows.push_back(water_row(
-            stage.name(), {along, stage.numbers.at("porosity"), tortuosity.is_number() ? tortuosity.get<double>() : 0},
+            in_words_of_sample(stage),
+            {along, stage.numbers.at("porosity"), tortuosity.is_number() ? tortuosity.get<double>() : 0},
             radii_in(state), fluid
         ));
         if (stage.numbers.contains("resolved")) {
             const json& resolved = stage.numbers["resolved"];
             rows.push_back(water_row(
-                stage.name() + ", resolved", {along_flow(resolved), stage.numbers.at("porosity"), 0}, radii_in(state),
-                fluid
+                in_words_of_sample(stage) + ", resolved", {along_flow(resolved), stage.numbers.at("porosity"), 0},
+                radii_in(state), fluid
             ));
         }
     }
@@ -135,7 +137,7 @@ std::optional<report::PageTable> tabulate_removals(const std::vector<FinishedSta
         if (spec == nullptr || spec->takes_all_fines_at_once() || !stage.numbers.contains("passes")) {
             continue;
         }
-        const std::string name = stage.name();
+        const std::string name = in_words_of_sample(stage);
         double mass = 0;
         for (const json& pass : stage.numbers.at("passes")) {
             mass += pass.at("eroded_mass_percent_of_initial").get<double>();

@@ -16,12 +16,13 @@ TEST(KozenyCarman, TheSauterDiameterIsThatOfEqualSurfacePerVolume) {
 }
 
 TEST(WaterTable, TellsAPermeabilityAsAConductivityOfTheFluidToo) {
+    casefile::Study study;
     casefile::Variant variant;
     casefile::Stage seep{.name = "seep", .spec = flow::FlowSpec{}};
     const nlohmann::json numbers = {{"permeability", 1e-10}, {"porosity", 0.4}, {"tortuosity", 1.234}};
     const nlohmann::json still = {{"permeability", 1e-10}, {"porosity", 0.4}, {"tortuosity", nullptr}};
     const auto table = tabulate_water(
-        "nowhere", {{nullptr, &variant, &seep, numbers, {}}, {nullptr, &variant, &seep, still, {}}}, {}, {1000, 1e-3}
+        "nowhere", {{&study, &variant, &seep, numbers, {}}, {&study, &variant, &seep, still, {}}}, {}, {1000, 1e-3}
     );
     ASSERT_TRUE(table.has_value());
     EXPECT_EQ(table->header[3], "conductivity K [m/s]");
@@ -32,8 +33,13 @@ TEST(WaterTable, TellsAPermeabilityAsAConductivityOfTheFluidToo) {
 }
 
 TEST(RemovalTable, HasARowForEachPassAndNoneForWhatTakesAllAtOnce) {
+    casefile::Study study;
+    study.name = "s";
+    study.replicates = 3;
+    study.sweep = {{"stage.removed.order", {"random"}}};
     casefile::Variant variant;
-    variant.folder = "s/order=random";
+    variant.values = {{"stage.removed.order", std::string("random")}};
+    variant.replicate = 2;
     casefile::Stage in_part{.name = "removed", .spec = erosion::RemoveSpec{.share = 0.5, .passes = 2}};
     casefile::Stage at_once{.name = "emptied", .spec = erosion::RemoveSpec{}};
     const auto pass = [](int number, double mass) {
@@ -48,14 +54,14 @@ TEST(RemovalTable, HasARowForEachPassAndNoneForWhatTakesAllAtOnce) {
     const nlohmann::json numbers = {
         {"passes", {pass(1, 5), pass(2, 7)}}, {"coordination_histogram", {{"0", 6}}}, {"volumetric_strain", 0.002}};
     const report::PageTable table =
-        *tabulate_removals({{nullptr, &variant, &in_part, numbers, {}}, {nullptr, &variant, &at_once, numbers, {}}});
+        *tabulate_removals({{&study, &variant, &in_part, numbers, {}}, {&study, &variant, &at_once, numbers, {}}});
     ASSERT_EQ(table.rows.size(), 2U);
     EXPECT_EQ(
-        table.rows[1],
-        (std::vector<std::string>{"s/order=random/removed", "2", "4", "12.00", "1.00", "2.00", "0.10", "0.4000"})
+        table.rows[1], (std::vector<std::string>{
+                           "s, removed, order random, sample 2", "2", "4", "12.00", "1.00", "2.00", "0.10", "0.4000"})
     );
     EXPECT_EQ(table.header.size(), table.rows[0].size());
-    EXPECT_FALSE(tabulate_removals({{nullptr, &variant, &at_once, numbers, {}}}).has_value());
+    EXPECT_FALSE(tabulate_removals({{&study, &variant, &at_once, numbers, {}}}).has_value());
 }
 
 } // namespace

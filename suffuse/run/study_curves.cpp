@@ -3,6 +3,8 @@
 #include "suffuse/casefile/sweep_value.hpp"
 #include "suffuse/report/fines_study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -161,6 +163,16 @@ std::string values_name(const std::vector<std::string>& keys, const SweepPoint& 
 
 std::string values_name(const casefile::Study& study, const casefile::Variant& variant) {
     return values_name(keys_of(study), point_of(study, variant));
+}
+
+std::string in_words(const FinishedStage& stage) {
+    const std::string values = values_name(*stage.study, *stage.variant);
+    return fmt::format("{}, {}{}{}", stage.study->name, stage.stage->name, values.empty() ? "" : ", ", values);
+}
+
+std::string in_words_of_sample(const FinishedStage& stage) {
+    const bool is_only = stage.study->replicates == 1;
+    return in_words(stage) + (is_only ? "" : fmt::format(", sample {}", stage.variant->replicate));
 }
 
 json values_json(const casefile::Study& study, const casefile::Variant& variant) {

@@ -21,6 +21,12 @@ bool is_behind(
 std::string values_name(const std::vector<std::string>& keys, const report::SweepPoint& point);
 std::string values_name(const casefile::Study& study, const casefile::Variant& variant);
 
+/// "orders, removed, order random": a stage in words, the same of all its seeds, where name() is a place in the folder.
+std::string in_words(const FinishedStage& stage);
+
+/// With ", sample 2" behind it where the study has several.
+std::string in_words_of_sample(const FinishedStage& stage);
+
 /// As in summary.json: key -> value in SI, words as they are.
 nlohmann::json values_json(const casefile::Study& study, const casefile::Variant& variant);
 

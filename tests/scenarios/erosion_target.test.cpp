@@ -108,7 +108,7 @@ TEST(ErosionReport, TellsOfAllErosionsAndWhichOfThemItShows) {
     const std::string page = text_of(folder.path() / "run/report.html");
     EXPECT_NE(page.find("All erosions"), std::string::npos);
     EXPECT_NE(page.find("2 erosions took "), std::string::npos);
-    EXPECT_NE(page.find("what follows is of the sample s/max_contacts=0"), std::string::npos);
+    EXPECT_NE(page.find("what follows is of s, forced, max_contacts 0"), std::string::npos);
 }
 
 /// Runs to the first sign that the stage has a pass behind it, stops, and goes on to the end.
