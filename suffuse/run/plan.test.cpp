@@ -272,6 +272,35 @@ do   = "pack"
     EXPECT_NEAR(plan.stages.at(0).fines_content.value(), 0.2, 1e-5); // between grains the mass is met exactly
 }
 
+TEST(Plan, ASampleOfFinesAloneThatIsToLoseThemCostsNothingMore) {
+    const std::string text = R"(
+schema = 1
+[soil.mixture]
+coarse            = { psd = { d = ["0.28 mm", "0.32 mm"], passing = ["0 %", "100 %"] } }
+fines             = { psd = { d = ["0.14 mm", "0.16 mm"], passing = ["0 %", "100 %"] } }
+fines_content     = "100 %"
+grading_tolerance = "10 %"
+[study.s]
+soil = "mixture"
+particles = 400
+[[study.s.stage]]
+name = "cloud"
+do = "pack"
+[[study.s.stage]]
+name = "initial"
+do = "compact"
+pressure = "100 kPa"
+[[study.s.stage]]
+name = "removed"
+do = "remove"
+)";
+    const RunPlan plan = plan_run(casefile::load_case_text(text, "case.toml", ".").value, a_machine);
+    EXPECT_EQ(stage_named(plan, "removed").steps.most, 0);
+    EXPECT_EQ(stage_named(plan, "removed").grains, 400);
+    EXPECT_TRUE(std::isfinite(plan.seconds.most)) << plan.seconds.most;
+    EXPECT_TRUE(std::isfinite(plan.memory)) << plan.memory;
+}
+
 TEST(Plan, AMissingPackingIsNamed) {
     casefile::Case what = replay_and("do = \"settle\"\npressure = \"200 kPa\"");
     std::get<casefile::ImportSpec>(what.studies[0].variants[0].stages[0].spec).path = "/nowhere/packing.csv";

@@ -267,6 +267,9 @@ public:
     StagePrice operator()(const erosion::RemoveSpec& spec) {
         const double before = 1 - sample_.solid_fraction * (1 - fines_content(sample_));
         const bool empties = spec.grains == erosion::RemovedFines::All && spec.share >= 1;
+        if (empties && !(sample_.coarse.grains > 0)) {
+            return {.memory_a_grain = 2 * grain_memory, .basis = "refused: all grains are fines, and none would stay"};
+        }
         if (empties) {
             take_fines(sample_);
         } else {
