@@ -1,5 +1,6 @@
 #include "suffuse/erosion/loop.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/dem/carried_stress.hpp"
 #include "suffuse/dem/inspect.hpp"
@@ -195,6 +196,10 @@ ErosionResult begin_erosion(const dem::World& world) {
 }
 
 bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result) {
+    if (std::ranges::count(world.grains.fine, std::uint8_t{0}) == 0) {
+        throw StateError("all grains are fines: there is no skeleton that they could leave; leave this fines content "
+                         "out (key `only`)");
+    }
     PassResult pass;
     pass.pass = static_cast<int>(result.passes.size()) + 1;
     Stopwatch watch;
