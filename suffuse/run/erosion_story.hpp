@@ -1,6 +1,6 @@
 #pragma once
-// What the report tells of an erosion: the first stage that eroded a sample, with the probes of its study, and the
-// other erosions of that sample.
+// What the report tells of an erosion: the first stage that eroded a sample with fines, with the probes of its study,
+// and the other erosions of that sample.
 
 #include "suffuse/run/finished_stage.hpp"
 

@@ -193,7 +193,9 @@ std::vector<std::string> answers_to_removals(const std::vector<FinishedStage>& s
     constexpr std::size_t most = 4;
     std::vector<std::pair<std::string, std::vector<const json*>>> removals; // by the name that all seeds share
     for (const FinishedStage& stage : stages) {
-        if (!std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec) || !stage.numbers.contains("passes")) {
+        const bool took_some = std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec) &&
+                               stage.numbers.contains("passes") && stage.numbers.at("removed") > 0;
+        if (!took_some) {
             continue;
         }
         const std::string name = in_words(stage);

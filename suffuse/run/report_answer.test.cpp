@@ -210,6 +210,22 @@ TEST(ReportAnswer, TellsARemovalInWordsOverItsSeeds) {
     );
 }
 
+TEST(ReportAnswer, IsOfTheFirstSampleThatHasFines) {
+    casefile::Study study;
+    study.name = "s";
+    std::vector<casefile::Variant> variants(2);
+    std::vector<FinishedStage> stages;
+    for (casefile::Variant& variant : variants) {
+        variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
+        stages.push_back(erosion_of(variant, variant.stages[1], 0));
+        stages.back().study = &study;
+    }
+    EXPECT_EQ(find_story(stages).eroded, stages.data()) << "none has: the first";
+    stages.back().findings.erosion->passes.front().probe.id = {7};
+    EXPECT_EQ(find_story(stages).eroded, &stages.back());
+    EXPECT_TRUE(find_story(stages).others.empty()) << "another sample";
+}
+
 TEST(ReportAnswer, CountsWhatIsDetachableByTheRuleThatTheStageAsksFor) {
     casefile::Study study;
     const casefile::Variant variant;
