@@ -30,7 +30,7 @@ struct Step {
     std::vector<Quantity> after; ///< on the arrow that leaves it
 };
 
-/// A pass of forced removal has no probe: what a probe would say is left open.
+/// What the probe of a pass says; left open where it has none.
 std::string of_probe(const PassResult& pass, std::string text) {
     return pass.probe.id.empty() ? "–" : std::move(text);
 }
@@ -44,7 +44,7 @@ Quantity quantity(const char* name, const std::vector<const PassResult*>& passes
     return quantity;
 }
 
-std::vector<Step> steps_of(const std::vector<const PassResult*>& passes) {
+std::vector<Step> steps_of(const std::vector<const PassResult*>& passes, bool is_forced) {
     const double gradient = passes.front()->probe.gradient;
     const auto count = [](auto n) { return grouped(static_cast<long long>(n)); };
     return {
@@ -52,18 +52,18 @@ std::vector<Step> steps_of(const std::vector<const PassResult*>& passes) {
          "under the stresses held",
          {quantity("fine grains", passes, [&](const PassResult& p) { return of_probe(p, count(p.probe.id.size())); })}},
         {"2  Pore flow",
-         passes.front()->probe.id.empty() ? "left out: the removal is forced"
-                                          : fmt::format("hydraulic gradient i = {}", gradient),
+         fmt::format("hydraulic gradient i = {}", gradient),
          {quantity(
              "fluid force / contact force [-]", passes,
              [](const PassResult& p) { return of_probe(p, short_number(p.probe.fluid_over_contact, 2)); }
          )}},
         {"3  Probe on a copy",
-         "coarse grains held, forces ramped on the fines",
+         is_forced ? "not asked: the removal is forced" : "coarse grains held, forces ramped on the fines",
          {quantity("detachable", passes, [&](const PassResult& p) { return count(p.detachable); })}},
         {"4  Constrictions",
-         passes.front()->transport.distance > 0 ? "that grains meet on their way with the water"
-                                                : "of the coarse skeleton against grain sizes",
+         is_forced                                ? "not asked: the removal is forced"
+         : passes.front()->transport.distance > 0 ? "that grains meet on their way with the water"
+                                                  : "of the coarse skeleton against grain sizes",
          {quantity(
               "mean constriction of the skeleton [mm]", passes,
               [](const PassResult& p) { return short_number(1e3 * p.constrictions.mean); }
@@ -216,8 +216,8 @@ std::optional<Figure> erosion_loop(const ErosionResult& erosion) {
     }
     const std::string& verdict = erosion.passes.back().verdict;
     figure.caption += verdict.empty() ? "." : "; it stopped because: " + verdict + ".";
-    figure.table = table_of(steps_of(all), all);
-    figure.drawing = draw(steps_of(shown), shown);
+    figure.table = table_of(steps_of(all, is_forced(erosion)), all);
+    figure.drawing = draw(steps_of(shown, is_forced(erosion)), shown);
     return figure;
 }
 

@@ -310,12 +310,14 @@ TEST(LoopFigure, CountsStandOnTheArrowsAndManyPassesKeepFirstAndLast) {
     EXPECT_EQ(many.table.columns().size(), 2U + 9U);
 }
 
-TEST(LoopFigure, AForcedRemovalLeavesOpenWhatAProbeWouldSay) {
+TEST(LoopFigure, AForcedRemovalAsksNeitherProbeNorConstrictions) {
     ErosionResult erosion = test::sample_erosion();
-    erosion.passes[0].probe = {};
-    const std::string drawing = erosion_loop(erosion)->drawing;
-    EXPECT_NE(drawing.find("the removal is forced"), std::string::npos);
-    EXPECT_NE(drawing.find(">–<"), std::string::npos);
+    erosion.passes[0].probe = {}; // as of a sample without fines
+    EXPECT_NE(erosion_loop(erosion)->drawing.find(">–<"), std::string::npos);
+    EXPECT_EQ(erosion_loop(erosion)->drawing.find("the removal is forced"), std::string::npos);
+    erosion.ledger.push_back({7, 1, 1e-4, 1e-9, 0, "forced"});
+    std::swap(erosion.ledger.front(), erosion.ledger.back());
+    EXPECT_NE(erosion_loop(erosion)->drawing.find("not asked: the removal is forced"), std::string::npos);
 }
 
 TEST(RulesFigure, CountsOfEachProbeAddUpToItsFines) {

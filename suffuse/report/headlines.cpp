@@ -21,7 +21,7 @@ void add_passes(const ErosionResult& erosion, std::vector<Headline>& headlines) 
         eroded += pass.eroded_mass_percent_of_initial;
     }
     const std::string turns = fmt::format("in {} {}", passes.size(), passes.size() == 1 ? "pass" : "passes");
-    const bool probed = !passes.front().probe.id.empty();
+    const bool probed = !passes.front().probe.id.empty() && !is_forced(erosion);
     headlines.push_back(
         {short_number(eroded) + " %", "of the mass eroded",
          probed ? fmt::format("{} at i = {}", turns, passes.front().probe.gradient) : turns}

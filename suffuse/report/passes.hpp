@@ -56,6 +56,11 @@ inline std::string told_of(const SomePasses& few, std::size_t all) {
     return few.size() == all ? "" : " (" + std::to_string(few.size()) + " of " + std::to_string(all) + " passes)";
 }
 
+/// Whether fines were taken out by their contacts, whatever the water does.
+inline bool is_forced(const erosion::ErosionResult& erosion) {
+    return !erosion.ledger.empty() && erosion.ledger.front().reason == "forced";
+}
+
 /// p, compression positive [Pa].
 inline double mean_stress(const Mat3& stress) {
     return trace(stress) / 3;

@@ -23,7 +23,7 @@ std::vector<std::string> row_of(const FinishedStage& stage) {
     }
     return {
         in_words_of_sample(stage),
-        fmt::format("{:g}", first.probe.gradient),
+        report::is_forced(erosion) ? "forced" : fmt::format("{:g}", first.probe.gradient),
         fmt::format("{}", erosion.passes.size()),
         fmt::format("{:.2f}", eroded_percent(erosion)),
         fmt::format("{:.4f}", last.porosity_after),

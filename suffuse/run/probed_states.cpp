@@ -19,10 +19,8 @@ std::string name_of(const FinishedStage& stage, const std::vector<FinishedStage>
     const bool is_only_study =
         std::ranges::all_of(all, [&](const FinishedStage& o) { return !is_probed(o) || o.study == stage.study; });
     std::string name = is_only_study ? "" : stage.study->name + ", ";
-    for (const std::string& value : sweep_values(*stage.study, *stage.variant)) {
-        name += value + ", ";
-    }
-    return name + stage.stage->name;
+    const std::string values = values_name(*stage.study, *stage.variant);
+    return name + values + (values.empty() ? "" : ", ") + stage.stage->name;
 }
 
 /// Adds one sample's answers to the mean of `state`, in which there are already `state.samples`.

@@ -31,9 +31,15 @@ std::string percent_or_none(double percent) {
 }
 
 /// How many of the fines that the water would carry were carried out.
-std::string tell_removed(const erosion::PassResult& pass) {
+std::string tell_removed(const erosion::PassResult& pass, bool is_forced) {
     if (pass.detachable == 0) {
-        return fmt::format("Pass {}: the water detaches no fine grain", pass.pass);
+        return fmt::format("Pass {}: no fine grain is detachable", pass.pass);
+    }
+    if (is_forced) {
+        return fmt::format(
+            "Pass {}: {} fines were taken out by force, {} of the initial mass", pass.pass, grouped(pass.removed),
+            percent_or_none(pass.eroded_mass_percent_of_initial)
+        );
     }
     if (pass.removed == 0) {
         return fmt::format("Pass {}: none of {} detachable fines was carried out", pass.pass, grouped(pass.detachable));
@@ -45,16 +51,16 @@ std::string tell_removed(const erosion::PassResult& pass) {
     );
 }
 
-std::string tell_pass(const erosion::PassResult& pass) {
+std::string tell_pass(const erosion::PassResult& pass, bool is_forced) {
     if (pass.removed == 0) {
-        return tell_removed(pass) + ".";
+        return tell_removed(pass, is_forced) + ".";
     }
     return fmt::format(
         "{}; porosity {:.4f} to {:.4f}, permeability {} to {} m²; at constant volume the skeleton lost {} of its mean "
         "stress, and resettling strained it by {}.",
-        tell_removed(pass), pass.porosity_before, pass.porosity_after, report::short_number(pass.permeability_before),
-        report::short_number(pass.permeability_after), percent_or_none(100 * report::stress_loss(pass).value_or(0)),
-        percent_or_none(100 * pass.volumetric_strain)
+        tell_removed(pass, is_forced), pass.porosity_before, pass.porosity_after,
+        report::short_number(pass.permeability_before), report::short_number(pass.permeability_after),
+        percent_or_none(100 * report::stress_loss(pass).value_or(0)), percent_or_none(100 * pass.volumetric_strain)
     );
 }
 
@@ -98,7 +104,7 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
     }
     std::vector<std::string> sentences;
     for (const erosion::PassResult& pass : erosion.passes) {
-        sentences.push_back(tell_pass(pass));
+        sentences.push_back(tell_pass(pass, report::is_forced(erosion)));
         if (erosion.passes.size() > most_told) {
             sentences.push_back(tell_later_passes(erosion));
             break;
@@ -214,11 +220,20 @@ std::vector<std::string> answers_to_removals(const std::vector<FinishedStage>& s
 
 std::string tell_question(const ErosionStory& story, bool has_strength) {
     const std::size_t passes = story.erosion.passes.size();
+    const std::string& soil = story.eroded->study->soil;
+    const std::string which =
+        report::is_forced(story.erosion)
+            ? fmt::format(
+                  "what {} {} in which fines of the soil “{}” are taken out by force", passes,
+                  passes == 1 ? "pass" : "passes", soil
+              )
+            : fmt::format(
+                  "which fines of the soil “{}” a gradient of i = {:g} detaches, and what {} {} of their removal", soil,
+                  story.erosion.passes.front().probe.gradient, passes, passes == 1 ? "pass" : "passes"
+              );
     return fmt::format(
-        "Asked: which fines of the soil “{}” a gradient of i = {:g} detaches, and what {} {} of their removal {} to "
-        "stress, volume{} permeability{}.",
-        story.eroded->study->soil, story.erosion.passes.front().probe.gradient, passes, passes == 1 ? "pass" : "passes",
-        passes == 1 ? "does" : "do", has_strength ? "," : " and", has_strength ? " and strength" : ""
+        "Asked: {} {} to stress, volume{} permeability{}.", which, passes == 1 ? "does" : "do",
+        has_strength ? "," : " and", has_strength ? " and strength" : ""
     );
 }
 
@@ -337,7 +352,7 @@ std::vector<std::string> answer_of_erosion(
         const std::string name = story.others.empty() ? "" : story.eroded->stage->name + ": ";
         sentences.push_back(name + answer_to_erosion(story.erosion));
         if (std::string idle = tell_idle(story.erosion);
-            !idle.empty() && !story.erosion.passes.front().probe.id.empty()) {
+            !idle.empty() && !story.erosion.passes.front().probe.id.empty() && !report::is_forced(story.erosion)) {
             sentences.push_back(std::move(idle));
         }
     }

@@ -107,8 +107,10 @@ TEST(ReportAnswer, SaysThatGrainsWithoutLoadLeaveUnderAnyGradient) {
     pass.coordination_histogram = {{0, 2}, {2, 1}};
     EXPECT_EQ(told().find("carried load"), std::string::npos) << told();
     pass.coordination_histogram = {{0, 2}, {1, 1}};
-    pass.probe.id.clear(); // forced: no water
-    EXPECT_EQ(told().find("carried load"), std::string::npos) << told();
+    stages.front().findings.erosion->ledger.push_back({7, 1, 1e-4, 1e-9, 0, "forced"});
+    EXPECT_EQ(told().find("carried load"), std::string::npos) << "what leaves by force needs no water";
+    EXPECT_NE(told().find("Pass 1: 3 fines were taken out by force, 3.00 % of"), std::string::npos) << told();
+    EXPECT_NE(told().find("Asked: what 1 pass in which fines"), std::string::npos) << told();
 }
 
 TEST(ReportAnswer, TellsHowMuchOfACutSoilTheSampleStandsFor) {

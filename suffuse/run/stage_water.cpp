@@ -161,8 +161,9 @@ void note_target(StageWork& work, const erosion::ErodeSpec& spec, const erosion:
     const double share = erosion::eroded_share(work.world, result.initial_mass, spec.until_eroded->of);
     if (share < spec.until_eroded->share) {
         work.warnings.push_back(fmt::format(
-            "{}: {:.3g} % of the {} left in {} passes, less than the {:.3g} % of `until_eroded`", work.place(),
-            100 * share, name_of(spec.until_eroded->of), result.passes.size(), 100 * spec.until_eroded->share
+            "{}: {:.3g} % of the {} left in {} {}, less than the {:.3g} % of `until_eroded`", work.place(), 100 * share,
+            name_of(spec.until_eroded->of), result.passes.size(), result.passes.size() == 1 ? "pass" : "passes",
+            100 * spec.until_eroded->share
         ));
     }
 }
