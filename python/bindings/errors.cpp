@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/casefile/diagnostics.hpp"
+#include "suffuse/casefile/read_text.hpp"
 
 #include "apps/command_line.hpp"
 #include "python/bindings/bindings.hpp"
@@ -32,16 +33,17 @@ PyObject* make(py::module_& m, const char* name, const char* doc, const std::vec
     return made;
 }
 
+/// Names of files may hold bytes that are no text: a question mark for each, or the message itself would be an error.
+py::object text(const std::string& value) {
+    return py::str(casefile::as_utf8(value));
+}
+
 template <class... Attribute>
 void raise(PyObject* kind, const char* message, const Attribute&... attribute) {
     const auto type = py::reinterpret_borrow<py::object>(kind);
-    py::object exception = type(message);
+    py::object exception = type(text(message));
     (py::setattr(exception, attribute.first, attribute.second), ...);
     PyErr_SetObject(kind, exception.ptr());
-}
-
-py::object text(const std::string& value) {
-    return py::str(value);
 }
 
 void translate(std::exception_ptr thrown) {

@@ -1,5 +1,7 @@
 #include "suffuse/casefile/diagnostics.hpp"
 
+#include "suffuse/casefile/read_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,22 +15,6 @@ constexpr std::size_t shown_characters = 160; ///< of a source line; a data file
 
 bool starts_character(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-}
-
-std::string line_of(const Source& source, int line) {
-    std::size_t begin = 0;
-    for (int passed = 1; passed < line; ++passed) {
-        const std::size_t end = source.text.find('\n', begin);
-        if (end == std::string::npos) {
-            return {};
-        }
-        begin = end + 1;
-    }
-    std::string text = source.text.substr(begin, source.text.find('\n', begin) - begin);
-    if (!text.empty() && text.back() == '\r') {
-        text.pop_back();
-    }
-    return text;
 }
 
 /// Control characters could move the cursor of a terminal: a tab becomes a space, the others question marks.
@@ -141,6 +127,22 @@ std::string render_rest(Iterator first, Iterator end, IsAlike is_alike, std::siz
 
 } // namespace
 
+std::string line_of(const Source& source, int line) {
+    std::size_t begin = 0;
+    for (int passed = 1; passed < line; ++passed) {
+        const std::size_t end = source.text.find('\n', begin);
+        if (end == std::string::npos) {
+            return {};
+        }
+        begin = end + 1;
+    }
+    std::string text = source.text.substr(begin, source.text.find('\n', begin) - begin);
+    if (!text.empty() && text.back() == '\r') {
+        text.pop_back();
+    }
+    return text;
+}
+
 void Problems::add(Diagnostic diagnostic, const Place& place) {
     if (place.source) {
         diagnostic.file = place.source->name;
@@ -148,7 +150,7 @@ void Problems::add(Diagnostic diagnostic, const Place& place) {
         diagnostic.column = place.column;
         diagnostic.length = std::max(place.length, 1);
         if (place.line > 0) {
-            diagnostic.source_line = line_of(*place.source, place.line);
+            diagnostic.source_line = as_utf8(line_of(*place.source, place.line));
         }
     }
     list_.push_back(std::move(diagnostic));

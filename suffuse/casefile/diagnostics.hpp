@@ -21,6 +21,9 @@ struct Diagnostic {
     bool is_warning = false;
 };
 
+/// A line of the source, from 1, without its end; empty where there is none.
+std::string line_of(const Source& source, int line);
+
 /// Collects problems while a case is read.
 class Problems {
 public:

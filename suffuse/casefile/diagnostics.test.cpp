@@ -112,6 +112,12 @@ TEST(Diagnostics, ControlCharactersDoNotReachTheTerminal) {
     EXPECT_NE(render(problems.sorted(), true).find("\x1b[1;31merror"), std::string::npos);
 }
 
+TEST(Diagnostics, BytesThatAreNoTextAreShownAsQuestionMarks) {
+    const Diagnostic found = find_problem(problems_of("schema = 1\ntitle = \"D\xfcne \xe4 \u00e9\"\n"), "E100");
+    EXPECT_EQ(found.source_line, "title = \"D?ne ? \u00e9\"");
+    EXPECT_EQ(found.column, 11);
+}
+
 TEST(Diagnostics, AnEndlessLineIsCutAroundItsPlace) {
     Problems problems;
     problems.error(

@@ -1,6 +1,7 @@
 #include "suffuse/casefile/overrides.hpp"
 
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/casefile/read_text.hpp"
 #include "suffuse/casefile/read_toml.hpp"
 #include "suffuse/casefile/schema.hpp"
 
@@ -199,6 +200,9 @@ set_at(Node& table, const std::vector<std::string>& path, const Node& value, con
 
 void apply_override(Node& root, const std::string& text, Problems& problems) {
     const auto source = std::make_shared<Source>(Source{"--set", text});
+    if (!check_encoding(source, problems)) {
+        return;
+    }
     const std::size_t mark = text.find('=');
     const Place whole{source, 1, 1, static_cast<int>(std::max<std::size_t>(1, std::min(mark, text.size())))};
     const std::vector<std::string> path = split_path(text.substr(0, mark));

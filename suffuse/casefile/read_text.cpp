@@ -17,29 +17,6 @@ constexpr std::size_t largest_file = std::size_t{64} << 20U; ///< [bytes]
 constexpr int deepest_key = 32;   ///< parts of one dotted key; the parser recurses once for each
 constexpr int most_reported = 20; ///< of one kind: a file in another encoding has thousands
 
-/// Bytes of the character at `at`, or 0 where it is not valid UTF-8.
-std::size_t character_size(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[at + k]); };
-    const unsigned first = byte(0);
-    const std::size_t size = first < 0x80                    ? 1
-                             : first >= 0xC2 && first < 0xE0 ? 2
-                             : first >= 0xE0 && first < 0xF0 ? 3
-                             : first >= 0xF0 && first < 0xF5 ? 4
-                                                             : 0;
-    if (size == 0 || at + size > text.size()) {
-        return 0;
-    }
-    for (std::size_t k = 1; k < size; ++k) {
-        if ((byte(k) & 0xC0U) != 0x80U) {
-            return 0;
-        }
-    }
-    const bool is_overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
-    const bool is_surrogate = first == 0xED && byte(1) >= 0xA0;
-    const bool is_beyond = first == 0xF4 && byte(1) >= 0x90;
-    return is_overlong || is_surrogate || is_beyond ? 0 : size;
-}
-
 /// A place that walks through a text.
 struct Walker {
     std::shared_ptr<const Source> source;
@@ -120,6 +97,38 @@ void report_run(Walker& w, Problems& problems, bool is_reported) {
 }
 
 } // namespace
+
+std::size_t character_size(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[at + k]); };
+    const unsigned first = byte(0);
+    const std::size_t size = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : first >= 0xE0 && first < 0xF0 ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+    if (size == 0 || at + size > text.size()) {
+        return 0;
+    }
+    for (std::size_t k = 1; k < size; ++k) {
+        if ((byte(k) & 0xC0U) != 0x80U) {
+            return 0;
+        }
+    }
+    const bool is_overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
+    const bool is_surrogate = first == 0xED && byte(1) >= 0xA0;
+    const bool is_beyond = first == 0xF4 && byte(1) >= 0x90;
+    return is_overlong || is_surrogate || is_beyond ? 0 : size;
+}
+
+std::string as_utf8(std::string_view text) {
+    std::string valid;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t size = character_size(text, at);
+        valid += size == 0 ? "?" : text.substr(at, size);
+        at += std::max<std::size_t>(1, size);
+    }
+    return valid;
+}
 
 std::string read_whole_file(const std::string& path) {
     const auto fail = [&](const char* why) {

@@ -6,11 +6,18 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace suffuse::casefile {
 
 /// The bytes of a file, without a byte order mark. Throws IoError, also for a file beyond 64 MiB.
 std::string read_whole_file(const std::string& path);
+
+/// Bytes of the character at `at`, or 0 where it is not valid UTF-8.
+std::size_t character_size(std::string_view text, std::size_t at);
+
+/// The text with a question mark for each byte that is no UTF-8: for messages, which are text.
+std::string as_utf8(std::string_view text);
 
 /// Valid UTF-8 without zero bytes; reports the first place that is not.
 bool check_encoding(const std::shared_ptr<const Source>& source, Problems& problems);
