@@ -1,11 +1,15 @@
 #include "suffuse/casefile/read_toml.hpp"
 
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/casefile/csv_table.hpp"
 #include "suffuse/casefile/read_text.hpp"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 
 namespace suffuse::casefile {
 
@@ -89,6 +93,59 @@ std::string plain_description(std::string_view description) {
     );
 }
 
+struct Slip {
+    std::string message, help;
+};
+
+/// What is wrong with `key = value`, where it is one of the slips that people make most, and of which the parser tells
+/// only how it stumbled: a text or a unit without quotes, a quote that is missing at the end, a decimal comma.
+std::optional<Slip> find_slip(std::string_view line) {
+    const std::size_t mark = line.find('=');
+    const std::string_view key = trimmed(line.substr(0, mark));
+    const std::string_view whole = mark == std::string_view::npos ? "" : trimmed(line.substr(mark + 1));
+    constexpr std::size_t longest = 200; // of a line, or the message would bury what it says
+    if (whole.empty() || line.size() > longest || std::string_view("[{").find(whole[0]) != std::string_view::npos) {
+        return std::nullopt;
+    }
+    const char quote = whole[0];
+    if (quote == '"' || quote == '\'') {
+        const bool is_open = whole.find(quote, 1) == std::string_view::npos;
+        return is_open ? std::optional(Slip{"the text is not closed", fmt::format("end it on its line with {}", quote)})
+                       : std::nullopt;
+    }
+    const std::string_view value = trimmed(whole.substr(0, whole.find('#')));
+    const std::size_t comma = value.find(',');
+    const bool is_decimal = comma != std::string_view::npos && comma > 0 && comma + 1 < value.size() &&
+                            is_digit(value[comma - 1]) && is_digit(value[comma + 1]);
+    if (is_decimal) {
+        return Slip{fmt::format("{} has a decimal comma", value), "write a decimal point"};
+    }
+    if (edit_distance(value, "true") == 0 || edit_distance(value, "false") == 0) { // in capitals
+        return Slip{fmt::format("{} is no value", value), "write true or false, in small letters"};
+    }
+    const bool has_letter =
+        std::ranges::any_of(value, [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%'; });
+    return has_letter ? std::optional(Slip{
+                            fmt::format("{} is neither a number nor a text in quotes", value),
+                            fmt::format("write {} = \"{}\"", key, value)})
+                      : std::nullopt;
+}
+
+/// Why the text is no TOML, and one thing to do.
+Slip explain_error(const Text& source, const toml::parse_error& error) {
+    const std::string told = plain_description(error.description());
+    if (told.find("64 bits") != std::string::npos) {
+        return {told, "a whole number goes up to 9223372036854775807"};
+    }
+    if (told.find("escape sequence") != std::string::npos) {
+        return {told, "in a path write / for \\, or put the text between single quotes"};
+    }
+    const bool is_known = told.find("redefine") != std::string::npos;
+    const auto slip =
+        is_known ? std::nullopt : find_slip(line_of(*source, static_cast<int>(error.source().begin.line)));
+    return slip.value_or(Slip{told, "a case is a TOML file: key = value, texts in quotes, tables in [brackets]"});
+}
+
 } // namespace
 
 std::optional<Node> read_toml(const Text& source, Problems& problems) {
@@ -108,13 +165,8 @@ std::optional<Node> read_toml(const Text& source, Problems& problems) {
         root.place = {source, 0, 0, 1};
         return root;
     } catch (const toml::parse_error& error) {
-        const std::string description = plain_description(error.description());
-        const bool is_large = description.find("64 bits") != std::string::npos;
-        problems.error(
-            "E101", place_of(source, error.source()), description,
-            is_large ? "a whole number goes up to 9223372036854775807"
-                     : "a case is a TOML file: key = value, texts in quotes, tables in [brackets]"
-        );
+        const Slip slip = explain_error(source, error);
+        problems.error("E101", place_of(source, error.source()), slip.message, slip.help);
         return std::nullopt;
     }
 }

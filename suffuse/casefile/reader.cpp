@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse::casefile {
@@ -57,8 +58,29 @@ std::string shown(const Node& node) {
     return text.substr(0, end) + "...";
 }
 
+/// The usual units, first the one in which the number comes nearest to the key's default: a viscosity of 1e-3 is meant
+/// in Pa*s, one of 1 in mPa*s. Only by that a unit is proposed, never assumed.
+std::vector<std::string> likely_units(const Key& key, const std::string& digits) {
+    std::vector<std::string> units = usual_units(key.dimension);
+    const auto known = std::ranges::find_if(schema(), [&](const Key& row) { // with its default, which `key` lacks
+        return row.table == key.table && row.name == key.name;
+    });
+    const std::string usual = known == schema().end() ? "" : known->default_text; // in quotes
+    try {
+        const double nearest = usual.size() > 2 ? parse_quantity(usual.substr(1, usual.size() - 2), key.dimension) : 0;
+        const auto distance = [&](const std::string& unit) {
+            return std::abs(std::log(parse_quantity(digits + " " + unit, key.dimension) / nearest));
+        };
+        if (nearest > 0 && parse_quantity(digits).value > 0) {
+            std::ranges::stable_sort(units, {}, distance);
+        }
+    } catch (const UnitError&) { // a default that is a word: "computed"
+    }
+    return units;
+}
+
 std::string quantity_advice(const Key& key, const std::string& digits) {
-    const std::vector<std::string> usual = usual_units(key.dimension);
+    const std::vector<std::string> usual = likely_units(key, digits);
     std::string advice = usual.size() > 1
                              ? fmt::format("write \"{} {}\" (or \"{} {}\")", digits, usual[0], digits, usual[1])
                              : fmt::format("write \"{} {}\"", digits, usual.empty() ? "" : usual[0]);
@@ -85,13 +107,14 @@ bool Reader::in_range(const Key& key, double value, const Node& node) {
     if (key.range.contains(value)) {
         return true;
     }
+    std::string advice = "it must be " + range_text(key);
+    if (key.dimension == dimension::pressure && value < 0) {
+        advice += "; compression is positive";
+    } else if (key.kind == ValueKind::Ratio && value > 1 && key.range.contains(value / 100)) {
+        advice += fmt::format("; {:g} percent is \"{:g} %\"", value, value);
+    }
     error(
-        "E312", node.place, fmt::format("`{}` is {}, out of its range", key.name, shown(node)),
-        fmt::format(
-            "it must be {}{}", range_text(key),
-            key.dimension == dimension::pressure && value < 0 ? "; compression is positive" : ""
-        ),
-        range_text(key)
+        "E312", node.place, fmt::format("`{}` is {}, out of its range", key.name, shown(node)), advice, range_text(key)
     );
     return false;
 }

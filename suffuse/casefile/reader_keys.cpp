@@ -21,6 +21,19 @@ constexpr std::array retired_keys = {
     RetiredKey{"report", "language", "reports are in English; take the line out"},
 };
 
+/// "[fluid]", "a soil": the tables, but for those of `patterns`, that have a key of this name.
+std::vector<std::string> homes_of(const std::string& name, const std::vector<std::string>& patterns) {
+    std::vector<std::string> homes;
+    for (const Key& key : schema()) {
+        const bool is_here = std::ranges::find(patterns, key.table) != patterns.end();
+        const std::string home = table_title(key.table);
+        if (key.name == name && !is_here && key.table != "presets.*" && std::ranges::find(homes, home) == homes.end()) {
+            homes.push_back(home);
+        }
+    }
+    return homes;
+}
+
 } // namespace
 
 Reader::Reader(
@@ -77,17 +90,13 @@ std::string Reader::title() const {
 
 void Reader::unknown_key(const Node::Entry& entry) {
     std::vector<std::string> here, everywhere;
-    std::vector<std::string> elsewhere;
     for (const Key& key : schema()) {
         const bool is_here = std::find(patterns_.begin(), patterns_.end(), key.table) != patterns_.end();
-        (is_here ? here : everywhere).push_back(key.name);
-        const std::string home = table_title(key.table);
-        const bool is_home = key.table != "presets.*"; // nobody looks for a setting there
-        if (key.name == entry.key && !is_here && is_home &&
-            std::find(elsewhere.begin(), elsewhere.end(), home) == elsewhere.end()) {
-            elsewhere.push_back(home);
+        if (is_here || key.table != "presets.*") { // nobody looks for a setting there
+            (is_here ? here : everywhere).push_back(key.name);
         }
     }
+    const std::vector<std::string> elsewhere = homes_of(entry.key, patterns_);
     std::string help;
     const auto near_here = nearest_word(entry.key, here);
     const auto near_else = nearest_word(entry.key, everywhere);
@@ -96,7 +105,10 @@ void Reader::unknown_key(const Node::Entry& entry) {
     } else if (!elsewhere.empty()) {
         help = fmt::format("`{}` belongs in {}", entry.key, fmt::join(elsewhere, " or "));
     } else if (near_else) {
-        help = fmt::format("a key with a similar name exists elsewhere: `{}`", *near_else);
+        help = fmt::format(
+            "a key with a similar name belongs in {}: `{}`", fmt::join(homes_of(*near_else, patterns_), " or "),
+            *near_else
+        );
     } else {
         help = fmt::format("keys here are {}", fmt::join(here, ", "));
     }

@@ -277,6 +277,14 @@ TEST(Set, OfAPresetThatIsNotInForceIsRefusedWithWhatToSetInstead) {
     EXPECT_NE(found.help.find("presets.standard.particles"), std::string::npos);
 }
 
+TEST(Set, ARefinementThatCannotBeReadIsToldOnce) {
+    for (const std::string value : {"", "3", "{ of = \"void_ratio\", at = [\"initial\"] }", "{ key = 1 }"}) {
+        const std::vector<Diagnostic> list = problems_of(good_case, {"", {"study.one.refine=" + value}});
+        EXPECT_TRUE(std::ranges::none_of(list, [](const Diagnostic& d) { return d.code == "E406"; })) << value;
+        EXPECT_FALSE(list.empty());
+    }
+}
+
 TEST(Set, MistakesAreReportedOnTheirOwnText) {
     const auto problem = [](const std::string& text, const std::string& code) {
         return find_problem(problems_of(good_case, {"", {text}}), code);
@@ -290,6 +298,7 @@ TEST(Set, MistakesAreReportedOnTheirOwnText) {
     EXPECT_EQ(problem("study.one.particels=5", "E203").file, "--set");
     EXPECT_EQ(problem("study.one.stage=5", "E201").line, 5);
     EXPECT_EQ(problem("contact.modulus=5", "E310").source_line, "contact.modulus=5");
+    EXPECT_EQ(problem("title=\xfc", "E100").file, "--set");
 }
 
 } // namespace

@@ -63,8 +63,8 @@ void check_size_keys(Reader& v, const StudySurroundings& around, const Study& st
 }
 
 void check_refine(ReadContext& context, const Study& study, const std::string& path) {
-    if (!study.refine) {
-        return;
+    if (!study.refine || (study.refine->key.empty() && context.problems.has_errors())) {
+        return; // none, or one that could not be read
     }
     const Refine& refine = *study.refine;
     const auto sweep =
