@@ -253,22 +253,40 @@ bool is_meant(const Key& key, std::string_view what) {
 
 /// The keys of a table: "contact", "soil", "erode" for the stages that do it, with those of its inner tables.
 std::string keys_of_table(std::string_view what) {
-    std::string text;
+    struct Row {
+        std::string path, usual, text;
+    };
+
+    std::string title;
+    std::vector<Row> rows;
     const std::string name(what);
     for (const std::string& table : {name, "stage." + name, name + ".*"}) {
         for (const Key& key : schema()) {
-            const bool is_inner = key.table.starts_with(table + ".");
+            const bool is_inner = key.table.starts_with(table + ".") && !key.table.starts_with(table + ".*");
             if (name.empty() || (key.table != table && !is_inner) || key.kind == ValueKind::Table) {
                 continue;
             }
             if (name == "stage" && is_inner) {
                 continue; // those of one verb
             }
-            text += text.empty() ? table_title(table) + "\n" : "";
-            const std::string path = is_inner ? key.table.substr(table.size() + 1) + "." + key.name : key.name;
-            const std::string usual = key.is_required ? "required" : key.default_text;
-            text += fmt::format("  {:32} {:12} {}\n", path, usual, key.text);
+            title = title.empty() ? table_title(table) : title;
+            rows.push_back(
+                {is_inner ? key.table.substr(table.size() + 1) + "." + key.name : key.name,
+                 key.is_required ? "required" : key.default_text, key.text}
+            );
         }
+    }
+    const auto widest = [&](std::string Row::*column) {
+        std::size_t width = 0;
+        for (const Row& row : rows) {
+            width = std::max(width, (row.*column).size());
+        }
+        return width;
+    };
+    std::string text = title.empty() ? "" : title + "\n";
+    for (const Row& row : rows) {
+        text +=
+            fmt::format("  {:{}}  {:{}}  {}\n", row.path, widest(&Row::path), row.usual, widest(&Row::usual), row.text);
     }
     return text.empty() || name == "stage" || !text.starts_with("a stage")
                ? text
