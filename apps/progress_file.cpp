@@ -59,7 +59,7 @@ void ProgressFile::show(const run::Progress& progress) {
         running_.erase(progress.sample);
     }
     const auto now = std::chrono::steady_clock::now();
-    if (progress.stage_finished || now - written_ >= interval) {
+    if (progress.stage_finished || progress.sample_ended || now - written_ >= interval) {
         written_ = now;
         write(progress);
     }

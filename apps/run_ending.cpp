@@ -99,7 +99,7 @@ int exit_code_of(const run::RunReport& report) {
 }
 
 int tell_end(const EndedRun& ended, const run::RunReport& report, const Console& console) {
-    const std::string_view word = run::word_of(report.outcome);
+    const std::string word(run::word_of(report.outcome));
     const bool has_failed = report.outcome == run::Outcome::SomeFailed;
     const int code = exit_code_of(report);
     if (!ended.sample.empty() && !run::is_resumable(report.outcome)) {
@@ -108,7 +108,8 @@ int tell_end(const EndedRun& ended, const run::RunReport& report, const Console&
             shell_word(ended.folder.string())
         ));
     } else if (has_failed || code == Done || code == Flawed) {
-        tell_results(report, fmt::format("{} in {}", word, duration_text(ended.seconds)), console);
+        const std::string headline = fmt::format("{} in {}", word, duration_text(ended.seconds));
+        tell_results(report, ended.was_done ? word + " before; written again" : headline, console);
     } else {
         console.talk(fmt::format("{} after {}", word, duration_text(ended.seconds)));
         const std::string sample = ended.sample.empty() ? "" : " --sample " + shell_word(ended.sample);
@@ -116,7 +117,7 @@ int tell_end(const EndedRun& ended, const run::RunReport& report, const Console&
     }
     const std::optional<run::PlanError> plan_error =
         ended.sample.empty() ? run::record_outcome(ended.folder) : std::nullopt;
-    if (plan_error && !run::is_resumable(report.outcome)) {
+    if (plan_error && !ended.was_done && !run::is_resumable(report.outcome)) {
         console.talk(plan_error_text(*plan_error));
     }
     if (!report.failures.empty()) {

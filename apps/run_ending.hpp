@@ -15,6 +15,7 @@ struct EndedRun {
     std::string sample;         ///< that was run alone; empty: all
     std::ptrdiff_t samples = 0; ///< of the case
     double seconds = 0;         ///< wall time [s]
+    bool was_done = false;      ///< before it was called: nothing was left to compute
 };
 
 /// Report, warnings, flaws and findings, after a headline.

@@ -113,7 +113,8 @@ std::string state_text(const nlohmann::json& state) {
         for (const nlohmann::json& pass : *passes) {
             eroded += pass.value("eroded_mass_percent_of_initial", 0.0);
         }
-        text = fmt::format("eroded {:.3g} % of the mass", eroded);
+        const bool is_removal = state.value("verb", "") == "remove"; // without water
+        text = fmt::format("{} {:.3g} % of the mass", is_removal ? "removed" : "eroded", eroded);
     }
     for (const ShownNumber& number : shown_numbers) {
         if (!is_worth_showing(state, number)) {

@@ -104,6 +104,7 @@ TEST(Terminal, WhatIsNoNumberIsNotShown) {
     const nlohmann::json passes = {
         {{"eroded_mass_percent_of_initial", 20.0}}, {{"eroded_mass_percent_of_initial", 0.4}}};
     EXPECT_EQ(state_text({{"passes", passes}, {"void_ratio", 0.9}}), "eroded 20.4 % of the mass  e 0.9");
+    EXPECT_EQ(state_text({{"passes", passes}, {"verb", "remove"}}), "removed 20.4 % of the mass");
 }
 
 TEST(Terminal, RedrawsAtMostTenTimesASecondAndCleansUp) {

@@ -149,7 +149,10 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
     const run::RunReport report = run_to_its_end(job, options, live);
     view.clear();
     const double seconds = watch.seconds();
-    return tell_end({job.folder, line.sample, std::ssize(run::list_samples(job.what)), seconds}, report, console);
+    const bool was_done = std::ranges::all_of(job.plan.stages, &run::StageEstimate::is_done);
+    return tell_end(
+        {job.folder, line.sample, std::ssize(run::list_samples(job.what)), seconds, was_done}, report, console
+    );
 }
 
 void tell_plan(const Job& job, const std::string& verb, const Console& console) {

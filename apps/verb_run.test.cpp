@@ -151,6 +151,12 @@ TEST_F(Cli, AStoppedRunGoesOnToTheSameBits) {
             .at("state_hash");
     };
     EXPECT_EQ(hash("cut"), hash("whole"));
+    const Said again = say({"resume", "cut"});
+    expect_in("done before; written again   cut/report.html", again.out);
+    EXPECT_EQ(again.error.find("off its middle"), std::string::npos) << "how far off the plan was is told once";
+    const auto progress = nlohmann::json::parse(read_all(folder / "cut/progress.json"));
+    EXPECT_EQ(progress.at("latest").at("samples_done"), 1); // and none runs any more
+    EXPECT_TRUE(progress.at("running").empty());
 }
 
 TEST_F(Cli, ASecondCtrlCQuitsAtOnceWithoutSaving) {
