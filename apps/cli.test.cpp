@@ -20,6 +20,7 @@ TEST_F(Cli, AloneAndWithHelpItSaysHowToBegin) {
     expect_in("suffuse 0.", say({"--version"}).out);
     EXPECT_EQ(say({"help"}).out, say({"--help"}).out);
     EXPECT_EQ(say({"help", "run"}).out, say({"run", "--help"}).out);
+    EXPECT_EQ(say({"-q", "--color", "never", "help", "run"}).out, say({"run", "--help"}).out);
     EXPECT_EQ(say({"help", "bench", "step"}).out, say({"bench", "step", "--help"}).out);
 }
 
@@ -70,6 +71,8 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
              {{"run", "a.toml", "b.toml"}, "b.toml"},
              {{"run", "a.toml", "-j", "0"}, "threads"},
              {{"run", "a.toml", "-j", "two"}, "threads"},
+             {{"assess", "a.csv", "-i"}, "--gradient needs a value"},
+             {{"run", "a.toml", "-o"}, "--output needs a value"},
              {{"run", "a.toml", "--time-limit", "90"}, "90min"},
              {{"run", "a.toml", "--time-limit", "90 kPa"}, "time"},
              {{"check", "a.toml", "--color", "red"}, "auto, always or never"},

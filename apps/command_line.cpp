@@ -12,6 +12,7 @@
 #include "apps/man_page.hpp"
 #include "apps/verb_flags.hpp"
 #include <algorithm>
+#include <array>
 
 namespace suffuse::apps {
 namespace {
@@ -89,15 +90,22 @@ Color color_of(const std::string& word) {
     throw UsageError(fmt::format("--color {}: it is auto, always or never", shown(word)));
 }
 
-/// `suffuse help bench step` is `suffuse bench step --help`; then `suffuse my/case.toml` runs the case.
+/// `suffuse help bench step` is `suffuse bench step --help`; then `suffuse my/case.toml` runs the case. Flags of every
+/// verb may stand before.
 std::vector<std::string> with_verb(std::vector<std::string> words) {
     constexpr std::string_view ending = ".toml";
-    if (!words.empty() && words.front() == "help") {
-        words.erase(words.begin());
+    constexpr std::array<std::string_view, 5> everywhere{"-q", "--quiet", "-v", "--verbose", "--json"};
+    std::size_t first = 0;
+    while (first < words.size() &&
+           (words[first] == "--color" || std::ranges::find(everywhere, words[first]) != everywhere.end())) {
+        first += words[first] == "--color" ? 2 : 1; // with its value
+    }
+    if (first < words.size() && words[first] == "help") {
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(first));
         words.emplace_back("--help");
     }
-    if (!words.empty() && words.front().size() > ending.size() && words.front().ends_with(ending)) {
-        words.insert(words.begin(), "run");
+    if (first < words.size() && words[first].size() > ending.size() && words[first].ends_with(ending)) {
+        words.insert(words.begin() + static_cast<std::ptrdiff_t>(first), "run");
     }
     return words;
 }
@@ -124,9 +132,11 @@ void parse(CLI::App& app, std::vector<std::string> words, CommandLine& line) {
         complain_about_extra(app);
     } catch (const CLI::ParseError& error) {
         const CLI::App& verb = innermost(app);
-        throw UsageError(
-            fmt::format("{}; see suffuse {}--help", shown(error.what()), &verb == &app ? "" : path_of(verb) + " ")
-        );
+        std::string told = shown(error.what());
+        if (const std::size_t mark = told.find(": 1 required"); mark != std::string::npos) {
+            told = told.substr(0, mark) + " needs a value"; // "--gradient: 1 required I missing"
+        }
+        throw UsageError(fmt::format("{}; see suffuse {}--help", told, &verb == &app ? "" : path_of(verb) + " "));
     }
 }
 
