@@ -26,7 +26,7 @@ seed   = 1
 preset = "quick"                      # quick: few grains | standard: as written below; --preset NAME picks one
 
 [presets.quick]
-particles       = {quick:<20}#~ enough for the largest grains, the fines and the coarse ones
+particles       = {quick:<20}#~ as few as will do: a cell of four largest grains, enough fines and coarse ones
 inertial_number = "loose"             #~ 1e-3 while shearing
 triaxial_strain = "5 %"               #~
 
