@@ -31,6 +31,19 @@ void bind_diagnostic(py::module_& m) {
         .def_readonly("message", &Diagnostic::message)
         .def_readonly("help", &Diagnostic::help, "One thing to do.")
         .def_readonly("is_warning", &Diagnostic::is_warning)
+        .def(py::pickle(
+            [](const Diagnostic& d) { // an error that a process of a pool raises travels home with it
+                return py::make_tuple(
+                    d.code, d.file, d.line, d.column, d.length, d.source_line, d.message, d.label, d.help, d.is_warning
+                );
+            },
+            [](const py::tuple& s) {
+                return Diagnostic{s[0].cast<std::string>(), s[1].cast<std::string>(), s[2].cast<int>(),
+                                  s[3].cast<int>(),         s[4].cast<int>(),         s[5].cast<std::string>(),
+                                  s[6].cast<std::string>(), s[7].cast<std::string>(), s[8].cast<std::string>(),
+                                  s[9].cast<bool>()};
+            }
+        ))
         .def("__str__", [](const Diagnostic& problem) { return casefile::render({problem}); })
         .def("__repr__", [](const Diagnostic& problem) {
             return fmt::format("<{} {}:{}: {}>", problem.code, problem.file, problem.line, problem.message);

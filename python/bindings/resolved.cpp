@@ -43,6 +43,37 @@ void add_vector(
     );
 }
 
+/// For another process: the numbers themselves, for solving them again would take minutes.
+py::tuple take_apart(const ResolvedFlow& flow) {
+    return py::make_tuple(
+        to_array(flow.pressure_gradient), to_array(flow.mean_velocity), flow.permeability,
+        flow.tensor ? py::object(to_array(*flow.tensor)) : py::object(py::none()), to_array(flow.grain_force),
+        to_array(flow.force_sum), flow.finer_permeability, flow.boxes, flow.spacing, flow.across_smallest,
+        flow.iterations, flow.residual, flow.seconds
+    );
+}
+
+std::shared_ptr<ResolvedFlow> put_together(const py::tuple& state) {
+    const auto vector = [&](int at) { return vector_of(state[at], dimension::none, "pickled flow"); };
+    auto flow = std::make_shared<ResolvedFlow>();
+    flow->pressure_gradient = vector(0);
+    flow->mean_velocity = vector(1);
+    flow->permeability = state[2].cast<double>();
+    if (!state[3].is_none()) {
+        flow->tensor = matrix_of(state[3], dimension::none, "pickled flow");
+    }
+    flow->grain_force = vectors_of(state[4], "pickled flow");
+    flow->force_sum = vector(5);
+    flow->finer_permeability = state[6].cast<double>();
+    flow->boxes = state[7].cast<std::array<std::size_t, 3>>();
+    flow->spacing = state[8].cast<double>();
+    flow->across_smallest = state[9].cast<double>();
+    flow->iterations = state[10].cast<int>();
+    flow->residual = state[11].cast<double>();
+    flow->seconds = state[12].cast<double>();
+    return flow;
+}
+
 } // namespace
 
 void bind_resolved(py::module_& m) {
@@ -50,6 +81,7 @@ void bind_resolved(py::module_& m) {
         m, "ResolvedFlow",
         "Steady slow flow between the grains themselves, extrapolated from two grids, and what it does to the grains."
     );
+    type.def(py::pickle(&take_apart, &put_together));
     type.def("__repr__", [](const ResolvedFlow& flow) {
         return fmt::format(
             "<suffuse.ResolvedFlow: permeability {:.4g} m2, {} x {} x {} boxes of {:.3g} m>", flow.permeability,

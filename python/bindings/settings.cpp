@@ -7,6 +7,7 @@
 #include "suffuse/grains/material.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
@@ -33,11 +34,13 @@ void quantity_field(py::class_<Spec>& type, const char* table, const char* name,
 }
 
 template <class Spec>
-Spec from_fields(const py::dict& given) {
+Spec from_fields(const py::dict& given, const std::vector<const char*>& fields) {
     py::object made = py::cast(Spec{});
     for (const auto& [name, value] : given) {
         if (!py::hasattr(made, name)) {
-            throw py::type_error(fmt::format("there is no field {}", py::str(name).cast<std::string>()));
+            throw py::type_error(fmt::format(
+                "there is no field {}; there are {}", py::str(name).cast<std::string>(), fmt::join(fields, ", ")
+            ));
         }
         py::setattr(made, name, value);
     }
@@ -55,8 +58,8 @@ void make_value(py::class_<Spec>& type, const std::vector<const char*>& fields) 
         }
         return dict;
     };
-    type.def(py::init([](const py::kwargs& given) { return from_fields<Spec>(given); }));
-    type.def(py::pickle(values, &from_fields<Spec>));
+    type.def(py::init([fields](const py::kwargs& given) { return from_fields<Spec>(given, fields); }));
+    type.def(py::pickle(values, [fields](const py::dict& given) { return from_fields<Spec>(given, fields); }));
     type.def("__eq__", [values](const py::object& self, const py::object& other) {
         return py::isinstance<Spec>(other) && values(self).equal(values(other));
     });

@@ -13,7 +13,8 @@ class Assessment(dict):
         for one in self["criteria"] + self["gradients"]:
             if one["id"] == criterion:
                 return one["verdict"]
-        raise KeyError(f"{criterion}: no such criterion; suffuse.explain knows them by their ids")
+        known = ", ".join(one["id"] for one in self["criteria"] + self["gradients"])
+        raise KeyError(f"{criterion}: no such criterion; there are {known}")
 
     def __str__(self):
         return self["text"]

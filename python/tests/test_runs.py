@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import pickle
 import shutil
 import signal
 import subprocess
@@ -44,6 +45,17 @@ def test_all_that_is_wrong_is_told_at_once_with_places(small_case):
     told = subprocess.run([PROGRAM, "check", small_case], capture_output=True, text=True, check=False)
     assert str(raised.value).strip() in told.stderr  # the same words as the program's
     assert suffuse.explain(problems[0].code)
+    sent = pickle.loads(pickle.dumps(raised.value))  # as a process of a pool sends it home
+    assert str(sent) == str(raised.value) and [str(one) for one in sent.problems] == [str(one) for one in problems]
+
+
+def test_bytes_that_are_no_text_are_an_error_of_the_case(small_case):
+    small_case.write_bytes(small_case.read_bytes().replace(b"Replay", b"D\xfcne"))  # as older programs save it
+    with pytest.raises(suffuse.CaseProblems, match="not UTF-8") as raised:
+        suffuse.Case(small_case)
+    assert raised.value.problems[0].code == "E100" and "D?ne" in str(raised.value)
+    with pytest.raises(suffuse.IoError, match="no such file"):
+        suffuse.assess("d\udcfcne.csv")
 
 
 def test_a_run_is_that_of_the_program(small_case, tmp_path):

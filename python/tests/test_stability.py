@@ -29,7 +29,7 @@ def test_says_what_the_program_says(dyke):
     assert {key: ours[key] for key in theirs} == theirs
     assert ours.verdict("kenney-lau-1986") == "unstable" and ours.verdict("terzaghi") == "stable"
     assert "Kezdi" in str(ours)
-    with pytest.raises(KeyError):
+    with pytest.raises(KeyError, match="there are .*kezdi-1979"):
         ours.verdict("kezdi")
 
 

@@ -1,6 +1,8 @@
 """Pore networks and flow, on worlds and on packings brought as arrays."""
 
+import copy
 import gc
+import pickle
 
 import numpy
 import pytest
@@ -130,5 +132,11 @@ def test_resolved_flow_carries_the_whole_gradient_and_tells_its_grid():
     assert flow.permeability == pytest.approx(-flow.mean_velocity[0] * 1e-3 / flow.pressure_gradient[0], rel=1e-12)
     assert len(flow.boxes) == 3 and flow.across_smallest == pytest.approx(0.3 / flow.spacing)
     assert flow.tensor is None
+    full = suffuse.resolve_flow(numpy.eye(3), position, [0.3, 0.3, 0.15], gradient=0.3, tensor=True, boxes_across=4)
+    names = [name for name in dir(flow) if not name.startswith("_")]
+    for one in (flow, full):
+        for other in (pickle.loads(pickle.dumps(one)), copy.deepcopy(one)):  # as its numbers: to solve it takes long
+            for name in names:
+                assert numpy.array_equal(getattr(other, name), getattr(one, name)), name
     with pytest.raises(suffuse.CaseError, match="at least 4"):
         suffuse.resolve_flow(numpy.eye(3), position, [0.3, 0.3, 0.15], boxes_across=2)
