@@ -104,6 +104,14 @@ void add_several(const Running& running, std::vector<std::string>& lines) {
     }
 }
 
+/// What fits of a line: numbers stand apart by two blanks, and one that is cut would be another, 1 for 1.4e-09.
+std::string fitted(const std::string& line, std::size_t width) {
+    const std::string text = clipped(line, width);
+    const bool is_within = text.size() < line.size() && line.compare(text.size(), 2, "  ") != 0;
+    const std::size_t gap = text.rfind("  ");
+    return is_within && gap != std::string::npos && gap >= label_width ? text.substr(0, gap) : text;
+}
+
 } // namespace
 
 std::string state_text(const nlohmann::json& state) {
@@ -143,14 +151,15 @@ std::vector<std::string> progress_lines(
     } else {
         add_several(running, lines);
     }
-    lines.push_back(labelled("left", fmt::format("{:16} {}", duration_range_text(left), hint)));
-    if (columns_of(lines.back()) >= width) { // then what matters of the hint
-        lines.back() =
-            labelled("left", fmt::format("{:16} {}", duration_range_text(left), hint.substr(0, hint.find(';'))));
-    }
+    const std::size_t room = width > 1 ? width - 1 : 1; // the last column would make some terminals begin a new line
     for (std::string& line : lines) {
-        line = clipped(line, width > 1 ? width - 1 : 1); // the last column would make some terminals begin a new line
+        line = fitted(line, room);
     }
+    std::string last = labelled("left", fmt::format("{:16} {}", duration_range_text(left), hint));
+    if (columns_of(last) > room) { // then what matters of the hint
+        last = labelled("left", fmt::format("{:16} {}", duration_range_text(left), hint.substr(0, hint.find(';'))));
+    }
+    lines.push_back(clipped(last, room));
     return lines;
 }
 

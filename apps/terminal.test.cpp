@@ -80,6 +80,17 @@ TEST(Terminal, NoLineIsWiderThanTheTerminal) {
     }
 }
 
+TEST(Terminal, ANumberIsShownWholeOrNotAtAll) {
+    run::Progress progress = somewhere();
+    progress.state["unbalanced_force"] = 1.4e-9; // not 1
+    const std::string whole = progress_lines(progress, {{1, progress}}, {60, 120}, "hint", 200, true).at(2);
+    for (std::size_t width = 20; width < 100; ++width) {
+        const std::string line = progress_lines(progress, {{1, progress}}, {60, 120}, "hint", width, true).at(2);
+        ASSERT_TRUE(whole.starts_with(line)) << line;
+        EXPECT_TRUE(line.size() == whole.size() || whole.compare(line.size(), 2, "  ") == 0) << line;
+    }
+}
+
 TEST(Terminal, AWideOneShowsEverythingThatMatters) {
     std::string text;
     for (const std::string& line : progress_lines(somewhere(), {{1, somewhere()}}, {60, 120}, "the hint", 200, true)) {
