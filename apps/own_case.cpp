@@ -26,7 +26,7 @@ seed   = 1
 preset = "quick"                      # quick: few grains | standard: as written below; --preset NAME picks one
 
 [presets.quick]
-particles       = {quick:<20}#~ as few as will do: a cell of four largest grains, enough fines and coarse ones
+particles       = {quick:<20}{quick_mark}
 inertial_number = "loose"             #~ 1e-3 while shearing
 triaxial_strain = "5 %"               #~
 
@@ -117,9 +117,11 @@ std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions) 
     constexpr std::int64_t standard_over_quick = 4;
     const double pressure = conditions.pressure.value_or(assumed_pressure);
     const double modulus = modulus_for(soil.grading, pressure);
+    const std::string_view few = "#~ as few as will do: a cell of four largest grains, enough fines and coarse ones";
     const auto mark = [](const std::optional<double>& given) { return given ? "# as asked:" : "#~ yours:"; };
     return fmt::format(
         case_form, fmt::arg("name", soil.name), fmt::arg("quick", soil.quick_grains),
+        fmt::arg("quick_mark", soil.is_size_asked ? "# as asked" : few),
         fmt::arg("standard", standard_over_quick * soil.quick_grains), fmt::arg("limit", 1e3 * soil.finer_than),
         fmt::arg("content", 100 * soil.fines_content), fmt::arg("reason", soil.reason),
         fmt::arg("pressure", '"' + print_quantity(pressure, dimension::pressure) + '"'),

@@ -155,6 +155,7 @@ OwnSoil model_own_soil(const std::string& path, const OwnSoilSpec& spec) {
     if (needed > (spec.particles ? static_cast<double>(*spec.particles) : most_quick_grains)) {
         refuse(path, soil.grading, soil, needed, spec);
     }
+    soil.is_size_asked = spec.particles.has_value();
     soil.quick_grains = spec.particles.value_or(std::llround(std::max(least_grains, std::ceil(needed / 100) * 100)));
     return soil;
 }

@@ -119,7 +119,7 @@ TEST_F(NewSoil, TheNumberOfGrainsCanBeAskedFor) {
     const Said made = say({"new", "--psd", "gap.csv", "--particles", "23456", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;
     EXPECT_EQ(made.json().at("particles"), 23456);
-    expect_in("particles       = 23456 ", read_all(folder / "gap/case.toml"));
+    expect_in("particles       = 23456               # as asked\n", read_all(folder / "gap/case.toml"));
     EXPECT_EQ(say({"plan", "gap/case.toml", "--json"}).json().at("stages").at(0).at("grains"), 23456);
     const Said few = say({"new", "few", "--psd", "gap.csv", "--particles", "300"});
     EXPECT_EQ(few.code, 3);
