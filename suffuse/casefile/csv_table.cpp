@@ -64,7 +64,7 @@ CsvTable split_rows(const std::shared_ptr<const Source>& source) {
         ++number;
         line = line.substr(0, find_outside_quotes(line, "#"));
         line = line.substr(0, line.find_last_not_of(" \r") + 1);
-        if (trimmed(line).empty()) {
+        if (line.find_first_not_of(" \t;,\"") == std::string_view::npos) { // the empty rows of a sheet have marks
             continue;
         }
         if (table.rows.empty()) {

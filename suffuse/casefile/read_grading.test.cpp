@@ -48,7 +48,8 @@ TEST(ReadGrading, SieveAnalysesAsLaboratoriesWriteThemGiveTheSameCurve) {
              "\"Sieve, mm\",Size (mm),Passing\n1,0.1,0\n2,0.2,50\n3,0.4,100\n",   // quotes
              "Grain size;Finer by mass\n100 um;0 %\n200 um;50 %\n0.4 mm;100 %\n", // units at every number
              "sieve [um];Cumulative retained [%]\r\n400;0\r\n200;50\r\n100;100\r\n",
-             "d [mm];retained [%];passing [%];;\n0,4;0;100;;\n0,2;50;50;;\n0,1;50;0;;\n", // empty cells
+             "d [mm];retained [%];passing [%];;\n0,4;0;100;;\n0,2;50;50;;\n0,1;50;0;;\n",     // empty cells
+             ";\r\nd [mm];passing [%]\r\n0,4;100\r\n; \r\n0,2;50\r\n0,1;0\r\n;\r\n\"\";\r\n", // empty rows
              "sieve [mm],retained on sieve [%]\n0.4,0\n0.2,50\n0.1,50\npan,0\n",
              "sieve [mm],retained on sieve [g]\n0.4,0\n0.2,150\n0.1,150\npan,0\n", // weighed
              "Sieve (mm);Mass retained on sieve (kg)\nPan;0\n0,1;0,15\n0,2;0,15\n0,4;0\n",
