@@ -12,29 +12,35 @@ bool has_fines(const FinishedStage& stage) {
     });
 }
 
-/// The first erosion that has fines, or else the first.
-const FinishedStage* find_eroded(const std::vector<FinishedStage>& stages) {
-    const FinishedStage* first = nullptr;
-    for (const FinishedStage& stage : stages) {
-        if (stage.findings.erosion && has_fines(stage)) {
-            return &stage;
-        }
-        if (stage.findings.erosion && first == nullptr) {
-            first = &stage;
-        }
-    }
-    return first;
-}
-
 bool probes_fines(const FinishedStage& stage) {
     return !stage.findings.probes.empty() && !stage.findings.probes.front().id.empty();
 }
 
 } // namespace
 
+const FinishedStage* find_eroded(const std::vector<FinishedStage>& stages, const Belongs& belongs) {
+    const FinishedStage* first = nullptr;
+    for (const FinishedStage& stage : stages) {
+        if (!stage.findings.erosion || !belongs(stage)) {
+            continue;
+        }
+        if (has_fines(stage)) {
+            return &stage;
+        }
+        first = first == nullptr ? &stage : first;
+    }
+    return first;
+}
+
+const FinishedStage* find_probed(const std::vector<FinishedStage>& stages, const Belongs& belongs) {
+    const auto probed =
+        std::ranges::find_if(stages, [&](const FinishedStage& stage) { return probes_fines(stage) && belongs(stage); });
+    return probed == stages.end() ? nullptr : &*probed;
+}
+
 ErosionStory find_story(const std::vector<FinishedStage>& stages) {
     ErosionStory story;
-    story.eroded = find_eroded(stages);
+    story.eroded = find_eroded(stages, [](const FinishedStage&) { return true; });
     if (story.eroded != nullptr) {
         story.erosion = *story.eroded->findings.erosion;
     }
@@ -44,10 +50,10 @@ ErosionStory find_story(const std::vector<FinishedStage>& stages) {
             story.others.push_back(&stage);
         }
     }
-    const auto probed = std::ranges::find_if(stages, [&](const FinishedStage& stage) {
-        return probes_fines(stage) && (story.eroded == nullptr || stage.study == story.eroded->study);
+    const FinishedStage* const probed = find_probed(stages, [&](const FinishedStage& stage) {
+        return story.eroded == nullptr || stage.study == story.eroded->study;
     });
-    if (probed != stages.end()) {
+    if (probed != nullptr) {
         story.probes = probed->findings.probes;
         const auto* spec = std::get_if<erosion::DetachStageSpec>(&probed->stage->spec);
         story.probed_by = spec == nullptr ? erosion::DetachSpec{} : spec->detached;

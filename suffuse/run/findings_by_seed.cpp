@@ -1,5 +1,7 @@
 #include "suffuse/run/findings_by_seed.hpp"
 
+#include "suffuse/run/erosion_story.hpp"
+
 #include <algorithm>
 
 namespace suffuse::run {
@@ -7,33 +9,19 @@ namespace {
 
 /// The sample that tells the story: the first that was eroded, or else the first that was probed.
 const FinishedStage* find_first(const std::vector<FinishedStage>& stages) {
-    const auto eroded =
-        std::find_if(stages.begin(), stages.end(), [](const auto& s) { return s.findings.erosion.has_value(); });
-    if (eroded != stages.end()) {
-        return &*eroded;
-    }
-    const auto probed =
-        std::find_if(stages.begin(), stages.end(), [](const auto& s) { return !s.findings.probes.empty(); });
-    return probed == stages.end() ? nullptr : &*probed;
+    const auto any = [](const FinishedStage&) { return true; };
+    const FinishedStage* const eroded = find_eroded(stages, any);
+    return eroded != nullptr ? eroded : find_probed(stages, any);
 }
 
-/// The first probes and the first erosion of the stages that `belongs` picks.
-template <class Belongs>
-std::vector<report::Finding> judge(const std::vector<FinishedStage>& stages, Belongs belongs) {
-    std::vector<erosion::ProbeResult> probes;
-    std::optional<erosion::ErosionResult> eroded;
-    for (const FinishedStage& stage : stages) {
-        if (!belongs(stage)) {
-            continue;
-        }
-        if (probes.empty()) {
-            probes = stage.findings.probes;
-        }
-        if (!eroded) {
-            eroded = stage.findings.erosion;
-        }
-    }
-    return report::judge_erosion(probes, eroded.value_or(erosion::ErosionResult{}));
+/// The first probes and the first erosion of the stages that belong.
+std::vector<report::Finding> judge(const std::vector<FinishedStage>& stages, const Belongs& belongs) {
+    const FinishedStage* const probed = find_probed(stages, belongs);
+    const FinishedStage* const eroded = find_eroded(stages, belongs);
+    return report::judge_erosion(
+        probed != nullptr ? probed->findings.probes : std::vector<erosion::ProbeResult>{},
+        eroded != nullptr ? *eroded->findings.erosion : erosion::ErosionResult{}
+    );
 }
 
 } // namespace
