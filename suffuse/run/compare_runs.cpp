@@ -287,13 +287,30 @@ void compare_figures(const fs::path& first, const fs::path& second, double toler
     }
 }
 
+/// The lines of a resolved case, a key a line as it is written, each with the place of its key: as --set takes it.
+std::vector<std::string> lines_with_places(const fs::path& run) {
+    std::vector<std::string> lines;
+    std::string table;
+    for (const std::string& line : read_table(run / resolved_case_file)) {
+        if (line.starts_with('[')) {
+            table = line.substr(line.find_first_not_of('['));
+            table = table.substr(0, table.find(']')) + ".";
+        } else if (line.starts_with("name = \"") && table.ends_with(".stage.")) {
+            table += line.substr(8, line.size() - 9) + "."; // the first key of a stage
+            lines.push_back("[" + table.substr(0, table.size() - 1) + "]");
+        } else if (!line.empty()) {
+            lines.push_back(table + line);
+        }
+    }
+    return lines;
+}
+
 /// Lines of the resolved case that only one of the runs has.
 void compare_cases(const fs::path& first, const fs::path& second, std::vector<std::string>& found) {
-    const std::vector<std::string> a = read_table(first / resolved_case_file);
-    const std::vector<std::string> b = read_table(second / resolved_case_file);
+    const std::vector<std::string> a = lines_with_places(first), b = lines_with_places(second);
     const auto tell = [&](const std::vector<std::string>& own, const std::vector<std::string>& other, char side) {
         for (const std::string& line : own) {
-            if (!line.empty() && std::find(other.begin(), other.end(), line) == other.end()) {
+            if (std::find(other.begin(), other.end(), line) == other.end()) {
                 found.push_back(fmt::format("case {} {}", side, line));
             }
         }
