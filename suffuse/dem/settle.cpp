@@ -104,13 +104,15 @@ settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec
     return state;
 }
 
-void report_not_balanced(const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state) {
+void report_not_balanced(
+    const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state, std::string_view limit
+) {
     const bool holds_stress = borne_by(loading, state.stress).axes > 0;
     throw StateError(fmt::format(
         "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted {:.2e}), "
-        "mean stress {:.4g} kPa; {}",
+        "mean stress {:.4g} kPa; {}{}",
         state.steps, state.equilibrium.unbalanced_force, spec.unbalanced_force, stress_error(loading, state.stress),
-        spec.stress_error, mean_stress(state.stress) / 1e3,
+        spec.stress_error, mean_stress(state.stress) / 1e3, limit.empty() ? "" : fmt::format("raise {}, or ", limit),
         holds_stress ? "the stress may be out of reach of this sample: lower it, or give [balance] more room"
                      : "no stress is held; give [balance] more room, or a stress that keeps the grains together"
     ));

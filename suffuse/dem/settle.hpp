@@ -6,6 +6,8 @@
 #include "suffuse/dem/spec.hpp"
 #include "suffuse/dem/step.hpp"
 
+#include <string_view>
+
 namespace suffuse::dem {
 
 inline constexpr std::int64_t burst_steps = 50; ///< steps between two looks at the balance
@@ -34,8 +36,12 @@ bool carries_nothing(
 BalanceState
 settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec& spec, std::int64_t max_steps);
 
-/// Where a settling has had its time: what is still missing. @throws StateError always.
-[[noreturn]] void report_not_balanced(const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state);
+/// Where a settling has had its time: what is still missing. @param limit name of the number of steps that the user may
+/// raise, empty: none. @throws StateError always.
+[[noreturn]] void report_not_balanced(
+    const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state,
+    std::string_view limit = "max_steps"
+);
 
 /// Largest error of a controlled stress over the largest wanted one; 0 where all wanted are zero [-].
 double stress_error(const cell::Loading& loading, const Mat3& stress);

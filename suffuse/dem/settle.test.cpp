@@ -166,6 +166,7 @@ TEST(Settle, SaysWhatIsMissingWhenItTakesTooLong) {
         const std::string message = error.what();
         EXPECT_NE(message.find("not balanced after 500 steps"), std::string::npos) << message;
         EXPECT_NE(message.find("stress error 5"), std::string::npos) << message; // about one half
+        EXPECT_NE(message.find("raise max_steps"), std::string::npos) << message;
     }
 }
 

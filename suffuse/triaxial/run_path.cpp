@@ -193,7 +193,7 @@ void check_settling(
         report_out_of_reach(row);
     }
     if (state.balance.steps >= dem::SettleSpec{}.max_steps) {
-        dem::report_not_balanced(final_loading(spec, state), balance, state.balance);
+        dem::report_not_balanced(final_loading(spec, state), balance, state.balance, "");
     }
 }
 
