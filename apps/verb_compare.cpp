@@ -184,7 +184,7 @@ int verify_verb(const CommandLine& line, const Console& console) {
     for (const run::Damage& damage : found.damages) {
         console.result(fmt::format("  {} {}", damage.file, damage.what));
     }
-    const bool is_complete = found.missing.empty();
+    const bool is_complete = found.missing.names.empty();
     console.result(fmt::format(
         "{}: {} against their checksums, {} against what their stages tell",
         !found.damages.empty() ? plural(std::ssize(found.damages), "difference")
@@ -193,7 +193,9 @@ int verify_verb(const CommandLine& line, const Console& console) {
         plural(found.files, "file"), plural(found.states, "state")
     ));
     if (!is_complete) {
-        console.result(fmt::format("{}; suffuse resume {} goes on", found.missing, shell_word(line.subject)));
+        console.result(
+            fmt::format("{}; suffuse resume {} goes on", tell_missing(found.missing), shell_word(line.subject))
+        );
     }
     for (const std::string& name : found.more) {
         console.detail("came later: " + name);

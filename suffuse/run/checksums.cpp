@@ -129,7 +129,7 @@ Verification verify_run(const fs::path& run) {
         }
     }
     if (!broken.contains(resolved_case_file)) {
-        found.missing = missing_in(run);
+        found.missing = find_missing_stages(load_run(run), run);
     }
     for (const auto& [name, sum] : sums) {
         const fs::path file = name;
@@ -151,7 +151,7 @@ void to_json(nlohmann::json& json, const Verification& found) {
         {"states", found.states},
         {"damages", damages},
         {"came_later", found.more},
-        {"missing_stages", found.missing}};
+        {"missing_stages", found.missing.names}};
 }
 
 } // namespace suffuse::run

@@ -2,6 +2,8 @@
 // SHA256SUMS of a run folder, as sha256sum writes and checks it: every file of the results, and what became of them.
 // What goes on changing is left out: the log of events, the progress, the working files of stages under way.
 
+#include "suffuse/run/missing_stages.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -26,7 +28,7 @@ struct Verification {
     int states = 0; ///< read, and hashed anew
     std::vector<Damage> damages;
     std::vector<std::string> more; ///< files that came after the checksums
-    std::string missing;           ///< stages that the case has and the folder has not, in words; empty: none
+    MissingStages missing;         ///< stages that the case has and the folder has not
 };
 
 /// Checks every file against its checksum, and every state against the hash that its stage.json tells.
