@@ -27,7 +27,8 @@ for name in run:
     print(f"{name:30} {stage['verb']:9} {stage['grains']:6} grains  void ratio {stage['void_ratio']:.4f}  "
           f"mean stress {stage['mean_stress'] / 1e3:6.1f} kPa")
     for index, passed in enumerate(stage.passes, 1):
-        print(f"{'':30} pass {index}: {passed['removed']} of {passed['detachable']} grains left")
+        of = f" of {passed['detachable']} that the water detached" if "detachable" in passed else ""
+        print(f"{'':30} pass {index}: {passed['removed']} grains left{of}")
 print(f"{len(run.figures)} figures: {', '.join(run.figures) or 'none'}; report {run.report}")
 
 histories = {name: run[name].history for name in run if len(run[name].history) > 1}
