@@ -112,6 +112,9 @@ std::string duration_range_text(const run::Range& seconds) {
         Unit{99, 1, "s"}, Unit{99 * minute, minute, "min"}, Unit{48 * hour, hour, "h"}, Unit{1e300, day, "days"}};
     constexpr double narrowest = 1.1;
     const double most = std::max(seconds.most, narrowest * seconds.least);
+    if (!std::isfinite(most)) {
+        return "an unknown time";
+    }
     if (most < 1) {
         return "under 1 s";
     }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iterator>
 #include <sstream>
 #include <vector>
@@ -26,6 +27,7 @@ TEST(Wording, ARangeHasOneUnitAndIsNeverNarrowerThanATenth) {
     EXPECT_EQ(duration_range_text({50, 50}), "50-55 s");
     EXPECT_EQ(duration_range_text({86400 * 3, 86400 * 5}), "3-5 days");
     EXPECT_EQ(duration_range_text({20, 3600 * 12}), "up to 12 h"); // not "0.0-12 h"
+    EXPECT_EQ(duration_range_text({0, std::nan("")}), "an unknown time");
 }
 
 TEST(Wording, SizesAndCounts) {
