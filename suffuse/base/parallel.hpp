@@ -4,6 +4,7 @@
 // pays no wake-up, and a machine shared with other programs is not blocked by idle spinning.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -38,6 +39,19 @@ void parallel_for(std::size_t rows, std::size_t block, Body&& body) {
         }
     };
     detail::run_blocks(blocks, std::ref(loop)); // a reference: nothing is allocated
+}
+
+/// Gives every column `rows` rows, each on one of the threads: the first touch of fresh memory takes longer than much
+/// of what is then written there.
+template <class... Columns>
+void resize_columns(std::size_t rows, Columns&... columns) {
+    const std::array<std::function<void()>, sizeof...(columns)> resize = {
+        [&columns, rows] { columns.resize(rows); }...};
+    parallel_for(resize.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            resize[k]();
+        }
+    });
 }
 
 /// Sum of `body(first, last)` over the blocks of [0, rows), added in block order: the same bits for any thread count.

@@ -71,6 +71,16 @@ TEST_F(Parallel, ALoopWithinALoopRuns) {
     EXPECT_EQ(sums[0], sums[7]);
 }
 
+TEST_F(Parallel, ColumnsGetTheirRowsAndKeepWhatTheyHold) {
+    set_thread_count(3);
+    std::vector<double> one, other = {7};
+    std::vector<char> third(20, 'c');
+    resize_columns(3, one, other, third);
+    EXPECT_EQ(one, (std::vector<double>{0, 0, 0}));
+    EXPECT_EQ(other, (std::vector<double>{7, 0, 0}));
+    EXPECT_EQ(third, std::vector<char>(3, 'c'));
+}
+
 TEST_F(Parallel, TasksSideBySideRunOnceEachOnTheirShareOfTheThreads) {
     set_thread_count(5);
     for (const int at_once : {1, 2, 3, 9}) {

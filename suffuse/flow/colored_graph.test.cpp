@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/graphs.hpp"
 #include <cmath>
 #include <random>
 
 namespace suffuse::flow {
 namespace {
+
+using test::GraphEdge;
+using test::make_graph;
 
 /// A ring with chords, one node of it ground.
 WeightedGraph chorded_ring(std::uint32_t nodes) {

@@ -13,7 +13,7 @@ constexpr std::size_t block = 4096; // nodes of one loop of a thread
 
 } // namespace
 
-GraphMultigrid::GraphMultigrid(const WeightedGraph& graph) : graph_(grounded(graph)), cycle_(graph_) {}
+GraphMultigrid::GraphMultigrid(WeightedGraph graph) : graph_(grounded(std::move(graph))), cycle_(graph_) {}
 
 double GraphMultigrid::size(std::span<const double> b) const {
     const double sum = parallel_sum(graph_.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {

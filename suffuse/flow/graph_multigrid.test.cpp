@@ -5,11 +5,15 @@
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
+#include "tests/support/graphs.hpp"
 #include <cmath>
 #include <random>
 
 namespace suffuse::flow {
 namespace {
+
+using test::GraphEdge;
+using test::make_graph;
 
 /// A ring with random chords; weights over `decades` orders of magnitude.
 std::vector<GraphEdge> random_edges(std::uint32_t nodes, double decades, unsigned seed) {

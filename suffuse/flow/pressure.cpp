@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace suffuse::flow {
 namespace {
@@ -27,14 +28,52 @@ double mean(std::span<const double> values) {
     return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-WeightedGraph graph_of(const pores::PoreNetwork& network, std::span<const double> conductance, double unit) {
-    std::vector<GraphEdge> edges;
-    edges.reserve(conductance.size());
-    for (std::size_t t = 0; t < conductance.size(); ++t) {
-        const auto [p, q] = network.throats.side[t];
-        edges.push_back({network.pores.body[p], network.pores.body[q], conductance[t] / unit});
+/// The ends of throats at each body of water: rows 2 t + side. Sums over them add in the order of the throats.
+Members ends_of_throats(const pores::PoreNetwork& network) {
+    const pores::Pores& pores = network.pores;
+    Members ends = members_of(pores.size(), network.bodies, [&](std::size_t p) { return pores.body[p]; });
+    const std::vector<std::uint32_t> pore = std::move(ends.row);
+    ends.row.resize(4 * pore.size());
+    parallel_for(pore.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t m = begin; m < end; ++m) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                const std::uint32_t p = pore[m], t = pores.throat[p][k];
+                // A pore may be on both sides, next to its own image.
+                const bool is_first =
+                    network.throats.side[t][0] == p && network.throats.image[t] == pores.neighbor_image[p][k];
+                ends.row[4 * m + k] = 2 * t + (is_first ? 0 : 1);
+            }
+        }
+    });
+    for (std::uint32_t& first : ends.first) {
+        first *= 4;
     }
-    return make_graph(network.bodies, edges);
+    parallel_for(network.bodies, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) {
+            std::sort(ends.row.begin() + ends.first[b], ends.row.begin() + ends.first[b + 1]);
+        }
+    });
+    return ends;
+}
+
+WeightedGraph
+graph_of(const pores::PoreNetwork& network, const Members& ends, std::span<const double> conductance, double unit) {
+    expects(conductance.size() == network.throats.size(), "one conductance a throat");
+    return make_graph(std::vector<double>(network.bodies, 0.0), [&](std::uint32_t b, GraphRow& row) {
+        for (const std::uint32_t end : ends.of(b)) {
+            const std::uint32_t other_side = network.throats.side[end / 2][1 - end % 2];
+            row.emplace_back(network.pores.body[other_side], conductance[end / 2] / unit);
+        }
+    });
+}
+
+/// Sum of the fluxes out of a body.
+double outflow(const Members& ends, std::size_t body, std::span<const double> flux) {
+    double sum = 0;
+    for (const std::uint32_t end : ends.of(body)) {
+        sum += end % 2 == 0 ? flux[end / 2] : -flux[end / 2];
+    }
+    return sum;
 }
 
 double positive_mean(std::span<const double> conductance) {
@@ -62,21 +101,24 @@ PressureSolver::PressureSolver(
     const pores::PoreNetwork& network, std::span<const double> conductance, const SolverSpec& spec
 )
     : network_(network), conductance_(conductance), spec_(spec), unit_(positive_mean(conductance)),
-      multigrid_(graph_of(network, conductance, unit_)) {
-    expects(conductance.size() == network.throats.size(), "one conductance a throat");
-}
+      ends_(ends_of_throats(network)), multigrid_(graph_of(network, ends_, conductance, unit_)) {}
 
 PressureSolver::Source PressureSolver::source(const Vec3& gradient) const {
-    Source source{std::vector<double>(network_.bodies, 0.0), std::vector<double>(network_.bodies, 0.0)};
-    for (std::size_t t = 0; t < network_.throats.size(); ++t) {
-        const std::uint32_t a = network_.pores.body[network_.throats.side[t][0]];
-        const std::uint32_t b = network_.pores.body[network_.throats.side[t][1]];
-        const double flux = conductance_[t] / unit_ * dot(gradient, across(network_, t));
-        source.net[a] += flux;
-        source.net[b] -= flux;
-        source.all[a] += std::abs(flux);
-        source.all[b] += std::abs(flux);
-    }
+    std::vector<double> flux(network_.throats.size());
+    parallel_for(flux.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            flux[t] = conductance_[t] / unit_ * dot(gradient, across(network_, t));
+        }
+    });
+    Source source{std::vector<double>(network_.bodies), std::vector<double>(network_.bodies, 0.0)};
+    parallel_for(network_.bodies, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) {
+            source.net[b] = outflow(ends_, b, flux);
+            for (const std::uint32_t e : ends_.of(b)) {
+                source.all[b] += std::abs(flux[e / 2]);
+            }
+        }
+    });
     return source;
 }
 
@@ -86,31 +128,47 @@ FlowField PressureSolver::solve(const Vec3& gradient) const {
     const Source source = this->source(gradient);
     const double whole = multigrid_.size(source.all);
     const GraphMultigrid::Result result = multigrid_.solve(source.net, spec_.tolerance * whole, spec_.iteration_limit);
-    const pores::Pores& pores = network_.pores;
     FlowField field;
     field.iterations = result.iterations;
     field.residual = whole > 0 ? result.imbalance / whole : 0;
-    check_convergence(field, spec_, pores.size());
+    check_convergence(field, spec_, network_.pores.size());
+    set_pressures(result.x, gradient, field);
+    set_fluxes(result.x, gradient, field);
+    return field;
+}
+
+void PressureSolver::set_pressures(std::span<const double> deviation, const Vec3& gradient, FlowField& field) const {
+    const pores::Pores& pores = network_.pores;
     field.pressure.resize(pores.size());
     for (std::size_t p = 0; p < pores.size(); ++p) {
-        field.pressure[p] = result.x[pores.body[p]];
+        field.pressure[p] = deviation[pores.body[p]];
     }
     const double level = mean(field.pressure);
-    for (std::size_t p = 0; p < pores.size(); ++p) {
-        field.pressure[p] += dot(gradient, pores.center[p]) - level;
-    }
+    parallel_for(pores.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            field.pressure[p] += dot(gradient, pores.center[p]) - level;
+        }
+    });
+}
+
+void PressureSolver::set_fluxes(std::span<const double> deviation, const Vec3& gradient, FlowField& field) const {
     field.flux.resize(network_.throats.size());
-    std::vector<double> outflow(network_.bodies, 0.0);
-    for (std::size_t t = 0; t < network_.throats.size(); ++t) {
-        const std::uint32_t a = pores.body[network_.throats.side[t][0]], b = pores.body[network_.throats.side[t][1]];
-        field.flux[t] = conductance_[t] * (result.x[a] - result.x[b] - dot(gradient, across(network_, t)));
-        outflow[a] += field.flux[t];
-        outflow[b] -= field.flux[t];
-    }
-    for (const double net : outflow) {
-        field.net_outflow = std::max(field.net_outflow, std::abs(net));
-    }
-    return field;
+    parallel_for(field.flux.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const auto [p, q] = network_.throats.side[t];
+            const double between = deviation[network_.pores.body[p]] - deviation[network_.pores.body[q]];
+            field.flux[t] = conductance_[t] * (between - dot(gradient, across(network_, t)));
+        }
+    });
+    const auto larger = [](double one, double other) { return std::max(one, other); };
+    const auto largest_of = [&](std::size_t begin, std::size_t end) {
+        double largest = 0;
+        for (std::size_t b = begin; b < end; ++b) {
+            largest = std::max(largest, std::abs(outflow(ends_, b, field.flux)));
+        }
+        return largest;
+    };
+    field.net_outflow = parallel_sum(network_.bodies, block, 0.0, largest_of, larger);
 }
 
 FlowField solve_pressure(

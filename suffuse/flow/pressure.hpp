@@ -3,6 +3,7 @@
 // the fluxes balance. Conjugate gradients, preconditioned by an aggregation multigrid that is kept for further
 // gradients: conductances span eleven decades, which an incomplete factor does not stand.
 
+#include "suffuse/base/members.hpp"
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/flow/graph_multigrid.hpp"
 #include "suffuse/pores/network.hpp"
@@ -43,11 +44,14 @@ private:
     };
 
     [[nodiscard]] Source source(const Vec3& gradient) const;
+    void set_pressures(std::span<const double> deviation, const Vec3& gradient, FlowField& field) const;
+    void set_fluxes(std::span<const double> deviation, const Vec3& gradient, FlowField& field) const;
 
     const pores::PoreNetwork& network_;
     std::span<const double> conductance_;
     SolverSpec spec_;
     double unit_ = 1; ///< mean conductance: the equations are in ratios to it [m3/(Pa s)]
+    Members ends_;    ///< of throats at each body: rows 2 t + side
     GraphMultigrid multigrid_;
 };
 

@@ -1,7 +1,11 @@
 #include "suffuse/flow/weighted_graph.hpp"
 
+#include "suffuse/base/members.hpp"
+#include "suffuse/base/parallel.hpp"
+
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace suffuse::flow {
@@ -12,87 +16,64 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 // more iterations, 1 needs larger graphs.
 constexpr double worth_joining = 0.8;
 
-/// Sorts every row and adds up entries of one neighbor; `end[i]` is where row i ends as filled.
-void tidy_rows(WeightedGraph& graph, std::span<const std::uint32_t> end) {
-    const std::size_t nodes = end.size();
-    graph.middle.resize(nodes), graph.sum.resize(nodes), graph.inverse_sum.resize(nodes);
-    std::vector<std::pair<std::uint32_t, double>> row;
-    std::uint32_t write = 0;
-    for (std::uint32_t i = 0; i < nodes; ++i) {
-        row.clear();
-        for (std::uint32_t k = graph.first[i]; k < end[i]; ++k) {
-            row.emplace_back(graph.neighbor[k], graph.weight[k]);
-        }
-        std::sort(row.begin(), row.end());
-        graph.first[i] = graph.middle[i] = write;
-        double sum = graph.ground[i];
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            sum += row[k].second;
-            if (k > 0 && row[k].first == row[k - 1].first) {
-                graph.weight[write - 1] += row[k].second;
-                continue;
-            }
-            graph.neighbor[write] = row[k].first;
-            graph.weight[write++] = row[k].second;
-            if (row[k].first < i) {
-                graph.middle[i] = write;
-            }
-        }
-        graph.sum[i] = sum;
-        graph.inverse_sum[i] = sum > 0 ? 1 / sum : 0;
-    }
-    graph.first[nodes] = write;
-    graph.neighbor.resize(write), graph.weight.resize(write);
-    graph.neighbor.shrink_to_fit(), graph.weight.shrink_to_fit();
-}
+constexpr std::size_t block = 1024; // nodes of one loop of a thread
 
-} // namespace
+/// Couplings of a run of nodes, one node after the other.
+struct Run {
+    std::vector<std::uint32_t> neighbor;
+    std::vector<double> weight;
+};
 
-namespace {
-
-WeightedGraph make_graph(std::span<const GraphEdge> edges, std::vector<double> ground) {
-    const auto counts = [](const GraphEdge& e) { return e.i != e.j && e.weight > 0; };
-    const std::size_t nodes = ground.size();
-    WeightedGraph graph;
-    graph.ground = std::move(ground);
-    graph.first.assign(nodes + 1, 0);
-    for (const GraphEdge& e : edges) {
-        if (!counts(e)) {
+/// Appends the row of node i, sorted, entries of one neighbor added up. Where it ends counts from the begin of the run.
+void append(std::uint32_t i, GraphRow& row, Run& run, WeightedGraph& graph) {
+    std::erase_if(row, [i](const auto& entry) { return entry.first == i || !(entry.second > 0); });
+    std::sort(row.begin(), row.end());
+    const std::size_t begin = run.neighbor.size();
+    double sum = graph.ground[i];
+    for (const auto& [neighbor, weight] : row) {
+        sum += weight;
+        if (run.neighbor.size() > begin && run.neighbor.back() == neighbor) {
+            run.weight.back() += weight;
             continue;
         }
-        ++graph.first[e.i + 1];
-        ++graph.first[e.j + 1];
+        run.neighbor.push_back(neighbor);
+        run.weight.push_back(weight);
     }
-    for (std::size_t i = 0; i < nodes; ++i) {
-        graph.first[i + 1] += graph.first[i];
+    const auto middle =
+        std::lower_bound(run.neighbor.begin() + static_cast<std::ptrdiff_t>(begin), run.neighbor.end(), i);
+    graph.middle[i] = static_cast<std::uint32_t>(middle - run.neighbor.begin());
+    graph.first[i + 1] = static_cast<std::uint32_t>(run.neighbor.size());
+    graph.sum[i] = sum;
+    graph.inverse_sum[i] = sum > 0 ? 1 / sum : 0;
+}
+
+/// Puts the runs of `block` nodes one after the other.
+void join_runs(const std::vector<Run>& runs, WeightedGraph& graph) {
+    std::vector<std::uint32_t> begin(runs.size() + 1, 0);
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        begin[r + 1] = begin[r] + static_cast<std::uint32_t>(runs[r].neighbor.size());
     }
-    graph.neighbor.resize(graph.first[nodes]), graph.weight.resize(graph.first[nodes]);
-    std::vector<std::uint32_t> end(graph.first.begin(), graph.first.end() - 1);
-    for (const GraphEdge& e : edges) {
-        if (!counts(e)) {
-            continue;
+    resize_columns(begin.back(), graph.neighbor, graph.weight);
+    parallel_for(graph.size(), block, [&](std::size_t first, std::size_t last) {
+        const std::size_t r = first / block;
+        for (std::size_t i = first; i < last; ++i) {
+            graph.middle[i] += begin[r];
+            graph.first[i + 1] += begin[r];
         }
-        graph.neighbor[end[e.i]] = e.j, graph.weight[end[e.i]++] = e.weight;
-        graph.neighbor[end[e.j]] = e.i, graph.weight[end[e.j]++] = e.weight;
-    }
-    tidy_rows(graph, end);
-    return graph;
+        std::copy(runs[r].neighbor.begin(), runs[r].neighbor.end(), graph.neighbor.begin() + begin[r]);
+        std::copy(runs[r].weight.begin(), runs[r].weight.end(), graph.weight.begin() + begin[r]);
+    });
 }
 
-} // namespace
-
-WeightedGraph make_graph(std::size_t nodes, std::span<const GraphEdge> edges) {
-    return make_graph(edges, std::vector<double>(nodes, 0.0));
-}
-
-WeightedGraph grounded(const WeightedGraph& graph) {
-    std::vector<std::uint8_t> is_reached(graph.size(), 0), is_ground(graph.size(), 0);
+/// The lowest node of each connected part.
+std::vector<std::uint8_t> lowest_of_parts(const WeightedGraph& graph) {
+    std::vector<std::uint8_t> is_reached(graph.size(), 0), is_lowest(graph.size(), 0);
     std::vector<std::uint32_t> waiting;
     for (std::uint32_t start = 0; start < graph.size(); ++start) {
         if (is_reached[start] != 0) {
             continue;
         }
-        is_reached[start] = is_ground[start] = 1;
+        is_reached[start] = is_lowest[start] = 1;
         waiting.push_back(start);
         while (!waiting.empty()) {
             const std::uint32_t i = waiting.back();
@@ -106,22 +87,55 @@ WeightedGraph grounded(const WeightedGraph& graph) {
             }
         }
     }
-    std::vector<GraphEdge> edges;
-    edges.reserve(graph.neighbor.size() / 2);
-    std::vector<double> ground = graph.ground;
-    for (std::uint32_t i = 0; i < graph.size(); ++i) {
-        for (std::uint32_t k = graph.first[i]; k < graph.middle[i]; ++k) {
-            const std::uint32_t j = graph.neighbor[k];
-            if (is_ground[i] != 0) {
-                ground[j] += graph.weight[k];
-            } else if (is_ground[j] != 0) {
-                ground[i] += graph.weight[k];
-            } else {
-                edges.push_back({i, j, graph.weight[k]});
-            }
+    return is_lowest;
+}
+
+} // namespace
+
+WeightedGraph make_graph(std::vector<double> ground, const std::function<void(std::uint32_t, GraphRow&)>& gather) {
+    WeightedGraph graph;
+    graph.ground = std::move(ground);
+    const std::size_t nodes = graph.ground.size();
+    graph.first.assign(nodes + 1, 0);
+    resize_columns(nodes, graph.middle, graph.sum, graph.inverse_sum);
+    std::vector<Run> runs((nodes + block - 1) / block);
+    parallel_for(nodes, block, [&](std::size_t first, std::size_t last) {
+        GraphRow row;
+        for (std::size_t i = first; i < last; ++i) {
+            row.clear();
+            gather(static_cast<std::uint32_t>(i), row);
+            append(static_cast<std::uint32_t>(i), row, runs[first / block], graph);
         }
+    });
+    join_runs(runs, graph);
+    return graph;
+}
+
+WeightedGraph grounded(WeightedGraph graph) {
+    const std::vector<std::uint8_t> is_ground = lowest_of_parts(graph);
+    std::uint32_t read = 0, write = 0;
+    for (std::uint32_t i = 0; i < graph.size(); ++i) {
+        const std::uint32_t begin = write;
+        graph.middle[i] = begin;
+        for (const std::uint32_t end = graph.first[i + 1]; read < end; ++read) {
+            const std::uint32_t j = graph.neighbor[read];
+            if (is_ground[i] != 0) {
+                continue;
+            }
+            if (is_ground[j] != 0) {
+                graph.ground[i] += graph.weight[read];
+                continue;
+            }
+            graph.neighbor[write] = j;
+            graph.weight[write++] = graph.weight[read];
+            graph.middle[i] = j < i ? write : graph.middle[i];
+        }
+        graph.first[i + 1] = write;
+        graph.sum[i] = std::accumulate(graph.weight.begin() + begin, graph.weight.begin() + write, graph.ground[i]);
+        graph.inverse_sum[i] = graph.sum[i] > 0 ? 1 / graph.sum[i] : 0;
     }
-    return make_graph(edges, std::move(ground));
+    graph.neighbor.resize(write), graph.weight.resize(write);
+    return graph;
 }
 
 Grouping join_pairs(const WeightedGraph& graph) {
@@ -156,21 +170,19 @@ Grouping join_pairs(const WeightedGraph& graph) {
 }
 
 WeightedGraph contracted(const WeightedGraph& graph, const Grouping& grouping) {
-    std::vector<GraphEdge> edges;
-    edges.reserve(graph.neighbor.size() / 2);
-    for (std::uint32_t i = 0; i < graph.size(); ++i) {
-        for (std::uint32_t k = graph.first[i]; k < graph.middle[i]; ++k) {
-            const std::uint32_t a = grouping.group[i], b = grouping.group[graph.neighbor[k]];
-            if (a != b) {
-                edges.push_back({a, b, graph.weight[k]});
+    const std::vector<std::uint32_t>& group = grouping.group;
+    const Members members = members_of(graph.size(), grouping.groups, [&](std::size_t i) { return group[i]; });
+    std::vector<double> ground(grouping.groups, 0.0);
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        ground[group[i]] += graph.ground[i];
+    }
+    return make_graph(std::move(ground), [&](std::uint32_t g, GraphRow& row) {
+        for (const std::uint32_t i : members.of(g)) {
+            for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
+                row.emplace_back(group[graph.neighbor[k]], graph.weight[k]);
             }
         }
-    }
-    std::vector<double> ground(grouping.groups, 0.0);
-    for (std::uint32_t i = 0; i < graph.size(); ++i) {
-        ground[grouping.group[i]] += graph.ground[i];
-    }
-    return make_graph(edges, std::move(ground));
+    });
 }
 
 void multiply(const WeightedGraph& graph, std::span<const double> x, std::span<double> y) {

@@ -3,16 +3,12 @@
 // coupled nodes.
 
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace suffuse::flow {
-
-/// An undirected edge; edges between the same nodes add up, an edge from a node to itself does nothing.
-struct GraphEdge {
-    std::uint32_t i, j;
-    double weight; ///< not negative
-};
 
 struct WeightedGraph {
     std::vector<std::uint32_t> first;  ///< node i has the neighbors [first[i], first[i + 1]), in rising order,
@@ -26,12 +22,17 @@ struct WeightedGraph {
     [[nodiscard]] std::size_t size() const { return sum.size(); }
 };
 
-/// A graph without ground.
-WeightedGraph make_graph(std::size_t nodes, std::span<const GraphEdge> edges);
+/// What a node is coupled to, in any order, and the weights. Entries of one neighbor add up; entries of the node itself
+/// and those of no weight do nothing.
+using GraphRow = std::vector<std::pair<std::uint32_t, double>>;
+
+/// The graph of the couplings that `gather(i, row)` puts into the empty row of node i; called on several threads.
+/// @pre node i is coupled to node j as j is to i
+WeightedGraph make_graph(std::vector<double> ground, const std::function<void(std::uint32_t, GraphRow&)>& gather);
 
 /// The graph with one node of each connected part made ground: the potentials are then determined. Such a node keeps
 /// its row, without neighbors.
-WeightedGraph grounded(const WeightedGraph& graph);
+WeightedGraph grounded(WeightedGraph graph);
 
 /// A group for each node, numbered from 0.
 struct Grouping {
