@@ -11,7 +11,7 @@ namespace suffuse::flow {
 namespace {
 
 constexpr std::size_t dense_size = 48; // nodes for which a dense factor is cheaper than another level
-constexpr std::size_t block = 4096;    // rows of one loop of a thread
+constexpr std::size_t block = 512;     // rows of one loop of a thread
 
 /// Rows that a column of `nodes` needs so that one at least is free.
 std::size_t with_filler(std::size_t nodes) {

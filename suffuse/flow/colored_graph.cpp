@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <limits>
+#include <numeric>
 
 namespace suffuse::flow {
 namespace {
 
-constexpr std::size_t block = 256;    // groups of one loop of a thread
+constexpr std::size_t block = 32;      // groups of one loop of a thread
+constexpr std::size_t sum_block = 256; // groups that are summed one after the other: sums depend on it
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t stretch = 1024; // rows within which those of equal length come together
 
 /// First color that no neighbor has, node by node.
@@ -35,18 +38,24 @@ std::vector<std::uint32_t> choose_colors(const WeightedGraph& graph) {
     return color;
 }
 
-/// Couplings of a node to earlier colors, then all of them, as one number to sort by.
-std::uint64_t length_of(const WeightedGraph& graph, const std::vector<std::uint32_t>& color, std::uint32_t i) {
-    std::uint64_t before = 0;
+/// A row: couplings of its node to earlier colors, and all of them.
+struct Row {
+    std::uint32_t before = 0, all = 0, node = none;
+
+    auto operator<=>(const Row&) const = default;
+};
+
+Row row_of(const WeightedGraph& graph, const std::vector<std::uint32_t>& color, std::uint32_t i) {
+    Row row{0, graph.first[i + 1] - graph.first[i], i};
     for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
-        before += color[graph.neighbor[k]] < color[i] ? 1 : 0;
+        row.before += color[graph.neighbor[k]] < color[i] ? 1 : 0;
     }
-    return before << 32 | (graph.first[i + 1] - graph.first[i]);
+    return row;
 }
 
 /// Rows in order of colors, then nodes; each color begins a group. Within a stretch of a color rows of equal length
-/// come together, so that little has to be filled up. @return the node of each row, or none
-std::vector<std::uint32_t>
+/// come together, so that little has to be filled up.
+std::vector<Row>
 number_rows(const WeightedGraph& graph, const std::vector<std::uint32_t>& color, ColoredGraph& result) {
     const std::uint32_t colors = color.empty() ? 0 : *std::max_element(color.begin(), color.end()) + 1;
     std::vector<std::uint32_t> next(colors + 1, 0);
@@ -59,73 +68,59 @@ number_rows(const WeightedGraph& graph, const std::vector<std::uint32_t>& color,
         result.color[c + 1] = result.color[c] + static_cast<std::uint32_t>((rows + lanes - 1) / lanes);
         next[c] = result.color[c] * lanes;
     }
-    std::vector<std::uint32_t> node(result.color.back() * lanes, ~std::uint32_t{0});
+    std::vector<Row> rows(result.color.back() * lanes);
     for (std::uint32_t i = 0; i < color.size(); ++i) {
-        node[next[color[i]]++] = i;
+        rows[next[color[i]]++].node = i;
     }
     result.row.resize(color.size());
     for (std::uint32_t c = 0; c < colors; ++c) {
         const std::size_t first = result.color[c] * lanes;
         parallel_for(next[c] - first, stretch, [&](std::size_t begin, std::size_t end) {
-            std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted;
             for (std::size_t r = first + begin; r < first + end; ++r) {
-                sorted.emplace_back(length_of(graph, color, node[r]), node[r]);
+                rows[r] = row_of(graph, color, rows[r].node);
             }
-            std::sort(sorted.begin(), sorted.end());
-            for (std::size_t k = 0; k < sorted.size(); ++k) {
-                node[first + begin + k] = sorted[k].second;
-                result.row[sorted[k].second] = static_cast<std::uint32_t>(first + begin + k);
+            const auto from = rows.begin() + static_cast<std::ptrdiff_t>(first);
+            std::sort(from + static_cast<std::ptrdiff_t>(begin), from + static_cast<std::ptrdiff_t>(end));
+            for (std::size_t r = first + begin; r < first + end; ++r) {
+                result.row[rows[r].node] = static_cast<std::uint32_t>(r);
             }
         });
     }
-    return node;
+    return rows;
 }
 
-/// The couplings of the rows that `takes(row, other row)` chooses.
-template <class Takes>
-LaneRows gather_rows(
-    const WeightedGraph& graph, const std::vector<std::uint32_t>& node, const std::vector<std::uint32_t>& row,
-    Takes&& takes
-) {
-    const std::size_t groups = node.size() / lanes;
-    const auto last = static_cast<std::uint32_t>(node.size() - 1);
-    LaneRows result;
-    result.first.assign(groups + 1, 0);
-    const auto for_each_coupling = [&](std::size_t r, auto&& visit) {
-        if (node[r] >= graph.size()) {
-            return;
-        }
-        for (std::uint32_t k = graph.first[node[r]]; k < graph.first[node[r] + 1]; ++k) {
-            if (takes(static_cast<std::uint32_t>(r), row[graph.neighbor[k]])) {
-                visit(row[graph.neighbor[k]], graph.weight[k]);
+/// Opens the rows of couplings to earlier and to later colors, all filled up.
+void open_rows(const std::vector<Row>& rows, ColoredGraph& result) {
+    parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t side = begin; side < end; ++side) {
+            LaneRows& couplings = side == 0 ? result.before : result.after;
+            couplings.first.assign(rows.size() / lanes + 1, 0);
+            for (std::size_t r = 0; r < rows.size(); ++r) {
+                std::uint32_t& longest = couplings.first[r / lanes + 1];
+                longest = std::max(longest, side == 0 ? rows[r].before : rows[r].all - rows[r].before);
             }
-        }
-    };
-    parallel_for(groups, block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t q = begin; q < end; ++q) {
-            for (std::size_t r = q * lanes; r < (q + 1) * lanes; ++r) {
-                std::uint32_t length = 0;
-                for_each_coupling(r, [&](std::uint32_t, double) { ++length; });
-                result.first[q + 1] = std::max(result.first[q + 1], length);
-            }
+            std::partial_sum(couplings.first.begin(), couplings.first.end(), couplings.first.begin());
+            couplings.column.assign(couplings.first.back() * lanes, static_cast<std::uint32_t>(rows.size() - 1));
+            couplings.weight.assign(couplings.first.back() * lanes, 0.0F);
         }
     });
-    for (std::size_t q = 0; q < groups; ++q) {
-        result.first[q + 1] += result.first[q];
+}
+
+/// Writes the couplings of row r, whose node is `i`. Rows of one color couple to no other of it: earlier rows are of
+/// earlier colors.
+void fill_row(const WeightedGraph& graph, std::uint32_t i, std::size_t r, ColoredGraph& result) {
+    std::size_t before = result.before.first[r / lanes] * lanes + r % lanes;
+    std::size_t after = result.after.first[r / lanes] * lanes + r % lanes;
+    for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
+        const std::uint32_t other = result.row[graph.neighbor[k]];
+        LaneRows& couplings = other < r ? result.before : result.after;
+        std::size_t& place = other < r ? before : after;
+        couplings.column[place] = other;
+        couplings.weight[place] = static_cast<float>(graph.weight[k]);
+        place += lanes;
     }
-    result.column.assign(result.first[groups] * lanes, last);
-    result.weight.assign(result.first[groups] * lanes, 0.0F);
-    parallel_for(groups, block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t r = begin * lanes; r < end * lanes; ++r) {
-            std::size_t place = result.first[r / lanes] * lanes + r % lanes;
-            for_each_coupling(r, [&](std::uint32_t other, double weight) {
-                result.column[place] = other;
-                result.weight[place] = static_cast<float>(weight);
-                place += lanes;
-            });
-        }
-    });
-    return result;
+    result.inverse_sum[r] = static_cast<float>(graph.inverse_sum[i]);
+    result.ground[r] = static_cast<float>(graph.ground[i]);
 }
 
 /// Raw columns of LaneRows, for kernels.
@@ -252,18 +247,17 @@ void for_color(const ColoredGraph& graph, std::size_t c, Body&& body) {
 
 ColoredGraph color_graph(const WeightedGraph& graph) {
     ColoredGraph result;
-    const std::vector<std::uint32_t> color = choose_colors(graph);
-    const std::vector<std::uint32_t> node = number_rows(graph, color, result);
-    // Rows of one color couple to no other of it: earlier rows are of earlier colors.
-    result.before =
-        gather_rows(graph, node, result.row, [](std::uint32_t r, std::uint32_t other) { return other < r; });
-    result.after = gather_rows(graph, node, result.row, [](std::uint32_t r, std::uint32_t other) { return other > r; });
-    result.inverse_sum.assign(node.size(), 0.0F);
-    result.ground.assign(node.size(), 0.0F);
-    for (std::size_t i = 0; i < graph.size(); ++i) {
-        result.inverse_sum[result.row[i]] = static_cast<float>(graph.inverse_sum[i]);
-        result.ground[result.row[i]] = static_cast<float>(graph.ground[i]);
-    }
+    const std::vector<Row> rows = number_rows(graph, choose_colors(graph), result);
+    open_rows(rows, result);
+    result.inverse_sum.assign(rows.size(), 0.0F);
+    result.ground.assign(rows.size(), 0.0F);
+    parallel_for(rows.size(), lanes * block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin; r < end; ++r) {
+            if (rows[r].node != none) {
+                fill_row(graph, rows[r].node, r, result);
+            }
+        }
+    });
     return result;
 }
 
@@ -296,7 +290,7 @@ Products multiply(
     const ColoredGraph& graph, std::span<const float> x, std::span<const float> b, std::span<const float> c,
     std::span<float> y
 ) {
-    return parallel_sum(graph.rows() / lanes, block, Products{}, [&](std::size_t begin, std::size_t end) {
+    return parallel_sum(graph.rows() / lanes, sum_block, Products{}, [&](std::size_t begin, std::size_t end) {
         LaneProducts sums;
         multiply_groups(
             Couplings(graph.before), Couplings(graph.after), graph.ground.data(), x.data(), b.data(), c.data(),
