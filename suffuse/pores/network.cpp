@@ -8,6 +8,7 @@
 #include "suffuse/pores/triangulation_check.hpp"
 
 #include <cmath>
+#include <numeric>
 
 namespace suffuse::pores {
 namespace {
@@ -17,33 +18,54 @@ constexpr std::size_t block = 1024;
 /// Corners of the facet opposite to corner k, turning left seen from the far side when the tetrahedron is positive.
 constexpr std::size_t facet_corner[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
-/// Numbers the facets, each from the side that comes first, and opens the rows of the throat table.
-void number_throats(const Triangulation& triangulation, Pores& pores, Throats& throats) {
-    const std::size_t expected = 2 * triangulation.size();
-    throats.side.reserve(expected), throats.image.reserve(expected);
-    throats.grain.reserve(expected), throats.grain_image.reserve(expected);
-    pores.throat.resize(triangulation.size());
-    for (std::uint32_t p = 0; p < triangulation.size(); ++p) {
-        const auto& grain = triangulation.grain[p];
-        const auto& grain_image = triangulation.grain_image[p];
-        for (std::size_t k = 0; k < 4; ++k) {
-            const std::uint32_t q = triangulation.neighbor[p][k];
-            const cell::Image image = triangulation.neighbor_image[p][k];
-            if (q < p || (q == p && image < cell::Image{})) {
-                continue;
+/// A facet is numbered from the side that comes first.
+bool is_first_side(const Triangulation& triangulation, std::uint32_t p, std::size_t k) {
+    const std::uint32_t q = triangulation.neighbor[p][k];
+    return p < q || (p == q && !(triangulation.neighbor_image[p][k] < cell::Image{}));
+}
+
+/// Throats before those of each block of tetrahedra.
+std::vector<std::uint32_t> count_throats(const Triangulation& triangulation) {
+    std::vector<std::uint32_t> before((triangulation.size() + block - 1) / block + 1, 0);
+    parallel_for(triangulation.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                before[begin / block + 1] += is_first_side(triangulation, static_cast<std::uint32_t>(p), k) ? 1 : 0;
             }
-            const auto t = static_cast<std::uint32_t>(throats.side.size());
-            const std::size_t j = facet_from_other_side(triangulation, p, k);
-            expects(j < 4, "each facet of the triangulation has two sides");
-            pores.throat[p][k] = t;
-            pores.throat[q][j] = t;
-            const auto& c = facet_corner[k];
-            throats.side.push_back({p, q});
-            throats.image.push_back(image);
-            throats.grain.push_back({grain[c[0]], grain[c[1]], grain[c[2]]});
-            throats.grain_image.push_back({grain_image[c[0]], grain_image[c[1]], grain_image[c[2]]});
         }
-    }
+    });
+    std::partial_sum(before.begin(), before.end(), before.begin());
+    return before;
+}
+
+/// Numbers the facets and opens the rows of the throat table.
+void number_throats(const Triangulation& triangulation, Pores& pores, Throats& throats) {
+    const std::vector<std::uint32_t> before = count_throats(triangulation);
+    resize_columns(before.back(), throats.side, throats.image, throats.grain, throats.grain_image);
+    pores.throat.resize(triangulation.size());
+    const auto number = [&](std::uint32_t p, std::size_t k, std::uint32_t t) {
+        const std::size_t j = facet_from_other_side(triangulation, p, k);
+        expects(j < 4, "each facet of the triangulation has two sides");
+        const std::uint32_t q = triangulation.neighbor[p][k];
+        pores.throat[p][k] = t;
+        pores.throat[q][j] = t;
+        throats.side[t] = {p, q};
+        throats.image[t] = triangulation.neighbor_image[p][k];
+        for (std::size_t c = 0; c < 3; ++c) {
+            throats.grain[t][c] = triangulation.grain[p][facet_corner[k][c]];
+            throats.grain_image[t][c] = triangulation.grain_image[p][facet_corner[k][c]];
+        }
+    };
+    parallel_for(triangulation.size(), block, [&](std::size_t begin, std::size_t end) {
+        std::uint32_t t = before[begin / block];
+        for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                if (is_first_side(triangulation, p, k)) {
+                    number(p, k, t++);
+                }
+            }
+        }
+    });
 }
 
 /// Flat tetrahedra have no center of their own: it lies between those of their neighbors, so that they take one of
@@ -81,7 +103,7 @@ void center_flat_pores(const Mat3& h, Pores& pores, std::vector<std::uint8_t>& i
 
 void measure_pores(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, Pores& pores) {
     const std::size_t n = pores.size();
-    pores.center.resize(n), pores.volume.resize(n), pores.void_volume.resize(n);
+    resize_columns(n, pores.center, pores.volume, pores.void_volume);
     std::vector<std::uint8_t> is_flat(n, 0);
     parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
@@ -111,9 +133,10 @@ void measure_throats(
     const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, const Pores& pores, Throats& throats
 ) {
     const std::size_t n = throats.size();
-    throats.area.resize(n), throats.void_area.resize(n), throats.solid_surface.resize(n);
-    throats.hydraulic_radius.resize(n), throats.inscribed_radius.resize(n), throats.length.resize(n);
-    throats.center.resize(n), throats.grain_share.resize(n);
+    resize_columns(
+        n, throats.area, throats.void_area, throats.solid_surface, throats.hydraulic_radius, throats.inscribed_radius,
+        throats.length, throats.center, throats.grain_share
+    );
     parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             std::array<Vec3, 3> x;

@@ -29,15 +29,21 @@ using Point = Regular::Weighted_point;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
+/// The bits of a number of 16 bits, each three places above the one before.
+std::uint64_t spread(std::uint64_t bits) {
+    bits = (bits | bits << 16) & 0xff0000ff;
+    bits = (bits | bits << 8) & 0xf00f00f00f;
+    bits = (bits | bits << 4) & 0xc30c30c30c3;
+    bits = (bits | bits << 2) & 0x249249249249;
+    return bits;
+}
+
 /// Place along a curve that visits the eighths of a cube one after the other, and so on within each (Morton).
 std::uint64_t place_on_curve(const Vec3& s) {
     constexpr int bits = 16;
     std::uint64_t place = 0;
     for (int a = 0; a < 3; ++a) {
-        const auto cut = static_cast<std::uint64_t>(std::ldexp(std::clamp(s[a], 0.0, 1 - 1e-9), bits));
-        for (int b = 0; b < bits; ++b) {
-            place |= (cut >> b & 1) << (3 * b + a);
-        }
+        place |= spread(static_cast<std::uint64_t>(std::ldexp(std::clamp(s[a], 0.0, 1 - 1e-9), bits))) << a;
     }
     return place;
 }
@@ -48,8 +54,10 @@ std::int32_t floor(double x) {
 
 /// Rounding must not let two images of a tetrahedron differ, nor two parts that both see it: so near to a limit it is
 /// decided on coordinates that are the same for both.
+constexpr double near = 1e-9; // fractional coordinates
+
 bool is_near_whole(double x) {
-    return std::abs(x - std::nearbyint(x)) < 1e-9;
+    return std::abs(x - std::nearbyint(x)) < near;
 }
 
 class GhostTriangulation {
@@ -101,7 +109,7 @@ public:
     }
 
 private:
-    static constexpr double initial_reach = 0.8; ///< in spacings: enough for most packings of sand
+    static constexpr double initial_reach = 1.1; ///< in spacings: enough for most packings of sand
 
     [[nodiscard]] std::array<Corner, 4> corners(Regular::Cell_handle t) const {
         return {
@@ -156,18 +164,22 @@ private:
     /// Whether the centroid of a tetrahedron lies in the cell and there in the part.
     [[nodiscard]] bool is_ours(Regular::Cell_handle t) const {
         const Vec3 s = packing_.inverse_h * centroid(t);
-        cell::Image period = {floor(s.x), floor(s.y), floor(s.z)};
-        if (is_near_whole(s.x) || is_near_whole(s.y) || is_near_whole(s.z)) {
+        if (std::min({s.x, s.y, s.z}) <= -near || std::max({s.x, s.y, s.z}) >= 1 + near) {
+            return false;
+        }
+        if (std::min({s.x, s.y, s.z}) < near || std::max({s.x, s.y, s.z}) > 1 - near) {
             const Canonical<4> c = canonical(corners(t)); // the same for all images
             const Vec3 decisive = fractional_centroid(c.corners);
-            period = c.moved + cell::Image{floor(decisive.x), floor(decisive.y), floor(decisive.z)};
-        }
-        if (period != cell::Image{}) {
-            return false;
+            if (c.moved + cell::Image{floor(decisive.x), floor(decisive.y), floor(decisive.z)} != cell::Image{}) {
+                return false;
+            }
         }
         std::optional<Vec3> decisive;
         for (int a = 0; a < 3; ++a) {
             const auto k = static_cast<std::size_t>(a);
+            if (cuts_[k] == 1) {
+                continue;
+            }
             double place = s[a] * cuts_[k];
             if (is_near_whole(place)) {
                 decisive = decisive ? decisive : decisive_centroid(t);

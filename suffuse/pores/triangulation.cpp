@@ -1,6 +1,7 @@
 #include "suffuse/pores/triangulation.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/members.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/pores/lattice.hpp"
 #include "suffuse/pores/part_of_cell.hpp"
@@ -13,6 +14,8 @@
 
 namespace suffuse::pores {
 namespace {
+
+constexpr std::size_t block = 1024;
 
 /// Number of parts worth their images: two of 10,000 grains, which have a tenth more images than one; 16 of a million.
 int suitable_parts(std::size_t grains) {
@@ -53,18 +56,34 @@ struct Entry {
     std::uint32_t part, row;
 };
 
-/// All tetrahedra along the curve that fills the cell, so that what is close in space is close in memory.
+/// All tetrahedra along the curve that fills the cell, so that what is close in space is close in memory. Those of each
+/// part are sorted, then neighboring runs are merged until one is left.
 std::vector<Entry> order_tetrahedra(const std::vector<PartTetrahedra>& parts) {
     std::vector<Entry> order;
+    std::vector<std::size_t> first = {0}; // of each run, and the end
     for (std::uint32_t part = 0; part < parts.size(); ++part) {
         for (std::uint32_t row = 0; row < parts[part].corner.size(); ++row) {
             order.push_back({parts[part].place[row], part, row});
         }
+        first.push_back(order.size());
     }
-    std::sort(order.begin(), order.end(), [&](const Entry& one, const Entry& other) {
+    const auto comes_before = [&](const Entry& one, const Entry& other) {
         return one.place != other.place ? one.place < other.place
                                         : parts[one.part].corner[one.row] < parts[other.part].corner[other.row];
+    };
+    const auto at = [&](std::size_t run) {
+        return order.begin() + static_cast<std::ptrdiff_t>(first[std::min(run, parts.size())]);
+    };
+    parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t run = begin; run < end; ++run) {
+            std::sort(at(run), at(run + 1), comes_before);
+        }
     });
+    for (std::size_t width = 1; width < parts.size(); width *= 2) {
+        parallel_for(parts.size(), 2 * width, [&](std::size_t begin, std::size_t) {
+            std::inplace_merge(at(begin), at(begin + width), at(begin + 2 * width), comes_before);
+        });
+    }
     return order;
 }
 
@@ -75,26 +94,59 @@ struct OpenFacet {
     std::uint32_t p, k;
 };
 
-/// Joins the two sides of every open facet; false where there are not two.
-bool close(std::vector<OpenFacet>& open, const CompactBasis& basis, Triangulation& out) {
-    std::sort(open.begin(), open.end(), [](const OpenFacet& one, const OpenFacet& other) {
-        return one.facet.corners < other.facet.corners;
-    });
-    if (open.size() % 2 != 0) {
+/// Joins two sides of a facet; false where they are not of one.
+bool join(const OpenFacet& one, const OpenFacet& other, const CompactBasis& basis, Triangulation& out) {
+    if (one.facet.corners != other.facet.corners) {
         return false;
     }
-    for (std::size_t f = 0; f < open.size(); f += 2) {
-        const OpenFacet &one = open[f], &other = open[f + 1];
-        if (one.facet.corners != other.facet.corners) {
-            return false;
-        }
-        const cell::Image between = basis.original(one.facet.moved - other.facet.moved);
-        out.neighbor[one.p][one.k] = other.p;
-        out.neighbor_image[one.p][one.k] = between;
-        out.neighbor[other.p][other.k] = one.p;
-        out.neighbor_image[other.p][other.k] = -between;
-    }
+    const cell::Image between = basis.original(one.facet.moved - other.facet.moved);
+    out.neighbor[one.p][one.k] = other.p;
+    out.neighbor_image[one.p][one.k] = between;
+    out.neighbor[other.p][other.k] = one.p;
+    out.neighbor_image[other.p][other.k] = -between;
     return true;
+}
+
+/// Joins the two sides of every open facet; false where there are not two.
+bool close(const std::vector<OpenFacet>& open, const ExactPacking& packing, Triangulation& out) {
+    const std::size_t grains = packing.radius.size();
+    const Members facets =
+        members_of(open.size(), grains, [&](std::size_t f) { return open[f].facet.corners[0].grain; });
+    const std::size_t failed = parallel_sum(grains, block, std::size_t{0}, [&](std::size_t begin, std::size_t end) {
+        std::size_t count = 0;
+        std::vector<std::uint32_t> sides;
+        for (std::size_t g = begin; g < end; ++g) {
+            sides.assign(facets.of(g).begin(), facets.of(g).end());
+            std::sort(sides.begin(), sides.end(), [&](std::uint32_t one, std::uint32_t other) {
+                return open[one].facet.corners < open[other].facet.corners;
+            });
+            count += sides.size() % 2;
+            for (std::size_t f = 0; f + 1 < sides.size(); f += 2) {
+                count += join(open[sides[f]], open[sides[f + 1]], packing.basis, out) ? 0 : 1;
+            }
+        }
+        return count;
+    });
+    return failed == 0;
+}
+
+/// Writes tetrahedron p; its facets whose other side is elsewhere are left open.
+void write_tetrahedron(
+    const ExactPacking& packing, const PartTetrahedra& part, std::uint32_t row,
+    const std::vector<std::uint32_t>& number, std::uint32_t p, Triangulation& out, std::vector<OpenFacet>& open
+) {
+    const std::array<Corner, 4>& corner = part.corner[row];
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        const Corner& c = corner[k];
+        out.grain[p][k] = c.grain;
+        out.grain_image[p][k] = packing.basis.original(c.image - packing.period[c.grain]);
+        if (part.neighbor[row][k] != PartTetrahedra::none) {
+            out.neighbor[p][k] = number[part.neighbor[row][k]];
+            continue;
+        }
+        const auto facet = std::array{corner[(k + 1) % 4], corner[(k + 2) % 4], corner[(k + 3) % 4]};
+        open.push_back({canonical(facet), p, k});
+    }
 }
 
 /// The tetrahedra of all parts as one table; false where images of the cell, or two parts, are not triangulated alike.
@@ -110,25 +162,25 @@ bool join_parts(const ExactPacking& packing, const std::vector<PartTetrahedra>& 
     for (std::uint32_t p = 0; p < order.size(); ++p) {
         number[order[p].part][order[p].row] = p;
     }
-    out.grain.resize(order.size()), out.grain_image.resize(order.size());
-    out.neighbor.resize(order.size()), out.neighbor_image.resize(order.size());
-    std::vector<std::uint8_t> seen(packing.radius.size(), 0);
+    resize_columns(order.size(), out.grain, out.grain_image, out.neighbor, out.neighbor_image);
+    std::vector<std::vector<OpenFacet>> open_of_block((order.size() + block - 1) / block);
+    parallel_for(order.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            const auto [place, part, row] = order[p];
+            write_tetrahedron(
+                packing, parts[part], row, number[part], static_cast<std::uint32_t>(p), out,
+                open_of_block[begin / block]
+            );
+        }
+    });
     std::vector<OpenFacet> open;
-    for (std::uint32_t p = 0; p < order.size(); ++p) {
-        const PartTetrahedra& part = parts[order[p].part];
-        const std::array<Corner, 4>& corner = part.corner[order[p].row];
-        for (std::uint32_t k = 0; k < 4; ++k) {
-            const Corner& c = corner[k];
-            seen[c.grain] = 1;
-            out.grain[p][k] = c.grain;
-            out.grain_image[p][k] = packing.basis.original(c.image - packing.period[c.grain]);
-            const std::uint32_t neighbor = part.neighbor[order[p].row][k];
-            if (neighbor != PartTetrahedra::none) {
-                out.neighbor[p][k] = number[order[p].part][neighbor];
-                continue;
-            }
-            const auto facet = std::array{corner[(k + 1) % 4], corner[(k + 2) % 4], corner[(k + 3) % 4]};
-            open.push_back({canonical(facet), p, k});
+    for (const std::vector<OpenFacet>& some : open_of_block) {
+        open.insert(open.end(), some.begin(), some.end());
+    }
+    std::vector<std::uint8_t> seen(packing.radius.size(), 0);
+    for (const auto& corners : out.grain) {
+        for (const std::uint32_t g : corners) {
+            seen[g] = 1;
         }
     }
     for (std::uint32_t g = 0; g < seen.size(); ++g) {
@@ -136,7 +188,7 @@ bool join_parts(const ExactPacking& packing, const std::vector<PartTetrahedra>& 
             out.hidden.push_back(g);
         }
     }
-    return close(open, packing.basis, out);
+    return close(open, packing, out);
 }
 
 } // namespace

@@ -1,76 +1,67 @@
 #include "suffuse/pores/triangulation_check.hpp"
 
+#include "suffuse/base/members.hpp"
 #include "suffuse/base/parallel.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace suffuse::pores {
 namespace {
 
 constexpr std::size_t block = 4096;
 
-/// An edge seen from its grain of lower row: the other grain, and where.
-struct EdgeEnd {
-    std::uint32_t other;
-    cell::Image image;
+/// An edge seen from one of its grains, to sort by: the other grain, and where.
+using EdgeEnd = std::pair<std::uint64_t, std::uint16_t>;
 
-    auto operator<=>(const EdgeEnd&) const = default;
-};
-
-EdgeEnd edge_end(const Triangulation& t, std::size_t p, std::size_t i, std::size_t j) {
-    return {t.grain[p][j], t.grain_image[p][j] - t.grain_image[p][i]};
+EdgeEnd edge_end(std::uint32_t other, const cell::Image& image) {
+    const auto bits = [](std::int16_t period) { return static_cast<std::uint16_t>(period); };
+    return {std::uint64_t{other} << 32 | std::uint64_t{bits(image.a)} << 16 | bits(image.b), bits(image.c)};
 }
 
-template <class Visit>
-void for_each_edge(const Triangulation& t, Visit&& visit) {
-    for (std::size_t p = 0; p < t.size(); ++p) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            for (std::size_t j = i + 1; j < 4; ++j) {
-                const bool swapped = t.grain[p][j] < t.grain[p][i];
-                EdgeEnd end = swapped ? edge_end(t, p, j, i) : edge_end(t, p, i, j);
-                const std::uint32_t from = swapped ? t.grain[p][j] : t.grain[p][i];
-                // A grain joined to its own image is seen from both ends: one of the two is taken.
-                if (end.other == from && end.image < -end.image) {
-                    end.image = -end.image;
-                }
-                visit(from, end);
-            }
+/// Appends the edges of tetrahedron `p` from corner `i` to grains of higher rows.
+void add_edges(const Triangulation& t, std::size_t p, std::size_t i, std::vector<EdgeEnd>& ends) {
+    const std::uint32_t from = t.grain[p][i];
+    for (std::size_t j = 0; j < 4; ++j) {
+        const std::uint32_t other = t.grain[p][j];
+        const cell::Image image = t.grain_image[p][j] - t.grain_image[p][i];
+        if (other > from) {
+            ends.push_back(edge_end(other, image));
+        } else if (other == from && i < j) {
+            // A grain joined to its own image is seen from both ends: one of the two is taken.
+            ends.push_back(edge_end(other, std::max(image, -image)));
         }
     }
 }
 
-/// Number of different edges on the torus: the ends are sorted into one bucket a grain.
-std::size_t count_edges(const Triangulation& t, std::size_t grains) {
-    std::vector<std::uint32_t> first(grains + 1, 0);
-    for_each_edge(t, [&](std::uint32_t g, const EdgeEnd&) { ++first[g + 1]; });
-    for (std::size_t g = 0; g < grains; ++g) {
-        first[g + 1] += first[g];
-    }
-    std::vector<EdgeEnd> ends(first[grains]);
-    std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
-    for_each_edge(t, [&](std::uint32_t g, const EdgeEnd& end) { ends[fill[g]++] = end; });
-    return parallel_sum(grains, block, std::size_t{0}, [&](std::size_t begin, std::size_t stop) {
+/// Number of different edges on the torus. `corners`: rows 4 p + k of each grain.
+std::size_t count_edges(const Triangulation& t, const Members& corners) {
+    constexpr std::size_t grains_of_a_block = 256;
+    const std::size_t grains = corners.first.size() - 1;
+    return parallel_sum(grains, grains_of_a_block, std::size_t{0}, [&](std::size_t begin, std::size_t stop) {
         std::size_t count = 0;
+        std::vector<EdgeEnd> ends;
         for (std::size_t g = begin; g < stop; ++g) {
-            const auto from = ends.begin() + first[g], to = ends.begin() + first[g + 1];
-            std::sort(from, to);
-            count += static_cast<std::size_t>(std::unique(from, to) - from);
+            ends.clear();
+            for (const std::uint32_t corner : corners.of(g)) {
+                add_edges(t, corner / 4, corner % 4, ends);
+            }
+            std::sort(ends.begin(), ends.end());
+            count += static_cast<std::size_t>(std::unique(ends.begin(), ends.end()) - ends.begin());
         }
         return count;
     });
 }
 
-std::size_t count_vertices(const Triangulation& t, std::size_t grains) {
-    std::vector<std::uint8_t> seen(grains, 0);
-    for (const auto& corners : t.grain) {
-        for (const std::uint32_t g : corners) {
-            seen[g] = 1;
-        }
+std::size_t count_vertices(const Members& corners) {
+    std::size_t count = 0;
+    for (std::size_t g = 0; g + 1 < corners.first.size(); ++g) {
+        count += corners.of(g).empty() ? 0 : 1;
     }
-    return static_cast<std::size_t>(std::count(seen.begin(), seen.end(), std::uint8_t{1}));
+    return count;
 }
 
 } // namespace
@@ -104,7 +95,9 @@ std::optional<std::string> find_defect(const Triangulation& t, const Mat3& h, st
     if (one_sided != 0) {
         return fmt::format("{} of the {} sides of its facets have no other side", one_sided, 4 * t.size());
     }
-    const std::size_t vertices = count_vertices(t, position.size()), edges = count_edges(t, position.size());
+    const Members corners =
+        members_of(4 * t.size(), position.size(), [&](std::size_t c) { return t.grain[c / 4][c % 4]; });
+    const std::size_t vertices = count_vertices(corners), edges = count_edges(t, corners);
     if (vertices + 2 * t.size() != edges + t.size()) { // F = 2 C, as each facet has two sides
         return fmt::format(
             "{} vertices, {} edges, {} facets and {} tetrahedra do not have the Euler characteristic 0 of a periodic "
