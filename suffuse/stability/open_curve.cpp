@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -76,6 +77,28 @@ std::string missing_text(const Grading& measured) {
     return text;
 }
 
+/// "stable where the 4 % below 0.063 mm end sharply or taper off, unstable where they lie beyond a gap": of a curve
+/// with one open end, whose completions are these, in this order.
+std::string verdicts_by_end(const std::vector<Assessment>& completed, std::size_t which, const std::string& missing) {
+    constexpr std::array ends{"end sharply", "taper off", "lie beyond a gap"};
+    std::string text;
+    for (const Verdict verdict : {Verdict::Stable, Verdict::Transition, Verdict::Unstable, Verdict::CannotSay}) {
+        std::string where;
+        for (std::size_t k = 0; k < ends.size(); ++k) {
+            if (completed[k].criteria[which].verdict == verdict) {
+                where += fmt::format("{}{}", where.empty() ? "" : " or ", ends[k]);
+            }
+        }
+        if (!where.empty()) {
+            text += fmt::format(
+                "{}{} where {} {}", text.empty() ? "" : ", ", verdict_word(verdict), text.empty() ? missing : "they",
+                where
+            );
+        }
+    }
+    return text;
+}
+
 /// What one criterion says of all completions.
 Criterion agree(const std::vector<Assessment>& completed, std::size_t which, const std::string& missing) {
     Criterion criterion = completed.front().criteria[which];
@@ -97,7 +120,8 @@ Criterion agree(const std::vector<Assessment>& completed, std::size_t which, con
         return criterion;
     }
     criterion.verdict = Verdict::CannotSay;
-    criterion.remark = "needs " + missing + ", which the curve does not resolve";
+    criterion.remark = same_verdict || completed.size() != 3 ? "needs " + missing + ", which the curve does not resolve"
+                                                             : verdicts_by_end(completed, which, missing);
     return criterion;
 }
 
