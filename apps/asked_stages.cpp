@@ -59,8 +59,10 @@ void price_asked_alone(
     plan.refined = only.empty() ? run::price_refined(plan, what) : run::RefinedEstimate{}; // whoever gathers refines
 }
 
-void keep_asked_alone(run::RunPlan& plan, const casefile::Case& what, const std::string& until) {
-    const Names asked = asked_names(what, until, {});
+void keep_asked_alone(
+    run::RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only
+) {
+    const Names asked = asked_names(what, until, only);
     std::erase_if(plan.stages, [&](const run::StageEstimate& stage) {
         return !asked.contains({stage.study, stage.stage});
     });

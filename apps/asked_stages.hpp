@@ -17,6 +17,8 @@ void price_asked_alone(
 );
 
 /// Takes out of the plan what price_asked_alone prices at nothing.
-void keep_asked_alone(run::RunPlan& plan, const casefile::Case& what, const std::string& until);
+void keep_asked_alone(
+    run::RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only = {}
+);
 
 } // namespace suffuse::apps

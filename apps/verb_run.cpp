@@ -87,6 +87,13 @@ run::RunPlan plan_rest(
     return plan;
 }
 
+/// The plan of what is asked for alone.
+run::RunPlan asked_plan(const Job& job, const CommandLine& line) {
+    run::RunPlan plan = job.plan;
+    keep_asked_alone(plan, job.what, line.until, line.sample);
+    return plan;
+}
+
 Screen standard_error(const Console& console) {
     return {can_redraw(), speaks_utf8(), console.is_quiet(), terminal_width, [](const std::string& text) {
                 std::fwrite(text.data(), 1, text.size(), stderr);
@@ -149,23 +156,23 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
     const run::RunReport report = run_to_its_end(job, options, live);
     view.clear();
     const double seconds = watch.seconds();
-    const bool was_done = std::ranges::all_of(job.plan.stages, &run::StageEstimate::is_done);
+    const bool was_done = std::ranges::all_of(asked_plan(job, line).stages, &run::StageEstimate::is_done);
     return tell_end(
         {job.folder, line.sample, std::ssize(run::list_samples(job.what)), seconds, was_done}, report, console
     );
 }
 
-void tell_plan(const Job& job, const std::string& verb, const Console& console) {
+void tell_plan(const Job& job, const CommandLine& line, const std::string& verb, const Console& console) {
+    const run::RunPlan asked = asked_plan(job, line);
     console.talk(fmt::format(
         "case  {}   preset {}   seed {}   {}{}", job.what.title.empty() ? "without a title" : job.what.title,
         job.what.preset, job.what.seed, plural(thread_count(), "thread"),
         job.plan.speed.at_once > 1 ? fmt::format("   {} samples at once", job.plan.speed.at_once) : ""
     ));
-    console.talk(fmt::format("plan  {}", plan_sentence(job.plan)));
+    console.talk(fmt::format("plan  {}", plan_sentence(asked)));
     console.talk(fmt::format("{:5} {}   report.html there shows how far it is", verb, job.folder.string()));
-    const auto cached = std::count_if(job.plan.stages.begin(), job.plan.stages.end(), [](const auto& stage) {
-        return stage.is_cached;
-    });
+    const auto cached =
+        std::count_if(asked.stages.begin(), asked.stages.end(), [](const auto& stage) { return stage.is_cached; });
     if (cached > 0) {
         console.talk(fmt::format(
             "cache {}   holds {} of the {}; --no-cache computes all", job.cache.string(), cached,
@@ -218,7 +225,7 @@ int run_verb(const CommandLine& line, const Console& console) {
         );
     }
     run::open_folder(job.folder, job.what, job.case_text); // another case's is refused before the plan is told
-    tell_plan(job, "into", console);
+    tell_plan(job, line, "into", console);
     const int code = conduct(job, line, console);
     if (code == Done) {
         std::vector<std::string> hints;
@@ -261,7 +268,7 @@ int resume_verb(const CommandLine& line, const Console& console) {
     const std::optional<FolderLock> own_lock =
         own ? std::optional<FolderLock>(std::in_place, *own, console) : std::nullopt;
     job.plan = plan_rest(job.what, folder, job.cache, line.until, line.sample);
-    tell_plan(job, "in", console);
+    tell_plan(job, line, "in", console);
     return conduct(job, line, console);
 }
 

@@ -42,7 +42,9 @@ TEST_F(Cli, ARunGoesOnlyWhereNothingIsOverwritten) {
     write_to(folder / "mine/notes.txt", "mine");
     EXPECT_EQ(say({"run", "soil/case.toml", "-o", "mine"}).code, 2);
     EXPECT_EQ(say({"run", "soil/case.toml", "-o", "mine/notes.txt"}).code, 2);
-    ASSERT_EQ(say({"run", "soil/case.toml", "-o", "here", "--until", "start"}).code, 0);
+    const Said first = say({"run", "soil/case.toml", "-o", "here", "--until", "start"});
+    ASSERT_EQ(first.code, 0) << first.error;
+    expect_in("plan  1 study, 1 stage,", first.error); // what is asked for
     EXPECT_FALSE(std::filesystem::exists(folder / "here/studies/replay/seep"));
     EXPECT_EQ(say({"run", "soil/case.toml", "-o", "here"}).code, 0); // the same case goes on
     EXPECT_TRUE(std::filesystem::exists(folder / "here/studies/replay/seep/stage.json"));
