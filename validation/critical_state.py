@@ -24,8 +24,12 @@ PREPARATION = {"dense": {"friction": 0}, "loose": {"adhesion_normal": "1 MPa"}}
 # `spread`: largest / smallest diameter, even by number in between. VARIED: what could explain angles off the literature's,
 # each by dense samples of the first law.
 USUAL = {"grains": 1000, "inertial_number": 1e-3, "spread": 1, "shear_ratio": 0.42}
-VARIED = {"sizes 1 to 2": {"spread": 2}, "k_s/k_n 1": {"shear_ratio": 1}}
-VARIED_SEEDS = 8
+VARIED = {  # what, and in how many samples
+    "sizes 1 to 2": ({"spread": 2}, 16),
+    "k_s/k_n 1": ({"shear_ratio": 1}, 16),
+    "both": ({"spread": 2, "shear_ratio": 1}, 16),
+    "8,000 grains": ({"grains": 8000}, 4),
+}
 
 
 def material_of(law, shear_ratio):
@@ -117,13 +121,13 @@ def compare_starts(samples, law, verdict, quick):
 
 
 def vary(samples, measure):
-    """One thing at a time that could explain the angles."""
+    """What could explain the angles."""
     law = list(LAWS)[0]
-    for seed in range(1, 1 + VARIED_SEEDS):
-        for change in VARIED.values():
+    for change, seeds in VARIED.values():
+        for seed in range(1, 1 + seeds):
             samples.measure(measure, law=law, start="dense", **{**USUAL, **change}, seed=seed)
     print(f"\n{law}, dense          samples  q/p             angle")
-    for what, change in {"as above": {}, **VARIED}.items():
+    for what, (change, _) in {"as above": ({}, SEEDS), **VARIED}.items():
         rows = samples.of(law=law, start="dense", **{**USUAL, **change})
         ratio, error = common.mean(rows, "ratio"), common.deviation(rows, "ratio") / math.sqrt(len(rows))
         wide = angle_of(ratio + error) - angle_of(ratio)
