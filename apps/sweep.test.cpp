@@ -73,6 +73,10 @@ TEST_F(SweepVerb, TasksRunByAShellEndWithTheBitsOfAPlainRun) {
     ASSERT_EQ(suffuse("sweep case.toml --emit parallel -o parts --no-cache"), 0) << said();
     EXPECT_NE(said().find("3 tasks in parts"), std::string::npos) << said();
     ASSERT_EQ(sh("head -n 1 parts/tasks.txt | sh"), 0) << said();
+    EXPECT_EQ(suffuse("watch parts/studies/s/*"), 0) << said();
+    EXPECT_NE(said().find("sample ends       done"), std::string::npos) << said();
+    EXPECT_EQ(suffuse("watch parts"), 2);
+    EXPECT_NE(said().find("suffuse sweep --collect parts"), std::string::npos) << said();
     EXPECT_EQ(suffuse("sweep --collect parts"), 75) << said();
     EXPECT_NE(said().find("1 of 3 samples done"), std::string::npos) << said();
     EXPECT_NE(said().find("suffuse sweep parts --emit parallel writes tasks"), std::string::npos) << said();

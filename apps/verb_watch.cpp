@@ -93,13 +93,22 @@ public:
         return outcome_ == run::word_of(run::Outcome::Stopped) || outcome_ == run::word_of(run::Outcome::TimeLimit);
     }
 
+    /// The command that goes on with it.
+    [[nodiscard]] std::string resume_command() const {
+        return task_.empty() ? "suffuse resume " + shell_word(folder_.string()) : task_;
+    }
+
 private:
     bool tell_events() {
         const std::vector<nlohmann::json> fresh = events_.read_new();
         for (const nlohmann::json& event : fresh) {
             footer_.clear();
             console_.result(event_line(event));
-            is_over_ = event.value("event", "") == "run ends"; // unless it was taken up again
+            const std::string what = event.value("event", "");
+            is_over_ = what == "run ends" || what == "sample ends"; // unless it was taken up again
+            if (what == "sample begins") {
+                task_ = event.value("command", "");
+            }
             outcome_ = is_over_ ? event.value("outcome", "") : "";
             told_.push_back(event);
         }
@@ -129,12 +138,19 @@ private:
     Clock::time_point last_news_ = Clock::now();
     bool is_over_ = false, is_first_ = true;
     std::string outcome_; ///< of a run that is over
+    std::string task_;    ///< command of a sample of a sweep that is a task of its own; empty: a run
 };
 
 } // namespace
 
 int watch_verb(const CommandLine& line, const Console& console) {
     const fs::path folder = line.subject;
+    if (!fs::exists(folder / "events.jsonl") && fs::exists(folder / "tasks.txt")) {
+        throw UsageError(fmt::format(
+            "{0} holds tasks of a sweep, each a run of its own: suffuse watch {1}, or suffuse sweep --collect {0}",
+            shell_word(line.subject), shell_word((folder / "studies" / "STUDY" / "SAMPLE").string())
+        ));
+    }
     if (!fs::exists(folder / "events.jsonl") && !is_at_work(folder)) {
         throw UsageError(fmt::format(
             "{} holds no run that has begun; suffuse watch wants the folder that suffuse run names", shown(line.subject)
@@ -145,13 +161,12 @@ int watch_verb(const CommandLine& line, const Console& console) {
     const fs::path report = folder / "report.html";
     const bool has_report = watch.is_over() && !watch.is_resumable() && fs::exists(report);
     if (watch.is_resumable()) {
-        console.result(fmt::format("resume with: suffuse resume {}", shell_word(line.subject)));
+        console.result(fmt::format("resume with: {}", watch.resume_command()));
     } else if (has_report) {
         console.result(report.string());
     } else if (!watch.is_over()) {
         console.result(fmt::format(
-            "nobody works on this run and it has not ended: it was killed; go on with suffuse resume {}",
-            shell_word(line.subject)
+            "nobody works on this run and it has not ended: it was killed; go on with {}", watch.resume_command()
         ));
     }
     console.document(

@@ -67,7 +67,6 @@ private:
         overview_.tell({{"event", "sample begins"}, {"command", options_.command}});
         run_samples();
         write_json(folder / "provenance.json", describe_provenance(what_, options_, overview_.run_seconds()));
-        overview_.tell({{"event", "sample ends"}, {"wall_seconds", overview_.run_seconds()}});
         RunReport report;
         for (FailedSample& failure : read_failures(options_.folder, what_)) {
             if (failure.sample == options_.sample) {
@@ -75,6 +74,9 @@ private:
             }
         }
         report.outcome = outcome(report);
+        overview_.tell(
+            {{"event", "sample ends"}, {"outcome", word_of(report.outcome)}, {"wall_seconds", overview_.run_seconds()}}
+        );
         return report;
     }
 
