@@ -7,8 +7,6 @@
 namespace suffuse::run {
 namespace {
 
-constexpr double show_interval = 0.1; // [s]
-
 nlohmann::json state_to_show(const dem::World& world, int axis) {
     const Mat3 stress = dem::mean_stress_tensor(world);
     return {
@@ -33,7 +31,7 @@ void Control::begin(Progress where) {
 }
 
 void Control::beat(std::string_view part, long long steps, const dem::World* world) {
-    if (overview_.is_watched() && seconds_since(shown_) > show_interval) {
+    if (overview_.wants_to_know(seconds_since(shown_))) {
         shown_ = Clock::now();
         progress_.part = part;
         progress_.steps = steps;

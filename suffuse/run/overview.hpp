@@ -18,8 +18,10 @@ public:
     /// Hands `progress` on with the counts of the whole run; one call at a time.
     void show(Progress progress);
 
-    /// Whether anybody watches.
-    [[nodiscard]] bool is_watched() const { return static_cast<bool>(options_.on_progress); }
+    /// Whether somebody wants to know how far a stage is, so long after having been told [s].
+    [[nodiscard]] bool wants_to_know(double seconds) const {
+        return options_.on_progress && seconds > options_.progress_interval;
+    }
 
     /// Appends to the events of the run; a sample that is run alone has its own.
     void tell(nlohmann::json event) const;

@@ -151,6 +151,7 @@ TEST_F(FinesStudy, ARemovalThatIsStoppedEndsWithTheSameBits) {
     std::atomic<bool> stop{false};
     run::RunOptions options;
     options.stop = &stop;
+    options.progress_interval = 0;
     options.on_progress = [&](const run::Progress& progress) { // the stage before the removal: it meets the stop
         stop = stop || (progress.stage_finished && progress.stage == "loose" && progress.sample == 2);
     };

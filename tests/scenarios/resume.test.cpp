@@ -65,6 +65,7 @@ TEST(Resume, AfterStopsInTheMiddleOfStagesTheBitsAreTheSame) {
         run::RunOptions options;
         options.stop = &stop;
         int left = pulses;
+        options.progress_interval = 0;
         options.on_progress = [&](const run::Progress&) {
             if (--left <= 0) {
                 stop = true;
@@ -122,6 +123,7 @@ TEST(Resume, OfAnErosionKeepsWhatIsInfinite) {
     std::atomic<bool> stop{false};
     run::RunOptions options;
     options.stop = &stop;
+    options.progress_interval = 0;
     options.on_progress = [&](const run::Progress&) {
         stop = std::filesystem::exists(broken / "run/studies/s/erosion/partial.h5");
     };
@@ -144,6 +146,7 @@ TEST(Resume, WhatAnotherVersionSavedInTheMiddleOfAStageIsRefusedOrSaidToBeOfIt) 
     std::atomic<bool> stop{false};
     run::RunOptions options;
     options.stop = &stop;
+    options.progress_interval = 0;
     options.on_progress = [&](const run::Progress& progress) {
         stop = progress.stage == "initial" && progress.steps > 0;
     };
@@ -195,6 +198,7 @@ TEST(Resume, ALineThatTheLogCannotTakeFailsNoStage) {
     const std::filesystem::path log = folder / "run/events.jsonl";
     run::RunOptions options;
     bool is_first = true;
+    options.progress_interval = 0;
     options.on_progress = [&](const run::Progress&) {
         if (std::exchange(is_first, false)) {
             std::filesystem::rename(log, folder / "run/earlier.jsonl");
@@ -232,6 +236,7 @@ TEST(Resume, InTheMiddleOfAStageIsRefusedFromAStateThatWasChanged) {
     std::atomic<bool> stop{false};
     run::RunOptions options;
     options.stop = &stop;
+    options.progress_interval = 0;
     options.on_progress = [&](const run::Progress& progress) {
         stop = progress.stage == "initial" && progress.steps > 0;
     };
