@@ -18,7 +18,12 @@ thread_local bool inside_a_loop = false; // a loop within a loop runs on the thr
 
 // 40 to 200 microseconds: longer than what a thread waits for within a step of 10,000 grains, shorter than a time
 // slice.
-constexpr std::size_t spins_before_sleep = 4000;
+constexpr std::size_t spins_before_sleep = 4000, spins_before_late_help = 1500;
+constexpr int loops_in_haste_after_late_help = 2000; // some time slices of loops within a step
+
+std::size_t first_block(std::size_t thread, std::size_t blocks, std::size_t threads) {
+    return blocks * thread / threads;
+}
 
 /// Tells the processor that a thread only looks whether something has changed.
 void look_again_later() {
@@ -55,7 +60,7 @@ private:
 };
 
 /// Threads that wait for loops. Each has a contiguous share of the blocks, for its cache's sake, and helps the others
-/// when it is done: a thread that the machine has put aside delays nobody.
+/// when it is done, or a while later: a thread that the machine has put aside delays nobody for long.
 class Pool {
 public:
     explicit Pool(int threads) : shares_(static_cast<std::size_t>(threads)) {
@@ -76,19 +81,23 @@ public:
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
 
-    void run(std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body) {
+    void run(std::size_t blocks, Help help, const std::function<void(std::size_t, std::size_t)>& body) {
         expects(blocks <= Share::block_mask, "a parallel loop has more blocks than a share can count");
         body_ = &body;
+        at_once_ = help == Help::AtOnce || loops_in_haste_ > 0;
+        loops_in_haste_ = std::max(0, loops_in_haste_ - 1);
         left_.store(blocks);
         const std::uint32_t loop = generation_.load() + 1;
         for (std::size_t t = 0; t < shares_.size(); ++t) {
-            shares_[t].open(loop, blocks * t / shares_.size(), blocks * (t + 1) / shares_.size());
+            shares_[t].open(loop, first_block(t, blocks, shares_.size()), first_block(t + 1, blocks, shares_.size()));
         }
         generation_.fetch_add(1);
         generation_.notify_all();
         work(0);
         for (std::size_t left = left_.load(), spin = 0; left != 0; left = left_.load()) {
-            if (++spin > spins_before_sleep) {
+            if (++spin == spins_before_late_help) {
+                help_late(0);
+            } else if (spin > spins_before_sleep) {
                 left_.wait(left);
             }
             look_again_later();
@@ -99,16 +108,39 @@ public:
     }
 
 private:
-    /// Own share first, then the others'.
     void work(std::size_t thread) {
+        do_blocks_of(shares_[thread]);
+        if (at_once_) {
+            help_others(thread);
+        }
+    }
+
+    /// A machine that has put one thread aside soon does so again.
+    void help_late(std::size_t thread) {
+        if (help_others(thread)) {
+            loops_in_haste_ = loops_in_haste_after_late_help;
+        }
+    }
+
+    /// @return whether there was something to help with
+    bool help_others(std::size_t thread) {
+        bool helped = false;
+        for (std::size_t k = 1; k < shares_.size(); ++k) {
+            helped |= do_blocks_of(shares_[(thread + k) % shares_.size()]);
+        }
+        return helped;
+    }
+
+    /// @return whether there were any
+    bool do_blocks_of(Share& share) {
+        bool some = false;
         inside_a_loop = true;
-        for (std::size_t k = 0; k < shares_.size(); ++k) {
-            Share& share = shares_[(thread + k) % shares_.size()];
-            while (const std::optional<std::size_t> block = share.claim()) {
-                do_block(*block);
-            }
+        while (const std::optional<std::size_t> block = share.claim()) {
+            do_block(*block);
+            some = true;
         }
         inside_a_loop = false;
+        return some;
     }
 
     void do_block(std::size_t block) {
@@ -129,7 +161,9 @@ private:
         for (;;) {
             std::uint32_t now = generation_.load();
             for (std::size_t spin = 0; now == seen; now = generation_.load()) {
-                if (++spin > spins_before_sleep) {
+                if (++spin == spins_before_late_help) {
+                    help_late(thread);
+                } else if (spin > spins_before_sleep) {
                     generation_.wait(seen);
                 }
                 look_again_later();
@@ -149,6 +183,8 @@ private:
     std::atomic<std::uint32_t> generation_{0};
     std::atomic<std::size_t> left_{0};
     std::atomic<bool> failed_{false}, stop_{false};
+    std::atomic<bool> at_once_{true};
+    std::atomic<int> loops_in_haste_{0};
 };
 
 std::atomic<int> requested_threads = 1;
@@ -212,11 +248,11 @@ private:
 thread_local Crew* Crew::own_crew = nullptr;
 
 /// On the calling thread where there is no pool, or where another thread has it: no result depends on that.
-void run_in(Pool* threads, std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body) {
+void run_in(Pool* threads, std::size_t blocks, Help help, const std::function<void(std::size_t, std::size_t)>& body) {
     if (threads == nullptr) {
         return body(0, blocks);
     }
-    threads->run(blocks, body);
+    threads->run(blocks, help, body);
 }
 
 /// The tasks of one `run_side_by_side`: whoever is free takes the next.
@@ -273,7 +309,16 @@ void set_thread_count(int threads) {
     idle_pool = pool.get();
 }
 
-void detail::run_blocks(std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body) {
+std::size_t home_of(std::size_t block, std::size_t blocks) {
+    const auto threads = static_cast<std::size_t>(thread_count());
+    std::size_t thread = block * threads / blocks;
+    while (first_block(thread + 1, blocks, threads) <= block) {
+        ++thread;
+    }
+    return thread;
+}
+
+void detail::run_blocks(std::size_t blocks, Help help, const std::function<void(std::size_t, std::size_t)>& body) {
     if (blocks == 0) {
         return;
     }
@@ -281,10 +326,10 @@ void detail::run_blocks(std::size_t blocks, const std::function<void(std::size_t
         return body(0, blocks);
     }
     if (Crew::own_crew != nullptr) {
-        return run_in(Crew::own_crew->pool(), blocks, body);
+        return run_in(Crew::own_crew->pool(), blocks, help, body);
     }
     const PoolForOneLoop threads;
-    run_in(threads.get(), blocks, body);
+    run_in(threads.get(), blocks, help, body);
 }
 
 void run_side_by_side(std::size_t tasks, int at_once, const std::function<void(std::size_t)>& task) {

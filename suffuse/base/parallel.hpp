@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace suffuse {
@@ -17,9 +18,19 @@ namespace suffuse {
 int thread_count();
 void set_thread_count(int threads);
 
+/// Which of the threads of this moment has `block` in its share of a loop over `blocks`.
+std::size_t home_of(std::size_t block, std::size_t blocks);
+
+/// When a thread that has done its share of a loop takes blocks of another's.
+enum class Help {
+    AtOnce,
+    Late, ///< when the other seems to have been put aside: what a block works on lies in the cache of its own thread,
+          ///< and to bring it from there may take longer than the work
+};
+
 namespace detail {
 /// Calls `body(first, last)` over [0, blocks) cut into one contiguous run of blocks per thread.
-void run_blocks(std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body);
+void run_blocks(std::size_t blocks, Help help, const std::function<void(std::size_t, std::size_t)>& body);
 } // namespace detail
 
 /// Calls `task(0)`, `task(1)`, ... each once, started in this order and at most `at_once` of them at a time, each on a
@@ -31,14 +42,19 @@ void run_side_by_side(std::size_t tasks, int at_once, const std::function<void(s
 
 /// Calls `body(first, last)` on consecutive ranges of at most `block` rows that cover [0, rows).
 template <class Body>
-void parallel_for(std::size_t rows, std::size_t block, Body&& body) {
+void parallel_for(std::size_t rows, std::size_t block, Help help, Body&& body) {
     const std::size_t blocks = (rows + block - 1) / block;
     auto loop = [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
             body(b * block, std::min(rows, (b + 1) * block));
         }
     };
-    detail::run_blocks(blocks, std::ref(loop)); // a reference: nothing is allocated
+    detail::run_blocks(blocks, help, std::ref(loop)); // a reference: nothing is allocated
+}
+
+template <class Body>
+void parallel_for(std::size_t rows, std::size_t block, Body&& body) {
+    parallel_for(rows, block, Help::AtOnce, std::forward<Body>(body));
 }
 
 /// Gives every column `rows` rows, each on one of the threads: the first touch of fresh memory takes longer than much
@@ -59,7 +75,7 @@ template <class T, class Body, class Add = std::plus<>>
 T parallel_sum(std::size_t rows, std::size_t block, T zero, Body&& body, Add add = {}) {
     const std::size_t blocks = (rows + block - 1) / block;
     std::vector<T> partial(blocks, zero);
-    detail::run_blocks(blocks, [&](std::size_t begin, std::size_t end) {
+    detail::run_blocks(blocks, Help::AtOnce, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
             partial[b] = body(b * block, std::min(rows, (b + 1) * block));
         }

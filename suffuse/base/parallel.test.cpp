@@ -50,6 +50,23 @@ TEST_F(Parallel, EveryRowIsVisitedOnce) {
     EXPECT_EQ(*std::max_element(visits.begin(), visits.end()), 1);
 }
 
+TEST_F(Parallel, AThreadThatIsHeldUpIsHelpedAtOnceOrLate) {
+    set_thread_count(2);
+    for (const Help help : {Help::AtOnce, Help::Late}) {
+        for (const std::size_t held_up : {std::size_t{0}, std::size_t{2}}) { // the first block of one thread's share
+            std::atomic<int> done = 0;
+            const auto body = [&](std::size_t begin, std::size_t) {
+                while (begin == held_up && done < 3) {
+                    std::this_thread::yield();
+                }
+                ++done;
+            };
+            parallel_for(4, 1, help, body);
+            EXPECT_EQ(done, 4);
+        }
+    }
+}
+
 TEST_F(Parallel, AnErrorInAWorkerReachesTheCaller) {
     set_thread_count(2);
     const auto body = [](std::size_t begin, std::size_t) {

@@ -237,28 +237,31 @@ add_to_grains(const DomainWork<Real>& w, std::size_t begin, std::size_t rows, Ti
     }
 }
 
-/// Asks for the second grains of the tile to come, and their sums: they lie all over the table of grains, while the
-/// first ones follow each other.
+/// Asks for the second grain of a contact to come, and for its sums.
 template <class Real>
-[[gnu::always_inline]] inline void fetch_ahead(const DomainWork<Real>& w, std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-        const auto* row = reinterpret_cast<const char*>(&w.grains[w.second[c]]);
-        __builtin_prefetch(row);
-        __builtin_prefetch(row + sizeof(grains::MovingRow) - 1);
-        __builtin_prefetch(&w.sums[w.second_sum[c]], 1);
-    }
+[[gnu::always_inline]] inline void fetch_second(const DomainWork<Real>& w, std::size_t c) {
+    const auto* row = reinterpret_cast<const char*>(&w.grains[w.second[c]]);
+    __builtin_prefetch(row);
+    __builtin_prefetch(row + sizeof(grains::MovingRow) - 1);
+    __builtin_prefetch(&w.sums[w.second_sum[c]], 1);
 }
 
 /// `Springs`: contacts have more than a normal force.
 template <bool Springs, bool Adhesive, bool Twisting, class Real>
-[[gnu::always_inline]] inline void
-press(const DomainWork<Real>& w, std::size_t begin, std::size_t end, StressSum& stress) {
+[[gnu::always_inline]] inline void press(const DomainWork<Real>& w, const DomainRows& domain, StressSum& stress) {
     Tile<Real> tile;
-    for (std::size_t c = begin; c < end; c += tile_rows) {
-        const std::size_t rows = std::min(tile_rows, end - c);
+    auto far = domain.far.begin();
+    for (std::size_t c = domain.begin; c < domain.end; c += tile_rows) {
+        const std::size_t rows = std::min(tile_rows, domain.end - c);
         load<Springs>(w, c, rows, tile);
-        if (w.beyond_cache) {
-            fetch_ahead(w, c + rows, std::min(c + rows + tile_rows, end));
+        // The second grains of the tile to come lie all over the table of grains, while the first ones follow each
+        // other.
+        const std::size_t next = c + rows, next_end = std::min(next + tile_rows, domain.end);
+        for (std::size_t k = next; w.beyond_cache && k < next_end; ++k) {
+            fetch_second(w, k);
+        }
+        for (; !w.beyond_cache && far != domain.far.end() && *far < next_end; ++far) {
+            fetch_second(w, *far);
         }
         find_geometry(w.exact_law, rows, tile);
         if constexpr (Springs) {
@@ -281,11 +284,11 @@ press(const DomainWork<Real>& w, std::size_t begin, std::size_t end, StressSum& 
 
 // The loops: for each precision, without and with what a sample may need.
 #define SUFFUSE_CONTACT_LOOP(name, springs, adhesive, twisting)                                                        \
-    SUFFUSE_CLONES void name(const DomainWork<double>& w, std::size_t begin, std::size_t end, StressSum& stress) {     \
-        press<springs, adhesive, twisting>(w, begin, end, stress);                                                     \
+    SUFFUSE_CLONES void name(const DomainWork<double>& w, const DomainRows& domain, StressSum& stress) {               \
+        press<springs, adhesive, twisting>(w, domain, stress);                                                         \
     }                                                                                                                  \
-    SUFFUSE_CLONES void name(const DomainWork<float>& w, std::size_t begin, std::size_t end, StressSum& stress) {      \
-        press<springs, adhesive, twisting>(w, begin, end, stress);                                                     \
+    SUFFUSE_CLONES void name(const DomainWork<float>& w, const DomainRows& domain, StressSum& stress) {                \
+        press<springs, adhesive, twisting>(w, domain, stress);                                                         \
     }
 
 SUFFUSE_CONTACT_LOOP(press_normals, false, false, false)

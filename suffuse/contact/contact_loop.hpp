@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace suffuse::contact {
 
@@ -40,9 +41,15 @@ struct StressSum {
     std::uint64_t wild = 0;
 };
 
-/// Presses the contacts of the rows from `begin` to `end`: updates their memory, adds to the sums of their grains.
+/// Rows of the contact table.
+struct DomainRows {
+    std::size_t begin, end;
+    std::span<const std::uint32_t> far; ///< of them, those whose second grain may lie in the cache of another core
+};
+
+/// Presses the contacts of a domain: updates their memory, adds to the sums of their grains.
 template <class Real>
-using DomainLoop = void (*)(const DomainWork<Real>&, std::size_t, std::size_t, StressSum&);
+using DomainLoop = void (*)(const DomainWork<Real>&, const DomainRows&, StressSum&);
 
 /// The loop that leaves out what no contact of the sample has. @param normals_only contacts can only push
 template <class Real>

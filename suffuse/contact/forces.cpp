@@ -80,13 +80,13 @@ Pressed press_contacts(
         choose_loop<Real>(setting.normals_only, !memory.bonded.empty(), !memory.twisting.x.empty());
     StressSum total;
     std::mutex adding; // integers: the order does not matter
-    parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
+    parallel_for(plan.domains(), 1, Help::Late, [&](std::size_t first, std::size_t last) {
         StressSum part;
         for (std::size_t d = first; d < last; ++d) {
             for (std::size_t k = d * plan.domain_grains; k < plan.awake_end[d]; ++k) {
                 sums[plan.roster[k]] = {}; // now, so that the loop finds them in the cache
             }
-            press_loop(work, plan.domain_start[d], plan.domain_start[d + 1], part);
+            press_loop(work, {plan.domain_start[d], plan.domain_start[d + 1], plan.far[d]}, part);
             if (sequel != nullptr) {
                 go_on_after(d, plan, *sequel);
             }

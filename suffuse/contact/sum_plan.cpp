@@ -108,6 +108,24 @@ void plan_remote_rows(const Contacts& contacts, SumPlan& plan) {
     });
 }
 
+/// With one thread there are none.
+void plan_far_rows(const Contacts& contacts, SumPlan& plan) {
+    const std::size_t domains = plan.domains();
+    plan.far.resize(domains);
+    for_each_domain(plan, [&](std::size_t d) {
+        plan.far[d].clear();
+        std::size_t end = d; // of the domains of this thread
+        while (end < domains && home_of(end, domains) == home_of(d, domains)) {
+            ++end;
+        }
+        for (std::size_t c = plan.domain_start[d]; end < domains && c < plan.domain_start[d + 1]; ++c) {
+            if (contacts.second[c] >= end * plan.domain_grains) {
+                plan.far[d].push_back(static_cast<std::uint32_t>(c));
+            }
+        }
+    });
+}
+
 /// Who is in a row of the table: a first grain, a second of the same domain, or one that its domain collects for.
 void plan_roster(const Contacts& contacts, SumPlan& plan) {
     plan.roster.resize(plan.grains);
@@ -146,6 +164,7 @@ void plan_sums(const Contacts& contacts, std::size_t grains, SumPlan& plan) {
     plan_domains(contacts, plan);
     plan_images(contacts, plan);
     plan_remote_rows(contacts, plan);
+    plan_far_rows(contacts, plan);
     plan_roster(contacts, plan);
 }
 

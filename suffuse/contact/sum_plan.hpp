@@ -19,18 +19,20 @@ constexpr std::size_t domain_size(std::size_t grains) {
 struct SumPlan {
     std::size_t grains = 0;
     std::size_t domain_grains = domain_size(0);
-    std::vector<std::uint32_t> domain_start; ///< first contact row of each domain, and the end
-    std::vector<std::uint32_t> second_sum;   ///< for each contact, the row of the sums for its second grain's share
-    std::vector<std::uint32_t> remote;       ///< for each row of the sums beyond those of the grains, its grain: a
-                                             ///< domain's follow each other, in the order in which it collects them
-    std::vector<std::uint32_t> remote_start; ///< first of each domain's, and the end
-    std::vector<std::uint32_t> reach;        ///< the domains whose grains each domain's contacts reach, its own too
-    std::vector<std::uint32_t> reach_start;  ///< first of each domain's, and the end
-    std::vector<std::uint32_t> reached_by;   ///< for each domain, how many reach it
-    std::vector<std::uint32_t> roster;       ///< the grains of each domain, those of some row of the table first
-    std::vector<std::uint32_t> awake_end;    ///< for each domain, the end of those first ones
-    std::vector<std::uint16_t> image;        ///< for each contact, its row of `images`
-    std::vector<cell::Image> images;         ///< those that occur
+    std::vector<std::uint32_t> domain_start;     ///< first contact row of each domain, and the end
+    std::vector<std::uint32_t> second_sum;       ///< for each contact, the row of the sums for its second grain's share
+    std::vector<std::uint32_t> remote;           ///< for each row of the sums beyond those of the grains, its grain: a
+                                                 ///< domain's follow each other, in the order in which it collects them
+    std::vector<std::uint32_t> remote_start;     ///< first of each domain's, and the end
+    std::vector<std::uint32_t> reach;            ///< the domains whose grains each domain's contacts reach, its own too
+    std::vector<std::uint32_t> reach_start;      ///< first of each domain's, and the end
+    std::vector<std::uint32_t> reached_by;       ///< for each domain, how many reach it
+    std::vector<std::uint32_t> roster;           ///< the grains of each domain, those of some row of the table first
+    std::vector<std::uint32_t> awake_end;        ///< for each domain, the end of those first ones
+    std::vector<std::vector<std::uint32_t>> far; ///< for each domain, its contacts whose second grain lies in the
+                                                 ///< domain of another thread, as the threads are when the plan is made
+    std::vector<std::uint16_t> image; ///< for each contact, its row of `images`
+    std::vector<cell::Image> images;  ///< those that occur
 
     [[nodiscard]] std::size_t domains() const { return domain_start.size() - 1; }
 

@@ -11,7 +11,12 @@ namespace {
 
 /// Adds to the grains of domain `d` what other domains exert on them, in the order of the table.
 [[gnu::always_inline]] inline void collect(const GrainMove& w, std::size_t d) {
-    for (std::uint32_t k = w.remote_start[d]; k < w.remote_start[d + 1]; ++k) {
+    constexpr std::uint32_t ahead = 24;
+    const std::uint32_t end = w.remote_start[d + 1];
+    for (std::uint32_t k = w.remote_start[d]; k < end; ++k) {
+        if (w.asks_ahead) {
+            __builtin_prefetch(&w.sums[w.grains + std::min(k + ahead, end - 1)], 1);
+        }
         grains::GrainSum &share = w.sums[w.grains + k], &sum = w.sums[w.remote[k]];
         sum.force += share.force;
         sum.torque += share.torque;
@@ -50,6 +55,15 @@ move_tile(const motion::MotionOf<Double4, Matrix>& motion, const GrainMove& w, s
     }
 }
 
+/// Asks for grains to come: others look at some of them while they press, and have them in their cache.
+[[gnu::always_inline]] inline void ask_for_rows(const GrainMove& w, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+        const auto* row = reinterpret_cast<const char*>(&w.rows[w.roster[k]]);
+        __builtin_prefetch(row, 1);
+        __builtin_prefetch(row + sizeof(grains::MovingRow) - 1, 1);
+    }
+}
+
 /// By tiles: what one grain takes from its force to its watch is a long chain, and two loops keep the processor busier
 /// with several grains than one.
 template <bool Turning, class Matrix>
@@ -63,6 +77,9 @@ template <bool Turning, class Matrix>
     const std::size_t end = w.only_awake ? w.awake_end[d] : std::min(w.grains, (d + 1) * w.domain_grains);
     for (std::size_t tile = d * w.domain_grains; tile < end; tile += tile_grains) {
         const std::size_t tile_end = std::min(end, tile + tile_grains);
+        if (w.asks_ahead) {
+            ask_for_rows(w, tile_end, std::min(end, tile_end + tile_grains));
+        }
         move_tile<Turning>(motion, w, tile, tile_end);
         for (std::size_t k = tile; k < tile_end; ++k) {
             const std::uint32_t g = w.roster[k];
@@ -147,6 +164,7 @@ GrainMove plan_move(
         only_awake,
         rows.data(),
         sums.data(),
+        thread_count() > 1,
         turning,
         is_diagonal(step.old_gradient) && is_diagonal(step.change) && is_diagonal(mean_motion),
         motion::in_lanes(step),

@@ -124,7 +124,7 @@ void move_one_domain(StepCaches& caches, std::size_t domain) {
 }
 
 void move_all(StepCaches& caches) {
-    parallel_for(caches.neighborhood.sum_plan().domains(), 1, [&](std::size_t begin, std::size_t end) {
+    parallel_for(caches.neighborhood.sum_plan().domains(), 1, Help::Late, [&](std::size_t begin, std::size_t end) {
         for (std::size_t d = begin; d < end; ++d) {
             move_one_domain(caches, d);
         }
