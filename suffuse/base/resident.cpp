@@ -7,6 +7,10 @@
 #include <fstream>
 #include <string>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace suffuse {
 namespace {
 
@@ -30,6 +34,12 @@ std::int64_t resident_bytes() {
 
 std::int64_t peak_resident_bytes() {
     return status_bytes("VmHWM");
+}
+
+void trim_heap() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
 }
 
 void forget_peak() {

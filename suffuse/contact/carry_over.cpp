@@ -16,7 +16,7 @@ struct Source {
     float sign;        ///< -1 where the two grains changed places
 };
 
-neighbors::Pair pair_of(const Contacts& contacts, std::size_t c) {
+neighbors::Pair pair_of(const ContactPairs& contacts, std::size_t c) {
     return {contacts.first[c], contacts.second[c], contacts.image[c]};
 }
 
@@ -51,7 +51,8 @@ public:
         }
     }
 
-    void put_into(Contacts& table, const OptionalMemory& memory) const {
+    template <class Real>
+    void put_into(ContactPairs& table, MemoryOf<Real>& memory, const OptionalMemory& optional) const {
         table.first.resize(rows_);
         table.second.resize(rows_);
         table.image.resize(rows_);
@@ -61,21 +62,21 @@ public:
             std::ranges::copy(run.second, table.second.begin() + at);
             std::ranges::copy(run.image, table.image.begin() + at);
         });
-        std::vector<double> spare; // lends its storage to one column after the other
-        rearrange(table.shear_force, spare);
-        rearrange(table.bending, spare);
-        rearrange(table.normal, spare);
-        rearrange(table.overlap, false, spare);
-        if (memory.twisting) {
-            rearrange(table.twisting, spare);
+        std::vector<Real> spare; // lends its storage to one column after the other
+        rearrange(memory.shear_force, spare);
+        rearrange(memory.bending, spare);
+        rearrange(memory.normal, spare);
+        rearrange(memory.overlap, false, spare);
+        if (optional.twisting) {
+            rearrange(memory.twisting, spare);
         } else {
-            table.twisting.clear();
+            memory.twisting.clear();
         }
         std::vector<std::uint8_t> bonded;
-        if (memory.bonds) {
-            rearrange(table.bonded, false, bonded);
+        if (optional.bonds) {
+            rearrange(memory.bonded, false, bonded);
         } else {
-            table.bonded = {};
+            memory.bonded = {};
         }
     }
 
@@ -103,7 +104,8 @@ private:
         std::swap(column, spare);
     }
 
-    void rearrange(VectorColumn& column, std::vector<double>& spare) const {
+    template <class Real>
+    void rearrange(VectorColumnOf<Real>& column, std::vector<Real>& spare) const {
         rearrange(column.x, true, spare);
         rearrange(column.y, true, spare);
         rearrange(column.z, true, spare);
@@ -115,9 +117,10 @@ private:
 };
 
 /// The wanted pairs of the first grains `begin` to `end`, and those of the rows `row` to `last_row` that touch.
+template <class Real>
 NewRows merge(
-    const Contacts& table, std::size_t row, std::size_t last_row, const neighbors::PairList& pairs, std::size_t begin,
-    std::size_t end, std::span<const std::uint8_t> wanted
+    const ContactPairs& table, const MemoryOf<Real>& memory, std::size_t row, std::size_t last_row,
+    const neighbors::PairList& pairs, std::size_t begin, std::size_t end, std::span<const std::uint8_t> wanted
 ) {
     NewRows rows;
     const std::size_t first_pair = pairs.start_of(begin), seen = pairs.start_of(end) - first_pair;
@@ -126,7 +129,7 @@ NewRows merge(
     );
     const auto keep_touching_before = [&](auto&& is_before) {
         for (; row < last_row && is_before(pair_of(table, row)); ++row) {
-            if (table.touches(row)) {
+            if (memory.touches(row)) {
                 rows.append(pair_of(table, row), {static_cast<std::uint32_t>(row), 1});
             }
         }
@@ -145,13 +148,10 @@ NewRows merge(
 
 } // namespace
 
-OptionalMemory optional_memory(const Contacts& contacts) {
-    return {contacts.twisting.size() > 0, !contacts.bonded.empty()};
-}
-
+template <class Real>
 void carry_over(
-    Contacts& table, const neighbors::PairList& pairs, std::span<const std::uint8_t> wanted,
-    const OptionalMemory& memory
+    ContactPairs& table, MemoryOf<Real>& memory, const neighbors::PairList& pairs, std::span<const std::uint8_t> wanted,
+    const OptionalMemory& optional
 ) {
     // A run of the table for each run of first grains, the last one to the table's end.
     constexpr std::size_t run_grains = 1024;
@@ -163,10 +163,22 @@ void carry_over(
         };
         for (std::size_t r = first; r < last; ++r) {
             const std::size_t begin = r * run_grains, end = std::min(pairs.grains(), begin + run_grains);
-            runs[r] = merge(table, start(r), start(r + 1), pairs, begin, end, wanted);
+            runs[r] = merge(table, memory, start(r), start(r + 1), pairs, begin, end, wanted);
         }
     });
-    Runs(std::move(runs)).put_into(table, memory);
+    Runs(std::move(runs)).put_into(table, memory, optional);
+}
+
+template void
+carry_over(ContactPairs&, MemoryOf<double>&, const neighbors::PairList&, std::span<const std::uint8_t>, const OptionalMemory&);
+template void
+carry_over(ContactPairs&, MemoryOf<float>&, const neighbors::PairList&, std::span<const std::uint8_t>, const OptionalMemory&);
+
+void carry_over(
+    Contacts& table, const neighbors::PairList& pairs, std::span<const std::uint8_t> wanted,
+    const OptionalMemory& optional
+) {
+    carry_over(table, table, pairs, wanted, optional);
 }
 
 Contacts touching_rows(const Contacts& contacts) {
@@ -204,7 +216,7 @@ Contacts renumbered(const Contacts& contacts, std::span<const std::uint32_t> new
     Contacts table = contacts;
     std::vector<NewRows> one_run;
     one_run.push_back(std::move(rows));
-    Runs(std::move(one_run)).put_into(table, optional_memory(contacts));
+    Runs(std::move(one_run)).put_into(table, table, optional_memory(contacts));
     return table;
 }
 

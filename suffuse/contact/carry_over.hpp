@@ -16,14 +16,24 @@ struct OptionalMemory {
     bool operator==(const OptionalMemory&) const = default;
 };
 
-OptionalMemory optional_memory(const Contacts& contacts);
+template <class Real>
+OptionalMemory optional_memory(const MemoryOf<Real>& memory) {
+    return {memory.twisting.size() > 0, !memory.bonded.empty()};
+}
 
 /// Makes `table` (sorted) the table of the `pairs`, with the memory that it has of them. Pairs that touch stay
 /// in it whether or not they are among `pairs`. Column after column is replaced, so that no second table is needed.
 /// @param wanted for each pair 1, or 0 to leave it out; empty: all
 void carry_over(
     Contacts& table, const neighbors::PairList& pairs, std::span<const std::uint8_t> wanted,
-    const OptionalMemory& memory
+    const OptionalMemory& optional
+);
+
+/// The same where the memory of the table's rows is elsewhere.
+template <class Real>
+void carry_over(
+    ContactPairs& table, MemoryOf<Real>& memory, const neighbors::PairList& pairs, std::span<const std::uint8_t> wanted,
+    const OptionalMemory& optional
 );
 
 /// Only the pairs that touch: all that a saved state needs.

@@ -1,30 +1,29 @@
 #include "suffuse/contact/forces.hpp"
 
+#include "suffuse/base/large_pages.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/contact/contact_loop.hpp"
 
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 namespace suffuse::contact {
 namespace {
 
-constexpr std::size_t cached_grains = 20'000; // about 160 bytes each, in the cache next to a core
-
-/// `columns` of Contacts or SingleMemory.
-template <class Real, class Columns>
-MemoryColumns<Real> pointers(Columns& m) {
+template <class Real>
+MemoryColumns<Real> pointers(MemoryOf<Real>& m) {
     return {m.shear_force.x.data(), m.shear_force.y.data(), m.shear_force.z.data(), m.bending.x.data(),
             m.bending.y.data(),     m.bending.z.data(),     m.normal.x.data(),      m.normal.y.data(),
             m.normal.z.data(),      m.twisting.x.data(),    m.twisting.y.data(),    m.twisting.z.data(),
             m.overlap.data(),       m.bonded.data()};
 }
 
-/// Calls `visit` on every column of memory of the two tables.
-template <class Table, class Single, class Visit>
-void for_each_memory(Table& contacts, Single& single, Visit&& visit) {
-    const auto each = [&](auto& a, auto& b) {
+/// Calls `visit` on every column of memory of the two tables that is known to the precision of its table.
+template <class Visit>
+void for_each_column(MemoryOf<double>& contacts, SingleMemory& single, Visit&& visit) {
+    const auto each = [&](VectorColumn& a, VectorColumnOf<float>& b) {
         visit(a.x, b.x);
         visit(a.y, b.y);
         visit(a.z, b.z);
@@ -34,6 +33,14 @@ void for_each_memory(Table& contacts, Single& single, Visit&& visit) {
     each(contacts.normal, single.normal);
     each(contacts.twisting, single.twisting);
     visit(contacts.overlap, single.overlap);
+}
+
+/// Nothing is left of `from`: at no time is there room for two tables.
+template <class From, class To>
+void move_column(std::vector<From>& from, std::vector<To>& to) {
+    reserve_in_large_pages(to, from.size());
+    to.assign(from.begin(), from.end());
+    from = std::vector<From>();
 }
 
 /// A domain is through: those that it reaches wait for one less.
@@ -46,10 +53,10 @@ void go_on_after(std::size_t domain, const SumPlan& plan, DomainSequel& sequel) 
     }
 }
 
-template <class Real, class Memory>
+template <class Real>
 Pressed press_contacts(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
-    const LawConstants& law, const Contacts& contacts, Memory& memory, std::vector<grains::GrainSum>& sums,
+    const LawConstants& law, const ContactPairs& contacts, MemoryOf<Real>& memory, std::vector<grains::GrainSum>& sums,
     DomainSequel* sequel
 ) {
     if (sequel != nullptr) {
@@ -74,10 +81,10 @@ Pressed press_contacts(
         largest_force,
         setting.looked_at,
         grains.size() > cached_grains,
-        pointers<Real>(memory),
+        pointers(memory),
         sums.data()};
     const DomainLoop<Real> press_loop =
-        choose_loop<Real>(setting.normals_only, !memory.bonded.empty(), !memory.twisting.x.empty());
+        choose_loop<Real>(setting.normals_only, !memory.bonded.empty(), memory.twisting.size() > 0);
     StressSum total;
     std::mutex adding; // integers: the order does not matter
     parallel_for(plan.domains(), 1, Help::Late, [&](std::size_t first, std::size_t last) {
@@ -120,18 +127,14 @@ void set_up_step(
     }
 }
 
-void to_single(const Contacts& contacts, SingleMemory& single) {
-    for_each_memory(contacts, single, [](const std::vector<double>& from, std::vector<float>& to) {
-        to.assign(from.begin(), from.end());
-    });
-    single.bonded = contacts.bonded;
+void take_single(MemoryOf<double>& contacts, SingleMemory& single) {
+    for_each_column(contacts, single, [](std::vector<double>& from, std::vector<float>& to) { move_column(from, to); });
+    single.bonded = std::move(contacts.bonded);
 }
 
-void from_single(const SingleMemory& single, Contacts& contacts) {
-    for_each_memory(contacts, single, [](std::vector<double>& to, const std::vector<float>& from) {
-        to.assign(from.begin(), from.end());
-    });
-    contacts.bonded = single.bonded;
+void give_back_single(SingleMemory& single, MemoryOf<double>& contacts) {
+    for_each_column(contacts, single, [](std::vector<double>& to, std::vector<float>& from) { move_column(from, to); });
+    contacts.bonded = std::move(single.bonded);
 }
 
 Pressed compute_forces(
@@ -143,7 +146,7 @@ Pressed compute_forces(
 
 Pressed compute_forces(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
-    const LawConstants& law, const Contacts& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums,
+    const LawConstants& law, const ContactPairs& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums,
     DomainSequel* sequel
 ) {
     return press_contacts<float>(grains, plan, setting, law, contacts, memory, sums, sequel);

@@ -54,24 +54,16 @@ Pressed compute_forces(
     const LawConstants& law, Contacts& contacts, std::vector<grains::GrainSum>& sums, DomainSequel* sequel = nullptr
 );
 
-/// What contacts remember, in single precision: the columns of Contacts of the same names.
-struct SingleMemory {
-    struct Column {
-        std::vector<float> x, y, z;
-    };
+/// The contacts' memory in single precision, column after column; the table is left without.
+void take_single(MemoryOf<double>& contacts, SingleMemory& single);
 
-    Column shear_force, bending, normal, twisting;
-    std::vector<float> overlap;
-    std::vector<std::uint8_t> bonded;
-};
-
-void to_single(const Contacts& contacts, SingleMemory& single);
-void from_single(const SingleMemory& single, Contacts& contacts);
+/// The table has it again.
+void give_back_single(SingleMemory& single, MemoryOf<double>& contacts);
 
 /// The same with the memory and the law in single precision; distances, and sums over contacts, stay in double.
 Pressed compute_forces(
     const std::vector<grains::MovingRow>& grains, const SumPlan& plan, const StepSetting& setting,
-    const LawConstants& law, const Contacts& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums,
+    const LawConstants& law, const ContactPairs& contacts, SingleMemory& memory, std::vector<grains::GrainSum>& sums,
     DomainSequel* sequel = nullptr
 );
 

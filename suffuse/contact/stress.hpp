@@ -14,6 +14,13 @@ Vec3 affine_moduli(
     const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, const Mat3& h
 );
 
+/// The same where the memory of the contacts is elsewhere.
+template <class Real>
+Vec3 affine_moduli(
+    const grains::Grains& grains, const ContactPairs& contacts, const MemoryOf<Real>& memory,
+    const grains::Material& material, const Mat3& h
+);
+
 /// Normal stiffness kn of a pair of radii [N/m] (reference 1.2).
 constexpr double normal_stiffness(const grains::Material& material, double r1, double r2) {
     return 2 * material.modulus * r1 * r2 / (r1 + r2);

@@ -13,7 +13,7 @@ namespace {
 template <class Column>
 void resize_exactly(Column& column, std::size_t rows) {
     if (column.capacity() > rows + rows / 4) {
-        column = {};
+        column = Column();
     }
     column.resize(rows);
 }
@@ -28,7 +28,7 @@ void for_each_domain(const SumPlan& plan, Work&& work) {
     });
 }
 
-void plan_domains(const Contacts& contacts, SumPlan& plan) {
+void plan_domains(const ContactPairs& contacts, SumPlan& plan) {
     const std::size_t domains = (plan.grains + plan.domain_grains - 1) / plan.domain_grains;
     plan.domain_start.resize(domains + 1);
     for (std::size_t d = 0; d <= domains; ++d) {
@@ -38,7 +38,7 @@ void plan_domains(const Contacts& contacts, SumPlan& plan) {
 }
 
 /// Each domain numbers the images that it meets, the home period first; then all of them get one numbering.
-void plan_images(const Contacts& contacts, SumPlan& plan) {
+void plan_images(const ContactPairs& contacts, SumPlan& plan) {
     std::vector<std::vector<cell::Image>> met(plan.domains());
     resize_exactly(plan.image, contacts.size());
     for_each_domain(plan, [&](std::size_t d) {
@@ -62,7 +62,7 @@ void plan_images(const Contacts& contacts, SumPlan& plan) {
 }
 
 /// Rows of the sums for what other domains exert, in the order of the table.
-void plan_remote_rows(const Contacts& contacts, SumPlan& plan) {
+void plan_remote_rows(const ContactPairs& contacts, SumPlan& plan) {
     const std::size_t domains = plan.domains();
     const auto domain_of = [&](std::uint32_t grain) { return grain / plan.domain_grains; };
     std::vector<std::uint32_t> place(domains * domains); // of what goes from one domain to another: first its number
@@ -109,9 +109,12 @@ void plan_remote_rows(const Contacts& contacts, SumPlan& plan) {
 }
 
 /// With one thread there are none.
-void plan_far_rows(const Contacts& contacts, SumPlan& plan) {
+void plan_far_rows(const ContactPairs& contacts, SumPlan& plan) {
     const std::size_t domains = plan.domains();
     plan.far.resize(domains);
+    if (plan.grains > cached_grains) {
+        return;
+    }
     for_each_domain(plan, [&](std::size_t d) {
         plan.far[d].clear();
         std::size_t end = d; // of the domains of this thread
@@ -127,7 +130,7 @@ void plan_far_rows(const Contacts& contacts, SumPlan& plan) {
 }
 
 /// Who is in a row of the table: a first grain, a second of the same domain, or one that its domain collects for.
-void plan_roster(const Contacts& contacts, SumPlan& plan) {
+void plan_roster(const ContactPairs& contacts, SumPlan& plan) {
     plan.roster.resize(plan.grains);
     plan.awake_end.resize(plan.domains());
     for_each_domain(plan, [&](std::size_t d) {
@@ -158,7 +161,7 @@ void plan_roster(const Contacts& contacts, SumPlan& plan) {
 
 } // namespace
 
-void plan_sums(const Contacts& contacts, std::size_t grains, SumPlan& plan) {
+void plan_sums(const ContactPairs& contacts, std::size_t grains, SumPlan& plan) {
     plan.grains = grains;
     plan.domain_grains = domain_size(grains);
     plan_domains(contacts, plan);

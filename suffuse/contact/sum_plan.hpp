@@ -16,6 +16,9 @@ constexpr std::size_t domain_size(std::size_t grains) {
     return grains < 65'536 ? 1024 : 4096;
 }
 
+/// So many stay in the cache next to a core, about 160 bytes each.
+constexpr std::size_t cached_grains = 20'000;
+
 struct SumPlan {
     std::size_t grains = 0;
     std::size_t domain_grains = domain_size(0);
@@ -30,9 +33,10 @@ struct SumPlan {
     std::vector<std::uint32_t> roster;           ///< the grains of each domain, those of some row of the table first
     std::vector<std::uint32_t> awake_end;        ///< for each domain, the end of those first ones
     std::vector<std::vector<std::uint32_t>> far; ///< for each domain, its contacts whose second grain lies in the
-                                                 ///< domain of another thread, as the threads are when the plan is made
-    std::vector<std::uint16_t> image; ///< for each contact, its row of `images`
-    std::vector<cell::Image> images;  ///< those that occur
+                                                 ///< domain of another thread, as the threads are when the plan is
+                                                 ///< made; empty where there are more than `cached_grains`
+    std::vector<std::uint16_t> image;            ///< for each contact, its row of `images`
+    std::vector<cell::Image> images;             ///< those that occur
 
     [[nodiscard]] std::size_t domains() const { return domain_start.size() - 1; }
 
@@ -41,6 +45,6 @@ struct SumPlan {
 
 /// Makes the plan of a sorted table.
 /// @throws StateError where more than 65,535 different images occur: grains have drifted over that many periods.
-void plan_sums(const Contacts& contacts, std::size_t grains, SumPlan& plan);
+void plan_sums(const ContactPairs& contacts, std::size_t grains, SumPlan& plan);
 
 } // namespace suffuse::contact

@@ -1,3 +1,4 @@
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
@@ -5,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/lattices.hpp"
 #include "tests/support/worlds.hpp"
+#include <cmath>
 
 namespace suffuse::dem {
 namespace {
@@ -79,6 +82,42 @@ TEST(FastMode, GivesTheSameBitsForAnyThreadsAndHoweverTheStepsAreCut) {
     EXPECT_EQ(hash(2, 1), one);
     EXPECT_EQ(hash(1, 240), one); // as after a stop and a resume
     EXPECT_EQ(hash(3, 12), one);
+}
+
+/// 68,921 grains, so many that they are lent to a burst; each begins with a velocity of its own.
+World large_sample() {
+    World world = test::lattice_world(test::simple_cubic, 41, {});
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        const auto k = static_cast<double>(g);
+        world.grains.velocity[g] = {0.01 * std::sin(k), 0.01 * std::sin(2 * k), 0.01 * std::sin(3 * k)};
+    }
+    return world;
+}
+
+TEST(FastMode, GivesTheGrainsOfALargeSampleBackAfterEveryBurst) {
+    StepPlan plan = shearing(Mode::Fast);
+    World cut = large_sample(), whole = cut;
+    StepCaches cut_caches, caches;
+    advance(cut, cut_caches, plan, 3);
+    EXPECT_GT(norm(cut.grains.force[1000]), 0);
+    EXPECT_GT(measure_equilibrium(cut).contacts, 0);
+    advance(cut, cut_caches, plan, 5);
+    advance(whole, caches, plan, 8);
+    EXPECT_EQ(state_hash(cut), state_hash(whole));
+    plan.mode = Mode::Reference;
+    EXPECT_NO_THROW(advance(cut, cut_caches, plan, 1)); // which looks at the same caches
+}
+
+TEST(FastMode, LeavesAWholeTableOfASampleThatBlewUp) {
+    for (World world : {test::reference_packing("packing500"), large_sample()}) {
+        StepCaches caches;
+        StepPlan plan = shearing(Mode::Fast);
+        plan.dt = 1e-3;
+        EXPECT_THROW(advance(world, caches, plan, 1000), Error); // whichever comes first
+        EXPECT_EQ(world.grains.position.size(), world.grains.size());
+        EXPECT_EQ(world.grains.torque.size(), world.grains.size());
+        EXPECT_EQ(world.contacts.overlap.size(), world.contacts.size());
+    }
 }
 
 TEST(FastMode, ReachesAnUnbalancedForceFarBelowWhatABalanceAsksFor) {

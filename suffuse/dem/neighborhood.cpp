@@ -62,11 +62,11 @@ double rounding_of(const Vec3& position) {
 }
 
 /// What the watch measures the places of a domain's grains from.
-std::vector<Vec3> domain_origins(const grains::Grains& grains) {
-    const std::size_t domain_grains = contact::domain_size(grains.size());
+std::vector<Vec3> domain_origins(const MovingRows& rows) {
+    const std::size_t domain_grains = contact::domain_size(rows.size());
     std::vector<Vec3> origin;
-    for (std::size_t g = 0; g < grains.size(); g += domain_grains) {
-        origin.push_back(grains.position[g]);
+    for (std::size_t g = 0; g < rows.size(); g += domain_grains) {
+        origin.push_back(xyz(rows[g].position));
     }
     return origin;
 }
@@ -74,61 +74,66 @@ std::vector<Vec3> domain_origins(const grains::Grains& grains) {
 constexpr double rounded_down = 1 - 2.0 * std::numeric_limits<float>::epsilon();
 
 /// Pairs that do not touch.
-double count_idle(const contact::Contacts& contacts) {
-    return parallel_sum(contacts.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
+template <class Real>
+double count_idle(const contact::MemoryOf<Real>& memory) {
+    return parallel_sum(memory.overlap.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
         double idle = 0;
         for (std::size_t c = begin; c < end; ++c) {
-            idle += contacts.touches(c) ? 0 : 1;
+            idle += memory.touches(c) ? 0 : 1;
         }
         return idle;
     });
 }
 
-contact::OptionalMemory needed_memory(const World& world) {
-    const grains::Material& m = world.material;
+template <class Real>
+contact::OptionalMemory needed_memory(const grains::Material& m, const contact::MemoryOf<Real>& memory) {
     const bool some_bond =
-        std::any_of(world.contacts.bonded.begin(), world.contacts.bonded.end(), [](std::uint8_t bonded) {
-            return bonded != 0;
-        });
+        std::any_of(memory.bonded.begin(), memory.bonded.end(), [](std::uint8_t bonded) { return bonded != 0; });
     return {m.twisting_stiffness != 0, m.adhesion_normal > 0 || m.adhesion_shear > 0 || some_bond};
+}
+
+/// Whether the memory has all that the material needs, and no more.
+template <class Real>
+bool suits(const contact::MemoryOf<Real>& memory, const grains::Material& material) {
+    return contact::optional_memory(memory) == needed_memory(material, memory);
 }
 
 } // namespace
 
-bool Neighborhood::holds(const World& world, const Mat3& h) const {
+bool Neighborhood::holds(const World& world, const contact::SingleMemory* single, const Mat3& h) const {
     // A pair left out had |branch| > (1 + stretch) reach + both allowances. The mean motion shrinks the branch by the
     // strain at most; with strain <= stretch/(1 + stretch) and motions within (1 - stretch) allowance it stays above
     // the reach.
     return valid_ && strain_of(h * inverse_h_) <= stretch_ / (1 + stretch_) &&
-           contact::optional_memory(world.contacts) == needed_memory(world);
+           (single != nullptr ? suits(*single, world.material) : suits(world.contacts, world.material));
 }
 
-void Neighborhood::update(World& world, double dt) {
+void Neighborhood::update(World& world, const MovingRows& rows, contact::SingleMemory* single, double dt) {
     measure_grains(world);
-    const std::vector<double> allowance = allow_motion(world, dt);
-    if (!valid_ || !wide_list_reaches(world, allowance)) {
-        search(world, allowance);
+    const std::vector<double> allowance = allow_motion(world, rows, dt);
+    if (!valid_ || !wide_list_reaches(world, rows, allowance)) {
+        search(world, rows, allowance);
     }
-    make_table(world, allowance);
+    make_table(world, rows, single, allowance);
     valid_ = true;
-    look_at_sleepers(world);
+    look_at_sleepers(world, rows);
 }
 
-void Neighborhood::look_at_sleepers(const World& world) {
+void Neighborhood::look_at_sleepers(const World& world, const MovingRows& rows) {
     if (!valid_) {
         return;
     }
     // Against the mean motion, what nothing pushes keeps its velocity; the hundredth is for what the cell strains.
-    const grains::Grains& grains = world.grains;
     const Mat3 motion = mean_motion(world.cell.h);
     const double most_haste = largest(sum_plan_.domains(), 1, [&](std::size_t d) {
-        const std::size_t end = std::min(grains.size(), (d + 1) * sum_plan_.domain_grains);
+        const std::size_t end = std::min(rows.size(), (d + 1) * sum_plan_.domain_grains);
         double most = 0;
         for (std::size_t k = sum_plan_.awake_end[d]; k < end; ++k) {
             const std::uint32_t g = sum_plan_.roster[k];
             const Double4 watched = double4(watch_.origin[d], 0) + widened(watch_.grains[g].place);
-            const double left = std::sqrt(watched[3]) - norm(grains.position[g] - motion * xyz(watched));
-            const double speed = norm(grains.velocity[g] - world.cell.velocity_gradient * grains.position[g]);
+            const Vec3 position = xyz(rows[g].position);
+            const double left = std::sqrt(watched[3]) - norm(position - motion * xyz(watched));
+            const double speed = norm(xyz(rows[g].velocity) - world.cell.velocity_gradient * position);
             most = std::max(most, speed > 0 ? speed / std::max(left, 1e-300) : 0);
         }
         return most;
@@ -162,20 +167,20 @@ void Neighborhood::adapt(double lasted) {
     }
 }
 
-std::vector<double> Neighborhood::allow_motion(const World& world, double dt) {
-    const grains::Grains& grains = world.grains;
+std::vector<double> Neighborhood::allow_motion(const World& world, const MovingRows& rows, double dt) {
     if (valid_) {
         adapt(static_cast<double>(world.clock.step - near_step_));
     }
-    watch_.origin = domain_origins(grains);
-    const std::size_t domain_grains = contact::domain_size(grains.size());
+    watch_.origin = domain_origins(rows);
+    const std::size_t domain_grains = contact::domain_size(rows.size());
     const double seconds = foresight * table_steps_ * dt, most = 0.2 * wide_margin_;
-    std::vector<double> allowance(grains.size());
-    parallel_for(grains.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> allowance(rows.size());
+    parallel_for(rows.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
-            const Vec3 fluctuation = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
+            const Vec3 position = xyz(rows[g].position);
+            const Vec3 fluctuation = xyz(rows[g].velocity) - world.cell.velocity_gradient * position;
             // What the watch cannot tell from rest must be little of what it allows.
-            const double blur = 8 * rounding_of(grains.position[g] - watch_.origin[g / domain_grains]);
+            const double blur = 8 * rounding_of(position - watch_.origin[g / domain_grains]);
             allowance[g] = std::min(most, std::max(least_allowance_, blur) + seconds * norm(fluctuation));
         }
     });
@@ -184,17 +189,18 @@ std::vector<double> Neighborhood::allow_motion(const World& world, double dt) {
     return allowance;
 }
 
-bool Neighborhood::wide_list_reaches(const World& world, const std::vector<double>& allowance) const {
+bool Neighborhood::wide_list_reaches(const World& world, const MovingRows& rows, const std::vector<double>& allowance)
+    const {
     const Mat3 motion = world.cell.h * inverse(wide_h_);
     const double strain = strain_of(motion);
-    const double moved = largest(world.grains.size(), block, [&](std::size_t g) {
+    const double moved = largest(rows.size(), block, [&](std::size_t g) {
         const Vec3 place = position_of(wide_place_[g]);
-        return norm(world.grains.position[g] - motion * place) + rounding_of(place) + allowance[g];
+        return norm(xyz(rows[g].position) - motion * place) + rounding_of(place) + allowance[g];
     });
     return wide_margin_ * (1 - strain) > 2 * moved + 2 * (strain + stretch_) * largest_radius_;
 }
 
-void Neighborhood::search(const World& world, const std::vector<double>& allowance) {
+void Neighborhood::search(const World& world, const MovingRows& rows, const std::vector<double>& allowance) {
     if (valid_) {
         const bool too_often = world.clock.step - wide_step_ < searches_often;
         wide_margin_ = std::clamp(
@@ -203,42 +209,51 @@ void Neighborhood::search(const World& world, const std::vector<double>& allowan
         );
     }
     // What the table needs must be within the list, now that nothing has moved since.
-    const double most_allowed = largest(world.grains.size(), block, [&](std::size_t g) { return allowance[g]; });
+    const double most_allowed = largest(rows.size(), block, [&](std::size_t g) { return allowance[g]; });
     const double needed = 2 * most_allowed + 2 * stretch_ * largest_radius_;
     wide_margin_ = std::max(wide_margin_, 1.5 * needed);
+    std::vector<Vec3> position(rows.size());
+    std::ranges::transform(rows, position.begin(), [](const grains::MovingRow& row) { return xyz(row.position); });
     pairs_ = {}; // before the new ones are made
-    pairs_ = {
-        neighbors::find_pairs(world.cell.h, world.grains.position, world.grains.radius, wide_margin_),
-        world.grains.size()};
-    wide_place_.resize(world.grains.size());
-    std::ranges::transform(world.grains.position, wide_place_.begin(), rounded);
+    pairs_ = {neighbors::find_pairs(world.cell.h, position, world.grains.radius, wide_margin_), rows.size()};
+    wide_place_.resize(rows.size());
+    std::ranges::transform(position, wide_place_.begin(), rounded);
     wide_h_ = world.cell.h;
     wide_step_ = world.clock.step;
     ++searches_;
 }
 
-void Neighborhood::make_table(World& world, const std::vector<double>& allowance) {
-    const auto& grains = world.grains;
+void Neighborhood::make_table(
+    World& world, const MovingRows& rows, contact::SingleMemory* single, const std::vector<double>& allowance
+) {
+    const std::vector<double>& radius = world.grains.radius;
     std::vector<std::uint8_t> near(pairs_.size());
-    parallel_for(grains.size(), block, [&](std::size_t begin, std::size_t end) {
+    parallel_for(rows.size(), block, [&](std::size_t begin, std::size_t end) {
         pairs_.for_each_of(begin, end, [&](std::size_t k, const neighbors::Pair& pair) {
             const auto& [i, j, image] = pair;
-            const double reach = (1 + stretch_) * (grains.radius[i] + grains.radius[j]) + allowance[i] + allowance[j];
-            const Vec3 branch = grains.position[j] + cell::shift(world.cell.h, image) - grains.position[i];
+            const double reach = (1 + stretch_) * (radius[i] + radius[j]) + allowance[i] + allowance[j];
+            const Vec3 branch = xyz(rows[j].position) + cell::shift(world.cell.h, image) - xyz(rows[i].position);
             near[k] = norm2(branch) <= reach * reach ? 1 : 0;
         });
     });
-    contact::carry_over(world.contacts, pairs_, near, needed_memory(world));
-    contact::plan_sums(world.contacts, grains.size(), sum_plan_);
-    watch_.grains.resize(grains.size());
-    parallel_for(grains.size(), block, [&](std::size_t begin, std::size_t end) {
+    const auto carry_over = [&]<class Real>(contact::MemoryOf<Real>& memory) {
+        contact::carry_over(world.contacts, memory, pairs_, near, needed_memory(world.material, memory));
+        idle_pairs_ = count_idle(memory);
+    };
+    if (single != nullptr) {
+        carry_over(*single);
+    } else {
+        carry_over(world.contacts);
+    }
+    contact::plan_sums(world.contacts, rows.size(), sum_plan_);
+    watch_.grains.resize(rows.size());
+    parallel_for(rows.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
-            const Vec3 place = grains.position[g] - watch_.origin[g / sum_plan_.domain_grains];
+            const Vec3 place = xyz(rows[g].position) - watch_.origin[g / sum_plan_.domain_grains];
             const double may_move = std::max(0.0, (1 - stretch_) * allowance[g] - rounding_of(place));
             watch_.grains[g] = {narrowed(double4(place, rounded_down * may_move * may_move))};
         }
     });
-    idle_pairs_ = count_idle(world.contacts);
     near_h_ = world.cell.h;
     inverse_h_ = inverse(world.cell.h);
     near_step_ = world.clock.step;

@@ -18,14 +18,17 @@ namespace suffuse::dem {
 /// Where a grain was, as near as single precision comes to it [m].
 using Place = std::array<float, 3>;
 
+using MovingRows = std::vector<grains::MovingRow>;
+
 class Neighborhood {
 public:
     /// Whether no pair outside the contact table can touch in a cell `h`, as long as no grain has moved further than
     /// `watch()` allows and the memory that the material needs is there.
-    [[nodiscard]] bool holds(const World& world, const Mat3& h) const;
+    [[nodiscard]] bool holds(const World& world, const contact::SingleMemory* single, const Mat3& h) const;
 
-    /// Makes the contact table of `world`. @param dt time step [s]
-    void update(World& world, double dt);
+    /// Makes the contact table of `world`, whose grains are where `rows` say. @param single where the contacts' memory
+    /// is if the world's contacts do not have it, else null; @param dt time step [s]
+    void update(World& world, const MovingRows& rows, contact::SingleMemory* single, double dt);
 
     /// Forgets everything: after grains were added, removed or moved by hand.
     void invalidate() { valid_ = false; }
@@ -33,7 +36,7 @@ public:
     [[nodiscard]] const Watch& watch() const { return watch_; }
 
     /// Reckons anew until when the grains in no row of the table stay within their watch if nothing pushes them.
-    void look_at_sleepers(const World& world);
+    void look_at_sleepers(const World& world, const MovingRows& rows);
 
     /// Time of the world until which they do [s].
     [[nodiscard]] double sleepers_until() const { return sleepers_until_; }
@@ -52,10 +55,13 @@ public:
 private:
     void measure_grains(const World& world);
     void adapt(double lasted);
-    [[nodiscard]] std::vector<double> allow_motion(const World& world, double dt);
-    [[nodiscard]] bool wide_list_reaches(const World& world, const std::vector<double>& allowance) const;
-    void search(const World& world, const std::vector<double>& allowance);
-    void make_table(World& world, const std::vector<double>& allowance);
+    [[nodiscard]] std::vector<double> allow_motion(const World& world, const MovingRows& rows, double dt);
+    [[nodiscard]] bool
+    wide_list_reaches(const World& world, const MovingRows& rows, const std::vector<double>& allowance) const;
+    void search(const World& world, const MovingRows& rows, const std::vector<double>& allowance);
+    void make_table(
+        World& world, const MovingRows& rows, contact::SingleMemory* single, const std::vector<double>& allowance
+    );
 
     bool valid_ = false;
     double smallest_radius_ = 0, largest_radius_ = 0;

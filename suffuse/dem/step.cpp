@@ -1,7 +1,9 @@
 #include "suffuse/dem/step.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/large_pages.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/resident.hpp"
 #include "suffuse/cell/drive.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/dem/first_contacts.hpp"
@@ -43,18 +45,59 @@ void look_at_sizes(const World& world, const cell::Loading& loading, StepCaches&
     }
 }
 
-/// Contact memory travels in single precision during a burst of fast steps; the world has it in double again whenever
-/// somebody looks.
-void take_memory(const World& world, Mode mode, StepCaches& caches) {
+/// Where the contacts' memory is in a burst: that of fast steps is in single precision until somebody looks at it.
+contact::SingleMemory* single_memory(StepCaches& caches, Mode mode) {
+    return mode == Mode::Fast ? &caches.memory : nullptr;
+}
+
+void take_memory(World& world, Mode mode, StepCaches& caches) {
     if (mode == Mode::Fast) {
-        contact::to_single(world.contacts, caches.memory);
+        contact::take_single(world.contacts, caches.memory);
     }
 }
 
-void give_back_memory(const StepCaches& caches, Mode mode, World& world) {
+void give_back_memory(StepCaches& caches, Mode mode, World& world) {
     if (mode == Mode::Fast) {
-        contact::from_single(caches.memory, world.contacts);
+        contact::give_back_single(caches.memory, world.contacts);
     }
+}
+
+/// Of large samples little is there twice, at the price of making it anew.
+bool is_large(const World& world) {
+    return world.grains.size() > 65'536;
+}
+
+/// Large samples in fast mode have in a burst no second copy of what moves.
+bool lends_grains(const World& world, Mode mode) {
+    return mode == Mode::Fast && is_large(world);
+}
+
+template <class Column>
+void free_column(Column& column) {
+    column = Column();
+}
+
+void make_sums(StepCaches& caches) {
+    const std::size_t rows = caches.neighborhood.sum_plan().rows();
+    reserve_in_large_pages(caches.sums, rows);
+    caches.sums.resize(rows);
+}
+
+/// Rows of the grains, and the contacts' memory where it changes its precision: what is freed goes first.
+void take(World& world, Mode mode, StepCaches& caches) {
+    const bool lends = lends_grains(world, mode);
+    take_memory(world, mode, caches);
+    if (lends) {
+        free_column(world.grains.force);
+        free_column(world.grains.torque);
+    }
+    grains::to_rows(world.grains, caches.rows);
+    if (lends) {
+        free_column(world.grains.position);
+        free_column(world.grains.velocity);
+        free_column(world.grains.spin);
+    }
+    make_sums(caches);
 }
 
 /// Grains that slept make up for the steps that they did not make.
@@ -66,29 +109,42 @@ void wake(StepCaches& caches) {
 }
 
 void give_back(StepCaches& caches, Mode mode, World& world) {
-    wake(caches);
-    give_back_memory(caches, mode, world);
+    const bool lends = lends_grains(world, mode);
+    grains::from_sums(caches.sums, world.grains);
+    if (lends) {
+        free_column(caches.sums);
+    }
     grains::from_rows(caches.rows, world.grains);
-    parallel_for(world.grains.size(), 2048, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t g = begin; g < end; ++g) {
-            world.grains.force[g] = xyz(caches.sums[g].force);
-            world.grains.torque[g] = xyz(caches.sums[g].torque);
-        }
-    });
+    if (lends) {
+        free_column(caches.rows);
+    }
+    give_back_memory(caches, mode, world);
+    if (lends) {
+        trim_heap();
+    }
 }
 
 /// Makes sure that no pair outside the contact table can touch in this step.
 void pair(World& world, StepCaches& caches, const StepPlan& plan) {
     const bool overslept = caches.sleep && world.clock.time > caches.neighborhood.sleepers_until();
-    if (caches.neighborhood.holds(world, world.cell.h) && !caches.moved_too_far && !overslept) {
+    contact::SingleMemory* const single = single_memory(caches, plan.mode);
+    if (caches.neighborhood.holds(world, single, world.cell.h) && !caches.moved_too_far && !overslept) {
         return;
     }
     wake(caches);
-    give_back_memory(caches, plan.mode, world);
-    grains::from_rows(caches.rows, world.grains);
-    caches.neighborhood.update(world, plan.dt);
-    caches.sums.assign(caches.neighborhood.sum_plan().rows(), {});
-    take_memory(world, plan.mode, caches);
+    if (is_large(world)) {
+        free_column(caches.sums); // a table takes memory until it is made
+    }
+    caches.neighborhood.update(world, caches.rows, single, plan.dt);
+    caches.sums.clear(); // to begin with zeros
+    make_sums(caches);
+}
+
+Vec3 look_at_moduli(const World& world, StepCaches& caches, Mode mode) {
+    const contact::SingleMemory* const single = single_memory(caches, mode);
+    return single != nullptr
+               ? contact::affine_moduli(world.grains, world.contacts, *single, world.material, world.cell.h)
+               : contact::affine_moduli(world.grains, world.contacts, world.material, world.cell.h);
 }
 
 contact::Pressed
@@ -199,8 +255,7 @@ Mat3 one_step(
 
     // 8 measure
     if (looks_at_moduli) {
-        give_back_memory(caches, plan.mode, world);
-        world.servo.modulus = contact::affine_moduli(world.grains, world.contacts, world.material, cell.h);
+        world.servo.modulus = look_at_moduli(world, caches, plan.mode);
     }
     world.servo.stress = {stress(0, 0), stress(1, 1), stress(2, 2)};
     if (at_once) {
@@ -232,14 +287,13 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
         world.contacts = {}; // of the geometry, without memory
     }
     const contact::LawConstants law = contact::resolve_law(world.material);
-    grains::to_rows(world.grains, caches.rows);
-    take_memory(world, plan.mode, caches);
+    take(world, plan.mode, caches);
     look_at_sizes(world, plan.loading, caches);
     caches.sleep = plan.load == nullptr && plan.drag == 0;
     caches.slept.clear();
     caches.slept.reserve(most_slept_steps);
     if (caches.sleep) {
-        caches.neighborhood.look_at_sleepers(world);
+        caches.neighborhood.look_at_sleepers(world, caches.rows);
     }
     caches.contact_setting.normals_only = !plan.loading.velocity_gradient && contacts_only_push(world);
     caches.sequel.run = [&caches](std::size_t domain) { move_one_domain(caches, domain); };
@@ -248,10 +302,13 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
         for (std::int64_t k = 0; k < steps; ++k) {
             report.stress = one_step(world, caches, plan, k, k + 1 == steps, law);
         }
-    } catch (...) {
-        caches = {}; // of a step half made
+    } catch (...) { // of a step half made
+        caches.sums.resize(world.grains.size());
+        give_back(caches, plan.mode, world);
+        caches = {};
         throw;
     }
+    wake(caches);
     give_back(caches, plan.mode, world);
     return report;
 }

@@ -45,7 +45,7 @@ struct StepCaches {
 
 /// Advances the world by `steps` steps. @return of the last one
 /// @throws StateError when a force is not finite any more, or beyond what grains of this modulus exert, with the step
-/// and what to do. The world is then of no use: its cell and contacts are of that step, its grains of the first one.
+/// and what to do. The world is then of no use: that step is half made.
 StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::int64_t steps);
 
 /// Advances the world by one step.

@@ -22,7 +22,10 @@ struct alignas(64) GrainSum {
 
 void to_rows(const Grains& grains, std::vector<MovingRow>& rows);
 
-/// Gives positions, velocities and spins back.
+/// Gives positions, velocities and spins back, and makes the columns where they are gone.
 void from_rows(const std::vector<MovingRow>& rows, Grains& grains);
+
+/// Gives forces and torques back in the same way, of the first rows of `sums`.
+void from_sums(const std::vector<GrainSum>& sums, Grains& grains);
 
 } // namespace suffuse::grains

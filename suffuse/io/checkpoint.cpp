@@ -38,9 +38,15 @@ void list_grains(Table& table, Visit&& visit) {
     visit("grains/fine", "", fine);
 }
 
+template <class Whole, class Part>
+using LikeConst = std::conditional_t<std::is_const_v<Whole>, const Part, Part>;
+
 template <class Table, class Visit>
 void list_contacts(Table& table, Visit&& visit) {
-    auto& [first, second, image, shear_force, bending, normal, overlap, twisting, bonded] = table;
+    LikeConst<Table, contact::ContactPairs>& pairs = table;
+    LikeConst<Table, contact::MemoryOf<double>>& memory = table;
+    auto& [first, second, image] = pairs;
+    auto& [shear_force, bending, normal, overlap, twisting, bonded] = memory;
     visit("contacts/first", "row of grains", first);
     visit("contacts/second", "row of grains", second);
     visit("contacts/image", "periods", image);

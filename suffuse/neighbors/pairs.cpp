@@ -95,7 +95,7 @@ std::vector<Pair> sorted(std::vector<std::vector<Pair>> blocks, std::size_t grai
         for (const Pair& pair : block) {
             pairs[next[pair.first]++] = pair;
         }
-        block = {}; // as large as what it was copied to
+        block = std::vector<Pair>(); // as large as what it was copied to
     }
     parallel_for(grains, 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
