@@ -142,11 +142,9 @@ std::vector<cell::Image> images_within(double reach, const Vec3& width) {
     return images;
 }
 
-} // namespace
-
-std::vector<Pair>
-find_pairs(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin) {
-    check_input(h, position);
+/// Unsorted, in blocks of the grains that they were found from.
+std::vector<std::vector<Pair>>
+collect_pairs(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin) {
     const HomePositions home = bring_home(h, position);
     const Search search(h, radius, home, build_grids(h, home, radius, margin), margin);
     constexpr std::size_t block = 512;
@@ -158,7 +156,15 @@ find_pairs(const Mat3& h, std::span<const Vec3> position, std::span<const double
             search.collect(static_cast<std::uint32_t>(i), pairs);
         }
     });
-    return sorted(std::move(blocks), position.size());
+    return blocks;
+}
+
+} // namespace
+
+std::vector<Pair>
+find_pairs(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin) {
+    check_input(h, position);
+    return sorted(collect_pairs(h, position, radius, margin), position.size());
 }
 
 std::vector<Pair>
