@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace suffuse::dem {
 namespace {
@@ -214,10 +215,11 @@ void Neighborhood::search(const World& world, const MovingRows& rows, const std:
     wide_margin_ = std::max(wide_margin_, 1.5 * needed);
     std::vector<Vec3> position(rows.size());
     std::ranges::transform(rows, position.begin(), [](const grains::MovingRow& row) { return xyz(row.position); });
-    pairs_ = {}; // before the new ones are made
-    pairs_ = {neighbors::find_pairs(world.cell.h, position, world.grains.radius, wide_margin_), rows.size()};
     wide_place_.resize(rows.size());
     std::ranges::transform(position, wide_place_.begin(), rounded);
+    pairs_ = {}; // before the new ones are made, as is what the table makes anew
+    watch_.grains = std::vector<WatchedGrain>();
+    pairs_ = {neighbors::find_pairs(world.cell.h, std::move(position), world.grains.radius, wide_margin_), rows.size()};
     wide_h_ = world.cell.h;
     wide_step_ = world.clock.step;
     ++searches_;

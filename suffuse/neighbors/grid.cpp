@@ -55,16 +55,17 @@ int size_class(double radius, double largest_radius) {
     return std::clamp(static_cast<int>(std::floor(std::log2(largest_radius / radius))), 0, most_classes - 1);
 }
 
-HomePositions bring_home(const Mat3& h, std::span<const Vec3> position) {
+HomePositions bring_home(const Mat3& h, std::vector<Vec3> position) {
     const Mat3 inverse_h = inverse(h);
+    const std::size_t grains = position.size();
     HomePositions home;
-    home.fraction.resize(position.size());
-    home.position.resize(position.size());
-    home.period.resize(position.size());
-    parallel_for(position.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    home.fraction.resize(grains);
+    home.position = std::move(position);
+    home.period.resize(grains);
+    parallel_for(grains, 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
-            home.period[g] = cell::period_of(inverse_h, position[g]);
-            home.position[g] = position[g] - cell::shift(h, home.period[g]);
+            home.period[g] = cell::period_of(inverse_h, home.position[g]);
+            home.position[g] = home.position[g] - cell::shift(h, home.period[g]);
             const Vec3 s = inverse_h * home.position[g];
             home.fraction[g] = {within_cell(s.x), within_cell(s.y), within_cell(s.z)};
         }

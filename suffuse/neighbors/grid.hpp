@@ -18,7 +18,7 @@ struct HomePositions {
     std::vector<cell::Image> period; ///< that was taken off
 };
 
-HomePositions bring_home(const Mat3& h, std::span<const Vec3> position);
+HomePositions bring_home(const Mat3& h, std::vector<Vec3> position);
 
 struct Grid {
     cell::Bins bins;

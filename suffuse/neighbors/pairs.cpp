@@ -80,7 +80,7 @@ private:
 
 /// Sorts by counting on `first`, then within each short row: linear in the number of pairs.
 std::vector<Pair> sorted(std::vector<std::vector<Pair>> blocks, std::size_t grains) {
-    std::vector<std::size_t> start(grains + 1, 0);
+    std::vector<std::uint32_t> start(grains + 1, 0);
     for (const auto& block : blocks) {
         for (const Pair& pair : block) {
             ++start[pair.first + 1];
@@ -90,7 +90,7 @@ std::vector<Pair> sorted(std::vector<std::vector<Pair>> blocks, std::size_t grai
         start[g + 1] += start[g];
     }
     std::vector<Pair> pairs(start.back());
-    std::vector<std::size_t> next(start.begin(), start.end() - 1);
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
     for (auto& block : blocks) {
         for (const Pair& pair : block) {
             pairs[next[pair.first]++] = pair;
@@ -99,10 +99,7 @@ std::vector<Pair> sorted(std::vector<std::vector<Pair>> blocks, std::size_t grai
     }
     parallel_for(grains, 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
-            std::sort(
-                pairs.begin() + static_cast<std::ptrdiff_t>(start[g]),
-                pairs.begin() + static_cast<std::ptrdiff_t>(start[g + 1])
-            );
+            std::sort(pairs.begin() + start[g], pairs.begin() + start[g + 1]);
         }
     });
     return pairs;
@@ -144,12 +141,13 @@ std::vector<cell::Image> images_within(double reach, const Vec3& width) {
 
 /// Unsorted, in blocks of the grains that they were found from.
 std::vector<std::vector<Pair>>
-collect_pairs(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin) {
-    const HomePositions home = bring_home(h, position);
+collect_pairs(const Mat3& h, std::vector<Vec3> position, std::span<const double> radius, double margin) {
+    const std::size_t grains = position.size();
+    const HomePositions home = bring_home(h, std::move(position));
     const Search search(h, radius, home, build_grids(h, home, radius, margin), margin);
     constexpr std::size_t block = 512;
-    std::vector<std::vector<Pair>> blocks((position.size() + block - 1) / block);
-    parallel_for(position.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::vector<Pair>> blocks((grains + block - 1) / block);
+    parallel_for(grains, block, [&](std::size_t begin, std::size_t end) {
         std::vector<Pair>& pairs = blocks[begin / block];
         pairs.reserve(4 * (end - begin));
         for (std::size_t i = begin; i < end; ++i) {
@@ -161,15 +159,14 @@ collect_pairs(const Mat3& h, std::span<const Vec3> position, std::span<const dou
 
 } // namespace
 
-std::vector<Pair>
-find_pairs(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin) {
+std::vector<Pair> find_pairs(const Mat3& h, std::vector<Vec3> position, std::span<const double> radius, double margin) {
     check_input(h, position);
-    return sorted(collect_pairs(h, position, radius, margin), position.size());
+    return sorted(collect_pairs(h, std::move(position), radius, margin), radius.size());
 }
 
 std::vector<Pair>
 find_pairs_exhaustively(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin) {
-    const HomePositions home = bring_home(h, position);
+    const HomePositions home = bring_home(h, {position.begin(), position.end()});
     const Vec3 width = cell::widths(h);
     std::vector<Pair> pairs;
     for (std::uint32_t i = 0; i < position.size(); ++i) {

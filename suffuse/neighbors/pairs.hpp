@@ -23,8 +23,7 @@ struct Pair {
 /// All pairs with gap |x2 + h image - x1| - r1 - r2 <= `margin` [m], sorted. Positions need not lie inside the cell.
 /// A pair may occur with several images when the cell is narrow.
 /// @throws GeometryError when a position or the cell is not finite, or the cell has no volume.
-std::vector<Pair>
-find_pairs(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin);
+std::vector<Pair> find_pairs(const Mat3& h, std::vector<Vec3> position, std::span<const double> radius, double margin);
 
 /// The same by testing every pair with every image within reach: the slow oracle of the tests.
 std::vector<Pair>
