@@ -1,0 +1,23 @@
+#!/bin/sh
+# tests/instruction_sets.sh PROGRAM: a packing settled and sheared for 1,600 steps with AVX-512 and with AVX2, in both modes, must
+# end in the same bits. Valgrind runs the program as on a processor without AVX-512. Part of ./test --long.
+set -eu
+program=$1
+root=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd)
+grep -qw avx512f /proc/cpuinfo || { echo "instruction sets: left out, this processor has no AVX-512" && exit 0; }
+
+# state MODE [COMMAND...]: hash of the state that the packing ends in
+state() {
+    mode=$1
+    shift
+    "$@" "$program" bench step --packing "$root/tests/reference/packing2000.csv.gz" \
+        --cell 0.0022778842740888983,0.002276097964427531,0.0022783912598474043 --threads 1 --steps 100 --mode "$mode" |
+        sed -n 's/^state_hash *//p'
+}
+
+for mode in reference fast; do
+    wide=$(state "$mode")
+    narrow=$(state "$mode" valgrind --quiet --tool=none)
+    echo "$mode: AVX-512 $wide, AVX2 $narrow"
+    [ -n "$wide" ] && [ "$wide" = "$narrow" ] || exit 1
+done
