@@ -51,9 +51,9 @@ TEST_F(Parallel, EveryRowIsVisitedOnce) {
 }
 
 TEST_F(Parallel, AThreadThatIsHeldUpIsHelpedAtOnceOrLate) {
-    set_thread_count(2);
     for (const Help help : {Help::AtOnce, Help::Late}) {
         for (const std::size_t held_up : {std::size_t{0}, std::size_t{2}}) { // the first block of one thread's share
+            set_thread_count(2); // new threads, which have not been late yet
             std::atomic<int> done = 0;
             const auto body = [&](std::size_t begin, std::size_t) {
                 while (begin == held_up && done < 3) {
