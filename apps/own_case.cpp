@@ -94,7 +94,9 @@ constexpr double usual_modulus = 356e6; // [Pa]
 /// Stiff enough for the finest grains at this pressure [Pa], to two digits [Pa].
 double modulus_for(const grains::Grading& grading, double pressure) {
     const double ratio = grading.diameter.back() / grading.diameter.front();
-    const double squeezed = casefile::squeezed_overlap_at(pressure, usual_modulus, ratio);
+    grains::Material usual;
+    usual.modulus = usual_modulus;
+    const double squeezed = casefile::squeezed_overlap_at(pressure, usual, ratio);
     const double wanted = std::max(usual_modulus, usual_modulus * squeezed / casefile::good_squeezed);
     const double unit = std::pow(10.0, std::floor(std::log10(wanted)) - 1);
     return wanted > usual_modulus ? std::ceil(wanted / unit) * unit : usual_modulus;

@@ -1,5 +1,6 @@
 // Material, fluid, balance and loading: the same Specs as a case file's, with the same words.
 
+#include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema.hpp"
 #include "suffuse/cell/servo.hpp"
 #include "suffuse/dem/spec.hpp"
@@ -75,17 +76,38 @@ void make_value(py::class_<Spec>& type, const std::vector<const char*>& fields) 
     });
 }
 
+grains::ContactLaw law_of(const std::string& word) {
+    for (const auto& [value, known] : casefile::names::law) {
+        if (word == known) {
+            return value;
+        }
+    }
+    throw CaseError(fmt::format(
+        "law: found \"{}\", expected {}", word, fmt::join(casefile::names::words_of(casefile::names::law), " or ")
+    ));
+}
+
 void bind_material(py::module_& m) {
     using grains::Material;
     py::class_<Material> type(m, "Material", "The constants of the contact law; keywords set fields.");
     quantity_field(type, "grain", "density", &Material::density);
     quantity_field(type, "contact", "modulus", &Material::modulus);
     quantity_field(type, "contact", "shear_ratio", &Material::shear_ratio);
+    quantity_field(type, "contact", "poisson", &Material::poisson);
+    type.def_property(
+        "law",
+        [](const Material& material) {
+            return std::string(casefile::names::word_for(casefile::names::law, material.law));
+        },
+        [](Material& material, const std::string& word) { material.law = law_of(word); },
+        key_doc(key_of("contact", "law")).c_str()
+    );
     quantity_field(type, "contact", "friction", &Material::friction);
     quantity_field(type, "contact", "rolling_stiffness", &Material::rolling_stiffness);
     quantity_field(type, "contact", "rolling_friction", &Material::rolling_friction);
     quantity_field(type, "contact", "twisting_stiffness", &Material::twisting_stiffness);
     quantity_field(type, "contact", "twisting_friction", &Material::twisting_friction);
+    quantity_field(type, "contact", "viscous_damping", &Material::viscous_damping);
     for (const auto& [name, field] :
          {std::pair{"normal", &Material::adhesion_normal}, {"shear", &Material::adhesion_shear}}) {
         const Key& key = key_of("contact.adhesion", name);
@@ -99,8 +121,9 @@ void bind_material(py::module_& m) {
         );
     }
     make_value(
-        type, {"density", "modulus", "shear_ratio", "friction", "rolling_stiffness", "rolling_friction",
-               "twisting_stiffness", "twisting_friction", "adhesion_normal", "adhesion_shear"}
+        type,
+        {"density", "modulus", "shear_ratio", "friction", "rolling_stiffness", "rolling_friction", "twisting_stiffness",
+         "twisting_friction", "adhesion_normal", "adhesion_shear", "law", "poisson", "viscous_damping"}
     );
 }
 

@@ -201,6 +201,20 @@ from = 3
     EXPECT_EQ(lines, (std::vector<int>{2, 4, 5, 7, 9, 10, 13, 15, 17, 18})) << render(list);
 }
 
+TEST(CaseErrors, ElasticSpheresNeedTheirModulusAndHaveNoShearRatioNorAdhesion) {
+    const auto says = [](const std::string& keys, const std::string& code) {
+        return find_problem(problems_of(good_case + "[contact]\nlaw = \"hertz-mindlin\"\n" + keys), code).message;
+    };
+    EXPECT_NE(says("", "E201").find("modulus"), std::string::npos);
+    const std::string glass = "modulus = \"70 GPa\"\n";
+    EXPECT_NE(says(glass + "shear_ratio = 0.8\n", "E207").find("`shear_ratio`"), std::string::npos);
+    EXPECT_NE(says(glass + "adhesion.normal = \"1 MPa\"\n", "E207").find("adhere"), std::string::npos);
+    EXPECT_NE(says(glass + "poisson = 0.6\n", "E205").find("poisson"), std::string::npos);
+    EXPECT_EQ(problems_of(good_case + "[contact]\nlaw = \"hertz-mindlin\"\n" + glass + "poisson = 0.2\n").size(), 0U);
+    const std::string linear = good_case + "[contact]\npoisson = 0.2\n";
+    EXPECT_NE(find_problem(problems_of(linear), "E207").message.find("`poisson`"), std::string::npos);
+}
+
 TEST(CaseErrors, TheExceptionCarriesTextListFileAndLine) {
     try {
         load("schema = 1\nx = 1\n");

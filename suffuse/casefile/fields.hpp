@@ -23,20 +23,21 @@ void grain_fields(V& v, grains::Material& m) {
 
 template <class V>
 void contact_fields(V& v, grains::Material& m, double& damping) {
-    auto law = names::Law::LinearRolling;
-    v.choice("law", law, names::law);
+    v.choice("law", m.law, names::law);
     v.field("modulus", m.modulus);
-    v.field("shear_ratio", m.shear_ratio);
+    shear_fields(v, m);
     v.field("friction", m.friction);
     v.field("rolling_stiffness", m.rolling_stiffness);
     v.field("rolling_friction", m.rolling_friction);
     v.field("twisting_stiffness", m.twisting_stiffness);
     v.field("twisting_friction", m.twisting_friction);
     v.field("damping", damping);
+    v.field("viscous_damping", m.viscous_damping);
     v.table("adhesion", [&](auto& a) {
         a.field("normal", m.adhesion_normal);
         a.field("shear", m.adhesion_shear);
     });
+    check_law(v, m);
 }
 
 template <class V>

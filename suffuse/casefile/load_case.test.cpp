@@ -163,6 +163,9 @@ void collect_keys(const Node& table, std::set<std::string>& keys) {
 TEST(LoadCase, EveryKeyOfTheSchemaIsWrittenBack) {
     std::set<std::string> written;
     collect_keys(tree_of(load(full_case)), written);
+    const std::string elastic =
+        replaced(good_case, "[study", "[contact]\nlaw = \"hertz-mindlin\"\nmodulus = \"70 GPa\"\n[study");
+    collect_keys(tree_of(load(elastic)), written); // has a `poisson` instead of a `shear_ratio`
     for (const Key& key : schema()) {
         // `preset` was applied; `settle` writes its stresses per axis.
         const bool is_input_only = key.table == "presets.*" || (key.table.empty() && key.name == "preset");

@@ -17,11 +17,12 @@ struct Word {
     std::string_view word;
 };
 
-enum class Law { LinearRolling };
 enum class Then { Settle };
 enum class Of { Coarse };
 
-inline constexpr std::array law = {Word<Law>{Law::LinearRolling, "linear-rolling"}};
+inline constexpr std::array law = {
+    Word<grains::ContactLaw>{grains::ContactLaw::LinearRolling, "linear-rolling"},
+    Word<grains::ContactLaw>{grains::ContactLaw::HertzMindlin, "hertz-mindlin"}};
 inline constexpr std::array then = {Word<Then>{Then::Settle, "settle"}};
 inline constexpr std::array constrictions_of = {Word<Of>{Of::Coarse, "coarse"}};
 inline constexpr std::array hold = {Word<bool>{true, "coarse"}, Word<bool>{false, "none"}};

@@ -14,11 +14,22 @@ namespace suffuse::casefile {
 
 namespace {
 
-constexpr double contacts_per_grain = 4; ///< of the grains that carry load
 constexpr double large_overlap = 0.02;   ///< of the radius: doubtful [-]
 constexpr double large_squeezed = 0.1;   ///< of the finest radius: what a run warns of when it is seen [-]
 constexpr double wide_grading = 4;       ///< coarsest over finest grain, below which that rule was not looked at
 constexpr double largest_overlap = 0.05; ///< of the radius: the contact law no longer describes grains [-]
+
+/// To two digits, for advice.
+double round_up(double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return std::ceil(value / unit) * unit;
+}
+
+/// With which grains overlap by so many times less [Pa], rounded up.
+double stiffer_modulus(const grains::Material& material, double times) {
+    const bool is_hertzian = material.law == grains::ContactLaw::HertzMindlin;
+    return round_up(material.modulus * (is_hertzian ? std::pow(times, 1.5) : times));
+}
 
 class Checks {
 public:
@@ -26,7 +37,7 @@ public:
         : context_(context), settings_(settings), variant_(variant), path_("study." + study.name) {}
 
     void check_pressure(const Stage& stage, std::string_view key, double pressure) {
-        const double overlap = overlap_at(std::abs(pressure), variant_.material.modulus);
+        const double overlap = grains::mean_overlap_at(variant_.material, std::abs(pressure));
         if (overlap <= large_overlap) {
             check_squeezed(stage_place(stage, key), std::abs(pressure));
             return;
@@ -37,7 +48,7 @@ public:
         );
         const std::string advice = fmt::format(
             "a stiffer contact `modulus` of {} keeps it below 1 %",
-            print_quantity(round_up(variant_.material.modulus * overlap / 0.01), dimension::pressure)
+            print_quantity(stiffer_modulus(variant_.material, overlap / 0.01), dimension::pressure)
         );
         const Place place = stage_place(stage, key);
         if (overlap > largest_overlap) {
@@ -54,7 +65,7 @@ public:
             return;
         }
         const double ratio = largest_grain(*grading) / grains::size_at(*grading, 0);
-        const double modulus = variant_.material.modulus, overlap = squeezed_overlap_at(pressure, modulus, ratio);
+        const double overlap = squeezed_overlap_at(pressure, variant_.material, ratio);
         if (overlap <= large_squeezed || ratio < wide_grading) {
             return;
         }
@@ -67,9 +78,21 @@ public:
             ),
             fmt::format(
                 "a stiffer contact `modulus` of {} makes that some {:.0f} %; steps grow with its root",
-                print_quantity(round_up(modulus * overlap / good_squeezed), dimension::pressure), 100 * good_squeezed
+                print_quantity(stiffer_modulus(variant_.material, overlap / good_squeezed), dimension::pressure),
+                100 * good_squeezed
             )
         );
+    }
+
+    void check_adhesion(const Stage& stage, const packing::Prepare& prepare) {
+        const bool adheres = prepare.adhesion_normal.value_or(0) > 0 || prepare.adhesion_shear.value_or(0) > 0;
+        if (adheres && variant_.material.law == grains::ContactLaw::HertzMindlin) {
+            context_.problems.error(
+                "E207", stage_place(stage, "prepare"), "grains under the law \"hertz-mindlin\" do not adhere",
+                "leave `adhesion` out: with the final friction from the start a sample is loose too; or take law = "
+                "\"linear-rolling\""
+            );
+        }
     }
 
     void check_gradient(const Stage& stage, std::string_view key, double gradient) {
@@ -189,12 +212,6 @@ public:
     }
 
 private:
-    /// To two digits, for advice.
-    static double round_up(double value) {
-        const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
-        return std::ceil(value / unit) * unit;
-    }
-
     ReadContext& context_;
     const Case& settings_;
     const Variant& variant_;
@@ -213,6 +230,7 @@ void check_stage(Checks& checks, const Stage& stage) {
     if (const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec)) {
         checks.check_pressure(stage, "pressure", compact->pressure);
         checks.check_searched_friction(stage, *compact);
+        checks.check_adhesion(stage, compact->prepare);
     } else if (const auto* settle = std::get_if<dem::SettleSpec>(&stage.spec)) {
         check_loading(checks, stage, settle->loading, checks.stage_place(stage, "pressure").source != nullptr);
     } else if (const auto* advance = std::get_if<dem::AdvanceSpec>(&stage.spec)) {
@@ -241,14 +259,9 @@ void check_stage(Checks& checks, const Stage& stage) {
 
 } // namespace
 
-double squeezed_overlap_at(double pressure, double modulus, double size_ratio) {
-    constexpr double of_chains = 4; // over pressure and modulus: forces of the strongest chains
-    return of_chains * pressure / modulus * size_ratio * size_ratio;
-}
-
-double overlap_at(double pressure, double modulus) {
-    // Mean force p pi D^2/(Z (1 - n)) of equal spheres, over their stiffness E D/2, over their radius D/2.
-    return 4 * pi / (contacts_per_grain * (1 - settled_porosity)) * pressure / modulus;
+double squeezed_overlap_at(double pressure, const grains::Material& material, double size_ratio) {
+    constexpr double of_chains = 4; // over the pressure: stress of the strongest chains
+    return grains::overlap_under(material, of_chains * pressure * size_ratio * size_ratio);
 }
 
 void check_physics(ReadContext& context, const Case& settings, const Study& study, const Variant& variant) {

@@ -12,8 +12,8 @@ using namespace suffuse::casefile::testing;
 
 // Settled at 100 kPa with 356 MPa, the reference's grains overlap by some thousandths of their radius.
 TEST(PhysicsChecks, OverlapIsOfTheRightOrder) {
-    EXPECT_GT(overlap_at(1e5, 356e6), 0.5e-3);
-    EXPECT_LT(overlap_at(1e5, 356e6), 5e-3);
+    EXPECT_GT(grains::mean_overlap_at({}, 1e5), 0.5e-3);
+    EXPECT_LT(grains::mean_overlap_at({}, 1e5), 5e-3);
 }
 
 TEST(PhysicsChecks, APressureThatSqueezesGrainsIsDoubtfulThenAnError) {
@@ -25,7 +25,7 @@ TEST(PhysicsChecks, APressureThatSqueezesGrainsIsDoubtfulThenAnError) {
 }
 
 TEST(PhysicsChecks, FineGrainsBetweenMuchCoarserOnesNeedAStifferContact) {
-    EXPECT_DOUBLE_EQ(squeezed_overlap_at(2e5, 356e6, 8), 8 * squeezed_overlap_at(1e5, 356e6, 4));
+    EXPECT_DOUBLE_EQ(squeezed_overlap_at(2e5, {}, 8), 8 * squeezed_overlap_at(1e5, {}, 4));
     const std::string wide = replaced(
         replaced(
             good_case, "psd = \"data/sand.csv\"",

@@ -40,12 +40,20 @@ std::vector<Key> contact_rows() {
         quantity("grain", "density", dimension::density, above_zero, "Density of the grains."),
         choice(
             "contact", "law", names::words_of(names::law),
-            "Contact law: linear springs, Coulomb slip, rolling and twisting resistance, adhesion."
+            "Contact law. linear-rolling: linear springs, adhesion; hertz-mindlin: elastic spheres. Both with Coulomb "
+            "slip, rolling and twisting resistance."
         ),
         quantity(
-            "contact", "modulus", dimension::pressure, above_zero, "E of the normal stiffness kn = 2 E r1 r2/(r1 + r2)."
+            "contact", "modulus", dimension::pressure, above_zero,
+            "linear-rolling: E of the normal stiffness kn = 2 E r1 r2/(r1 + r2); hertz-mindlin: Young's modulus of the "
+            "grains, as \"70 GPa\" of quartz or glass, which must be given."
         ),
-        ratio("contact", "shear_ratio", above_zero, "Shear stiffness / normal stiffness."),
+        ratio("contact", "shear_ratio", above_zero, "Shear stiffness / normal stiffness of linear-rolling."),
+        ratio(
+            "contact", "poisson", {-1, 0.5, true, false},
+            "Poisson's ratio nu of the grains, of hertz-mindlin: shear stiffness / normal stiffness = 2 (1 - nu)/(2 - "
+            "nu)."
+        ),
         quantity(
             "contact", "friction", dimension::angle, friction_range,
             "Contact friction angle; preparation may use another."
@@ -60,6 +68,10 @@ std::vector<Key> contact_rows() {
             "contact", "twisting_friction", any, "Limit of the twisting moment, as for rolling; negative = no limit."
         ),
         ratio("contact", "damping", {0, 1, false, true}, "Local, non-viscous damping of grain forces."),
+        ratio(
+            "contact", "viscous_damping", from_zero,
+            "Of the normal motion of each contact, as a share of the critical damping at its stiffness; 0 = none."
+        ),
         table("contact", "adhesion", "Adhesion of contacts that are made from now on."),
         quantity(
             "contact.adhesion", "normal", dimension::pressure, from_zero, "Pull-off force = this x min(r1, r2)^2."

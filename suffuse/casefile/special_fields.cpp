@@ -2,6 +2,8 @@
 
 #include "suffuse/casefile/special_fields.hpp"
 
+#include "suffuse/casefile/names.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -229,5 +231,47 @@ void sweep_field(Writer& v, std::string_view key, const std::vector<Sweep>& swee
         v.set(key, std::move(table));
     }
 }
+
+void shear_fields(Reader& v, grains::Material& m) {
+    const bool is_hertzian = m.law == grains::ContactLaw::HertzMindlin;
+    v.field("shear_ratio", m.shear_ratio);
+    v.field("poisson", m.poisson);
+    const char* const other = is_hertzian ? "shear_ratio" : "poisson";
+    if (const Node* node = v.take(other)) {
+        v.error(
+            "E207", node->place, fmt::format("the law \"{}\" has no `{}`", names::word_for(names::law, m.law), other),
+            is_hertzian ? "its shear stiffness follows from `poisson`, Poisson's ratio of the grains"
+                        : "`shear_ratio` is its shear stiffness / normal stiffness; or take law = \"hertz-mindlin\""
+        );
+    }
+}
+
+void shear_fields(Writer& v, const grains::Material& m) {
+    if (m.law == grains::ContactLaw::HertzMindlin) {
+        v.field("poisson", m.poisson);
+    } else {
+        v.field("shear_ratio", m.shear_ratio);
+    }
+}
+
+void check_law(Reader& v, const grains::Material& m) {
+    if (m.law != grains::ContactLaw::HertzMindlin) {
+        return;
+    }
+    if (!v.has("modulus")) {
+        v.error(
+            "E201", v.place(), "the law \"hertz-mindlin\" needs the `modulus` of the grains",
+            "Young's modulus, as in modulus = \"70 GPa\" of quartz or glass"
+        );
+    }
+    if (adheres(m)) {
+        v.error(
+            "E207", v.place(), "grains under the law \"hertz-mindlin\" do not adhere",
+            "leave `adhesion` out, or take law = \"linear-rolling\""
+        );
+    }
+}
+
+void check_law(Writer&, const grains::Material&) {}
 
 } // namespace suffuse::casefile

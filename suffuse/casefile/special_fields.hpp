@@ -38,6 +38,14 @@ void check_path(Writer& v, const triaxial::TriaxialSpec& s);
 void check_servo(Reader& v, const cell::ServoSpec& s);
 void check_servo(Writer& v, const cell::ServoSpec& s);
 
+/// What the shear stiffness follows from: `shear_ratio` in the linear law, `poisson` in Hertz's.
+void shear_fields(Reader& v, grains::Material& m);
+void shear_fields(Writer& v, const grains::Material& m);
+
+/// Hertz's law needs the modulus of the grains, and has no adhesion.
+void check_law(Reader& v, const grains::Material& m);
+void check_law(Writer& v, const grains::Material& m);
+
 /// The start of a compaction is the protocol's: a user moves it for swift only.
 void check_start(Reader& v, const packing::CompactSpec& s);
 void check_start(Writer& v, const packing::CompactSpec& s);

@@ -1,6 +1,7 @@
 #include "suffuse/contact/contact_loop.hpp"
 
 #include "suffuse/base/clones.hpp"
+#include "suffuse/contact/hertz_mindlin.hpp"
 #include "suffuse/contact/tile.hpp"
 
 #include <algorithm>
@@ -65,6 +66,50 @@ template <class Real>
         t.normal_stiffness[k] = static_cast<Real>(m.normal_stiffness);
         t.radius_1[k] = static_cast<Real>(t.exact_radius_1[k]);
         t.radius_2[k] = static_cast<Real>(t.exact_radius_2[k]);
+    }
+}
+
+/// Of Hertz's law, whose stiffness grows with the overlap.
+template <class Real>
+[[gnu::always_inline]] inline void stiffen(const LawConstants& law, std::size_t rows, Tile<Real>& t) {
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < rows; ++k) {
+        t.normal_stiffness[k] = static_cast<Real>(
+            hertz_stiffness(law, t.exact_radius_1[k], t.exact_radius_2[k], static_cast<double>(t.overlap[k]))
+        );
+    }
+}
+
+/// Speed at which the grains of a contact part [m/s].
+template <class Real>
+[[gnu::always_inline]] inline Real opening_at(const Tile<Real>& t, std::size_t k) {
+    return dot(triple(t.normal, k), triple(t.velocity, k));
+}
+
+/// Of Hertz's law: contacts that part let go of a share of their springs.
+template <bool Twisting, class Real>
+[[gnu::always_inline]] inline void
+let_go(const DomainWork<Real>& w, std::size_t begin, std::size_t rows, const Tile<Real>& t) {
+    const MemoryColumns<Real> m = w.memory;
+    const Real dt = w.dt;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < rows; ++k) {
+        const std::size_t c = begin + k;
+        const Real left = left_by_parting(t.overlap[k], opening_at(t, k), dt);
+        m.fx[c] *= left, m.fy[c] *= left, m.fz[c] *= left;
+        m.bx[c] *= left, m.by[c] *= left, m.bz[c] *= left;
+        if constexpr (Twisting) {
+            m.tx[c] *= left, m.ty[c] *= left, m.tz[c] *= left;
+        }
+    }
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void
+add_viscous_forces(const LawConstantsOf<Real>& law, std::size_t rows, Tile<Real>& t) {
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < rows; ++k) {
+        t.normal_force[k] += viscous_force(law, t.radius_1[k], t.radius_2[k], t.normal_stiffness[k], opening_at(t, k));
     }
 }
 
@@ -264,8 +309,17 @@ template <bool Springs, bool Adhesive, bool Twisting, class Real>
             fetch_second(w, *far);
         }
         find_geometry(w.exact_law, rows, tile);
+        if (w.exact_law.is_hertzian()) {
+            stiffen(w.exact_law, rows, tile);
+        }
         if constexpr (Springs) {
+            if (w.exact_law.is_hertzian()) {
+                let_go<Twisting>(w, c, rows, tile);
+            }
             predict_forces<Adhesive, Twisting>(w, c, rows, tile);
+            if (w.exact_law.viscosity > 0) {
+                add_viscous_forces(w.law, rows, tile);
+            }
             find_scales(rows, tile);
             limit_forces<Twisting>(w.memory, c, rows, tile);
         } else {

@@ -62,11 +62,11 @@ Pressed press_contacts(
     if (sequel != nullptr) {
         sequel->waits_for = plan.reached_by;
     }
-    // Grains whose centers coincide push with 2 E r2. With shear, the sum of a force's components stays below twice
-    // that until they are nearly there. And no stress reaches the modulus. The quantum follows from the state alone, as
-    // the same bits after a resume ask for.
-    const double r = setting.largest_radius, largest_force = 2 * law.twice_modulus * r * r;
-    const SumQuantum quantum(largest_force * 2 * r, law.twice_modulus * setting.volume);
+    // Grains whose centers coincide push with 2 E r2, or 2 H r2 of Hertz's law. With shear, the sum of a force's
+    // components stays below twice that until they are nearly there. And no stress reaches the modulus. The quantum
+    // follows from the state alone, as the same bits after a resume ask for.
+    const double r = setting.largest_radius, most = law.most_stress(), largest_force = 2 * most * r * r;
+    const SumQuantum quantum(largest_force * 2 * r, most * setting.volume);
     const DomainWork<Real> work{
         grains.data(),
         contacts.first.data(),

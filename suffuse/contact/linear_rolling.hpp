@@ -44,8 +44,10 @@ constexpr Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
 /// Constants of the law, resolved from the material before the first step.
 template <class Real>
 struct LawConstantsOf {
-    Real twice_modulus{};      ///< 2 E [Pa]
-    Real shear_ratio{};        ///< [-]
+    Real twice_modulus{};      ///< 2 E, of the linear law [Pa]
+    Real hertz_modulus{};      ///< H, zero in the linear law [Pa]
+    Real shear_ratio{};        ///< shear stiffness over normal force/overlap [-]
+    Real viscosity{};          ///< of `viscous_force` [(kg/m3)^1/2]
     Real tan_friction{};       ///< [-]
     Real rolling_stiffness{};  ///< [-]
     Real rolling_limit{};      ///< [-]
@@ -60,14 +62,24 @@ struct LawConstantsOf {
     [[nodiscard]] LawConstantsOf<Other> as() const {
         // A limit beyond any moment is one in every precision, and zero times it is zero.
         const auto other = [](Real a) { return static_cast<Other>(a < Real(1e30) ? a : Real(1e30)); };
-        return {other(twice_modulus), other(shear_ratio),     other(tan_friction),       other(rolling_stiffness),
-                other(rolling_limit), other(rolling_free),    other(twisting_stiffness), other(twisting_limit),
-                other(twisting_free), other(adhesion_normal), other(adhesion_shear)};
+        return {other(twice_modulus),      other(hertz_modulus),     other(shear_ratio),   other(viscosity),
+                other(tan_friction),       other(rolling_stiffness), other(rolling_limit), other(rolling_free),
+                other(twisting_stiffness), other(twisting_limit),    other(twisting_free), other(adhesion_normal),
+                other(adhesion_shear)};
+    }
+
+    [[nodiscard]] bool is_hertzian() const { return hertz_modulus > 0; }
+
+    /// No mean stress of grains reaches this, however much they overlap, nor their force over the square of the radius
+    /// [Pa].
+    [[nodiscard]] Real most_stress() const {
+        return twice_modulus > 2 * hertz_modulus ? twice_modulus : 2 * hertz_modulus;
     }
 };
 
 using LawConstants = LawConstantsOf<double>;
 
+/// @throws CaseError where a law is asked for that there is not: grains under Hertz's law do not adhere
 LawConstants resolve_law(const grains::Material& material);
 
 /// Two grains as the law sees them: `second` at the image that touches.
@@ -129,7 +141,7 @@ template <class Real>
 }
 
 // The law has four parts. Each is short enough for a processor to have several contacts under way at once; a loop over
-// many contacts runs the parts one after the other over a tile, `linear_rolling` over one contact.
+// many contacts runs the parts one after the other over a tile, `act_between` over one contact.
 
 /// First part: where the grains are against each other.
 template <class Real>
@@ -137,7 +149,7 @@ struct ContactGeometry {
     Triple<Real> normal;
     Real overlap;             ///< negative: a gap [m]
     Real reach_over_distance; ///< (r1 + r2) / distance [-]
-    Real normal_stiffness;    ///< [N/m]
+    Real normal_stiffness;    ///< normal force over overlap [N/m]
 };
 
 template <class Real>
@@ -311,18 +323,6 @@ template <class Real>
     const Real zero{}, one(1), touching = geometry.overlap >= zero ? one : zero;
     const Real trial = geometry.normal_stiffness * geometry.overlap;
     return {(touching > zero ? trial : zero) * geometry.normal, touching};
-}
-
-/// One step of one contact; updates `memory`. `Adhesive` and `Twisting` leave out what no contact of the sample has.
-/// @param dt time step [s]
-template <bool Adhesive, bool Twisting, class Real>
-inline ContactOutcome<Real> linear_rolling(
-    const LawConstantsOf<Real>& law, const Real& dt, const GrainPair<Real>& pair, ContactMemory<Real>& memory
-) noexcept {
-    const ContactGeometry<Real> geometry = find_geometry(law, pair.branch, pair.radius_1, pair.radius_2);
-    const Limits<Real> limits = predict_forces<Adhesive, Twisting>(law, dt, pair, geometry, memory);
-    const Scales<Real> scales = find_scales(limits, memory.shear_force, memory.bending);
-    return limit_forces<Twisting>(geometry, limits, scales, pair.radius_1, pair.radius_2, memory);
 }
 
 } // namespace suffuse::contact

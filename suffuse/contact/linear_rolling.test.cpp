@@ -1,9 +1,8 @@
 // What every contact law owes: the conformance suite, run on the law of the paper by itself.
 
-#include "suffuse/contact/linear_rolling.hpp"
-
 #include "suffuse/base/random.hpp"
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/contact/one_contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -89,7 +88,7 @@ Mat3 random_rotation(RandomStream& random) {
 
 template <bool Adhesive, bool Twisting>
 ContactOutcome<double> act(const LawConstants& law, const GrainPair<double>& pair, ContactMemory<double>& memory) {
-    return linear_rolling<Adhesive, Twisting>(law, dt, pair, memory);
+    return act_between<Adhesive, Twisting>(law, dt, pair, memory);
 }
 
 void expect_near(const Force& a, const Vec3& b, double tolerance, const char* what) {

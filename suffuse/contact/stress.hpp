@@ -21,13 +21,12 @@ Vec3 affine_moduli(
     const grains::Material& material, const Mat3& h
 );
 
-/// Normal stiffness kn of a pair of radii [N/m] (reference 1.2).
-constexpr double normal_stiffness(const grains::Material& material, double r1, double r2) {
-    return 2 * material.modulus * r1 * r2 / (r1 + r2);
-}
+/// Normal stiffness of a pair of radii, d(force)/d(overlap) [N/m]: that of the linear law, 2 E r1 r2/(r1 + r2), is the
+/// same at any overlap (reference 1.2).
+double normal_stiffness(const grains::Material& material, double r1, double r2, double overlap = 0);
 
-/// Normal force of row `c` in the last step, compression positive [N]. A bond that broke under tension carries no pull
-/// any more, though the contact lives until the next step.
+/// Elastic normal force of row `c` in the last step, without what damps it, compression positive [N]. A bond that broke
+/// under tension carries no pull any more, though the contact lives until the next step.
 double
 normal_force(const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, std::size_t c);
 

@@ -1,4 +1,5 @@
-// Two grains that meet head on, through the step that the program runs: closed forms of the linear spring.
+// Two grains that meet head on, through the step that the program runs: closed forms of the linear spring, of elastic
+// spheres, and of what damps them.
 
 #include <gtest/gtest.h>
 
@@ -108,6 +109,56 @@ INSTANTIATE_TEST_SUITE_P(
     Coefficients, LocalDamping, testing::Values(0.05, 0.1, 0.2, 0.3, 0.4, 0.7),
     [](const auto& test) { return std::to_string(static_cast<int>(std::round(100 * test.param))); }
 );
+
+class ViscousDamping : public testing::TestWithParam<double> {};
+
+TEST_P(ViscousDamping, MeetsTheClosedFormRestitutionOfALinearSpring) {
+    // Half a period of the damped oscillator: e = exp(-pi z/sqrt(1 - z2)).
+    const double z = GetParam(), expected = std::exp(-pi * z / std::sqrt(1 - z * z));
+    World world = approaching(1e-9);
+    world.material.viscous_damping = z;
+    EXPECT_NEAR(collide(world, contact_time() / 20'000, 0).restitution, expected, 2e-4); // first order in the step
+}
+
+INSTANTIATE_TEST_SUITE_P(Shares, ViscousDamping, testing::Values(0.05, 0.3, 0.7), [](const auto& test) {
+    return std::to_string(static_cast<int>(std::round(100 * test.param)));
+});
+
+/// The approaching grains as elastic spheres of glass.
+World elastic_spheres() {
+    World world = approaching(1e-9);
+    world.material.law = grains::ContactLaw::HertzMindlin;
+    world.material.modulus = 70e9;
+    return world;
+}
+
+// Overlap (15 m v2/(16 E* sqrt(R)))^(2/5) = d, duration 2.9432 d/v [Hertz 1882; Johnson 1985, 11.4].
+TEST(ElasticCollision, LastsAndGoesAsDeepAsHertzComputed) {
+    const World world = elastic_spheres();
+    const double contact_modulus = 70e9 / (2 * (1 - 0.09)), radius = 1e-4 * 1.5e-4 / 2.5e-4;
+    const double depth =
+        std::pow(15 * effective_mass() * speed * speed / (16 * contact_modulus * std::sqrt(radius)), 0.4);
+    const double duration = 2.9432 * depth / speed, dt = duration / 2000;
+    const Collision collision = collide(world, dt, 0);
+    EXPECT_NEAR(collision.max_overlap / depth, 1, 1e-5);
+    EXPECT_NEAR(collision.duration / duration, 1, 2.0 / 2000);
+    EXPECT_NEAR(collision.restitution, 1, 1e-5);
+}
+
+TEST(ElasticCollision, WithViscousDampingRestoresTheSameShareAtAnySpeed) {
+    const auto restitution = [](double slower) {
+        World world = elastic_spheres();
+        world.material.viscous_damping = 0.2;
+        for (Vec3& velocity : world.grains.velocity) {
+            velocity = slower * velocity;
+        }
+        return collide(world, 1e-10, 0).restitution / slower;
+    };
+    EXPECT_NEAR(
+        restitution(1), restitution(0.1), 1e-3
+    );                                        // damping grows with the root of the stiffness: no scale is left
+    EXPECT_NEAR(restitution(1), 0.49, 0.005); // integrated apart, by another program
+}
 
 TEST(Collision, TheCommonCenterStaysAtRest) {
     World world = approaching(1e-9);

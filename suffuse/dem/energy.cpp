@@ -1,10 +1,11 @@
 #include "suffuse/dem/energy.hpp"
 
 #include "suffuse/base/parallel.hpp"
-#include "suffuse/contact/linear_rolling.hpp"
+#include "suffuse/contact/one_contact.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/contact/sum_touching.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse::dem {
@@ -22,6 +23,11 @@ Triple<double> triple(const Vec3& v) {
 double taken_beyond(const Triple<double>& trial, double limit, double stiffness) {
     const double length = std::sqrt(dot(trial, trial));
     return length > limit && stiffness > 0 ? limit * (length - limit) / stiffness : 0;
+}
+
+/// Of a linear spring [J]. @param force2 square of what it carries
+double held_in(double force2, double stiffness) {
+    return stiffness > 0 ? 0.5 * force2 / stiffness : 0;
 }
 
 /// What the law takes from each contact in the step to come [J], in which the cell deforms as before.
@@ -49,7 +55,10 @@ struct NextStep {
             twists ? triple(contacts.twisting[c]) : Triple<double>{}, triple(contacts.normal[c]),
             bonds ? static_cast<double>(contacts.bonded[c]) : 0.0};
         const contact::ContactGeometry<double> geometry =
-            contact::find_geometry(law, pair.branch, pair.radius_1, pair.radius_2);
+            contact::find_geometry_under(law, pair.branch, pair.radius_1, pair.radius_2);
+        const double opening = dot(geometry.normal, pair.velocity);
+        taken.slip += taken_by_new_area(pair, geometry, opening, memory);
+        contact::let_go(law, geometry, opening, dt, memory);
         const contact::Limits<double> limits = contact::predict_forces<true, true>(law, dt, pair, geometry, memory);
         if (limits.touching == 0) {
             return; // what its springs hold as it opens is next to nothing
@@ -58,6 +67,27 @@ struct NextStep {
         taken.slip += taken_beyond(memory.shear_force, limits.slip, shear);
         taken.rolling += taken_beyond(memory.bending, limits.bending, law.rolling_stiffness * arms) +
                          taken_beyond(memory.twisting, limits.twisting, law.twisting_stiffness * arms);
+        taken.damping -= dt * opening *
+                         contact::viscous_force(law, pair.radius_1, pair.radius_2, geometry.normal_stiffness, opening);
+    }
+
+    /// What springs of shear lose as the contact area changes under them: slip at its edge [Mindlin and Deresiewicz
+    /// 1953] [J]. Parting grains let go of a share of the force with the stiffness, grains that approach keep it on
+    /// stiffer springs.
+    [[nodiscard]] double taken_by_new_area(
+        const contact::GrainPair<double>& pair, const contact::ContactGeometry<double>& geometry, double opening,
+        const contact::ContactMemory<double>& memory
+    ) const {
+        const double overlap = geometry.overlap, before = overlap + dt * opening;
+        if (!law.is_hertzian() || !(overlap > 0) || !(before > 0)) {
+            return 0;
+        }
+        const double stiffness_before = geometry.normal_stiffness * std::sqrt(before / overlap);
+        const double shear = law.shear_ratio * stiffness_before, arms = shear * pair.radius_1 * pair.radius_2;
+        const double held = held_in(dot(memory.shear_force, memory.shear_force), shear) +
+                            held_in(dot(memory.bending, memory.bending), law.rolling_stiffness * arms) +
+                            held_in(dot(memory.twisting, memory.twisting), law.twisting_stiffness * arms);
+        return held * (1 - std::sqrt(std::min(before, overlap) / std::max(before, overlap)));
     }
 };
 
@@ -115,19 +145,19 @@ double spring_energy(const World& world) {
     const grains::Grains& grains = world.grains;
     const contact::Contacts& contacts = world.contacts;
     const grains::Material& material = world.material;
+    const bool is_hertzian = material.law == grains::ContactLaw::HertzMindlin;
+    const double shear_ratio = grains::shear_ratio(material);
     return contact::sum_touching(contacts, grains.size(), 0.0, [&](double& sum, std::size_t c) {
         const double r1 = grains.radius[contacts.first[c]], r2 = grains.radius[contacts.second[c]];
-        const double normal = contact::normal_stiffness(material, r1, r2), shear = material.shear_ratio * normal;
+        const double overlap = contacts.overlap[c];
+        const double normal = contact::normal_stiffness(material, r1, r2, overlap), shear = shear_ratio * normal;
         const double bending = material.rolling_stiffness * shear * r1 * r2;
         const double twisting = material.twisting_stiffness * shear * r1 * r2;
-        const auto held = [](double stretch2, double stiffness) {
-            return stiffness > 0 ? 0.5 * stretch2 / stiffness : 0;
-        };
         const double push = contact::normal_force(grains, contacts, material, c);
-        sum += held(push * push, normal) + held(norm2(contacts.shear_force[c]), shear) +
-               held(norm2(contacts.bending[c]), bending);
+        sum += (is_hertzian ? 0.4 * push * overlap : held_in(push * push, normal)) +
+               held_in(norm2(contacts.shear_force[c]), shear) + held_in(norm2(contacts.bending[c]), bending);
         if (contacts.twisting.size() > 0) {
-            sum += held(norm2(contacts.twisting[c]), twisting);
+            sum += held_in(norm2(contacts.twisting[c]), twisting);
         }
     });
 }
@@ -140,7 +170,8 @@ Dissipation measure_dissipation(const World& world, double dt, double damping) {
         });
     rate.slip /= dt; // J of one step until here
     rate.rolling /= dt;
-    rate.damping = measure_damping(world, dt, damping);
+    rate.damping /= dt;
+    rate.damping += measure_damping(world, dt, damping);
     return rate;
 }
 

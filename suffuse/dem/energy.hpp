@@ -9,9 +9,10 @@ namespace suffuse::dem {
 
 /// What takes energy in the step to come [W].
 struct Dissipation {
-    double slip = 0;    ///< of contacts at the Coulomb limit
+    double slip = 0;    ///< of contacts at the Coulomb limit, and under Hertz's law at the edge of their area
     double rolling = 0; ///< of contacts at the limit of their bending or twisting moment
-    double damping = 0; ///< local damping of the grains' motion: a help of the calculation, no property of a soil
+    double damping = 0; ///< local damping of the grains' motion, a help of the calculation and no property of a soil;
+                        ///< and viscous damping of contacts
 };
 
 constexpr Dissipation operator+(const Dissipation& a, const Dissipation& b) {

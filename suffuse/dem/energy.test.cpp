@@ -39,6 +39,15 @@ TEST(SpringEnergy, IsThatOfTheNormalShearAndBendingSpring) {
     EXPECT_NEAR(spring_energy(world), closed, 1e-10 * closed); // the overlap is a 20,000th of the positions
 }
 
+TEST(SpringEnergy, OfElasticSpheresIsHertzs) {
+    World world = touching({0, 1e-9, 0});
+    world.material.law = grains::ContactLaw::HertzMindlin;
+    world.material.modulus = 70e9;
+    const double h = grains::hertz_modulus(world.material), root = std::sqrt(r / 2 * overlap);
+    const double closed = 0.4 * h * root * overlap * overlap + 0.5 * 1e-18 / (1.5 * h * root * 2 * 0.7 / 1.7);
+    EXPECT_NEAR(spring_energy(world), closed, 1e-9 * closed);
+}
+
 TEST(MeasuredDissipation, OfASlidingContactIsTheFrictionTimesItsSpeed) {
     World world = touching({0, -coulomb_limit(), 0}); // of a second grain that moves up
     world.grains.velocity[1] = {0, speed, 0};

@@ -83,7 +83,8 @@ std::vector<int> coordination(const World& world) {
 
 bool contacts_only_push(const World& world) {
     const grains::Material& material = world.material;
-    if (material.friction != 0 || adheres(material) || !is_diagonal(world.cell.velocity_gradient)) {
+    if (material.friction != 0 || material.viscous_damping != 0 || adheres(material) ||
+        !is_diagonal(world.cell.velocity_gradient)) {
         return false;
     }
     const auto all_zero = [](const std::vector<double>& column) {

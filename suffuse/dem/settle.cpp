@@ -12,7 +12,7 @@ namespace suffuse::dem {
 
 namespace {
 
-/// Stress over modulus that counts as none.
+/// Of its radius, which a stress that counts as none makes a grain overlap by [-].
 constexpr double unloaded = 1e-8;
 
 /// What the axes under stress control are to bear, and what they do [Pa].
@@ -43,7 +43,7 @@ bool is_balanced(
 ) {
     const Borne borne = borne_by(loading, state.stress);
     const bool unloads = borne.axes > 0 && borne.wanted == 0;
-    if (unloads && borne.found > unloaded * material.modulus) {
+    if (unloads && grains::overlap_under(material, borne.found) > unloaded) {
         return false;
     }
     if (unloads && borne.axes == 3) {

@@ -25,7 +25,7 @@ SpringNetwork::SpringNetwork(const World& world, double shear_ratio) : world_(wo
     springs_.reserve(touching.size());
     for (std::size_t c = 0; c < touching.size(); ++c) {
         const std::uint32_t i = touching.first[c], j = touching.second[c];
-        const double stiffness = contact::normal_stiffness(world.material, radius[i], radius[j]);
+        const double stiffness = contact::normal_stiffness(world.material, radius[i], radius[j], touching.overlap[c]);
         springs_.push_back({i, j, plan_.second_sum[c], stiffness, touching.normal[c]});
     }
 }

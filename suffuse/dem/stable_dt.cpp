@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace suffuse::dem {
@@ -22,11 +23,44 @@ struct ModeSums {
     ModeSums operator+(const ModeSums& b) const { return {energy + b.energy, inertia + b.inertia}; }
 };
 
+/// Overlap over the smaller radius that contacts to come are to be reckoned with.
+double overlap_to_come(const World& world) {
+    constexpr double grows = 2, least = 1e-4; // until the step is looked at again; the stiffness goes with the root
+    const grains::Grains& grains = world.grains;
+    const contact::Contacts& contacts = world.contacts;
+    double overlap = least / grows;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const double smaller = std::min(grains.radius[contacts.first[c]], grains.radius[contacts.second[c]]);
+        overlap = std::max(overlap, contacts.overlap[c] / smaller);
+    }
+    double speed2 = 0; // against the mean motion
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        speed2 = std::max(speed2, norm2(grains.velocity[g] - world.cell.velocity_gradient * grains.position[g]));
+    }
+    // A grain of mass m that stops at a fixed equal one: m v^2/2 = (2/5) H sqrt(r/2) overlap^(5/2).
+    const double mass_r3 = world.material.density * sphere_volume(1);
+    const double impact =
+        std::pow(1.25 * std::numbers::sqrt2 * mass_r3 * speed2 / grains::hertz_modulus(world.material), 0.4);
+    return std::max(grows * overlap, impact);
+}
+
+/// The material as contacts to come meet it.
+grains::Material material_to_come(const World& world) {
+    const bool is_hertzian = world.material.law == grains::ContactLaw::HertzMindlin;
+    return is_hertzian ? grains::linearized(world.material, overlap_to_come(world)) : world.material;
+}
+
+/// Of the stability limit without viscous damping: v lags by half a step, so that x'' + 2 z w x' + w^2 x = 0 is stable
+/// below this x 2/w.
+double share_when_damped(double z) {
+    return std::sqrt(1 + z * z) - z;
+}
+
 } // namespace
 
 double highest_frequency(const World& world, int iterations) {
     const grains::Grains& grains = world.grains;
-    const SpringNetwork network(world, contacts_only_push(world) ? 0 : world.material.shear_ratio);
+    const SpringNetwork network(world, contacts_only_push(world) ? 0 : grains::shear_ratio(world.material));
     Motions x{std::vector<Vec3>(grains.size()), std::vector<Vec3>(grains.size())};
     Motions force{std::vector<Vec3>(network.rows()), std::vector<Vec3>(network.rows())};
     for (std::size_t g = 0; g < grains.size(); ++g) { // any start that is not orthogonal to the stiffest mode
@@ -81,17 +115,18 @@ pair_frequency(const grains::Material& material, double shear_ratio, const Inert
 
 double stable_time_step(const World& world, double safety) {
     const grains::Grains& grains = world.grains;
-    const double shear_ratio = contacts_only_push(world) ? 0 : world.material.shear_ratio;
+    const grains::Material material = material_to_come(world);
+    const double shear_ratio = contacts_only_push(world) ? 0 : material.shear_ratio;
     const auto grain = [&](std::size_t g) { return Inertia{grains.radius[g], grains.mass[g], grains.inertia[g]}; };
     const auto largest =
         static_cast<std::size_t>(std::max_element(grains.radius.begin(), grains.radius.end()) - grains.radius.begin());
     double highest = highest_frequency(world);
     for (std::size_t g = 0; g < grains.size(); ++g) {
         for (const std::size_t other : {g, largest}) {
-            highest = std::max(highest, pair_frequency(world.material, shear_ratio, grain(g), grain(other)));
+            highest = std::max(highest, pair_frequency(material, shear_ratio, grain(g), grain(other)));
         }
     }
-    return safety * 2 / highest;
+    return safety * share_when_damped(world.material.viscous_damping) * 2 / highest;
 }
 
 void check_time_step(const World& world, double asked) {

@@ -22,12 +22,15 @@ struct Inertia {
 double highest_frequency(const World& world, int iterations = 40);
 
 /// Highest angular frequency of two free grains that touch [rad/s], in closed form: pressed together; slipping and
-/// rolling, which grains of unequal size couple; twisting. @param shear_ratio that of the material, or 0 without shear
+/// rolling, which grains of unequal size couple; twisting. @param material of the linear law (grains::linearized);
+/// @param shear_ratio that of the material, or 0 without shear
 double
 pair_frequency(const grains::Material& material, double shear_ratio, const Inertia& first, const Inertia& second);
 
 /// `safety` x 2 / highest frequency of the network, and of what contacts may still come: two equal grains, or one and
-/// the largest [s]. Grains with several neighbors are quicker than pairs: look again when `network_has_grown`.
+/// the largest [s]. Under Hertz's law those are as stiff as twice the largest overlap makes them, or what the quickest
+/// grain overlaps by as it hits another; what damps contacts shortens the step. Grains with several neighbors are
+/// quicker than pairs: look again when `network_has_grown`.
 double stable_time_step(const World& world, double safety = default_step_safety);
 
 /// Longer steps blow a sample up, or heat it while it seems to settle. @throws CaseError where the time step that

@@ -51,6 +51,37 @@ TEST(HighestFrequency, OfAPairIsThatOfItsStiffestMode) {
     }
 }
 
+TEST(HighestFrequency, OfElasticSpheresIsThatOfTheirStiffnessAtTheOverlap) {
+    World world = pair_of(0.42, 0, 0);
+    world.material.law = grains::ContactLaw::HertzMindlin;
+    world.material.modulus = 70e9;
+    const double kn = 1.5 * grains::hertz_modulus(world.material) * std::sqrt(radius / 2 * overlap);
+    const double ks = kn * 2 * 0.7 / 1.7, expected = std::sqrt(7 * ks / world.grains.mass[0]); // slip is the stiffest
+    EXPECT_NEAR(highest_frequency(world, 400) / expected, 1, 1e-6);
+    // The step reckons with twice that overlap: the frequency grows with its fourth root.
+    EXPECT_NEAR(stable_time_step(world, 1) * expected / 2, std::pow(2, -0.25), 1e-3);
+}
+
+TEST(StableTimeStep, OfAContactThatIsDampedIsShorterAndJustStable) {
+    World world = pair_of(0.1, 0, 0); // the normal spring is the stiffest
+    world.material.friction = 0;
+    world.material.viscous_damping = 0.5;
+    const double limit = stable_time_step(world, 1);
+    EXPECT_NEAR(limit / (2 / highest_frequency(world, 400)), std::sqrt(1.25) - 0.5, 1e-3);
+    // Held together by a bond, a disturbed pair comes to rest below the limit, and blows up above it.
+    const auto motion_after = [&](double share, std::int64_t steps) {
+        World pair = pair_of(0.1, 0, 0);
+        pair.material.viscous_damping = 0.5;
+        pair.material.adhesion_normal = pair.material.adhesion_shear = 1e9;
+        pair.contacts.bonded.assign(1, 1);
+        StepCaches caches;
+        test::advance(pair, caches, test::plan_of(share * limit, 0), steps);
+        return std::abs(pair.grains.velocity[1].x - pair.grains.velocity[0].x);
+    };
+    EXPECT_LT(motion_after(0.98, 100), 0.3 * motion_after(0.98, 50));
+    EXPECT_GT(motion_after(1.02, 100), 3 * motion_after(1.02, 50));
+}
+
 TEST(HighestFrequency, OfFrictionlessGrainsIsThatOfNormalSpringsUnlessTheySpin) {
     World world = pair_of(0.42, 7.5, 2);
     world.material.friction = 0;

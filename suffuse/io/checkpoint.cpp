@@ -20,6 +20,10 @@ const std::string kind = "suffuse state";
 const std::string unfinished_bytes = "unfinished", unfinished_hash = "unfinished_hash";
 const std::string last_stress = "servo/stress"; // states of before the servo answered to it do not hold it
 
+// States of before there was a choice of laws do not hold these: their material has the defaults.
+const std::string contact_law = "material/law", poisson_ratio = "material/poisson",
+                  viscous_share = "material/viscous_damping";
+
 // Each list below binds every member of its struct by name: a new member stops the compiler until it is saved too.
 
 template <class Table, class Visit>
@@ -60,7 +64,7 @@ void list_contacts(Table& table, Visit&& visit) {
 
 template <class Values, class Visit>
 void list_material(Values& material, Visit&& visit) {
-    auto& [density, modulus, shear_ratio, friction, rolling_stiffness, rolling_friction, twisting_stiffness, twisting_friction, adhesion_normal, adhesion_shear] =
+    auto& [density, modulus, shear_ratio, friction, rolling_stiffness, rolling_friction, twisting_stiffness, twisting_friction, adhesion_normal, adhesion_shear, law, poisson, viscous_damping] =
         material;
     visit("material/density", "kg/m3", density);
     visit("material/modulus", "Pa", modulus);
@@ -72,6 +76,9 @@ void list_material(Values& material, Visit&& visit) {
     visit("material/twisting_friction", "", twisting_friction);
     visit("material/adhesion_normal", "Pa", adhesion_normal);
     visit("material/adhesion_shear", "Pa", adhesion_shear);
+    visit(contact_law, "", law);
+    visit(poisson_ratio, "", poisson);
+    visit(viscous_share, "", viscous_damping);
 }
 
 /// All but the contacts, which a file holds without the rows that carry no memory.
@@ -104,6 +111,10 @@ public:
     template <class T>
     void operator()(const std::string& name, const std::string& unit, const T& number) {
         file_.write(name, {}, &number, unit);
+    }
+
+    void operator()(const std::string& name, const std::string& unit, const grains::ContactLaw& law) {
+        (*this)(name, unit, static_cast<std::uint8_t>(law));
     }
 
     void operator()(const std::string& name, const std::string& unit, const Vec3& v) {
@@ -157,7 +168,18 @@ public:
 
     template <class T>
     void operator()(const std::string& name, const std::string&, T& number) {
-        number = values<T>(name, {}).front();
+        const bool is_newer = name == poisson_ratio || name == viscous_share;
+        if (!is_newer || file_.has(name)) {
+            number = values<T>(name, {}).front();
+        }
+    }
+
+    void operator()(const std::string& name, const std::string&, grains::ContactLaw& law) {
+        const std::uint8_t found = file_.has(name) ? values<std::uint8_t>(name, {}).front() : 0;
+        if (found > static_cast<std::uint8_t>(grains::ContactLaw::HertzMindlin)) {
+            file_.complain(fmt::format("{} holds {}, expected 0 (linear-rolling) or 1 (hertz-mindlin)", name, found));
+        }
+        law = static_cast<grains::ContactLaw>(found);
     }
 
     void operator()(const std::string& name, const std::string&, Vec3& v) {

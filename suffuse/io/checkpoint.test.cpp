@@ -91,9 +91,11 @@ dem::World any_world() {
     auto& m = world.material;
     for (double* value :
          {&m.density, &m.modulus, &m.shear_ratio, &m.friction, &m.rolling_stiffness, &m.rolling_friction,
-          &m.twisting_stiffness, &m.twisting_friction, &m.adhesion_normal, &m.adhesion_shear}) {
+          &m.twisting_stiffness, &m.twisting_friction, &m.adhesion_normal, &m.adhesion_shear, &m.poisson,
+          &m.viscous_damping}) {
         *value = any_double();
     }
+    m.law = *rc::gen::arbitrary<bool>() ? grains::ContactLaw::HertzMindlin : grains::ContactLaw::LinearRolling;
     return world;
 }
 
@@ -137,6 +139,13 @@ TEST(Checkpoint, WhatAStageNeedsToGoOnIsRefusedWhereOneByteOfItHasChanged) {
     EXPECT_THROW(load_world(folder / "partial.h5"), IoError);
 }
 
+/// Between the bytes of the members lies padding.
+bool same(const grains::Material& a, const grains::Material& b) {
+    constexpr std::size_t until_law = offsetof(grains::Material, law);
+    return std::memcmp(&a, &b, until_law) == 0 && a.law == b.law && same_bytes(a.poisson, b.poisson) &&
+           same_bytes(a.viscous_damping, b.viscous_damping);
+}
+
 RC_GTEST_PROP(Checkpoint, LoadingWhatWasSavedGivesTheSameBits, ()) {
     const dem::World world = any_world();
     const Attributes attributes{{"case", *rc::gen::nonEmpty(rc::gen::string<std::string>())}, {"stage", ""}};
@@ -151,7 +160,7 @@ RC_GTEST_PROP(Checkpoint, LoadingWhatWasSavedGivesTheSameBits, ()) {
     RC_ASSERT(same(back.world.contacts, world.contacts));
     RC_ASSERT(same_bytes(back.world.cell, world.cell));
     RC_ASSERT(same_bytes(back.world.reference_h, world.reference_h));
-    RC_ASSERT(same_bytes(back.world.material, world.material));
+    RC_ASSERT(same(back.world.material, world.material));
     RC_ASSERT(same_bytes(back.world.servo, world.servo));
     RC_ASSERT(same_bytes(back.world.clock, world.clock));
     RC_ASSERT(back.world.seed == world.seed);

@@ -42,7 +42,11 @@ void take_final_parameters(dem::World& world, const grains::Material& final_mate
     ));
 }
 
-/// Spares the steps in which a cloud is a gas: no sample remembers them, unless its grains adhere.
+bool is_at_rest(const dem::World& world) {
+    return std::ranges::all_of(world.grains.velocity, [](const Vec3& v) { return v == Vec3{}; });
+}
+
+/// Spares the steps in which a cloud at rest is a gas: no sample remembers them, unless its grains adhere.
 void leave_out_gas(dem::World& world) {
     dem::World closer = world;
     if (bring_to_porosity(closer, open_porosity)) {
@@ -66,7 +70,7 @@ void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state
         state.phase = clear ? CompactState::Phase::Compact : CompactState::Phase::Relax;
     } else if (swift) {
         bring_near_touching(world);
-    } else if (spec.protocol == Protocol::Faithful && !adheres(world.material) && dem::porosity(world) > open_porosity) {
+    } else if (spec.protocol == Protocol::Faithful && !adheres(world.material) && is_at_rest(world) && dem::porosity(world) > open_porosity) {
         leave_out_gas(world);
     }
     state.start_porosity = dem::porosity(world);

@@ -377,7 +377,7 @@ private:
             return {at_most(strain.least), at_most(strain.most)};
         }
         const double q = ratio * sample_.pressure / std::max(1 - ratio / 3, 0.1);
-        const double strain = q / variant_.material.modulus;
+        const double strain = q / as_pressed(sample_, variant_.material).modulus;
         return {at_most(strain / stiffest), at_most(strain / softest)};
     }
 

@@ -80,10 +80,15 @@ double pair_frequency(
         const double mass = more.mass * material.density * sphere_volume(radius);
         return dem::Inertia{radius, mass, more.turning * sphere_inertia(mass, radius)};
     };
-    return dem::pair_frequency(material, material.shear_ratio, grain(first), grain(second));
+    const grains::Material linear = as_pressed(sample, material);
+    return dem::pair_frequency(linear, linear.shear_ratio, grain(first), grain(second));
 }
 
 } // namespace
+
+grains::Material as_pressed(const PricedSample& sample, const grains::Material& material) {
+    return grains::linearized(material, grains::mean_overlap_at(material, sample.pressure));
+}
 
 PricedSample describe(const grains::Grains& grains) {
     PricedSample sample;

@@ -55,6 +55,9 @@ double fines_content(const PricedSample& sample);     ///< of the mass [-]
 double smallest_diameter(const PricedSample& sample); ///< [m]
 double count(const PricedSample& sample);             ///< grains before any erosion
 
+/// The linear law that is as stiff as the material at the sample's pressure.
+grains::Material as_pressed(const PricedSample& sample, const grains::Material& material);
+
 /// The stable time step of the settled sample [s].
 double settled_time_step(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent = {});
 

@@ -32,7 +32,7 @@ inline void from_json(const nlohmann::json& json, Mat3& m) {
 namespace grains {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Material, density, modulus, shear_ratio, friction, rolling_stiffness, rolling_friction, twisting_stiffness,
-    twisting_friction, adhesion_normal, adhesion_shear
+    twisting_friction, adhesion_normal, adhesion_shear, law, poisson, viscous_damping
 )
 } // namespace grains
 

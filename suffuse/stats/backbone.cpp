@@ -3,6 +3,7 @@
 #include "suffuse/dem/inspect.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace suffuse::stats {
@@ -49,7 +50,14 @@ Backbone measure_backbone(const dem::World& world, int least) {
 
 double stiffness_to_pressure(const dem::World& world) {
     const double pressure = dem::mean_stress(dem::mean_stress_tensor(world));
-    return pressure > 0 ? world.material.modulus / (2 * pressure) : 0;
+    if (!(pressure > 0)) {
+        return 0;
+    }
+    const grains::Material& material = world.material;
+    if (material.law == grains::ContactLaw::HertzMindlin) { // E/(1 - nu^2) = 1.5 H
+        return std::cbrt(std::pow(1.5 * grains::hertz_modulus(material) / pressure, 2));
+    }
+    return material.modulus / (2 * pressure);
 }
 
 } // namespace suffuse::stats

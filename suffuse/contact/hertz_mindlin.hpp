@@ -1,0 +1,37 @@
+#pragma once
+// What elastic spheres have in place of linear springs [Hertz 1882, Mindlin 1949; as simplified by Agnolin and Roux
+// 2007, appendix A], and what damps the normal motion of a contact under either law. Slip and the limits of rolling and
+// twisting are those of linear_rolling.hpp, into whose parts these are put.
+
+#include "suffuse/contact/linear_rolling.hpp"
+
+namespace suffuse::contact {
+
+/// Normal force over overlap [N/m]: H sqrt(R overlap), R = r1 r2/(r1 + r2); zero where the pair does not touch.
+template <class Real>
+[[gnu::always_inline]] inline Real
+hertz_stiffness(const LawConstantsOf<Real>& law, const Real& r1, const Real& r2, const Real& overlap) noexcept {
+    return law.hertz_modulus * root(r1 * r2 / (r1 + r2) * (overlap > Real{} ? overlap : Real{}));
+}
+
+/// What is left of the shear force and the moments of the step before [-]: as two grains part, their contact area
+/// shrinks, and takes with it the share of the springs that it held. Where they approach, the new area is free of
+/// shear. So no path closed in overlap and slip gains energy. @param opening speed of parting [m/s]; @param dt time
+/// step [s]
+template <class Real>
+[[gnu::always_inline]] inline Real left_by_parting(const Real& overlap, const Real& opening, const Real& dt) noexcept {
+    const Real zero{}, one(1), before = overlap + dt * opening;
+    return opening > zero && overlap > zero ? root(overlap / before) : one;
+}
+
+/// Normal force by which two grains resist their approach [N]: the given share of the critical damping, 2 sqrt(m k), of
+/// the pair at the stiffness that it has now. It pulls as they part. Masses are those of whole spheres.
+template <class Real>
+[[gnu::always_inline]] inline Real viscous_force(
+    const LawConstantsOf<Real>& law, const Real& r1, const Real& r2, const Real& normal_stiffness, const Real& opening
+) noexcept {
+    const Real ratio = r1 / r2, reduced = r1 * r1 * r1 / (Real(1) + ratio * ratio * ratio); // of r1^3 and r2^3
+    return Real{} - law.viscosity * root(reduced * normal_stiffness) * opening;
+}
+
+} // namespace suffuse::contact

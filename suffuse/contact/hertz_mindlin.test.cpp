@@ -1,0 +1,129 @@
+#include "suffuse/contact/hertz_mindlin.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/random.hpp"
+#include "suffuse/contact/one_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace suffuse::contact {
+namespace {
+
+constexpr double r1 = 1e-4, r2 = 1.5e-4, overlap = 1e-8, dt = 1e-9;
+
+grains::Material glass() {
+    grains::Material material;
+    material.law = grains::ContactLaw::HertzMindlin;
+    material.modulus = 70e9;
+    material.poisson = 0.3;
+    material.rolling_stiffness = 0;
+    material.friction = 1.5; // hardly slips
+    return material;
+}
+
+/// A contact along x whose second grain can be moved.
+struct Bench {
+    LawConstants law = resolve_law(glass());
+    double reach = r1 + r2, gap = -overlap, slid = 0;
+    ContactMemory<double> memory{};
+
+    /// One step to another gap and slip [m]. @return force on the second grain
+    Triple<double> move(double new_gap, double new_slid) {
+        const double factor = reach / (reach + new_gap); // of the law, on the velocity
+        const GrainPair<double> pair{
+            {reach + new_gap, 0, 0}, {(new_gap - gap) / dt, (new_slid - slid) / (factor * dt), 0}, {}, {}, r1, r2};
+        gap = new_gap, slid = new_slid;
+        return act_between<false, false>(law, dt, pair, memory).force;
+    }
+};
+
+// F = (4/3) E* sqrt(R) overlap^(3/2), with E* = E/(2 (1 - nu^2)) of two like grains.
+TEST(HertzMindlin, NormalForceIsThatOfElasticSpheres) {
+    const double contact_modulus = 70e9 / (2 * (1 - 0.09)), radius = r1 * r2 / (r1 + r2);
+    Bench bench;
+    const double expected = 4.0 / 3 * contact_modulus * std::sqrt(radius) * std::pow(overlap, 1.5);
+    EXPECT_NEAR(bench.move(-overlap, 0).x / expected, 1, 1e-7); // the overlap is a ten thousandth of the distance
+    EXPECT_EQ(bench.move(1e-12, 0).x, 0);
+}
+
+// dT/ds = 8 G* sqrt(R overlap), with G* = G/(2 (2 - nu)) of two like grains, G = E/(2 (1 + nu)).
+TEST(HertzMindlin, ShearStiffnessIsThatOfMindlinWithoutSlip) {
+    const double shear_modulus = 70e9 / (2 * 1.3), radius = r1 * r2 / (r1 + r2);
+    const double expected = 8 * shear_modulus / (2 * 1.7) * std::sqrt(radius * overlap);
+    Bench bench;
+    bench.move(-overlap, 0);
+    EXPECT_NEAR(bench.move(-overlap, 1e-11).y / (-1e-11 * expected), 1, 1e-6);
+}
+
+// [Agnolin and Roux 2007]: T falls with the shear stiffness, sqrt(overlap), and does not rise with it.
+TEST(HertzMindlin, PartingTakesTheShearForceOfTheAreaThatIsLost) {
+    Bench bench;
+    bench.move(-overlap, 0);
+    const double sheared = bench.move(-overlap, 1e-10).y;
+    constexpr int steps = 10'000;
+    double parted = 0, pressed = 0;
+    for (int k = 1; k <= steps; ++k) {
+        parted = bench.move(-overlap * (1 - 0.75 * k / steps), 1e-10).y;
+    }
+    EXPECT_NEAR(parted / sheared, 0.5, 1e-6); // a quarter of the overlap is left
+    for (int k = 1; k <= steps; ++k) {
+        pressed = bench.move(-overlap * (0.25 + 0.75 * k / steps), 1e-10).y;
+    }
+    EXPECT_NEAR(pressed / parted, 1, 1e-9);
+}
+
+// Without what parting takes, a spring that is stretched while soft and let back while stiff gives more than it took.
+TEST(HertzMindlin, NoClosedPathOfOverlapAndSlipGivesEnergy) {
+    RandomStream random(3, "paths");
+    for (int path = 0; path < 200; ++path) {
+        Bench bench;
+        bench.move(-overlap, 0);
+        std::vector<std::pair<double, double>> corners;
+        for (int k = 0; k < 4; ++k) {
+            corners.emplace_back(-random.uniform(0.1, 2) * overlap, random.uniform(-1, 1) * 1e-9);
+        }
+        constexpr int rounds = 3, steps = 300;
+        double work = 0, size = 0;
+        Triple<double> before = bench.move(-overlap, 0);
+        corners.emplace_back(-overlap, 0);
+        for (int k = 0; k < rounds * static_cast<int>(corners.size()); ++k) {
+            const auto [gap, slid] = corners[static_cast<std::size_t>(k) % corners.size()];
+            const double gap_from = bench.gap, slid_from = bench.slid;
+            for (int q = 1; q <= steps; ++q) {
+                const double share = static_cast<double>(q) / steps, gap_before = bench.gap, slid_before = bench.slid;
+                const Triple<double> now =
+                    bench.move(gap_from + share * (gap - gap_from), slid_from + share * (slid - slid_from));
+                const double done = -0.5 * (now.x + before.x) * (bench.gap - gap_before) -
+                                    0.5 * (now.y + before.y) * (bench.slid - slid_before);
+                work += done, size += std::abs(done);
+                before = now;
+            }
+        }
+        EXPECT_GT(work, -1e-3 * size) << path; // first order in the step
+    }
+}
+
+TEST(HertzMindlin, ViscousForceIsTheAskedShareOfTheCriticalOne) {
+    grains::Material material = glass();
+    material.viscous_damping = 0.3;
+    const LawConstants law = resolve_law(material);
+    const double m1 = material.density * sphere_volume(r1), m2 = material.density * sphere_volume(r2);
+    const double mass = m1 * m2 / (m1 + m2), secant = hertz_stiffness(law, r1, r2, overlap);
+    const double critical = 2 * std::sqrt(mass * 1.5 * secant); // d(F)/d(overlap) is 1.5 F/overlap
+    EXPECT_NEAR(viscous_force(law, r1, r2, secant, 0.01) / (-0.3 * critical * 0.01), 1, 1e-12);
+    EXPECT_EQ(viscous_force(law, r2, r1, secant, 0.01), viscous_force(law, r1, r2, secant, 0.01));
+    EXPECT_EQ(viscous_force(law, r1, r2, 0.0, 0.01), 0); // at the first touch
+}
+
+TEST(HertzMindlin, GrainsThatAreToAdhereAreRefused) {
+    grains::Material material = glass();
+    material.adhesion_normal = 1e5;
+    EXPECT_THROW(resolve_law(material), CaseError);
+}
+
+} // namespace
+} // namespace suffuse::contact
