@@ -23,17 +23,24 @@ SEEDS = 32  # of each law and start: the scatter of one sample is twice what is 
 PREPARATION = {"dense": {"friction": 0}, "loose": {"adhesion_normal": "1 MPa"}}
 # `spread`: largest / smallest diameter, even by number in between. VARIED: what could explain angles off the literature's,
 # each by dense samples of the first law.
-USUAL = {"grains": 1000, "inertial_number": 1e-3, "spread": 1, "shear_ratio": 0.42}
+USUAL = {"grains": 1000, "inertial_number": 1e-3, "spread": 1, "shear_ratio": 0.42, "contacts": "linear-rolling"}
 VARIED = {  # what, and in how many samples
     "sizes 1 to 2": ({"spread": 2}, 16),
     "k_s/k_n 1": ({"shear_ratio": 1}, 16),
     "both": ({"spread": 2, "shear_ratio": 1}, 16),
     "8,000 grains": ({"grains": 8000}, 4),
+    "elastic spheres": ({"contacts": "hertz-mindlin"}, 16),
+    "elastic, sizes 1 to 2": ({"contacts": "hertz-mindlin", "spread": 2}, 16),
 }
 
 
-def material_of(law, shear_ratio):
+def material_of(law, shear_ratio, contacts):
     friction, rolling, _ = LAWS[law]
+    if contacts == "hertz-mindlin":  # quartz or glass
+        return suffuse.Material(
+            law=contacts, density=common.DENSITY, modulus="70 GPa", poisson=0.25, friction=math.atan(friction),
+            rolling_stiffness=0, rolling_friction=0,
+        )
     material = common.stiff(STIFFNESS, friction=math.atan(friction), shear_ratio=shear_ratio)
     if rolling:
         material.rolling_stiffness, material.rolling_friction = 7.5, rolling
@@ -45,9 +52,9 @@ def angle_of(ratio):
     return math.degrees(math.asin(3 * ratio / (6 + ratio)))
 
 
-def test(law, start, grains, inertial_number, spread, shear_ratio, seed):
+def test(law, start, grains, inertial_number, spread, shear_ratio, contacts, seed):
     radius = common.DIAMETER / (1 + spread) * numpy.linspace(1, spread, int(grains))
-    world = suffuse.make_cloud(radius, porosity=0.55, material=material_of(law, shear_ratio), seed=int(seed))
+    world = suffuse.make_cloud(radius, porosity=0.55, material=material_of(law, shear_ratio, contacts), seed=int(seed))
     common.compact(world, **PREPARATION[start])
     rows = world.triaxial(STRAIN, inertial_number=inertial_number, inertia="own", rows=500)["curve"]
     return {

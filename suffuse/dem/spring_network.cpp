@@ -18,14 +18,16 @@ contact::Contacts touching_contacts(const World& world) {
 
 } // namespace
 
-SpringNetwork::SpringNetwork(const World& world, double shear_ratio) : world_(world), shear_ratio_(shear_ratio) {
+SpringNetwork::SpringNetwork(const World& world, double shear_ratio, double least_overlap)
+    : world_(world), shear_ratio_(shear_ratio) {
     const contact::Contacts touching = touching_contacts(world);
     contact::plan_sums(touching, world.grains.size(), plan_);
     const std::vector<double>& radius = world.grains.radius;
     springs_.reserve(touching.size());
     for (std::size_t c = 0; c < touching.size(); ++c) {
         const std::uint32_t i = touching.first[c], j = touching.second[c];
-        const double stiffness = contact::normal_stiffness(world.material, radius[i], radius[j], touching.overlap[c]);
+        const double overlap = std::max(touching.overlap[c], least_overlap * std::min(radius[i], radius[j]));
+        const double stiffness = contact::normal_stiffness(world.material, radius[i], radius[j], overlap);
         springs_.push_back({i, j, plan_.second_sum[c], stiffness, touching.normal[c]});
     }
 }

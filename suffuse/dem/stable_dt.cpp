@@ -23,31 +23,38 @@ struct ModeSums {
     ModeSums operator+(const ModeSums& b) const { return {energy + b.energy, inertia + b.inertia}; }
 };
 
-/// Overlap over the smaller radius that contacts to come are to be reckoned with.
-double overlap_to_come(const World& world) {
-    constexpr double grows = 2, least = 1e-4; // until the step is looked at again; the stiffness goes with the root
-    const grains::Grains& grains = world.grains;
-    const contact::Contacts& contacts = world.contacts;
-    double overlap = least / grows;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        const double smaller = std::min(grains.radius[contacts.first[c]], grains.radius[contacts.second[c]]);
-        overlap = std::max(overlap, contacts.overlap[c] / smaller);
-    }
+/// How far contacts are in before a time step is looked at again, over the smaller radius; of Hertz's law, whose
+/// stiffness grows with the root of it.
+struct OverlapToCome {
+    double mean = 0; ///< of those that touch, under the stresses that the sample is to bear
+    double most = 0; ///< of those that may come
+};
+
+constexpr double overlap_growth = 2; // until the step is looked at again
+
+/// Of a grain of mass m that a fixed equal one stops: m v^2/2 = (2/5) H sqrt(r/2) overlap^(5/2).
+double overlap_of_impact(const World& world) {
     double speed2 = 0; // against the mean motion
-    for (std::size_t g = 0; g < grains.size(); ++g) {
-        speed2 = std::max(speed2, norm2(grains.velocity[g] - world.cell.velocity_gradient * grains.position[g]));
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        speed2 =
+            std::max(speed2, norm2(world.grains.velocity[g] - world.cell.velocity_gradient * world.grains.position[g]));
     }
-    // A grain of mass m that stops at a fixed equal one: m v^2/2 = (2/5) H sqrt(r/2) overlap^(5/2).
     const double mass_r3 = world.material.density * sphere_volume(1);
-    const double impact =
-        std::pow(1.25 * std::numbers::sqrt2 * mass_r3 * speed2 / grains::hertz_modulus(world.material), 0.4);
-    return std::max(grows * overlap, impact);
+    return std::pow(1.25 * std::numbers::sqrt2 * mass_r3 * speed2 / grains::hertz_modulus(world.material), 0.4);
 }
 
-/// The material as contacts to come meet it.
-grains::Material material_to_come(const World& world) {
-    const bool is_hertzian = world.material.law == grains::ContactLaw::HertzMindlin;
-    return is_hertzian ? grains::linearized(world.material, overlap_to_come(world)) : world.material;
+OverlapToCome overlap_to_come(const World& world, double pressure) {
+    constexpr double least = 1e-4, of_chains = 4; // over the mean: overlaps of the strongest contacts
+    const grains::Grains& grains = world.grains;
+    const contact::Contacts& contacts = world.contacts;
+    double seen = 0;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const double smaller = std::min(grains.radius[contacts.first[c]], grains.radius[contacts.second[c]]);
+        seen = std::max(seen, contacts.overlap[c] / smaller);
+    }
+    const Vec3& held = world.servo.held_stress;
+    const double mean = grains::mean_overlap_at(world.material, std::max({pressure, held.x, held.y, held.z}));
+    return {mean, std::max({least, overlap_of_impact(world), overlap_growth * seen, of_chains * mean})};
 }
 
 /// Of the stability limit without viscous damping: v lags by half a step, so that x'' + 2 z w x' + w^2 x = 0 is stable
@@ -58,9 +65,11 @@ double share_when_damped(double z) {
 
 } // namespace
 
-double highest_frequency(const World& world, int iterations) {
+double highest_frequency(const World& world, int iterations, double least_overlap) {
     const grains::Grains& grains = world.grains;
-    const SpringNetwork network(world, contacts_only_push(world) ? 0 : grains::shear_ratio(world.material));
+    const SpringNetwork network(
+        world, contacts_only_push(world) ? 0 : grains::shear_ratio(world.material), least_overlap
+    );
     Motions x{std::vector<Vec3>(grains.size()), std::vector<Vec3>(grains.size())};
     Motions force{std::vector<Vec3>(network.rows()), std::vector<Vec3>(network.rows())};
     for (std::size_t g = 0; g < grains.size(); ++g) { // any start that is not orthogonal to the stiffest mode
@@ -113,14 +122,18 @@ pair_frequency(const grains::Material& material, double shear_ratio, const Inert
     return std::sqrt(std::max({kn * lightness, rolling, material.twisting_stiffness * arm * agility}));
 }
 
-double stable_time_step(const World& world, double safety) {
+double stable_time_step(const World& world, double safety, double pressure) {
     const grains::Grains& grains = world.grains;
-    const grains::Material material = material_to_come(world);
+    const bool is_hertzian = world.material.law == grains::ContactLaw::HertzMindlin;
+    const OverlapToCome overlap = is_hertzian ? overlap_to_come(world, pressure) : OverlapToCome{};
+    const grains::Material material = is_hertzian ? grains::linearized(world.material, overlap.most) : world.material;
     const double shear_ratio = contacts_only_push(world) ? 0 : material.shear_ratio;
     const auto grain = [&](std::size_t g) { return Inertia{grains.radius[g], grains.mass[g], grains.inertia[g]}; };
     const auto largest =
         static_cast<std::size_t>(std::max_element(grains.radius.begin(), grains.radius.end()) - grains.radius.begin());
-    double highest = highest_frequency(world);
+    constexpr int iterations = 40;
+    const double stiffer = is_hertzian ? std::pow(overlap_growth, 0.25) : 1; // as a frequency
+    double highest = stiffer * highest_frequency(world, iterations, overlap.mean);
     for (std::size_t g = 0; g < grains.size(); ++g) {
         for (const std::size_t other : {g, largest}) {
             highest = std::max(highest, pair_frequency(material, shear_ratio, grain(g), grain(other)));

@@ -19,7 +19,8 @@ struct Inertia {
 /// Highest angular frequency of the network of touching contacts [rad/s], before the first step of those that overlap;
 /// 0 without contacts. All of them stick, but for frictionless grains at rest in rotation: only their normal springs
 /// act. Power iteration on M^-1 K: it comes from below, within a few percent after `iterations`.
-double highest_frequency(const World& world, int iterations = 40);
+/// @param least_overlap over the smaller radius, that contacts are taken to have at least (Hertz's law)
+double highest_frequency(const World& world, int iterations = 40, double least_overlap = 0);
 
 /// Highest angular frequency of two free grains that touch [rad/s], in closed form: pressed together; slipping and
 /// rolling, which grains of unequal size couple; twisting. @param material of the linear law (grains::linearized);
@@ -28,10 +29,11 @@ double
 pair_frequency(const grains::Material& material, double shear_ratio, const Inertia& first, const Inertia& second);
 
 /// `safety` x 2 / highest frequency of the network, and of what contacts may still come: two equal grains, or one and
-/// the largest [s]. Under Hertz's law those are as stiff as twice the largest overlap makes them, or what the quickest
-/// grain overlaps by as it hits another; what damps contacts shortens the step. Grains with several neighbors are
-/// quicker than pairs: look again when `network_has_grown`.
-double stable_time_step(const World& world, double safety = default_step_safety);
+/// the largest [s]. Under Hertz's law all are reckoned with as they will be under `pressure`, or what the world holds
+/// now, and twice as far in; what damps contacts shortens the step. Grains with several neighbors are quicker than
+/// pairs: look again when `network_has_grown`.
+/// @param pressure that the sample is to bear soon, if more than it does [Pa]
+double stable_time_step(const World& world, double safety = default_step_safety, double pressure = 0);
 
 /// Longer steps blow a sample up, or heat it while it seems to settle. @throws CaseError where the time step that
 /// somebody asks for [s] is beyond the stability limit of the world as it is.

@@ -119,7 +119,7 @@ double choose_time_step(const dem::World& world, const CompactSpec& spec) {
         return spec.time_step;
     }
     if (spec.protocol != Protocol::Slow) {
-        return dem::stable_time_step(world);
+        return dem::stable_time_step(world, dem::default_step_safety, spec.pressure);
     }
     return slow_time_step(*std::min_element(world.grains.radius.begin(), world.grains.radius.end()), world.material);
 }
