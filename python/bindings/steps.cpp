@@ -177,19 +177,6 @@ py::dict relax(
     return dict;
 }
 
-/// @param key whose word it is
-template <class T, std::size_t N>
-T word_of(const std::string& word, const std::array<casefile::names::Word<T>, N>& words, const char* key) {
-    std::string all;
-    for (const auto& [value, name] : words) {
-        if (word == name) {
-            return value;
-        }
-        all += fmt::format("{}{}", all.empty() ? "" : ", ", name);
-    }
-    throw CaseError(fmt::format("{}: found \"{}\", expected one of {}", key, word, all));
-}
-
 /// A number, or one of the words of a case.
 double inertial_number_of(const py::object& value) {
     if (py::isinstance<py::str>(value)) {
