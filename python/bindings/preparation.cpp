@@ -51,7 +51,7 @@ packing::CompactState compact_once(
 packing::CompactSpec spec_of(
     const py::object& pressure, const py::object& friction, const py::object& adhesion_normal,
     const py::object& adhesion_shear, const py::object& void_ratio, const py::object& void_ratio_tolerance,
-    const std::string& protocol, const py::object& max_rate
+    const std::string& protocol, const py::object& max_rate, const std::string& shear_stresses
 ) {
     const auto key = [](const char* name) -> const casefile::Key& { return key_of("stage.compact", name); };
     const auto adhesion = [](const char* name, const py::object& value) {
@@ -61,6 +61,7 @@ packing::CompactSpec spec_of(
     };
     packing::CompactSpec spec;
     spec.protocol = protocol_of(protocol);
+    spec.shear_released = word_of(shear_stresses, casefile::names::shear_stresses, "shear_stresses");
     spec.max_rate = optional_value_of(key("max_rate"), max_rate, "max_rate");
     spec.pressure = value_of(key("pressure"), pressure, "pressure");
     spec.prepare.friction = optional_value_of(key_of("stage.compact.prepare", "friction"), friction, "friction");
@@ -75,17 +76,23 @@ packing::CompactSpec spec_of(
             print_quantity(*spec.prepare.friction, dimension::angle), protocol
         ));
     }
+    if (spec.shear_released && spec.protocol == packing::Protocol::Slow) {
+        throw CaseError(
+            "shear_stresses: found \"released\", which the servo of protocol \"slow\" cannot; take another protocol"
+        );
+    }
     return spec;
 }
 
 py::dict compact(
     WorldHandle& w, const Quantity& pressure, const QuantityOrNone& friction, const QuantityOrNone& adhesion_normal,
     const QuantityOrNone& adhesion_shear, const QuantityOrNone& void_ratio, const Quantity& void_ratio_tolerance,
-    const std::string& protocol, const QuantityOrNone& max_rate, const dem::BalanceSpec& balance,
-    const Quantity& damping, const CallableOrNone& on_progress
+    const std::string& protocol, const QuantityOrNone& max_rate, const std::string& shear_stresses,
+    const dem::BalanceSpec& balance, const Quantity& damping, const CallableOrNone& on_progress
 ) {
     const packing::CompactSpec spec = spec_of(
-        pressure, friction, adhesion_normal, adhesion_shear, void_ratio, void_ratio_tolerance, protocol, max_rate
+        pressure, friction, adhesion_normal, adhesion_shear, void_ratio, void_ratio_tolerance, protocol, max_rate,
+        shear_stresses
     );
     const double asked_damping = value_of(key_of("contact", "damping"), damping, "damping");
     packing::CompactState state;
@@ -174,8 +181,8 @@ void bind_preparation(py::module_& m) {
         py::arg("void_ratio") = py::none(),
         py::arg("void_ratio_tolerance") = packing::CompactSpec{}.void_ratio_tolerance,
         py::arg("protocol") = std::string(name_of(packing::Protocol::Faithful)), py::arg("max_rate") = py::none(),
-        py::arg_v("balance", dem::BalanceSpec{}, "Balance()"), py::arg("damping") = usual_damping,
-        py::arg("on_progress") = py::none(),
+        py::arg("shear_stresses") = "kept", py::arg_v("balance", dem::BalanceSpec{}, "Balance()"),
+        py::arg("damping") = usual_damping, py::arg("on_progress") = py::none(),
         with_keys(
             "Compacts a cloud isotropically, then settles it with the final material, as a stage that does "
             "\"compact\". Returns a dictionary: `steps`, `void_ratio_compacted` (before settling); and where a void "
@@ -188,7 +195,8 @@ void bind_preparation(py::module_& m) {
              {"stage.compact", "void_ratio"},
              {"stage.compact", "void_ratio_tolerance"},
              {"stage.compact", "protocol"},
-             {"stage.compact", "max_rate"}}
+             {"stage.compact", "max_rate"},
+             {"stage.compact", "shear_stresses"}}
         ).c_str()
     );
     m.def(

@@ -181,7 +181,8 @@ void take_axes(const py::object& given, cell::Control control, cell::Loading& lo
 using Axes = Typed<"float | str | Sequence[float | str | None] | None">;
 
 cell::Loading make_loading(
-    const Axes& stress, const Axes& strain_rate, const NumbersOrNone& velocity_gradient, const QuantityOrNone& max_rate
+    const Axes& stress, const Axes& strain_rate, const NumbersOrNone& velocity_gradient, const QuantityOrNone& max_rate,
+    const std::string& shear_stresses
 ) {
     cell::Loading loading;
     if (!velocity_gradient.is_none()) {
@@ -194,6 +195,10 @@ cell::Loading make_loading(
     take_axes(strain_rate, cell::Control::StrainRate, loading, taken);
     take_axes(stress, cell::Control::Stress, loading, taken);
     loading.servo.max_rate = optional_value_of(key_of("stage.advance.servo", "max_rate"), max_rate, "max_rate");
+    loading.shear_released = word_of(shear_stresses, casefile::names::shear_stresses, "shear_stresses");
+    if (loading.shear_released && !cell::releases_shear(loading)) {
+        throw CaseError("loading: shear_stresses are \"released\" beside a stress that is held, and there is none");
+    }
     return loading;
 }
 
@@ -214,7 +219,8 @@ py::tuple arguments_of(const cell::Loading& loading) {
     const auto& gradient = loading.velocity_gradient;
     return py::make_tuple(
         axes_of(loading, cell::Control::Stress), axes_of(loading, cell::Control::StrainRate),
-        gradient ? py::object(to_array(*gradient).attr("tolist")()) : py::object(py::none()), loading.servo.max_rate
+        gradient ? py::object(to_array(*gradient).attr("tolist")()) : py::object(py::none()), loading.servo.max_rate,
+        casefile::names::word_for(casefile::names::shear_stresses, loading.shear_released)
     );
 }
 
@@ -224,19 +230,20 @@ void bind_loading(py::module_& m) {
         "in Loading(strain_rate=(None, None, 10), stress=(\"100 kPa\", \"100 kPa\", None)). An axis with neither stays "
         "as it is.\n\nstress: to hold along each axis, compression positive [Pa]\nstrain_rate: along each axis, "
         "compression positive [1/s]\nvelocity_gradient: 3 x 3, dv/dx of the cell, extension positive, instead of the "
-        "other two [1/s]\nmax_rate: {}",
-        key_doc(key_of("stage.advance.servo", "max_rate"))
+        "other two [1/s]\nmax_rate: {}\nshear_stresses: {}",
+        key_doc(key_of("stage.advance.servo", "max_rate")), key_doc(key_of("stage.settle", "shear_stresses"))
     );
-    constexpr std::array fields{"stress", "strain_rate", "velocity_gradient", "max_rate"};
+    constexpr std::array fields{"stress", "strain_rate", "velocity_gradient", "max_rate", "shear_stresses"};
     constexpr std::array docs{
         "3: to hold along each axis, None where its strain rate is given; compression positive [Pa].",
         "3: along each axis, None where its stress is given; compression positive [1/s].",
         "3 x 3, a row each: dv/dx of the cell, or None [1/s].",
-        "Largest strain rate under stress control, or None [1/s]."};
+        "Largest strain rate under stress control, or None [1/s].",
+        "\"kept\" or \"released\": whether the cell shears until there are no shear stresses between the axes."};
     py::class_<cell::Loading> type(m, "Loading", doc.c_str());
     type.def(
         py::init(&make_loading), py::arg("stress") = py::none(), py::arg("strain_rate") = py::none(), py::kw_only(),
-        py::arg("velocity_gradient") = py::none(), py::arg("max_rate") = py::none()
+        py::arg("velocity_gradient") = py::none(), py::arg("max_rate") = py::none(), py::arg("shear_stresses") = "kept"
     );
     for (std::size_t k = 0; k < fields.size(); ++k) {
         type.def_property_readonly(
@@ -244,7 +251,10 @@ void bind_loading(py::module_& m) {
         );
     }
     type.def(py::pickle(&arguments_of, [](const py::tuple& state) {
-        return make_loading(py::object(state[0]), py::object(state[1]), py::object(state[2]), py::object(state[3]));
+        return make_loading(
+            py::object(state[0]), py::object(state[1]), py::object(state[2]), py::object(state[3]),
+            state[4].cast<std::string>()
+        );
     }));
     type.def("__eq__", [](const cell::Loading& self, const py::object& other) {
         return py::isinstance<cell::Loading>(other) &&
@@ -254,7 +264,7 @@ void bind_loading(py::module_& m) {
         const py::tuple values = arguments_of(loading);
         std::string text;
         for (std::size_t k = 0; k < fields.size(); ++k) {
-            if (const py::object value = values[k]; !value.is_none()) {
+            if (const py::object value = values[k]; !value.is_none() && !value.equal(py::str("kept"))) {
                 const auto told = py::repr(value).cast<std::string>();
                 text += fmt::format("{}{}={}", text.empty() ? "" : ", ", fields[k], told);
             }

@@ -1,6 +1,7 @@
 // What moves a world: steps under a loading and under forces, settling, relaxing, triaxial tests and stress probes.
 
 #include "suffuse/casefile/names.hpp"
+#include "suffuse/cell/drive.hpp"
 #include "suffuse/cell/hold_stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/relax.hpp"
@@ -82,7 +83,9 @@ std::shared_ptr<Asked> read_asked(
 void renew_time_step(Asked& asked, const dem::World& world, std::int64_t done) {
     const std::int64_t contacts = asked.computed ? dem::measure_equilibrium(world).contacts : 0;
     if (asked.computed && dem::time_step_is_due(done, contacts, asked.known_contacts)) {
-        asked.plan.dt = dem::stable_time_step(world);
+        asked.plan.dt = dem::stable_time_step(
+            world, dem::default_step_safety, cell::stress_to_bear(asked.plan.loading, world.servo)
+        );
         asked.known_contacts = contacts;
     }
 }
@@ -175,19 +178,6 @@ py::dict relax(
     dict["steps"] = report.steps;
     dict["reached_floor"] = report.reached_floor;
     return dict;
-}
-
-/// @param key whose word it is
-template <class T, std::size_t N>
-T word_of(const std::string& word, const std::array<casefile::names::Word<T>, N>& words, const char* key) {
-    std::string all;
-    for (const auto& [value, name] : words) {
-        if (word == name) {
-            return value;
-        }
-        all += fmt::format("{}{}", all.empty() ? "" : ", ", name);
-    }
-    throw CaseError(fmt::format("{}: found \"{}\", expected one of {}", key, word, all));
 }
 
 /// A number, or one of the words of a case.

@@ -105,6 +105,22 @@ def test_a_cloud_is_the_same_for_a_seed_and_can_be_compacted():
     assert cloud.measure()["stiffness_to_pressure"] == pytest.approx(cloud.material.modulus / 2 / cloud.mean_stress)
 
 
+def test_shear_stresses_are_released_where_asked():
+    cloud = suffuse.make_cloud(numpy.full(200, 1e-4), porosity=0.65, seed=3)
+    cloud.compact("100 kPa", protocol="swift", shear_stresses="released")
+    released = suffuse.Loading(stress="120 kPa", shear_stresses="released")
+    cloud.settle(released)
+    shear = cloud.stress - numpy.diag(numpy.diag(cloud.stress))
+    assert 0 < numpy.abs(shear).max() < 0.005 * cloud.mean_stress  # what the balance allows
+    assert released.shear_stresses == "released" and "released" in repr(released)
+    assert suffuse.Loading().shear_stresses == "kept" and "kept" not in repr(suffuse.Loading())
+    for wrong in ({"shear_stresses": "lost"}, {"shear_stresses": "released", "protocol": "slow"}):
+        with pytest.raises(suffuse.CaseError, match="shear_stresses"):
+            cloud.compact("100 kPa", **wrong)
+    with pytest.raises(suffuse.CaseError, match="beside a stress"):
+        suffuse.Loading(shear_stresses="released")
+
+
 def test_a_protocol_is_chosen_by_its_name():
     steps = {}
     for protocol in ("faithful", "swift"):

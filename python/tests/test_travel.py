@@ -73,6 +73,7 @@ def test_worlds_go_to_other_processes_and_come_back(settled):
     [
         suffuse.Material(friction="30 deg", adhesion_normal="1 kPa"), suffuse.Fluid(viscosity="2 mPa*s"),
         suffuse.Balance(patience=7), LOADING, suffuse.Loading(), suffuse.Loading(stress="50 kPa", max_rate=3),
+        suffuse.Loading(stress="50 kPa", shear_stresses="released"),
         suffuse.Loading(velocity_gradient=[[0, 0, 1], [0, -2.5, 0], [0, 0, 0.1]]),
     ],
 )

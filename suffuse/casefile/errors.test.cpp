@@ -80,6 +80,12 @@ const std::vector<Wrong> keys = {
     {"E201", 2, 7, 4, "needs a grading", with_line(3, "")},
     {"E207", 11, 1, 19, "`start_porosity`, and its protocol",
      with_line(14, "pressure = \"100 kPa\"\nstart_porosity = 0.4")},
+    {"E207", 11, 1, 19, "the servo of protocol \"slow\" cannot",
+     with_line(14, "pressure = \"100 kPa\"\nprotocol = \"slow\"\nshear_stresses = \"released\"")},
+    {"E207", 15, 1, 19, "holds no stress beside", with_stage("do = \"settle\"\nshear_stresses = \"released\"\n")},
+    {"E207", 15, 1, 19, "its inertial servo cannot",
+     with_stage("do = \"settle\"\npressure = \"1 kPa\"\nshear_stresses = \"released\"\n"
+                "servo = { kind = \"inertial\", mass = \"1 kg/m\" }\n")},
     {"E207", 15, 1, 19, "keeps to a `strain_ratio`, and gives none",
      with_stage("do = \"triaxial\"\npath = \"proportional\"\n")},
     {"E207", 15, 1, 19, "its path keeps to none", with_stage("do = \"triaxial\"\nstrain_ratio = 1\n")},

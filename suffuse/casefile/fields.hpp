@@ -85,6 +85,7 @@ void fields(V& v, packing::PackSpec& s) {
 template <class V>
 void fields(V& v, packing::CompactSpec& s) {
     v.field("pressure", s.pressure);
+    v.choice("shear_stresses", s.shear_released, names::shear_stresses);
     v.choice("protocol", s.protocol, names::protocol);
     v.field("start_porosity", s.start_porosity);
     v.table("prepare", [&](auto& p) {
@@ -101,6 +102,7 @@ void fields(V& v, packing::CompactSpec& s) {
     v.time_step(s.time_step);
     check_start(v, s);
     check_void_ratio(v, s);
+    check_shear_stresses(v, s);
 }
 
 template <class V>
@@ -123,9 +125,11 @@ void servo_field(V& v, cell::ServoSpec& s) {
 template <class V>
 void fields(V& v, dem::SettleSpec& s) {
     settle_stress_fields(v, s.loading);
+    v.choice("shear_stresses", s.loading.shear_released, names::shear_stresses);
     servo_field(v, s.loading.servo);
     v.time_step(s.time_step);
     v.field("max_steps", s.max_steps);
+    check_shear_stresses(v, s);
 }
 
 template <class V>

@@ -305,4 +305,29 @@ void check_void_ratio(Reader& v, const packing::CompactSpec& s) {
 
 void check_void_ratio(Writer&, const packing::CompactSpec&) {}
 
+void check_shear_stresses(Reader& v, const packing::CompactSpec& s) {
+    if (s.shear_released && s.protocol == packing::Protocol::Slow) {
+        v.error(
+            "E207", v.place(),
+            fmt::format("{} releases shear stresses, and the servo of protocol \"slow\" cannot", v.title()),
+            "take protocol = \"faithful\", or settle with shear_stresses = \"released\" afterwards"
+        );
+    }
+}
+
+void check_shear_stresses(Reader& v, const dem::SettleSpec& s) {
+    if (!s.loading.shear_released || cell::releases_shear(s.loading)) {
+        return;
+    }
+    const bool is_inertial = s.loading.servo.kind == cell::ServoKind::Inertial;
+    v.error(
+        "E207", v.place(),
+        fmt::format(
+            "{} releases shear stresses, {}", v.title(),
+            is_inertial ? "and its inertial servo cannot" : "and holds no stress beside"
+        ),
+        is_inertial ? "leave the kind of the servo out: secant" : "give `pressure` or `stress`, or take the key out"
+    );
+}
+
 } // namespace suffuse::casefile

@@ -35,6 +35,8 @@ inline constexpr std::array servo_kind = {
     Word<cell::ServoKind>{cell::ServoKind::Secant, "secant"},
     Word<cell::ServoKind>{cell::ServoKind::Inertial, "inertial"}};
 
+inline constexpr std::array shear_stresses = {Word<bool>{false, "kept"}, Word<bool>{true, "released"}};
+
 inline constexpr std::array protocol = {
     Word<packing::Protocol>{packing::Protocol::Faithful, "faithful"},
     Word<packing::Protocol>{packing::Protocol::Swift, "swift"},

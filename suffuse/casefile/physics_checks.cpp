@@ -202,6 +202,32 @@ public:
         );
     }
 
+    /// The flow between the grains themselves is solved in right-angled cells: better told before the sample is made.
+    void check_resolve(const Stage& stage, bool resolves) {
+        if (!resolves) {
+            return;
+        }
+        for (int k = stage.parent; k >= 0; k = variant_.stages[static_cast<std::size_t>(k)].parent) {
+            const Stage& before = variant_.stages[static_cast<std::size_t>(k)];
+            const auto* compact = std::get_if<packing::CompactSpec>(&before.spec);
+            const auto* settle = std::get_if<dem::SettleSpec>(&before.spec);
+            if ((compact == nullptr || !compact->shear_released) &&
+                (settle == nullptr || !settle->loading.shear_released)) {
+                continue;
+            }
+            context_.problems.error(
+                "E207", stage_place(stage, "resolve"),
+                fmt::format(
+                    "stage \"{}\" resolves the flow, which takes a right-angled cell, and stage \"{}\" before it "
+                    "releases shear stresses by shearing the cell",
+                    stage.name, before.name
+                ),
+                "leave `resolve` out: the pore network takes cells of any shape; or keep the shear stresses"
+            );
+            return;
+        }
+    }
+
     [[nodiscard]] Place stage_place(const Stage& stage, std::string_view key) const {
         return place_of(fmt::format("stage.{}.{}", stage.name, key));
     }
@@ -240,15 +266,18 @@ void check_stage(Checks& checks, const Stage& stage) {
         checks.check_start(stage);
     } else if (const auto* flow = std::get_if<flow::FlowSpec>(&stage.spec)) {
         checks.check_gradient(stage, "gradient", flow->gradient);
+        checks.check_resolve(stage, flow->resolve.has_value());
     } else if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {
         for (const double gradient : detach->gradients) {
             checks.check_gradient(stage, "gradients", gradient);
         }
+        checks.check_resolve(stage, detach->probe.resolve.has_value());
         checks.check_fines(stage);
         checks.check_start(stage);
     } else if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec)) {
         checks.check_gradient(stage, "gradient", erode->gradient);
         checks.check_travel(stage, *erode);
+        checks.check_resolve(stage, erode->probe.resolve.has_value());
         checks.check_fines(stage);
         checks.check_start(stage);
     } else if (std::holds_alternative<erosion::RemoveSpec>(stage.spec)) {

@@ -58,6 +58,17 @@ TEST(PhysicsChecks, AGradientAboveTheCriticalOneIsDoubtful) {
     EXPECT_EQ(find_problem(problems_of(head + "gradient = -1.1\n"), "W604").line, 18);
 }
 
+TEST(PhysicsChecks, AResolvedFlowTakesNoCellThatReleasedItsShearStresses) {
+    const auto settled = [](const std::string& shear_stresses) {
+        return good_case + "[[study.one.stage]]\nname = \"s\"\ndo = \"settle\"\npressure = \"100 kPa\"\n" +
+               "shear_stresses = \"" + shear_stresses +
+               "\"\n[[study.one.stage]]\nname = \"x\"\ndo = \"flow\"\ngradient = 0.1\n";
+    };
+    EXPECT_EQ(find_problem(problems_of(settled("released") + "resolve = 8\n"), "E207").line, 24);
+    EXPECT_EQ(problems_of(settled("kept") + "resolve = 8\n").size(), 0U);
+    EXPECT_EQ(problems_of(settled("released")).size(), 0U);
+}
+
 TEST(PhysicsChecks, TestsAndErosionNeedASampleThatCarriesAStress) {
     const std::string test = "[[study.one.stage]]\nname = \"x\"\ndo = \"triaxial\"\n";
     EXPECT_EQ(problems_of(good_case + test).size(), 0U);

@@ -47,6 +47,15 @@ std::vector<Key> servo_rows(const std::string& table) {
     };
 }
 
+Key shear_stresses(const char* where) {
+    return choice(
+        where, "shear_stresses", names::words_of(names::shear_stresses),
+        "kept: the cell keeps its angles, and shear stresses between the axes stay where chance puts them; released: "
+        "the cell shears until there are none, beside the stresses held. Needs the secant servo; later stages keep "
+        "the sheared cell."
+    );
+}
+
 std::vector<Key> movement_rows() {
     const std::string_view axes = "three texts, \"-\" where the other key gives the axis";
     Key stress = quantity(
@@ -85,6 +94,7 @@ std::vector<Key> movement_rows() {
                 "stage.settle", "pressure", dimension::pressure, from_zero,
                 "The same stress to hold along all axes. Without `pressure` and `stress` the volume is held."
             ),
+            shear_stresses("stage.settle"),
             time_step("stage.settle"),
             count("stage.settle", "max_steps", from_one, "Steps after which a stage that has not settled is an error."),
         }
@@ -252,6 +262,7 @@ std::vector<Key> preparation_rows() {
             required(quantity(
                 "stage.compact", "pressure", dimension::pressure, above_zero, "Isotropic stress to reach and settle at."
             )),
+            shear_stresses("stage.compact"),
             choice(
                 "stage.compact", "protocol", names::words_of(names::protocol),
                 "faithful: the reference's fabric in fewer steps; swift: the quickest, best with `void_ratio`, more "

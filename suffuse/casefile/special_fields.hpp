@@ -54,6 +54,13 @@ void check_start(Writer& v, const packing::CompactSpec& s);
 void check_void_ratio(Reader& v, const packing::CompactSpec& s);
 void check_void_ratio(Writer& v, const packing::CompactSpec& s);
 
+/// Shear stresses are released by the secant servo, beside stresses that are held.
+void check_shear_stresses(Reader& v, const packing::CompactSpec& s);
+void check_shear_stresses(Reader& v, const dem::SettleSpec& s);
+
+template <class Spec>
+void check_shear_stresses(Writer&, const Spec&) {}
+
 /// A ratio, "strict" or "loose".
 void inertial_number_field(Reader& v, double& value);
 void inertial_number_field(Writer& v, double value);

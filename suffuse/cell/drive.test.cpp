@@ -135,6 +135,87 @@ TEST(LargestRate, LetsAnAxisFollowThoseThatAreStrained) {
     EXPECT_EQ(largest_rate(loading, {}, 0.1), 160);
 }
 
+/// Stress of an elastic body, of shear modulus 1e8 Pa, that the servo lets go of its shear stresses under 100 kPa for
+/// `steps` steps. @param known shear modulus that the servo believes in [Pa]
+Mat3 released(int steps, double known, Cell& cell, double& most_against) {
+    constexpr double dt = 1e-7, modulus = 2e8, shear_modulus = 1e8;
+    Loading loading;
+    loading.axis.fill({Control::Stress, 1e5});
+    loading.servo = secant();
+    loading.shear_released = true;
+    ServoState servo;
+    servo.modulus = {modulus, modulus, modulus};
+    servo.shear_modulus = {known, known, known};
+    Mat3 stress = diagonal({1e5, 1e5, 1e5});
+    stress(0, 1) = stress(1, 0) = 2e4;
+    stress(1, 2) = stress(2, 1) = -3e4;
+    for (int k = 0; k < steps; ++k) {
+        servo.shear_stress = shear_stresses(stress);
+        cell.velocity_gradient = drive(cell, loading, {stress(0, 0), stress(1, 1), stress(2, 2)}, dt, 0, servo);
+        for (int a = 0; a < 3; ++a) {
+            for (int b = 0; b < 3; ++b) {
+                const double rate = cell.velocity_gradient(a, b) + cell.velocity_gradient(b, a);
+                stress(a, b) -= dt * (a == b ? modulus / 2 : shear_modulus) * rate;
+            }
+        }
+        most_against = std::max({most_against, -stress(0, 1), stress(1, 2)});
+    }
+    return stress;
+}
+
+TEST(ReleasedShear, DecaysInTheResponseTimeWithoutRingingAndLeavesAxesAsTheyAre) {
+    Cell cell;
+    double most_against = -1;
+    const Mat3 stress = released(100, 1e8, cell, most_against);
+    EXPECT_NEAR(stress(0, 1), 2e4 * std::pow(0.99, 100), 1e-6);
+    EXPECT_NEAR(stress(1, 2), -3e4 * std::pow(0.99, 100), 1e-6);
+    EXPECT_EQ(stress(0, 2), 0);
+    EXPECT_EQ(cell.velocity_gradient, transpose(cell.velocity_gradient)); // the cell does not turn
+    EXPECT_EQ(shear_stresses(cell.velocity_gradient).y, 0);
+    EXPECT_EQ(stress(0, 0), 1e5);
+    EXPECT_LE(most_against, 0);
+}
+
+TEST(ReleasedShear, DoesNotRingInABodyFarSofterThanTheAffineModulus) {
+    Cell cell;
+    double most_against = -1;
+    const Mat3 stress = released(20'000, 2e9, cell, most_against); // of twenty times its own: ten response times
+    EXPECT_NEAR(stress(0, 1), 0, 2e4 * 5e-5);
+    EXPECT_LE(most_against, 0);
+}
+
+TEST(ReleasedShear, ShearsACloudByNoMoreThanTheShareOfItsNoiseInThePressure) {
+    Loading loading;
+    loading.axis.fill({Control::Stress, 1e5});
+    loading.servo = secant();
+    loading.servo.max_rate = 250;
+    loading.shear_released = true;
+    ServoState servo; // no contacts, no stiffness
+    const double dt = 1e-7;
+    Mat3 gradient = drive({}, loading, {}, dt, 0, servo);
+    EXPECT_EQ(gradient, diagonal({-250, -250, -250}));
+    servo.shear_stress = {0, 0, 1e-3}; // a hundred-millionth of the pressure
+    gradient = drive({}, loading, {}, dt, 0, servo);
+    EXPECT_NEAR(gradient(0, 1), 0.5 * 1e-8 / (100 * dt), 1e-12);
+    servo.shear_stress = {0, -1e5, 0};
+    gradient = drive({}, loading, {}, dt, 0, servo);
+    EXPECT_EQ(gradient(2, 0), -125); // the largest rate counts the whole shear strain
+    EXPECT_EQ(gradient(0, 2), -125);
+}
+
+TEST(ReleasedShear, IsForTheSecantServoBesideAStressThatIsHeld) {
+    Loading loading;
+    loading.shear_released = true;
+    EXPECT_FALSE(releases_shear(loading));
+    loading.axis[1] = {Control::Stress, 1e5};
+    EXPECT_TRUE(releases_shear(loading));
+    loading.servo.kind = ServoKind::Inertial;
+    EXPECT_FALSE(releases_shear(loading));
+    loading.servo.kind = ServoKind::Secant;
+    loading.velocity_gradient = Mat3{};
+    EXPECT_FALSE(releases_shear(loading));
+}
+
 TEST(InertialServo, OscillatesAboutTheTargetAndItsGrowthDampingCalmsIt) {
     ServoSpec servo;
     servo.kind = ServoKind::Inertial;

@@ -3,6 +3,7 @@
 
 #include "suffuse/cell/cell.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -36,8 +37,25 @@ struct ServoSpec {
 struct Loading {
     std::array<AxisControl, 3> axis{};
     std::optional<Mat3> velocity_gradient; ///< dv/dx, extension positive [1/s]; replaces `axis` where given
+    /// Whether the cell shears until there is no shear stress between the axes; else it keeps its angles.
+    bool shear_released = false;
     ServoSpec servo;
 };
+
+inline bool holds_stress(const Loading& loading) {
+    const auto holds = [](const AxisControl& axis) { return axis.control != Control::StrainRate; };
+    return !loading.velocity_gradient && std::ranges::any_of(loading.axis, holds);
+}
+
+/// Shear stresses are let go of beside stresses that are held, by the secant servo.
+inline bool releases_shear(const Loading& loading) {
+    return loading.shear_released && loading.servo.kind == ServoKind::Secant && holds_stress(loading);
+}
+
+/// Of the pairs of axes yz, zx, xy: each is where the axis that it leaves out is.
+inline Vec3 shear_stresses(const Mat3& stress) {
+    return 0.5 * Vec3{stress(1, 2) + stress(2, 1), stress(2, 0) + stress(0, 2), stress(0, 1) + stress(1, 0)};
+}
 
 /// Stress that an axis under stress control should have [Pa]. @param stress of each axis
 inline double wanted_stress(const Loading& loading, int a, const Vec3& stress) {
@@ -62,6 +80,9 @@ struct ServoState {
     Vec3 held_stress{}; ///< held along each axis by the last loading stage, compression positive; zero: none [Pa]
     Vec3 mean_stress{}; ///< of each axis over the response time, compression positive; zero: not seen yet [Pa]
     Vec3 mean_rate{};   ///< strain rate of each axis over the response time, compression positive [1/s]
+    // Of the pairs of axes yz, zx, xy, while shear stresses are released; zero otherwise:
+    Vec3 shear_modulus{}; ///< of the contact network, kept up to date by the driver [Pa]
+    Vec3 shear_stress{};  ///< in the last step [Pa]
 };
 
 } // namespace suffuse::cell

@@ -15,29 +15,33 @@ double normal_stiffness(const grains::Material& material, double r1, double r2, 
 }
 
 template <class Real>
-Vec3 affine_moduli(
+AffineModuli affine_moduli(
     const grains::Grains& grains, const ContactPairs& contacts, const MemoryOf<Real>& memory,
     const grains::Material& material, const Mat3& h
 ) {
     const double shear_ratio = grains::shear_ratio(material);
-    const Vec3 sum = sum_touching(contacts, memory, grains.size(), Vec3{}, [&](Vec3& part, std::size_t c) {
+    const auto add = [&](AffineModuli& part, std::size_t c) {
         const double r1 = grains.radius[contacts.first[c]], r2 = grains.radius[contacts.second[c]];
         const double kn = normal_stiffness(material, r1, r2, memory.overlap[c]), length = r1 + r2 - memory.overlap[c];
         const Vec3 n = memory.normal[c];
         for (int a = 0; a < 3; ++a) {
             const double square = n[a] * n[a];
-            part[a] += kn * length * length * square * (square + shear_ratio * (1 - square));
+            part.longitudinal[a] += kn * length * length * square * (square + shear_ratio * (1 - square));
+            const double other = n[(a + 1) % 3] * n[(a + 1) % 3], third = n[(a + 2) % 3] * n[(a + 2) % 3];
+            const double product = other * third;
+            part.shear[a] += kn * length * length * (product + shear_ratio * ((other + third) / 4 - product));
         }
-    });
-    return (1 / determinant(h)) * sum;
+    };
+    const AffineModuli sum = sum_touching(contacts, memory, grains.size(), AffineModuli{}, add);
+    const double per_volume = 1 / determinant(h);
+    return {per_volume * sum.longitudinal, per_volume * sum.shear};
 }
 
-template Vec3
+template AffineModuli
 affine_moduli(const grains::Grains&, const ContactPairs&, const SingleMemory&, const grains::Material&, const Mat3&);
 
-Vec3 affine_moduli(
-    const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, const Mat3& h
-) {
+AffineModuli
+affine_moduli(const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, const Mat3& h) {
     return affine_moduli(grains, contacts, contacts, material, h);
 }
 

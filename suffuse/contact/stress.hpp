@@ -8,15 +8,24 @@
 
 namespace suffuse::contact {
 
-/// Longitudinal modulus along each axis if the grains moved with the mean strain (an upper bound of the true one) [Pa]:
-/// the sum over contacts of |branch|^2 (kn n_a^4 + ks n_a^2 (1 - n_a^2)) / V.
-Vec3 affine_moduli(
-    const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, const Mat3& h
-);
+/// Of a network whose grains move with the mean strain: upper bounds of the true moduli.
+struct AffineModuli {
+    /// Along each axis: the sum over contacts of |branch|^2 (kn n_a^4 + ks n_a^2 (1 - n_a^2)) / V [Pa].
+    Vec3 longitudinal{};
+    /// Of the pairs of axes yz, zx, xy: of |branch|^2 (kn n_a^2 n_b^2 + ks ((n_a^2 + n_b^2)/4 - n_a^2 n_b^2)) / V [Pa].
+    Vec3 shear{};
+};
+
+inline AffineModuli operator+(const AffineModuli& a, const AffineModuli& b) {
+    return {a.longitudinal + b.longitudinal, a.shear + b.shear};
+}
+
+AffineModuli
+affine_moduli(const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, const Mat3& h);
 
 /// The same where the memory of the contacts is elsewhere.
 template <class Real>
-Vec3 affine_moduli(
+AffineModuli affine_moduli(
     const grains::Grains& grains, const ContactPairs& contacts, const MemoryOf<Real>& memory,
     const grains::Material& material, const Mat3& h
 );

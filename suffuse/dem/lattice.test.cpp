@@ -1,5 +1,6 @@
 // Elastic constants of regular packings, measured through the periodic cell; contacts that may pull (here: bonded).
 
+#include "suffuse/contact/stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 
 #include <gtest/gtest.h>
@@ -80,6 +81,20 @@ INSTANTIATE_TEST_SUITE_P(
     ),
     [](const auto& test) { return test.param.first.name + std::to_string(test.param.second); }
 );
+
+TEST(Lattice, HasTheModuliThatTheServoReckonsWith) { // its grains move with the mean strain, by symmetry
+    for (const Lattice& lattice : {simple_cubic, body_centered, face_centered}) {
+        World world = build(lattice, 2);
+        StepCaches caches;
+        step(world, caches, test::plan_of(1e-9));
+        const test::ElasticConstants want = test::elastic_constants(lattice, world.material);
+        const auto moduli = contact::affine_moduli(world.grains, world.contacts, world.material, world.cell.h);
+        for (int a = 0; a < 3; ++a) { // overlaps are 1e-10 of the diameter
+            EXPECT_NEAR(moduli.longitudinal[a] / want.c11, 1, 1e-8) << lattice.name;
+            EXPECT_NEAR(moduli.shear[a] / want.c44, 1, 1e-8) << lattice.name;
+        }
+    }
+}
 
 TEST(Lattice, HasItsCoordinationEvenInACellAsNarrowAsOneGrain) {
     for (const Lattice& lattice : {simple_cubic, body_centered, face_centered}) {

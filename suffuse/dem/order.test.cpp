@@ -158,6 +158,8 @@ TEST(StateHash, SeesEveryBitThatTheNextStepDependsOn) {
         [&](World& w) { w.contacts.bonded[touching] = 1; },
         [&](World& w) { w.grains.motion[7] = grains::Motion::Held; },
         [&](World& w) { nudge(w.servo.modulus.y); },
+        [&](World& w) { nudge(w.servo.shear_modulus.x); },
+        [&](World& w) { nudge(w.servo.shear_stress.z); },
         [&](World& w) { ++w.clock.step; },
     };
     for (std::size_t k = 0; k < changes.size(); ++k) {

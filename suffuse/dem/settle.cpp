@@ -15,7 +15,8 @@ namespace {
 /// Of its radius, which a stress that counts as none makes a grain overlap by [-].
 constexpr double unloaded = 1e-8;
 
-/// What the axes under stress control are to bear, and what they do [Pa].
+/// What the axes under stress control are to bear, and what they do [Pa]. Released shear stresses count, together, as
+/// one that is to be none.
 struct Borne {
     int axes = 0;
     double wanted = 0, found = 0, error = 0; ///< each the largest of them, in size
@@ -32,6 +33,11 @@ Borne borne_by(const cell::Loading& loading, const Mat3& stress) {
         borne.wanted = std::max(borne.wanted, std::abs(wanted));
         borne.found = std::max(borne.found, std::abs(stress(a, a)));
         borne.error = std::max(borne.error, std::abs(wanted - stress(a, a)));
+    }
+    if (cell::releases_shear(loading)) {
+        const double shear = norm(cell::shear_stresses(stress));
+        borne.found = std::max(borne.found, shear);
+        borne.error = std::max(borne.error, shear);
     }
     return borne;
 }

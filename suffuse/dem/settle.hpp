@@ -43,7 +43,8 @@ settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec
     std::string_view limit = "max_steps"
 );
 
-/// Largest error of a controlled stress over the largest wanted one; 0 where all wanted are zero [-].
+/// Largest error of a controlled stress, released shear stresses among them, over the largest wanted one; 0 where all
+/// wanted are zero [-].
 double stress_error(const cell::Loading& loading, const Mat3& stress);
 
 /// Holds every axis at the given stress, compression positive [Pa], or fixed where not given.

@@ -202,5 +202,15 @@ TEST(CarriesNothing, WhereTheVolumeIsHeldAndTheStressIsGone) {
     EXPECT_FALSE(carries_nothing(constant_volume(), spec, state, 1e5));
 }
 
+TEST(StressError, CountsShearStressesThatAreReleasedTogether) {
+    cell::Loading loading = isotropic_stress(1e5);
+    Mat3 stress = diagonal({1.001e5, 1e5, 1e5});
+    stress(0, 1) = stress(1, 0) = 3e3;
+    stress(1, 2) = stress(2, 1) = -4e3;
+    EXPECT_NEAR(stress_error(loading, stress), 1e-3, 1e-12);
+    loading.shear_released = true;
+    EXPECT_NEAR(stress_error(loading, stress), 5e-2, 1e-12);
+}
+
 } // namespace
 } // namespace suffuse::dem

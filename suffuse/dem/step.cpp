@@ -22,24 +22,27 @@ namespace {
 
 constexpr std::int64_t modulus_interval = 100; // steps between two looks at the stiffness that the servo reckons with
 
-bool has_stress_to_hold(const cell::Loading& loading) {
-    const auto holds = [](const cell::AxisControl& axis) { return axis.control != cell::Control::StrainRate; };
-    return !loading.velocity_gradient && std::any_of(loading.axis.begin(), loading.axis.end(), holds);
+/// Whether the servo reckons with a stiffness that it has not looked at yet.
+bool knows_no_moduli(const cell::ServoState& servo, const cell::Loading& loading) {
+    return servo.modulus == Vec3{} || (cell::releases_shear(loading) && servo.shear_modulus == Vec3{});
 }
 
 /// Whether the servo must look at the contact network's stiffness in this step. What it knew before a time without a
 /// stress to hold is of another state: it forgets that, and looks anew when it next has one.
 bool needs_moduli(World& world, const cell::Loading& loading) {
-    if (loading.servo.kind != cell::ServoKind::Secant || !has_stress_to_hold(loading)) {
+    if (!cell::releases_shear(loading)) {
+        world.servo.shear_modulus = {};
+    }
+    if (loading.servo.kind != cell::ServoKind::Secant || !cell::holds_stress(loading)) {
         world.servo.modulus = {};
         return false;
     }
-    return world.servo.modulus == Vec3{} || world.clock.step % modulus_interval == 0;
+    return knows_no_moduli(world.servo, loading) || world.clock.step % modulus_interval == 0;
 }
 
 /// A servo without a largest rate of its own keeps to an inertial number. The grains stay those of the caches.
 void look_at_sizes(const World& world, const cell::Loading& loading, StepCaches& caches) {
-    if (caches.servo_unit_rate == 0 && has_stress_to_hold(loading) && !loading.servo.max_rate) {
+    if (caches.servo_unit_rate == 0 && cell::holds_stress(loading) && !loading.servo.max_rate) {
         const double median = grains::median_diameter(world.grains);
         caches.servo_unit_rate = rate_of_inertial_number(servo_inertial_number, median, world.material.density, 1.0);
     }
@@ -140,7 +143,7 @@ void pair(World& world, StepCaches& caches, const StepPlan& plan) {
     make_sums(caches);
 }
 
-Vec3 look_at_moduli(const World& world, StepCaches& caches, Mode mode) {
+contact::AffineModuli affine_moduli(const World& world, StepCaches& caches, Mode mode) {
     const contact::SingleMemory* const single = single_memory(caches, mode);
     return single != nullptr
                ? contact::affine_moduli(world.grains, world.contacts, *single, world.material, world.cell.h)
@@ -169,8 +172,8 @@ bool moves_early(const contact::SumPlan& plan) {
 /// Whether the servo has to see the stress of this very step: the reference's does, and ours as long as it does not
 /// know how stiff the sample is. Otherwise it answers to the step before, so that grains need not wait for the stress.
 bool answers_at_once(const World& world, const cell::Loading& loading) {
-    return has_stress_to_hold(loading) &&
-           (loading.servo.kind == cell::ServoKind::Inertial || world.servo.modulus == Vec3{});
+    return cell::holds_stress(loading) &&
+           (loading.servo.kind == cell::ServoKind::Inertial || knows_no_moduli(world.servo, loading));
 }
 
 void move_one_domain(StepCaches& caches, std::size_t domain) {
@@ -254,10 +257,14 @@ Mat3 one_step(
     const Mat3 stress = (1 / cell::volume(cell)) * pressed.force_branch;
 
     // 8 measure
+    const bool releases_shear = cell::releases_shear(plan.loading);
     if (looks_at_moduli) {
-        world.servo.modulus = look_at_moduli(world, caches, plan.mode);
+        const contact::AffineModuli moduli = affine_moduli(world, caches, plan.mode);
+        world.servo.modulus = moduli.longitudinal;
+        world.servo.shear_modulus = releases_shear ? moduli.shear : Vec3{};
     }
     world.servo.stress = {stress(0, 0), stress(1, 1), stress(2, 2)};
+    world.servo.shear_stress = releases_shear ? cell::shear_stresses(stress) : Vec3{};
     if (at_once) {
         answer = answer_to(world.servo.stress, world, caches, plan, k);
     }

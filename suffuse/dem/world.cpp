@@ -12,6 +12,23 @@
 
 namespace suffuse::dem {
 
+namespace {
+
+/// What is zero where shear stresses are kept is left out there: such states hash as before they could be released.
+void add_servo(const cell::ServoState& servo, StateHash& hash) {
+    const auto& [modulus, stress, held_stress, mean_stress, mean_rate, shear_modulus, shear_stress] = servo;
+    for (const Vec3& column : {modulus, stress, held_stress, mean_stress, mean_rate}) {
+        hash.add(column);
+    }
+    for (const Vec3& column : {shear_modulus, shear_stress}) {
+        if (column != Vec3{}) {
+            hash.add(column);
+        }
+    }
+}
+
+} // namespace
+
 std::uint64_t state_hash(const World& world) {
     const grains::Grains& grains = world.grains;
     std::vector<std::uint32_t> order(grains.size());
@@ -21,7 +38,7 @@ std::uint64_t state_hash(const World& world) {
     StateHash hash;
     hash.add(world.cell.h);
     hash.add(world.cell.velocity_gradient);
-    hash.add(world.servo);
+    add_servo(world.servo, hash);
     hash.add(world.clock.step);
     for (const std::uint32_t g : order) {
         hash.add(grains.id[g]);

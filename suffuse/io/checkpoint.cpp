@@ -19,6 +19,8 @@ constexpr std::int64_t schema = 1; // raised when a name or a meaning changes
 const std::string kind = "suffuse state";
 const std::string unfinished_bytes = "unfinished", unfinished_hash = "unfinished_hash";
 const std::string last_stress = "servo/stress"; // states of before the servo answered to it do not hold it
+// States of before shear stresses could be released do not hold these.
+const std::string shear_modulus_name = "servo/shear_modulus", shear_stress_name = "servo/shear_stress";
 
 // States of before there was a choice of laws do not hold these: their material has the defaults.
 const std::string contact_law = "material/law", poisson_ratio = "material/poisson",
@@ -86,7 +88,7 @@ template <class State, class Visit>
 void list_world(State& world, Visit&& visit) {
     auto& [cell, reference_h, grains, material, contacts, servo, clock, seed] = world;
     auto& [h, velocity_gradient] = cell;
-    auto& [modulus, stress, held_stress, mean_stress, mean_rate] = servo;
+    auto& [modulus, stress, held_stress, mean_stress, mean_rate, shear_modulus, shear_stress] = servo;
     auto& [step, time] = clock;
     visit("cell/h", "m", h);
     visit("cell/velocity_gradient", "1/s", velocity_gradient);
@@ -96,6 +98,8 @@ void list_world(State& world, Visit&& visit) {
     visit("servo/held_stress", "Pa", held_stress);
     visit("servo/mean_stress", "Pa", mean_stress);
     visit("servo/mean_rate", "1/s", mean_rate);
+    visit(shear_modulus_name, "Pa", shear_modulus);
+    visit(shear_stress_name, "Pa", shear_stress);
     visit("clock/step", "", step);
     visit("clock/time", "s", time);
     visit("seed", "", seed);
@@ -183,7 +187,8 @@ public:
     }
 
     void operator()(const std::string& name, const std::string&, Vec3& v) {
-        if (name != last_stress || file_.has(name)) {
+        const bool is_newer = name == last_stress || name == shear_modulus_name || name == shear_stress_name;
+        if (!is_newer || file_.has(name)) {
             v = vector(values<double>(name, {3}), 0);
         }
     }

@@ -86,6 +86,8 @@ dem::World any_world() {
     world.contacts =
         any_contacts(*rc::gen::inRange(0, 12), grains, *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>());
     world.servo.modulus = any_vector();
+    world.servo.shear_modulus = any_vector();
+    world.servo.shear_stress = any_vector();
     world.clock = {*rc::gen::arbitrary<std::int64_t>(), any_double()};
     world.seed = *rc::gen::arbitrary<std::uint64_t>();
     auto& m = world.material;
@@ -292,6 +294,24 @@ TEST(Checkpoint, DamagedFilesAreRefusedWhereverTheyWereCut) {
         write_file(folder / "cut.h5", whole.substr(0, size));
         EXPECT_THROW(load_world(folder / "cut.h5"), IoError) << size;
     }
+}
+
+TEST(Checkpoint, StatesOfBeforeShearStressesCouldBeReleasedRememberNone) {
+    const TempFolder folder;
+    dem::World world = two_grains();
+    world.servo.mean_stress = world.servo.shear_modulus = world.servo.shear_stress = {1, 2, 3};
+    save_world(folder / "new.h5", world);
+    std::string file = test::read_all(folder / "new.h5");
+    for (const std::string name : {"shear_modulus", "shear_stress"}) {
+        const std::size_t end = file.find(name + '\0') + name.size() - 1;
+        ASSERT_LT(end, file.size());
+        ++file[end]; // another name: none that the program knows
+    }
+    write_file(folder / "old.h5", file);
+    const cell::ServoState servo = load_world(folder / "old.h5").world.servo;
+    EXPECT_EQ(servo.shear_modulus, Vec3{});
+    EXPECT_EQ(servo.shear_stress, Vec3{});
+    EXPECT_EQ(servo.mean_stress, world.servo.mean_stress);
 }
 
 TEST(Checkpoint, FolderThatIsNotThereIsAnError) {

@@ -128,14 +128,31 @@ TEST(PackingFormats, AGrainBroughtHomeMovesAsTheMeanMotionDoesThere) {
     EXPECT_EQ(back.grains.velocity, (std::vector<Vec3>{motion, motion}));
 }
 
-TEST(PackingFormats, LammpsRefusesACellThatItCannotHold) {
-    dem::World world;
-    world.cell.h(1, 0) = 0.1;
-    grains::add_grain(world.grains, {0, 0, 0}, 0.1, 2600);
+TEST(PackingFormats, LammpsGetsACellThatItCannotHoldTurnedWithItsGrains) {
+    dem::World world; // as released shear stresses leave it
+    world.cell.h = from_columns({1.25, 0.02, -0.1}, {0.05, 1.5, 0.03}, {-0.1, 0.03, 2});
+    for (int k = 0; k < 3; ++k) {
+        const double s = 0.1 + 0.25 * k;
+        const auto g = grains::add_grain(world.grains, {s, 0.7 * s, 1 - s}, 0.1, 2600);
+        world.grains.velocity[g] = {1, s, -s};
+        world.grains.spin[g] = {s, 2, -7};
+    }
     const TempFolder folder;
-    EXPECT_THROW(export_packing(folder / "p.data", world, PackingFormat::LammpsData), CaseError);
-    EXPECT_THROW(export_packing(folder / "p.dump", world, PackingFormat::LammpsDump), CaseError);
-    EXPECT_NO_THROW(export_packing(folder / "p.vtp", world, PackingFormat::Vtp));
+    for (const auto& [file, format] :
+         {std::pair{"p.data", PackingFormat::LammpsData}, {"p.dump", PackingFormat::LammpsDump}}) {
+        export_packing(folder / file, world, format);
+        const ImportedPacking back = read_packing(folder / file, 2600);
+        ASSERT_TRUE(back.cell.has_value());
+        const Mat3 turn = back.cell->h * inverse(world.cell.h);
+        const auto none = [](const Mat3& m) { return norm(m.column(0)) + norm(m.column(1)) + norm(m.column(2)); };
+        EXPECT_LE(none(transpose(turn) * turn - identity()), 1e-14) << file; // rounding
+        EXPECT_GT(determinant(turn), 0);
+        for (std::size_t g = 0; g < world.grains.size(); ++g) {
+            EXPECT_LE(norm(back.grains.position[g] - turn * world.grains.position[g]), 1e-14) << file;
+            EXPECT_LE(norm(back.grains.velocity[g] - turn * world.grains.velocity[g]), 1e-14) << file;
+            EXPECT_LE(norm(back.grains.spin[g] - turn * world.grains.spin[g]), 1e-14) << file;
+        }
+    }
 }
 
 TEST(PackingFormats, AnEndingTellsTheFormatAndEachNameHasOne) {

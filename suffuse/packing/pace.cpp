@@ -85,6 +85,7 @@ Pace choose_pace(
     plan.dt = state.time_step;
     plan.damping = state.damping;
     plan.loading = dem::isotropic_stress(spec.pressure);
+    plan.loading.shear_released = spec.shear_released;
     const bool proving = state.phase == CompactState::Phase::Prove;
     if (spec.protocol == Protocol::Swift && !proving) {
         return swift_pace(world, spec, balance, state, plan);

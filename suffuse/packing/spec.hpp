@@ -36,7 +36,8 @@ inline constexpr double cloud_inertial_number = 8.466e-3;
 
 /// `do = "compact"`: isotropic compaction to a pressure, then settling with the final parameters.
 struct CompactSpec {
-    double pressure = 0; ///< [Pa]
+    double pressure = 0;         ///< [Pa]
+    bool shear_released = false; ///< see cell::Loading; not in Slow
     Protocol protocol = Protocol::Faithful;
     std::optional<double> start_porosity; ///< Swift: to which the cloud is brought without forces [-]
     Prepare prepare;

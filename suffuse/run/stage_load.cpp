@@ -1,5 +1,6 @@
 // The verbs that load a sample: settle, triaxial, stress-probe, advance.
 
+#include "suffuse/cell/drive.hpp"
 #include "suffuse/cell/hold_stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
@@ -123,7 +124,9 @@ void do_settle(StageWork& work, const dem::SettleSpec& spec) {
         if (spec.time_step > 0) {
             work.time_step = spec.time_step;
         } else if (dem::time_step_is_due(state.steps, state.equilibrium.contacts, known_contacts)) {
-            work.time_step = dem::stable_time_step(work.world);
+            work.time_step = dem::stable_time_step(
+                work.world, dem::default_step_safety, cell::stress_to_bear(spec.loading, work.world.servo)
+            );
             known_contacts = state.equilibrium.contacts;
         }
         dem::StepPlan plan = plan_for(work, spec.loading);
@@ -234,7 +237,9 @@ void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {
         if (spec.time_step > 0) {
             work.time_step = spec.time_step;
         } else if (dem::time_step_is_due(done, contacts, known_contacts)) {
-            work.time_step = dem::stable_time_step(work.world);
+            work.time_step = dem::stable_time_step(
+                work.world, dem::default_step_safety, cell::stress_to_bear(spec.loading, work.world.servo)
+            );
             known_contacts = contacts;
         }
         const std::int64_t burst = std::min(

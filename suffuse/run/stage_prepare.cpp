@@ -62,15 +62,17 @@ void compact(StageWork& work, const packing::CompactSpec& spec, packing::Compact
     work.numbers["void_ratio_compacted"] = state.void_ratio_compacted;
 }
 
-/// The servo holds the stress on each axis; a right-angled cell has no way to let go of the shear stresses in between.
+/// The servo holds the stress on each axis; a cell that keeps its angles cannot let go of the shear stresses in
+/// between.
 void warn_of_shear_stress(StageWork& work, double pressure) {
     constexpr double much = 0.1;
     const double q = dem::deviator_stress(dem::mean_stress_tensor(work.world));
     if (q > much * pressure) {
         work.warnings.push_back(fmt::format(
             "{}: the stress on every axis is {:.4g} kPa, but shear stresses between the axes remain that make a "
-            "deviator stress of {:.3g} kPa: a right-angled cell cannot relax them; they shrink with more grains that "
-            "carry load",
+            "deviator stress of {:.3g} kPa: shear_stresses = \"released\" lets the cell shear until they are gone; "
+            "they "
+            "also shrink with more grains that carry load",
             work.place(), pressure / 1e3, q / 1e3
         ));
     }

@@ -131,7 +131,8 @@ bool target_reached(const TriaxialSpec& spec, const PathRow& row) {
 /// the stress asked for closes is noise. @param closed by a burst of this pace [Pa]; a sample is no stiffer than its
 /// network
 void ease_to_target(const dem::World& world, const TriaxialSpec& spec, double pace, double closed, PathState& state) {
-    const Vec3 modulus = contact::affine_moduli(world.grains, world.contacts, world.material, world.cell.h);
+    const Vec3 modulus =
+        contact::affine_moduli(world.grains, world.contacts, world.material, world.cell.h).longitudinal;
     const double full_burst = state.strain_rate * static_cast<double>(dem::burst_steps) * state.time_step;
     const double closing = std::min(closed / pace, modulus[spec.axis] * full_burst);
     const double to_close = closed_a_burst * *missing_deviator(spec, state.balance.stress);
