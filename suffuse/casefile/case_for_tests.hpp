@@ -252,6 +252,7 @@ do = "pack"
 name = "initial"
 do = "compact"
 pressure = "100 kPa"
+shear_stresses = "released"
 intergranular_void_ratio = 0.8
 [output]
 formats = ["csv", "vtp"]

@@ -29,4 +29,24 @@ TEST(Dependencies, ASampleDependsOnEveryNumberOfItsSoil) {
     EXPECT_NE(after([](grains::Soil& soil) { soil.fines->passing.front() += 0.01; }), as_it_is);
 }
 
+TEST(Dependencies, OfAStageThatKeepsItsShearStressesAreThoseOfBeforeTheyCouldBeReleased) {
+    const Case c = load(full_case);
+    const Variant& variant = c.studies[0].variants[0];
+    Stage compact = variant.stages[0], settle = compact;
+    packing::CompactSpec to_pressure;
+    dem::SettleSpec at_stress;
+    at_stress.loading.axis.fill({cell::Control::Stress, 1e5});
+    const auto told = [&] {
+        compact.spec = to_pressure, settle.spec = at_stress;
+        return dependencies_of(c, variant, compact) + dependencies_of(c, variant, settle);
+    };
+    const std::string kept = told();
+    EXPECT_EQ(kept.find("shear_stresses"), std::string::npos);
+    to_pressure.shear_released = true;
+    const std::string one = told();
+    EXPECT_NE(one.find("shear_stresses = \"released\""), std::string::npos);
+    at_stress.loading.shear_released = true;
+    EXPECT_NE(told(), one);
+}
+
 } // namespace

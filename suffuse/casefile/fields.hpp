@@ -82,10 +82,18 @@ void fields(V& v, packing::PackSpec& s) {
     v.field("porosity", s.porosity);
 }
 
+/// Written only where they are released: runs and cached stages of before this key stay those of their cases.
+template <class V>
+void shear_stresses_field(V& v, bool& released) {
+    if (V::reads || released) {
+        v.choice("shear_stresses", released, names::shear_stresses);
+    }
+}
+
 template <class V>
 void fields(V& v, packing::CompactSpec& s) {
     v.field("pressure", s.pressure);
-    v.choice("shear_stresses", s.shear_released, names::shear_stresses);
+    shear_stresses_field(v, s.shear_released);
     v.choice("protocol", s.protocol, names::protocol);
     v.field("start_porosity", s.start_porosity);
     v.table("prepare", [&](auto& p) {
@@ -125,7 +133,7 @@ void servo_field(V& v, cell::ServoSpec& s) {
 template <class V>
 void fields(V& v, dem::SettleSpec& s) {
     settle_stress_fields(v, s.loading);
-    v.choice("shear_stresses", s.loading.shear_released, names::shear_stresses);
+    shear_stresses_field(v, s.loading.shear_released);
     servo_field(v, s.loading.servo);
     v.time_step(s.time_step);
     v.field("max_steps", s.max_steps);

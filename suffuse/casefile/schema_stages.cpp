@@ -48,12 +48,14 @@ std::vector<Key> servo_rows(const std::string& table) {
 }
 
 Key shear_stresses(const char* where) {
-    return choice(
+    Key key = choice(
         where, "shear_stresses", names::words_of(names::shear_stresses),
         "kept: the cell keeps its angles, and shear stresses between the axes stay where chance puts them; released: "
         "the cell shears until there are none, beside the stresses held. Needs the secant servo; later stages keep "
         "the sheared cell."
     );
+    key.default_text = "\"kept\""; // not written, see shear_stresses_field
+    return key;
 }
 
 std::vector<Key> movement_rows() {

@@ -71,8 +71,7 @@ void warn_of_shear_stress(StageWork& work, double pressure) {
         work.warnings.push_back(fmt::format(
             "{}: the stress on every axis is {:.4g} kPa, but shear stresses between the axes remain that make a "
             "deviator stress of {:.3g} kPa: shear_stresses = \"released\" lets the cell shear until they are gone; "
-            "they "
-            "also shrink with more grains that carry load",
+            "more grains that carry load make them smaller",
             work.place(), pressure / 1e3, q / 1e3
         ));
     }
