@@ -76,17 +76,6 @@ void make_value(py::class_<Spec>& type, const std::vector<const char*>& fields) 
     });
 }
 
-grains::ContactLaw law_of(const std::string& word) {
-    for (const auto& [value, known] : casefile::names::law) {
-        if (word == known) {
-            return value;
-        }
-    }
-    throw CaseError(fmt::format(
-        "law: found \"{}\", expected {}", word, fmt::join(casefile::names::words_of(casefile::names::law), " or ")
-    ));
-}
-
 void bind_material(py::module_& m) {
     using grains::Material;
     py::class_<Material> type(m, "Material", "The constants of the contact law; keywords set fields.");
@@ -99,7 +88,7 @@ void bind_material(py::module_& m) {
         [](const Material& material) {
             return std::string(casefile::names::word_for(casefile::names::law, material.law));
         },
-        [](Material& material, const std::string& word) { material.law = law_of(word); },
+        [](Material& material, const std::string& word) { material.law = word_of(word, casefile::names::law, "law"); },
         key_doc(key_of("contact", "law")).c_str()
     );
     quantity_field(type, "contact", "friction", &Material::friction);

@@ -32,7 +32,7 @@ AffineModuli affine_moduli(
 
 /// Normal stiffness of a pair of radii, d(force)/d(overlap) [N/m]: that of the linear law, 2 E r1 r2/(r1 + r2), is the
 /// same at any overlap (reference 1.2).
-double normal_stiffness(const grains::Material& material, double r1, double r2, double overlap = 0);
+double normal_stiffness(const grains::Material& material, double r1, double r2, double overlap);
 
 /// Elastic normal force of row `c` in the last step, without what damps it, compression positive [N]. A bond that broke
 /// under tension carries no pull any more, though the contact lives until the next step.

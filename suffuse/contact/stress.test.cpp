@@ -16,7 +16,7 @@ TEST(AffineModuli, OfOneContactAreThoseOfTheAxesThatItLiesBetween) {
     contacts.second = {1};
     contacts.normal.push_back({0.6, 0, 0.8});
     contacts.overlap = {0};
-    const double kn = normal_stiffness(material, 1, 1);
+    const double kn = normal_stiffness(material, 1, 1, 0);
     const AffineModuli moduli = affine_moduli(grains, contacts, material, diagonal({2, 2, 2}));
     EXPECT_NEAR(moduli.shear.y, kn * 4 * 0.36 * 0.64 / 8, 1e-12 * kn); // zx
     EXPECT_EQ(moduli.shear.x, 0);

@@ -54,7 +54,7 @@ TEST(Dissipation, OfASlidingContactIsFrictionTimesPlasticSlip) {
         step(world, caches, plan);
         work -= (world.grains.torque[0].z + world.grains.torque[1].z) * rate * plan.dt;
     }
-    const double kn = contact::normal_stiffness(material, r1, r2), ks = material.shear_ratio * kn;
+    const double kn = contact::normal_stiffness(material, r1, r2, 0), ks = material.shear_ratio * kn;
     const double friction = kn * overlap * std::tan(material.friction), slip = (r1 + r2) * rate * steps * plan.dt;
     const double stored = 0.5 * friction * friction / ks, dissipated = friction * (slip - friction / ks);
     ASSERT_GT(dissipated, 5 * stored);

@@ -37,7 +37,7 @@ double product(const World& world, const Motions& a, const Motions& b) {
 
 TEST(SpringNetwork, NeedsTheForceOfTheNormalSpringToPressTwoGrainsTogether) {
     const World world = test::two_grains(1e-4, 1.5e-4, 1e-7, {});
-    const double kn = contact::normal_stiffness(world.material, 1e-4, 1.5e-4);
+    const double kn = contact::normal_stiffness(world.material, 1e-4, 1.5e-4, 0);
     const Motions force = applied(world, {{{}, {-1, 0, 0}}, {{}, {}}});
     EXPECT_NEAR(force.shift[1].x, -kn, 1e-12 * kn);
     EXPECT_NEAR(force.shift[0].x, kn, 1e-12 * kn);

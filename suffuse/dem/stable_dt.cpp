@@ -109,7 +109,7 @@ double highest_frequency(const World& world, int iterations, double least_overla
 double
 pair_frequency(const grains::Material& material, double shear_ratio, const Inertia& first, const Inertia& second) {
     const double r1 = first.radius, r2 = second.radius;
-    const double kn = contact::normal_stiffness(material, r1, r2), ks = shear_ratio * kn, arm = ks * r1 * r2;
+    const double kn = contact::normal_stiffness(material, r1, r2, 0), ks = shear_ratio * kn, arm = ks * r1 * r2;
     const double lightness = 1 / first.mass + 1 / second.mass, agility = 1 / first.turning + 1 / second.turning;
     // Shear and rolling spring each act along one direction of (shift, turn, turn), scaled by the roots of the inertia:
     // of the two modes that they span, the higher.
@@ -131,9 +131,8 @@ double stable_time_step(const World& world, double safety, double pressure) {
     const auto grain = [&](std::size_t g) { return Inertia{grains.radius[g], grains.mass[g], grains.inertia[g]}; };
     const auto largest =
         static_cast<std::size_t>(std::max_element(grains.radius.begin(), grains.radius.end()) - grains.radius.begin());
-    constexpr int iterations = 40;
     const double stiffer = is_hertzian ? std::pow(overlap_growth, 0.25) : 1; // as a frequency
-    double highest = stiffer * highest_frequency(world, iterations, overlap.mean);
+    double highest = stiffer * highest_frequency(world, usual_iterations, overlap.mean);
     for (std::size_t g = 0; g < grains.size(); ++g) {
         for (const std::size_t other : {g, largest}) {
             highest = std::max(highest, pair_frequency(material, shear_ratio, grain(g), grain(other)));

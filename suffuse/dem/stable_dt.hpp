@@ -9,6 +9,8 @@ namespace suffuse::dem {
 /// Share of the stability limit that is taken: the power iteration is a few percent low, and contacts come and go.
 inline constexpr double default_step_safety = 0.75;
 
+inline constexpr int usual_iterations = 40; ///< of the power method
+
 /// A grain as its springs feel it.
 struct Inertia {
     double radius = 0;  ///< [m]
@@ -20,7 +22,7 @@ struct Inertia {
 /// 0 without contacts. All of them stick, but for frictionless grains at rest in rotation: only their normal springs
 /// act. Power iteration on M^-1 K: it comes from below, within a few percent after `iterations`.
 /// @param least_overlap over the smaller radius, that contacts are taken to have at least (Hertz's law)
-double highest_frequency(const World& world, int iterations = 40, double least_overlap = 0);
+double highest_frequency(const World& world, int iterations = usual_iterations, double least_overlap = 0);
 
 /// Highest angular frequency of two free grains that touch [rad/s], in closed form: pressed together; slipping and
 /// rolling, which grains of unequal size couple; twisting. @param material of the linear law (grains::linearized);

@@ -153,6 +153,7 @@ TEST(PackingFormats, LammpsGetsACellThatItCannotHoldTurnedWithItsGrains) {
             EXPECT_LE(norm(back.grains.spin[g] - turn * world.grains.spin[g]), 1e-14) << file;
         }
     }
+    EXPECT_NO_THROW(export_packing(folder / "p.vtp", world, PackingFormat::Vtp));
 }
 
 TEST(PackingFormats, AnEndingTellsTheFormatAndEachNameHasOne) {

@@ -70,7 +70,7 @@ TEST(Backbone, StiffnessToPressureOfALatticeIsItsClosedForm) {
     test::add_contact(world, 0, 0, {}, {0, 0, 1});
     test::add_contact(world, 0, 0, {}, {0, 1, 0});
     test::add_contact(world, 0, 0, {}, {1, 0, 0});
-    const double stiffness = contact::normal_stiffness(world.material, 1, 1);
+    const double stiffness = contact::normal_stiffness(world.material, 1, 1, 0);
     const double pressure = stiffness * 0.01 / (1.99 * 1.99);
     EXPECT_NEAR(stiffness_to_pressure(world), stiffness / (pressure * 2), 1e-9 * stiffness / pressure);
     world.contacts.normal.set(0, {});

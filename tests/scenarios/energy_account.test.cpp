@@ -57,7 +57,7 @@ void add_plastic_work(
             continue;
         }
         const double r1 = after.grains.radius[elastic.first[c]], r2 = after.grains.radius[elastic.second[c]];
-        const double ks = after.material.shear_ratio * contact::normal_stiffness(after.material, r1, r2);
+        const double ks = after.material.shear_ratio * contact::normal_stiffness(after.material, r1, r2, 0);
         const double kr = after.material.rolling_stiffness * ks * r1 * r2;
         const Vec3 force = after.contacts.shear_force[c], moment = after.contacts.bending[c];
         account.slip += dot(elastic.shear_force[c] - force, force) / ks;

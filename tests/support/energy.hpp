@@ -27,7 +27,7 @@ inline Energy energy_of(const dem::World& world) {
             continue;
         }
         const double r1 = g.radius[contacts.first[c]], r2 = g.radius[contacts.second[c]];
-        const double kn = contact::normal_stiffness(m, r1, r2), ks = m.shear_ratio * kn;
+        const double kn = contact::normal_stiffness(m, r1, r2, 0), ks = m.shear_ratio * kn;
         energy.elastic += 0.5 * kn * contacts.overlap[c] * contacts.overlap[c];
         if (ks > 0) {
             energy.elastic += 0.5 * norm2(contacts.shear_force[c]) / ks;
