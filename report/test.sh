@@ -1,20 +1,19 @@
 #!/bin/sh
 # report/test.sh PAGE_DIR [TEST_PROGRAM]: opens reports in a real browser. PAGE_DIR is where report/build.sh works;
 # TEST_PROGRAM (default: the release build's suffuse_report_test) writes the sample runs; screenshots and samples go to
-# PAGE_DIR/samples. Needs Chromium.
+# PAGE_DIR/samples. Needs Chromium. Exit code 77 where what is needed for it cannot be had here.
 set -eu
 [ $# -ge 1 ] && [ $# -le 2 ] || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
 here=$(dirname "$(readlink -f "$0")")
 program=${2:-$here/../build/release/suffuse_report_test}
-fail() {
-    printf 'report test: %s\n' "$*" >&2
-    exit 1
-}
+complain() { printf 'report test: %s\n' "$*" >&2; }
+fail() { complain "$@" && exit 1; }
+lack() { complain "$@" && exit 77; }
 
-"$here/build.sh" --dev "$1" || fail "without its page there is nothing to open"
+"$here/build.sh" --dev "$1" || { status=$? && complain "without its page there is nothing to open" && exit "$status"; }
 page=$(readlink -f "$1")
 browser=${SUFFUSE_CHROMIUM:-$(command -v chromium || command -v chromium-browser || true)}
-[ -n "$browser" ] || fail "no Chromium found; install the package chromium, or name it in SUFFUSE_CHROMIUM"
+[ -n "$browser" ] || lack "no Chromium found; install the package chromium, or name it in SUFFUSE_CHROMIUM"
 [ -x "$program" ] || fail "$program is missing; build the tests first"
 
 samples=$page/samples

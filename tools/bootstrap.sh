@@ -5,11 +5,10 @@
 
 build=$root/build/release
 logs=$root/build/logs
-jobs=${SUFFUSE_JOBS:-2}
-build_packages="g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libhdf5-dev libtomlplusplus-dev
+build_packages="g++ cmake ninja-build git libcgal-dev libgmp-dev libmpfr-dev libhdf5-dev libtomlplusplus-dev
     libcli11-dev nlohmann-json3-dev libfmt-dev libfftw3-dev zlib1g-dev libssl-dev pybind11-dev python3-dev python3-numpy"
-test_packages="libeigen3-dev libgtest-dev librapidcheck-dev libbenchmark-dev voro++-dev clang-format chromium fonts-dejavu-core python3-pytest"
-fuzz_packages="clang libclang-rt-14-dev"
+test_packages="libeigen3-dev libgtest-dev librapidcheck-dev clang clang-format clang-tidy chromium fonts-dejavu-core python3-pytest"
+fuzz_packages="libclang-rt-14-dev"
 
 mkdir -p "$logs"
 # ccache, npm and Chromium want a home; a container may have none.
@@ -19,18 +18,56 @@ say() { printf 'suffuse: %s\n' "$*" >&2; }
 fail() { say "$@"; exit 70; }
 have() { command -v "$1" >/dev/null 2>&1; }
 
-# step TEXT LOG COMMAND...: one line with the seconds; where the command fails, the end of its log and its status.
+# One job a core, but no more than gigabytes of memory, of the machine or of the container: the largest file takes one.
+count_jobs() {
+    kilobytes=$(sed -n 's/^MemTotal: *\([0-9]*\) kB$/\1/p' /proc/meminfo 2>/dev/null)
+    limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)
+    case $limit in *[!0-9]* | '') ;; *) [ $((limit / 1000)) -ge "${kilobytes:-0}" ] || kilobytes=$((limit / 1000)) ;; esac
+    cores=$(nproc 2>/dev/null || echo 2)
+    gigabytes=$((${kilobytes:-2000000} / 1000000))
+    [ "$gigabytes" -ge 1 ] || gigabytes=1
+    if [ "$cores" -lt "$gigabytes" ]; then echo "$cores"; else echo "$gigabytes"; fi
+}
+jobs=${SUFFUSE_JOBS:-$(count_jobs)}
+# What presets build and test as well.
+export CMAKE_BUILD_PARALLEL_LEVEL="$jobs" CTEST_PARALLEL_LEVEL="$jobs"
+
+# watch TEXT LOG: while a command writes LOG, tell that it is under way and how far it is: in place on a terminal, else in a
+# line every half minute. A command of less than a second is not told of.
+watch() {
+    watch_begin=$(date +%s) told=-30
+    while sleep 1 >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
+        seconds=$(($(date +%s) - watch_begin))
+        done_of=$(tail -n 1 "$2" 2>/dev/null | sed -n 's/^\[\([0-9]*\)\/\([0-9]*\)\] .*/, \1 of \2/p')
+        if [ -t 2 ]; then
+            printf '\r\033[Ksuffuse: %s ...%s, %d s' "$1" "$done_of" "$seconds" >&2
+        elif [ $((seconds - told)) -ge 30 ]; then
+            told=$seconds
+            say "$1 ...$done_of, $seconds s"
+        fi
+    done
+}
+
+# step TEXT LOG COMMAND...: watched, one line with the seconds at its end; where the command fails, what its log says of it
+# and its status. A step of less than two seconds that goes well says nothing.
 step() {
-    text=$1 log=$logs/$2 begin=$(date +%s)
+    text=$1 log=$logs/$2 begin=$(date +%s) status=0
     shift 2
-    [ ! -t 2 ] || printf 'suffuse: %s ...\r' "$text" >&2
-    "$@" >"$log" 2>&1 </dev/null || {
-        status=$?
-        tail -n 40 "$log" >&2
-        say "$text: failed ($(($(date +%s) - begin)) s), all of it in $log"
-        return "$status"
-    }
-    say "$text: $(($(date +%s) - begin)) s"
+    : >"$log"
+    watch "$text" "$log" &
+    watcher=$!
+    "$@" >"$log" 2>&1 </dev/null || status=$?
+    kill "$watcher" 2>/dev/null || :
+    wait "$watcher" 2>/dev/null || :
+    [ ! -t 2 ] || printf '\r\033[K' >&2
+    seconds=$(($(date +%s) - begin))
+    if [ "$status" -ne 0 ]; then
+        grep -v '^\[[0-9]*/[0-9]*\] [BL]' "$log" | tail -n 60 >&2
+        say "$text: failed ($seconds s), all of it in $log"
+    elif [ "$seconds" -ge 2 ]; then
+        say "$text: $seconds s"
+    fi
+    return "$status"
 }
 
 # Two first calls at once (array jobs of a cluster) must not build over each other.
@@ -76,21 +113,14 @@ need_packages() {
 # configure ON|OFF: with or without tests. Tests, once asked for, stay configured, so that ./run and ./test share one tree.
 configure() {
     [ -e "$build/build.ninja" ] && { [ "$1" = OFF ] || grep -q '^SUFFUSE_TESTS:BOOL=ON' "$build/CMakeCache.txt"; } && return
-    (cd "$root" && step configure configure.log cmake --preset release -DSUFFUSE_UNITY=ON -DSUFFUSE_TESTS="$1") || fail "cannot configure"
+    (cd "$root" && step configure configure.log cmake --preset release -DSUFFUSE_QUICK_BUILD=ON -DSUFFUSE_TESTS="$1") || fail "cannot configure"
 }
 
-# build_target NAMES: progress on a terminal for the first, long build; silence when there is nothing to do.
+# build_target NAMES: silent when there is nothing to do.
 build_target() {
-    begin=$(date +%s)
-    if [ -t 2 ] && [ ! -x "$build/apps/suffuse" ]; then
-        say "building with $jobs jobs; the first time takes some minutes"
-        ninja -C "$build" -j "$jobs" "$@" >&2 </dev/null || fail "the build failed"
-    else
-        ninja -C "$build" -j "$jobs" "$@" >"$logs/build.log" 2>&1 </dev/null ||
-            { grep -v '^\[[0-9]*/[0-9]*\] [BL]' "$logs/build.log" | tail -n 60 >&2; fail "the build failed: $logs/build.log"; }
-    fi
-    seconds=$(($(date +%s) - begin))
-    [ "$seconds" -lt 2 ] || say "build: $seconds s"
+    text=build
+    [ -x "$build/apps/suffuse" ] || text="first build, $jobs at a time, some minutes"
+    step "$text" build.log ninja -C "$build" -j "$jobs" "$@" || fail "the build failed"
 }
 
 # The report's page is optional: without it, reports are plain, and each call says so. It is rebuilt when a source of it
