@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -29,6 +30,12 @@ bool wants_color(Color color) {
 std::size_t width_of(int stream) {
     winsize size{};
     return isatty(stream) == 1 && ioctl(stream, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+/// What poll says of a descriptor that would be written to.
+short state_of(int descriptor) {
+    pollfd asked{descriptor, POLLOUT, 0};
+    return poll(&asked, 1, 0) > 0 ? asked.revents : short{0};
 }
 
 /// As it is, in lines that end.
@@ -85,9 +92,18 @@ void Console::error(std::string_view text, bool rendered) const {
 
 void Console::finish() const {
     errno = 0;
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    const bool has_failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+    if (has_failed && !has_lost_reader(STDOUT_FILENO)) {
         throw IoError(std::string("standard output cannot be written: ") + std::strerror(errno != 0 ? errno : EIO));
     }
+}
+
+bool takes_words(int descriptor) {
+    return (state_of(descriptor) & (POLLOUT | POLLERR | POLLHUP | POLLNVAL)) == POLLOUT;
+}
+
+bool has_lost_reader(int descriptor) {
+    return (state_of(descriptor) & (POLLERR | POLLHUP)) != 0;
 }
 
 bool can_redraw() {

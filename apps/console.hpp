@@ -28,7 +28,8 @@ public:
     /// An error; always. "error:" stands before it unless it is `rendered` with its source line already.
     void error(std::string_view text, bool rendered = false) const;
 
-    /// Brings what was written to its end. @throws IoError where standard output cannot take it.
+    /// Brings what was written to its end. @throws IoError where standard output cannot take it; but a reader that has
+    /// left, as `head` does when it has enough, has asked for no more.
     void finish() const;
 
     [[nodiscard]] bool wants_json() const { return json_; }
@@ -42,6 +43,13 @@ public:
 private:
     bool quiet_ = false, verbose_ = false, json_ = false, color_ = false;
 };
+
+/// Whether words can be written without waiting: not where nobody reads them any more, nor where a terminal or a pipe
+/// is held up. A signal handler may ask.
+bool takes_words(int descriptor);
+
+/// Whether the reader of a pipe has left, or the terminal was closed.
+bool has_lost_reader(int descriptor);
 
 /// Whether lines can be redrawn on standard error.
 bool can_redraw();

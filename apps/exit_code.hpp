@@ -14,8 +14,9 @@ enum ExitCode : int {
     OurDefect = 70,    ///< a broken promise of our own
     InputOutput = 74,  ///< cannot read or write
     OutOfTime = 75,    ///< the time limit was reached; resumable
-    Interrupted = 130, ///< SIGINT; what is needed to go on was saved
-    Terminated = 143,  ///< SIGTERM, likewise
+    BySignal = 128,    ///< and the signal's number: 129 SIGHUP, 130 SIGINT, 138 SIGUSR1, 140 SIGUSR2, 143 SIGTERM,
+                       ///< 152 SIGXCPU; what is needed to go on was saved
+    Interrupted = 130, ///< SIGINT
 };
 
 } // namespace suffuse::apps

@@ -46,8 +46,8 @@ constexpr std::string_view exit_codes =
     "exit codes  0 done, 1 failed while running, 2 wrong use, 3 errors in the case\n"
     "            or its data, 4 ran but missed a quality bar, 5 compare or verify\n"
     "            found a difference, 70 a defect of suffuse, 74 cannot read or\n"
-    "            write, 75 time limit reached, 130 and 143 stopped by a signal;\n"
-    "            the last three can be resumed\n";
+    "            write, 75 time limit reached, 128 + N stopped by signal N (130 by\n"
+    "            Ctrl-C, 143 by SIGTERM); from 75 on the run can be resumed\n";
 
 std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App*) { return true; });

@@ -8,6 +8,7 @@
 #include "apps/command_line.hpp"
 #include "apps/console.hpp"
 #include "apps/exit_code.hpp"
+#include "apps/stop_signal.hpp"
 #include "apps/verbs.hpp"
 #include <algorithm>
 #include <exception>
@@ -114,5 +115,6 @@ int main(int argc, char** argv) {
     // Large tables go back to the system when they are freed; left to itself, the allocator would keep them after the
     // first, and a sample would hold half as much again.
     mallopt(M_MMAP_THRESHOLD, 1 << 20);
+    suffuse::apps::outlive_failed_writes();
     return suffuse::apps::run_program(argc, argv);
 }

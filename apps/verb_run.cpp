@@ -24,12 +24,14 @@
 #include "apps/run_folder.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/terminal.hpp"
+#include "apps/test_gate.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <unistd.h>
 #include <utility>
 
 namespace suffuse::apps {
@@ -96,7 +98,9 @@ run::RunPlan asked_plan(const Job& job, const CommandLine& line) {
 
 Screen standard_error(const Console& console) {
     return {can_redraw(), speaks_utf8(), console.is_quiet(), terminal_width, [](const std::string& text) {
-                std::fwrite(text.data(), 1, text.size(), stderr);
+                if (takes_words(STDERR_FILENO)) { // the run waits for no terminal
+                    std::fwrite(text.data(), 1, text.size(), stderr);
+                }
             }};
 }
 
@@ -138,6 +142,10 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
     if (line.sample.empty()) {
         live.emplace(job.folder, job.what.title, "suffuse resume " + shell_word(job.folder.string()), job.plan);
     }
+    TestGate gate;
+    if (gate.is_set()) {
+        options.progress_interval = 0;
+    }
     bool told_stop = false;
     options.on_progress = [&](const run::Progress& progress) {
         if (stop_flag() && !std::exchange(told_stop, true)) {
@@ -148,6 +156,7 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
         if (live) {
             live->show(progress);
         }
+        gate.pass(progress);
     };
     if (line.sample.empty()) { // a sample beside others knows the price of its own stages only
         run::keep_plan(job.folder, job.plan);

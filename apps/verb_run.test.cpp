@@ -120,22 +120,18 @@ TEST_F(Cli, AnUnwritableOrUnreadablePlaceIsCode74) {
 
 TEST_F(Cli, AStoppedRunGoesOnToTheSameBits) {
     say({"new", "soil", "--from", "replay"});
-    // Long enough to be stopped within: about a second.
-    const std::vector<std::string> asked = {
-        "run", "soil/case.toml", "--set", "study.replay.stage.compressed.steps=20000", "--no-cache"};
+    const std::vector<std::string> asked = {"run", "soil/case.toml", "--no-cache"};
     std::vector<std::string> whole = asked, cut = asked;
     whole.insert(whole.end(), {"-o", "whole"});
     cut.insert(cut.end(), {"-o", "cut", "-j", "1"});
     ASSERT_EQ(say(whole).code, 0);
     for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
-        const pid_t child = start(cut);
-        wait_until([&] { return read_all(folder / "error").find("plan  ") != std::string::npos; });
-        wait_until([&] { return std::filesystem::exists(folder / "cut/studies/replay/compressed"); });
-        const std::string live = "http-equiv=\"refresh\""; // when it goes on, the page of the stop lies there at first
-        wait_until([&] { return read_all(folder / "cut/report.html").find(live) != std::string::npos; });
-        expect_in(live, read_all(folder / "cut/report.html"));
-        kill(child, signal);
-        const Said said = wait_for(child);
+        HeldRun run = start_held("replay/compressed", cut);
+        expect_in("plan  ", read_all(folder / "error"));
+        expect_in("http-equiv=\"refresh\"", read_all(folder / "cut/report.html"));
+        kill(run.child, signal);
+        run.let_go();
+        const Said said = wait_for(run.child);
         ASSERT_EQ(said.code, code) << said.error;
         expect_in("<code>suffuse resume cut</code>", read_all(folder / "cut/report.html"));
         EXPECT_EQ(read_all(folder / "cut/report.html").find("http-equiv=\"refresh\""), std::string::npos);
@@ -162,25 +158,22 @@ TEST_F(Cli, AStoppedRunGoesOnToTheSameBits) {
 }
 
 TEST_F(Cli, ASecondCtrlCQuitsAtOnceWithoutSaving) {
-    // Placing these grains takes more than a second, in which a stop waits: the second signal comes meanwhile.
-    write_to(folder / "case.toml", cloud_of("150_000"));
-    const pid_t child = start({"run", "case.toml", "-o", "cut", "-j", "1", "--no-cache"});
-    wait_until([&] { return std::filesystem::exists(folder / "cut/studies/s/cloud"); });
-    kill(child, SIGINT);
-    wait_until([&] { return read_all(folder / "error").find("once more quits at once") != std::string::npos; });
-    kill(child, SIGINT);
-    const Said said = wait_for(child);
+    say({"new", "soil", "--from", "replay"});
+    const HeldRun run = start_held("replay/compressed", {"run", "soil/case.toml", "-o", "cut", "--no-cache"});
+    kill(run.child, SIGINT);
+    wait_until("the farewell", [&] {
+        return read_all(folder / "error").find("a second Ctrl-C quits at once") != std::string::npos;
+    });
+    kill(run.child, SIGINT);
+    const Said said = wait_for(run.child); // which nobody lets go
     EXPECT_EQ(said.code, 130);
-    EXPECT_EQ(said.out, "") << "it went on after the second Ctrl-C";
-    EXPECT_FALSE(std::filesystem::exists(folder / "cut/studies/s/cloud/stage.json"));
+    EXPECT_EQ(said.out, "");
+    EXPECT_FALSE(std::filesystem::exists(folder / "cut/studies/replay/compressed/partial.h5"));
 }
 
 TEST_F(Cli, TwoProgramsDoNotWorkInOneFolder) {
     say({"new", "soil", "--from", "replay"});
-    const std::vector<std::string> words = {"run",  "soil/case.toml", "-o",
-                                            "here", "--set",          "study.replay.stage.compressed.steps=20000"};
-    const pid_t first = start(words);
-    wait_until([&] { return std::filesystem::exists(folder / "here/studies/replay/compressed"); });
+    const HeldRun first = start_held("replay/compressed", {"run", "soil/case.toml", "-o", "here"});
     const Said second = say({"resume", "here"});
     EXPECT_EQ(second.code, 2);
     expect_in("another suffuse", second.error);
@@ -188,8 +181,6 @@ TEST_F(Cli, TwoProgramsDoNotWorkInOneFolder) {
     EXPECT_EQ(report.code, 2);
     expect_in("another suffuse", report.error);
     EXPECT_FALSE(std::filesystem::exists(folder / "here/provenance.json")); // the run itself has yet to write it
-    kill(first, SIGKILL);
-    wait_for(first);
 }
 
 TEST_F(Cli, ReportIsWrittenAgainWithoutComputing) {

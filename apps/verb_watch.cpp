@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <thread>
+#include <unistd.h>
 
 namespace suffuse::apps {
 namespace {
@@ -67,7 +68,7 @@ public:
     nlohmann::json follow() {
         for (;;) {
             const bool news = tell_events() || tell_progress();
-            if (is_over_) {
+            if (is_over_ || has_lost_reader(STDOUT_FILENO)) {
                 break;
             }
             if (news) {
@@ -158,6 +159,9 @@ int watch_verb(const CommandLine& line, const Console& console) {
     }
     Watch watch(folder, console);
     const nlohmann::json events = watch.follow();
+    if (has_lost_reader(STDOUT_FILENO)) {
+        return Done; // nobody wants to know more
+    }
     const fs::path report = folder / "report.html";
     const bool has_report = watch.is_over() && !watch.is_resumable() && fs::exists(report);
     if (watch.is_resumable()) {

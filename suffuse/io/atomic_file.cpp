@@ -26,8 +26,9 @@ std::string advice(int error) {
     switch (error) {
     case ENOSPC:
     case EDQUOT:
-    case EFBIG:
         return "free some space there, or write to another folder";
+    case EFBIG:
+        return "raise the limit on the size of files (ulimit -f), or write to a disk that takes larger ones";
     case EACCES:
     case EPERM:
     case EROFS:

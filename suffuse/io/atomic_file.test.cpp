@@ -17,22 +17,22 @@ namespace {
 using test::read_all;
 using test::TempFolder;
 
-/// Stands in for a full disk: the system refuses to let any file grow beyond `bytes`.
-class FullDisk {
+/// As `ulimit -f` does it: the system lets no file grow beyond `bytes`.
+class SizeLimit {
 public:
-    explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    explicit SizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
         getrlimit(RLIMIT_FSIZE, &before_);
         const rlimit limit{bytes, before_.rlim_max};
         setrlimit(RLIMIT_FSIZE, &limit);
     }
 
-    ~FullDisk() {
+    ~SizeLimit() {
         setrlimit(RLIMIT_FSIZE, &before_);
         std::signal(SIGXFSZ, handler_);
     }
 
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
+    SizeLimit(const SizeLimit&) = delete;
+    SizeLimit& operator=(const SizeLimit&) = delete;
 
 private:
     void (*handler_)(int);
@@ -109,12 +109,12 @@ TEST(AtomicFile, NamesOfFilesThatAreWholeAreNotTakenForHalfWrittenOnes) {
     EXPECT_TRUE(is_partial("report.html.partial"));
 }
 
-TEST(AtomicFile, FullDiskIsAnErrorAndTheOldFileRemains) {
+TEST(AtomicFile, AFileBeyondTheLimitIsAnErrorAndTheOldFileRemains) {
     const TempFolder folder;
     write_file(folder / "a.txt", "old");
     std::string message;
     {
-        const FullDisk disk(100'000);
+        const SizeLimit limit(100'000);
         try {
             write_file(folder / "a.txt", std::string(1'000'000, 'x'));
         } catch (const IoError& error) {
@@ -122,7 +122,7 @@ TEST(AtomicFile, FullDiskIsAnErrorAndTheOldFileRemains) {
         }
     }
     EXPECT_NE(message.find("a.txt"), std::string::npos) << message;
-    EXPECT_NE(message.find("free some space"), std::string::npos) << message;
+    EXPECT_NE(message.find("ulimit -f"), std::string::npos) << message;
     EXPECT_EQ(read_all(folder / "a.txt"), "old");
     EXPECT_EQ(folder.entries(), 1);
 }
