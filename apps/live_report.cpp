@@ -13,7 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::milliseconds interval{2000};
 constexpr std::size_t most_rows = 60; ///< beyond, of those done the last and of those waiting the first
 
 std::string now_text() {
@@ -22,9 +21,11 @@ std::string now_text() {
 
 } // namespace
 
-LiveReport::LiveReport(fs::path folder, std::string title, std::string command, run::RunPlan plan)
+LiveReport::LiveReport(
+    fs::path folder, std::string title, std::string command, run::RunPlan plan, std::chrono::milliseconds interval
+)
     : folder_(std::move(folder)), title_(title.empty() ? "A run without a title" : std::move(title)),
-      command_(std::move(command)), left_(plan) {
+      command_(std::move(command)), left_(plan), interval_(interval) {
     for (const run::StageEstimate& stage : plan.stages) {
         if (stage.is_cached) {
             stages_.push_back({stage.study, stage.stage, stage.verb, "done", "earlier", ""});
@@ -65,7 +66,7 @@ void LiveReport::learn(const run::Progress& progress) {
 void LiveReport::show(const run::Progress& progress) {
     learn(progress);
     const auto now = std::chrono::steady_clock::now();
-    if (now - written_ >= interval) {
+    if (now - written_ >= interval_) {
         written_ = now;
         write("");
     }

@@ -16,7 +16,11 @@ namespace suffuse::apps {
 class LiveReport {
 public:
     /// @param command with which the run goes on when it was stopped
-    LiveReport(std::filesystem::path folder, std::string title, std::string command, run::RunPlan plan);
+    /// @param interval between two pages
+    LiveReport(
+        std::filesystem::path folder, std::string title, std::string command, run::RunPlan plan,
+        std::chrono::milliseconds interval = std::chrono::seconds(2)
+    );
 
     void show(const run::Progress& progress);
 
@@ -37,6 +41,7 @@ private:
     std::vector<Stage> stages_;
     TimeLeft left_;
     int done_ = 0, all_ = 0;
+    std::chrono::milliseconds interval_;
     std::chrono::steady_clock::time_point written_{};
 };
 

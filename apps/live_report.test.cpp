@@ -49,11 +49,15 @@ TEST(LiveReport, IsThereFromTheStartAndTellsWhatIsDoneAndWhatWaits) {
     EXPECT_NE(page.find("<td class=\"status\">done</td><td>3.2 s</td><td>e 0.686</td>"), std::string::npos) << page;
 }
 
-TEST(LiveReport, IsWrittenEveryFewSecondsOnly) {
-    const test::TempFolder folder;
-    LiveReport live(folder.path(), "Dyke", "suffuse resume x", two_stages());
-    live.show(at("initial", false, 0.7));
-    live.show(at("initial", false, 0.6));
+TEST(LiveReport, IsWrittenOncePerIntervalAndAtTheEnd) {
+    const test::TempFolder folder, often;
+    LiveReport live(folder.path(), "Dyke", "suffuse resume x", two_stages(), std::chrono::hours(1));
+    LiveReport hasty(often.path(), "Dyke", "suffuse resume x", two_stages(), std::chrono::hours(0));
+    for (const double void_ratio : {0.7, 0.6}) {
+        live.show(at("initial", false, void_ratio));
+        hasty.show(at("initial", false, void_ratio));
+    }
+    EXPECT_NE(test::read_all(often / "report.html").find("e 0.6"), std::string::npos);
     EXPECT_EQ(test::read_all(folder / "report.html").find("e 0.6"), std::string::npos);
     live.close("The run ended early: stopped.");
     const std::string page = test::read_all(folder / "report.html");

@@ -208,8 +208,8 @@ from = 3
 }
 
 TEST(CaseErrors, ElasticSpheresNeedTheirModulusAndHaveNoShearRatioNorAdhesion) {
-    const auto says = [](const std::string& keys, const std::string& code) {
-        return find_problem(problems_of(good_case + "[contact]\nlaw = \"hertz-mindlin\"\n" + keys), code).message;
+    const auto says = [](const std::string& contact, const std::string& code) {
+        return find_problem(problems_of(good_case + "[contact]\nlaw = \"hertz-mindlin\"\n" + contact), code).message;
     };
     EXPECT_NE(says("", "E201").find("modulus"), std::string::npos);
     const std::string glass = "modulus = \"70 GPa\"\n";
