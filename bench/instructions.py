@@ -11,6 +11,7 @@ are counted. Counts of another compiler or on a processor without AVX2 say nothi
 import json
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -53,6 +54,7 @@ def compiler(build):
 
 
 def main():
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))  # the folder of a count goes
     build = pathlib.Path(sys.argv[1])
     program = build / "bench" / "suffuse_count"
     tools = {"compiler": compiler(build), "valgrind": output_of(["valgrind", "--version"])[0].strip()}

@@ -9,8 +9,24 @@ set -eu
 
 source=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd)
 command=${*:-./run --help && ./test}
+# shellcheck source=tools/at_end.sh
+. "$source/tools/at_end.sh"
+bare=
+
+# shellcheck disable=SC2317 # the trap calls it
+clean() {
+    [ -n "$bare" ] || return 0
+    rm -f "$bare.log"
+    awk -v below="$bare/" 'index($5, below) == 1 { print $5 }' /proc/self/mountinfo | sort -r | xargs -r umount -l || :
+    [ "${KEEP:-no}" = no ] || { echo "kept: $bare" && return; }
+    rm -rf --one-file-system "$bare" || { sleep 2 && rm -rf --one-file-system "$bare"; } # what was killed is gone by then
+}
+
+# contained COMMAND...: attended, with all the processes that it starts, which end with it.
+contained() { attended unshare --pid --fork --kill-child "$@"; }
+
+trap 'end_attended; clean' EXIT
 bare=$(mktemp -d "${TMPDIR:-/tmp}/suffuse-bare.XXXXXX")
-trap 'umount -l "$bare/proc" "$bare/dev/shm" "$bare/dev" 2>/dev/null; [ "${KEEP:-no}" = yes ] && echo "kept: $bare" || rm -rf --one-file-system "$bare"' EXIT
 
 apt_get_targets() { apt-get indextargets --format "$1" 'Created-By: Packages'; }
 # shellcheck disable=SC2016
@@ -18,8 +34,7 @@ mirror=$(apt_get_targets '$(CODENAME) $(REPO_URI)' | sed -n 's/^bookworm //p' | 
 [ -n "$mirror" ] || { echo 'tools/bare_root.sh: apt has no source for bookworm' >&2 && exit 77; }
 
 begin=$(date +%s)
-debootstrap --variant=minbase bookworm "$bare" "$mirror" >"$bare.log" 2>&1 || { tail "$bare.log" >&2 && exit 1; }
-rm -f "$bare.log"
+contained debootstrap --variant=minbase bookworm "$bare" "$mirror" >"$bare.log" 2>&1 || { tail "$bare.log" >&2 && exit 1; }
 echo "bare root: $(($(date +%s) - begin)) s, $(chroot "$bare" dpkg-query -W | wc -l) packages, $(du -shx "$bare" | cut -f 1)"
 
 # What the machine's own network needs; none of it is part of the project.
@@ -31,7 +46,6 @@ if [ -d /usr/local/share/ca-certificates ]; then cp -R /usr/local/share/ca-certi
 mkdir -p "$bare/etc/ssl/certs"
 cp -L /etc/ssl/certs/ca-certificates.crt "$bare/etc/ssl/machine.crt"
 
-mount -t proc proc "$bare/proc"
 mount --rbind /dev "$bare/dev"
 mkdir -p "$bare/dev/shm"
 
@@ -41,6 +55,6 @@ set -- PATH=/usr/sbin:/usr/bin:/sbin:/bin NODE_EXTRA_CA_CERTS=/etc/ssl/machine.c
 if command -v npm >/dev/null; then set -- "$@" "npm_config_registry=$(npm config get registry)"; fi
 begin=$(date +%s)
 status=0
-env -i "$@" chroot "$bare" /bin/sh -c "cd /srv/suffuse && $command" </dev/null || status=$?
+contained --mount-proc="$bare/proc" env -i "$@" chroot "$bare" /bin/sh -c "cd /srv/suffuse && $command" || status=$?
 echo "bare root: '$command' ended with $status after $(($(date +%s) - begin)) s"
 exit "$status"

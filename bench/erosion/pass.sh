@@ -14,13 +14,16 @@ while [ $# -gt 0 ]; do
     *) sed -n '2,5s/^# //p' "$0" >&2 && exit 2 ;;
     esac
 done
+# shellcheck source=tools/at_end.sh
+. "$root/tools/at_end.sh"
+folder=
+trap 'end_attended; rm -rf "$folder"' EXIT
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 
 round=1
 while [ "$round" -le "$rounds" ]; do
     code=0
-    "$program" run "$root/examples/fontainebleau-2016/case.toml" -o "$folder/$round" --study erosion --until erosion \
+    attended "$program" run "$root/examples/fontainebleau-2016/case.toml" -o "$folder/$round" --study erosion --until erosion \
         --set study.erosion.stage.erosion.passes=1 --set 'output.formats=[]' -j "$threads" --no-cache --quiet \
         >"$folder/log" 2>&1 || code=$?
     [ "$code" -eq 0 ] || [ "$code" -eq 4 ] || { cat "$folder/log" >&2 && exit "$code"; }

@@ -17,8 +17,11 @@ while [ $# -gt 0 ]; do
     *) sed -n '2,5s/^# //p' "$0" >&2 && exit 2 ;;
     esac
 done
+# shellcheck source=tools/at_end.sh
+. "$root/tools/at_end.sh"
+folder=
+trap 'end_attended; rm -rf "$folder"' EXIT
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 
 # prepare NAME THREADS
 prepare() {
@@ -27,7 +30,7 @@ prepare() {
     name=$1 on=$2
     shift 2
     code=0
-    "$program" run "$root/bench/sweep/case.toml" -o "$folder/$name" -j "$on" --no-cache --quiet --json "$@" \
+    attended "$program" run "$root/bench/sweep/case.toml" -o "$folder/$name" -j "$on" --no-cache --quiet --json "$@" \
         >"$folder/$name.json" || code=$?
     [ "$code" -eq 0 ] || [ "$code" -eq 4 ] || { cat "$folder/$name.json" >&2 && exit "$code"; }
 }

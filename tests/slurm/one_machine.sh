@@ -63,9 +63,14 @@ EOF
     done
 }
 
+# Jobs end first: a daemon that goes would leave the programs that it has started.
 stop_slurm() {
+    [ -n "$slurm_pids" ] || return 0
+    scancel --full --signal=KILL --partition=all 2>/dev/null || :
+    scancel --partition=all 2>/dev/null || :
+    wait_for_jobs 30 2>/dev/null || :
     # shellcheck disable=SC2086
-    [ -z "$slurm_pids" ] || kill $slurm_pids 2>/dev/null || :
+    kill $slurm_pids 2>/dev/null || :
     wait
 }
 

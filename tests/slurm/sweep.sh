@@ -4,10 +4,13 @@
 set -eu
 here=$(dirname "$(readlink -f "$0")")
 program=$(readlink -f "$1")
-folder=$(mktemp -d)
 # shellcheck source=tests/slurm/one_machine.sh
 . "$here/one_machine.sh"
-trap 'stop_slurm; rm -rf "$folder"' EXIT
+# shellcheck source=tools/at_end.sh
+. "$here/../../tools/at_end.sh"
+folder=
+trap 'end_attended; stop_slurm; rm -rf "$folder"' EXIT
+folder=$(mktemp -d)
 
 cat >"$folder/case.toml" <<'EOF'
 schema = 1
@@ -36,7 +39,7 @@ cd "$folder"
 
 hashes() { (cd "$1/studies" && find . -name stage.json -exec grep -H '"state_hash"' {} + | sort); }
 
-"$program" run case.toml -o whole --no-cache --quiet
+attended "$program" run case.toml -o whole --no-cache --quiet
 "$program" sweep case.toml --emit slurm -o array --no-cache --quiet
 start_slurm
 job=$(sbatch --parsable array/sweep.sbatch)
