@@ -3,7 +3,8 @@
 // one loop without branches applies the law to the whole tile, and what it exerts is added to the grains. The compiler
 // turns it into vector instructions of the processor at hand. Sums are taken in a fixed order.
 
-#include "suffuse/contact/linear_rolling.hpp"
+#include "suffuse/contact/contacts.hpp"
+#include "suffuse/contact/law_constants.hpp"
 #include "suffuse/contact/sum_plan.hpp"
 #include "suffuse/grains/moving_rows.hpp"
 

@@ -3,7 +3,7 @@
 // plastic limits, adhesion that breaks; incremental [reference 1.2 and 1.3; PHYSICS A2]. A pure function of two grains
 // and their memory, a template over the precision.
 
-#include "suffuse/grains/material.hpp"
+#include "suffuse/contact/law_constants.hpp"
 
 #include <cmath>
 #include <limits>
@@ -40,47 +40,6 @@ template <class Real>
 constexpr Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-
-/// Constants of the law, resolved from the material before the first step.
-template <class Real>
-struct LawConstantsOf {
-    Real twice_modulus{};      ///< 2 E, of the linear law [Pa]
-    Real hertz_modulus{};      ///< H, zero in the linear law [Pa]
-    Real shear_ratio{};        ///< shear stiffness over normal force/overlap [-]
-    Real viscosity{};          ///< of `viscous_force` [(kg/m3)^1/2]
-    Real tan_friction{};       ///< [-]
-    Real rolling_stiffness{};  ///< [-]
-    Real rolling_limit{};      ///< [-]
-    Real rolling_free{};       ///< added to the limit where there is none [N m]
-    Real twisting_stiffness{}; ///< [-]
-    Real twisting_limit{};     ///< [-]
-    Real twisting_free{};      ///< [N m]
-    Real adhesion_normal{};    ///< [Pa]
-    Real adhesion_shear{};     ///< [Pa]
-
-    template <class Other>
-    [[nodiscard]] LawConstantsOf<Other> as() const {
-        // A limit beyond any moment is one in every precision, and zero times it is zero.
-        const auto other = [](Real a) { return static_cast<Other>(a < Real(1e30) ? a : Real(1e30)); };
-        return {other(twice_modulus),      other(hertz_modulus),     other(shear_ratio),   other(viscosity),
-                other(tan_friction),       other(rolling_stiffness), other(rolling_limit), other(rolling_free),
-                other(twisting_stiffness), other(twisting_limit),    other(twisting_free), other(adhesion_normal),
-                other(adhesion_shear)};
-    }
-
-    [[nodiscard]] bool is_hertzian() const { return hertz_modulus > 0; }
-
-    /// No mean stress of grains reaches this, however much they overlap, nor their force over the square of the radius
-    /// [Pa].
-    [[nodiscard]] Real most_stress() const {
-        return twice_modulus > 2 * hertz_modulus ? twice_modulus : 2 * hertz_modulus;
-    }
-};
-
-using LawConstants = LawConstantsOf<double>;
-
-/// @throws CaseError where a law is asked for that there is not: grains under Hertz's law do not adhere
-LawConstants resolve_law(const grains::Material& material);
 
 /// Two grains as the law sees them: `second` at the image that touches.
 template <class Real>

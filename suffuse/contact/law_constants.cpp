@@ -1,6 +1,8 @@
-#include "suffuse/contact/linear_rolling.hpp"
+#include "suffuse/contact/law_constants.hpp"
 
 #include "suffuse/base/error.hpp"
+
+#include <cmath>
 
 namespace suffuse::contact {
 
