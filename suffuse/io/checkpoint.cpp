@@ -354,6 +354,7 @@ Checkpoint read_world(const Hdf5Reader& file) {
         checkpoint.attributes[name] = file.read_text("attributes/" + name);
     }
     checkpoint.unfinished = read_unfinished(file);
+    checkpoint.is_hashed = file.has_digest();
     return checkpoint;
 }
 

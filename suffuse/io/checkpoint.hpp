@@ -21,6 +21,7 @@ struct Checkpoint {
     dem::World world;
     Attributes attributes;
     std::vector<std::uint8_t> unfinished; ///< of a state in the middle of a stage: what its verb needs to go on
+    bool is_hashed = false; ///< whether the file held its SHA-256 and met it; those of earlier versions hold none
 };
 
 /// Saves a state under `path`, in full or not at all (IoError). Attribute names hold no '/', texts no zero byte.

@@ -2,56 +2,26 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/digest_within.hpp"
+#include "suffuse/io/hdf5_handle.hpp"
 
 #include <fmt/format.h>
 #include <hdf5.h>
 
 #include <algorithm>
-#include <functional>
+#include <cerrno>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <string_view>
 #include <type_traits>
+#include <unistd.h>
 #include <utility>
 
 namespace suffuse::io {
 namespace {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>, "the header hides HDF5's handles as 64-bit integers");
-
-/// A handle of HDF5, closed when it goes.
-class Handle {
-public:
-    using Close = herr_t (*)(hid_t);
-
-    Handle(hid_t id, Close close, std::string_view what) : id_(id), close_(close) {
-        if (id < 0) {
-            throw IoError(fmt::format("HDF5 refused: {}", what));
-        }
-    }
-
-    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-
-    ~Handle() {
-        if (id_ >= 0) {
-            close_(id_);
-        }
-    }
-
-    Handle& operator=(Handle&&) = delete;
-
-    operator hid_t() const { return id_; } // NOLINT(google-explicit-constructor): stands for the handle in every call
-
-private:
-    hid_t id_;
-    Close close_;
-};
-
-void require(bool done, std::string_view what) {
-    if (!done) {
-        throw IoError(fmt::format("HDF5 refused: {}", what));
-    }
-}
 
 /// One for the process, as the library is. Recursive: a thread may read one file while it makes another.
 std::recursive_mutex& library_mutex() {
@@ -153,6 +123,21 @@ std::string name_in_memory(const void* owner) {
 
 constexpr const char* damaged = "it is not an HDF5 file, or it is damaged";
 
+// A file with either of these has a digest: no damage to one name or one value makes it a file of before there were
+// any.
+const std::string digest_array = "sha256", digest_mark = "digest";
+constexpr const char* digest_meaning = "SHA-256 of this file, the 64 digits of the array sha256 taken as zeros";
+
+/// Where the digits of the digest are in the file, HADDR_UNDEF where there is no room for them.
+haddr_t place_of_digest(hid_t file) {
+    const hid_t data = H5Dopen2(file, digest_array.c_str(), H5P_DEFAULT);
+    const haddr_t place = data < 0 ? HADDR_UNDEF : H5Dget_offset(data);
+    H5Dclose(data);
+    hsize_t size = 0;
+    const bool is_whole = H5Fget_filesize(file, &size) >= 0 && size >= DigestWithin::digits;
+    return is_whole && place <= size - DigestWithin::digits ? place : HADDR_UNDEF;
+}
+
 std::string stripped(std::string text) { // the one blank that stands for an empty text, and padding
     while (!text.empty() && text.back() == '\0') {
         text.pop_back();
@@ -198,27 +183,44 @@ void Hdf5Writer::save(const std::filesystem::path& path) {
 }
 
 std::string_view Hdf5Writer::image() {
+    if (H5Lexists(file_, digest_array.c_str(), H5P_DEFAULT) <= 0) {
+        write_attribute(digest_mark, digest_meaning);
+        write_text(digest_array, std::string(DigestWithin::digits, '0'));
+    }
     require(H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, "to complete the file in memory");
     const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
     // The image where the memory driver holds it: a copy would double what a large state takes.
     void* handle = nullptr;
     require(size > 0 && H5Fget_vfd_handle(file_, H5P_DEFAULT, &handle) >= 0, "the image of the file");
-    return {*static_cast<char**>(handle), static_cast<std::size_t>(size)};
+    char* const bytes = *static_cast<char**>(handle);
+    const std::string_view image{bytes, static_cast<std::size_t>(size)};
+    const haddr_t place = place_of_digest(file_);
+    require(place != HADDR_UNDEF, "the place of the digest");
+    DigestWithin digest(place);
+    digest.add(image);
+    digest.found().copy(bytes + place, DigestWithin::digits);
+    return image;
 }
 
-Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : lock_(library_mutex()), path_(path.string()) {
+// The public constructors hand over to this one, so that an error in them closes what they have opened.
+Hdf5Reader::Hdf5Reader(Unopened file) : lock_(library_mutex()), path_(std::move(file.name)) {
     keep_quiet();
+}
+
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : Hdf5Reader(Unopened{path.string()}) {
     if (!std::filesystem::exists(path)) {
         complain("there is no such file");
     }
-    file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
+    require(H5Pset_fapl_sec2(access) >= 0, "a file on disk");
+    file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access);
     if (file_ < 0) {
         complain(damaged);
     }
+    check_digest([this](DigestWithin& digest) { add_bytes_on_disk(digest); });
 }
 
-Hdf5Reader::Hdf5Reader(std::string_view image, const std::string& name) : lock_(library_mutex()), path_(name) {
-    keep_quiet();
+Hdf5Reader::Hdf5Reader(std::string_view image, const std::string& name) : Hdf5Reader(Unopened{name}) {
     const Handle access = in_memory();
     // HDF5 copies the bytes, as it may write to its own.
     require(H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()) >= 0, "the image of a file");
@@ -226,6 +228,7 @@ Hdf5Reader::Hdf5Reader(std::string_view image, const std::string& name) : lock_(
     if (file_ < 0) {
         complain(damaged);
     }
+    check_digest([image](DigestWithin& digest) { digest.add(image); });
 }
 
 Hdf5Reader::~Hdf5Reader() {
@@ -236,6 +239,39 @@ Hdf5Reader::~Hdf5Reader() {
 
 void Hdf5Reader::complain(const std::string& message) const {
     throw IoError(fmt::format("cannot read {}: {}", path_, message));
+}
+
+void Hdf5Reader::check_digest(const std::function<void(DigestWithin&)>& add_bytes) {
+    if (!has(digest_array) && H5Aexists(file_, digest_mark.c_str()) <= 0) {
+        return;
+    }
+    const haddr_t place = place_of_digest(file_);
+    if (place != HADDR_UNDEF) {
+        DigestWithin digest(place);
+        add_bytes(digest);
+        has_digest_ = digest.told() == digest.found();
+    }
+    if (!has_digest_) {
+        complain("it was changed or damaged after it was written; use a whole copy of it, or make it anew");
+    }
+}
+
+void Hdf5Reader::add_bytes_on_disk(DigestWithin& digest) const {
+    void* descriptor = nullptr;
+    require(H5Fget_vfd_handle(file_, H5P_DEFAULT, &descriptor) >= 0, "the file on disk");
+    std::vector<char> part(std::size_t{1} << 20);
+    for (off_t at = 0;;) {
+        const ssize_t size = pread(*static_cast<int*>(descriptor), part.data(), part.size(), at);
+        if (size == 0) {
+            return;
+        }
+        if (size > 0) {
+            digest.add({part.data(), static_cast<std::size_t>(size)});
+            at += size;
+        } else if (errno != EINTR) {
+            complain(std::strerror(errno));
+        }
+    }
 }
 
 bool Hdf5Reader::has(const std::string& name) const {

@@ -1,17 +1,21 @@
 #pragma once
 // HDF5 files as named arrays with a unit, and named texts. A file is made in memory and then written at once, so that a
-// full disk cannot leave a damaged one and HDF5 never holds a file that it cannot close. The only room that sees the
-// HDF5 library; that library serves one thread at a time, so that a thread waits while another one has a file open.
+// full disk cannot leave a damaged one and HDF5 never holds a file that it cannot close. A file holds the SHA-256 of
+// its bytes, and is refused where one of them has changed. HDF5 serves one thread at a time, so that a thread waits
+// while another one has a file open.
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace suffuse::io {
+
+class DigestWithin;
 
 /// Array sizes; none for a single number.
 using Shape = std::vector<std::size_t>;
@@ -47,6 +51,7 @@ private:
 
 class Hdf5Reader {
 public:
+    /// Refuses a file whose bytes are not those that were written.
     explicit Hdf5Reader(const std::filesystem::path& path);
 
     /// Of the bytes of a file. @param name of where they are from, in messages
@@ -54,6 +59,9 @@ public:
     ~Hdf5Reader();
     Hdf5Reader(const Hdf5Reader&) = delete;
     Hdf5Reader& operator=(const Hdf5Reader&) = delete;
+
+    /// Whether the file holds its SHA-256, which its bytes then met; those of earlier versions do not.
+    [[nodiscard]] bool has_digest() const { return has_digest_; }
 
     [[nodiscard]] bool has(const std::string& name) const;
 
@@ -75,11 +83,19 @@ public:
     [[noreturn]] void complain(const std::string& message) const;
 
 private:
+    struct Unopened {
+        std::string name;
+    };
+
+    explicit Hdf5Reader(Unopened file);
+    void check_digest(const std::function<void(DigestWithin&)>& add_bytes);
+    void add_bytes_on_disk(DigestWithin& digest) const;
     [[nodiscard]] std::string attached(const std::string& object, const std::string& name) const;
 
     std::unique_lock<std::recursive_mutex> lock_;
     std::string path_;
     std::int64_t file_ = -1;
+    bool has_digest_ = false;
 };
 
 } // namespace suffuse::io
