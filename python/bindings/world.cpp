@@ -280,7 +280,7 @@ void bind_changes(py::class_<WorldHandle, Handle>& type) {
             const py::gil_scoped_release released;
             return std::make_shared<WorldHandle>(io::load_world(path).world);
         },
-        py::arg("path"), "Loads a state.h5."
+        py::arg("path"), "Loads a state.h5; an IoError where any byte of it has changed since it was written."
     );
 }
 

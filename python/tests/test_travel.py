@@ -133,3 +133,6 @@ def test_a_damaged_pickle_of_a_world_is_refused(settled):
     state = settled.__getstate__()
     with pytest.raises(suffuse.IoError, match="not an HDF5 file, or it is damaged"):
         suffuse.World.__new__(suffuse.World).__setstate__(state[: len(state) // 3])
+    radius = state.index(settled.grains.radius.tobytes())
+    with pytest.raises(suffuse.IoError, match="bytes of a state: it was changed or damaged"):
+        suffuse.World.__new__(suffuse.World).__setstate__(state[:radius] + bytes([state[radius] ^ 1]) + state[radius + 1 :])

@@ -361,6 +361,20 @@ def test_masses_follow_the_density(two_grains):
     assert other.grains.velocity[0, 0] == pytest.approx(4 * two_grains.grains.velocity[0, 0], rel=1e-12)
 
 
+def test_a_state_of_which_a_bit_has_changed_is_refused_with_its_name(settled, tmp_path):
+    file = tmp_path / "state.h5"
+    settled.save(file)
+    whole = file.read_bytes()
+    for at in range(0, len(whole), len(whole) // 97):
+        file.write_bytes(whole[:at] + bytes([whole[at] ^ 1 << at % 8]) + whole[at + 1 :])
+        with pytest.raises(suffuse.IoError, match=re.escape(str(file))):
+            suffuse.World.load(file)
+    radius = whole.index(settled.grains.radius.tobytes())
+    file.write_bytes(whole[:radius] + bytes([whole[radius] ^ 1]) + whole[radius + 1 :])
+    with pytest.raises(suffuse.IoError, match="changed or damaged after it was written; use a whole copy of it"):
+        suffuse.World.load(file)
+
+
 def test_steps_after_a_new_density_are_those_of_a_world_that_had_it(settled, tmp_path):
     settled.step(10, time_step=1e-8)
     settled.material.density = 1e4

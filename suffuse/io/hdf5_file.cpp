@@ -259,7 +259,7 @@ void Hdf5Reader::check_digest(const std::function<void(DigestWithin&)>& add_byte
 void Hdf5Reader::add_bytes_on_disk(DigestWithin& digest) const {
     void* descriptor = nullptr;
     require(H5Fget_vfd_handle(file_, H5P_DEFAULT, &descriptor) >= 0, "the file on disk");
-    std::vector<char> part(std::size_t{1} << 20);
+    std::vector<char> part(std::size_t{1} << 16);
     for (off_t at = 0;;) {
         const ssize_t size = pread(*static_cast<int*>(descriptor), part.data(), part.size(), at);
         if (size == 0) {
