@@ -15,7 +15,7 @@ build_of() {
     tree=$root/build/same-results/$commit
     [ -d "$tree" ] || { git -C "$root" worktree prune && git -C "$root" worktree add --quiet --detach "$tree" "$commit"; } >&2
     [ -e "$tree/build/release/build.ninja" ] ||
-        (cd "$tree" && cmake --preset release -DSUFFUSE_UNITY=ON -DSUFFUSE_TESTS=OFF) >&2
+        (cd "$tree" && cmake --preset release -DSUFFUSE_QUICK_BUILD=ON -DSUFFUSE_TESTS=OFF) >&2
     ninja -C "$tree/build/release" -j "${SUFFUSE_JOBS:-2}" suffuse suffuse_python_package >&2
     printf '%s\n' "$tree"
 }
