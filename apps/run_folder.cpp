@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/stored.hpp"
 
 #include <fmt/format.h>
 
@@ -136,16 +137,18 @@ AskedRun read_asked(const fs::path& folder) {
         ));
     }
     const nlohmann::json asked = run::read_json(folder / run::options_file);
-    AskedRun read{
-        path_of(asked.value("case", nlohmann::json(""))),
-        asked.value("preset", ""),
-        asked.value("overrides", std::vector<std::string>{}),
-        asked.value("studies", std::vector<std::string>{}),
-        {}};
-    if (asked.contains("cache")) {
-        read.cache = path_of(asked.at("cache"));
-    }
-    return read;
+    return run::take_from(folder / run::options_file, [&] {
+        AskedRun read{
+            path_of(asked.value("case", nlohmann::json(""))),
+            asked.value("preset", ""),
+            asked.value("overrides", std::vector<std::string>{}),
+            asked.value("studies", std::vector<std::string>{}),
+            {}};
+        if (asked.contains("cache")) {
+            read.cache = path_of(asked.at("cache"));
+        }
+        return read;
+    });
 }
 
 int try_lock(int descriptor, int kind) {

@@ -4,6 +4,7 @@
 #include "suffuse/run/checksums.hpp"
 #include "suffuse/run/compare_runs.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/stored.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -141,14 +142,7 @@ int compare_two(const CommandLine& line, const Console& console) {
 }
 
 /// Each finding of the paper: its number, ours, and whether it is met.
-int compare_with_paper(const CommandLine& line, const Console& console) {
-    const fs::path summary = fs::path(line.subject) / "summary.json";
-    if (!fs::exists(summary)) {
-        throw IoError(
-            fmt::format("{}: has no summary.json: the run has not ended; suffuse resume goes on", line.subject)
-        );
-    }
-    const nlohmann::json findings = run::read_json(summary).at("findings");
+int tell_findings(const nlohmann::json& findings, const Console& console) {
     bool all_met = true;
     for (const nlohmann::json& finding : findings) {
         const nlohmann::json& met = finding.at("met");
@@ -170,6 +164,16 @@ int compare_with_paper(const CommandLine& line, const Console& console) {
     return all_met ? Done : Differs;
 }
 
+int compare_with_paper(const CommandLine& line, const Console& console) {
+    const fs::path summary = fs::path(line.subject) / "summary.json";
+    if (!fs::exists(summary)) {
+        throw IoError(
+            fmt::format("{}: has no summary.json: the run has not ended; suffuse resume goes on", line.subject)
+        );
+    }
+    const nlohmann::json told = run::read_json(summary);
+    return run::take_from(summary, [&] { return tell_findings(told.at("findings"), console); });
+}
 } // namespace
 
 int compare_verb(const CommandLine& line, const Console& console) {

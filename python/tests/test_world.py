@@ -3,6 +3,7 @@
 import gc
 import math
 import pathlib
+import re
 
 import numpy
 import pytest

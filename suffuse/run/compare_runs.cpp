@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/stored.hpp"
 
 #include <fmt/format.h>
 
@@ -45,7 +46,9 @@ std::map<std::string, json> read_stages(const fs::path& run) {
     }
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(run / "studies")) {
         if (entry.path().filename() == "stage.json") {
-            stages[entry.path().parent_path().lexically_relative(run / "studies").string()] = read_json(entry.path());
+            const json numbers = read_json(entry.path());
+            take_from(entry.path(), [&] { return numbers.value("state_hash", ""); }); // other values may be of any type
+            stages[entry.path().parent_path().lexically_relative(run / "studies").string()] = numbers;
         }
     }
     return stages;
@@ -324,9 +327,13 @@ void compare_circumstances(const fs::path& first, const fs::path& second, std::v
     if (!fs::exists(first / "provenance.json") || !fs::exists(second / "provenance.json")) {
         return;
     }
-    const json a = read_json(first / "provenance.json"), b = read_json(second / "provenance.json");
+    const auto told_by = [](const fs::path& file) {
+        const json provenance = read_json(file);
+        return take_from(file, [&] { return provenance.get<std::map<std::string, json>>(); });
+    };
+    std::map<std::string, json> a = told_by(first / "provenance.json"), b = told_by(second / "provenance.json");
     for (const char* const key : circumstances) {
-        const json left = a.value(key, json(nullptr)), right = b.value(key, json(nullptr));
+        const json &left = a[key], &right = b[key];
         if (left != right) {
             found.push_back(fmt::format("{}: {} and {}", key, text_of(left), text_of(right)));
         }

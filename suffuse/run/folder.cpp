@@ -7,6 +7,7 @@
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/run/case_hash.hpp"
 #include "suffuse/run/samples.hpp"
+#include "suffuse/run/stored.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -84,9 +85,7 @@ nlohmann::json read_json(const std::filesystem::path& path) {
     const std::string text = read_all(path);
     nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
     if (json.is_discarded()) {
-        throw IoError(
-            fmt::format("{}: is not valid JSON; it was changed or damaged: remove it and resume", path.string())
-        );
+        throw not_as_stored(path, "no valid JSON");
     }
     return json;
 }
@@ -99,7 +98,7 @@ nlohmann::json read_cbor(const std::filesystem::path& path) {
     const std::string bytes = read_all(path);
     nlohmann::json json = nlohmann::json::from_cbor(bytes, true, false);
     if (json.is_discarded()) {
-        throw IoError(fmt::format("{}: is damaged: remove the stage's folder and resume", path.string()));
+        throw not_as_stored(path, "no valid CBOR");
     }
     return json;
 }
@@ -168,7 +167,9 @@ std::vector<FailedSample> read_failures(const std::filesystem::path& run, const 
             const std::filesystem::path file = folder / failure_file;
             if (std::filesystem::exists(file) && !std::filesystem::exists(folder / "stage.json")) {
                 const nlohmann::json kept = read_json(file);
-                failures.push_back({kept.at("sample"), kept.at("stage"), kept.at("kind"), kept.at("message")});
+                failures.push_back(take_from(file, [&]() -> FailedSample {
+                    return {kept.at("sample"), kept.at("stage"), kept.at("kind"), kept.at("message")};
+                }));
             }
         }
     }

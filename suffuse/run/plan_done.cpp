@@ -4,6 +4,7 @@
 #include "suffuse/run/plan.hpp"
 #include "suffuse/run/refine.hpp"
 #include "suffuse/run/samples.hpp"
+#include "suffuse/run/stored.hpp"
 
 namespace suffuse::run {
 namespace {
@@ -17,7 +18,8 @@ std::optional<std::string> known_end(
     if (!folder.empty() && std::filesystem::exists(numbers)) {
         estimate.is_done = true;
         estimate.disk = 0;
-        return read_json(numbers).value("end_state", ""); // none: made before there was a cache
+        const nlohmann::json told = read_json(numbers);
+        return take_from(numbers, [&] { return told.value("end_state", ""); }); // none: made before there was a cache
     }
     if (start && StageCache::keeps(stage)) {
         if (const auto entry = cache.find(StageCache::key_of(what, variant, stage, *start))) {

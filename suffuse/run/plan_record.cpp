@@ -2,6 +2,7 @@
 
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/stored.hpp"
 
 #include <cmath>
 
@@ -22,8 +23,41 @@ bool is_priced(const json& stage) {
     return range_of(stage.at("seconds")).most > 0;
 }
 
+/// What an earlier plan has priced stays as it was.
+void keep_priced(json& plan, const json& earlier) {
+    for (json& stage : plan.at("stages")) {
+        for (const json& known : earlier.at("stages")) {
+            if (known.at("study") == stage.at("study") && known.at("stage") == stage.at("stage") && is_priced(known)) {
+                stage = known;
+            }
+        }
+    }
+}
+
 double error_of(const Range& planned, double truth) {
     return std::abs(middle(planned) / truth - 1);
+}
+
+/// Adds to each priced stage of a plan what it took.
+std::vector<StageOutcome> record_stages(const std::filesystem::path& run, json& plan) {
+    std::vector<StageOutcome> outcomes;
+    for (json& stage : plan.at("stages")) {
+        const std::filesystem::path numbers = run / "studies" / stage.at("study").get<std::string>() /
+                                              stage.at("stage").get<std::string>() / "stage.json";
+        if (!is_priced(stage) || !std::filesystem::exists(numbers)) {
+            continue;
+        }
+        const json taken = read_json(numbers);
+        take_from(numbers, [&] {
+            stage["steps_taken"] = taken.value("steps_of_trials", taken.at("steps").get<std::int64_t>());
+            stage["seconds_taken"] = taken.at("wall_seconds").get<double>();
+        });
+        outcomes.push_back(
+            {range_of(stage.at("steps")), range_of(stage.at("seconds")), stage.at("steps_taken"),
+             stage.at("seconds_taken")}
+        );
+    }
+    return outcomes;
 }
 
 } // namespace
@@ -32,14 +66,7 @@ void keep_plan(const std::filesystem::path& run, const RunPlan& plan) {
     json kept = plan;
     if (std::filesystem::exists(run / plan_file)) {
         const json earlier = read_json(run / plan_file);
-        for (json& stage : kept.at("stages")) {
-            for (const json& known : earlier.at("stages")) {
-                if (known.at("study") == stage.at("study") && known.at("stage") == stage.at("stage") &&
-                    is_priced(known)) {
-                    stage = known;
-                }
-            }
-        }
+        take_from(run / plan_file, [&] { keep_priced(kept, earlier); });
     }
     write_json(run / plan_file, kept);
 }
@@ -73,21 +100,7 @@ std::optional<PlanError> record_outcome(const std::filesystem::path& run) {
         return std::nullopt;
     }
     json plan = read_json(run / plan_file);
-    std::vector<StageOutcome> outcomes;
-    for (json& stage : plan.at("stages")) {
-        const std::filesystem::path numbers = run / "studies" / stage.at("study").get<std::string>() /
-                                              stage.at("stage").get<std::string>() / "stage.json";
-        if (!is_priced(stage) || !std::filesystem::exists(numbers)) {
-            continue;
-        }
-        const json taken = read_json(numbers);
-        stage["steps_taken"] = taken.value("steps_of_trials", taken.at("steps").get<std::int64_t>());
-        stage["seconds_taken"] = taken.at("wall_seconds");
-        outcomes.push_back(
-            {range_of(stage.at("steps")), range_of(stage.at("seconds")), stage.at("steps_taken"),
-             stage.at("seconds_taken")}
-        );
-    }
+    const std::vector<StageOutcome> outcomes = take_from(run / plan_file, [&] { return record_stages(run, plan); });
     const std::optional<PlanError> error = measure_plan_error(outcomes);
     if (error) {
         plan["error"] = {

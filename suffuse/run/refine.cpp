@@ -5,6 +5,7 @@
 #include "suffuse/casefile/sweep_value.hpp"
 #include "suffuse/casefile/variants.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/stored.hpp"
 
 #include <fmt/format.h>
 
@@ -163,6 +164,24 @@ void add_unknown(Study& study, std::vector<Variant> more) {
     }
 }
 
+/// @param list of refinement.json
+casefile::Case with_listed(casefile::Case what, const json& list) {
+    const casefile::Case listed = what;
+    for (const json& one : list) {
+        Values values;
+        for (const auto& [key, value] : one.at("values").items()) {
+            values[key] = scalar_of(value);
+        }
+        const std::string name = one.at("study");
+        for (Study& study : what.studies) {
+            if (study.name == name) {
+                add_unknown(study, casefile::variants_at(listed, name, values));
+            }
+        }
+    }
+    return what;
+}
+
 } // namespace
 
 std::vector<Refinement> find_refinements(const casefile::Case& what, const std::filesystem::path& run) {
@@ -200,20 +219,9 @@ casefile::Case with_refinements(casefile::Case what, const std::filesystem::path
     if (!is_refined(run)) {
         return what;
     }
-    const casefile::Case listed = what;
-    for (const json& one : read_json(run / refinement_file)) {
-        Values values;
-        for (const auto& [key, value] : one.at("values").items()) {
-            values[key] = scalar_of(value);
-        }
-        const std::string name = one.at("study");
-        for (Study& study : what.studies) {
-            if (study.name == name) {
-                add_unknown(study, casefile::variants_at(listed, name, values));
-            }
-        }
-    }
-    return what;
+    const std::filesystem::path file = run / refinement_file;
+    const json list = read_json(file);
+    return take_from(file, [&] { return with_listed(std::move(what), list); });
 }
 
 casefile::Case load_run(const std::filesystem::path& run) {

@@ -16,6 +16,7 @@
 #include "suffuse/run/result_json.hpp"
 #include "suffuse/run/scene_data.hpp"
 #include "suffuse/run/section_tables.hpp"
+#include "suffuse/run/stored.hpp"
 #include "suffuse/run/strength_words.hpp"
 #include "suffuse/run/study_figures.hpp"
 #include "suffuse/run/triaxial_table.hpp"
@@ -124,9 +125,11 @@ std::vector<report::AssumedValue> assumed_in(const std::filesystem::path& folder
     }
     const json asked = std::filesystem::exists(options) ? read_json(options) : json::object();
     const std::vector<std::string> nothing;
-    return assumed_values(
-        io::read_text(given), what.preset, asked.value("overrides", nothing), asked.value("studies", nothing)
-    );
+    return take_from(options, [&] {
+        return assumed_values(
+            io::read_text(given), what.preset, asked.value("overrides", nothing), asked.value("studies", nothing)
+        );
+    });
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/measure_asked.hpp"
 #include "suffuse/run/result_json.hpp"
+#include "suffuse/run/stored.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +41,8 @@ IoError strange_partial(const StageWork& work) {
 dem::World end_of(const std::filesystem::path& folder) {
     const KnownState end(folder / "state.h5");
     dem::World world = end.load().world;
-    end.check(world, read_json(folder / "stage.json").value("end_state", ""));
+    const json numbers = read_json(folder / "stage.json");
+    end.check(world, take_from(folder / "stage.json", [&] { return numbers.value("end_state", ""); }));
     return world;
 }
 

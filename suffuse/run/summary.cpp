@@ -5,6 +5,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/report/or_null.hpp"
 #include "suffuse/report/page.hpp"
 #include "suffuse/run/checksums.hpp"
 #include "suffuse/run/findings_by_seed.hpp"
@@ -13,9 +14,10 @@
 #include "suffuse/run/missing_stages.hpp"
 #include "suffuse/run/refine.hpp"
 #include "suffuse/run/report_data.hpp"
-#include "suffuse/run/result_json.hpp"
 #include "suffuse/run/runner.hpp"
 #include "suffuse/run/sample_run.hpp"
+#include "suffuse/run/stored.hpp"
+#include "suffuse/run/stored_findings.hpp"
 #include "suffuse/run/strength_change.hpp"
 #include "suffuse/run/study_curves.hpp"
 
@@ -39,23 +41,7 @@ std::vector<FinishedStage> read_stages(const casefile::Case& what, const std::fi
                 if (!std::filesystem::exists(place / "stage.json")) {
                     continue;
                 }
-                FinishedStage done{&study, &variant, &stage, read_json(place / "stage.json"), {}};
-                if (std::filesystem::exists(place / "results.cbor")) {
-                    const json results = read_cbor(place / "results.cbor");
-                    if (results.contains("probes")) {
-                        results.at("probes").get_to(done.findings.probes);
-                    }
-                    if (results.contains("erosion")) {
-                        done.findings.erosion = results.at("erosion").get<erosion::ErosionResult>();
-                    }
-                    if (results.contains("curve")) {
-                        results.at("curve").get_to(done.findings.curve);
-                    }
-                    if (results.contains("throat_flux")) {
-                        done.findings.throat_flux = results.at("throat_flux").get<flow::ThroatFlux>();
-                    }
-                }
-                stages.push_back(std::move(done));
+                stages.push_back({&study, &variant, &stage, read_json(place / "stage.json"), read_findings(place)});
             }
         }
     }
@@ -84,7 +70,8 @@ double longest_sample(const casefile::Case& what, const std::filesystem::path& f
     for (const Sample& sample : list_samples(what)) {
         const std::filesystem::path own = folder / "studies" / sample.variant->folder / "provenance.json";
         if (std::filesystem::exists(own)) {
-            longest = std::max(longest, read_json(own).at("wall_seconds").get<double>());
+            const json provenance = read_json(own);
+            longest = std::max(longest, take_from(own, [&] { return provenance.at("wall_seconds").get<double>(); }));
         }
     }
     return longest;
@@ -145,19 +132,18 @@ void append(const json& texts, std::vector<std::string>& to) {
     }
 }
 
-} // namespace
-
-Summary summarize_run(
-    const casefile::Case& what, const std::filesystem::path& folder, const std::filesystem::path& page_folder
-) {
+Summary
+summarize(const casefile::Case& what, const std::filesystem::path& folder, const std::filesystem::path& page_folder) {
     const std::vector<FinishedStage> stages = read_stages(what, folder);
     const json provenance = read_json(folder / "provenance.json");
     Summary summary;
     json by_name = json::object();
     for (const FinishedStage& stage : stages) {
         by_name[stage.name()] = stage.numbers;
-        append(stage.numbers.at("warnings"), summary.warnings);
-        append(stage.numbers.at("flaws"), summary.flaws);
+        take_from(stage_folder(folder, *stage.variant, *stage.stage) / "stage.json", [&] {
+            append(stage.numbers.at("warnings"), summary.warnings);
+            append(stage.numbers.at("flaws"), summary.flaws);
+        });
     }
     summary.failures = read_failures(folder, what);
     const MissingStages missing = find_missing_stages(what, folder);
@@ -196,6 +182,14 @@ Summary summarize_run(
     );
     summary.report = report::write_report(folder, data, page_folder).file;
     return summary;
+}
+
+} // namespace
+
+Summary summarize_run(
+    const casefile::Case& what, const std::filesystem::path& folder, const std::filesystem::path& page_folder
+) {
+    return take_from(folder, [&] { return summarize(what, folder, page_folder); });
 }
 
 RunReport rebuild_report(
