@@ -12,8 +12,8 @@ CACHED = re.compile(r"^(.*/)?([0-9a-f]{16})/")  # folders of cache entries are n
 
 
 def listed(folder):
-    """Files by the name that both sides have for them. Of cache entries the key and the list of files: the files are
-    those of the stage."""
+    """Files by the name that both sides have for them. Of a cache entry its key alone is read: the other files, None
+    here, are those of the stage."""
     found, entries = {}, {}
     for path in sorted(folder.rglob("*")):
         name = str(path.relative_to(folder))
@@ -26,7 +26,7 @@ def listed(folder):
             name = f"{entries[path.parent]}/{path.name}"
         while name in found:  # two entries of one stage, as of a sweep
             name += "'"
-        found[name] = path
+        found[name] = None if entry and path.name != "entry.json" else path
     return found
 
 
@@ -50,6 +50,8 @@ def tree_of(path, data):
 
 def compare_files(pair, sides, options):
     """Differences of two files. What cannot be read is one, not a reason to pass it over."""
+    if pair == (None, None):
+        return []
     data = [content(path, side) for path, side in zip(pair, sides)]
     if data[0] == data[1]:
         return []

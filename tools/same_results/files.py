@@ -63,7 +63,8 @@ class Page(html.parser.HTMLParser):
             table, (_, is_number, texts) = self.tree["tables"][-1], self.inside
             cells = table["header"] if tag == "th" else table["rows"][-1]
             is_time = tag == "td" and table["header"][len(cells)].get("number") == WALL_TIME
-            cells.append({"wall_time" if is_time else "number" if is_number else "words": "".join(texts)})
+            kind = "wall_time" if is_time else "number" if is_number else "words"
+            cells.append({"provenance" if table["class"] == "provenance" else kind: "".join(texts)})
             self.inside = None
 
     def handle_data(self, data):

@@ -61,7 +61,9 @@ EXAMPLES = (
     of_case("silty-sand-fc20-stability", "silty-sand-fc20/stability.toml",
             *sized("stability", 1500, "study.stability.replicates=1")),
     of_case("silty-sand-fc20-transport", "silty-sand-fc20/transport.toml", *sized("ways", 1500, "study.ways.replicates=1")),
-    of_case("second-erosion", "second-erosion/case.toml", *sized("second", 1000)),
+    of_case("second-erosion", "second-erosion/case.toml", *sized(
+        "second", 1000, "study.second.stage.watch-100000.watch=1500", "study.second.stage.ramp-10000.ramp=1500",
+        "study.second.stage.watch-100000-displacement.watch=1500")),
     of_case("second-erosion-fines-limit", "second-erosion/fines-limit.toml", *sized("limit", 1000)),
     of_case("second-erosion-merged-voids", "second-erosion/merged-voids.toml", *sized("limit", 1000)),
     Job("silty-sand-2016-size-ratio-20", (  # hours; its check and its plan alone

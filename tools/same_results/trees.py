@@ -1,9 +1,11 @@
 """Trees of what files hold, and the places where two of them differ.
 
-A tree is made of dictionaries, lists, texts, truth values, None and the two kinds of leaves below.
+A tree is made of dictionaries, lists, texts, truth values, None, floats as CBOR has them (bytes), and the two kinds of
+leaves below.
 """
 
 import dataclasses
+import struct
 
 
 class Literal(str):
@@ -65,6 +67,8 @@ def shown(value):
         return f"a list of {len(value)}"
     if isinstance(value, Array):
         return f"an array {value.kind} {' x '.join(map(str, value.shape))}"
+    if isinstance(value, bytes):
+        (value,) = struct.unpack({3: ">xe", 5: ">xf", 9: ">xd"}[len(value)], value)
     text = str.__str__(value) if isinstance(value, Literal) else repr(value)
     return text if len(text) <= 80 else f"{text[:40]} ... {text[-30:]}"
 
