@@ -56,6 +56,13 @@ void wait_until(const std::string& what, Condition is_true) {
     }
 }
 
+/// In a child: signals do what they usually do, however the tests were started; by nohup, say, or in the background.
+inline void take_signals() {
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) {
+        std::signal(signal, SIG_DFL);
+    }
+}
+
 inline int wait_status(pid_t child) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -124,9 +131,7 @@ protected:
         for (const auto& [name, descriptor] : {std::pair{"out", 1}, std::pair{"error", 2}}) {
             dup2(open(name, O_CREAT | O_TRUNC | O_WRONLY, 0666), descriptor);
         }
-        for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) {
-            std::signal(signal, SIG_DFL); // however the tests were started
-        }
+        take_signals();
         for (const std::string& variable : environment) {
             putenv(const_cast<char*>(variable.c_str()));
         }
