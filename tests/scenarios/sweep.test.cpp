@@ -102,7 +102,7 @@ TEST_F(Sweep, ACopyWithASweptContactKeyHasTheBitsOfACaseWithThatValue) {
 }
 
 TEST_F(Sweep, AStopSavesEverySampleAndTheRunGoesOnToTheSameBits) {
-    // A last stage of seconds, so that two samples can be met in the middle of it.
+    // A last stage of so many bursts that none of two samples can end it before the other has begun.
     const std::string long_case = sweep_case() + R"([[study.s.stage]]
 name        = "moved"
 do          = "advance"
@@ -114,10 +114,11 @@ strain_rate = ["1 1/s", "0 1/s", "0 1/s"]
     set_thread_count(2);
     std::size_t most_partial = 0;
     int stops = 0;
-    for (int pulses = 2;; pulses += 2) {
+    for (int pulses = 20;; pulses *= 2) {
         std::atomic<bool> stop{false};
         run::RunOptions options;
         options.stop = &stop;
+        options.progress_interval = 0;
         int left = pulses;
         std::set<int> midway; // samples between two ends of stages
         options.on_progress = [&](const run::Progress& progress) {
