@@ -153,6 +153,19 @@ def test_control_c_saves_and_resuming_gives_the_same_bits(small_case, tmp_path):
     assert run["replay/seep"]["state_hash"] == whole["replay/seep"]["state_hash"]
 
 
+def test_signals_are_left_to_the_program_that_imports_it(small_case, tmp_path):
+    script = (
+        "import sys\n"
+        "def signals():\n"
+        "    return [line for line in open('/proc/self/status') if line.startswith(('SigBlk', 'SigIgn', 'SigCgt'))]\n"
+        "before = signals()\n"
+        "import suffuse\n"
+        "suffuse.Case(sys.argv[1]).run(sys.argv[2])\n"
+        "assert signals() == before, (before, signals())\n"
+    )
+    subprocess.run([sys.executable, "-c", script, small_case, tmp_path / "run"], check=True)
+
+
 def test_until_and_time_limit(small_case, tmp_path):
     run = suffuse.Case(small_case).run(tmp_path / "run", until="settled")
     assert run.stages == ["replay/start", "replay/settled"]
