@@ -63,11 +63,17 @@ def compare_files(pair, sides, options):
     return differences(*trees, rows)
 
 
+def written(there, file):
+    path = there[0].get(file) or there[1].get(file)
+    return (path.stat().st_mtime_ns if path else 0, file)
+
+
 def compare_job(name, before, after, options):
-    """How many files were compared, and those that differ: name -> differences."""
+    """How many files were compared, and those that differ: name -> differences. The file that was written first comes
+    first, for what is wrong in a stage makes others wrong after it."""
     there = [listed(side / name) for side in (before, after)]
     found = {}
-    for file in sorted({*there[0], *there[1]}):
+    for file in sorted({*there[0], *there[1]}, key=lambda file: written(there, file)):
         if file not in there[0] or file not in there[1]:
             found[file] = [Difference((), *("a file" if file in side else ABSENT for side in there))]
             continue

@@ -102,6 +102,11 @@ def of_vtk(data):
     return {"tags": text.splitlines(), "arrays": arrays, "end": (tail[1] + tail[2]).decode()}
 
 
+def of_svg(text):
+    told = re.compile(r"<metadata>(.*?)</metadata>", re.S)
+    return {"metadata": told.findall(text), "tags": told.sub("", text).replace("><", ">\n<").splitlines()}
+
+
 def of_checksums(text):
     return {name: digest for digest, name in (line.split("  ", 1) for line in text.splitlines())}
 
@@ -115,8 +120,7 @@ TEXTS = {
     ".jsonl": lambda text: [of_json(line) for line in text.splitlines()],
     ".csv": of_csv,
     ".html": of_page,
-    ".svg": lambda text: {"metadata": re.findall(r"<metadata>(.*?)</metadata>", text, re.S),
-                          "drawing": re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.S).splitlines()},
+    ".svg": of_svg,
 }
 
 
