@@ -33,7 +33,7 @@ def output_of(command):
 def count(program, scene, n):
     """Instructions of the whole run, and what one time of the work consists of."""
     with tempfile.TemporaryDirectory() as folder:
-        command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/out", program, scene, str(n)]
+        command = ["valgrind", "--vgdb=no", "--tool=callgrind", f"--callgrind-out-file={folder}/out", program, scene, str(n)]
         out, err = output_of(command)
     return int(re.search(r"Collected : (\d+)", err).group(1)), json.loads(out)
 

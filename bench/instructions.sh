@@ -5,8 +5,12 @@ set -eu
 root=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd)
 # shellcheck source=bench/common.sh
 . "$root/bench/common.sh"
+# shellcheck source=tools/at_end.sh
+. "$root/tools/at_end.sh"
+trap end_attended EXIT
+attended_by=TERM
 ready suffuse_count valgrind
 
 status=0
-/usr/bin/python3 "$root/bench/instructions.py" "$build" "$@" || status=$?
+attended /usr/bin/python3 "$root/bench/instructions.py" "$build" "$@" || status=$?
 [ "$status" -eq 77 ] || exit "$status" # 77: skipped, and it said why

@@ -21,8 +21,10 @@ TICK = os.sysconf("SC_CLK_TCK")
 
 
 def machine():
-    name = re.search(r"^model name\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.M)
-    return f"{name.group(1) if name else 'unknown processor'}; {os.cpu_count()} cores"
+    """A virtual machine may tell no more of a processor's name than its make: family and model tell which it is."""
+    told = dict(re.findall(r"^([\w ]+?)\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.M))
+    name, family, model = (told.get(key, "unknown") for key in ("model name", "cpu family", "model"))
+    return f"{name}, family {family} model {model}; {os.cpu_count()} cores"
 
 
 def commit():

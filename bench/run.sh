@@ -5,7 +5,10 @@ set -eu
 root=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd)
 # shellcheck source=bench/common.sh
 . "$root/bench/common.sh"
+# shellcheck source=tools/at_end.sh
+. "$root/tools/at_end.sh"
+trap end_attended EXIT
 ready suffuse_bench
 
-"$build/bench/suffuse_bench" --benchmark_out="$root/build/bench-results.json" --benchmark_out_format=json "$@" >&2
+attended "$build/bench/suffuse_bench" --benchmark_out="$root/build/bench-results.json" --benchmark_out_format=json "$@" >&2
 exec /usr/bin/python3 "$root/bench/table.py" "$root/build/bench-results.json"

@@ -6,18 +6,26 @@ program=$1
 root=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd)
 grep -qw avx512f /proc/cpuinfo || { echo "instruction sets: left out, this processor has no AVX-512" && exit 0; }
 
-# state MODE [COMMAND...]: hash of the state that the packing ends in
+# shellcheck source=tools/at_end.sh
+. "$root/tools/at_end.sh"
+folder=
+trap 'end_attended; rm -rf "$folder"' EXIT
+folder=$(mktemp -d)
+
+# state MODE [COMMAND...]: sets `hash`, of the state that the packing ends in.
 state() {
     mode=$1
     shift
-    "$@" "$program" bench step --packing "$root/tests/reference/packing2000.csv.gz" \
-        --cell 0.0022778842740888983,0.002276097964427531,0.0022783912598474043 --threads 1 --steps 100 --mode "$mode" |
-        sed -n 's/^state_hash *//p'
+    attended "$@" "$program" bench step --packing "$root/tests/reference/packing2000.csv.gz" \
+        --cell 0.0022778842740888983,0.002276097964427531,0.0022783912598474043 --threads 1 --steps 100 --mode "$mode" >"$folder/out"
+    hash=$(sed -n 's/^state_hash *//p' "$folder/out")
 }
 
 for mode in reference fast; do
-    wide=$(state "$mode")
-    narrow=$(state "$mode" valgrind --quiet --tool=none)
+    state "$mode"
+    wide=$hash
+    state "$mode" valgrind --quiet --vgdb=no --tool=none
+    narrow=$hash
     echo "$mode: AVX-512 $wide, AVX2 $narrow"
     [ -n "$wide" ] && [ "$wide" = "$narrow" ] || exit 1
 done

@@ -7,8 +7,9 @@ trap 'exit 129' HUP
 trap 'exit 130' INT
 trap 'exit 143' TERM
 attended_pid=
+attended_by=KILL # TERM for what has something to clean itself
 
-# attended COMMAND...: its exit code. A signal to the script kills it: what it has made goes, too.
+# attended COMMAND...: its exit code. A signal to the script ends it, too.
 attended() {
     "$@" &
     attended_pid=$!
@@ -22,6 +23,6 @@ attended() {
 end_attended() {
     trap '' HUP INT TERM
     [ -n "$attended_pid" ] || return 0
-    kill -KILL "$attended_pid" 2>/dev/null || :
+    kill -"$attended_by" "$attended_pid" 2>/dev/null || :
     wait "$attended_pid" 2>/dev/null || :
 }

@@ -4,7 +4,7 @@
 # leave: numbers, keys, codes and hashes, but not times, versions and texts for people (tools/same_results/masks.py).
 # BEFORE and AFTER: a build folder, a checkout with build/release, or a revision of git, which is checked out and built in
 # build/same-results and stays there. --texts compares texts, too: for a change that should alter no word. --help has all options.
-# Exit code 0: the same; 1: not; 2: wrong use. Five minutes on two quiet cores.
+# Exit code 0: the same; 1: not; 2: wrong use. Three minutes on two cores, of builds that are there.
 set -eu
 root=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd)
 
