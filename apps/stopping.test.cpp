@@ -142,13 +142,14 @@ TEST_F(Stopping, ATerminalThatClosesSavesTheRun) {
     expect_to_go_on_to_the_same_bits();
 }
 
-TEST_F(Stopping, AShellThatEndsWithItsTerminalTakesTheRunIntoNoDanger) {
+TEST_F(Stopping, AShellThatEndsWithItsTerminalTakesNoWorkAlong) {
     Terminal terminal;
     TestPipe life; // of the run, which is no child of ours
     HeldRun shell = start_run([&] {
         terminal.sit_down();
         dup(life.writing());
-        execl("/bin/sh", "sh", "-c", (SUFFUSE_PROGRAM " run soil/case.toml -o cut -j 1 --no-cache; :"), nullptr);
+        const char* const line = SUFFUSE_PROGRAM " run soil/case.toml -o cut -j 1 --no-cache; :";
+        execl("/bin/sh", "sh", "-c", line, static_cast<char*>(nullptr));
     });
     life.close_end(1);
     terminal.close_it();
@@ -170,7 +171,7 @@ TEST_F(Stopping, CtrlCSavesTheRunThoughTeeDiesOfItFirst) {
         setpgid(0, 0);
         dup2(pipe.reading(), 0);
         pipe.close_end(1);
-        execlp("tee", "tee", (folder / "log").c_str(), nullptr);
+        execlp("tee", "tee", (folder / "log").c_str(), static_cast<char*>(nullptr));
         _exit(98);
     }
     setpgid(tee, tee);
@@ -181,6 +182,7 @@ TEST_F(Stopping, CtrlCSavesTheRunThoughTeeDiesOfItFirst) {
     });
     pipe.close_end(0);
     pipe.close_end(1);
+    wait_until("tee works", [&] { return read_all(folder / "log").find("plan  ") != std::string::npos; });
     kill(-tee, SIGINT);
     EXPECT_EQ(wait_for(tee).code, -SIGINT);
     run.let_go(); // its farewell finds nobody
