@@ -54,7 +54,8 @@ void LiveReport::learn(const run::Progress& progress) {
     left_.see(progress);
     done_ = progress.stages_done;
     all_ = progress.stages;
-    if (progress.stage.empty()) {
+    const bool tells_no_stage = progress.sample_ended && progress.failure.empty(); // they have told of themselves
+    if (progress.stage.empty() || tells_no_stage) {
         return;
     }
     Stage& stage = stage_of(progress);

@@ -66,6 +66,20 @@ TEST(LiveReport, IsWrittenOncePerIntervalAndAtTheEnd) {
     EXPECT_NE(page.find("<code>suffuse resume x</code>"), std::string::npos);
 }
 
+TEST(LiveReport, ASampleThatWasDoneBeforeDoesNotRun) {
+    const test::TempFolder folder;
+    LiveReport live(folder.path(), "Dyke", "suffuse resume x", two_stages());
+    run::Progress ended = at("erosion", false, 0.7);
+    ended.stage_seconds = 0;
+    ended.sample_ended = true;
+    live.show(ended);
+    EXPECT_EQ(test::read_all(folder / "report.html").find("<td class=\"status\">running"), std::string::npos);
+    live.show(at("initial", true, 0.7));
+    live.show(ended);
+    live.close("over");
+    EXPECT_NE(test::read_all(folder / "report.html").find(">done</td><td>3.2 s</td>"), std::string::npos);
+}
+
 TEST(LiveReport, AFolderThatCannotBeWrittenStopsNothing) {
     EXPECT_NO_THROW({
         LiveReport live("/dev/null/nowhere", "", "", two_stages());

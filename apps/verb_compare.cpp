@@ -171,9 +171,20 @@ int compare_with_paper(const CommandLine& line, const Console& console) {
             fmt::format("{}: has no summary.json: the run has not ended; suffuse resume goes on", line.subject)
         );
     }
+    run::require_same_result(line.subject, "summary.json");
     const nlohmann::json told = run::read_json(summary);
     return run::take_from(summary, [&] { return tell_findings(told.at("findings"), console); });
 }
+
+/// Of stages of an earlier version, which the checksums of the run alone speak for.
+std::string without_checksums(std::size_t without, int stages) {
+    return without == 0 ? ""
+                        : fmt::format(
+                              "; {} of {}, of an earlier version, {} no checksums from {} end", without,
+                              plural(stages, "stage"), without == 1 ? "has" : "have", without == 1 ? "its" : "their"
+                          );
+}
+
 } // namespace
 
 int compare_verb(const CommandLine& line, const Console& console) {
@@ -190,11 +201,12 @@ int verify_verb(const CommandLine& line, const Console& console) {
     }
     const bool is_complete = found.missing.names.empty();
     console.result(fmt::format(
-        "{}: {} against their checksums, {} against what their stages tell",
+        "{}: {} against their checksums, {} against what their stages tell{}",
         !found.damages.empty() ? plural(std::ssize(found.damages), "difference")
         : is_complete          ? "whole and unchanged"
                                : "unchanged, but not complete",
-        plural(found.files, "file"), plural(found.states, "state")
+        plural(found.files, "file"), plural(found.states, "state"),
+        without_checksums(found.without_checksums.size(), found.stages)
     ));
     if (!is_complete) {
         console.result(

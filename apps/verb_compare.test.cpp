@@ -1,5 +1,7 @@
 // compare and verify as a user calls them: code 5 and what differs.
 
+#include "suffuse/run/stage_sums.hpp"
+
 #include "tests/support/program.hpp"
 #include <sstream>
 
@@ -91,7 +93,7 @@ TEST_F(Compare, RunsThatDifferOnlyInHowTheyWereComputedHaveTheSameResults) {
     const std::filesystem::path kept = folder / "second/studies/replay/seep/stage.json";
     nlohmann::json stage = nlohmann::json::parse(read_all(kept));
     stage["residual"] = 2 * stage.at("residual").get<double>();
-    write_to(kept, stage.dump());
+    run::seal_stage(kept.parent_path(), stage); // as a stage that computed it so
     const Said said = say({"compare", "first", "second"});
     EXPECT_EQ(said.code, 5);
     expect_in("the same results, with 1 difference in how they were computed", said.out);
@@ -110,6 +112,10 @@ TEST_F(Compare, AFigureThatLostTheValuesOfItsLastColumnDiffers) {
         emptied += line + "\n";
     }
     write_to(table, emptied);
+    const Said refused = say({"compare", "first", "second"});
+    EXPECT_EQ(refused.code, 74);
+    expect_in("second/figures/own-throat-flux.csv was changed since the run ended", refused.error);
+    std::filesystem::remove(folder / "second/SHA256SUMS"); // as of a report that wrote it so
     const Said said = say({"compare", "first", "second", "-v"});
     EXPECT_EQ(said.code, 5) << said.out;
     expect_in("figure own-throat-flux: ", said.out);
@@ -143,6 +149,7 @@ TEST_F(Compare, WithThePaperEachFindingIsJudged) {
     EXPECT_EQ(said.code, 0) << said.error; // the replay holds nothing that the paper speaks of
     EXPECT_TRUE(said.json().at("findings").empty());
     nlohmann::json summary = nlohmann::json::parse(read_all(folder / "first/summary.json"));
+    std::filesystem::remove(folder / "first/SHA256SUMS"); // as of a report that wrote it so
     const nlohmann::json claim = {{"claim", "c"}, {"paper", "30 %"}, {"ours", "31 %"}};
     summary["findings"] = {claim, claim};
     summary["findings"][0].update({{"id", "M1"}, {"met", true}});
@@ -193,11 +200,11 @@ TEST_F(Compare, WhatWasChangedLostOrAddedIsFound) {
 }
 
 TEST_F(Compare, AStateThatIsNotTheOneToldIsFound) {
-    // As if someone had edited a number and then written the checksums anew.
+    // As if someone had edited a number and then written the checksums of the stage and of the run anew.
     const std::string file = "studies/replay/settled/stage.json";
     nlohmann::json numbers = nlohmann::json::parse(read_all(folder / ("first/" + file)));
     numbers["state_hash"] = "0123456789abcdef";
-    write_to(folder / ("first/" + file), numbers.dump());
+    run::seal_stage((folder / ("first/" + file)).parent_path(), numbers);
     ASSERT_EQ(say({"report", "first"}).code, 0);
     const Said said = say({"verify", "first"});
     EXPECT_EQ(said.code, 5);

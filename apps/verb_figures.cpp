@@ -1,5 +1,8 @@
 // figures: the figures of a run as files for a manuscript.
 
+#include "suffuse/report/figure_options.hpp"
+#include "suffuse/run/checksums.hpp"
+
 #include <fmt/format.h>
 
 #include "apps/draw_figures.hpp"
@@ -7,14 +10,26 @@
 #include "apps/page_folder.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
+#include <algorithm>
 #include <filesystem>
 
 namespace suffuse::apps {
+
+namespace {
+
+/// Of words such as 9 and own-paths.
+std::vector<std::string> ids_of(std::vector<std::string> words) {
+    std::ranges::transform(words, words.begin(), report::figure_id);
+    return words;
+}
+
+} // namespace
 
 int figures_verb(const CommandLine& line, const Console& console) {
     const std::filesystem::path run = line.subject;
     const std::filesystem::path folder = line.output.empty() ? run / "figures" : std::filesystem::path(line.output);
     const std::string format = line.format.empty() ? "svg" : line.format;
+    run::require_same_figures(run, ids_of(line.figures), {".vl.json", ".svg"});
     std::vector<std::string> written;
     for (const std::filesystem::path& file : draw_figures(run, line.figures, format, folder, page_folder())) {
         written.push_back(file.string());

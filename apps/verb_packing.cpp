@@ -6,6 +6,7 @@
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/packing_checks.hpp"
 #include "suffuse/io/packing_export.hpp"
+#include "suffuse/run/stage_sums.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -155,6 +156,7 @@ int export_verb(const CommandLine& line, const Console& console) {
     }
     const io::PackingFormat format = format_of(line);
     const fs::path state = fs::is_directory(given) ? given / "state.h5" : given;
+    run::check_file(state);
     dem::World world = io::load_world(state).world;
     dem::sort_by_id(world);
     io::export_packing(line.output, world, format);

@@ -5,6 +5,8 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/casefile/read_text.hpp"
+#include "suffuse/run/ended_run.hpp"
+#include "suffuse/run/finished_stages.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/plan_record.hpp"
 #include "suffuse/run/refine.hpp"
@@ -123,7 +125,7 @@ run::RunReport run_to_its_end(const Job& job, const run::RunOptions& options, st
     }
 }
 
-int conduct(Job job, const CommandLine& line, const Console& console) {
+run::RunOptions options_of(const Job& job, const CommandLine& line) {
     run::RunOptions options;
     options.folder = job.folder;
     options.until = line.until;
@@ -134,6 +136,40 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
     options.page_folder = page_folder();
     options.case_text = job.case_text;
     options.command = line.typed;
+    options.is_checked = true;
+    return options;
+}
+
+int tell_untouched(const run::RunReport& report, const Job& job, const Console& console) {
+    const std::string word(run::word_of(report.outcome));
+    tell_results(report, word + " before; nothing to do", console);
+    const int code = exit_code_of(report);
+    console.document(json_text(
+        {{"outcome", word},
+         {"exit_code", code},
+         {"folder", job.folder.string()},
+         {"report", report.report.string()},
+         {"wall_seconds", 0.0},
+         {"warnings", report.warnings},
+         {"flaws", report.flaws},
+         {"failures", report.failures},
+         {"findings", report.findings}}
+    ));
+    return code;
+}
+
+/// The code of a run that needs nothing. What is damaged is told before anything is written.
+std::optional<int> look_before(const Job& job, const CommandLine& line, const Console& console) {
+    const std::string unchecked = run::tell_unchecked(run::require_whole_run(job.folder, line.sample));
+    if (!unchecked.empty()) {
+        console.talk("warning: " + unchecked);
+    }
+    const std::optional<run::RunReport> ended = run::find_ended(job.what, options_of(job, line));
+    return ended ? std::optional(tell_untouched(*ended, job, console)) : std::nullopt;
+}
+
+int conduct(const Job& job, const CommandLine& line, const Console& console) {
+    run::RunOptions options = options_of(job, line);
     ProgressView view(
         standard_error(console), job.plan, "Ctrl-C saves and stops; suffuse resume " + shell_word(job.folder.string())
     );
@@ -164,6 +200,9 @@ int conduct(Job job, const CommandLine& line, const Console& console) {
     const Stopwatch watch;
     const run::RunReport report = run_to_its_end(job, options, live);
     view.clear();
+    for (const std::string& remark : report.remarks) {
+        console.talk("warning: " + remark);
+    }
     const double seconds = watch.seconds();
     const bool was_done = std::ranges::all_of(asked_plan(job, line).stages, &run::StageEstimate::is_done);
     return tell_end(
@@ -234,6 +273,9 @@ int run_verb(const CommandLine& line, const Console& console) {
         );
     }
     run::open_folder(job.folder, job.what, job.case_text); // another case's is refused before the plan is told
+    if (const std::optional<int> code = look_before(job, line, console)) {
+        return *code;
+    }
     tell_plan(job, line, "into", console);
     const int code = conduct(job, line, console);
     if (code == Done) {
@@ -276,6 +318,9 @@ int resume_verb(const CommandLine& line, const Console& console) {
     const FolderLock lock(folder, console, own ? FolderLock::Kind::Shared : FolderLock::Kind::Alone);
     const std::optional<FolderLock> own_lock =
         own ? std::optional<FolderLock>(std::in_place, *own, console) : std::nullopt;
+    if (const std::optional<int> code = look_before(job, line, console)) {
+        return *code;
+    }
     job.plan = plan_rest(job.what, folder, job.cache, line.until, line.sample);
     tell_plan(job, line, "in", console);
     return conduct(job, line, console);
@@ -285,6 +330,10 @@ int report_verb(const CommandLine& line, const Console& console) {
     const fs::path folder = line.subject;
     run::check_is_run(folder); // before the lock, which would leave a file there
     const FolderLock lock(folder, console);
+    const std::string unchecked = run::tell_unchecked(run::require_whole_run(folder));
+    if (!unchecked.empty()) {
+        console.talk("warning: " + unchecked);
+    }
     const run::RunReport report = run::rebuild_report(folder, page_folder(), line.typed);
     tell_results(report, "written", console);
     console.document(json_text(

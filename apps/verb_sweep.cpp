@@ -5,6 +5,7 @@
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/read_text.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/run/finished_stages.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/refine.hpp"
 #include "suffuse/run/sample_run.hpp"
@@ -179,6 +180,10 @@ int collect(const CommandLine& line, const Console& console) {
         );
     }
     const FolderLock lock(folder, console);
+    const std::string unchecked = run::tell_unchecked(run::require_whole_run(folder));
+    if (!unchecked.empty()) {
+        console.talk("warning: " + unchecked);
+    }
     const std::vector<run::Refinement> refined = run::find_refinements(run::load_run(folder), folder);
     if (!refined.empty()) {
         run::keep_refinements(folder, refined);

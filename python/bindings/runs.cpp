@@ -2,8 +2,10 @@
 
 #include "suffuse/run/checksums.hpp"
 #include "suffuse/run/compare_runs.hpp"
+#include "suffuse/run/finished_stages.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/runner.hpp"
+#include "suffuse/run/stage_sums.hpp"
 
 #include <fmt/format.h>
 
@@ -210,8 +212,17 @@ void bind_runs(py::module_& m) {
     );
     m.def("draw_figure", [](const fs::path& run, const std::string& which, const fs::path& file, const fs::path& page) {
         const Working working;
+        run::require_same_figures(run, {which}, {".vl.json", ".svg"});
         apps::draw_figure(run, which, file, page);
     });
+    m.def(
+        "check_file", &run::check_file, py::arg("path"),
+        "Raises IoError where a file of a finished stage is not as the stage left it."
+    );
+    m.def(
+        "check_result", &run::require_same_result, py::arg("run"), py::arg("name"),
+        "Raises IoError where a file that the report wrote is not as it was when the run ended."
+    );
     m.def("compare_runs", [](const fs::path& first, const fs::path& second, double tolerance) {
         const nlohmann::json found = run::compare_runs(first, second, tolerance);
         return to_python(found);
@@ -224,6 +235,7 @@ void bind_runs(py::module_& m) {
         const Working working;
         run::check_is_run(folder); // before the lock, which would leave a file there
         const apps::FolderLock lock(folder, apps::Console());
+        run::require_whole_run(folder);
         return run::rebuild_report(folder, page_folder, "suffuse.Run.rebuild_report() in Python").report;
     });
 }

@@ -31,7 +31,9 @@ def _read_table(path):
 
 
 def _there(path, folder, pattern):
-    """The path of a file of a stage. @raises IoError, naming those that there are, where it was not written."""
+    """The path of a file of a stage. @raises IoError, naming those that there are, where it was not written, and where it
+    is not as the stage left it."""
+    _core.check_file(path)
     if not path.exists():
         found = sorted(other.name for other in folder.glob(pattern))
         raise _core.IoError(
@@ -85,6 +87,7 @@ class Stage:
     @functools.cached_property
     def numbers(self):
         """stage.json: void_ratio, mean_stress, steps, wall_seconds, ..."""
+        _core.check_file(self.folder / "stage.json")
         return _read_json(self.folder / "stage.json")
 
     def __getitem__(self, key):
@@ -144,6 +147,7 @@ class Stage:
     def results(self):
         """What the report draws from the stage: `curve` of a triaxial test, `probes`, `erosion`."""
         path = self.folder / "results.cbor"
+        _core.check_file(path)
         return _core.read_cbor(path) if path.exists() else {}
 
     @property
@@ -173,12 +177,14 @@ class Figure:
     @functools.cached_property
     def data(self):
         """A structured array, a column a variable; names carry the unit."""
+        _core.check_result(self._folder.parent, f"figures/{self.name}.csv")
         return _read_table(self._folder / f"{self.name}.csv")
 
     @functools.cached_property
     def specification(self):
         """Vega-Lite, with its data: for notebooks (altair, JupyterLab) and editors; None where there is a drawing."""
         path = self._folder / f"{self.name}.vl.json"
+        _core.check_result(self._folder.parent, f"figures/{path.name}")
         return _read_json(path) if path.exists() else None
 
     def save(self, path):
@@ -210,10 +216,13 @@ class Run:
     @property
     def summary(self):
         """summary.json: title, seed, warnings, findings, stages."""
+        _core.check_result(self.folder, "summary.json")
         return _read_json(self.folder / "summary.json")
 
     @property
     def provenance(self):
+        """provenance.json: version, commit, seed, threads, calls, ..."""
+        _core.check_result(self.folder, "provenance.json")
         return _read_json(self.folder / "provenance.json")
 
     @property

@@ -227,8 +227,35 @@ def test_what_a_run_has_not_is_told_with_what_it_has(small_case, tmp_path):
     with pytest.raises(suffuse.IoError, match="throats.csv: this run did not write it; there are .*history.csv"):
         stage.table("throats.csv")
     (stage.folder / "state.h5").unlink()
-    with pytest.raises(suffuse.IoError, match="state.h5: this run did not write it"):
+    with pytest.raises(suffuse.IoError, match="state.h5 is missing since its stage ended; remove .*settled and resume"):
         stage.world
+
+
+def test_what_is_damaged_is_not_read(small_case, tmp_path):
+    run = suffuse.Case(small_case).run(tmp_path / "run", until="settled")
+
+    def damage(file):
+        text = file.read_bytes()
+        place = max(text.rfind(digit) for digit in (b"1", b"2", b"3"))
+        file.write_bytes(text[:place] + b"9" + text[place + 1:])
+
+    stage = run["replay/settled"]
+    for file, read in (("stage.json", lambda: stage.void_ratio), ("history.csv", lambda: stage.history),
+                       ("state.h5", lambda: stage.world)):
+        damage(stage.folder / file)
+        with pytest.raises(suffuse.IoError, match=f"{file} was changed since its stage ended; remove .*settled and"):
+            read()
+    with pytest.raises(suffuse.IoError, match="and resume"):
+        run.resume()
+    with pytest.raises(suffuse.IoError, match="and resume"):
+        run.rebuild_report()
+    damage(run.folder / "summary.json")
+    with pytest.raises(suffuse.IoError, match="summary.json was changed since the run ended; suffuse report"):
+        run.findings
+    name = run.figures[0]
+    damage(run.folder / "figures" / f"{name}.csv")
+    with pytest.raises(suffuse.IoError, match="since the run ended"):
+        run.figure(name).data
 
 
 def test_a_folder_that_is_taken_is_refused(small_case, tmp_path):

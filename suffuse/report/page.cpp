@@ -168,7 +168,7 @@ std::string in_words(const std::string& key) {
     if (key == "case_hash") {
         return "hash of the case";
     }
-    return key == "wall_seconds" ? "wall time of the last call" : key;
+    return key == "wall_seconds" ? "wall time of all calls" : key;
 }
 
 std::string provenance_section(const ReportData& report, const std::optional<PageScript>& script) {
@@ -315,24 +315,28 @@ WrittenReport write_report(
     if (failure) {
         throw IoError("cannot make the folder " + figures.string() + ": " + failure.message());
     }
+    WrittenReport written;
+    const auto write = [&](const std::string& name, std::string_view bytes) {
+        io::write_file(figures / name, bytes);
+        written.figures.push_back(name);
+    };
     for (const Figure& figure : report.figures) {
-        io::write_file(figures / (figure.id + ".csv"), to_csv(figure.table, csv_remarks(figure, report)));
+        write(figure.id + ".csv", to_csv(figure.table, csv_remarks(figure, report)));
         if (figure.drawing.empty()) {
             const json chart = complete_specification(figure);
-            io::write_file(
-                figures / (figure.id + ".vl.json"), chart.dump(1, ' ', false, json::error_handler_t::replace) + "\n"
-            );
+            write(figure.id + ".vl.json", chart.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
         } else {
-            io::write_file(figures / (figure.id + ".svg"), with_metadata(figure, report));
+            write(figure.id + ".svg", with_metadata(figure, report));
         }
     }
     for (const std::size_t k : still_states(report.scene)) {
-        const std::string name = fmt::format("own-grains-{}.png", k);
-        io::write_file(figures / name, still_picture(report.scene, report.scene.states[k]));
+        write(fmt::format("own-grains-{}.png", k), still_picture(report.scene, report.scene.states[k]));
     }
     const std::optional<PageScript> script = read_page_script(page_folder);
-    io::write_file(run_folder / "report.html", render(report, script));
-    return {run_folder / "report.html", script.has_value()};
+    written.file = run_folder / "report.html";
+    written.has_charts = script.has_value();
+    io::write_file(written.file, render(report, script));
+    return written;
 }
 
 } // namespace suffuse::report

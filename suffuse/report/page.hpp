@@ -56,7 +56,8 @@ struct ReportData {
 
 struct WrittenReport {
     std::filesystem::path file;
-    bool has_charts = false; ///< false: plain, for want of the page's script
+    bool has_charts = false;          ///< false: plain, for want of the page's script
+    std::vector<std::string> figures; ///< names of the files in figures/
 };
 
 /// Writes `run_folder/report.html`, `figures/ID.csv` and `figures/ID.vl.json` (or `ID.svg`), and the scene's still

@@ -1,7 +1,9 @@
 #include "suffuse/run/compare_runs.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/run/checksums.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/stage_sums.hpp"
 #include "suffuse/run/stored.hpp"
 
 #include <fmt/format.h>
@@ -26,9 +28,10 @@ using nlohmann::json;
 // Of stage.json: times, where it came from, hashes (compared apart), and texts that repeat numbers.
 const std::set<std::string> passed_over = {"wall_seconds", "particle_steps_per_second",
                                            "seconds",      "from_cache",
-                                           "state_hash",   "end_state",
+                                           "state_hash",   "start_state",
+                                           "end_state",    "checksums",
                                            "warnings",     "flaws",
-                                           "stage"};
+                                           "sample",       "stage"};
 
 // Of stage.json: how a result was reached. They differ between runs whose results agree.
 const std::set<std::string> of_computation = {
@@ -39,13 +42,13 @@ constexpr std::array<const char*, 6> circumstances = {"version", "commit", "comp
 
 /// Every stage.json below studies/, by the name of its stage.
 std::map<std::string, json> read_stages(const fs::path& run) {
-    check_is_run(run);
     std::map<std::string, json> stages;
     if (!fs::exists(run / "studies")) {
         return stages;
     }
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(run / "studies")) {
         if (entry.path().filename() == "stage.json") {
+            check_file(entry.path());
             const json numbers = read_json(entry.path());
             take_from(entry.path(), [&] { return numbers.value("state_hash", ""); }); // other values may be of any type
             stages[entry.path().parent_path().lexically_relative(run / "studies").string()] = numbers;
@@ -344,6 +347,11 @@ void compare_circumstances(const fs::path& first, const fs::path& second, std::v
 
 Comparison compare_runs(const fs::path& first, const fs::path& second, double tolerance) {
     expects(tolerance >= 0, "a tolerance is not negative");
+    for (const fs::path& run : {first, second}) {
+        check_is_run(run);
+        require_same_inputs(run);
+        require_same_figures(run, {}, {".csv"});
+    }
     Comparison found;
     compare_stages(first, second, tolerance, found);
     compare_circumstances(first, second, found.circumstances);

@@ -74,6 +74,41 @@ std::string protocols_of(const casefile::Case& what) {
     return names.empty() ? "imported" : fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Of one call.
+nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions& options, double wall_seconds) {
+    nlohmann::json provenance = {
+        {"program", "suffuse"},
+        {"version", version()},
+        {"commit", commit()},
+        {"compiler", compiler()},
+        {"processor", processor()},
+        {"threads", thread_count()},
+        {"seed", what.seed},
+        {"preset", what.preset},
+        {"case_hash", case_hash(what)},
+        {"mode", dem::name_of(what.mode)},
+        {"preparation", protocols_of(what)},
+        {"command", options.command},
+        {"finished", now_utc()},
+        {"wall_seconds", wall_seconds},
+    };
+    if (!what.paper.empty()) {
+        provenance["paper"] = what.paper;
+    }
+    return provenance;
+}
+
+/// What differs between the calls of a run.
+nlohmann::json describe_call(const nlohmann::json& provenance) {
+    nlohmann::json call = nlohmann::json::object();
+    for (const char* const key : {"command", "version", "commit", "threads", "finished", "wall_seconds"}) {
+        if (provenance.contains(key)) {
+            call[key] = provenance.at(key);
+        }
+    }
+    return call;
+}
+
 } // namespace
 
 std::filesystem::path
@@ -90,8 +125,12 @@ nlohmann::json read_json(const std::filesystem::path& path) {
     return json;
 }
 
+std::string file_text_of(const nlohmann::json& json) {
+    return text_of(json, 2) + "\n";
+}
+
 void write_json(const std::filesystem::path& path, const nlohmann::json& json) {
-    io::write_file(path, text_of(json, 2) + "\n");
+    io::write_file(path, file_text_of(json));
 }
 
 nlohmann::json read_cbor(const std::filesystem::path& path) {
@@ -185,27 +224,24 @@ void log_event(const std::filesystem::path& run, nlohmann::json event) {
     }
 }
 
-nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions& options, double wall_seconds) {
-    nlohmann::json provenance = {
-        {"program", "suffuse"},
-        {"version", version()},
-        {"commit", commit()},
-        {"compiler", compiler()},
-        {"processor", processor()},
-        {"threads", thread_count()},
-        {"seed", what.seed},
-        {"preset", what.preset},
-        {"case_hash", case_hash(what)},
-        {"mode", dem::name_of(what.mode)},
-        {"preparation", protocols_of(what)},
-        {"command", options.command},
-        {"finished", now_utc()},
-        {"wall_seconds", wall_seconds},
-    };
-    if (!what.paper.empty()) {
-        provenance["paper"] = what.paper;
+void keep_provenance(
+    const std::filesystem::path& folder, const casefile::Case& what, const RunOptions& options, double wall_seconds
+) {
+    const std::filesystem::path file = folder / provenance_file;
+    nlohmann::json provenance = describe_provenance(what, options, wall_seconds), calls = nlohmann::json::array();
+    if (std::filesystem::exists(file)) {
+        const nlohmann::json earlier = read_json(file); // of a version that knew the last call only, or of this one
+        calls = earlier.value("calls", nlohmann::json::array({describe_call(earlier)}));
     }
-    return provenance;
+    calls.push_back(describe_call(provenance));
+    double total = 0;
+    for (const nlohmann::json& call : calls) {
+        total += call.value("wall_seconds", 0.0);
+    }
+    provenance["command"] = calls.front().value("command", "");
+    provenance["wall_seconds"] = total;
+    provenance["calls"] = std::move(calls);
+    write_json(file, provenance);
 }
 
 } // namespace suffuse::run

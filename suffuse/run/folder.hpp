@@ -18,6 +18,9 @@ stage_folder(const std::filesystem::path& run, const casefile::Variant& variant,
 nlohmann::json read_json(const std::filesystem::path& path);
 void write_json(const std::filesystem::path& path, const nlohmann::json& json);
 
+/// What write_json writes.
+std::string file_text_of(const nlohmann::json& json);
+
 /// Results with many numbers, as CBOR: compact, and to the bit.
 nlohmann::json read_cbor(const std::filesystem::path& path);
 void write_cbor(const std::filesystem::path& path, const nlohmann::json& json);
@@ -35,6 +38,12 @@ inline constexpr const char* options_file = "run_options.json";
 /// @throws IoError where the folder holds no run that has begun.
 void check_is_run(const std::filesystem::path& folder);
 
+/// What `refine` added.
+inline constexpr const char* refinement_file = "refinement.json";
+
+/// By what the results were made, and when.
+inline constexpr const char* provenance_file = "provenance.json";
+
 /// What the folder of a stage that failed holds instead of its numbers, until it is run again.
 inline constexpr const char* failure_file = "failed.json";
 
@@ -49,7 +58,11 @@ std::vector<FailedSample> read_failures(const std::filesystem::path& run, const 
 /// Appends one event to events.jsonl.
 void log_event(const std::filesystem::path& run, nlohmann::json event);
 
-/// Version, compiler, processor, threads, seed, hash of the resolved case, times.
-nlohmann::json describe_provenance(const casefile::Case& what, const RunOptions& options, double wall_seconds);
+/// Writes the provenance of a run, or of a sample alone: version, compiler, processor, threads, seed, hash of the
+/// resolved case, and every call that worked on it, with their time together.
+/// @param wall_seconds of this call
+void keep_provenance(
+    const std::filesystem::path& folder, const casefile::Case& what, const RunOptions& options, double wall_seconds
+);
 
 } // namespace suffuse::run

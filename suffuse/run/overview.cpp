@@ -24,6 +24,11 @@ void Overview::tell(nlohmann::json event) const {
     );
 }
 
+void Overview::remark(std::string text) {
+    const std::lock_guard lock(mutex_);
+    remarks_.push_back(std::move(text));
+}
+
 void Overview::end_sample(Progress last) {
     ++(last.failure.empty() ? samples_done_ : samples_failed_);
     last.sample_ended = true;

@@ -26,6 +26,11 @@ public:
     /// Appends to the events of the run; a sample that is run alone has its own.
     void tell(nlohmann::json event) const;
 
+    /// What whoever runs the case is told at its end.
+    void remark(std::string text);
+
+    [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
+
     /// Further samples, when those before have ended.
     void add(int stages, int samples) {
         stages_ += stages;
@@ -53,6 +58,7 @@ private:
     Stopwatch since_start_;
     std::atomic<int> stages_done_{0}, samples_done_{0}, samples_failed_{0};
     std::atomic<bool> broken_{false};
+    std::vector<std::string> remarks_;
     std::mutex mutex_;
 };
 

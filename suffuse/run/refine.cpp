@@ -21,8 +21,6 @@ using casefile::Variant;
 using nlohmann::json;
 using Values = std::map<std::string, Scalar>;
 
-const char* const refinement_file = "refinement.json";
-
 /// What helps where the case that a run was begun with is refused now.
 std::string what_to_do(const casefile::Diagnostic& problem) {
     return "; the run began with a version of suffuse that took this: " +
@@ -197,6 +195,18 @@ std::vector<Refinement> find_refinements(const casefile::Case& what, const std::
         }
     }
     return found;
+}
+
+bool add_samples(const casefile::Case& what, const std::vector<Refinement>& refinements) {
+    return std::ranges::any_of(refinements, [&](const Refinement& one) {
+        return std::ranges::any_of(what.studies, [&](Study study) {
+            const std::size_t before = study.variants.size();
+            if (study.name == one.study) {
+                add_unknown(study, casefile::variants_at(what, one.study, one.values));
+            }
+            return study.variants.size() > before;
+        });
+    });
 }
 
 void keep_refinements(const std::filesystem::path& run, const std::vector<Refinement>& refinements) {

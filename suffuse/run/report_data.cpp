@@ -204,7 +204,11 @@ report::ReportData describe_run(
         data.stages.push_back(stage_row(what, stage));
     }
     for (const auto& [key, value] : provenance.items()) {
-        data.provenance.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
+        data.provenance.emplace_back(
+            key, value.is_string()  ? value.get<std::string>()
+                 : value.is_array() ? std::to_string(value.size()) // of calls
+                                    : value.dump()
+        );
     }
     data.redraw = "suffuse report " + shell_word(folder.string());
     return data;

@@ -3,6 +3,8 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/run/checksums.hpp"
+#include "suffuse/run/ended_run.hpp"
+#include "suffuse/run/finished_stages.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/refine.hpp"
 #include "suffuse/run/sample_run.hpp"
@@ -19,10 +21,14 @@ namespace {
 /// The samples of a run side by side; what is finished lies in the folder.
 class Runner {
 public:
-    Runner(const casefile::Case& what, const RunOptions& options)
+    Runner(const casefile::Case& what, const RunOptions& options, const std::vector<std::string>& unchecked)
         : listed_(what), what_(with_refinements(what, options.folder)), options_(options),
           samples_(asked_samples(what_, options)),
-          overview_(options, stages_of(samples_), static_cast<int>(samples_.size())) {}
+          overview_(options, stages_of(samples_), static_cast<int>(samples_.size())) {
+        if (!unchecked.empty()) {
+            overview_.remark(tell_unchecked(unchecked));
+        }
+    }
 
     RunReport run() {
         if (!options_.sample.empty()) {
@@ -32,7 +38,12 @@ public:
         run_samples();
         refine();
         RunReport report;
-        write_json(options_.folder / "provenance.json", describe_provenance(what_, options_, overview_.run_seconds()));
+        if (!interrupted_) { // a stop is not kept waiting, and signs nothing
+            require_whole_stages(options_.folder);
+        }
+        const Sums earlier = read_run_sums(options_.folder);
+        std::filesystem::remove(options_.folder / checksums_file); // true no more
+        keep_provenance(options_.folder, what_, options_, overview_.run_seconds());
         const Summary summary = summarize_run(what_, options_.folder, options_.page_folder);
         report.report = summary.report;
         report.warnings = summary.warnings;
@@ -40,10 +51,9 @@ public:
         report.findings = summary.findings;
         report.failures = summary.failures;
         report.outcome = outcome(report);
-        if (is_resumable(report.outcome)) { // what an earlier end left is true no more
-            std::filesystem::remove(options_.folder / checksums_file);
-        } else {
-            write_checksums(options_.folder);
+        report.remarks = overview_.remarks();
+        if (!is_resumable(report.outcome)) {
+            write_run_sums(options_.folder, summary.figures, earlier);
         }
         overview_.tell(
             {{"event", "run ends"}, {"outcome", word_of(report.outcome)}, {"wall_seconds", overview_.run_seconds()}}
@@ -64,10 +74,14 @@ private:
     RunReport run_one() {
         const std::filesystem::path folder = options_.folder / "studies" / options_.sample;
         std::filesystem::create_directories(folder);
+        if (std::filesystem::exists(folder / provenance_file) && has_all()) {
+            return {}; // done before
+        }
         overview_.tell({{"event", "sample begins"}, {"command", options_.command}});
         run_samples();
-        write_json(folder / "provenance.json", describe_provenance(what_, options_, overview_.run_seconds()));
+        keep_provenance(folder, what_, options_, overview_.run_seconds());
         RunReport report;
+        report.remarks = overview_.remarks();
         for (FailedSample& failure : read_failures(options_.folder, what_)) {
             if (failure.sample == options_.sample) {
                 report.failures.push_back(std::move(failure));
@@ -78,6 +92,12 @@ private:
             {{"event", "sample ends"}, {"outcome", word_of(report.outcome)}, {"wall_seconds", overview_.run_seconds()}}
         );
         return report;
+    }
+
+    [[nodiscard]] bool has_all() const {
+        return std::ranges::all_of(samples_, [&](const Sample& sample) {
+            return is_complete(sample, options_.folder);
+        });
     }
 
     /// Runs what the results so far ask for.
@@ -190,7 +210,14 @@ private:
 
 RunReport run_case(const casefile::Case& what, const RunOptions& options) {
     open_folder(options.folder, what, options.case_text);
-    return Runner(what, options).run();
+    std::vector<std::string> unchecked;
+    if (!options.is_checked) {
+        unchecked = require_whole_run(options.folder, options.sample);
+        if (std::optional<RunReport> ended = find_ended(what, options)) {
+            return std::move(*ended);
+        }
+    }
+    return Runner(what, options, unchecked).run();
 }
 
 } // namespace suffuse::run

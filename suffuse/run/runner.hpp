@@ -52,6 +52,7 @@ struct RunOptions {
     std::filesystem::path page_folder; ///< the built page of the report; empty: plain report
     std::string case_text;             ///< the case file as given, copied into the folder
     std::string command;               ///< as typed, for the provenance
+    bool is_checked = false;           ///< whoever calls has seen that the folder is whole, and has not ended
 };
 
 enum class Outcome {
@@ -101,16 +102,18 @@ struct RunReport {
     std::vector<FailedSample> failures;
     std::filesystem::path report; ///< report.html
     std::vector<std::string> warnings, flaws;
-    nlohmann::json findings; ///< as in summary.json; empty where the case follows no paper
+    nlohmann::json findings;          ///< as in summary.json; empty where the case follows no paper
+    std::vector<std::string> remarks; ///< on what was found damaged and made anew, or could not be checked
 };
 
-/// Runs a case. Stages that the folder already holds, for the same resolved case, are taken as they are. Samples run
-/// side by side, as many as there are threads; results do not depend on how many.
-/// @throws CaseError where the folder holds another case, IoError where it cannot be written.
+/// Runs a case. Stages that the folder already holds, for the same resolved case, are taken once they are seen to be as
+/// they ended; a run that has ended, and is as it was then, is left alone. Samples run side by side, as many as there
+/// are threads; results do not depend on how many.
+/// @throws CaseError where the folder holds another case, IoError where it cannot be written, or a file is damaged.
 RunReport run_case(const casefile::Case& what, const RunOptions& options);
 
 /// Writes summary.json, figures and report.html from what the run folder holds, without computing. Where samples were
-/// run one by one, this gathers them.
+/// run one by one, this gathers them. Whoever calls has seen that the folder is whole (finished_stages.hpp).
 /// @param command that asked for it, for the provenance of a run that has none yet
 RunReport rebuild_report(
     const std::filesystem::path& folder, const std::filesystem::path& page_folder, const std::string& command

@@ -11,6 +11,8 @@
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/measure_asked.hpp"
 #include "suffuse/run/result_json.hpp"
+#include "suffuse/run/stage_start.hpp"
+#include "suffuse/run/stage_sums.hpp"
 #include "suffuse/run/stored.hpp"
 
 #include <fmt/format.h>
@@ -93,6 +95,10 @@ json describe_stage(StageWork& work) {
     }
     const double seconds = work.seconds();
     numbers["stage"] = work.stage.name;
+    numbers["sample"] = work.variant.folder;
+    if (!work.start_state.empty()) {
+        numbers["start_state"] = work.start_state;
+    }
     numbers["verb"] = casefile::verb_of(work.stage.spec);
     numbers["time_step"] = work.time_step;
     numbers["wall_seconds"] = seconds;
@@ -185,7 +191,9 @@ void SampleRun::run() {
         if (!std::filesystem::exists(folder / "stage.json")) {
             run_stage(*stage_);
         } else {
-            drop(folder / failure_file); // of what came after the stage
+            check_start(*sample_.variant, *stage_, options_.folder); // the one before may have been computed anew
+            drop(folder / failure_file);                             // of what came after the stage
+            drop(folder / partial_file);                             // a kill came before its removal
             overview_.count_stage();
         }
     }
@@ -196,15 +204,15 @@ void SampleRun::run_stage(const casefile::Stage& stage) {
     std::filesystem::create_directories(folder);
     std::filesystem::remove(folder / failure_file);
     dem::World start = start_of(stage);
+    const std::string state = stage.parent >= 0 ? describe_state(start) : "";
     std::string key;
     if (!options_.cache.empty() && StageCache::keeps(stage)) {
-        const std::string state = stage.parent >= 0 ? describe_state(start) : "";
         key = StageCache::key_of(what_, *sample_.variant, stage, state);
         if (take_from_cache(stage, folder, key)) {
             return;
         }
     }
-    StageWork work = begin_work(stage, folder, std::move(start));
+    StageWork work = begin_work(stage, folder, std::move(start), state);
     control_.begin(place());
     try {
         do_stage_or_go_on(work);
@@ -224,7 +232,15 @@ void SampleRun::run_stage(const casefile::Stage& stage) {
 bool SampleRun::take_from_cache(
     const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key
 ) {
-    if (!cache_.take(key, *sample_.variant, stage, folder)) {
+    const CacheAnswer answer = cache_.take(key, *sample_.variant, stage, folder);
+    if (!answer.damage.empty()) {
+        tell("damaged cache entry dropped", stage, {{"what", answer.damage}});
+        overview_.remark(fmt::format(
+            "{}: its entry in the cache is damaged and was dropped; the stage is computed anew ({})",
+            stage_name(*sample_.variant, stage), answer.damage
+        ));
+    }
+    if (!answer.is_taken) {
         return false;
     }
     drop(folder / partial_file);
@@ -251,7 +267,9 @@ void SampleRun::keep_in_cache(
     }
 }
 
-StageWork SampleRun::begin_work(const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start) {
+StageWork SampleRun::begin_work(
+    const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start, std::string start_state
+) {
     StrainPictures pictures(what_.output, folder, start);
     StageWork work{
         what_,
@@ -271,7 +289,8 @@ StageWork SampleRun::begin_work(const casefile::Stage& stage, const std::filesys
         0,
         0,
         {},
-        false};
+        false,
+        std::move(start_state)};
     if (std::filesystem::exists(folder / partial_file)) {
         take_up(work);
     }
@@ -290,11 +309,11 @@ dem::World SampleRun::start_of(const casefile::Stage& stage) const {
     return world;
 }
 
-/// Everything a stage leaves behind; stage.json last, as the sign that the stage is complete.
+/// Everything a stage leaves behind.
 void SampleRun::finish(StageWork& work) {
     const json numbers = describe_stage(work);
     write_files(work, what_.output);
-    write_json(work.folder / "stage.json", numbers);
+    seal_stage(work.folder, numbers);
     drop(work.folder / partial_file);
     overview_.count_stage();
     tell("stage done", work.stage, {{"wall_seconds", numbers["wall_seconds"]}});

@@ -31,8 +31,9 @@ private:
     void run_stage(const casefile::Stage& stage);
     bool take_from_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
     void keep_in_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
-    [[nodiscard]] StageWork
-    begin_work(const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start);
+    [[nodiscard]] StageWork begin_work(
+        const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start, std::string start_state
+    );
     [[nodiscard]] dem::World start_of(const casefile::Stage& stage) const;
     void finish(StageWork& work);
     void tell(const std::string& event, const casefile::Stage& stage, nlohmann::json more = {}) const;

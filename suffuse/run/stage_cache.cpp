@@ -5,8 +5,10 @@
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/dependencies.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/run/cache_entry.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/samples.hpp"
+#include "suffuse/run/stage_sums.hpp"
 
 #include <fmt/format.h>
 
@@ -23,8 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int layout = 1; // of entries; a change of it makes all of them unknown
-const char* const entry_file = "entry.json";
+constexpr int layout = 2; // of entries; a change of it makes all of them unknown
 const char* const settings_file = "cache.json";
 
 std::string hash_of_file(const fs::path& path) {
@@ -50,13 +51,6 @@ const std::string& program() {
     return text;
 }
 
-/// An entry's folder without what is the entry's own.
-bool belongs_to_stage(const fs::directory_entry& file) {
-    const std::string name = file.path().filename();
-    return file.is_regular_file() && name != entry_file && name != "stage.json" && name != partial_file &&
-           name != failure_file && !io::is_partial(name);
-}
-
 /// How the folder of an entry, and one that becomes an entry, is named; what else lies there is not the cache's.
 bool names_an_entry(const std::string& name) {
     return name.size() == 16 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -64,30 +58,6 @@ bool names_an_entry(const std::string& name) {
 
 bool names_one_being_made(const std::string& name) {
     return name.rfind("new-", 0) == 0 && name.find_first_not_of("0123456789-", 4) == std::string::npos;
-}
-
-struct WholeEntry {
-    CacheEntry entry;
-    std::string depends_on;
-};
-
-/// Nothing where there is no entry, where it is damaged, or where another program drops it just now.
-std::optional<WholeEntry> read_entry(const fs::path& folder) {
-    try {
-        const json entry = read_json(folder / entry_file);
-        return WholeEntry{
-            {folder, entry.at("made_as"), entry.at("end_state"), entry.at("bytes"), entry.at("wall_seconds")},
-            entry.at("depends_on")};
-    } catch (const IoError&) {
-    } catch (const json::exception&) {
-    }
-    return std::nullopt;
-}
-
-/// A power cut after this leaves no file shorter than it was.
-void copy_to_disk(const fs::path& from, const fs::path& to) {
-    fs::copy_file(from, to, fs::copy_options::overwrite_existing);
-    io::sync_file(to);
 }
 
 /// Texts begin with the name of the stage, some with that of its study too.
@@ -105,26 +75,25 @@ json renamed(json texts, const std::string& made_as, const std::string& name_now
     return texts;
 }
 
-/// stage.json of a stage that takes the entry's results; nothing where the entry is not as it was kept.
-std::optional<json>
-numbers_of(const CacheEntry& entry, const casefile::Variant& variant, const casefile::Stage& stage) {
-    try {
-        std::uintmax_t bytes = 0;
-        for (const fs::directory_entry& file : fs::directory_iterator(entry.folder)) {
-            bytes += belongs_to_stage(file) ? file.file_size() : 0;
-        }
-        json numbers = read_json(entry.folder / "stage.json");
-        numbers["stage"] = stage.name;
-        numbers["from_cache"] = true;
-        for (const char* const list : {"warnings", "flaws"}) {
-            numbers[list] = renamed(numbers.at(list), entry.made_as, stage_name(variant, stage));
-        }
-        return bytes == static_cast<std::uintmax_t>(entry.bytes) ? std::optional(std::move(numbers)) : std::nullopt;
-    } catch (const fs::filesystem_error&) {
-    } catch (const IoError&) {
-    } catch (const json::exception&) {
+/// stage.json of a stage that takes the entry's results.
+json numbers_for(
+    json numbers, const CacheEntry& entry, const casefile::Variant& variant, const casefile::Stage& stage
+) {
+    numbers["stage"] = stage.name;
+    numbers["sample"] = variant.folder;
+    numbers["from_cache"] = true;
+    for (const char* const list : {"warnings", "flaws"}) {
+        numbers[list] = renamed(numbers.at(list), entry.made_as, stage_name(variant, stage));
     }
-    return std::nullopt;
+    return numbers;
+}
+
+/// What a taking that failed has left.
+void remove_files(const fs::path& folder, const Sums& named) {
+    std::error_code error;
+    for (const auto& [name, sum] : named) {
+        fs::remove(folder / name, error);
+    }
 }
 
 } // namespace
@@ -171,78 +140,73 @@ std::optional<CacheEntry> StageCache::find(const std::string& key) const {
     return found && found->depends_on == key ? std::optional(std::move(found->entry)) : std::nullopt;
 }
 
-bool StageCache::take(
+CacheAnswer StageCache::take(
     const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage, const fs::path& stage_folder
 ) const {
-    const std::optional<CacheEntry> entry = find(key);
-    if (!entry) {
-        return false;
-    }
+    const fs::path place = place_of(key);
     std::error_code error;
-    const std::optional<json> numbers = numbers_of(*entry, variant, stage);
-    if (!numbers) { // damaged, or another program drops it just now: computed instead, and then kept
-        fs::remove_all(entry->folder, error);
-        return false;
+    if (folder_.empty() || !fs::exists(place, error)) {
+        return {};
     }
+    Sums sums;
     try {
-        std::uintmax_t bytes = 0;
-        for (const fs::directory_entry& file : fs::directory_iterator(entry->folder)) {
-            if (belongs_to_stage(file)) {
-                const fs::path copy = stage_folder / file.path().filename();
-                copy_to_disk(file.path(), copy);
-                bytes += fs::file_size(copy);
-            }
+        sums = checked_sums(place);
+        const std::optional<CacheEntry> entry = find(key);
+        if (!entry) { // one of another key with this hash
+            return {};
         }
-        if (bytes != static_cast<std::uintmax_t>(entry->bytes)) { // another program dropped some of it meanwhile
-            return false;
+        json numbers = numbers_for(read_json(place / "stage.json"), *entry, variant, stage);
+        sums.erase("stage.json");
+        copy_checked(place, stage_folder, sums);
+        fs::last_write_time(place, fs::file_time_type::clock::now(), error);
+        seal_stage(stage_folder, std::move(numbers), sums);
+        return {true, ""};
+    } catch (const DamagedEntry& damage) {
+        remove_files(stage_folder, sums);
+        if (!fs::exists(place, error)) { // another program dropped it meanwhile
+            return {};
         }
-        fs::last_write_time(entry->folder, fs::file_time_type::clock::now(), error);
-        write_json(stage_folder / "stage.json", *numbers);
-        return true;
-    } catch (const fs::filesystem_error&) { // another program dropped it meanwhile
+        drop(place);
+        return {false, damage.what()};
+    } catch (const fs::filesystem_error&) { // the stage's folder cannot take it; whoever computes the stage says so
+        remove_files(stage_folder, sums);
     } catch (const IoError&) {
+        remove_files(stage_folder, sums);
     }
-    return false;
+    return {};
+}
+
+/// Where an entry is made, or taken apart: nobody looks there.
+fs::path StageCache::place_to_work() const {
+    static std::atomic<int> count{0};
+    return folder_ / fmt::format("new-{}-{}", getpid(), ++count);
+}
+
+/// At once for whoever reads it now: an entry is whole, or gone.
+void StageCache::drop(const fs::path& entry) const {
+    const fs::path apart = place_to_work();
+    std::error_code error;
+    fs::rename(entry, apart, error);
+    fs::remove_all(error ? entry : apart, error);
 }
 
 void StageCache::keep(const std::string& key, const fs::path& stage_folder) {
     if (folder_.empty() || read_entry(place_of(key))) {
         return;
     }
-    static std::atomic<int> count{0};
-    const fs::path making = folder_ / fmt::format("new-{}-{}", getpid(), ++count);
+    const std::optional<Sums> sums = read_stage_sums(stage_folder);
+    expects(sums.has_value(), "a stage that is kept has checksums");
+    const fs::path making = place_to_work();
     try {
         fs::create_directories(making);
         if (!fs::exists(folder_ / settings_file)) {
             set_limit(usual_limit);
         }
-        const json numbers = read_json(stage_folder / "stage.json");
-        std::uintmax_t bytes = 0;
-        for (const fs::directory_entry& file : fs::directory_iterator(stage_folder)) {
-            if (belongs_to_stage(file)) {
-                copy_to_disk(file.path(), making / file.path().filename());
-                bytes += file.file_size();
-            }
+        fill_entry(making, stage_folder, *sums, key);
+        if (fs::exists(place_of(key)) && !read_entry(place_of(key))) {
+            drop(place_of(key)); // a damaged one
         }
-        write_json(making / "stage.json", numbers);
-        // studies/STUDY[/sweep values]/STAGE
-        std::string made_as;
-        for (fs::path part = stage_folder; part.filename() != "studies" && part.has_relative_path();
-             part = part.parent_path()) {
-            made_as.insert(0, made_as.empty() ? 0 : 1, '/');
-            made_as.insert(0, part.filename().string());
-        }
-        write_json(
-            making / entry_file, {{"made_as", made_as},
-                                  {"end_state", numbers.at("end_state")},
-                                  {"bytes", bytes},
-                                  {"wall_seconds", numbers.at("wall_seconds")},
-                                  {"depends_on", key}}
-        );
         std::error_code error;
-        if (!read_entry(place_of(key))) {
-            fs::remove_all(place_of(key), error); // a damaged one
-        }
         fs::rename(making, place_of(key), error);
         if (error) { // another sample was first, with the same bits
             fs::remove_all(making, error);
@@ -328,8 +292,7 @@ int StageCache::shrink(std::int64_t bytes) {
         if (held <= bytes) {
             continue;
         }
-        std::error_code error;
-        fs::remove_all(entry.folder, error);
+        drop(entry.folder);
         held -= entry.bytes;
         ++dropped;
     }

@@ -1,10 +1,12 @@
 #pragma once
 // Finished stages, kept by all that they depend on: the program, the stage with its settings, the seed, and the state
 // that it starts from. A folder that people can look at, limit and delete: each entry is the folder of a stage and
-// `entry.json`, which says in words what it depends on. Several programs may use one cache at a time.
+// `entry.json`, which says in words what it depends on, with checksums of both. Several programs may use one cache at a
+// time.
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/dem/world.hpp"
+#include "suffuse/run/cache_entry.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -18,12 +20,10 @@ namespace suffuse::run {
 /// the clock, and the order of the rows.
 std::string describe_state(const dem::World& world);
 
-struct CacheEntry {
-    std::filesystem::path folder;
-    std::string made_as;   ///< "STUDY/STAGE" of the run that made it
-    std::string end_state; ///< of describe_state
-    std::int64_t bytes = 0;
-    double wall_seconds = 0; ///< that it took
+/// Whether the cache had a stage.
+struct CacheAnswer {
+    bool is_taken = false;
+    std::string damage; ///< of the entry, which was dropped for it, in words; empty: there was none
 };
 
 class StageCache {
@@ -45,9 +45,9 @@ public:
 
     [[nodiscard]] std::optional<CacheEntry> find(const std::string& key) const;
 
-    /// Puts the files of the entry into the folder of a stage, under that stage's name; false where there is no such
-    /// entry, or none any more. A damaged one is dropped.
-    [[nodiscard]] bool take(
+    /// Completes a stage, under its own name, with the files of the entry. A damaged one is dropped, and nothing of it
+    /// taken.
+    [[nodiscard]] CacheAnswer take(
         const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage,
         const std::filesystem::path& stage_folder
     ) const;
@@ -73,6 +73,8 @@ public:
 
 private:
     [[nodiscard]] std::filesystem::path place_of(const std::string& key) const;
+    [[nodiscard]] std::filesystem::path place_to_work() const;
+    void drop(const std::filesystem::path& entry) const;
     int drop_leftovers(std::chrono::hours age);
 
     std::filesystem::path folder_;

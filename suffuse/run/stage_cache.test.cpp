@@ -1,6 +1,8 @@
 #include "suffuse/run/stage_cache.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/run/folder.hpp"
+#include "suffuse/run/stage_sums.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -23,8 +25,8 @@ protected:
         fs::create_directories(done());
         fs::create_directories(taken());
         write(done() / "state.h5", "grains");
-        write_json(
-            done() / "stage.json",
+        seal_stage(
+            done(),
             {{"end_state", "1"}, {"wall_seconds", 2.0}, {"warnings", {"s/x: odd"}}, {"flaws", nlohmann::json::array()}}
         );
     }
@@ -35,7 +37,9 @@ protected:
 
     [[nodiscard]] fs::path taken() const { return folder / "again/studies/s/x"; }
 
-    [[nodiscard]] bool take() const { return cache.take("key", variant, stage, taken()); }
+    [[nodiscard]] CacheAnswer ask() const { return cache.take("key", variant, stage, taken()); }
+
+    [[nodiscard]] bool take() const { return ask().is_taken; }
 
     /// Of the one entry.
     [[nodiscard]] fs::path place() const { return cache.entries().at(0).folder; }
@@ -52,19 +56,84 @@ TEST_F(Cached, AFinishedStageIsFoundAgain) {
     EXPECT_TRUE(take());
     EXPECT_EQ(test::read_all(taken() / "state.h5"), "grains");
     EXPECT_EQ(read_json(taken() / "stage.json").at("from_cache"), true);
+    EXPECT_EQ(read_json(taken() / "stage.json").at("sample"), "s");
+    EXPECT_TRUE(check_stage(taken()).value().empty());
 }
 
 TEST_F(Cached, ADamagedEntryIsDroppedAndKeptAnew) {
-    for (const char* const file : {"entry.json", "stage.json", "state.h5"}) {
+    for (const char* const file : {"entry.json", "stage.json", "state.h5", "SHA256SUMS"}) {
         for (const char* const text : {"", "[]", "{\"made_as\": 3}", "null"}) {
+            fs::remove_all(taken());
+            fs::create_directories(taken());
             cache.keep("key", done());
-            write(place() / file, text);
-            EXPECT_FALSE(take()) << file << " " << text;
+            const fs::path damaged = place() / file;
+            write(damaged, text);
+            const CacheAnswer answer = ask();
+            EXPECT_FALSE(answer.is_taken) << file << " " << text;
+            EXPECT_NE(answer.damage.find(damaged.string()), std::string::npos) << answer.damage;
+            EXPECT_FALSE(fs::exists(damaged.parent_path()));
+            EXPECT_TRUE(fs::is_empty(taken())) << "what was taken until then goes";
             EXPECT_TRUE(cache.entries().empty()) << file << " " << text;
             cache.keep("key", done());
             EXPECT_TRUE(take()) << file << " " << text;
         }
     }
+}
+
+TEST_F(Cached, ADigitThatWasChangedIsSeen) {
+    for (const char* const file : {"entry.json", "stage.json", "state.h5"}) {
+        cache.keep("key", done());
+        std::string text = test::read_all(place() / file);
+        const std::size_t at = text.find_first_of("12s");
+        ASSERT_NE(at, std::string::npos);
+        text[at] = text[at] == 's' ? 't' : '9'; // the same length
+        write(place() / file, text);
+        EXPECT_FALSE(take()) << file;
+    }
+}
+
+TEST_F(Cached, AFileThatIsMissingOrExchangedIsSeen) {
+    cache.keep("key", done());
+    fs::remove(place() / "state.h5");
+    EXPECT_NE(ask().damage.find("state.h5 is missing"), std::string::npos);
+    cache.keep("key", done());
+    cache.keep("another key", done());
+    const auto both = cache.entries();
+    ASSERT_EQ(both.size(), 2U);
+    fs::copy_file( // the entry would be taken for what it is not
+        both[0].folder / "entry.json", both[1].folder / "entry.json", fs::copy_options::overwrite_existing
+    );
+    EXPECT_NE(take(), cache.take("another key", variant, stage, taken()).is_taken) << "one of them is whole";
+}
+
+TEST_F(Cached, ChecksumsThatNameAFileElsewhereAreRefused) {
+    cache.keep("key", done());
+    write(folder / "cache/mine", "mine");
+    Sums sums = read_sums(place() / checksums_file);
+    sums["../mine"] = checksum_of(folder / "cache/mine");
+    nlohmann::json numbers = read_json(place() / "stage.json");
+    numbers["checksums"] = sums.size() - 1; // but for entry.json
+    write_json(place() / "stage.json", numbers);
+    sums["stage.json"] = checksum_of(place() / "stage.json");
+    write(place() / checksums_file, sums_text(sums));
+    EXPECT_FALSE(take());
+    EXPECT_FALSE(fs::exists(folder / "again/studies/s/mine"));
+}
+
+TEST_F(Cached, AnEntryStaysWhereTheStageCannotTakeIt) {
+    cache.keep("key", done());
+    fs::remove(taken());
+    write(taken(), "a file where the folder should be");
+    const CacheAnswer answer = ask();
+    EXPECT_FALSE(answer.is_taken);
+    EXPECT_EQ(answer.damage, "");
+    EXPECT_EQ(cache.entries().size(), 1U);
+}
+
+TEST_F(Cached, AStageThatWasDamagedIsNotKept) {
+    write(done() / "state.h5", "grainy");
+    EXPECT_THROW(cache.keep("key", done()), IoError);
+    EXPECT_TRUE(cache.entries().empty());
 }
 
 TEST_F(Cached, AStageWhoseNumbersTellOfFinesIsNotTakenForOneWithout) {

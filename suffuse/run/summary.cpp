@@ -16,6 +16,7 @@
 #include "suffuse/run/report_data.hpp"
 #include "suffuse/run/runner.hpp"
 #include "suffuse/run/sample_run.hpp"
+#include "suffuse/run/stage_start.hpp"
 #include "suffuse/run/stored.hpp"
 #include "suffuse/run/stored_findings.hpp"
 #include "suffuse/run/strength_change.hpp"
@@ -25,6 +26,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
+#include <set>
 
 namespace suffuse::run {
 namespace {
@@ -41,6 +44,7 @@ std::vector<FinishedStage> read_stages(const casefile::Case& what, const std::fi
                 if (!std::filesystem::exists(place / "stage.json")) {
                     continue;
                 }
+                check_start(variant, stage, folder);
                 stages.push_back({&study, &variant, &stage, read_json(place / "stage.json"), read_findings(place)});
             }
         }
@@ -126,6 +130,31 @@ json diagnostics_json(const std::vector<casefile::Diagnostic>& diagnostics) {
     return list;
 }
 
+/// "own-paths" of "own-paths.vl.json".
+std::string figure_id(const std::string& file) {
+    return file.substr(0, file.find('.'));
+}
+
+/// Figures that an earlier report had and this one has not, with what was drawn of them: of a run that had fewer
+/// stages.
+void remove_old_figures(const std::filesystem::path& folder, const std::vector<std::string>& now) {
+    static const std::regex of_report("(fig[0-9]{2}|own-[^.]*)[.](csv|vl[.]json|svg|png|pdf)");
+    std::set<std::string> ids;
+    for (const std::string& file : now) {
+        ids.insert(figure_id(file));
+    }
+    std::vector<std::filesystem::path> old;
+    for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename();
+        if (std::regex_match(name, of_report) && !ids.contains(figure_id(name))) {
+            old.push_back(entry.path());
+        }
+    }
+    for (const std::filesystem::path& file : old) {
+        std::filesystem::remove(file);
+    }
+}
+
 void append(const json& texts, std::vector<std::string>& to) {
     for (const json& text : texts) {
         to.push_back(text);
@@ -180,7 +209,10 @@ summarize(const casefile::Case& what, const std::filesystem::path& folder, const
                                   {"stages", by_name},
                                   {"studies", curves_json(trace_curves(what, stages))}}
     );
-    summary.report = report::write_report(folder, data, page_folder).file;
+    report::WrittenReport written = report::write_report(folder, data, page_folder);
+    summary.report = std::move(written.file);
+    summary.figures = std::move(written.figures);
+    remove_old_figures(folder / "figures", summary.figures);
     return summary;
 }
 
@@ -196,17 +228,19 @@ RunReport rebuild_report(
     const std::filesystem::path& folder, const std::filesystem::path& page_folder, const std::string& command
 ) {
     const casefile::Case what = load_run(folder);
-    if (!std::filesystem::exists(folder / "provenance.json")) {
+    const Sums earlier = read_run_sums(folder);
+    std::filesystem::remove(folder / checksums_file); // true no more
+    if (!std::filesystem::exists(folder / provenance_file)) {
         RunOptions options;
         options.command = command;
-        write_json(folder / "provenance.json", describe_provenance(what, options, longest_sample(what, folder)));
+        keep_provenance(folder, what, options, longest_sample(what, folder));
     }
     const Summary summary = summarize_run(what, folder, page_folder);
-    write_checksums(folder);
+    write_run_sums(folder, summary.figures, earlier);
     const Outcome outcome = !summary.failures.empty() ? Outcome::SomeFailed
                             : summary.flaws.empty()   ? Outcome::Done
                                                       : Outcome::DoneWithFlaws;
-    return {outcome, summary.failures, summary.report, summary.warnings, summary.flaws, summary.findings};
+    return {outcome, summary.failures, summary.report, summary.warnings, summary.flaws, summary.findings, {}};
 }
 
 } // namespace suffuse::run

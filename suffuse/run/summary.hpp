@@ -13,7 +13,8 @@
 namespace suffuse::run {
 
 struct Summary {
-    std::filesystem::path report; ///< report.html
+    std::filesystem::path report;     ///< report.html
+    std::vector<std::string> figures; ///< names of files in figures/
     std::vector<std::string> warnings, flaws;
     nlohmann::json findings; ///< of the paper that the case follows; empty where it follows none
     std::vector<FailedSample> failures;
