@@ -232,7 +232,7 @@ def test_what_a_run_has_not_is_told_with_what_it_has(small_case, tmp_path):
 
 
 def test_what_is_damaged_is_not_read(small_case, tmp_path):
-    run = suffuse.Case(small_case).run(tmp_path / "run", until="settled")
+    run = suffuse.Case(small_case).run(tmp_path / "run")
 
     def damage(file):
         text = file.read_bytes()

@@ -3,6 +3,8 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/run/folder.hpp"
+#include "suffuse/run/stage_sums.hpp"
 
 #include <gtest/gtest.h>
 
@@ -220,6 +222,8 @@ TEST(Resume, FromAStateThatIsNotTheOneToldIsRefusedWithItsFile) {
     dem::World world = io::load_world(state).world;
     world.grains.id[3] = 77777;
     io::save_world(state, world);
+    run::seal_stage(state.parent_path(), run::read_json(state.parent_path() / "stage.json")); // as if it had ended so
+    std::filesystem::remove(folder / "run/SHA256SUMS");
     std::string message;
     try {
         run_text(sample_of(300), folder.path());
@@ -261,6 +265,8 @@ TEST(Resume, AReportOfAStateWithStrangeGrainsNamesItsFile) {
     dem::World world = io::load_world(state).world;
     world.grains.id[3] = 77777;
     io::save_world(state, world);
+    run::seal_stage(state.parent_path(), run::read_json(state.parent_path() / "stage.json")); // as if it had ended so
+    std::filesystem::remove(folder / "run/SHA256SUMS");
     try {
         run_text(sample_of(300) + erosion_of_two_passes, folder.path());
         FAIL() << "was reported";
