@@ -188,13 +188,14 @@ TEST_F(Compare, WhatWasChangedLostOrAddedIsFound) {
     write_to(
         folder / ("first/" + stage + "history.csv"), read_all(folder / ("first/" + stage + "history.csv")) + "1\n"
     );
-    std::filesystem::remove(folder / "first/figures/own-porosity.csv");
+    ASSERT_TRUE(std::filesystem::remove(folder / "first/figures/own-throat-flux.csv"));
     std::filesystem::remove(folder / "first/summary.json");
     write_to(folder / "first/notes.txt", "mine");
     const Said said = say({"verify", "first", "-v"});
     EXPECT_EQ(said.code, 5);
     expect_in(stage + "history.csv was changed", said.out);
     expect_in("summary.json is missing", said.out);
+    expect_in("own-throat-flux.csv is missing", said.out);
     expect_in("notes.txt", said.error);
     EXPECT_EQ(said.out.find("notes.txt"), std::string::npos) << "what came later is no damage";
 }

@@ -4,6 +4,7 @@
 #include "suffuse/run/checksums.hpp"
 #include "suffuse/run/folder.hpp"
 #include "suffuse/run/stage_sums.hpp"
+#include "suffuse/run/stored.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,10 +45,11 @@ Sums sums_below(const Sums& of_run, const fs::path& run, const fs::path& folder)
 std::string tell_stranger(const fs::path& folder, const std::string& name) {
     const nlohmann::json numbers = read_json(folder / "stage.json");
     const std::string stage = folder.filename(), sample = name.substr(0, name.size() - stage.size() - 1);
-    if (numbers.value("stage", stage) != stage || numbers.value("sample", sample) != sample) {
-        return fmt::format("is of the stage {}/{}", numbers.value("sample", sample), numbers.value("stage", stage));
-    }
-    return "";
+    return take_from(folder / "stage.json", [&]() -> std::string {
+        const std::string its_stage = numbers.value("stage", stage), its_sample = numbers.value("sample", sample);
+        return its_stage == stage && its_sample == sample ? ""
+                                                          : fmt::format("is of the stage {}/{}", its_sample, its_stage);
+    });
 }
 
 void check_one(

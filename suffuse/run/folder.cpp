@@ -231,15 +231,18 @@ void keep_provenance(
     nlohmann::json provenance = describe_provenance(what, options, wall_seconds), calls = nlohmann::json::array();
     if (std::filesystem::exists(file)) {
         const nlohmann::json earlier = read_json(file); // of a version that knew the last call only, or of this one
-        calls = earlier.value("calls", nlohmann::json::array({describe_call(earlier)}));
+        calls =
+            take_from(file, [&] { return earlier.value("calls", nlohmann::json::array({describe_call(earlier)})); });
     }
     calls.push_back(describe_call(provenance));
-    double total = 0;
-    for (const nlohmann::json& call : calls) {
-        total += call.value("wall_seconds", 0.0);
-    }
-    provenance["command"] = calls.front().value("command", "");
-    provenance["wall_seconds"] = total;
+    take_from(file, [&] {
+        double total = 0;
+        for (const nlohmann::json& call : calls) {
+            total += call.value("wall_seconds", 0.0);
+        }
+        provenance["command"] = calls.front().value("command", "");
+        provenance["wall_seconds"] = total;
+    });
     provenance["calls"] = std::move(calls);
     write_json(file, provenance);
 }
