@@ -22,7 +22,8 @@ std::string now_text() {
 } // namespace
 
 LiveReport::LiveReport(
-    fs::path folder, std::string title, std::string command, run::RunPlan plan, std::chrono::milliseconds interval
+    fs::path folder, std::string title, std::string command, const run::RunPlan& plan,
+    std::chrono::milliseconds interval
 )
     : folder_(std::move(folder)), title_(title.empty() ? "A run without a title" : std::move(title)),
       command_(std::move(command)), left_(plan), interval_(interval) {

@@ -18,7 +18,7 @@ public:
     /// @param command with which the run goes on when it was stopped
     /// @param interval between two pages
     LiveReport(
-        std::filesystem::path folder, std::string title, std::string command, run::RunPlan plan,
+        std::filesystem::path folder, std::string title, std::string command, const run::RunPlan& plan,
         std::chrono::milliseconds interval = std::chrono::seconds(2)
     );
 

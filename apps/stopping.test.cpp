@@ -18,8 +18,8 @@ const std::vector<std::string> cut_run = {"run", "soil/case.toml", "-o", "cut", 
 class Stopping : public Cli {
 protected:
     Stopping() {
-        for (const std::string name : {"case.toml", "packing.csv"}) {
-            write_to(folder / ("soil/" + name), read_all(examples + "replay/" + name));
+        for (const char* const name : {"case.toml", "packing.csv"}) {
+            write_to(folder / "soil" / name, read_all(std::filesystem::path(examples) / "replay" / name));
         }
     }
 

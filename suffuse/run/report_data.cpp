@@ -132,6 +132,14 @@ std::vector<report::AssumedValue> assumed_in(const std::filesystem::path& folder
     });
 }
 
+/// Of a value of the provenance; of its calls, how many there were.
+std::string provenance_text(const json& value) {
+    if (value.is_array()) {
+        return std::to_string(value.size());
+    }
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 } // namespace
 
 report::ReportData describe_run(
@@ -204,11 +212,7 @@ report::ReportData describe_run(
         data.stages.push_back(stage_row(what, stage));
     }
     for (const auto& [key, value] : provenance.items()) {
-        data.provenance.emplace_back(
-            key, value.is_string()  ? value.get<std::string>()
-                 : value.is_array() ? std::to_string(value.size()) // of calls
-                                    : value.dump()
-        );
+        data.provenance.emplace_back(key, provenance_text(value));
     }
     data.redraw = "suffuse report " + shell_word(folder.string());
     return data;

@@ -92,7 +92,9 @@ trace_stage(const casefile::Study& study, const std::string& name, const std::ve
             place = gathered.insert(gathered.end(), {std::move(point), {}});
         }
         place->point.seed.push_back(stage.variant->seed);
-        collect_numbers(stage.numbers, "", place->of_seed.emplace_back());
+        json numbers = stage.numbers;
+        numbers.erase("checksums"); // how many files a stage left is no result
+        collect_numbers(numbers, "", place->of_seed.emplace_back());
     }
     report::StageCurve curve{name, {}};
     for (Gathered& one : gathered) {
