@@ -126,7 +126,8 @@ def test_an_exception_of_the_progress_function_saves_and_stops(small_case, tmp_p
         suffuse.Case(small_case).run(tmp_path / "run", on_progress=stop)
     told = []
     run = suffuse.Run(tmp_path / "run").resume(threads=1, on_event=told.append)
-    assert told[-1]["sample_ended"] and told[-1]["failure"] is None
+    if told:  # the function is heard beside the work, which may have ended meanwhile: then nothing was left to do
+        assert told[-1]["sample_ended"] and told[-1]["failure"] is None
     whole = suffuse.Case(small_case).run(tmp_path / "whole")
     assert run["replay/seep"]["state_hash"] == whole["replay/seep"]["state_hash"]
 
