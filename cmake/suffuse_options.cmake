@@ -15,7 +15,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
 endif()
 # What computes little (words, pages, tests) need not take long to build; values are the same.
 add_library(suffuse_light INTERFACE)
-target_compile_options(suffuse_light INTERFACE $<$<CONFIG:Release>:-Og>)
+target_compile_options(suffuse_light INTERFACE $<$<CONFIG:Release>:-O1>)
 # The same objects make the program and the Python module.
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
