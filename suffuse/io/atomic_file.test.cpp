@@ -6,7 +6,9 @@
 
 #include "tests/support/temp_folder.hpp"
 #include <csignal>
+#include <sched.h>
 #include <string>
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -125,6 +127,43 @@ TEST(AtomicFile, AFileBeyondTheLimitIsAnErrorAndTheOldFileRemains) {
     EXPECT_NE(message.find("ulimit -f"), std::string::npos) << message;
     EXPECT_EQ(read_all(folder / "a.txt"), "old");
     EXPECT_EQ(folder.entries(), 1);
+}
+
+/// In a child: a disk of 64 kB in this folder, which nobody else sees. False where the system does not allow it.
+bool mount_small_disk(const std::filesystem::path& folder) {
+    return unshare(geteuid() == 0 ? CLONE_NEWNS : CLONE_NEWUSER | CLONE_NEWNS) == 0 &&
+           mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+           mount("none", folder.c_str(), "tmpfs", 0, "size=64k") == 0;
+}
+
+TEST(AtomicFile, AFullDiskIsAnErrorThatSaysWhatHelpsAndTheOldFileRemains) {
+    const TempFolder folder;
+
+    enum Outcome : int { AsItShould, Otherwise, NotAllowed };
+
+    const pid_t child = fork();
+    if (child == 0) {
+        if (!mount_small_disk(folder.path())) {
+            _exit(NotAllowed);
+        }
+        std::string message;
+        try {
+            write_file(folder / "a.txt", "old");
+            write_file(folder / "a.txt", std::string(1'000'000, 'x'));
+        } catch (const IoError& error) {
+            message = error.what();
+        }
+        const bool says_it =
+            message.find("a.txt") != std::string::npos && message.find("free some space") != std::string::npos;
+        _exit(says_it && read_all(folder / "a.txt") == "old" && folder.entries() == 1 ? AsItShould : Otherwise);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    if (WEXITSTATUS(status) == NotAllowed) {
+        GTEST_SKIP() << "the system lets no test mount a disk of its own";
+    }
+    EXPECT_EQ(WEXITSTATUS(status), AsItShould);
 }
 
 TEST(AtomicFile, FolderThatIsNotThereIsAnErrorThatSaysSo) {

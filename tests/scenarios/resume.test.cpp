@@ -231,6 +231,16 @@ TEST(Resume, FromAStateThatIsNotTheOneToldIsRefusedWithItsFile) {
     EXPECT_NE(message.find(state.string()), std::string::npos) << message;
     EXPECT_NE(message.find("remove " + state.parent_path().string()), std::string::npos) << message;
 
+    // With checksums that fit it is still not the state that its stage tells.
+    run::seal_stage(state.parent_path(), run::read_json(state.parent_path() / "stage.json"));
+    std::filesystem::remove(folder / "run/SHA256SUMS");
+    const run::RunReport report = run_text(sample_of(300), folder.path());
+    ASSERT_EQ(report.failures.size(), 1U);
+    EXPECT_EQ(report.failures[0].kind, "io");
+    message = report.failures[0].message;
+    EXPECT_NE(message.find(state.string()), std::string::npos) << message;
+    EXPECT_NE(message.find("remove " + state.parent_path().string()), std::string::npos) << message;
+
     std::filesystem::remove_all(state.parent_path());
     EXPECT_EQ(run_text(sample_of(300), folder.path()).outcome, run::Outcome::Done);
 }

@@ -15,6 +15,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
@@ -131,6 +132,7 @@ protected:
         for (const auto& [name, descriptor] : {std::pair{"out", 1}, std::pair{"error", 2}}) {
             dup2(open(name, O_CREAT | O_TRUNC | O_WRONLY, 0666), descriptor);
         }
+        prctl(PR_SET_PDEATHSIG, SIGKILL); // a test that is killed leaves no run behind that waits for it
         take_signals();
         for (const std::string& variable : environment) {
             putenv(const_cast<char*>(variable.c_str()));
