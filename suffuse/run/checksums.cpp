@@ -63,9 +63,8 @@ Sums sums_of_ended(const fs::path& run) {
     throw IoError(
         missing.empty()
             ? fmt::format(
-                  "{0}: has no {1}: an earlier version made it, or it was stopped in its last moment; suffuse report "
-                  "{2} "
-                  "writes them, once the stages are found whole",
+                  "{0}: has no {1}: an earlier version made it, or it was stopped in its last moment; "
+                  "suffuse report {2} writes them, once the stages are found whole",
                   run.string(), checksums_file, shell_word(run.string())
               )
             : fmt::format(
