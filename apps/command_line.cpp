@@ -142,20 +142,6 @@ void parse(CLI::App& app, std::vector<std::string> words, CommandLine& line) {
 
 } // namespace
 
-std::string shown(const std::string& word) {
-    constexpr std::size_t most = 200;
-    std::string text = word.substr(0, most);
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?'
-    );
-    return word.size() > most ? text + "..." : text;
-}
-
-std::string near_hint(const std::string& word, const std::vector<std::string>& known) {
-    const auto nearest = nearest_word(word, known);
-    return nearest ? fmt::format("; a similar one exists: {}", *nearest) : "";
-}
-
 CommandLine read_command_line(int argc, const char* const* argv) {
     CommandLine line;
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);

@@ -10,11 +10,6 @@
 
 namespace suffuse::apps {
 
-/// The command line asks for something that cannot be; the message ends with what to do.
-struct UsageError : Error {
-    using Error::Error;
-};
-
 enum class Color { Auto, Always, Never };
 
 struct CommandLine {
@@ -65,11 +60,5 @@ struct CommandLine {
 
 /// @throws UsageError.
 CommandLine read_command_line(int argc, const char* const* argv);
-
-/// A word of the user's for a message: without control characters, and not endless.
-std::string shown(const std::string& word);
-
-/// ", did you mean ...": empty where nothing is near.
-std::string near_hint(const std::string& word, const std::vector<std::string>& known);
 
 } // namespace suffuse::apps

@@ -1,10 +1,10 @@
 #include "apps/command_table.hpp"
 
 #include "suffuse/io/packing_export.hpp"
+#include "suffuse/job/explain_word.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include "apps/explain_word.hpp"
 #include "apps/help.hpp"
 #include "apps/templates.hpp"
 #include <algorithm>
@@ -57,7 +57,7 @@ std::vector<std::string> words_for(const std::string& name, const std::string& t
     if (name == "SHELL") {
         return {"bash", "zsh", "fish"};
     }
-    return name == "WORD" ? explained_words() : std::vector<std::string>{};
+    return name == "WORD" ? job::explained_words() : std::vector<std::string>{};
 }
 
 Values kind_of(const std::string& placeholder) {

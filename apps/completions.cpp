@@ -1,5 +1,7 @@
 #include "apps/completions.hpp"
 
+#include "suffuse/base/spelling.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

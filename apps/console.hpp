@@ -2,6 +2,7 @@
 // Where words go: results to standard output, talk and errors to standard error, colors only where they are wanted.
 
 #include "apps/command_line.hpp"
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,11 @@ public:
 
     /// More talk, for --verbose.
     void detail(std::string_view text) const;
+
+    /// For a part of the library that has something to warn of while it works: as talk.
+    [[nodiscard]] std::function<void(const std::string&)> warner() const {
+        return [*this](const std::string& text) { talk("warning: " + text); };
+    }
 
     /// An error; always. "error:" stands before it unless it is `rendered` with its source line already.
     void error(std::string_view text, bool rendered = false) const;

@@ -1,8 +1,8 @@
 // Damaged files of runs as a user meets them: nothing is used, told or signed, and the message says how to go on.
 
-#include "suffuse/run/folder.hpp"
-#include "suffuse/run/stage_sums.hpp"
-#include "suffuse/run/sums.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/stage_sums.hpp"
+#include "suffuse/record/sums.hpp"
 
 #include "tests/support/program.hpp"
 #include <map>
@@ -58,18 +58,18 @@ protected:
     }
 
     [[nodiscard]] std::string hash_of(const std::string& name, const std::string& of = "here") const {
-        return run::read_json(stage(name, of) / "stage.json").at("state_hash");
+        return record::read_json(stage(name, of) / "stage.json").at("state_hash");
     }
 
     /// As a version before checksums of stages left it.
     void forget_checksums(const std::string& name) {
         for (const char* const each : {"start", "settled", "compressed", "seep"}) {
             fs::remove(stage(each, name) / "SHA256SUMS");
-            nlohmann::json numbers = run::read_json(stage(each, name) / "stage.json");
+            nlohmann::json numbers = record::read_json(stage(each, name) / "stage.json");
             for (const char* const key : {"checksums", "sample", "start_state"}) {
                 numbers.erase(key);
             }
-            run::write_json(stage(each, name) / "stage.json", numbers);
+            record::write_json(stage(each, name) / "stage.json", numbers);
         }
         fs::remove(folder / (name + "/SHA256SUMS"));
     }
@@ -141,10 +141,10 @@ TEST_F(Damaged, WhatTheMessageAdvisesGivesTheSameBits) {
 
 TEST_F(Damaged, AStageThatWasComputedFromAnotherStateIsRefused) {
     // As if another version of the program had computed the stage before it anew.
-    nlohmann::json numbers = run::read_json(stage("compressed") / "stage.json");
-    ASSERT_EQ(numbers.at("start_state"), run::read_json(stage("settled") / "stage.json").at("end_state"));
+    nlohmann::json numbers = record::read_json(stage("compressed") / "stage.json");
+    ASSERT_EQ(numbers.at("start_state"), record::read_json(stage("settled") / "stage.json").at("end_state"));
     numbers["start_state"] = "0123456789abcdef";
-    run::seal_stage(stage("compressed"), numbers);
+    record::seal_stage(stage("compressed"), numbers);
     fs::remove(folder / "here/SHA256SUMS");
     for (const char* const verb : {"resume", "report"}) {
         const Said said = say({verb, "here"});
@@ -161,7 +161,7 @@ TEST_F(Damaged, ACacheEntryIsMadeAnewWithARemark) {
         fs::path damaged;
         for (const auto& entry : fs::directory_iterator(folder / "cache")) {
             const std::string made_as =
-                entry.is_directory() ? run::read_json(entry.path() / "entry.json").value("made_as", "") : "";
+                entry.is_directory() ? record::read_json(entry.path() / "entry.json").value("made_as", "") : "";
             damaged = made_as == "replay/settled" ? entry.path() / file : damaged;
         }
         ASSERT_TRUE(fs::exists(damaged)) << file;
@@ -198,10 +198,10 @@ TEST_F(Damaged, ARunThatNeedsNothingIsLeftAlone) {
 
 TEST_F(Damaged, EveryCallOfARunStandsInItsProvenance) {
     ASSERT_EQ(run("cut", {"--no-cache", "--until", "settled"}).code, 0);
-    const double first = run::read_json(folder / "cut/provenance.json").at("wall_seconds");
+    const double first = record::read_json(folder / "cut/provenance.json").at("wall_seconds");
     ASSERT_EQ(say({"resume", "cut", "--no-cache"}).code, 0);
     ASSERT_EQ(say({"resume", "cut"}).code, 0); // which needs nothing
-    const nlohmann::json provenance = run::read_json(folder / "cut/provenance.json");
+    const nlohmann::json provenance = record::read_json(folder / "cut/provenance.json");
     const nlohmann::json& calls = provenance.at("calls");
     ASSERT_EQ(calls.size(), 2U);
     EXPECT_EQ(calls[0].at("wall_seconds").get<double>(), first);
@@ -229,7 +229,7 @@ TEST_F(Damaged, ARunOfAnEarlierVersionThatEndedIsCheckedAgainstItsOwnChecksums) 
     std::string sums; // as that version signed it
     for (const auto& [name, text] : files_of("here")) {
         if (name != "events.jsonl" && name != "plan.json" && name != "progress.json") {
-            sums += run::checksum_of_text(text) + "  " + name + "\n";
+            sums += record::checksum_of_text(text) + "  " + name + "\n";
         }
     }
     write_to(folder / "here/SHA256SUMS", sums);

@@ -1,5 +1,8 @@
 #include "apps/event_log.hpp"
 
+#include "suffuse/base/amounts.hpp"
+#include "suffuse/base/spelling.hpp"
+
 #include <fmt/format.h>
 
 #include "apps/command_line.hpp"

@@ -1,5 +1,6 @@
 #include "apps/failures.hpp"
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/base/shell_word.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 
 namespace suffuse::apps {
 
-int code_of(const std::vector<run::FailedSample>& failures) {
+int code_of(const std::vector<record::FailedSample>& failures) {
     const std::string& kind = failures.front().kind;
     const bool is_one_kind =
         std::all_of(failures.begin(), failures.end(), [&](const auto& failure) { return failure.kind == kind; });
@@ -18,10 +19,10 @@ int code_of(const std::vector<run::FailedSample>& failures) {
 }
 
 void tell_failures(
-    const std::vector<run::FailedSample>& failures, std::int64_t samples, const std::filesystem::path& folder,
+    const std::vector<record::FailedSample>& failures, std::int64_t samples, const std::filesystem::path& folder,
     const Console& console
 ) {
-    for (const run::FailedSample& failure : failures) {
+    for (const record::FailedSample& failure : failures) {
         console.error(fmt::format("{}, stage {}: {}", failure.sample, failure.stage, failure.message));
     }
     console.talk(fmt::format(

@@ -1,5 +1,7 @@
 #include "apps/live_report.hpp"
 
+#include "suffuse/base/amounts.hpp"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -22,12 +24,12 @@ std::string now_text() {
 } // namespace
 
 LiveReport::LiveReport(
-    fs::path folder, std::string title, std::string command, const run::RunPlan& plan,
+    fs::path folder, std::string title, std::string command, const plan::RunPlan& plan,
     std::chrono::milliseconds interval
 )
     : folder_(std::move(folder)), title_(title.empty() ? "A run without a title" : std::move(title)),
       command_(std::move(command)), left_(plan), interval_(interval) {
-    for (const run::StageEstimate& stage : plan.stages) {
+    for (const plan::StageEstimate& stage : plan.stages) {
         if (stage.is_cached) {
             stages_.push_back({stage.study, stage.stage, stage.verb, "done", "earlier", ""});
         } else if (stage.seconds.most > 0) { // the others are not asked for

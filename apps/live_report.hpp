@@ -3,7 +3,7 @@
 // and renamed, until the report itself takes its place. A convenience: a full disk does not stop a run for it.
 
 #include "suffuse/report/live_page.hpp"
-#include "suffuse/run/runner.hpp"
+#include "suffuse/run/run_options.hpp"
 
 #include "apps/terminal.hpp"
 #include <chrono>
@@ -18,7 +18,7 @@ public:
     /// @param command with which the run goes on when it was stopped
     /// @param interval between two pages
     LiveReport(
-        std::filesystem::path folder, std::string title, std::string command, const run::RunPlan& plan,
+        std::filesystem::path folder, std::string title, std::string command, const plan::RunPlan& plan,
         std::chrono::milliseconds interval = std::chrono::seconds(2)
     );
 

@@ -7,10 +7,10 @@
 namespace suffuse::apps {
 namespace {
 
-run::RunPlan two_stages() {
-    run::RunPlan plan;
+plan::RunPlan two_stages() {
+    plan::RunPlan plan;
     for (const char* name : {"initial", "erosion"}) {
-        run::StageEstimate stage;
+        plan::StageEstimate stage;
         stage.study = "dyke";
         stage.stage = name;
         stage.verb = "compact";

@@ -1,5 +1,6 @@
 // The text of a case for a soil of the user's.
 
+#include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/casefile/physics_checks.hpp"
 

@@ -3,9 +3,9 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/base/shell_word.hpp"
-#include "suffuse/casefile/read_grading.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/modeled_part.hpp"
+#include "suffuse/io/read_grading.hpp"
 #include "suffuse/stability/fine_fraction.hpp"
 #include "suffuse/stability/kenney_lau.hpp"
 
@@ -136,7 +136,7 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
 
 OwnSoil model_own_soil(const std::string& path, const OwnSoilSpec& spec) {
     constexpr double least_grains = 2000;
-    const Grading measured = casefile::read_grading(path, casefile::CurveEnds::MayBeOpen);
+    const Grading measured = io::read_grading(path, io::CurveEnds::MayBeOpen);
     if (measured.passing.front() >= measured.passing.back()) {
         throw CaseError(fmt::format("{}: nothing lies between its sizes; measure more of the curve", path), path);
     }

@@ -66,7 +66,7 @@ void ProgressFile::show(const run::Progress& progress) {
 }
 
 void ProgressFile::write(const run::Progress& latest) const {
-    const run::Range left = left_.left();
+    const Range left = left_.left();
     json running = json::array();
     for (const auto& [number, progress] : running_) {
         running.push_back(describe(progress));

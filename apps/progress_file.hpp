@@ -3,7 +3,7 @@
 // under another name and renamed, so that a reader never sees half of it. A convenience: a full disk does not stop a
 // run for it.
 
-#include "suffuse/run/runner.hpp"
+#include "suffuse/run/run_options.hpp"
 
 #include "apps/terminal.hpp"
 #include <chrono>
@@ -18,12 +18,12 @@ inline constexpr const char* progress_file = "progress.json";
 struct Published {
     run::Progress latest; ///< whose counts are of the whole run
     Running running;      ///< each sample that runs
-    run::Range left;      ///< [s]
+    Range left;           ///< [s]
 };
 
 class ProgressFile {
 public:
-    ProgressFile(const std::filesystem::path& folder, run::RunPlan plan)
+    ProgressFile(const std::filesystem::path& folder, plan::RunPlan plan)
         : path_(folder / progress_file), left_(std::move(plan)) {}
 
     void show(const run::Progress& progress);

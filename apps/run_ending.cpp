@@ -1,9 +1,10 @@
 #include "apps/run_ending.hpp"
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/plan/plan_record.hpp"
 #include "suffuse/report/warnings.hpp"
-#include "suffuse/run/plan_record.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -50,7 +51,7 @@ std::string report_text(const fs::path& report) {
 }
 
 /// "plan  13-53 s for stages that took 27 s together: 4 % off its middle; ...": side by side they end sooner.
-std::string plan_error_text(const run::PlanError& error) {
+std::string plan_error_text(const plan::PlanError& error) {
     const std::string stages = error.stages < 2
                                    ? ""
                                    : fmt::format(
@@ -65,7 +66,7 @@ std::string plan_error_text(const run::PlanError& error) {
 
 } // namespace
 
-void tell_results(const run::RunReport& report, const std::string& headline, const Console& console) {
+void tell_results(const job::RunReport& report, const std::string& headline, const Console& console) {
     const std::vector<std::string> warnings = report::merged_warnings(report.warnings); // as the page has them
     for (const std::string& warning : warnings) {
         console.detail("warning: " + warning);
@@ -82,27 +83,27 @@ void tell_results(const run::RunReport& report, const std::string& headline, con
     }
 }
 
-int exit_code_of(const run::RunReport& report) {
+int exit_code_of(const job::RunReport& report) {
     switch (report.outcome) {
-    case run::Outcome::Done:
+    case record::Outcome::Done:
         return Done;
-    case run::Outcome::DoneWithFlaws:
+    case record::Outcome::DoneWithFlaws:
         return Flawed;
-    case run::Outcome::SomeFailed:
+    case record::Outcome::SomeFailed:
         return code_of(report.failures);
-    case run::Outcome::Stopped:
+    case record::Outcome::Stopped:
         return signal_exit_code();
-    case run::Outcome::TimeLimit:
+    case record::Outcome::TimeLimit:
         return OutOfTime;
     }
     throw Bug("an outcome without an exit code");
 }
 
-int tell_end(const EndedRun& ended, const run::RunReport& report, const Console& console) {
-    const std::string word(run::word_of(report.outcome));
-    const bool has_failed = report.outcome == run::Outcome::SomeFailed;
+int tell_end(const EndedRun& ended, const job::RunReport& report, const Console& console) {
+    const std::string word(record::word_of(report.outcome));
+    const bool has_failed = report.outcome == record::Outcome::SomeFailed;
     const int code = exit_code_of(report);
-    if (!ended.sample.empty() && !run::is_resumable(report.outcome)) {
+    if (!ended.sample.empty() && !record::is_resumable(report.outcome)) {
         console.result(fmt::format(
             "{}: {} in {}; suffuse sweep --collect {} gathers", ended.sample, word, duration_text(ended.seconds),
             shell_word(ended.folder.string())
@@ -115,9 +116,9 @@ int tell_end(const EndedRun& ended, const run::RunReport& report, const Console&
         const std::string sample = ended.sample.empty() ? "" : " --sample " + shell_word(ended.sample);
         console.result(fmt::format("resume with: suffuse resume {}{}", shell_word(ended.folder.string()), sample));
     }
-    const std::optional<run::PlanError> plan_error =
-        ended.sample.empty() ? run::record_outcome(ended.folder) : std::nullopt;
-    if (plan_error && !ended.was_done && !run::is_resumable(report.outcome)) {
+    const std::optional<plan::PlanError> plan_error =
+        ended.sample.empty() ? plan::record_outcome(ended.folder) : std::nullopt;
+    if (plan_error && !ended.was_done && !record::is_resumable(report.outcome)) {
         console.talk(plan_error_text(*plan_error));
     }
     if (!report.failures.empty()) {

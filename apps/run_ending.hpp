@@ -2,7 +2,7 @@
 // What a run says at its end: how it went, where the report is, what the paper's findings came to, how far off the plan
 // was, how to go on.
 
-#include "suffuse/run/runner.hpp"
+#include "suffuse/job/run_case.hpp"
 
 #include "apps/console.hpp"
 #include <filesystem>
@@ -19,11 +19,11 @@ struct EndedRun {
 };
 
 /// Report, warnings, flaws and findings, after a headline.
-void tell_results(const run::RunReport& report, const std::string& headline, const Console& console);
+void tell_results(const job::RunReport& report, const std::string& headline, const Console& console);
 
-int exit_code_of(const run::RunReport& report);
+int exit_code_of(const job::RunReport& report);
 
 /// All of it. @return the exit code
-int tell_end(const EndedRun& ended, const run::RunReport& report, const Console& console);
+int tell_end(const EndedRun& ended, const job::RunReport& report, const Console& console);
 
 } // namespace suffuse::apps

@@ -27,9 +27,9 @@ struct Complaint {
     nlohmann::json problems = nlohmann::json::array();
 };
 
-Complaint complaint_about(const casefile::CaseProblems& error, bool color) {
-    Complaint complaint{BadCase, "case", casefile::render(error.problems, color), true};
-    for (const casefile::Diagnostic& problem : error.problems) {
+Complaint complaint_about(const CaseProblems& error, bool color) {
+    Complaint complaint{BadCase, "case", render(error.problems, color), true};
+    for (const Diagnostic& problem : error.problems) {
         complaint.problems.push_back(problem_json(problem));
     }
     return complaint;
@@ -41,7 +41,7 @@ Complaint current_complaint(bool color) {
         throw;
     } catch (const UsageError& error) {
         return {WrongUse, "usage", error.what()};
-    } catch (const casefile::CaseProblems& error) {
+    } catch (const CaseProblems& error) {
         return complaint_about(error, color);
     } catch (const CaseError& error) {
         return {BadCase, "case", error.what()};

@@ -1,6 +1,6 @@
 // Sweeps and the cache as a user calls them: tasks for other machines, run by a shell, and what is gathered from them.
 
-#include "suffuse/run/stage_sums.hpp"
+#include "suffuse/record/stage_sums.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -122,7 +122,7 @@ TEST_F(SweepVerb, GatheringNamesTheFlaws) {
         if (entry.path().filename() == "stage.json") {
             nlohmann::json numbers = nlohmann::json::parse(read_all(entry.path()));
             numbers["flaws"] = {"s/moved: bent"};
-            run::seal_stage(entry.path().parent_path(), numbers); // as a stage that ended so
+            record::seal_stage(entry.path().parent_path(), numbers); // as a stage that ended so
             break;
         }
     }

@@ -1,5 +1,7 @@
 #include "apps/terminal.hpp"
 
+#include "suffuse/base/amounts.hpp"
+
 #include <fmt/format.h>
 
 #include "apps/wording.hpp"
@@ -11,7 +13,6 @@ namespace suffuse::apps {
 namespace {
 
 using run::Progress;
-using run::Range;
 
 constexpr std::chrono::milliseconds redraw_interval{100};
 constexpr std::chrono::seconds report_interval{30};

@@ -28,22 +28,22 @@ using Running = std::map<int, run::Progress>;
 /// @param latest whose counts are of the whole run
 /// @param hint how to stop and go on
 std::vector<std::string> progress_lines(
-    const run::Progress& latest, const Running& running, const run::Range& left, const std::string& hint,
-    std::size_t width, bool utf8
+    const run::Progress& latest, const Running& running, const Range& left, const std::string& hint, std::size_t width,
+    bool utf8
 );
 
 /// The one line of a piped run at the end of a stage, or of a sample that failed.
-std::string progress_line(const run::Progress& progress, const run::Range& left);
+std::string progress_line(const run::Progress& progress, const Range& left);
 
 /// The one line of a piped run between the ends of stages.
-std::string progress_line(const run::Progress& latest, const Running& running, const run::Range& left);
+std::string progress_line(const run::Progress& latest, const Running& running, const Range& left);
 
 /// "e 0.671  p 99.8 kPa": the numbers of a state that are worth showing.
 std::string state_text(const nlohmann::json& state);
 
 class ProgressView {
 public:
-    ProgressView(Screen screen, run::RunPlan plan, std::string hint)
+    ProgressView(Screen screen, plan::RunPlan plan, std::string hint)
         : screen_(std::move(screen)), left_(std::move(plan)), hint_(std::move(hint)) {}
 
     void show(const run::Progress& progress);

@@ -41,10 +41,10 @@ Running several(int samples) {
 }
 
 /// Three stages, 100 to 200 s each.
-run::RunPlan three_stages() {
-    run::RunPlan plan;
+plan::RunPlan three_stages() {
+    plan::RunPlan plan;
     plan.stages.resize(3);
-    for (run::StageEstimate& stage : plan.stages) {
+    for (plan::StageEstimate& stage : plan.stages) {
         stage.study = "one";
         stage.seconds = {100, 200};
     }
@@ -239,8 +239,8 @@ TEST(TimeLeft, LearnsThatTheMachineIsSlowerThanPlanned) {
 }
 
 TEST(TimeLeft, HeedsThePaceOfTheStageThatRunsAsLongAsNoneIsDone) {
-    run::RunPlan plan = three_stages();
-    for (run::StageEstimate& stage : plan.stages) {
+    plan::RunPlan plan = three_stages();
+    for (plan::StageEstimate& stage : plan.stages) {
         stage.grains = 1000;
         stage.steps = {1000, 2000}; // priced at 10,000 grain-steps a second
     }
@@ -256,7 +256,7 @@ TEST(TimeLeft, HeedsThePaceOfTheStageThatRunsAsLongAsNoneIsDone) {
 }
 
 TEST(TimeLeft, AStageBeyondItsRangeStillTakesTime) {
-    run::RunPlan last = three_stages();
+    plan::RunPlan last = three_stages();
     last.stages[0].seconds = last.stages[1].seconds = {};
     TimeLeft left(last);
     left.see(at_stage(3, 300, false)); // of 100 to 200
@@ -265,7 +265,7 @@ TEST(TimeLeft, AStageBeyondItsRangeStillTakesTime) {
 }
 
 TEST(TimeLeft, IsSharedAmongSamplesButNoLessThanTheLongest) {
-    run::RunPlan plan = three_stages();
+    plan::RunPlan plan = three_stages();
     plan.speed.at_once = 2;
     plan.stages[2].study = "two";
     EXPECT_DOUBLE_EQ(TimeLeft(plan).left().most, 400); // the two stages of "one"; "two" runs beside them
@@ -280,13 +280,13 @@ TEST(TimeLeft, IsSharedAmongSamplesButNoLessThanTheLongest) {
 }
 
 TEST(TimeLeft, CountsTheSamplesThatRefineWillAdd) {
-    run::RunPlan plan = three_stages();
+    plan::RunPlan plan = three_stages();
     plan.refined = {{1, 4}, {30, 50}};
     TimeLeft left(plan);
     EXPECT_DOUBLE_EQ(left.left().least, 300 + 30);
     EXPECT_DOUBLE_EQ(left.left().most, 600 + 4 * 50);
     for (const int number : {1, 2, 3}) {
-        left.see(at_stage(number, run::middle({100, 200}), true));
+        left.see(at_stage(number, middle({100, 200}), true));
     }
     run::Progress added = at_stage(2, 1, false); // numbered as if it stood among the listed ones
     added.study = "one/fc=32.5";

@@ -18,7 +18,7 @@ double TimeLeft::correction() const {
 /// How many samples are added is known when the first of them begins; none of their stages is in the plan.
 void TimeLeft::see_refined(const run::Progress& progress) {
     listed_ = listed_ > 0 ? listed_ : progress.samples;
-    const auto is_of = [&](const run::StageEstimate& stage) { return stage.study == progress.study; };
+    const auto is_of = [&](const plan::StageEstimate& stage) { return stage.study == progress.study; };
     if (progress.sample_ended && std::ranges::none_of(plan_.stages, is_of)) {
         ++refined_done_;
     }
@@ -49,7 +49,7 @@ void TimeLeft::see(const run::Progress& progress) {
         running_.erase(row);
     } else if (is_known) {
         running_[row] = progress.stage_seconds;
-        const run::StageEstimate& plan = plan_.stages[row];
+        const plan::StageEstimate& plan = plan_.stages[row];
         const double priced = middle(plan.steps) * static_cast<double>(plan.grains) / middle(plan.seconds, moment);
         if (priced > 0 && progress.particle_steps_per_second > 0 && progress.stage_seconds > steady) {
             pace_ = priced / progress.particle_steps_per_second;
@@ -57,19 +57,19 @@ void TimeLeft::see(const run::Progress& progress) {
     }
 }
 
-run::Range TimeLeft::left() const {
+Range TimeLeft::left() const {
     const double factor = correction();
-    std::vector<run::StageEstimate> stages = plan_.stages;
-    for (run::StageEstimate& stage : stages) {
+    std::vector<plan::StageEstimate> stages = plan_.stages;
+    for (plan::StageEstimate& stage : stages) {
         stage.seconds = {factor * stage.seconds.least, factor * stage.seconds.most};
     }
     for (const auto& [row, gone] : running_) {
         // A stage beyond its range has as yet shown no end: up to half of what it took may follow.
-        run::Range& rest = stages[row].seconds;
+        Range& rest = stages[row].seconds;
         rest = {std::max(rest.least - gone, 0.0), std::max(rest.most - gone, 0.5 * gone)};
     }
-    return run::side_by_side(stages, plan_.speed.at_once) +
-           factor * run::seconds_of_refined(plan_.refined, plan_.speed.at_once);
+    return plan::side_by_side(stages, plan_.speed.at_once) +
+           factor * plan::seconds_of_refined(plan_.refined, plan_.speed.at_once);
 }
 
 } // namespace suffuse::apps

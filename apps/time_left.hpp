@@ -2,8 +2,8 @@
 // How long a run will still take: the plan's ranges, corrected by what the finished stages took against them and, as
 // long as there are few of these, by the pace of the one that runs; shared among the samples that run side by side.
 
-#include "suffuse/run/plan.hpp"
-#include "suffuse/run/runner.hpp"
+#include "suffuse/plan/plan.hpp"
+#include "suffuse/run/run_options.hpp"
 
 #include <map>
 
@@ -11,13 +11,13 @@ namespace suffuse::apps {
 
 class TimeLeft {
 public:
-    explicit TimeLeft(run::RunPlan plan) : plan_(std::move(plan)) {}
+    explicit TimeLeft(plan::RunPlan plan) : plan_(std::move(plan)) {}
 
     /// Learns where a sample is, and from a stage that is done.
     void see(const run::Progress& progress);
 
     /// From what was seen last [s].
-    [[nodiscard]] run::Range left() const;
+    [[nodiscard]] Range left() const;
 
 private:
     using Row = std::size_t;
@@ -27,7 +27,7 @@ private:
 
     void see_refined(const run::Progress& progress);
 
-    run::RunPlan plan_;
+    plan::RunPlan plan_;
     int listed_ = 0;                  ///< samples, before any was refined
     int refined_done_ = 0;            ///< samples beside them
     std::map<Row, double> running_;   ///< stage -> seconds that it took so far

@@ -2,17 +2,17 @@
 
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/version.hpp"
-#include "suffuse/casefile/read_grading.hpp"
+#include "suffuse/base/words.hpp"
+#include "suffuse/figures/stability_view.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/read_grading.hpp"
+#include "suffuse/job/assessed_soil.hpp"
 #include "suffuse/report/page.hpp"
-#include "suffuse/report/stability_view.hpp"
-#include "suffuse/report/words.hpp"
 #include "suffuse/stability/open_curve.hpp"
 
 #include <fmt/format.h>
 
-#include "apps/assessed_soil.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/verbs.hpp"
@@ -50,11 +50,11 @@ stability::AssessSpec spec_of(const CommandLine& line) {
 }
 
 /// One soil of a CSV file, or each soil of a case.
-std::vector<AssessedSoil>
+std::vector<job::AssessedSoil>
 assess_all(const CommandLine& line, const stability::AssessSpec& spec, const Console& console) {
-    std::vector<AssessedSoil> soils;
+    std::vector<job::AssessedSoil> soils;
     if (!line.subject.ends_with(".toml")) {
-        const auto grading = casefile::read_grading(line.subject, casefile::CurveEnds::MayBeOpen);
+        const auto grading = io::read_grading(line.subject, io::CurveEnds::MayBeOpen);
         soils.push_back({line.subject, {}, stability::assess_measured(grading, spec)});
         return soils;
     }
@@ -74,7 +74,7 @@ assess_all(const CommandLine& line, const stability::AssessSpec& spec, const Con
 }
 
 void write_page(
-    const AssessedSoil& soil, const stability::AssessSpec& spec, const json& about, const fs::path& folder,
+    const job::AssessedSoil& soil, const stability::AssessSpec& spec, const json& about, const fs::path& folder,
     const CommandLine& line
 ) {
     report::ReportData data;
@@ -82,7 +82,7 @@ void write_page(
     data.run = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
     data.answer = {"By its grading alone: " + stability::summary(soil.assessment.criteria) + "."};
     if (spec.seepage) {
-        data.answer.push_back(report::as_sentence(seepage_text(*spec.seepage)) + ":");
+        data.answer.push_back(as_sentence(job::seepage_text(*spec.seepage)) + ":");
     }
     for (const Criterion& criterion : soil.assessment.gradients) {
         data.answer.push_back(
@@ -90,10 +90,10 @@ void write_page(
         );
     }
     if (soil.assessment.has_constrictions) {
-        data.answer.push_back(report::as_sentence(constrictions_text(soil.assessment)) + ".");
+        data.answer.push_back(as_sentence(job::constrictions_text(soil.assessment)) + ".");
     }
-    data.tables = {report::stability_table(soil.assessment)};
-    data.figures = {report::stability_grading(soil.assessment), report::stability_shape(soil.assessment)};
+    data.tables = {figures::stability_table(soil.assessment)};
+    data.figures = {figures::stability_grading(soil.assessment), figures::stability_shape(soil.assessment)};
     data.provenance = {{"program", "suffuse"}, {"version", version()}, {"commit", commit()}, {"command", line.typed}};
     data.redraw = line.typed;
     report::write_report(folder, data, page_folder());
@@ -106,9 +106,9 @@ int assess_verb(const CommandLine& line, const Console& console) {
     const stability::AssessSpec spec = spec_of(line);
     json soils = json::array();
     std::string text;
-    for (const AssessedSoil& soil : assess_all(line, spec, console)) {
-        soils.push_back(soil_json(soil, spec));
-        text += (text.empty() ? "" : "\n\n") + text_of(soil, spec);
+    for (const job::AssessedSoil& soil : assess_all(line, spec, console)) {
+        soils.push_back(job::soil_json(soil, spec));
+        text += (text.empty() ? "" : "\n\n") + job::text_of(soil, spec, terminal_width());
         if (!line.output.empty()) {
             const fs::path folder = fs::path(line.output) / soil.folder;
             write_page(soil, spec, soils.back(), folder, line);

@@ -1,7 +1,8 @@
 // bench: the speed on a packing brought from elsewhere.
 
-#include "suffuse/run/bench_flow.hpp"
-#include "suffuse/run/bench_step.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/plan/bench_flow.hpp"
+#include "suffuse/plan/bench_step.hpp"
 
 #include <fmt/format.h>
 
@@ -28,11 +29,11 @@ std::string lines_of(const nlohmann::json& json, const std::string& prefix = "")
 } // namespace
 
 int bench_verb(const CommandLine& line, const Console& console) {
-    const run::BenchPacking packing{line.packing, line.cell.empty() ? Mat3{} : cell_of(line.cell), line.replicate};
+    const plan::BenchPacking packing{line.packing, line.cell.empty() ? Mat3{} : cell_of(line.cell), line.replicate};
     nlohmann::json result;
     set_threads(line.threads);
     if (line.bench == "step") {
-        run::BenchStepSpec spec;
+        plan::BenchStepSpec spec;
         spec.packing = packing;
         spec.steps = line.steps;
         spec.mode = line.mode == dem::name_of(dem::Mode::Fast) ? dem::Mode::Fast : dem::Mode::Reference;
@@ -42,12 +43,12 @@ int bench_verb(const CommandLine& line, const Console& console) {
         if (!(spec.time_step > 0)) {
             throw UsageError(fmt::format("--time-step {} is no time", shown(line.time_step)));
         }
-        result = run::bench_step(spec);
+        result = plan::bench_step(spec);
     } else {
-        run::BenchFlowSpec spec;
+        plan::BenchFlowSpec spec;
         spec.packing = packing;
         spec.gradient = line.gradient;
-        result = run::bench_flow(spec);
+        result = plan::bench_flow(spec);
     }
     console.result(lines_of(result));
     console.document(json_text(result));

@@ -1,11 +1,13 @@
 // cache: what the cache of stages holds.
 
-#include "suffuse/run/stage_cache.hpp"
+#include "suffuse/base/amounts.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/record/stage_cache.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
-#include "apps/run_folder.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <numeric>
@@ -15,14 +17,14 @@ namespace suffuse::apps {
 int cache_verb(const CommandLine& line, const Console& console) {
     constexpr double gigabyte = 1e9;
     const std::filesystem::path folder =
-        line.subject.empty() ? cache_beside("runs/any") : std::filesystem::path(line.subject);
+        line.subject.empty() ? job::cache_beside("runs/any") : std::filesystem::path(line.subject);
     if (!std::filesystem::is_directory(folder)) {
         throw UsageError(fmt::format(
             "{} is no folder; a run makes its cache beside its own folder, and suffuse run --cache DIR in DIR",
             shown(folder.string())
         ));
     }
-    run::StageCache cache(folder);
+    record::StageCache cache(folder);
     if (line.cache_limit) {
         cache.set_limit(static_cast<std::int64_t>(*line.cache_limit * gigabyte));
     }
@@ -30,11 +32,12 @@ int cache_verb(const CommandLine& line, const Console& console) {
     if (line.clear || line.cache_limit) {
         dropped = line.clear ? cache.clear() : cache.shrink(cache.limit());
     }
-    const std::vector<run::CacheEntry> entries = cache.entries();
+    const std::vector<record::CacheEntry> entries = cache.entries();
     const auto sum = [&](auto number) {
-        return std::accumulate(entries.begin(), entries.end(), 0.0, [&](double so_far, const run::CacheEntry& entry) {
-            return so_far + static_cast<double>(number(entry));
-        });
+        return std::accumulate(
+            entries.begin(), entries.end(), 0.0,
+            [&](double so_far, const record::CacheEntry& entry) { return so_far + static_cast<double>(number(entry)); }
+        );
     };
     const double bytes = sum([](const auto& entry) { return entry.bytes; });
     const double seconds = sum([](const auto& entry) { return entry.wall_seconds; });
@@ -46,7 +49,7 @@ int cache_verb(const CommandLine& line, const Console& console) {
         console.result(fmt::format("{} dropped", plural(dropped, "stage")));
     }
     nlohmann::json list = nlohmann::json::array();
-    for (const run::CacheEntry& entry : entries) {
+    for (const record::CacheEntry& entry : entries) {
         console.detail(fmt::format(
             "{:40} {:>10}  {:>12}  {}", entry.made_as, size_text(static_cast<double>(entry.bytes)),
             duration_text(entry.wall_seconds), entry.folder.filename().string()

@@ -1,12 +1,13 @@
 // check, explain, schema: a case before it is run.
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/casefile/schema.hpp"
-#include "suffuse/run/read_import.hpp"
+#include "suffuse/job/explain_word.hpp"
+#include "suffuse/record/read_import.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
-#include "apps/explain_word.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 
@@ -36,13 +37,13 @@ int check_verb(const CommandLine& line, const Console& console) {
         }
     }
     nlohmann::json problems = nlohmann::json::array();
-    for (const casefile::Diagnostic& warning : loaded.warnings) {
+    for (const Diagnostic& warning : loaded.warnings) {
         problems.push_back(problem_json(warning));
     }
     if (!loaded.warnings.empty() && !console.wants_json()) {
-        console.talk(casefile::render(loaded.warnings, console.has_color()));
+        console.talk(render(loaded.warnings, console.has_color()));
     }
-    for (const std::string& said : run::check_imports(loaded.value).warnings) { // packings are data of the case, too
+    for (const std::string& said : record::check_imports(loaded.value).warnings) { // packings are data of the case, too
         console.talk("warning: " + said);
     }
     console.result(fmt::format(
@@ -63,7 +64,7 @@ int check_verb(const CommandLine& line, const Console& console) {
 }
 
 int explain_verb(const CommandLine& line, const Console& console) {
-    const std::string text = explain_word(line.subject);
+    const std::string text = job::explain_word(line.subject);
     console.result(text);
     console.document(json_text({{"topic", line.subject}, {"text", text}}));
     return Done;

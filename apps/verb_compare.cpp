@@ -1,10 +1,12 @@
 // compare and verify: what differs between two runs, from the paper, or from what a run was when it ended.
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/base/shell_word.hpp"
-#include "suffuse/run/checksums.hpp"
-#include "suffuse/run/compare_runs.hpp"
-#include "suffuse/run/folder.hpp"
-#include "suffuse/run/stored.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/record/checksums.hpp"
+#include "suffuse/record/compare_runs.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/stored.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,7 +35,7 @@ std::string distinct_digits(const std::string& number, double relative) {
 }
 
 /// "number   2.900 and 3.100   6 %"
-std::string row_of(const run::Difference& difference) {
+std::string row_of(const record::Difference& difference) {
     if (!difference.is_number) {
         return fmt::format("  {}   {} and {}\n", difference.where, difference.first, difference.second);
     }
@@ -43,25 +45,25 @@ std::string row_of(const run::Difference& difference) {
     );
 }
 
-const char* heading_of(run::Relevance about) {
+const char* heading_of(record::Relevance about) {
     switch (about) {
-    case run::Relevance::Presence:
+    case record::Relevance::Presence:
         return "in one of the runs only:";
-    case run::Relevance::Result:
+    case record::Relevance::Result:
         return "results of stages:";
-    case run::Relevance::Figure:
+    case record::Relevance::Figure:
         return "numbers behind figures:";
-    case run::Relevance::Computation:
+    case record::Relevance::Computation:
         break;
     }
     return "how it was computed, which is no result:";
 }
 
-std::string table_of(const std::vector<run::Difference>& differences, bool all) {
+std::string table_of(const std::vector<record::Difference>& differences, bool all) {
     const std::ptrdiff_t shown = all ? std::ssize(differences) : std::min(most_shown, std::ssize(differences));
     std::string text;
     for (std::ptrdiff_t k = 0; k < shown; ++k) {
-        const run::Difference& difference = differences[static_cast<std::size_t>(k)];
+        const record::Difference& difference = differences[static_cast<std::size_t>(k)];
         if (k == 0 || differences[static_cast<std::size_t>(k - 1)].about != difference.about) {
             text += fmt::format("{}\n", heading_of(difference.about));
         }
@@ -74,7 +76,7 @@ std::string table_of(const std::vector<run::Difference>& differences, bool all) 
 }
 
 /// The sentence of a comparison, before its table: whether the runs differ, in what, and by how much.
-std::string verdict_on(const run::Comparison& found, double tolerance) {
+std::string verdict_on(const record::Comparison& found, double tolerance) {
     const std::string beyond = tolerance > 0 ? " beyond the tolerance" : "";
     const std::string states = fmt::format(
         "{} in both, {} with the same bits; {} compared", plural(found.stages, "stage"), found.same_states,
@@ -83,8 +85,8 @@ std::string verdict_on(const run::Comparison& found, double tolerance) {
     if (found.differences.empty()) {
         return fmt::format("no difference{}: {}", beyond, states);
     }
-    const auto of_computation = std::ranges::count_if(found.differences, [](const run::Difference& difference) {
-        return difference.about == run::Relevance::Computation;
+    const auto of_computation = std::ranges::count_if(found.differences, [](const record::Difference& difference) {
+        return difference.about == record::Relevance::Computation;
     });
     const auto of_results = std::ssize(found.differences) - of_computation;
     if (of_results == 0) {
@@ -93,9 +95,9 @@ std::string verdict_on(const run::Comparison& found, double tolerance) {
             states
         );
     }
-    const run::Difference& first = found.differences.front();
-    const auto largest = std::ranges::find_if(found.differences, [](const run::Difference& difference) {
-        return difference.is_number && difference.about != run::Relevance::Computation;
+    const record::Difference& first = found.differences.front();
+    const auto largest = std::ranges::find_if(found.differences, [](const record::Difference& difference) {
+        return difference.is_number && difference.about != record::Relevance::Computation;
     });
     return fmt::format(
         "the runs differ{} in {}, {}: {}", beyond, plural(of_results, "result"),
@@ -107,7 +109,7 @@ std::string verdict_on(const run::Comparison& found, double tolerance) {
 }
 
 /// What is in each of two runs that share no stage: there is nothing else to say of them.
-std::string nothing_shared(const CommandLine& line, const run::Comparison& found) {
+std::string nothing_shared(const CommandLine& line, const record::Comparison& found) {
     const auto list = [](const std::string& folder, const std::vector<std::string>& stages) {
         return fmt::format(
             "  {} has {}", folder, stages.empty() ? "no finished stage" : fmt::format("{}", fmt::join(stages, ", "))
@@ -126,7 +128,7 @@ int compare_two(const CommandLine& line, const Console& console) {
     if (!(tolerance >= 0 && tolerance < 1)) {
         throw UsageError(fmt::format("--tolerance {}: from 0 to below 1, or as in 2%", shown(line.tolerance)));
     }
-    const run::Comparison found = run::compare_runs(line.subject, line.other, tolerance);
+    const record::Comparison found = record::compare_runs(line.subject, line.other, tolerance);
     if (found.stages == 0) {
         console.result(nothing_shared(line, found));
         console.document(json_text(found));
@@ -171,9 +173,9 @@ int compare_with_paper(const CommandLine& line, const Console& console) {
             fmt::format("{}: has no summary.json: the run has not ended; suffuse resume goes on", line.subject)
         );
     }
-    run::require_same_result(line.subject, "summary.json");
-    const nlohmann::json told = run::read_json(summary);
-    return run::take_from(summary, [&] { return tell_findings(told.at("findings"), console); });
+    record::require_same_result(line.subject, "summary.json");
+    const nlohmann::json told = record::read_json(summary);
+    return record::take_from(summary, [&] { return tell_findings(told.at("findings"), console); });
 }
 
 /// Of stages of an earlier version, which the checksums of the run alone speak for.
@@ -195,8 +197,8 @@ int compare_verb(const CommandLine& line, const Console& console) {
 }
 
 int verify_verb(const CommandLine& line, const Console& console) {
-    const run::Verification found = run::verify_run(line.subject);
-    for (const run::Damage& damage : found.damages) {
+    const record::Verification found = record::verify_run(line.subject);
+    for (const record::Damage& damage : found.damages) {
         console.result(fmt::format("  {} {}", damage.file, damage.what));
     }
     const bool is_complete = found.missing.names.empty();

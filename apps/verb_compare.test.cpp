@@ -1,6 +1,6 @@
 // compare and verify as a user calls them: code 5 and what differs.
 
-#include "suffuse/run/stage_sums.hpp"
+#include "suffuse/record/stage_sums.hpp"
 
 #include "tests/support/program.hpp"
 #include <sstream>
@@ -80,7 +80,7 @@ TEST_F(Compare, AShearStressIsToldAgainstTheStressAndNotAgainstItsOwnChance) {
     const std::filesystem::path kept = folder / "second/studies/replay/settled/stage.json";
     nlohmann::json stage = nlohmann::json::parse(read_all(kept));
     stage["stress"][0][1] = stage.at("stress")[0][1].get<double>() + 1e3;
-    run::seal_stage(kept.parent_path(), stage); // as a stage that ended with it
+    record::seal_stage(kept.parent_path(), stage); // as a stage that ended with it
     const Said said = say({"compare", "first", "second", "--json"});
     const nlohmann::json differences = said.json().at("differences");
     ASSERT_EQ(differences.size(), 1U) << said.out;
@@ -93,7 +93,7 @@ TEST_F(Compare, RunsThatDifferOnlyInHowTheyWereComputedHaveTheSameResults) {
     const std::filesystem::path kept = folder / "second/studies/replay/seep/stage.json";
     nlohmann::json stage = nlohmann::json::parse(read_all(kept));
     stage["residual"] = 2 * stage.at("residual").get<double>();
-    run::seal_stage(kept.parent_path(), stage); // as a stage that computed it so
+    record::seal_stage(kept.parent_path(), stage); // as a stage that computed it so
     const Said said = say({"compare", "first", "second"});
     EXPECT_EQ(said.code, 5);
     expect_in("the same results, with 1 difference in how they were computed", said.out);
@@ -205,7 +205,7 @@ TEST_F(Compare, AStateThatIsNotTheOneToldIsFound) {
     const std::string file = "studies/replay/settled/stage.json";
     nlohmann::json numbers = nlohmann::json::parse(read_all(folder / ("first/" + file)));
     numbers["state_hash"] = "0123456789abcdef";
-    run::seal_stage((folder / ("first/" + file)).parent_path(), numbers);
+    record::seal_stage((folder / ("first/" + file)).parent_path(), numbers);
     ASSERT_EQ(say({"report", "first"}).code, 0);
     const Said said = say({"verify", "first"});
     EXPECT_EQ(said.code, 5);

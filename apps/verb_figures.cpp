@@ -1,11 +1,12 @@
 // figures: the figures of a run as files for a manuscript.
 
-#include "suffuse/report/figure_options.hpp"
-#include "suffuse/run/checksums.hpp"
+#include "suffuse/base/amounts.hpp"
+#include "suffuse/figures/figure_options.hpp"
+#include "suffuse/job/draw_figures.hpp"
+#include "suffuse/record/checksums.hpp"
 
 #include <fmt/format.h>
 
-#include "apps/draw_figures.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/verbs.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 /// Of words such as 9 and own-paths.
 std::vector<std::string> ids_of(std::vector<std::string> words) {
-    std::ranges::transform(words, words.begin(), report::figure_id);
+    std::ranges::transform(words, words.begin(), figures::figure_id);
     return words;
 }
 
@@ -29,9 +30,9 @@ int figures_verb(const CommandLine& line, const Console& console) {
     const std::filesystem::path run = line.subject;
     const std::filesystem::path folder = line.output.empty() ? run / "figures" : std::filesystem::path(line.output);
     const std::string format = line.format.empty() ? "svg" : line.format;
-    run::require_same_figures(run, ids_of(line.figures), {".vl.json", ".svg"});
+    record::require_same_figures(run, ids_of(line.figures), {".vl.json", ".svg"});
     std::vector<std::string> written;
-    for (const std::filesystem::path& file : draw_figures(run, line.figures, format, folder, page_folder())) {
+    for (const std::filesystem::path& file : job::draw_figures(run, line.figures, format, folder, page_folder())) {
         written.push_back(file.string());
         console.result(file.string());
     }

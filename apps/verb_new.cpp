@@ -1,6 +1,8 @@
 // new: a commented case and its data, from an example or from a grading curve of the user's.
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/io/atomic_file.hpp"
 
@@ -127,10 +129,10 @@ nlohmann::json stability_json(const CutVerdicts& verdicts) {
 }
 
 /// Priced as `suffuse plan` does: how stiff the contacts had to be counts as much as the number of grains.
-run::RunPlan price_of(const fs::path& path) {
+plan::RunPlan price_of(const fs::path& path) {
     const casefile::Case what = casefile::load_case(path.string(), {}).value;
     set_threads(0);
-    return plan_case(what, run::samples_at_once(what));
+    return plan::plan_case(what, plan::samples_at_once(what));
 }
 
 OwnConditions conditions_of(const CommandLine& line) {
@@ -173,7 +175,7 @@ int new_from_soil(const CommandLine& line, const Console& console) {
          {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, line.psd)}}
     );
     console.result(fmt::format("{}", fmt::join(written, "\n")));
-    const run::RunPlan plan = price_of(folder / "case.toml");
+    const plan::RunPlan plan = price_of(folder / "case.toml");
     console.document(json_text(
         {{"written", written},
          {"finer_than", soil.finer_than},

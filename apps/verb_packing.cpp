@@ -1,12 +1,14 @@
 // import, export: packings from and for other programs.
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/packing_checks.hpp"
 #include "suffuse/io/packing_export.hpp"
-#include "suffuse/run/stage_sums.hpp"
+#include "suffuse/record/stage_sums.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -156,7 +158,7 @@ int export_verb(const CommandLine& line, const Console& console) {
     }
     const io::PackingFormat format = format_of(line);
     const fs::path state = fs::is_directory(given) ? given / "state.h5" : given;
-    run::check_file(state);
+    record::check_file(state);
     dem::World world = io::load_world(state).world;
     dem::sort_by_id(world);
     io::export_packing(line.output, world, format);

@@ -1,12 +1,13 @@
 // plan: what a case would cost.
 
-#include "suffuse/run/samples.hpp"
+#include "suffuse/base/amounts.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/record/samples.hpp"
 
 #include <fmt/format.h>
 
-#include "apps/asked_stages.hpp"
 #include "apps/exit_code.hpp"
-#include "apps/run_folder.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace suffuse::apps {
 namespace {
 
 /// What this machine may lack.
-std::vector<std::string> shortages(const run::RunPlan& plan) {
+std::vector<std::string> shortages(const plan::RunPlan& plan) {
     std::vector<std::string> found;
     const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     if (plan.memory > memory) {
@@ -38,7 +39,7 @@ std::vector<std::string> shortages(const run::RunPlan& plan) {
     return found;
 }
 
-std::string source_of(const run::StageEstimate& stage) {
+std::string source_of(const plan::StageEstimate& stage) {
     return stage.is_cached ? "in the cache" : stage.basis;
 }
 
@@ -63,9 +64,9 @@ std::string aligned(const std::vector<Row>& rows, std::size_t words) {
     return text;
 }
 
-std::string table_of(const run::RunPlan& plan) {
+std::string table_of(const plan::RunPlan& plan) {
     std::vector<Row> rows{{"stage", "verb", "grains", "steps", "time", "basis"}};
-    for (const run::StageEstimate& stage : plan.stages) {
+    for (const plan::StageEstimate& stage : plan.stages) {
         rows.push_back(
             {stage.study + "/" + stage.stage, stage.verb, count_text(stage.grains), steps_text(stage.steps),
              duration_range_text(stage.seconds), source_of(stage)}
@@ -79,7 +80,7 @@ struct SampleRow {
     std::string name;
     std::uint64_t seed = 0;
     std::int64_t grains = 0;
-    run::Range steps, seconds;
+    Range steps, seconds;
     double memory = 0, disk = 0;
     int stages = 0, cached = 0;
     std::int64_t coarse = 0;
@@ -87,12 +88,12 @@ struct SampleRow {
     std::string sized_by;                ///< rule of `sample_size`
 };
 
-std::vector<SampleRow> rows_of(const casefile::Case& what, const run::RunPlan& plan, const std::string& until) {
+std::vector<SampleRow> rows_of(const casefile::Case& what, const plan::RunPlan& plan, const std::string& until) {
     std::vector<SampleRow> rows;
-    for (const run::Sample& sample : run::list_samples(what, until)) {
+    for (const record::Sample& sample : record::list_samples(what, until)) {
         SampleRow row{sample.variant->folder, sample.variant->seed, 0, {}, {}, 0, 0, sample.stages, 0, 0, {}, ""};
         for (int k = 0; k < sample.stages; ++k) {
-            const run::StageEstimate& stage = plan.stages.at(static_cast<std::size_t>(sample.first_stage - 1 + k));
+            const plan::StageEstimate& stage = plan.stages.at(static_cast<std::size_t>(sample.first_stage - 1 + k));
             row.grains = std::max(row.grains, stage.grains);
             row.steps += stage.steps;
             row.seconds += stage.seconds;
@@ -161,7 +162,7 @@ nlohmann::json rows_json(const std::vector<SampleRow>& rows) {
 }
 
 /// What a plan cannot know yet: samples that the results will ask for.
-void tell_refinements(const casefile::Case& what, const run::RunPlan& plan, const Console& console) {
+void tell_refinements(const casefile::Case& what, const plan::RunPlan& plan, const Console& console) {
     for (const casefile::Study& study : what.studies) {
         if (!study.refine) {
             continue;
@@ -174,7 +175,7 @@ void tell_refinements(const casefile::Case& what, const run::RunPlan& plan, cons
             "refine adds up to {} to study {}, around the {} of {}; all that is refined takes {} of the time above",
             plural(static_cast<std::ptrdiff_t>(2 * static_cast<std::size_t>(study.refine->add) * curves), "sample"),
             study.name, study.refine->maximum ? "maximum" : "minimum", study.refine->of,
-            duration_range_text(run::seconds_of_refined(plan.refined, plan.speed.at_once))
+            duration_range_text(plan::seconds_of_refined(plan.refined, plan.speed.at_once))
         ));
     }
 }
@@ -183,14 +184,14 @@ void tell_refinements(const casefile::Case& what, const run::RunPlan& plan, cons
 
 int plan_verb(const CommandLine& line, const Console& console) {
     const casefile::Case what = load_asked_case(line, console);
-    check_until(what, line.until);
+    plan::check_until(what, line.until);
     set_threads(line.threads);
-    run::RunPlan plan = plan_case(what, run::samples_at_once(what));
-    const std::filesystem::path cache = cache_folder(line, cache_beside("runs/new"));
-    price_asked_alone(plan, what, line.until);
-    run::leave_out_done(plan, what, {}, run::StageCache(cache)); // sums up, too
+    plan::RunPlan plan = plan::plan_case(what, plan::samples_at_once(what));
+    const std::filesystem::path cache = cache_folder(line, job::cache_beside("runs/new"));
+    plan::price_asked_alone(plan, what, line.until);
+    plan::leave_out_done(plan, what, {}, record::StageCache(cache)); // sums up, too
     const std::vector<SampleRow> rows = rows_of(what, plan, line.until);
-    keep_asked_alone(plan, what, line.until);
+    plan::keep_asked_alone(plan, what, line.until);
     const std::vector<std::string> warnings = shortages(plan);
     for (const std::string& warning : warnings) {
         console.talk("warning: " + warning);
@@ -201,7 +202,7 @@ int plan_verb(const CommandLine& line, const Console& console) {
     } else {
         console.result(table_of(plan));
     }
-    console.result(fmt::format("{}\n", plan_sentence(plan)));
+    console.result(fmt::format("{}\n", plan::plan_sentence(plan)));
     console.talk(fmt::format(
         "priced at {:.2g} grain-steps/s, measured now with {} on {} grains", plan.speed.particle_steps_per_second,
         plural(plan.speed.threads, "thread"), count_text(plan.speed.grains)

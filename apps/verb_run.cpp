@@ -1,29 +1,31 @@
 // run, resume, report: the job.
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/read_text.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/spelling.hpp"
 #include "suffuse/base/stopwatch.hpp"
-#include "suffuse/casefile/read_text.hpp"
-#include "suffuse/run/ended_run.hpp"
-#include "suffuse/run/finished_stages.hpp"
-#include "suffuse/run/folder.hpp"
-#include "suffuse/run/plan_record.hpp"
-#include "suffuse/run/refine.hpp"
-#include "suffuse/run/runner.hpp"
-#include "suffuse/run/samples.hpp"
-#include "suffuse/run/stage_cache.hpp"
+#include "suffuse/job/ended_run.hpp"
+#include "suffuse/job/run_case.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/plan/plan_record.hpp"
+#include "suffuse/record/finished_stages.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/refine.hpp"
+#include "suffuse/record/samples.hpp"
+#include "suffuse/record/stage_cache.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "apps/asked_stages.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/live_report.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/progress_file.hpp"
 #include "apps/run_ending.hpp"
-#include "apps/run_folder.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/terminal.hpp"
 #include "apps/test_gate.hpp"
@@ -47,7 +49,7 @@ struct Job {
     fs::path folder;
     std::string case_text;
     fs::path cache; ///< empty: none
-    run::RunPlan plan;
+    plan::RunPlan plan;
 };
 
 double limit_of(const std::string& text) {
@@ -67,7 +69,7 @@ std::optional<fs::path> check_sample(const casefile::Case& what, const fs::path&
         return std::nullopt;
     }
     std::vector<std::string> names;
-    for (const run::Sample& sample : run::list_samples(what)) {
+    for (const record::Sample& sample : record::list_samples(what)) {
         names.push_back(sample.variant->folder);
     }
     if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -81,20 +83,20 @@ std::optional<fs::path> check_sample(const casefile::Case& what, const fs::path&
 
 /// The plan without what the folder or the cache holds, what comes after the stage asked for as the last, and other
 /// samples than the one asked for alone.
-run::RunPlan plan_rest(
+plan::RunPlan plan_rest(
     const casefile::Case& what, const fs::path& folder, const fs::path& cache, const std::string& until,
     const std::string& only = {}
 ) {
-    run::RunPlan plan = plan_case(what, only.empty() ? run::samples_at_once(what) : 1);
-    price_asked_alone(plan, what, until, only);
-    run::leave_out_done(plan, what, folder, run::StageCache(cache));
+    plan::RunPlan plan = plan::plan_case(what, only.empty() ? plan::samples_at_once(what) : 1);
+    plan::price_asked_alone(plan, what, until, only);
+    plan::leave_out_done(plan, what, folder, record::StageCache(cache));
     return plan;
 }
 
 /// The plan of what is asked for alone.
-run::RunPlan asked_plan(const Job& job, const CommandLine& line) {
-    run::RunPlan plan = job.plan;
-    keep_asked_alone(plan, job.what, line.until, line.sample);
+plan::RunPlan asked_plan(const Job& job, const CommandLine& line) {
+    plan::RunPlan plan = job.plan;
+    plan::keep_asked_alone(plan, job.what, line.until, line.sample);
     return plan;
 }
 
@@ -107,16 +109,16 @@ Screen standard_error(const Console& console) {
 }
 
 /// The run, and the last live page where no report takes its place.
-run::RunReport run_to_its_end(const Job& job, const run::RunOptions& options, std::optional<LiveReport>& live) {
+job::RunReport run_to_its_end(const Job& job, const run::RunOptions& options, std::optional<LiveReport>& live) {
     const auto close = [&](const std::string& ending) {
         if (live) {
             live->close(ending);
         }
     };
     try {
-        run::RunReport report = run::run_case(job.what, options);
-        if (run::is_resumable(report.outcome)) {
-            close(fmt::format("The run ended early: {}.", run::word_of(report.outcome)));
+        job::RunReport report = job::run_case(job.what, options);
+        if (record::is_resumable(report.outcome)) {
+            close(fmt::format("The run ended early: {}.", record::word_of(report.outcome)));
         }
         return report;
     } catch (const std::exception& error) {
@@ -140,8 +142,8 @@ run::RunOptions options_of(const Job& job, const CommandLine& line) {
     return options;
 }
 
-int tell_untouched(const run::RunReport& report, const Job& job, const Console& console) {
-    const std::string word(run::word_of(report.outcome));
+int tell_untouched(const job::RunReport& report, const Job& job, const Console& console) {
+    const std::string word(record::word_of(report.outcome));
     tell_results(report, word + " before; nothing to do", console);
     const int code = exit_code_of(report);
     console.document(json_text(
@@ -160,11 +162,11 @@ int tell_untouched(const run::RunReport& report, const Job& job, const Console& 
 
 /// The code of a run that needs nothing. What is damaged is told before anything is written.
 std::optional<int> look_before(const Job& job, const CommandLine& line, const Console& console) {
-    const std::string unchecked = run::tell_unchecked(run::require_whole_run(job.folder, line.sample));
+    const std::string unchecked = record::tell_unchecked(record::require_whole_run(job.folder, line.sample));
     if (!unchecked.empty()) {
         console.talk("warning: " + unchecked);
     }
-    const std::optional<run::RunReport> ended = run::find_ended(job.what, options_of(job, line));
+    const std::optional<job::RunReport> ended = job::find_ended(job.what, options_of(job, line));
     return ended ? std::optional(tell_untouched(*ended, job, console)) : std::nullopt;
 }
 
@@ -195,29 +197,29 @@ int conduct(const Job& job, const CommandLine& line, const Console& console) {
         gate.pass(progress);
     };
     if (line.sample.empty()) { // a sample beside others knows the price of its own stages only
-        run::keep_plan(job.folder, job.plan);
+        plan::keep_plan(job.folder, job.plan);
     }
     const Stopwatch watch;
-    const run::RunReport report = run_to_its_end(job, options, live);
+    const job::RunReport report = run_to_its_end(job, options, live);
     view.clear();
     for (const std::string& remark : report.remarks) {
         console.talk("warning: " + remark);
     }
     const double seconds = watch.seconds();
-    const bool was_done = std::ranges::all_of(asked_plan(job, line).stages, &run::StageEstimate::is_done);
+    const bool was_done = std::ranges::all_of(asked_plan(job, line).stages, &plan::StageEstimate::is_done);
     return tell_end(
-        {job.folder, line.sample, std::ssize(run::list_samples(job.what)), seconds, was_done}, report, console
+        {job.folder, line.sample, std::ssize(record::list_samples(job.what)), seconds, was_done}, report, console
     );
 }
 
 void tell_plan(const Job& job, const CommandLine& line, const std::string& verb, const Console& console) {
-    const run::RunPlan asked = asked_plan(job, line);
+    const plan::RunPlan asked = asked_plan(job, line);
     console.talk(fmt::format(
         "case  {}   preset {}   seed {}   {}{}", job.what.title.empty() ? "without a title" : job.what.title,
         job.what.preset, job.what.seed, plural(thread_count(), "thread"),
         job.plan.speed.at_once > 1 ? fmt::format("   {} samples at once", job.plan.speed.at_once) : ""
     ));
-    console.talk(fmt::format("plan  {}", plan_sentence(asked)));
+    console.talk(fmt::format("plan  {}", plan::plan_sentence(asked)));
     console.talk(fmt::format("{:5} {}   report.html there shows how far it is", verb, job.folder.string()));
     const auto cached =
         std::count_if(asked.stages.begin(), asked.stages.end(), [](const auto& stage) { return stage.is_cached; });
@@ -239,7 +241,7 @@ std::string larger_hint(const CommandLine& line, const Job& job) {
         const casefile::Case larger =
             casefile::load_case(line.subject, {"standard", line.overrides, line.studies}).value;
         return fmt::format(
-            "--preset standard ({})", duration_range_text(run::plan_run(larger, job.plan.speed).seconds)
+            "--preset standard ({})", duration_range_text(plan::plan_run(larger, job.plan.speed).seconds)
         );
     } catch (const Error&) {
         return "";
@@ -253,26 +255,26 @@ int run_verb(const CommandLine& line, const Console& console) {
     heed_signals();
     Job job;
     job.what = load_asked_case(line, console);
-    check_until(job.what, line.until);
-    job.case_text = casefile::read_whole_file(line.subject);
+    plan::check_until(job.what, line.until);
+    job.case_text = read_whole_file(line.subject);
     set_threads(line.threads);
-    job.cache = cache_folder(line, cache_beside(line.output.empty() ? "runs/new" : line.output));
+    job.cache = cache_folder(line, job::cache_beside(line.output.empty() ? "runs/new" : line.output));
     job.folder = line.output;
     job.plan = plan_rest(job.what, job.folder, job.cache, line.until); // where it throws no folder is left
     if (line.output.empty()) {
-        job.folder = make_run_folder(line.subject);
+        job.folder = job::make_run_folder(line.subject);
     } else {
-        take_run_folder(job.folder);
+        job::take_run_folder(job.folder);
     }
-    const FolderLock lock(job.folder, console);
+    const job::FolderLock lock(job.folder, console.warner());
     if (!fs::exists(job.folder / "run_options.json")) {
         const bool is_asked = line.no_cache || !line.cache.empty();
-        keep_asked(
+        job::keep_asked(
             job.folder, {fs::absolute(line.subject).string(), line.preset, line.overrides, line.studies,
                          is_asked ? std::optional(job.cache.string()) : std::nullopt}
         );
     }
-    run::open_folder(job.folder, job.what, job.case_text); // another case's is refused before the plan is told
+    record::open_folder(job.folder, job.what, job.case_text); // another case's is refused before the plan is told
     if (const std::optional<int> code = look_before(job, line, console)) {
         return *code;
     }
@@ -297,27 +299,29 @@ int resume_verb(const CommandLine& line, const Console& console) {
     limit_of(line.time_limit);
     heed_signals();
     const fs::path folder = line.subject;
-    const fs::path resolved = folder / run::resolved_case_file;
+    const fs::path resolved = folder / record::resolved_case_file;
     Job job;
     job.folder = folder;
-    fs::path usual_cache = cache_beside(folder);
+    fs::path usual_cache = job::cache_beside(folder);
     if (fs::exists(folder / "run_options.json")) {
-        usual_cache = read_asked(folder).cache.value_or(usual_cache.string());
+        usual_cache = job::read_asked(folder).cache.value_or(usual_cache.string());
     }
     job.cache = cache_folder(line, usual_cache);
     if (fs::exists(resolved)) {
-        job.what = run::load_run(folder);
+        job.what = record::load_run(folder);
     } else { // stopped before it really began
-        const AskedRun asked = read_asked(folder);
+        const job::AskedRun asked = job::read_asked(folder);
         job.what = casefile::load_case(asked.case_file, {asked.preset, asked.overrides, asked.studies}).value;
-        job.case_text = casefile::read_whole_file(asked.case_file);
+        job.case_text = read_whole_file(asked.case_file);
     }
-    check_until(job.what, line.until);
+    plan::check_until(job.what, line.until);
     set_threads(line.threads);
     const auto own = check_sample(job.what, folder, line.sample);
-    const FolderLock lock(folder, console, own ? FolderLock::Kind::Shared : FolderLock::Kind::Alone);
-    const std::optional<FolderLock> own_lock =
-        own ? std::optional<FolderLock>(std::in_place, *own, console) : std::nullopt;
+    const job::FolderLock lock(
+        folder, console.warner(), own ? job::FolderLock::Kind::Shared : job::FolderLock::Kind::Alone
+    );
+    const std::optional<job::FolderLock> own_lock =
+        own ? std::optional<job::FolderLock>(std::in_place, *own, console.warner()) : std::nullopt;
     if (const std::optional<int> code = look_before(job, line, console)) {
         return *code;
     }
@@ -328,13 +332,13 @@ int resume_verb(const CommandLine& line, const Console& console) {
 
 int report_verb(const CommandLine& line, const Console& console) {
     const fs::path folder = line.subject;
-    run::check_is_run(folder); // before the lock, which would leave a file there
-    const FolderLock lock(folder, console);
-    const std::string unchecked = run::tell_unchecked(run::require_whole_run(folder));
+    record::check_is_run(folder); // before the lock, which would leave a file there
+    const job::FolderLock lock(folder, console.warner());
+    const std::string unchecked = record::tell_unchecked(record::require_whole_run(folder));
     if (!unchecked.empty()) {
         console.talk("warning: " + unchecked);
     }
-    const run::RunReport report = run::rebuild_report(folder, page_folder(), line.typed);
+    const job::RunReport report = job::rebuild_report(folder, page_folder(), line.typed);
     tell_results(report, "written", console);
     console.document(json_text(
         {{"report", report.report.string()},

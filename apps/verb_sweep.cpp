@@ -1,14 +1,17 @@
 // sweep: the samples of a case as tasks that any machine can run, and one run folder gathered from what they leave.
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/read_text.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/spelling.hpp"
 #include "suffuse/casefile/bind.hpp"
-#include "suffuse/casefile/read_text.hpp"
 #include "suffuse/io/atomic_file.hpp"
-#include "suffuse/run/finished_stages.hpp"
-#include "suffuse/run/folder.hpp"
-#include "suffuse/run/refine.hpp"
-#include "suffuse/run/sample_run.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/record/finished_stages.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/missing_stages.hpp"
+#include "suffuse/record/refine.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +19,6 @@
 #include "apps/failures.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/run_ending.hpp"
-#include "apps/run_folder.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
@@ -51,41 +53,41 @@ std::string without_patterns(const std::string& path) {
 struct Emitted {
     casefile::Case what;
     fs::path folder; ///< absolute: tasks run from anywhere
-    std::vector<run::Sample> left;
+    std::vector<record::Sample> left;
 };
 
 /// A new run folder for the case, or the one that is given.
 fs::path prepare_folder(const CommandLine& line, const Console& console, casefile::Case& what) {
     if (fs::is_directory(line.subject)) {
         const fs::path folder = line.subject;
-        if (!fs::exists(folder / run::resolved_case_file)) {
+        if (!fs::exists(folder / record::resolved_case_file)) {
             throw UsageError(fmt::format(
                 "{} holds no run; give a case file, or the folder that suffuse run has named", shown(line.subject)
             ));
         }
-        what = run::load_run(folder);
+        what = record::load_run(folder);
         return folder;
     }
     what = load_asked_case(line, console);
     fs::path folder = line.output;
     if (folder.empty()) {
-        folder = make_run_folder(line.subject);
+        folder = job::make_run_folder(line.subject);
     } else {
-        take_run_folder(folder);
+        job::take_run_folder(folder);
     }
     if (!fs::exists(folder / "run_options.json")) {
         const bool is_asked = line.no_cache || !line.cache.empty();
-        keep_asked(
+        job::keep_asked(
             folder, {fs::absolute(line.subject).string(), line.preset, line.overrides, line.studies,
                      is_asked ? std::optional(cache_folder(line, {}).string()) : std::nullopt}
         );
     }
-    run::open_folder(folder, what, casefile::read_whole_file(line.subject));
+    record::open_folder(folder, what, read_whole_file(line.subject));
     return folder;
 }
 
 /// One task, as a shell runs it.
-std::string task_text(const Emitted& emitted, const run::Sample& sample, const CommandLine& line) {
+std::string task_text(const Emitted& emitted, const record::Sample& sample, const CommandLine& line) {
     const std::string limit = line.time_limit.empty() ? "" : " --time-limit " + shell_word(line.time_limit);
     return fmt::format(
         "{} resume {} --sample {} -j {}{}\n", shell_word(fs::read_symlink("/proc/self/exe").string()),
@@ -96,7 +98,7 @@ std::string task_text(const Emitted& emitted, const run::Sample& sample, const C
 /// Memory for a task, with room for what a plan cannot know [MB].
 int memory_of_task(const casefile::Case& what) {
     constexpr double room = 1.5, megabyte = 1e6;
-    const run::RunPlan plan = plan_case(what, 1);
+    const plan::RunPlan plan = plan::plan_case(what, 1);
     return static_cast<int>(std::ceil(room * plan.memory / megabyte));
 }
 
@@ -142,8 +144,8 @@ int emit(const CommandLine& line, const Console& console) {
         throw UsageError(fmt::format("{}: tasks stand in lines; give -o a folder without line breaks", shown(folder)));
     }
     std::string tasks;
-    for (const run::Sample& sample : run::list_samples(emitted.what)) {
-        if (!run::is_complete(sample, folder)) {
+    for (const record::Sample& sample : record::list_samples(emitted.what)) {
+        if (!record::is_complete(sample, folder)) {
             emitted.left.push_back(sample);
             tasks += task_text(emitted, sample, line);
         }
@@ -174,35 +176,35 @@ int emit(const CommandLine& line, const Console& console) {
 
 int collect(const CommandLine& line, const Console& console) {
     const fs::path folder = line.collect;
-    if (!fs::exists(folder / run::resolved_case_file)) {
+    if (!fs::exists(folder / record::resolved_case_file)) {
         throw UsageError(
             fmt::format("{} holds no run; give the folder that suffuse sweep --emit has named", shown(line.collect))
         );
     }
-    const FolderLock lock(folder, console);
-    const std::string unchecked = run::tell_unchecked(run::require_whole_run(folder));
+    const job::FolderLock lock(folder, console.warner());
+    const std::string unchecked = record::tell_unchecked(record::require_whole_run(folder));
     if (!unchecked.empty()) {
         console.talk("warning: " + unchecked);
     }
-    const std::vector<run::Refinement> refined = run::find_refinements(run::load_run(folder), folder);
+    const std::vector<record::Refinement> refined = record::find_refinements(record::load_run(folder), folder);
     if (!refined.empty()) {
-        run::keep_refinements(folder, refined);
+        record::keep_refinements(folder, refined);
     }
-    const casefile::Case what = run::load_run(folder);
-    const std::vector<run::Sample> samples = run::list_samples(what);
-    if (std::any_of(samples.begin(), samples.end(), [&](const run::Sample& sample) {
+    const casefile::Case what = record::load_run(folder);
+    const std::vector<record::Sample> samples = record::list_samples(what);
+    if (std::any_of(samples.begin(), samples.end(), [&](const record::Sample& sample) {
             return fs::exists(folder / "studies" / sample.variant->folder / "provenance.json"); // was a task's
         })) {
         fs::remove(folder / "provenance.json"); // of an earlier gathering, which had fewer of them
     }
-    const run::RunReport report = run::rebuild_report(folder, page_folder(), line.typed);
+    const job::RunReport report = job::rebuild_report(folder, page_folder(), line.typed);
     std::vector<std::string> unfinished;
-    for (const run::Sample& sample : samples) {
+    for (const record::Sample& sample : samples) {
         const std::string& name = sample.variant->folder;
         const bool has_failed = std::any_of(report.failures.begin(), report.failures.end(), [&](const auto& failure) {
             return failure.sample == name;
         });
-        if (!has_failed && !run::is_complete(sample, folder)) {
+        if (!has_failed && !record::is_complete(sample, folder)) {
             unfinished.push_back(name);
         }
     }

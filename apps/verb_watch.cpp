@@ -1,14 +1,15 @@
 // watch: a run followed from another terminal, through what its folder holds; or, when it is over, how it went.
 
 #include "suffuse/base/shell_word.hpp"
-#include "suffuse/run/folder.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/record/folder.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/event_log.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/progress_file.hpp"
-#include "apps/run_folder.hpp"
 #include "apps/verbs.hpp"
 #include <chrono>
 #include <cstdio>
@@ -74,7 +75,7 @@ public:
             if (news) {
                 last_news_ = Clock::now();
             } else if (is_first_ || Clock::now() - last_news_ > silence) {
-                if (!is_at_work(folder_)) {
+                if (!job::is_at_work(folder_)) {
                     tell_events(); // what it said between the look and its end
                     break;
                 }
@@ -91,7 +92,8 @@ public:
 
     /// Whether the run saved itself and would go on.
     [[nodiscard]] bool is_resumable() const {
-        return outcome_ == run::word_of(run::Outcome::Stopped) || outcome_ == run::word_of(run::Outcome::TimeLimit);
+        return outcome_ == record::word_of(record::Outcome::Stopped) ||
+               outcome_ == record::word_of(record::Outcome::TimeLimit);
     }
 
     /// The command that goes on with it.
@@ -152,7 +154,7 @@ int watch_verb(const CommandLine& line, const Console& console) {
             shell_word(line.subject), shell_word((folder / "studies" / "STUDY" / "SAMPLE").string())
         ));
     }
-    if (!fs::exists(folder / "events.jsonl") && !is_at_work(folder)) {
+    if (!fs::exists(folder / "events.jsonl") && !job::is_at_work(folder)) {
         throw UsageError(fmt::format(
             "{} holds no run that has begun; suffuse watch wants the folder that suffuse run names", shown(line.subject)
         ));

@@ -1,6 +1,7 @@
 #include "apps/verbs.hpp"
 
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
 
 #include <fmt/format.h>
@@ -36,9 +37,16 @@ int perform(const CommandLine& line, const Console& console) {
 casefile::Case load_asked_case(const CommandLine& line, const Console& console) {
     casefile::LoadedCase loaded = casefile::load_case(line.subject, {line.preset, line.overrides, line.studies});
     if (!loaded.warnings.empty()) {
-        console.talk(casefile::render(loaded.warnings, console.has_color()));
+        console.talk(render(loaded.warnings, console.has_color()));
     }
     return std::move(loaded.value);
+}
+
+std::filesystem::path cache_folder(const CommandLine& line, const std::filesystem::path& usual) {
+    if (line.no_cache) {
+        return {};
+    }
+    return line.cache.empty() ? usual : std::filesystem::absolute(line.cache).lexically_normal();
 }
 
 void set_threads(int asked) {
@@ -46,30 +54,11 @@ void set_threads(int asked) {
     set_thread_count(asked > 0 ? asked : std::max(cores, 1));
 }
 
-run::RunPlan plan_case(const casefile::Case& what, int at_once) {
-    constexpr double window = 0.3; // [s]
-    const std::int64_t grains = run::largest_sample(what);
-    run::MachineSpeed speed = run::measure_speed(grains, what.mode, window, at_once);
-    if (what.mode != dem::Mode::Reference) { // relaxations and probes keep to it
-        const run::MachineSpeed reference = run::measure_speed(grains, dem::Mode::Reference, window, at_once);
-        speed.in_reference_mode = reference.particle_steps_per_second;
-    }
-    return run::plan_run(what, speed);
-}
-
-std::string plan_sentence(const run::RunPlan& plan) {
-    return fmt::format(
-        "{}, {}, {} steps: {}, up to {} memory, {} disk", plan.studies == 1 ? "1 study" : plural(plan.studies, "study"),
-        plural(std::ssize(plan.stages), "stage"), steps_text(plan.steps), duration_range_text(plan.seconds),
-        size_text(plan.memory), size_text(plan.disk)
-    );
-}
-
 std::string json_text(const nlohmann::json& json) {
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-nlohmann::json problem_json(const casefile::Diagnostic& problem) {
+nlohmann::json problem_json(const Diagnostic& problem) {
     return {{"code", problem.code},     {"kind", problem.is_warning ? "warning" : "error"},
             {"file", problem.file},     {"line", problem.line},
             {"column", problem.column}, {"message", problem.message},

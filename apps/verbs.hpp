@@ -4,10 +4,11 @@
 #include "suffuse/base/units.hpp"
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/casefile/load_case.hpp"
-#include "suffuse/run/plan.hpp"
+#include "suffuse/plan/plan.hpp"
 
 #include "apps/command_line.hpp"
 #include "apps/console.hpp"
+#include <filesystem>
 #include <string>
 
 namespace suffuse::apps {
@@ -37,21 +38,17 @@ int assess_verb(const CommandLine& line, const Console& console);
 /// The case with its preset and overrides; its warnings are told.
 casefile::Case load_asked_case(const CommandLine& line, const Console& console);
 
+/// What the command line says of the cache, or `usual` where it says nothing; empty: none.
+std::filesystem::path cache_folder(const CommandLine& line, const std::filesystem::path& usual);
+
 /// Sets the number of threads: as asked, or one for each core.
 void set_threads(int asked);
-
-/// What the case will cost with the threads that were set, priced by a measurement.
-/// @param at_once samples that run side by side
-run::RunPlan plan_case(const casefile::Case& what, int at_once);
-
-/// "2 studies, 12 stages, 2.1e6 steps: 3-5 min, 410 MB memory, 180 MB disk".
-std::string plan_sentence(const run::RunPlan& plan);
 
 /// JSON as text; what is not UTF-8 is replaced.
 std::string json_text(const nlohmann::json& json);
 
 /// One problem of a case.
-nlohmann::json problem_json(const casefile::Diagnostic& problem);
+nlohmann::json problem_json(const Diagnostic& problem);
 
 /// Edges "LX,LY,LZ" or nine numbers by rows, in meters or with units -> cell matrix [m]. @throws UsageError.
 Mat3 cell_of(const std::string& text);

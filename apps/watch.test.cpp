@@ -1,10 +1,12 @@
 // What watch reads: the published progress, and the events as they come.
 
+#include "suffuse/job/run_folder.hpp"
+
 #include <gtest/gtest.h>
 
+#include "apps/console.hpp"
 #include "apps/event_log.hpp"
 #include "apps/progress_file.hpp"
-#include "apps/run_folder.hpp"
 #include "tests/support/temp_folder.hpp"
 #include <cerrno>
 #include <fstream>
@@ -33,7 +35,7 @@ run::Progress somewhere(int sample) {
 
 TEST(ProgressFile, SaysWhereEachSampleIsAndHowLongItWillTake) {
     const TempFolder folder;
-    run::RunPlan plan;
+    plan::RunPlan plan;
     plan.stages.resize(2);
     plan.stages[0].seconds = plan.stages[1].seconds = {100, 200};
     ProgressFile file(folder.path(), plan);
@@ -92,14 +94,14 @@ TEST(EventLog, HostileWordsDoNotMoveTheCursor) {
 
 TEST(RunFolder, KnowsWhetherSomebodyIsAtWork) {
     const TempFolder folder;
-    EXPECT_FALSE(is_at_work(folder.path()));
+    EXPECT_FALSE(job::is_at_work(folder.path()));
     {
-        const FolderLock lock(folder.path(), Console());
-        EXPECT_TRUE(is_at_work(folder.path()));
+        const job::FolderLock lock(folder.path(), Console().warner());
+        EXPECT_TRUE(job::is_at_work(folder.path()));
     }
-    EXPECT_FALSE(is_at_work(folder.path()));
-    EXPECT_EQ(try_lock(-1, LOCK_EX), EBADF);          // cannot be locked: not the same as taken
-    const FolderLock again(folder.path(), Console()); // looking at it does not hold it
+    EXPECT_FALSE(job::is_at_work(folder.path()));
+    EXPECT_EQ(job::try_lock(-1, LOCK_EX), EBADF);                   // cannot be locked: not the same as taken
+    const job::FolderLock again(folder.path(), Console().warner()); // looking at it does not hold it
 }
 
 } // namespace

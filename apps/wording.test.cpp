@@ -1,5 +1,7 @@
 #include "apps/wording.hpp"
 
+#include "suffuse/base/amounts.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -126,7 +126,7 @@ build_target() {
 # The report's page is optional: without it, reports are plain, and each call says so. It is rebuilt when a source of it
 # is newer than its stamp; the stamp of a failure holds the line to say.
 build_report_page() {
-    [ -x "$root/report/build.sh" ] || return 0
+    [ -x "$root/page/build.sh" ] || return 0
     page_stamp=$root/build/report-page.stamp
     if [ -e "$page_stamp" ]; then
         newer=$(find "$root/report" -name node_modules -prune -o -type f -newer "$page_stamp" -print | head -n 1)
@@ -136,7 +136,7 @@ build_report_page() {
         need_packages nodejs npm || { say "no node (18 or newer) and npm: the report will be plain"; return 0; }
     fi
     [ "$offline" = no ] || { say "--offline leaves out the report's page, which npm builds: the report will be plain"; return 0; }
-    if step "report page" report-page.log "$root/report/build.sh" "$root/build/report-page"; then
+    if step "report page" report-page.log "$root/page/build.sh" "$root/build/report-page"; then
         : >"$page_stamp"
     else
         say "the report will be plain; to try again: rm $page_stamp" 2>"$page_stamp"

@@ -46,11 +46,28 @@ def member(name, one):
     return signature(name, one)
 
 
+def is_inner(base):
+    """Whether a base class is no public name: what it has belongs to whoever inherits it."""
+    return base.__module__.startswith("suffuse.") and base.__module__ != "suffuse._core" and base.__name__ not in suffuse.__all__
+
+
+def members_of(one):
+    found = {}
+    for base in reversed([base for base in one.__bases__ if is_inner(base)]):
+        found.update(members_of(base))
+    found.update(vars(one))
+    return found
+
+
 def lines_of(name, one):
     if inspect.isclass(one):
-        bases = [base.__name__ for base in one.__bases__ if base is not object and "pybind11" not in base.__name__]
+        bases = [
+            base.__name__
+            for base in one.__bases__
+            if base is not object and "pybind11" not in base.__name__ and not is_inner(base)
+        ]
         lines = [f"class {name}({', '.join(bases)})"]
-        found = (member(part, what) for part, what in sorted(vars(one).items()))
+        found = (member(part, what) for part, what in sorted(members_of(one).items()))
         return lines + [f"    {line}" for line in found if line]
     if callable(one):
         return [signature(name, one)]

@@ -4,7 +4,7 @@
 tools/record_plans.py RUN... >> tests/reference/planned_runs.csv
 tools/record_plans.py --preparation RUN...
 
-The second writes the table of suffuse/run/preparation_price.hpp anew: what preparing samples took in these runs, over
+The second writes the table of suffuse/plan/preparation_price.hpp anew: what preparing samples took in these runs, over
 what the plan had expected, for each kind of preparation that they hold; other rows stay.
 
 The speed is that which the run measured when it began, or --speed: of a run on a machine that others use too, take the
@@ -18,7 +18,7 @@ import pathlib
 import re
 import statistics
 
-TABLE = pathlib.Path(__file__).parent.parent / "suffuse/run/preparation_price.hpp"
+TABLE = pathlib.Path(__file__).parent.parent / "suffuse/plan/preparation_price.hpp"
 COVERED = 5 / 6  # of the samples seen lie in a row's range, around their median
 
 

@@ -50,15 +50,6 @@ def read_case(packing):
     }
 
 
-def make_peer(name, case, threads, folder):
-    if name == "yade":
-        from yade_peer import Yade as Peer
-    else:
-        from lammps_peer import Lammps as Peer
-    folder.mkdir(parents=True, exist_ok=True)
-    return Peer(case, threads, folder)
-
-
 def run_alone(command, **more):
     """A program from its start to its end: its standard output, wall seconds, and seconds of processor time."""
     before, begin = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()

@@ -13,6 +13,7 @@ import sys
 
 import harness
 from harness import of, quartiles, row, say
+from peer import make_peer
 
 CASE = pathlib.Path(__file__).resolve().parent / "prepare.toml"
 PHYSICS = ["grains", "steps", "void_ratio", "coordination", "rattlers", "stress_1", "stress_2", "stress_3", "unbalanced_force_yade"]
@@ -72,7 +73,7 @@ def print_result(options, peer, windows, made):
 def main():
     options = read_arguments()
     case = harness.read_case(options.packing)
-    peer = harness.make_peer(options.peer, case, options.threads, options.output.with_suffix(""))
+    peer = make_peer(options.peer, case, options.threads, options.output.with_suffix(""))
     say(f"{peer.title} settles {len(case['grains'])} grains ...")
     peer.settle()
     theirs = lambda: {"code": peer.name, **peer.measure(options.peer_steps)}

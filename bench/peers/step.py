@@ -11,6 +11,7 @@ import sys
 
 import harness
 from harness import of, quartiles, row, say
+from peer import make_peer
 
 PHYSICS = ["grains", "contacts", "void_ratio", "coordination", "stress_1", "stress_2", "stress_3", "unbalanced_force_yade"]
 
@@ -68,7 +69,7 @@ def print_result(options, peer, windows):
 def main():
     options = read_arguments()
     case = harness.read_case(options.packing)
-    peer = harness.make_peer(options.peer, case, options.threads, options.output.with_suffix(""))
+    peer = make_peer(options.peer, case, options.threads, options.output.with_suffix(""))
     options.peer_steps = options.peer_steps or (options.steps // options.pairs if peer.goes_on else options.steps)
     packing_csv = options.output.with_suffix("") / "packing.csv"
     packing_csv.write_bytes(gzip.open(options.packing).read())

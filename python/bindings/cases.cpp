@@ -1,15 +1,14 @@
 // Case files: read, checked, priced; and the words of the schema.
 
+#include "suffuse/base/read_text.hpp"
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/load_case.hpp"
-#include "suffuse/casefile/read_text.hpp"
 #include "suffuse/casefile/schema.hpp"
-#include "suffuse/run/plan.hpp"
+#include "suffuse/job/explain_word.hpp"
+#include "suffuse/plan/plan.hpp"
 
 #include <fmt/format.h>
 
-#include "apps/explain_word.hpp"
-#include "apps/verbs.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/case_handle.hpp"
 #include "python/bindings/convert.hpp"
@@ -18,8 +17,6 @@
 
 namespace suffuse::python {
 namespace {
-
-using casefile::Diagnostic;
 using casefile::Key;
 
 void bind_diagnostic(py::module_& m) {
@@ -44,7 +41,7 @@ void bind_diagnostic(py::module_& m) {
                                   s[9].cast<bool>()};
             }
         ))
-        .def("__str__", [](const Diagnostic& problem) { return casefile::render({problem}); })
+        .def("__str__", [](const Diagnostic& problem) { return render({problem}); })
         .def("__repr__", [](const Diagnostic& problem) {
             return fmt::format("<{} {}:{}: {}>", problem.code, problem.file, problem.line, problem.message);
         });
@@ -56,7 +53,7 @@ CaseHandle load(
 ) {
     CaseHandle made;
     made.path = path;
-    made.text = casefile::read_whole_file(path.string());
+    made.text = read_whole_file(path.string());
     made.options = {preset, changes, studies};
     made.loaded = casefile::load_case(path.string(), made.options);
     return made;
@@ -96,13 +93,13 @@ void bind_case(py::module_& m) {
             "The case with every default and unit spelled out, as TOML."
         )
         .def("plan", [](const CaseHandle& self) {
-            run::RunPlan plan;
+            plan::RunPlan plan;
             {
                 const Working working;
-                plan = apps::plan_case(self.loaded.value, run::samples_at_once(self.loaded.value));
+                plan = plan::plan_case(self.loaded.value, plan::samples_at_once(self.loaded.value));
             }
             nlohmann::json json = plan;
-            json["text"] = apps::plan_sentence(plan);
+            json["text"] = plan::plan_sentence(plan);
             return to_python(json);
         });
 }
@@ -122,7 +119,7 @@ void bind_schema(py::module_& m) {
         "schema", [] { return casefile::schema(); }, "Every key that a case may have."
     );
     m.def(
-        "explain", &apps::explain_word, py::arg("word"),
+        "explain", &job::explain_word, py::arg("word"),
         "One screen on a key of a case, a code of an error, a figure, a criterion of stability, or \"conventions\"."
     );
 }

@@ -1,11 +1,10 @@
 // Every error of the library as a Python exception with the same text; its numbers are attributes.
 
+#include "suffuse/base/diagnostics.hpp"
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/read_text.hpp"
 #include "suffuse/base/units.hpp"
-#include "suffuse/casefile/diagnostics.hpp"
-#include "suffuse/casefile/read_text.hpp"
 
-#include "apps/command_line.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
 
@@ -35,7 +34,7 @@ PyObject* make(py::module_& m, const char* name, const char* doc, const std::vec
 
 /// Names of files may hold bytes that are no text: a question mark for each, or the message itself would be an error.
 py::object text(const std::string& value) {
-    return py::str(casefile::as_utf8(value));
+    return py::str(as_utf8(value));
 }
 
 template <class... Attribute>
@@ -50,9 +49,9 @@ void translate(std::exception_ptr thrown) {
     using Field = std::pair<const char*, py::object>;
     try {
         std::rethrow_exception(std::move(thrown));
-    } catch (const casefile::CaseProblems& error) {
+    } catch (const CaseProblems& error) {
         py::list problems;
-        for (const casefile::Diagnostic& problem : error.problems) {
+        for (const Diagnostic& problem : error.problems) {
             problems.append(py::cast(problem));
         }
         raise(
@@ -76,7 +75,7 @@ void translate(std::exception_ptr thrown) {
         raise(classes.io, error.what());
     } catch (const Interrupted& error) {
         raise(classes.interrupted, error.what());
-    } catch (const apps::UsageError& error) {
+    } catch (const UsageError& error) {
         raise(classes.usage, error.what());
     } catch (const Error& error) {
         raise(classes.error, error.what());

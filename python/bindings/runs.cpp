@@ -1,17 +1,17 @@
 // Cases that run, from Python: as the verbs run and resume do it, in the same folders, under the same lock.
 
-#include "suffuse/run/checksums.hpp"
-#include "suffuse/run/compare_runs.hpp"
-#include "suffuse/run/finished_stages.hpp"
-#include "suffuse/run/folder.hpp"
-#include "suffuse/run/runner.hpp"
-#include "suffuse/run/stage_sums.hpp"
+#include "suffuse/job/draw_figures.hpp"
+#include "suffuse/job/run_case.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/record/checksums.hpp"
+#include "suffuse/record/compare_runs.hpp"
+#include "suffuse/record/finished_stages.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/stage_sums.hpp"
 
 #include <fmt/format.h>
 
-#include "apps/asked_stages.hpp"
-#include "apps/draw_figures.hpp"
-#include "apps/run_folder.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/case_handle.hpp"
 #include "python/bindings/convert.hpp"
@@ -29,6 +29,15 @@
 
 namespace suffuse::python {
 namespace {
+
+/// As a warning of Python's, from whichever thread. One that is to be an error goes to standard error: nothing else is
+/// wrong.
+void warn(const std::string& text) {
+    const py::gil_scoped_acquire interpreter;
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) {
+        PyErr_WriteUnraisable(Py_None);
+    }
+}
 
 namespace fs = std::filesystem;
 
@@ -121,17 +130,17 @@ private:
 };
 
 /// Runs on a thread of its own; this one listens to the user meanwhile, and has the turn, for what on_progress steps.
-run::RunReport run_and_listen(const casefile::Case& what, run::RunOptions options, Listener& listener) {
+job::RunReport run_and_listen(const casefile::Case& what, run::RunOptions options, Listener& listener) {
     const Working working;
-    run::RunReport report;
+    job::RunReport report;
     std::exception_ptr failure;
     Mailbox mailbox;
     options.stop = &listener.stop;
     options.on_progress = [&](const run::Progress& progress) { mailbox.post(progress); };
     std::thread worker([&] {
         try {
-            const apps::FolderLock lock(options.folder, apps::Console());
-            report = run::run_case(what, options);
+            const job::FolderLock lock(options.folder, warn);
+            report = job::run_case(what, options);
         } catch (...) {
             failure = std::current_exception();
         }
@@ -151,7 +160,7 @@ py::tuple conduct(
     const CaseHandle& what, const fs::path& folder, const std::string& until, const py::object& time_limit,
     const fs::path& page_folder, const py::object& on_progress, const fs::path& cache
 ) {
-    apps::check_until(what.loaded.value, until);
+    plan::check_until(what.loaded.value, until);
     run::RunOptions options;
     options.cache = cache;
     options.folder = folder;
@@ -163,9 +172,9 @@ py::tuple conduct(
         options.time_limit = *limit;
     }
     Listener listener(on_progress);
-    const run::RunReport report = run_and_listen(what.loaded.value, std::move(options), listener);
+    const job::RunReport report = run_and_listen(what.loaded.value, std::move(options), listener);
     listener.raise_what_was_raised();
-    return py::make_tuple(run::word_of(report.outcome), report.report);
+    return py::make_tuple(record::word_of(report.outcome), report.report);
 }
 
 } // namespace
@@ -177,12 +186,12 @@ void bind_runs(py::module_& m) {
             fs::path folder;
             if (wanted) {
                 folder = *wanted;
-                apps::take_run_folder(folder);
+                job::take_run_folder(folder);
             } else {
-                folder = apps::make_run_folder(what.path);
+                folder = job::make_run_folder(what.path);
             }
             if (!fs::exists(folder / "run_options.json")) {
-                apps::keep_asked(
+                job::keep_asked(
                     folder, {fs::absolute(what.path).string(),
                              what.options.preset,
                              what.options.overrides,
@@ -195,11 +204,11 @@ void bind_runs(py::module_& m) {
         py::arg("case"), py::arg("wanted")
     );
     m.def("check_until", [](const CaseHandle& what, const std::string& until) {
-        apps::check_until(what.loaded.value, until);
+        plan::check_until(what.loaded.value, until);
     });
     m.def("check_time_limit", [](const py::object& limit) { optional_quantity(limit, dimension::time, "time_limit"); });
     m.def("asked_run", [](const fs::path& folder) {
-        const apps::AskedRun asked = apps::read_asked(folder);
+        const job::AskedRun asked = job::read_asked(folder);
         return py::make_tuple(asked.case_file, asked.preset, asked.overrides, asked.studies);
     });
     m.def(
@@ -207,36 +216,36 @@ void bind_runs(py::module_& m) {
         py::arg("page_folder"), py::arg("on_progress"), py::arg("cache")
     );
     m.def(
-        "read_cbor", [](const fs::path& path) { return to_python(run::read_cbor(path)); }, py::arg("path"),
+        "read_cbor", [](const fs::path& path) { return to_python(record::read_cbor(path)); }, py::arg("path"),
         "What a stage keeps in results.cbor."
     );
     m.def("draw_figure", [](const fs::path& run, const std::string& which, const fs::path& file, const fs::path& page) {
         const Working working;
-        run::require_same_figures(run, {which}, {".vl.json", ".svg"});
-        apps::draw_figure(run, which, file, page);
+        record::require_same_figures(run, {which}, {".vl.json", ".svg"});
+        job::draw_figure(run, which, file, page);
     });
     m.def(
-        "check_file", &run::check_file, py::arg("path"),
+        "check_file", &record::check_file, py::arg("path"),
         "Raises IoError where a file of a finished stage is not as the stage left it."
     );
     m.def(
-        "check_result", &run::require_same_result, py::arg("run"), py::arg("name"),
+        "check_result", &record::require_same_result, py::arg("run"), py::arg("name"),
         "Raises IoError where a file that the report wrote is not as it was when the run ended."
     );
     m.def("compare_runs", [](const fs::path& first, const fs::path& second, double tolerance) {
-        const nlohmann::json found = run::compare_runs(first, second, tolerance);
+        const nlohmann::json found = record::compare_runs(first, second, tolerance);
         return to_python(found);
     });
     m.def("verify_run", [](const fs::path& folder) {
-        const nlohmann::json found = run::verify_run(folder);
+        const nlohmann::json found = record::verify_run(folder);
         return to_python(found);
     });
     m.def("rebuild_report", [](const fs::path& folder, const fs::path& page_folder) {
         const Working working;
-        run::check_is_run(folder); // before the lock, which would leave a file there
-        const apps::FolderLock lock(folder, apps::Console());
-        run::require_whole_run(folder);
-        return run::rebuild_report(folder, page_folder, "suffuse.Run.rebuild_report() in Python").report;
+        record::check_is_run(folder); // before the lock, which would leave a file there
+        const job::FolderLock lock(folder, warn);
+        record::require_whole_run(folder);
+        return job::rebuild_report(folder, page_folder, "suffuse.Run.rebuild_report() in Python").report;
     });
 }
 

@@ -1,11 +1,11 @@
 // Internal stability of a soil by its grading.
 
 #include "suffuse/base/units.hpp"
-#include "suffuse/casefile/read_grading.hpp"
 #include "suffuse/grains/gradation.hpp"
+#include "suffuse/io/read_grading.hpp"
+#include "suffuse/job/assessed_soil.hpp"
 #include "suffuse/stability/open_curve.hpp"
 
-#include "apps/assessed_soil.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
 #include "python/bindings/work.hpp"
@@ -47,8 +47,8 @@ grains::Grading grading_of(const grains::Grains& grains) {
 }
 
 /// A World, a file, or (sizes, shares finer).
-apps::AssessedSoil soil_of(const py::object& what) {
-    apps::AssessedSoil soil;
+job::AssessedSoil soil_of(const py::object& what) {
+    job::AssessedSoil soil;
     if (py::isinstance<WorldHandle>(what)) {
         soil.name = "a packing";
         soil.assessment.grading = grading_of(what.cast<const WorldHandle&>().world().grains);
@@ -63,7 +63,7 @@ apps::AssessedSoil soil_of(const py::object& what) {
     } else {
         const auto path = what.cast<std::filesystem::path>();
         soil.name = path.string();
-        soil.assessment.grading = casefile::read_grading(path.string(), casefile::CurveEnds::MayBeOpen);
+        soil.assessment.grading = io::read_grading(path.string(), io::CurveEnds::MayBeOpen);
     }
     return soil;
 }
@@ -77,10 +77,10 @@ py::object assess(
     spec.relative_density = optional_quantity(relative_density, dimension::none, "relative_density");
     spec.fabric = coarse_fabric ? stability::PrimaryFabric::Coarse : stability::PrimaryFabric::Soil;
     spec.seepage = seepage_of(gradient, porosity, density, alpha);
-    apps::AssessedSoil soil = soil_of(grading);
+    job::AssessedSoil soil = soil_of(grading);
     soil.assessment = stability::assess_measured(soil.assessment.grading, spec);
-    nlohmann::json told = apps::soil_json(soil, spec);
-    told["text"] = apps::text_of(soil, spec);
+    nlohmann::json told = job::soil_json(soil, spec);
+    told["text"] = job::text_of(soil, spec);
     return to_python(told);
 }
 

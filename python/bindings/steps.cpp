@@ -1,13 +1,12 @@
 // What moves a world: steps under a loading and under forces, settling, relaxing, triaxial tests and stress probes.
 
 #include "suffuse/casefile/names.hpp"
-#include "suffuse/cell/drive.hpp"
-#include "suffuse/cell/hold_stress.hpp"
+#include "suffuse/dem/drive_world.hpp"
 #include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/order.hpp"
 #include "suffuse/dem/relax.hpp"
-#include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/stable_dt.hpp"
-#include "suffuse/run/result_json.hpp"
+#include "suffuse/record/result_json.hpp"
 #include "suffuse/triaxial/response.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
 
@@ -21,7 +20,8 @@
 #include "python/bindings/views.hpp"
 #include "python/bindings/work.hpp"
 #include "python/bindings/world_handle.hpp"
-#include <algorithm>
+#include <cstdint>
+#include <limits>
 
 namespace suffuse::python {
 namespace {
@@ -55,9 +55,7 @@ std::optional<double> time_step_of(const py::object& value, Stepping& call) {
 
 /// What the caller of a step asked for.
 struct Asked {
-    dem::StepPlan plan;
-    bool computed = true;            ///< the time step
-    std::int64_t known_contacts = 0; ///< touching when it was
+    dem::StepPlan plan; ///< its time step is 0 where it is to be computed
     grains::GrainLoad load;
 };
 
@@ -69,25 +67,12 @@ std::shared_ptr<Asked> read_asked(
     asked->plan.mode = mode_of(mode);
     asked->plan.loading = loading;
     asked->plan.damping = damping_of(damping);
-    if (const auto dt = time_step_of(time_step, call)) {
-        asked->plan.dt = *dt;
-        asked->computed = false;
-    }
+    asked->plan.dt = time_step_of(time_step, call).value_or(0);
     if (!force.is_none()) {
         asked->load.force = vectors_of(force, "force", call.world().grains.size());
         asked->plan.load = &asked->load;
     }
     return asked;
-}
-
-void renew_time_step(Asked& asked, const dem::World& world, std::int64_t done) {
-    const std::int64_t contacts = asked.computed ? dem::measure_equilibrium(world).contacts : 0;
-    if (asked.computed && dem::time_step_is_due(done, contacts, asked.known_contacts)) {
-        asked.plan.dt = dem::stable_time_step(
-            world, dem::default_step_safety, cell::stress_to_bear(asked.plan.loading, world.servo)
-        );
-        asked.known_contacts = contacts;
-    }
 }
 
 py::array_t<double> step(
@@ -99,22 +84,22 @@ py::array_t<double> step(
     }
     Stepping call(w);
     const auto asked = read_asked(call, loading, time_step, damping, force, mode);
-    dem::StepReport report;
+    dem::Advancing advancing;
+    Mat3 stress;
     Attention attention(on_progress, call);
     {
         const Working working;
-        for (std::int64_t done = 0; done < steps;) {
-            renew_time_step(*asked, call.world(), done);
-            const std::int64_t burst =
-                std::min({steps - done, dem::burst_steps, dem::time_step_interval - done % dem::time_step_interval});
-            report = dem::advance(call.world(), call.caches(), asked->plan, burst);
-            cell::hold_stress(loading, call.world().servo);
-            done += burst;
-            call.remember_place(); // before an exception may end the work
-            attention.beat("step", done);
-        }
+        stress = dem::advance_world(
+            call.world(), call.caches(), asked->plan, steps, advancing,
+            [] { return std::numeric_limits<std::int64_t>::max(); },
+            [&](std::int64_t /*steps*/) {
+                call.remember_place(); // before an exception may end the work
+                attention.beat("step", advancing.done);
+                call.caches(); // afresh, where the world was changed meanwhile
+            }
+        );
     }
-    return to_array(report.stress);
+    return to_array(stress);
 }
 
 py::dict settle(
@@ -125,27 +110,24 @@ py::dict settle(
     Stepping call(w);
     const auto asked = read_asked(call, loading, time_step, damping, force, mode);
     count_of(key_of("stage.settle", "max_steps"), max_steps, "max_steps");
-    dem::BalanceState state;
-    const double stress_before = dem::mean_stress(dem::mean_stress_tensor(SeenWorld(call.world())));
-    bool collapsed = false;
+    dem::Settling settling = dem::begin_settling(SeenWorld(call.world()));
+    if (force.is_none()) {
+        dem::sort_along_curve(call.world_for_new_rows()); // as a stage of a case; a force has the rows of its caller
+    }
     Attention attention(on_progress, call);
     {
         const Working working;
-        for (bool settled = false; !settled && !collapsed;) {
-            renew_time_step(*asked, call.world(), state.steps);
-            asked->plan.drag = dem::slowest_mode_drag(call.world().grains.size(), asked->plan.dt);
-            settled = dem::settle_burst(call.world(), call.caches(), asked->plan, balance, state);
-            cell::hold_stress(loading, call.world().servo);
-            call.remember_place();
-            collapsed = !settled && dem::carries_nothing(loading, balance, state, stress_before);
-            if (!settled && !collapsed && state.steps >= max_steps) {
-                dem::report_not_balanced(loading, balance, state);
+        dem::settle_world(
+            call.world(), call.caches(), asked->plan, balance, max_steps, settling,
+            [&](bool /*is_over*/) {
+                call.remember_place();
+                attention.beat("settle", settling.balance.steps);
+                call.caches();
             }
-            attention.beat("settle", state.steps);
-        }
+        );
     }
-    nlohmann::json reached(state);
-    reached["collapsed"] = collapsed;
+    nlohmann::json reached(settling.balance);
+    reached["collapsed"] = settling.collapsed;
     return to_python(reached);
 }
 
@@ -163,9 +145,9 @@ py::dict relax(
     dem::RelaxReport report;
     {
         const Working working;
-        renew_time_step(*asked, call.world(), 0);
+        const double dt = asked->plan.dt > 0 ? asked->plan.dt : dem::stable_time_step(call.world());
         report = dem::relax(
-            call.world(), call.caches(), asked->plan.dt, asked->plan.damping, wanted, max_steps,
+            call.world(), call.caches(), dt, asked->plan.damping, wanted, max_steps,
             [&](std::string_view part, long long steps) {
                 call.remember_place();
                 attention.beat(part, steps);
@@ -263,9 +245,10 @@ py::list run_stress_probe(
 
 void bind_steps(py::module_& m) {
     auto type = py::reinterpret_borrow<py::class_<WorldHandle, Handle>>(m.attr("World"));
-    const std::string pace = "\ntime_step: computed from the contact network, and again every 2000 steps, unless given"
-                             "\ndamping: " +
-                             key_doc(key_of("contact", "damping"));
+    const std::string pace =
+        "\ntime_step: computed from the contact network, and again every 1000 steps and as contacts come, unless given"
+        "\ndamping: " +
+        key_doc(key_of("contact", "damping"));
     const std::string told =
         "\non_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work";
     const std::string common = pace +
@@ -286,8 +269,10 @@ void bind_steps(py::module_& m) {
         py::arg_v("balance", dem::BalanceSpec{}, "Balance()"), py::arg("time_step") = py::none(),
         py::arg("damping") = usual_damping, py::arg("max_steps") = dem::SettleSpec{}.max_steps,
         py::arg("force") = py::none(), py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
-        ("Steps until balanced, at constant volume or under the stresses of `loading`; a drag kills the slow modes, as "
-         "in a stage that does \"settle\". Returns a dictionary of what was reached: `steps`, `balanced_steps` (in a "
+        ("Steps until balanced, at constant volume or under the stresses of `loading`, as a stage that does "
+         "\"settle\", "
+         "to the same bits: a drag kills the slow modes, and the grains are stored along a curve first (World.sort) "
+         "unless a `force` is given. Returns a dictionary of what was reached: `steps`, `balanced_steps` (in a "
          "row), "
          "`equilibrium` (as World.balance), `stress` [Pa]; `collapsed` is true where the volume is held and nothing is "
          "carried any more, which ends the settling.\n" +

@@ -197,7 +197,9 @@ void bind_measures(py::class_<WorldHandle, Handle>& type) {
     );
     type.def_property_readonly(
         "hash", [](const WorldHandle& w) { return dem::state_hash(w.world()); },
-        "Of all that the next step depends on; the same for any storage order."
+        "Of all that the next step depends on, grain by grain: the same for any storage order (World.sort), which "
+        "decides only "
+        "in which order forces are summed."
     );
     type.def(
         "gradation",
@@ -241,7 +243,9 @@ void bind_changes(py::class_<WorldHandle, Handle>& type) {
             (by == "id" ? dem::sort_by_id : dem::sort_along_curve)(w.world_for_new_rows());
         },
         py::arg("by") = "curve",
-        "Stores the grains along a space-filling curve (the step is then fastest), or by \"id\". No result changes."
+        "Stores the grains along a space-filling curve (the step is then fastest), or by \"id\". The state, its "
+        "measures "
+        "and its hash stay; forces are then summed in another order, so that steps from it differ by rounding."
     );
     const auto copy = [](const WorldHandle& w) { return std::make_shared<WorldHandle>(w.world()); };
     type.def("copy", copy, "An independent world.");

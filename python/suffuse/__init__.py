@@ -50,9 +50,10 @@ from suffuse._core import (
     schema,
     threads,
 )
-from suffuse.case import Case, Plan, Table, print_progress, progress
+from suffuse.case import Plan, Table
 from suffuse.packing import read, read_packing, write_packing
-from suffuse.run import Figure, Pass, Run, Stage
+from suffuse.progress import print_progress, progress
+from suffuse.run import Case, Figure, Pass, Run, Stage
 from suffuse.sample import constrictions, largest_overlap, make_cloud, resolve_flow, seep, set_threads
 from suffuse.stability import Assessment, assess
 

@@ -1,20 +1,10 @@
-"""Cases: read, checked, priced, run."""
+"""Cases: read, checked, changed, priced."""
 
 import os
 import pathlib
-import sys
 import tomllib
 
 from suffuse import _core
-
-# Where tools/bootstrap.sh lets npm put the report's page, seen from build/release/python/suffuse.
-_PAGE = pathlib.Path(__file__).resolve().parents[3] / "report-page"
-
-
-def page_folder():
-    """The built page of the report, or an empty path: the report is then plain."""
-    return _PAGE if _PAGE.is_dir() else pathlib.Path()
-
 
 class Plan(dict):
     """What a case will cost: steps, seconds as ranges, memory and disk in bytes; `stages` lists the parts."""
@@ -23,7 +13,7 @@ class Plan(dict):
         return self["text"]
 
 
-class Case:
+class CaseFile:
     """A case file, read and checked. Raises CaseProblems with everything that is wrong with it, at once.
 
     path: the case file
@@ -114,32 +104,9 @@ class Case:
         """What it will cost on this machine, measured now: a Plan."""
         return Plan(self._core.plan())
 
-    def run(
-        self, folder=None, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None
-    ):
-        """Runs the case; returns its Run.
-
-        folder: runs/NAME-0001 and so on unless given; a folder that holds this run already is gone on with
-        until: stop after this stage
-        time_limit: save and stop after this wall time, as in "2h"
-        on_progress: called ten times a second at most with a dictionary: stage, part, steps, state, ...; and once when
-            a sample has ended, with `sample_ended`, and `failure`: why it failed, or None
-        threads: for this run; suffuse.threads() unless given. Results do not depend on it
-        on_event: another word for on_progress
-        cache: a folder where finished stages are kept and found again; none unless given
-
-        Ctrl-C, or an exception of on_progress, saves and stops; Run(folder).resume() goes on, to the same bits.
-        """
-        from suffuse.run import Run
-
-        _core.check_until(self._core, until)  # both before a folder is made
-        _core.check_time_limit(time_limit)
-        place = _core.new_run_folder(self._core, None if folder is None else pathlib.Path(folder))
-        return Run(place, conduct(self._core, place, until, time_limit, on_progress or on_event, threads, cache))
-
     def __reduce__(self):
         """To another process it travels as what it was asked as, and is read again there."""
-        return Case, (self.path, self._asked_preset, self._changes, self._asked_studies)
+        return type(self), (self.path, self._asked_preset, self._changes, self._asked_studies)
 
     def __repr__(self):
         return f"<suffuse.Case {str(self.path)!r}: {len(self.stages)} stages, preset {self.preset}>"
@@ -186,21 +153,6 @@ class Table:
         return f"<suffuse.Table {self.name}: {', '.join(self.keys())}>"
 
 
-def progress():
-    """For Case.run(on_event=...): what says on standard error which stage is done."""
-    return print_progress
-
-
-def conduct(case, folder, until, time_limit, on_progress, threads, cache):
-    """Runs a case in a folder with so many threads; returns the outcome."""
-    before = _core.threads()
-    _core.set_threads(threads or before)
-    try:
-        return _core.conduct(case, folder, until, time_limit, page_folder(), on_progress, str(cache or ""))[0]
-    finally:
-        _core.set_threads(before)
-
-
 def _as_toml(value):
     if hasattr(value, "tolist"):  # NumPy's arrays and numbers
         value = value.tolist()
@@ -215,19 +167,3 @@ def _as_toml(value):
     if isinstance(value, str):
         return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
     return repr(value)
-
-
-def print_progress(progress, steps=None):
-    """For on_progress, on standard error: of a run a line at the end of each stage, and of what failed; of a call that
-    steps a world one line that counts."""
-    if steps is not None:
-        print(f"\r{progress}: {steps:,} steps ", end="", file=sys.stderr, flush=True)
-        return
-    if progress["failure"]:
-        print(f'{progress["study"]}/{progress["stage"]} failed: {progress["failure"]}', file=sys.stderr)
-    if progress["stage_finished"]:
-        print(
-            f'{progress["stage_number"]}/{progress["stages"]} {progress["study"]}/{progress["stage"]} '
-            f'done in {progress["stage_seconds"]:.1f} s',
-            file=sys.stderr,
-        )

@@ -10,7 +10,25 @@ import webbrowser
 import numpy
 
 from suffuse import _core
-from suffuse.case import Case, conduct, page_folder
+from suffuse.case import CaseFile
+
+# Where tools/bootstrap.sh lets npm put the report's page, seen from build/release/python/suffuse.
+_PAGE = pathlib.Path(__file__).resolve().parents[3] / "report-page"
+
+
+def page_folder():
+    """The built page of the report, or an empty path: the report is then plain."""
+    return _PAGE if _PAGE.is_dir() else pathlib.Path()
+
+
+def conduct(case, folder, until, time_limit, on_progress, threads, cache):
+    """Runs a case in a folder with so many threads; returns the outcome."""
+    before = _core.threads()
+    _core.set_threads(threads or before)
+    try:
+        return _core.conduct(case, folder, until, time_limit, page_folder(), on_progress, str(cache or ""))[0]
+    finally:
+        _core.set_threads(before)
 
 
 def _read_table(path):
@@ -47,6 +65,31 @@ def _read_json(path):
         return json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise _core.IoError(f"{path}: cannot be read; is this a run folder?") from error
+
+
+class Case(CaseFile):
+    __doc__ = CaseFile.__doc__
+
+    def run(
+        self, folder=None, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None
+    ):
+        """Runs the case; returns its Run.
+
+        folder: runs/NAME-0001 and so on unless given; a folder that holds this run already is gone on with
+        until: stop after this stage
+        time_limit: save and stop after this wall time, as in "2h"
+        on_progress: called ten times a second at most with a dictionary: stage, part, steps, state, ...; and once when
+            a sample has ended, with `sample_ended`, and `failure`: why it failed, or None
+        threads: for this run; suffuse.threads() unless given. Results do not depend on it
+        on_event: another word for on_progress
+        cache: a folder where finished stages are kept and found again; none unless given
+
+        Ctrl-C, or an exception of on_progress, saves and stops; Run(folder).resume() goes on, to the same bits.
+        """
+        _core.check_until(self._core, until)  # both before a folder is made
+        _core.check_time_limit(time_limit)
+        place = _core.new_run_folder(self._core, None if folder is None else pathlib.Path(folder))
+        return Run(place, conduct(self._core, place, until, time_limit, on_progress or on_event, threads, cache))
 
 
 class Tensor(numpy.ndarray):

@@ -14,7 +14,7 @@ import numpy
 import pytest
 
 import suffuse
-from suffuse.case import page_folder
+from suffuse.run import page_folder
 
 PROGRAM = os.environ["SUFFUSE_PROGRAM"]
 

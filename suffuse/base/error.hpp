@@ -14,6 +14,11 @@ struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// What was asked for, by a flag or an argument, cannot be; the message ends with what to do.
+struct UsageError : Error {
+    using Error::Error;
+};
+
 /// A case or data file asks for something that cannot be. The message is complete as it stands, place included.
 struct CaseError : Error {
     CaseError(const std::string& message, std::string file_path = {}, int line_number = 0)

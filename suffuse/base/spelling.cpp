@@ -1,5 +1,7 @@
 #include "suffuse/base/spelling.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -52,6 +54,20 @@ nearest_word(std::string_view word, const std::vector<std::string>& known, std::
         }
     }
     return nearest;
+}
+
+std::string shown(const std::string& word) {
+    constexpr std::size_t most = 200;
+    std::string text = word.substr(0, most);
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?'
+    );
+    return word.size() > most ? text + "..." : text;
+}
+
+std::string near_hint(const std::string& word, const std::vector<std::string>& known) {
+    const auto nearest = nearest_word(word, known);
+    return nearest ? fmt::format("; a similar one exists: {}", *nearest) : "";
 }
 
 } // namespace suffuse

@@ -22,4 +22,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 std::optional<std::string>
 nearest_word(std::string_view word, const std::vector<std::string>& known, std::size_t limit = 2);
 
+/// A word of the user's for a message: without control characters, and not endless.
+std::string shown(const std::string& word);
+
+/// ", did you mean ...": empty where nothing is near.
+std::string near_hint(const std::string& word, const std::vector<std::string>& known);
+
 } // namespace suffuse

@@ -1,7 +1,9 @@
 #pragma once
 // The tree of a case file -> Case, and back.
 
-#include "suffuse/casefile/diagnostics.hpp"
+#include "suffuse/base/diagnostics.hpp"
+#include "suffuse/casefile/case.hpp"
+#include "suffuse/casefile/node.hpp"
 
 #include <string>
 

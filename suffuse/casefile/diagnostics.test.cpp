@@ -1,4 +1,4 @@
-#include "suffuse/casefile/diagnostics.hpp"
+#include "suffuse/base/diagnostics.hpp"
 
 #include "suffuse/casefile/case_for_tests.hpp"
 

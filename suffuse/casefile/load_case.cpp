@@ -1,7 +1,7 @@
 #include "suffuse/casefile/load_case.hpp"
 
+#include "suffuse/base/read_text.hpp"
 #include "suffuse/casefile/overrides.hpp"
-#include "suffuse/casefile/read_text.hpp"
 #include "suffuse/casefile/read_toml.hpp"
 
 #include <algorithm>

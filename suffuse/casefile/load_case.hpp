@@ -1,9 +1,9 @@
 #pragma once
 // The door of this room: a case file -> Case, or all that is wrong with it.
 
+#include "suffuse/base/diagnostics.hpp"
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/case.hpp"
-#include "suffuse/casefile/diagnostics.hpp"
 
 #include <string>
 #include <vector>

@@ -63,13 +63,6 @@ void print_entries(const Node& table, const std::string& path, std::string& out)
 
 } // namespace
 
-std::string to_string(const Place& place) {
-    if (!place.source) {
-        return "the case";
-    }
-    return place.line == 0 ? place.source->name : fmt::format("{}:{}:{}", place.source->name, place.line, place.column);
-}
-
 const Node::Entry* Node::find(std::string_view key) const {
     const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
     return found == entries.end() ? nullptr : &*found;

@@ -1,29 +1,14 @@
 #pragma once
 // A case file as a neutral tree: tables, arrays and values, each with the place where it was written.
 
+#include "suffuse/base/place.hpp"
 #include "suffuse/casefile/case.hpp"
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace suffuse::casefile {
-
-/// A text that was read: a file, or a --set on the command line.
-struct Source {
-    std::string name;
-    std::string text;
-};
-
-/// A stretch of one line of a source, in characters from 1; line 0 = nowhere.
-struct Place {
-    std::shared_ptr<const Source> source;
-    int line = 0, column = 0, length = 1;
-};
-
-/// "case.toml:14:1".
-std::string to_string(const Place& place);
 
 struct Node {
     enum class Kind { Table, Array, Text, Integer, Number, Flag, Date };

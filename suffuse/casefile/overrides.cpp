@@ -1,7 +1,7 @@
 #include "suffuse/casefile/overrides.hpp"
 
+#include "suffuse/base/read_text.hpp"
 #include "suffuse/base/spelling.hpp"
-#include "suffuse/casefile/read_text.hpp"
 #include "suffuse/casefile/read_toml.hpp"
 #include "suffuse/casefile/schema.hpp"
 

@@ -2,7 +2,8 @@
 // Changes of the tree before it is bound: presets, --set, and the values of sweeps. What they set keeps the place where
 // it was written, so that a bad value is reported there.
 
-#include "suffuse/casefile/diagnostics.hpp"
+#include "suffuse/base/diagnostics.hpp"
+#include "suffuse/casefile/node.hpp"
 
 #include <optional>
 #include <string>

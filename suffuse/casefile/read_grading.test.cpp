@@ -1,4 +1,4 @@
-#include "suffuse/casefile/read_grading.hpp"
+#include "suffuse/io/read_grading.hpp"
 
 #include "suffuse/casefile/case_for_tests.hpp"
 
@@ -10,6 +10,7 @@ namespace {
 
 using namespace suffuse;
 using namespace suffuse::casefile;
+using namespace suffuse::io;
 using namespace suffuse::casefile::testing;
 
 struct Parsed {

@@ -1,8 +1,8 @@
 #include "suffuse/casefile/read_toml.hpp"
 
+#include "suffuse/base/read_text.hpp"
 #include "suffuse/base/spelling.hpp"
-#include "suffuse/casefile/csv_table.hpp"
-#include "suffuse/casefile/read_text.hpp"
+#include "suffuse/io/csv_table.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -101,8 +101,8 @@ struct Slip {
 /// only how it stumbled: a text or a unit without quotes, a quote that is missing at the end, a decimal comma.
 std::optional<Slip> find_slip(std::string_view line) {
     const std::size_t mark = line.find('=');
-    const std::string_view key = trimmed(line.substr(0, mark));
-    const std::string_view whole = mark == std::string_view::npos ? "" : trimmed(line.substr(mark + 1));
+    const std::string_view key = io::trimmed(line.substr(0, mark));
+    const std::string_view whole = mark == std::string_view::npos ? "" : io::trimmed(line.substr(mark + 1));
     constexpr std::size_t longest = 200; // of a line, or the message would bury what it says
     if (whole.empty() || line.size() > longest || std::string_view("[{").find(whole[0]) != std::string_view::npos) {
         return std::nullopt;
@@ -113,7 +113,7 @@ std::optional<Slip> find_slip(std::string_view line) {
         return is_open ? std::optional(Slip{"the text is not closed", fmt::format("end it on its line with {}", quote)})
                        : std::nullopt;
     }
-    const std::string_view value = trimmed(whole.substr(0, whole.find('#')));
+    const std::string_view value = io::trimmed(whole.substr(0, whole.find('#')));
     const std::size_t comma = value.find(',');
     const bool is_decimal = comma != std::string_view::npos && comma > 0 && comma + 1 < value.size() &&
                             is_digit(value[comma - 1]) && is_digit(value[comma + 1]);

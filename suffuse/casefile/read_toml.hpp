@@ -1,7 +1,8 @@
 #pragma once
 // TOML text -> the neutral tree. The only room that knows the TOML library.
 
-#include "suffuse/casefile/diagnostics.hpp"
+#include "suffuse/base/diagnostics.hpp"
+#include "suffuse/casefile/node.hpp"
 
 #include <memory>
 #include <optional>

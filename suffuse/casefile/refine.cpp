@@ -1,7 +1,7 @@
 #include "suffuse/casefile/refine.hpp"
 
+#include "suffuse/base/diagnostics.hpp"
 #include "suffuse/casefile/bind.hpp"
-#include "suffuse/casefile/diagnostics.hpp"
 #include "suffuse/casefile/node.hpp"
 #include "suffuse/casefile/sweep_value.hpp"
 

@@ -55,4 +55,26 @@ inline bool time_step_is_due(std::int64_t steps, std::int64_t contacts, std::int
     return steps % time_step_interval == 0 || network_has_grown(contacts, known_contacts);
 }
 
+/// A computed time step.
+struct ComputedStep {
+    double time_step = 0;            ///< [s]
+    std::int64_t known_contacts = 0; ///< touching when it was computed
+};
+
+/// Steps of `work`, a ComputedStep or what has its members, are `time_step` [s] from now on.
+template <class Work>
+void take_time_step(Work& work, double time_step, std::int64_t contacts) {
+    work.time_step = time_step;
+    work.known_contacts = contacts;
+}
+
+/// Computes the time step of `work`, a ComputedStep or what has its members, again where that is due after `steps`.
+/// @param contacts that touch now; @param compute gives the step [s]
+template <class Work, class Compute>
+void renew_time_step(Work& work, std::int64_t steps, std::int64_t contacts, const Compute& compute) {
+    if (time_step_is_due(steps, contacts, work.known_contacts)) {
+        take_time_step(work, compute(), contacts);
+    }
+}
+
 } // namespace suffuse::dem

@@ -97,12 +97,12 @@ void Resettling::take_step(PassResult& pass) {
 template <class IsOver>
 dem::BalanceState Resettling::run_phase(const std::string& phase, std::int64_t most_steps, const IsOver& is_over) {
     dem::BalanceState state;
-    std::int64_t known_contacts = 0; // a collapse makes contacts that the time step must know
+    dem::ComputedStep step; // a collapse makes contacts that it must know
     for (std::int64_t burst = 1;; ++burst) {
-        if (dem::time_step_is_due(state.steps, state.equilibrium.contacts, known_contacts)) {
-            plan.dt = dem::stable_time_step(world);
-            known_contacts = state.equilibrium.contacts;
-        }
+        dem::renew_time_step(step, state.steps, state.equilibrium.contacts, [&] {
+            return dem::stable_time_step(world);
+        });
+        plan.dt = step.time_step;
         dem::settle_burst(world, caches, plan, around.balance, state);
         steps += dem::burst_steps;
         const bool over = is_over(state);

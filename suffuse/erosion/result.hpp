@@ -2,6 +2,7 @@
 // What the erosion procedure found, as plain values: the rows behind Figures 9 to 14.
 
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/dem/inspect.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/pores/constrictions.hpp"
 
@@ -153,5 +154,16 @@ struct ErosionResult {
     std::vector<PathRow> path;
     double initial_mass = 0; ///< [kg]
 };
+
+/// Whether fines were taken out by their contacts, whatever the water does.
+inline bool is_forced(const ErosionResult& erosion) {
+    return !erosion.ledger.empty() && erosion.ledger.front().reason == "forced";
+}
+
+/// Share of the mean stress lost at constant volume [-]; nothing where there was no stress to lose.
+inline std::optional<double> stress_loss(const PassResult& pass) {
+    const double before = dem::mean_stress(pass.stress_before);
+    return before > 0 ? std::optional(1 - dem::mean_stress(pass.stress_constant_volume) / before) : std::nullopt;
+}
 
 } // namespace suffuse::erosion

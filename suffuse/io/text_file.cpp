@@ -1,6 +1,7 @@
 #include "suffuse/io/text_file.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/spelling.hpp"
 
 #include <fmt/format.h>
 

@@ -77,9 +77,8 @@ void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state
 }
 
 /// The longest step of the network as it is.
-void renew_time_step(const dem::World& world, const CompactSpec& spec, CompactState& state) {
-    state.time_step = choose_time_step(world, spec);
-    state.known_contacts = state.balance.equilibrium.contacts;
+void take_time_step(const dem::World& world, const CompactSpec& spec, CompactState& state) {
+    dem::take_time_step(state, choose_time_step(world, spec), state.balance.equilibrium.contacts);
 }
 
 /// Swift, asked for a void ratio: whether the sample gave way further from its start than it should under what it
@@ -114,7 +113,7 @@ void go_on(dem::World& world, const CompactSpec& spec, CompactState& state) {
     if (state.phase == Phase::Compact) {
         state.void_ratio_compacted = dem::void_ratio(world);
         take_final_parameters(world, state.material);
-        renew_time_step(world, spec, state); // springs that had nothing to do may act now
+        take_time_step(world, spec, state); // springs that had nothing to do may act now
         state.phase = Phase::Settle;
         return;
     }
@@ -130,7 +129,7 @@ void end_relaxation(dem::World& world, const CompactSpec& spec, CompactState& st
     const bool relaxed = dem::mean_stress(state.balance.stress) < relaxed_load * spec.pressure;
     if (relaxed || state.steps >= most_relax_steps) {
         world.material.friction = spec.prepare.friction.value_or(state.material.friction);
-        renew_time_step(world, spec, state);
+        take_time_step(world, spec, state);
         state.phase = CompactState::Phase::Compact;
     }
 }
@@ -174,9 +173,11 @@ bool compact_burst(
     if (lent != state.lent) {
         dem::lend_inertia(world, state.median_diameter, state.lent, lent);
         state.lent = lent;
-        renew_time_step(world, spec, state);
-    } else if (dem::time_step_is_due(state.steps, state.balance.equilibrium.contacts, state.known_contacts)) {
-        renew_time_step(world, spec, state);
+        take_time_step(world, spec, state);
+    } else {
+        dem::renew_time_step(state, state.steps, state.balance.equilibrium.contacts, [&] {
+            return choose_time_step(world, spec);
+        });
     }
     const Pace pace = choose_pace(world, spec, balance, state);
     const bool settled =

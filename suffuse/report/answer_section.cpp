@@ -8,11 +8,11 @@ namespace suffuse::report {
 
 namespace {
 
-std::string findings_table(const std::vector<Finding>& findings) {
+std::string findings_table(const std::vector<study::Finding>& findings) {
     std::string out =
         "<div class=\"scroll\" tabindex=\"0\"><table class=\"findings\"><thead><tr><th></th><th>Criterion</th>"
         "<th>Paper</th><th>This run</th><th>Verdict</th></tr></thead><tbody>\n";
-    for (const Finding& finding : findings) {
+    for (const study::Finding& finding : findings) {
         const bool known = finding.met.has_value();
         const char* css_class = !known ? "unknown" : *finding.met ? "met" : "not-met";
         const char* verdict = !known ? "? cannot tell" : *finding.met ? "✓ met" : "✗ not met";
@@ -27,9 +27,9 @@ std::string findings_table(const std::vector<Finding>& findings) {
     return out + "</tbody></table></div>\n";
 }
 
-std::string headline_list(const std::vector<Headline>& headlines) {
+std::string headline_list(const std::vector<answer::Headline>& headlines) {
     std::string out = "<dl class=\"headlines\">\n";
-    for (const Headline& headline : headlines) {
+    for (const answer::Headline& headline : headlines) {
         out += fmt::format(
             "<div><dt>{}</dt><dd class=\"value\">{}</dd><dd class=\"quiet\">{}</dd></div>\n", typeset(headline.label),
             typeset(headline.value), typeset(headline.detail)
@@ -71,7 +71,7 @@ std::string answer_content(const ReportData& report) {
     out += warnings_box(report);
     if (!report.findings.empty()) {
         std::size_t met = 0, unknown = 0;
-        for (const Finding& finding : report.findings) {
+        for (const study::Finding& finding : report.findings) {
             met += finding.met == true ? 1U : 0U;
             unknown += finding.met ? 0U : 1U;
         }

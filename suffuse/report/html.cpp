@@ -1,6 +1,6 @@
 #include "suffuse/report/html.hpp"
 
-#include "suffuse/report/words.hpp"
+#include "suffuse/base/words.hpp"
 
 #include <fmt/format.h>
 
@@ -8,33 +8,6 @@
 #include <regex>
 
 namespace suffuse::report {
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    out.reserve(text.size());
-    for (const char letter : text) {
-        switch (letter) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        case '\'':
-            out += "&#39;";
-            break;
-        default:
-            out += letter;
-        }
-    }
-    return out;
-}
 
 std::string with_indices(std::string html) {
     static const std::regex indexed(R"(\b(e|FC)_(min|g|eq|active|threshold)\b)");
@@ -67,12 +40,12 @@ std::string html_table(
     return out + "</tbody></table></div>\n";
 }
 
-std::string html_table(const Table& table, std::size_t most_rows) {
+std::string html_table(const figures::Table& table, std::size_t most_rows) {
     constexpr int digits = 6;
     std::vector<std::string> header;
     std::vector<bool> numeric;
-    for (const Column& column : table.columns()) {
-        header.push_back(heading(column));
+    for (const figures::Column& column : table.columns()) {
+        header.push_back(figures::heading(column));
         numeric.push_back(std::holds_alternative<std::vector<double>>(column.values));
     }
     std::vector<std::vector<std::string>> rows;

@@ -1,16 +1,14 @@
 #pragma once
 // Text into HTML: everything that comes from a case, a file or a run is escaped here, so that it stays text.
 
-#include "suffuse/report/table.hpp"
+#include "suffuse/base/escaped.hpp"
+#include "suffuse/figures/table.hpp"
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace suffuse::report {
-
-/// Safe as the content of an element and inside a double-quoted attribute.
-std::string escaped(std::string_view text);
 
 /// Escaped text with the indices of the symbols in this report's words set low: e_min, e_g, e_eq, FC_active,
 /// FC_threshold. A name of the user's with an underscore stays as it is.
@@ -30,6 +28,6 @@ std::string html_table(
 );
 
 /// The numbers of a figure, at most `most_rows` of them, to six digits.
-std::string html_table(const Table& table, std::size_t most_rows);
+std::string html_table(const figures::Table& table, std::size_t most_rows);
 
 } // namespace suffuse::report

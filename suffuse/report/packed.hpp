@@ -1,5 +1,5 @@
 #pragma once
-// Data of the page in few bytes: browsers unpack them again (DecompressionStream, report/src/unpack.js).
+// Data of the page in few bytes: browsers unpack them again (DecompressionStream, page/src/unpack.js).
 
 #include <string>
 #include <string_view>

@@ -1,13 +1,13 @@
 #include "suffuse/report/page.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/words.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/report/answer_section.hpp"
 #include "suffuse/report/html.hpp"
 #include "suffuse/report/packed.hpp"
 #include "suffuse/report/scene_section.hpp"
 #include "suffuse/report/still.hpp"
-#include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ using Remarks = std::vector<std::pair<std::string, std::string>>;
 constexpr std::size_t most_rows_shown = 60; ///< of a figure's numbers; its CSV has them all
 const std::array<const char*, 5> figure_sections = {"Soils", "Fines and structure", "Tests", "Water", "Erosion"};
 
-/// What report/build.sh leaves: the script, its hash for the content policy, the notices of what is bundled in it.
+/// What page/build.sh leaves: the script, its hash for the content policy, the notices of what is bundled in it.
 struct PageScript {
     std::string code, sha256, notices;
 };
@@ -84,14 +84,14 @@ std::string section(const std::string& name, const std::string& content) {
     );
 }
 
-Remarks csv_remarks(const Figure& figure, const ReportData& report) {
+Remarks csv_remarks(const figures::Figure& figure, const ReportData& report) {
     Remarks remarks = {{"figure", figure.id}, {"title", figure.title}, {"case", report.title}, {"run", report.run}};
     remarks.insert(remarks.end(), report.provenance.begin(), report.provenance.end());
     return remarks;
 }
 
 /// The drawing as a file of its own, which says where it comes from as the CSV of its numbers does.
-std::string with_metadata(const Figure& figure, const ReportData& report) {
+std::string with_metadata(const figures::Figure& figure, const ReportData& report) {
     std::string lines;
     for (const auto& [key, value] : csv_remarks(figure, report)) {
         lines += escaped(key + ": " + value) + "\n";
@@ -111,7 +111,7 @@ std::string described_by_page(std::string drawing, const std::string& id) {
     return drawing;
 }
 
-std::string figure_block(const Figure& figure, const ReportData& report) {
+std::string figure_block(const figures::Figure& figure, const ReportData& report) {
     const std::string id = escaped(figure.id);
     std::string out = fmt::format(
         "<figure id=\"{0}\" class=\"figure{2}\" data-figure=\"{0}\">\n<h3 id=\"{0}-title\">{1}</h3>\n", id,
@@ -153,7 +153,7 @@ std::string figure_block(const Figure& figure, const ReportData& report) {
 
 std::string section_tables(const ReportData& report, const std::string& name) {
     std::string out;
-    for (const PageTable& table : report.tables) {
+    for (const figures::PageTable& table : report.tables) {
         if (table.section == name) {
             out += "<h3>" + escaped(table.title) + "</h3>\n";
             out += table.note.empty() ? "" : "<p>" + typeset(table.note) + "</p>\n";
@@ -202,16 +202,16 @@ std::string provenance_section(const ReportData& report, const std::optional<Pag
 /// Specification and numbers of each chart, for the page's script.
 json charts_json(const ReportData& report) {
     json figures = json::array();
-    for (const Figure& figure : report.figures) {
+    for (const figures::Figure& figure : report.figures) {
         figures.push_back(
             {{"id", figure.id},
              {"title", figure.title},
              {"caption", figure.caption},
              {"chart", figure.drawing.empty() ? figure.chart : json(nullptr)},
-             {"csv", to_csv(figure.table, csv_remarks(figure, report))}}
+             {"csv", figures::to_csv(figure.table, csv_remarks(figure, report))}}
         );
     }
-    return {{"run", report.run}, {"look", look_in_print()}, {"figures", std::move(figures)}};
+    return {{"run", report.run}, {"look", figures::look_in_print()}, {"figures", std::move(figures)}};
 }
 
 /// Data for the page's script, packed.
@@ -250,7 +250,7 @@ std::string render(const ReportData& report, const std::optional<PageScript>& sc
     for (const char* name : figure_sections) {
         const std::string tables = section_tables(report, name);
         std::string figures;
-        for (const Figure& figure : report.figures) {
+        for (const figures::Figure& figure : report.figures) {
             if (figure.section == name) {
                 figures += figure_block(figure, report);
             }
@@ -291,7 +291,7 @@ std::string render(const ReportData& report, const std::optional<PageScript>& sc
 }
 
 void check_figures(const ReportData& report) {
-    for (const Figure& figure : report.figures) {
+    for (const figures::Figure& figure : report.figures) {
         const bool plain = std::all_of(figure.id.begin(), figure.id.end(), [](char c) {
             return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
         });
@@ -320,10 +320,10 @@ WrittenReport write_report(
         io::write_file(figures / name, bytes);
         written.figures.push_back(name);
     };
-    for (const Figure& figure : report.figures) {
-        write(figure.id + ".csv", to_csv(figure.table, csv_remarks(figure, report)));
+    for (const figures::Figure& figure : report.figures) {
+        write(figure.id + ".csv", figures::to_csv(figure.table, csv_remarks(figure, report)));
         if (figure.drawing.empty()) {
-            const json chart = complete_specification(figure);
+            const json chart = figures::complete_specification(figure);
             write(figure.id + ".vl.json", chart.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
         } else {
             write(figure.id + ".svg", with_metadata(figure, report));

@@ -3,11 +3,12 @@
 // (built from the report/ folder by npm) its figures are charts; without it the report is plain and says what is
 // missing. Beside it, `figures/` holds each figure's numbers as CSV and its chart as a Vega-Lite specification.
 
-#include "suffuse/report/figure.hpp"
-#include "suffuse/report/findings.hpp"
-#include "suffuse/report/page_table.hpp"
+#include "suffuse/answer/headlines.hpp"
+#include "suffuse/figures/figure.hpp"
+#include "suffuse/figures/page_table.hpp"
 #include "suffuse/report/quality.hpp"
 #include "suffuse/report/scene.hpp"
+#include "suffuse/study/findings.hpp"
 
 #include <filesystem>
 #include <string>
@@ -21,13 +22,6 @@ struct AssumedValue {
     std::string key, value, note;
 };
 
-/// A number for the eye: shown large beside the answer.
-struct Headline {
-    std::string value;  ///< "13.5 %"
-    std::string label;  ///< "of the mass eroded"
-    std::string detail; ///< "in 2 passes at i = 0.05"; may be empty
-};
-
 /// What the run lacks: it was interrupted, failed in part, was to end early, or is still under way.
 struct Unfinished {
     std::string missing; ///< in words, with the names of stages; empty: nothing
@@ -39,16 +33,16 @@ struct ReportData {
     std::string run;   ///< name of the run folder
     std::string paper; ///< that the case follows; empty: none, and the page speaks of none
     Unfinished unfinished;
-    std::vector<std::string> answer; ///< about five sentences with numbers
-    std::vector<Headline> headlines; ///< about four
-    std::vector<Finding> findings;
+    std::vector<std::string> answer;         ///< about five sentences with numbers
+    std::vector<answer::Headline> headlines; ///< about four
+    std::vector<study::Finding> findings;
     std::vector<std::string> warnings;
     std::vector<std::string> case_warnings; ///< of the check of the case, before anything ran
     std::vector<AssumedValue> assumed;
     /// Each stands before the figures of its section.
-    std::vector<PageTable> tables;
-    std::vector<Figure> figures; ///< in the order in which they are shown
-    Scene scene;                 ///< without states: no section "In 3D"
+    std::vector<figures::PageTable> tables;
+    std::vector<figures::Figure> figures; ///< in the order in which they are shown
+    Scene scene;                          ///< without states: no section "In 3D"
     std::vector<StageRow> stages;
     std::vector<std::pair<std::string, std::string>> provenance; ///< version, commit, seed, threads, hashes, times
     std::string redraw;                                          ///< the command that builds this report again
@@ -61,7 +55,7 @@ struct WrittenReport {
 };
 
 /// Writes `run_folder/report.html`, `figures/ID.csv` and `figures/ID.vl.json` (or `ID.svg`), and the scene's still
-/// pictures, `figures/own-grains-K.png`. `page_folder` is where report/build.sh left the page's script; empty or
+/// pictures, `figures/own-grains-K.png`. `page_folder` is where page/build.sh left the page's script; empty or
 /// without it, the report is plain. Throws IoError, naming the file.
 WrittenReport write_report(
     const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder = {}

@@ -124,7 +124,7 @@ TEST_F(Page, OfACaseThatFollowsNoPaperSpeaksOfNone) {
     );
     report.paper.clear();
     report.findings.clear();
-    report.headlines = erosion_headlines({});
+    report.headlines = answer::erosion_headlines({});
     const std::string text = read_all(write_report(folder.path(), report, folder / "nowhere").file);
     EXPECT_EQ(text.find("the paper"), std::string::npos) << text.substr(text.find("the paper") - 100, 200);
     EXPECT_EQ(text.find("The paper"), std::string::npos);
@@ -165,7 +165,7 @@ TEST_F(Page, HostileTextStaysText) {
 TEST_F(Page, EachChartIsASpecificationWithItsDataAndEachDrawingAnSvg) {
     const ReportData report = test::sample_report("Sand");
     write_report(folder.path(), report);
-    for (const Figure& figure : report.figures) {
+    for (const figures::Figure& figure : report.figures) {
         if (figure.drawing.empty()) {
             const auto chart = nlohmann::json::parse(read_all(folder / "figures" / (figure.id + ".vl.json")));
             EXPECT_EQ(chart["data"]["values"].size(), figure.table.rows()) << figure.id;
@@ -204,12 +204,12 @@ TEST_F(Page, AnEmptyReportIsStillAPage) {
     EXPECT_EQ(page.find("id=\"erosion\""), std::string::npos);
 }
 
-// Not a check of its own: report/test.sh asks for the runs that the browser tests open.
+// Not a check of its own: page/test.sh asks for the runs that the browser tests open.
 TEST(SampleRun, IsWrittenWhereTheBrowserTestsWantIt) {
     const char* folder = std::getenv("SUFFUSE_SAMPLE_FOLDER");
     const char* page = std::getenv("SUFFUSE_SAMPLE_PAGE");
     if (folder == nullptr || page == nullptr) {
-        GTEST_SKIP() << "only report/test.sh asks for it";
+        GTEST_SKIP() << "only page/test.sh asks for it";
     }
     const char* hostile = "</script><img src=x onerror=\"document.title='broken'\">";
     EXPECT_TRUE(

@@ -1,7 +1,7 @@
 #include "suffuse/report/quality.hpp"
 
+#include "suffuse/base/words.hpp"
 #include "suffuse/report/html.hpp"
-#include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "suffuse/report/scene_section.hpp"
 
 #include "suffuse/base/base64.hpp"
+#include "suffuse/base/words.hpp"
 #include "suffuse/report/html.hpp"
 #include "suffuse/report/still.hpp"
-#include "suffuse/report/words.hpp"
 
 #include <fmt/format.h>
 
@@ -57,7 +57,7 @@ const char* const view_places =
     "offer here (<span></span>): still pictures stand in for it. Another browser, or hardware acceleration switched on "
     "in the settings, brings it back.</p>\n";
 
-const char* const plain_sentence =
+const char* const plain_scene_sentence =
     "<p class=\"quiet\">Still pictures: the view that can be turned needs the page's script, see above.</p>\n";
 
 } // namespace
@@ -75,7 +75,7 @@ std::string scene_section(const Scene& scene, bool has_script) {
     if (!scene.remark.empty()) {
         out += "<p>" + escaped(kept_together(scene.remark)) + "</p>\n";
     }
-    out += has_script ? view_places : plain_sentence;
+    out += has_script ? view_places : plain_scene_sentence;
     return out + stills(scene) + count_table(scene);
 }
 

@@ -23,7 +23,7 @@ double shown_strain(std::optional<int> axis) {
             shown = progress.state.at("axial_strain");
         }
     };
-    Overview overview(options, 1, 1);
+    Overview overview(options);
     Control control(overview, 1e9);
     control.begin({});
     if (axis) {

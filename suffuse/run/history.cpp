@@ -5,7 +5,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/grains/gradation.hpp"
 #include "suffuse/io/csv_writer.hpp"
-#include "suffuse/run/result_json.hpp"
+#include "suffuse/record/result_json.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
-#include "suffuse/run/result_json.hpp"
+#include "suffuse/record/result_json.hpp"
 #include "suffuse/stats/backbone.hpp"
 #include "suffuse/stats/coordination.hpp"
 #include "suffuse/stats/fabric.hpp"

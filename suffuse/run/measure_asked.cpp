@@ -5,7 +5,7 @@
 #include "suffuse/erosion/passage.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/grains/gradation.hpp"
-#include "suffuse/run/result_json.hpp"
+#include "suffuse/record/result_json.hpp"
 
 #include <fmt/format.h>
 

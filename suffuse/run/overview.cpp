@@ -1,6 +1,6 @@
 #include "suffuse/run/overview.hpp"
 
-#include "suffuse/run/folder.hpp"
+#include "suffuse/record/folder.hpp"
 
 namespace suffuse::run {
 
@@ -19,7 +19,7 @@ void Overview::show(Progress progress) {
 }
 
 void Overview::tell(nlohmann::json event) const {
-    log_event(
+    record::log_event(
         options_.sample.empty() ? options_.folder : options_.folder / "studies" / options_.sample, std::move(event)
     );
 }

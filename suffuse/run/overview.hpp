@@ -3,7 +3,7 @@
 // stages are done, and the one line to whoever watches. Every function may be called by any thread.
 
 #include "suffuse/base/stopwatch.hpp"
-#include "suffuse/run/runner.hpp"
+#include "suffuse/run/run_options.hpp"
 
 #include <atomic>
 #include <mutex>
@@ -12,8 +12,7 @@ namespace suffuse::run {
 
 class Overview {
 public:
-    Overview(const RunOptions& options, int stages, int samples)
-        : options_(options), stages_(stages), samples_(samples) {}
+    explicit Overview(const RunOptions& options) : options_(options) {}
 
     /// Hands `progress` on with the counts of the whole run; one call at a time.
     void show(Progress progress);
@@ -31,7 +30,7 @@ public:
 
     [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 
-    /// Further samples, when those before have ended.
+    /// What is to be run; later, what `refine` adds to it.
     void add(int stages, int samples) {
         stages_ += stages;
         samples_ += samples;
@@ -54,7 +53,7 @@ public:
 
 private:
     const RunOptions& options_;
-    std::atomic<int> stages_, samples_;
+    std::atomic<int> stages_{0}, samples_{0};
     Stopwatch since_start_;
     std::atomic<int> stages_done_{0}, samples_done_{0}, samples_failed_{0};
     std::atomic<bool> broken_{false};

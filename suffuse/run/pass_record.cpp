@@ -1,7 +1,7 @@
 #include "suffuse/run/pass_record.hpp"
 
 #include "suffuse/io/csv_writer.hpp"
-#include "suffuse/run/result_json.hpp"
+#include "suffuse/record/result_json.hpp"
 
 #include <string>
 

@@ -5,15 +5,16 @@
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/tables.hpp"
 #include "suffuse/io/vtk.hpp"
-#include "suffuse/run/case_hash.hpp"
-#include "suffuse/run/folder.hpp"
-#include "suffuse/run/known_state.hpp"
+#include "suffuse/record/case_hash.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/known_state.hpp"
+#include "suffuse/record/result_json.hpp"
+#include "suffuse/record/stage_start.hpp"
+#include "suffuse/record/stage_sums.hpp"
+#include "suffuse/record/stored.hpp"
+#include "suffuse/record/stored_findings.hpp"
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/measure_asked.hpp"
-#include "suffuse/run/result_json.hpp"
-#include "suffuse/run/stage_start.hpp"
-#include "suffuse/run/stage_sums.hpp"
-#include "suffuse/run/stored.hpp"
 
 #include <fmt/format.h>
 
@@ -35,21 +36,21 @@ IoError strange_partial(const StageWork& work) {
     return IoError(fmt::format(
         "{0}: does not hold what this version, commit {1}, needs to go on with the stage; go on with the version that "
         "wrote it, or remove {0} and resume: the stage then begins anew",
-        (work.folder / partial_file).string(), commit()
+        (work.folder / record::partial_file).string(), commit()
     ));
 }
 
 /// What the stage in `folder` ended with.
 dem::World end_of(const std::filesystem::path& folder) {
-    const KnownState end(folder / "state.h5");
+    const record::KnownState end(folder / "state.h5");
     dem::World world = end.load().world;
-    const json numbers = read_json(folder / "stage.json");
-    end.check(world, take_from(folder / "stage.json", [&] { return numbers.value("end_state", ""); }));
+    const json numbers = record::read_json(folder / "stage.json");
+    end.check(world, record::take_from(folder / "stage.json", [&] { return numbers.value("end_state", ""); }));
     return world;
 }
 
 void take_up(StageWork& work) {
-    const KnownState left(work.folder / partial_file, work.folder / partial_file);
+    const record::KnownState left(work.folder / record::partial_file, work.folder / record::partial_file);
     io::Checkpoint partial = left.load();
     try {
         const json saved = json::from_cbor(partial.unfinished);
@@ -87,7 +88,7 @@ void do_stage_or_go_on(StageWork& work) {
 
 /// stage.json, but for what is said of the whole run.
 json describe_stage(StageWork& work) {
-    json numbers = measure_state(work.world, has_fractions(work.variant));
+    json numbers = measure_state(work.world, record::has_fractions(work.variant));
     numbers["steps"] = 0;
     numbers.update(work.numbers);
     if (!work.stage.measure.empty()) {
@@ -112,34 +113,15 @@ json describe_stage(StageWork& work) {
                 work.place(), 100 * overlap
             ));
     }
-    numbers["end_state"] = describe_state(work.world);
+    numbers["end_state"] = record::describe_state(work.world);
     numbers["warnings"] = work.warnings;
     numbers["flaws"] = work.flaws;
     return numbers;
 }
 
-void save_findings(const StageWork& work) {
-    json results = json::object();
-    if (!work.findings.probes.empty()) {
-        results["probes"] = work.findings.probes;
-    }
-    if (work.findings.erosion) {
-        results["erosion"] = *work.findings.erosion;
-    }
-    if (!work.findings.curve.empty()) {
-        results["curve"] = work.findings.curve;
-    }
-    if (work.findings.throat_flux) {
-        results["throat_flux"] = *work.findings.throat_flux;
-    }
-    if (!results.empty()) {
-        write_cbor(work.folder / "results.cbor", results);
-    }
-}
-
 void write_pictures(const StageWork& work, const casefile::OutputSpec& output) {
     write_grain_pictures(work.folder, "grains", work.world, output.formats);
-    if (writes(output, "vtp")) {
+    if (record::writes(output, "vtp")) {
         io::write_contacts_vtp(work.folder / "contacts.vtp", work.world);
         io::write_cell_vtp(work.folder / "cell.vtp", work.world.cell);
     }
@@ -149,7 +131,7 @@ void write_files(const StageWork& work, const casefile::OutputSpec& output) {
     const dem::World& world = work.world;
     io::save_world(
         work.folder / "state.h5", world, {{"stage", work.place()}},
-        {{"case_hash", case_hash(work.what)}, {"stage", work.place()}}
+        {{"case_hash", record::case_hash(work.what)}, {"stage", work.place()}}
     );
     work.history.write_csv(work.folder / "history.csv");
     if (work.write_tables) {
@@ -159,17 +141,10 @@ void write_files(const StageWork& work, const casefile::OutputSpec& output) {
     if (output.snapshots.when != casefile::Snapshots::When::Never) {
         write_pictures(work, output);
     }
-    save_findings(work);
+    record::save_findings(work.folder, work.findings);
 }
 
 } // namespace
-
-bool is_complete(const Sample& sample, const std::filesystem::path& run) {
-    const auto& stages = sample.variant->stages;
-    return std::all_of(stages.begin(), stages.begin() + sample.stages, [&](const casefile::Stage& stage) {
-        return std::filesystem::exists(stage_folder(run, *sample.variant, stage) / "stage.json");
-    });
-}
 
 Progress SampleRun::place() const {
     Progress where;
@@ -187,27 +162,29 @@ Progress SampleRun::place() const {
 void SampleRun::run() {
     for (int row = 0; row < sample_.stages; ++row) {
         stage_ = &sample_.variant->stages[static_cast<std::size_t>(row)];
-        const std::filesystem::path folder = stage_folder(options_.folder, *sample_.variant, *stage_);
+        const std::filesystem::path folder = record::stage_folder(options_.folder, *sample_.variant, *stage_);
         if (!std::filesystem::exists(folder / "stage.json")) {
             run_stage(*stage_);
         } else {
-            check_start(*sample_.variant, *stage_, options_.folder); // the one before may have been computed anew
-            drop(folder / failure_file);                             // of what came after the stage
-            drop(folder / partial_file);                             // a kill came before its removal
+            record::check_start(
+                *sample_.variant, *stage_, options_.folder
+            );                                   // the one before may have been computed anew
+            drop(folder / record::failure_file); // of what came after the stage
+            drop(folder / record::partial_file); // a kill came before its removal
             overview_.count_stage();
         }
     }
 }
 
 void SampleRun::run_stage(const casefile::Stage& stage) {
-    const std::filesystem::path folder = stage_folder(options_.folder, *sample_.variant, stage);
+    const std::filesystem::path folder = record::stage_folder(options_.folder, *sample_.variant, stage);
     std::filesystem::create_directories(folder);
-    std::filesystem::remove(folder / failure_file);
+    std::filesystem::remove(folder / record::failure_file);
     dem::World start = start_of(stage);
-    const std::string state = stage.parent >= 0 ? describe_state(start) : "";
+    const std::string state = stage.parent >= 0 ? record::describe_state(start) : "";
     std::string key;
-    if (!options_.cache.empty() && StageCache::keeps(stage)) {
-        key = StageCache::key_of(what_, *sample_.variant, stage, state);
+    if (!options_.cache.empty() && record::StageCache::keeps(stage)) {
+        key = record::StageCache::key_of(what_, *sample_.variant, stage, state);
         if (take_from_cache(stage, folder, key)) {
             return;
         }
@@ -232,22 +209,22 @@ void SampleRun::run_stage(const casefile::Stage& stage) {
 bool SampleRun::take_from_cache(
     const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key
 ) {
-    const CacheAnswer answer = cache_.take(key, *sample_.variant, stage, folder);
+    const record::CacheAnswer answer = cache_.take(key, *sample_.variant, stage, folder);
     if (!answer.damage.empty()) {
         tell("damaged cache entry dropped", stage, {{"what", answer.damage}});
         overview_.remark(fmt::format(
             "{}: its entry in the cache is damaged and was dropped; the stage is computed anew ({})",
-            stage_name(*sample_.variant, stage), answer.damage
+            record::stage_name(*sample_.variant, stage), answer.damage
         ));
     }
     if (!answer.is_taken) {
         return false;
     }
-    drop(folder / partial_file);
+    drop(folder / record::partial_file);
     overview_.count_stage();
     tell("stage taken from the cache", stage);
     Progress taken = place();
-    taken.state = read_json(folder / "stage.json");
+    taken.state = record::read_json(folder / "stage.json");
     taken.stage_finished = taken.from_cache = true;
     overview_.show(std::move(taken));
     return true;
@@ -276,7 +253,7 @@ StageWork SampleRun::begin_work(
         *sample_.variant,
         stage,
         folder,
-        leaves_tables(what_, *sample_.variant, stage),
+        record::leaves_tables(what_, *sample_.variant, stage),
         control_,
         std::move(start),
         History(stage.record_every.value_or(what_.output.histories_every)),
@@ -291,7 +268,7 @@ StageWork SampleRun::begin_work(
         {},
         false,
         std::move(start_state)};
-    if (std::filesystem::exists(folder / partial_file)) {
+    if (std::filesystem::exists(folder / record::partial_file)) {
         take_up(work);
     }
     return work;
@@ -301,7 +278,7 @@ dem::World SampleRun::start_of(const casefile::Stage& stage) const {
     dem::World world;
     if (stage.parent >= 0) {
         const casefile::Stage& parent = sample_.variant->stages[static_cast<std::size_t>(stage.parent)];
-        world = end_of(stage_folder(options_.folder, *sample_.variant, parent));
+        world = end_of(record::stage_folder(options_.folder, *sample_.variant, parent));
     }
     world.material = sample_.variant->material;
     world.seed = sample_.variant->seed;
@@ -313,8 +290,8 @@ dem::World SampleRun::start_of(const casefile::Stage& stage) const {
 void SampleRun::finish(StageWork& work) {
     const json numbers = describe_stage(work);
     write_files(work, what_.output);
-    seal_stage(work.folder, numbers);
-    drop(work.folder / partial_file);
+    record::seal_stage(work.folder, numbers);
+    drop(work.folder / record::partial_file);
     overview_.count_stage();
     tell("stage done", work.stage, {{"wall_seconds", numbers["wall_seconds"]}});
     control_.finish(numbers);
@@ -323,7 +300,7 @@ void SampleRun::finish(StageWork& work) {
 /// A line that the log cannot take costs no result.
 void SampleRun::tell(const std::string& event, const casefile::Stage& stage, json more) const {
     more["event"] = event;
-    more["stage"] = stage_name(*sample_.variant, stage);
+    more["stage"] = record::stage_name(*sample_.variant, stage);
     try {
         overview_.tell(std::move(more));
     } catch (const IoError&) {

@@ -1,9 +1,9 @@
 #pragma once
 // One sample from its first stage to its last, on the thread that calls: what is finished lies in the run folder.
 
+#include "suffuse/record/samples.hpp"
+#include "suffuse/record/stage_cache.hpp"
 #include "suffuse/run/control.hpp"
-#include "suffuse/run/samples.hpp"
-#include "suffuse/run/stage_cache.hpp"
 #include "suffuse/run/stage_work.hpp"
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace suffuse::run {
 
 class SampleRun {
 public:
-    SampleRun(const casefile::Case& what, const RunOptions& options, const Sample& sample, Overview& overview)
+    SampleRun(const casefile::Case& what, const RunOptions& options, const record::Sample& sample, Overview& overview)
         : what_(what), options_(options), sample_(sample), overview_(overview),
           control_(overview, what.output.checkpoint), cache_(options.cache) {}
 
@@ -40,14 +40,11 @@ private:
 
     const casefile::Case& what_;
     const RunOptions& options_;
-    const Sample& sample_;
+    const record::Sample& sample_;
     Overview& overview_;
     Control control_;
-    StageCache cache_;
+    record::StageCache cache_;
     const casefile::Stage* stage_ = nullptr;
 };
-
-/// Whether the folder holds every stage that the sample is to run.
-bool is_complete(const Sample& sample, const std::filesystem::path& run);
 
 } // namespace suffuse::run

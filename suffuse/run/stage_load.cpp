@@ -1,13 +1,9 @@
 // The verbs that load a sample: settle, triaxial, stress-probe, advance.
 
-#include "suffuse/cell/drive.hpp"
-#include "suffuse/cell/hold_stress.hpp"
+#include "suffuse/dem/drive_world.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
-#include "suffuse/dem/relax.hpp"
-#include "suffuse/dem/settle.hpp"
-#include "suffuse/dem/stable_dt.hpp"
-#include "suffuse/run/result_json.hpp"
+#include "suffuse/record/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
 
@@ -19,9 +15,10 @@
 namespace suffuse::run {
 namespace {
 
-dem::StepPlan plan_for(const StageWork& work, const cell::Loading& loading) {
+/// @param time_step asked for [s]; 0: computed
+dem::StepPlan plan_for(const StageWork& work, double time_step, const cell::Loading& loading) {
     dem::StepPlan plan;
-    plan.dt = work.time_step;
+    plan.dt = time_step;
     plan.damping = work.variant.damping;
     plan.mode = work.what.mode;
     plan.loading = loading;
@@ -96,59 +93,41 @@ void note_overshoot(StageWork& work, const triaxial::TriaxialSpec& spec, const s
 
 } // namespace
 
-// Settling looks for an equilibrium, not for a motion: the drag keeps inertia from knocking weak contacts open (an
-// imported packing lost 27 of its 7,210 active grains without it, and none with it).
 void do_settle(StageWork& work, const dem::SettleSpec& spec) {
-    dem::BalanceState state;
-    std::int64_t known_contacts = 0; // when the time step was chosen
-    double stress_before = dem::mean_stress(dem::mean_stress_tensor(work.world));
+    dem::Settling settling;
     if (work.resumed.is_null()) {
+        settling = dem::begin_settling(work.world);
         dem::sort_along_curve(work.world);
     } else {
-        state = work.resumed.at("balance").get<dem::BalanceState>();
-        work.time_step = work.resumed.at("time_step");
-        known_contacts = work.resumed.at("known_contacts");
-        stress_before = work.resumed.at("stress_before");
+        settling.balance = work.resumed.at("balance").get<dem::BalanceState>();
+        settling.time_step = work.resumed.at("time_step");
+        settling.known_contacts = work.resumed.at("known_contacts");
+        settling.stress_before = work.resumed.at("stress_before");
     }
     work.control.save_with([&] {
         work.save_partial(
-            {{"balance", state},
-             {"time_step", work.time_step},
-             {"known_contacts", known_contacts},
-             {"stress_before", stress_before}}
+            {{"balance", settling.balance},
+             {"time_step", settling.time_step},
+             {"known_contacts", settling.known_contacts},
+             {"stress_before", settling.stress_before}}
         );
     });
     dem::StepCaches caches;
-    bool settled = false;
-    while (!settled) {
-        if (spec.time_step > 0) {
-            work.time_step = spec.time_step;
-        } else if (dem::time_step_is_due(state.steps, state.equilibrium.contacts, known_contacts)) {
-            work.time_step = dem::stable_time_step(
-                work.world, dem::default_step_safety, cell::stress_to_bear(spec.loading, work.world.servo)
-            );
-            known_contacts = state.equilibrium.contacts;
-        }
-        dem::StepPlan plan = plan_for(work, spec.loading);
-        plan.drag = dem::slowest_mode_drag(work.world.grains.size(), work.time_step);
-        settled = dem::settle_burst(work.world, caches, plan, work.what.balance, state);
+    const dem::StepPlan plan = plan_for(work, spec.time_step, spec.loading);
+    dem::settle_world(work.world, caches, plan, work.what.balance, spec.max_steps, settling, [&](bool is_over) {
         work.count_steps(dem::burst_steps);
         work.note_state();
-        if (!settled && dem::carries_nothing(spec.loading, work.what.balance, state, stress_before)) {
-            settled = true;
-            work.warnings.push_back(fmt::format(
-                "{}: the sample carries no stress at this volume: its grains are not held together", work.place()
-            ));
+        if (!is_over) {
+            work.control.beat("settle", settling.balance.steps, &work.world);
         }
-        if (!settled && state.steps >= spec.max_steps) {
-            dem::report_not_balanced(spec.loading, work.what.balance, state);
-        }
-        if (!settled) {
-            work.control.beat("settle", state.steps, &work.world);
-        }
+    });
+    if (settling.collapsed) {
+        work.warnings.push_back(fmt::format(
+            "{}: the sample carries no stress at this volume: its grains are not held together", work.place()
+        ));
     }
-    cell::hold_stress(spec.loading, work.world.servo);
-    work.numbers["steps"] = state.steps;
+    work.time_step = settling.time_step;
+    work.numbers["steps"] = settling.balance.steps;
 }
 
 void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
@@ -220,43 +199,33 @@ void do_stress_probe(StageWork& work, const triaxial::StressProbeSpec& spec) {
 }
 
 void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {
-    std::int64_t done = 0, known_contacts = 0;
+    dem::Advancing advancing;
     if (work.resumed.is_null()) {
         work.history.record(work.world, true);
     } else {
-        done = work.resumed.at("done");
-        work.time_step = work.resumed.at("time_step");
-        known_contacts = work.resumed.at("known_contacts");
+        advancing.done = work.resumed.at("done");
+        advancing.time_step = work.resumed.at("time_step");
+        advancing.known_contacts = work.resumed.at("known_contacts");
     }
     work.control.save_with([&] {
-        work.save_partial({{"done", done}, {"time_step", work.time_step}, {"known_contacts", known_contacts}});
+        work.save_partial(
+            {{"done", advancing.done}, {"time_step", advancing.time_step}, {"known_contacts", advancing.known_contacts}}
+        );
     });
     dem::StepCaches caches;
-    while (done < spec.steps) {
-        const std::int64_t contacts = spec.time_step > 0 ? 0 : dem::measure_equilibrium(work.world).contacts;
-        if (spec.time_step > 0) {
-            work.time_step = spec.time_step;
-        } else if (dem::time_step_is_due(done, contacts, known_contacts)) {
-            work.time_step = dem::stable_time_step(
-                work.world, dem::default_step_safety, cell::stress_to_bear(spec.loading, work.world.servo)
-            );
-            known_contacts = contacts;
+    dem::advance_world(
+        work.world, caches, plan_for(work, spec.time_step, spec.loading), spec.steps, advancing,
+        [&] { return work.history.steps_to_next(work.world.clock.step); },
+        [&](std::int64_t steps) {
+            work.count_steps(steps);
+            work.note_state();
+            if (advancing.done < spec.steps) {
+                work.control.beat("advance", advancing.done, &work.world);
+            }
         }
-        const std::int64_t burst = std::min(
-            {spec.steps - done, work.history.steps_to_next(work.world.clock.step), dem::burst_steps,
-             dem::time_step_interval - done % dem::time_step_interval}
-        );
-        const dem::StepPlan plan = plan_for(work, spec.loading);
-        dem::advance(work.world, caches, plan, burst);
-        done += burst;
-        work.count_steps(burst);
-        work.note_state();
-        if (done < spec.steps) {
-            work.control.beat("advance", done, &work.world);
-        }
-    }
-    cell::hold_stress(spec.loading, work.world.servo);
-    work.numbers["steps"] = done;
+    );
+    work.time_step = advancing.time_step;
+    work.numbers["steps"] = advancing.done;
 }
 
 } // namespace suffuse::run

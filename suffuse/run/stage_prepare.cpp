@@ -10,8 +10,8 @@
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/target_density.hpp"
-#include "suffuse/run/read_import.hpp"
-#include "suffuse/run/result_json.hpp"
+#include "suffuse/record/read_import.hpp"
+#include "suffuse/record/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
 
 #include <fmt/format.h>
@@ -80,7 +80,7 @@ void warn_of_shear_stress(StageWork& work, double pressure) {
 } // namespace
 
 void do_import(StageWork& work, const casefile::ImportSpec& spec) {
-    ImportedSample sample = read_import(spec, work.variant, work.place());
+    record::ImportedSample sample = record::read_import(spec, work.variant, work.place());
     work.world.cell.h = sample.h;
     work.world.grains = std::move(sample.grains);
     work.world.reference_h = work.world.cell.h;

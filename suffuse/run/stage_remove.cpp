@@ -3,9 +3,8 @@
 #include "suffuse/cell/strain.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/removal.hpp"
-#include "suffuse/report/passes.hpp"
+#include "suffuse/record/result_json.hpp"
 #include "suffuse/run/pass_record.hpp"
-#include "suffuse/run/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"
 
 #include <fmt/format.h>
@@ -26,13 +25,13 @@ double axial_difference(const Mat3& stress) {
 }
 
 /// A sample that carried none before, as after a collapse in an earlier pass, has lost all.
-double stress_loss(const erosion::PassResult& pass) {
-    return report::stress_loss(pass).value_or(1);
+double lost_share(const erosion::PassResult& pass) {
+    return erosion::stress_loss(pass).value_or(1);
 }
 
 json removal_pass(const erosion::PassResult& pass) {
     json numbers = pass_record(pass);
-    numbers["stress_loss"] = stress_loss(pass);
+    numbers["stress_loss"] = lost_share(pass);
     return numbers;
 }
 
@@ -63,7 +62,7 @@ json removal_numbers(const dem::World& end, const erosion::RemovalResult& remova
         {"stress_constant_volume", last.stress_constant_volume},
         {"stress_after", dem::mean_stress_tensor(end)},
         {"stress_ratio_before", before > 0 ? deviator / before : 0},
-        {"stress_loss", stress_loss(last)},
+        {"stress_loss", lost_share(last)},
         {"strain", strain},
         {"largest_strain", cell::largest_strain(strain)},
         {"volumetric_strain", volumetric_strain},

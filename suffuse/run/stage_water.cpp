@@ -1,5 +1,6 @@
 // The verbs with water: flow, detach, erode.
 
+#include "suffuse/base/words.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/detachment.hpp"
 #include "suffuse/erosion/loop.hpp"
@@ -12,12 +13,11 @@
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/io/flow_tables.hpp"
 #include "suffuse/io/tables.hpp"
-#include "suffuse/report/words.hpp"
-#include "suffuse/run/case_hash.hpp"
+#include "suffuse/record/case_hash.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/result_json.hpp"
+#include "suffuse/record/samples.hpp"
 #include "suffuse/run/pass_record.hpp"
-#include "suffuse/run/result_json.hpp"
-#include "suffuse/run/samples.hpp"
-#include "suffuse/run/scene_data.hpp"
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/stokes/resolved_flow.hpp"
 
@@ -124,7 +124,7 @@ void note_fast_water(StageWork& work, const std::string& when, double gradient, 
             "{}: at i = {:.3g} the water {} has a Reynolds number of {}: its inertia, which slow flow leaves out, "
             "would leave some {:.0f} % of the flux (Ergun); the permeability told is that of slow flow; the fluid's "
             "forces add up to the gradient all the same",
-            work.place(), gradient, when, report::short_number(reynolds, 2), 100 * left
+            work.place(), gradient, when, short_number(reynolds, 2), 100 * left
         ));
     }
 }
@@ -288,7 +288,7 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
         io::write_pores_csv(work.folder / "pores.csv", seepage.network, seepage.field.pressure, velocity);
         io::write_throats_csv(work.folder / "throats.csv", seepage.network, seepage.conductance, seepage.field.flux);
     }
-    if (writes(work.what.output, "vtp")) {
+    if (record::writes(work.what.output, "vtp")) {
         io::write_pores_vtu(
             work.folder / "pores.vtu", seepage.network, world.grains.position, seepage.field.pressure, velocity
         );
@@ -323,8 +323,8 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     while (goes_on && (spec.until_nothing_leaves || passes_done() < spec.passes)) {
         if (passes_done() > 0) { // the state between two passes; that after the last is the stage's own
             io::save_world(
-                pass_file(work.folder, passes_done()), work.world, {},
-                {{"case_hash", case_hash(work.what)},
+                record::pass_file(work.folder, passes_done()), work.world, {},
+                {{"case_hash", record::case_hash(work.what)},
                  {"stage", fmt::format("{}, pass {}", work.place(), passes_done())}}
             );
         }

@@ -3,16 +3,17 @@
 #include "suffuse/base/version.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/io/checkpoint.hpp"
-#include "suffuse/run/folder.hpp"
-#include "suffuse/run/stage_cache.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/stage_cache.hpp"
 
 namespace suffuse::run {
 
 void StageWork::save_partial(const nlohmann::json& state) const {
-    const nlohmann::json all{{"state", state},       {"history", history.to_json()},   {"grain_steps", grain_steps},
-                             {"seconds", seconds()}, {"world", describe_state(world)}, {"commit", commit()}};
+    const nlohmann::json all{
+        {"state", state},       {"history", history.to_json()},           {"grain_steps", grain_steps},
+        {"seconds", seconds()}, {"world", record::describe_state(world)}, {"commit", commit()}};
     // CBOR, as text has no word for numbers that are infinite, or none
-    io::save_world(folder / partial_file, world, {}, {}, nlohmann::json::to_cbor(all));
+    io::save_world(folder / record::partial_file, world, {}, {}, nlohmann::json::to_cbor(all));
 }
 
 erosion::Surroundings StageWork::surroundings() const {

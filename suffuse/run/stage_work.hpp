@@ -4,9 +4,10 @@
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/record/finished_stage.hpp"
+#include "suffuse/record/samples.hpp"
 #include "suffuse/run/control.hpp"
 #include "suffuse/run/history.hpp"
-#include "suffuse/run/samples.hpp"
 #include "suffuse/run/strain_pictures.hpp"
 #include "suffuse/triaxial/run_path.hpp"
 
@@ -15,14 +16,6 @@
 #include <vector>
 
 namespace suffuse::run {
-
-/// What the report draws from a stage, beyond its numbers.
-struct StageFindings {
-    std::vector<erosion::ProbeResult> probes;
-    std::optional<erosion::ErosionResult> erosion;
-    std::vector<triaxial::PathRow> curve;
-    std::optional<flow::ThroatFlux> throat_flux;
-};
 
 struct StageWork {
     const casefile::Case& what;
@@ -36,7 +29,7 @@ struct StageWork {
     History history;
     StrainPictures pictures;
     nlohmann::json numbers = nlohmann::json::object(); ///< of stage.json, beyond those of every state
-    StageFindings findings;
+    record::StageFindings findings;
     std::vector<std::string> warnings, flaws;
     double time_step = 0;         ///< of the last burst [s]
     std::int64_t grain_steps = 0; ///< grains x steps, for the rate
@@ -44,7 +37,7 @@ struct StageWork {
     double earlier_seconds = 0; ///< wall time before the stage was taken up again [s]
 
     /// "STUDY/SAMPLE/STAGE", as warnings say where.
-    [[nodiscard]] std::string place() const { return stage_name(variant, stage); }
+    [[nodiscard]] std::string place() const { return record::stage_name(variant, stage); }
 
     /// Steps that the grains of the world now have made.
     void count_steps(std::int64_t steps) { grain_steps += steps * static_cast<std::int64_t>(world.grains.size()); }

@@ -217,9 +217,8 @@ void check_spec(const TriaxialSpec& spec) {
     }
 }
 
-void renew_time_step(const dem::World& world, const TriaxialSpec& spec, PathState& state) {
-    state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(world);
-    state.known_contacts = state.balance.equilibrium.contacts;
+double choose_time_step(const dem::World& world, const TriaxialSpec& spec) {
+    return spec.time_step > 0 ? spec.time_step : dem::stable_time_step(world);
 }
 
 /// Later stages hold the lateral stresses of a drained test, else the stresses that the test has led to.
@@ -275,9 +274,9 @@ bool path_burst(
     dem::World& world, dem::StepCaches& caches, const TriaxialSpec& spec, const dem::BalanceSpec& balance,
     double damping, dem::Mode mode, PathState& state
 ) {
-    if (dem::time_step_is_due(state.steps, state.balance.equilibrium.contacts, state.known_contacts)) {
-        renew_time_step(world, spec, state);
-    }
+    dem::renew_time_step(state, state.steps, state.balance.equilibrium.contacts, [&] {
+        return choose_time_step(world, spec);
+    });
     const std::optional<double> missing = missing_deviator(spec, state.balance.stress);
     if (missing && state.steps == 0) {
         ease_to_target(world, spec, 1, std::numeric_limits<double>::infinity(), state);
@@ -320,7 +319,7 @@ bool path_burst(
     state.balance.steps = state.balance.balanced_steps = 0;
     give_back(world, state); // a balance is proved with the grains' own inertia
     if (reached) {
-        renew_time_step(world, spec, state);
+        dem::take_time_step(state, choose_time_step(world, spec), state.balance.equilibrium.contacts);
         state.phase = PathState::Phase::Settle;
     } else {
         end_path(world, spec, state);

@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const std::string text(reinterpret_cast<const char*>(bytes), size);
     try {
         const casefile::LoadedCase loaded = casefile::load_case_text(text, "case.toml", SUFFUSE_FUZZ_DATA);
-        casefile::render(loaded.warnings);
+        render(loaded.warnings);
     } catch (const CaseError&) {
     } catch (const IoError&) {
     }

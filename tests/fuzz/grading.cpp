@@ -2,22 +2,22 @@
 
 #include "suffuse/grains/grading.hpp"
 
-#include "suffuse/casefile/read_grading.hpp"
+#include "suffuse/io/read_grading.hpp"
 
 #include <cstdlib>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace suffuse;
-    const auto source = std::make_shared<casefile::Source>(casefile::Source{
-        "sand.csv", std::string(reinterpret_cast<const char*>(bytes), size)});
-    for (const auto ends : {casefile::CurveEnds::Closed, casefile::CurveEnds::MayBeOpen}) {
-        casefile::Problems problems;
-        const auto grading = casefile::parse_grading(source, problems, ends);
-        casefile::render(problems.sorted());
+    const auto source =
+        std::make_shared<Source>(Source{"sand.csv", std::string(reinterpret_cast<const char*>(bytes), size)});
+    for (const auto ends : {io::CurveEnds::Closed, io::CurveEnds::MayBeOpen}) {
+        Problems problems;
+        const auto grading = io::parse_grading(source, problems, ends);
+        render(problems.sorted());
         if (grading.has_value() == problems.has_errors()) {
             std::abort(); // a curve, or a reason why not
         }
-        if (grading && ends == casefile::CurveEnds::Closed) {
+        if (grading && ends == io::CurveEnds::Closed) {
             grains::check(*grading); // what is read is a curve in the sense of those who use it
         }
     }

@@ -119,7 +119,7 @@ void run_with_a_stop_between_passes(const std::string& text, const path& folder,
     options.stop = &stop;
     options.progress_interval = 0;
     options.on_progress = [&](const run::Progress&) { stop = stop || std::filesystem::exists(partial); };
-    ASSERT_EQ(run_text(text, folder, options).outcome, run::Outcome::Stopped);
+    ASSERT_EQ(run_text(text, folder, options).outcome, record::Outcome::Stopped);
     ASSERT_TRUE(std::filesystem::exists(partial));
     run_text(text, folder);
 }

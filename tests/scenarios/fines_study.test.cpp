@@ -46,7 +46,7 @@ only                     = { fines_content = ["30 %"] }
 )";
 
 json stage_json(const TempFolder& folder, const std::string& place) {
-    return run::read_json(folder / ("run/studies/s/" + place + "/stage.json"));
+    return record::read_json(folder / ("run/studies/s/" + place + "/stage.json"));
 }
 
 class FinesStudy : public testing::Test {
@@ -59,11 +59,11 @@ protected:
     static void TearDownTestSuite() { folder_.reset(); }
 
     static std::unique_ptr<TempFolder> folder_;
-    static run::RunReport report_;
+    static job::RunReport report_;
 };
 
 std::unique_ptr<TempFolder> FinesStudy::folder_;
-run::RunReport FinesStudy::report_;
+job::RunReport FinesStudy::report_;
 
 TEST_F(FinesStudy, ThePureSoilsHaveWhatTheDefinitionsSayAndNullWhereThereIsNothing) {
     ASSERT_TRUE(report_.failures.empty()) << report_.failures.front().message;
@@ -134,7 +134,7 @@ TEST_F(FinesStudy, AStageMeasuresWhatItIsAskedFor) {
 }
 
 TEST_F(FinesStudy, TheSummaryJudgesWhatThreeFinesContentsCanTell) {
-    const json summary = run::read_json(*folder_ / "run/summary.json");
+    const json summary = record::read_json(*folder_ / "run/summary.json");
     std::vector<std::string> ids;
     for (const json& finding : summary.at("findings")) {
         ids.push_back(finding.at("id"));
@@ -155,7 +155,7 @@ TEST_F(FinesStudy, ARemovalThatIsStoppedEndsWithTheSameBits) {
     options.on_progress = [&](const run::Progress& progress) { // the stage before the removal: it meets the stop
         stop = stop || (progress.stage_finished && progress.stage == "loose" && progress.sample == 2);
     };
-    EXPECT_EQ(run_text(reference_constants + study, broken.path(), options).outcome, run::Outcome::Stopped);
+    EXPECT_EQ(run_text(reference_constants + study, broken.path(), options).outcome, record::Outcome::Stopped);
     EXPECT_FALSE(std::filesystem::exists(broken / "run/studies/s/fc=30/emptied/stage.json"));
     run_text(reference_constants + study, broken.path());
     EXPECT_EQ(
@@ -178,7 +178,7 @@ TEST(RemovalTwice, FromTwoStatesOfASampleIsShownWithGrainsThatAllStatesShownHave
     add("emptied-moved", "moved", remove);
     add("after-moved", "emptied-moved", advance);
     const TempFolder folder;
-    const run::RunReport report = run_text(text, folder.path());
+    const job::RunReport report = run_text(text, folder.path());
     EXPECT_TRUE(report.failures.empty());
     EXPECT_TRUE(std::filesystem::exists(folder / "run/summary.json"));
 }

@@ -7,7 +7,7 @@
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/target_density.hpp"
-#include "suffuse/run/result_json.hpp"
+#include "suffuse/record/result_json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -92,7 +92,7 @@ TEST(ReleasedShearSample, GoesThroughTestsAndErosionAndIsTheSameAfterAStop) {
     const std::string text = reference_constants + reference_soil() + "[study.s]\nsoil = \"sand\"\nparticles = 500\n" +
                              cloud_and_initial + stages;
     const TempFolder straight, broken;
-    const run::RunReport report = run_text(text, straight.path());
+    const job::RunReport report = run_text(text, straight.path());
     ASSERT_TRUE(report.failures.empty()) << report.failures.front().message;
     for (const std::string stage : {"initial", "harder"}) { // the case asks for a stress error of 0.1 %
         const nlohmann::json numbers = stage_of(straight.path(), stage);
@@ -112,7 +112,7 @@ TEST(ReleasedShearSample, GoesThroughTestsAndErosionAndIsTheSameAfterAStop) {
         options.progress_interval = 0;
         int left = pulses;
         options.on_progress = [&](const run::Progress&) { stop = --left <= 0; };
-        if (run_text(text, broken.path(), options).outcome != run::Outcome::Stopped) {
+        if (run_text(text, broken.path(), options).outcome != record::Outcome::Stopped) {
             break;
         }
         ++stops;

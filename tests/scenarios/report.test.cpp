@@ -127,7 +127,7 @@ TEST(StudyReport, FiguresOneToSixHoldTheNumbersOfTheStages) {
         EXPECT_NE(page.find(words), std::string::npos) << words;
     }
     // The case follows no paper: what the paper found is for those who ask the summary.
-    const json summary = run::read_json(folder / "run/summary.json");
+    const json summary = record::read_json(folder / "run/summary.json");
     EXPECT_FALSE(summary.at("findings").empty());
     EXPECT_EQ(page.find("he paper"), std::string::npos);
     EXPECT_TRUE(summary.at("missing_stages").empty());
@@ -166,7 +166,7 @@ TEST(StudyReport, OfARunThatWasToEndEarlySaysWhichStagesAreMissing) {
     run::RunOptions options;
     options.until = "cloud";
     run_text(reference_constants + fines_sweep, folder.path(), options);
-    const json missing = run::read_json(folder / "run/summary.json").at("missing_stages");
+    const json missing = record::read_json(folder / "run/summary.json").at("missing_stages");
     EXPECT_EQ(missing.size(), 2U * (3 + 4 + 2)) << missing; // of two seeds at 0, 20 and 100 %
     EXPECT_EQ(missing.at(0), "s/fc=0/rep=1/loose");
     const std::string page = read_all(folder / "run/report.html");
@@ -191,7 +191,7 @@ TEST(StudyReport, TwoRunsOfOneCaseDifferInTimesOnly) {
     for (const TempFolder* folder : {&first, &second}) {
         run::RunOptions options;
         options.folder = *folder / "run";
-        run::run_case(casefile::load_case_text(reference_constants + fines_sweep, "case.toml", "/").value, options);
+        job::run_case(casefile::load_case_text(reference_constants + fines_sweep, "case.toml", "/").value, options);
     }
     std::size_t compared = 0;
     for (const auto& entry : std::filesystem::directory_iterator(first / "run/figures")) {

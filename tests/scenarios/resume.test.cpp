@@ -3,8 +3,8 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/io/checkpoint.hpp"
-#include "suffuse/run/folder.hpp"
-#include "suffuse/run/stage_sums.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/stage_sums.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,8 +74,8 @@ TEST(Resume, AfterStopsInTheMiddleOfStagesTheBitsAreTheSame) {
                 stop = true;
             }
         };
-        const run::RunReport report = run_text(whole_case(), broken.path(), options);
-        if (report.outcome != run::Outcome::Stopped) {
+        const job::RunReport report = run_text(whole_case(), broken.path(), options);
+        if (report.outcome != record::Outcome::Stopped) {
             break;
         }
         ++stops;
@@ -130,12 +130,12 @@ TEST(Resume, OfAnErosionKeepsWhatIsInfinite) {
     options.on_progress = [&](const run::Progress&) {
         stop = std::filesystem::exists(broken / "run/studies/s/erosion/partial.h5");
     };
-    ASSERT_EQ(run_text(text, broken.path(), options).outcome, run::Outcome::Stopped);
-    const run::RunReport report = run_text(text, broken.path());
+    ASSERT_EQ(run_text(text, broken.path(), options).outcome, record::Outcome::Stopped);
+    const job::RunReport report = run_text(text, broken.path());
     ASSERT_TRUE(report.failures.empty()) << report.failures.front().message;
     EXPECT_EQ(hash_of(broken, "erosion"), hash_of(straight, "erosion"));
     const auto signal_of_first_pass = [](const TempFolder& folder) {
-        const nlohmann::json results = run::read_cbor(folder / "run/studies/s/erosion/results.cbor");
+        const nlohmann::json results = record::read_cbor(folder / "run/studies/s/erosion/results.cbor");
         return results.at("erosion").at("passes").at(0).at("probe").at("signal_over_twin").get<double>();
     };
     EXPECT_TRUE(std::isinf(signal_of_first_pass(straight))); // what the test is about
@@ -153,7 +153,7 @@ TEST(Resume, WhatAnotherVersionSavedInTheMiddleOfAStageIsRefusedOrSaidToBeOfIt) 
     options.on_progress = [&](const run::Progress& progress) {
         stop = progress.stage == "initial" && progress.steps > 0;
     };
-    ASSERT_EQ(run_text(text, folder.path(), options).outcome, run::Outcome::Stopped);
+    ASSERT_EQ(run_text(text, folder.path(), options).outcome, record::Outcome::Stopped);
     const io::Checkpoint left = io::load_world(partial);
     const nlohmann::json saved = nlohmann::json::from_cbor(left.unfinished);
 
@@ -164,7 +164,7 @@ TEST(Resume, WhatAnotherVersionSavedInTheMiddleOfAStageIsRefusedOrSaidToBeOfIt) 
     of_another["commit"] = "0123456789";
     for (const nlohmann::json& strange : {without_history, without_key, with_other_state, nlohmann::json(nullptr)}) {
         io::save_world(partial, left.world, {}, {}, nlohmann::json::to_cbor(strange));
-        const run::RunReport report = run_text(text, folder.path());
+        const job::RunReport report = run_text(text, folder.path());
         ASSERT_EQ(report.failures.size(), 1U) << strange.dump();
         EXPECT_EQ(report.failures[0].kind, "io");
         const std::string& message = report.failures[0].message;
@@ -180,18 +180,18 @@ TEST(Resume, ATimeLimitOfZeroStopsAtOnceAndLeavesARunThatGoesOn) {
     const TempFolder folder;
     run::RunOptions options;
     options.time_limit = 0;
-    EXPECT_EQ(run_text(whole_case(), folder.path(), options).outcome, run::Outcome::TimeLimit);
-    EXPECT_NE(run_text(whole_case(), folder.path()).outcome, run::Outcome::TimeLimit);
+    EXPECT_EQ(run_text(whole_case(), folder.path(), options).outcome, record::Outcome::TimeLimit);
+    EXPECT_NE(run_text(whole_case(), folder.path()).outcome, record::Outcome::TimeLimit);
 }
 
 TEST(Resume, AStageThatIsCompleteHasNotFailed) {
     const TempFolder folder;
     const std::string text = sample_of(300);
-    ASSERT_EQ(run_text(text, folder.path()).outcome, run::Outcome::Done);
+    ASSERT_EQ(run_text(text, folder.path()).outcome, record::Outcome::Done);
     const std::filesystem::path failed = folder / "run/studies/s/cloud/failed.json";
-    run::write_json(failed, {{"sample", "s"}, {"stage", "cloud"}, {"kind", "io"}, {"message", "the disk is full"}});
-    const run::RunReport report = run_text(text, folder.path());
-    EXPECT_EQ(report.outcome, run::Outcome::Done);
+    record::write_json(failed, {{"sample", "s"}, {"stage", "cloud"}, {"kind", "io"}, {"message", "the disk is full"}});
+    const job::RunReport report = run_text(text, folder.path());
+    EXPECT_EQ(report.outcome, record::Outcome::Done);
     EXPECT_TRUE(report.failures.empty());
     EXPECT_FALSE(std::filesystem::exists(failed));
 }
@@ -210,14 +210,14 @@ TEST(Resume, ALineThatTheLogCannotTakeFailsNoStage) {
             std::filesystem::remove(log);
         }
     };
-    EXPECT_EQ(run_text(sample_of(300), folder.path(), options).outcome, run::Outcome::Done);
+    EXPECT_EQ(run_text(sample_of(300), folder.path(), options).outcome, record::Outcome::Done);
 }
 
 TEST(Resume, FromAStateThatIsNotTheOneToldIsRefusedWithItsFile) {
     const TempFolder folder;
     run::RunOptions options;
     options.until = "cloud";
-    ASSERT_EQ(run_text(sample_of(300), folder.path(), options).outcome, run::Outcome::Done);
+    ASSERT_EQ(run_text(sample_of(300), folder.path(), options).outcome, record::Outcome::Done);
     const std::filesystem::path state = folder / "run/studies/s/cloud/state.h5";
     dem::World world = io::load_world(state).world;
     world.grains.id[3] = 77777;
@@ -232,9 +232,9 @@ TEST(Resume, FromAStateThatIsNotTheOneToldIsRefusedWithItsFile) {
     EXPECT_NE(message.find("remove " + state.parent_path().string()), std::string::npos) << message;
 
     // With checksums that fit it is still not the state that its stage tells.
-    run::seal_stage(state.parent_path(), run::read_json(state.parent_path() / "stage.json"));
+    record::seal_stage(state.parent_path(), record::read_json(state.parent_path() / "stage.json"));
     std::filesystem::remove(folder / "run/SHA256SUMS");
-    const run::RunReport report = run_text(sample_of(300), folder.path());
+    const job::RunReport report = run_text(sample_of(300), folder.path());
     ASSERT_EQ(report.failures.size(), 1U);
     EXPECT_EQ(report.failures[0].kind, "io");
     message = report.failures[0].message;
@@ -242,7 +242,7 @@ TEST(Resume, FromAStateThatIsNotTheOneToldIsRefusedWithItsFile) {
     EXPECT_NE(message.find("remove " + state.parent_path().string()), std::string::npos) << message;
 
     std::filesystem::remove_all(state.parent_path());
-    EXPECT_EQ(run_text(sample_of(300), folder.path()).outcome, run::Outcome::Done);
+    EXPECT_EQ(run_text(sample_of(300), folder.path()).outcome, record::Outcome::Done);
 }
 
 TEST(Resume, InTheMiddleOfAStageIsRefusedFromAStateThatWasChanged) {
@@ -255,11 +255,11 @@ TEST(Resume, InTheMiddleOfAStageIsRefusedFromAStateThatWasChanged) {
     options.on_progress = [&](const run::Progress& progress) {
         stop = progress.stage == "initial" && progress.steps > 0;
     };
-    ASSERT_EQ(run_text(sample_of(300), folder.path(), options).outcome, run::Outcome::Stopped);
+    ASSERT_EQ(run_text(sample_of(300), folder.path(), options).outcome, record::Outcome::Stopped);
     io::Checkpoint left = io::load_world(partial);
     left.world.grains.mass[3] *= 2;
     io::save_world(partial, left.world, {}, {}, left.unfinished);
-    const run::RunReport report = run_text(sample_of(300), folder.path());
+    const job::RunReport report = run_text(sample_of(300), folder.path());
     ASSERT_EQ(report.failures.size(), 1U);
     const std::string& message = report.failures[0].message;
     EXPECT_NE(message.find(partial.string() + ": is not the state that was saved"), std::string::npos) << message;
@@ -268,12 +268,14 @@ TEST(Resume, InTheMiddleOfAStageIsRefusedFromAStateThatWasChanged) {
 
 TEST(Resume, AReportOfAStateWithStrangeGrainsNamesItsFile) {
     const TempFolder folder;
-    ASSERT_EQ(run_text(sample_of(300) + erosion_of_two_passes, folder.path()).outcome, run::Outcome::Done);
+    ASSERT_EQ(run_text(sample_of(300) + erosion_of_two_passes, folder.path()).outcome, record::Outcome::Done);
     const std::filesystem::path state = folder / "run/studies/s/erosion/state.h5";
     dem::World world = io::load_world(state).world;
     world.grains.id[3] = 77777;
     io::save_world(state, world);
-    run::seal_stage(state.parent_path(), run::read_json(state.parent_path() / "stage.json")); // as if it had ended so
+    record::seal_stage(
+        state.parent_path(), record::read_json(state.parent_path() / "stage.json")
+    ); // as if it had ended so
     std::filesystem::remove(folder / "run/SHA256SUMS");
     try {
         run_text(sample_of(300) + erosion_of_two_passes, folder.path());
@@ -300,8 +302,8 @@ TEST(OwnTimeStep, BeyondWhatTheSampleCanTakeIsRefused) {
     text.replace(
         text.find("pressure = \"100 kPa\""), 0, "time_step = \"1 us\"\n"
     ); // of the compaction: ten times too long
-    const run::RunReport report = run_text(text, folder.path());
-    EXPECT_EQ(report.outcome, run::Outcome::SomeFailed);
+    const job::RunReport report = run_text(text, folder.path());
+    EXPECT_EQ(report.outcome, record::Outcome::SomeFailed);
     ASSERT_EQ(report.failures.size(), 1U);
     EXPECT_NE(report.failures[0].message.find("time_step: found 1000 ns, expected at most"), std::string::npos)
         << report.failures[0].message;

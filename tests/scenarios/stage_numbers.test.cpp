@@ -61,7 +61,7 @@ TEST(StageNumbers, TheMeanFluxThroughThroatsIsThatOfAGradientOfOneWhateverTheSig
         folder.path()
     );
     const auto mean_flux = [&](const std::string& stage) {
-        return run::read_cbor(folder / ("run/studies/s/" + stage + "/results.cbor"))
+        return record::read_cbor(folder / ("run/studies/s/" + stage + "/results.cbor"))
             .at("throat_flux")
             .at("mean")
             .get<double>();

@@ -49,7 +49,7 @@ std::map<std::string, std::string> hashes(const TempFolder& folder) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(studies)) {
         if (entry.path().filename() == "stage.json") {
             const std::string place = std::filesystem::relative(entry.path().parent_path(), studies);
-            found[place] = run::read_json(entry.path()).at("state_hash");
+            found[place] = record::read_json(entry.path()).at("state_hash");
         }
     }
     return found;
@@ -129,7 +129,7 @@ strain_rate = ["1 1/s", "0 1/s", "0 1/s"]
             }
             stop = stop || (--left <= 0 && midway.size() == 2);
         };
-        if (run_text(long_case, broken.path(), options).outcome != run::Outcome::Stopped) {
+        if (run_text(long_case, broken.path(), options).outcome != record::Outcome::Stopped) {
             break;
         }
         std::size_t partial = 0;
@@ -152,14 +152,14 @@ TEST_F(Sweep, AFailedSampleIsReportedAndDoesNotStopTheOthers) {
     options.on_progress = [&](const run::Progress& progress) { failures_seen += progress.failure.empty() ? 0 : 1; };
     // A strain of a millionth is no way to a deviator stress.
     const std::string sweep = R"("stage.sheared.strain" = ["2 %", "0.0001 %"])";
-    const run::RunReport report = run_text(sweep_case(sweep), folder.path(), options);
-    EXPECT_EQ(report.outcome, run::Outcome::SomeFailed);
+    const job::RunReport report = run_text(sweep_case(sweep), folder.path(), options);
+    EXPECT_EQ(report.outcome, record::Outcome::SomeFailed);
     ASSERT_EQ(report.failures.size(), 2U); // both seeds
     EXPECT_EQ(report.failures[0].sample, "s/strain=0.0001pct/rep=1");
     EXPECT_EQ(report.failures[0].stage, "sheared");
     EXPECT_NE(report.failures[0].message.find("out of reach"), std::string::npos);
     EXPECT_EQ(failures_seen, 2);
-    const nlohmann::json summary = run::read_json(folder / "run/summary.json");
+    const nlohmann::json summary = record::read_json(folder / "run/summary.json");
     EXPECT_EQ(summary.at("samples"), (nlohmann::json{{"total", 4}, {"done", 2}, {"failed", 2}}));
     EXPECT_EQ(summary.at("failures").at(1).at("sample"), "s/strain=0.0001pct/rep=2");
     EXPECT_TRUE(summary.at("stages").contains("s/strain=2pct/rep=2/sheared"));
@@ -173,7 +173,7 @@ TEST_F(Sweep, EachSampleEndsWithTheStageAskedForAsTheLast) {
     const TempFolder folder;
     run::RunOptions options;
     options.until = "initial";
-    EXPECT_EQ(run_text(sweep_case(), folder.path(), options).outcome, run::Outcome::Done);
+    EXPECT_EQ(run_text(sweep_case(), folder.path(), options).outcome, record::Outcome::Done);
     EXPECT_EQ(hashes(folder).size(), 2U * 2 * 2);
 }
 

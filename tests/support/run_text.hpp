@@ -2,8 +2,8 @@
 // A case as text, run in a folder of its own: what scenarios that go through the whole program share.
 
 #include "suffuse/casefile/load_case.hpp"
-#include "suffuse/run/folder.hpp"
-#include "suffuse/run/runner.hpp"
+#include "suffuse/job/run_case.hpp"
+#include "suffuse/record/folder.hpp"
 
 #include <fmt/format.h>
 
@@ -66,7 +66,7 @@ prepare  = { friction = "10 deg" }
 
 /// A study that starts from one of the reference's packings, settled at 100 kPa in the stage "settled".
 inline std::string study_of_packing(const std::string& name) {
-    const nlohmann::json about = run::read_json(in_checkout("tests/reference/" + name + ".json"));
+    const nlohmann::json about = record::read_json(in_checkout("tests/reference/" + name + ".json"));
     std::string edges;
     for (const double edge : about.at("cell")) {
         edges += (edges.empty() ? "\"" : ", \"") + fmt::format("{} m", edge) + "\"";
@@ -76,15 +76,15 @@ inline std::string study_of_packing(const std::string& name) {
            "]\n[[study.s.stage]]\nname = \"settled\"\ndo = \"settle\"\npressure = \"100 kPa\"\n";
 }
 
-inline run::RunReport
+inline job::RunReport
 run_text(const std::string& text, const std::filesystem::path& folder, run::RunOptions options = {}) {
     const casefile::LoadedCase loaded = casefile::load_case_text(text, "scenario.toml", folder.string());
     options.folder = folder / "run";
-    return run::run_case(loaded.value, options);
+    return job::run_case(loaded.value, options);
 }
 
 inline nlohmann::json stage_of(const std::filesystem::path& folder, const std::string& stage) {
-    return run::read_json(folder / "run" / "studies" / "s" / stage / "stage.json");
+    return record::read_json(folder / "run" / "studies" / "s" / stage / "stage.json");
 }
 
 } // namespace suffuse::test

@@ -2,8 +2,8 @@
 // An invented study over the fines content, for tests of the report only: shapes as a real study has them, numbers from
 // a formula.
 
+#include "suffuse/figures/figures_fines.hpp"
 #include "suffuse/grains/grading.hpp"
-#include "suffuse/report/figures_fines.hpp"
 
 #include <cmath>
 #include <string>
@@ -17,8 +17,8 @@ inline const std::vector<double>& sample_fines_contents() {
     return contents;
 }
 
-inline report::Scatter around(double mean, double spread) {
-    return report::scatter_of({mean - spread, mean, mean + spread});
+inline study::Scatter around(double mean, double spread) {
+    return study::scatter_of({mean - spread, mean, mean + spread});
 }
 
 /// Void ratio: falls to `least` at `threshold`, then rises to that of the fines.
@@ -32,14 +32,14 @@ inline double rises(double f, double at, double width) {
     return 1 / (1 + std::exp(-(f - at) / width));
 }
 
-inline report::FinesStudy sample_fines_study() {
-    report::FinesStudy study;
+inline study::FinesStudy sample_fines_study() {
+    study::FinesStudy study;
     study.study = "fines-sweep";
     study.fines_content = sample_fines_contents();
     study.loose.stage = "loose";
     study.dense.stage = "dense";
     for (const double f : study.fines_content) {
-        report::SweepPoint loose{{f}, {report::percent_name(f)}, {1, 2, 3}, {}}, dense = loose;
+        study::SweepPoint loose{{f}, {study::percent_name(f)}, {1, 2, 3}, {}}, dense = loose;
         const double e = sample_void_ratio(f, 0.86, 0.52, 0.4), b = rises(f, 0.27, 0.035);
         loose.number["void_ratio"] = around(e, 0.008);
         dense.number["void_ratio"] = around(sample_void_ratio(f, 0.62, 0.42, 0.25), 0.004);
@@ -62,20 +62,20 @@ inline report::FinesStudy sample_fines_study() {
     return study;
 }
 
-inline std::vector<report::Mixture> sample_mixtures() {
+inline std::vector<study::Mixture> sample_mixtures() {
     const grains::Grading sand{{2e-4, 3e-4, 4e-4}, {0, 0.5, 1}, "sand"},
         silt{{6e-5, 9e-5, 1.2e-4}, {0, 0.5, 1}, "silt"};
-    std::vector<report::Mixture> mixtures;
+    std::vector<study::Mixture> mixtures;
     for (const double f : sample_fines_contents()) {
         mixtures.push_back({f, grains::mixture(sand, silt, f), grains::mixture(sand, silt, 0.995 * f)});
     }
     return mixtures;
 }
 
-inline std::vector<report::ResponseCurve> sample_loose_tests() {
-    std::vector<report::ResponseCurve> tests;
+inline std::vector<study::ResponseCurve> sample_loose_tests() {
+    std::vector<study::ResponseCurve> tests;
     for (const double f : {0.0, 0.05, 0.1, 0.15}) {
-        std::vector<std::vector<report::StressStrainRow>> of_sample;
+        std::vector<std::vector<study::StressStrainRow>> of_sample;
         for (const double scale : {0.95, 1.0, 1.05}) {
             auto& rows = of_sample.emplace_back();
             for (int k = 0; k <= 400; ++k) {
@@ -84,7 +84,7 @@ inline std::vector<report::ResponseCurve> sample_loose_tests() {
                 rows.push_back({e1, ev, q, 1e5 + q / 3, 0.8 - 1.8 * ev});
             }
         }
-        tests.push_back(report::average_response("FC " + report::percent_name(f), of_sample));
+        tests.push_back(study::average_response("FC " + study::percent_name(f), of_sample));
         tests.back().fines_content = f;
     }
     return tests;

@@ -1,0 +1,71 @@
+#include "suffuse/answer/erosion_table.hpp"
+
+#include "suffuse/base/words.hpp"
+#include "suffuse/study/passes.hpp"
+#include "suffuse/study/trace_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suffuse::answer {
+namespace {
+
+std::vector<std::string> row_of(const record::FinishedStage& stage) {
+    const erosion::ErosionResult& erosion = *stage.findings.erosion;
+    const erosion::PassResult &first = erosion.passes.front(), &last = erosion.passes.back();
+    double strain = 0, largest_loss = 0;
+    for (const erosion::PassResult& pass : erosion.passes) {
+        strain += pass.volumetric_strain;
+        largest_loss = std::max(largest_loss, erosion::stress_loss(pass).value_or(0));
+    }
+    return {
+        study::in_words_of_sample(stage),
+        erosion::is_forced(erosion) ? "forced" : fmt::format("{:g}", first.probe.gradient),
+        fmt::format("{}", erosion.passes.size()),
+        fmt::format("{:.2f}", eroded_percent(erosion)),
+        fmt::format("{:.4f}", last.porosity_after),
+        first.permeability_before > 0 ? short_number(last.permeability_after / first.permeability_before) : "–",
+        percent_beyond_noise(100 * largest_loss),
+        percent_beyond_noise(100 * strain),
+        last.verdict.empty() ? "passes asked for" : last.verdict};
+}
+
+} // namespace
+
+double eroded_percent(const erosion::ErosionResult& erosion) {
+    double percent = 0;
+    for (const erosion::PassResult& pass : erosion.passes) {
+        percent += pass.eroded_mass_percent_of_initial;
+    }
+    return percent;
+}
+
+std::optional<figures::PageTable> tabulate_erosions(const std::vector<record::FinishedStage>& stages) {
+    figures::PageTable table;
+    table.section = "Erosion";
+    table.title = "All erosions";
+    table.note = "Over all passes. The loss of mean stress is the largest of a pass, at constant volume; the strain is "
+                 "under the stresses held before, contraction positive. The figures of this section are of one of "
+                 "them.";
+    table.header = {
+        "stage",
+        "gradient i",
+        "passes",
+        "mass that left [%]",
+        "porosity after [-]",
+        "permeability after / before [-]",
+        "loss of mean stress [%]",
+        "εᵥ [%]",
+        "ended by"};
+    table.numeric.assign(table.header.size(), true);
+    table.numeric.front() = table.numeric.back() = false;
+    for (const record::FinishedStage& stage : stages) {
+        if (stage.findings.erosion && !stage.findings.erosion->passes.empty()) {
+            table.rows.push_back(row_of(stage));
+        }
+    }
+    return table.rows.size() < 2 ? std::nullopt : std::optional(std::move(table));
+}
+
+} // namespace suffuse::answer

@@ -1,0 +1,18 @@
+#pragma once
+// Every erosion of a run beside the others: of each seed, each value swept, each branch of a study.
+
+#include "suffuse/figures/page_table.hpp"
+#include "suffuse/record/finished_stage.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace suffuse::answer {
+
+/// Mass that left with all passes of a stage, of that before the first [%].
+double eroded_percent(const erosion::ErosionResult& erosion);
+
+/// A row for each erosion; nothing where there are fewer than two, of which the page tells in detail.
+std::optional<figures::PageTable> tabulate_erosions(const std::vector<record::FinishedStage>& stages);
+
+} // namespace suffuse::answer

@@ -1,0 +1,385 @@
+// What a run found, in sentences with its numbers.
+#include "suffuse/answer/report_answer.hpp"
+
+#include "suffuse/answer/answer_tests.hpp"
+#include "suffuse/answer/erosion_table.hpp"
+#include "suffuse/answer/strength_words.hpp"
+#include "suffuse/base/words.hpp"
+#include "suffuse/erosion/detachment.hpp"
+#include "suffuse/erosion/loop.hpp"
+#include "suffuse/figures/stress_probes.hpp"
+#include "suffuse/grains/grading.hpp"
+#include "suffuse/study/passes.hpp"
+#include "suffuse/study/probed_states.hpp"
+#include "suffuse/study/trace_curves.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace suffuse::answer {
+namespace {
+
+using nlohmann::json;
+
+/// "12.3 %", or that there is nothing to tell.
+std::string percent_or_none(double percent) {
+    return is_noise(percent) ? "less than 0.01 %" : percent_beyond_noise(percent) + " %";
+}
+
+/// How many of the fines that the water would carry were carried out.
+std::string tell_removed(const erosion::PassResult& pass, bool is_forced) {
+    if (pass.detachable == 0) {
+        return fmt::format("Pass {}: no fine grain is detachable", pass.pass);
+    }
+    if (is_forced) {
+        return fmt::format(
+            "Pass {}: {} fines were taken out by force, {} of the initial mass", pass.pass, grouped(pass.removed),
+            percent_or_none(pass.eroded_mass_percent_of_initial)
+        );
+    }
+    if (pass.removed == 0) {
+        return fmt::format("Pass {}: none of {} detachable fines was carried out", pass.pass, grouped(pass.detachable));
+    }
+    return fmt::format(
+        "Pass {}: {} of {} detachable fines {} carried out, {} of the initial mass", pass.pass, grouped(pass.removed),
+        grouped(pass.detachable), pass.removed == 1 ? "was" : "were",
+        percent_or_none(pass.eroded_mass_percent_of_initial)
+    );
+}
+
+std::string tell_pass(const erosion::PassResult& pass, bool is_forced) {
+    if (pass.removed == 0) {
+        return tell_removed(pass, is_forced) + ".";
+    }
+    return fmt::format(
+        "{}; porosity {:.4f} to {:.4f}, permeability {} to {} m²; at constant volume the skeleton lost {} of its mean "
+        "stress, and resettling strained it by {}.",
+        tell_removed(pass, is_forced), pass.porosity_before, pass.porosity_after,
+        short_number(pass.permeability_before), short_number(pass.permeability_after),
+        percent_or_none(100 * erosion::stress_loss(pass).value_or(0)), percent_or_none(100 * pass.volumetric_strain)
+    );
+}
+
+/// All passes but the first, where there are too many for a sentence each.
+std::string tell_later_passes(const erosion::ErosionResult& erosion) {
+    const erosion::PassResult &second = erosion.passes[1], &last = erosion.passes.back();
+    std::int64_t removed = 0;
+    double percent = 0, strain = 0, largest_loss = 0;
+    for (const erosion::PassResult& pass : std::span(erosion.passes).subspan(1)) {
+        removed += pass.removed;
+        percent += pass.eroded_mass_percent_of_initial;
+        strain += pass.volumetric_strain;
+        largest_loss = std::max(largest_loss, erosion::stress_loss(pass).value_or(0));
+    }
+    return fmt::format(
+        "Passes 2 to {}: {} fines were carried out, {:.2f} % of the initial mass, {} of them in pass 2 and {} in pass "
+        "{}; porosity {:.4f}, permeability {} m² after the last; the skeleton lost {} of its mean stress at most, and "
+        "resettling strained it by {} in all.",
+        last.pass, grouped(removed), percent, grouped(second.removed), grouped(last.removed), last.pass,
+        last.porosity_after, short_number(last.permeability_after), percent_or_none(100 * largest_loss),
+        percent_or_none(100 * strain)
+    );
+}
+
+/// How often fines were held that travelled with the water; empty where none was on its way.
+std::string tell_transport(const erosion::ErosionResult& erosion) {
+    std::vector<std::string> rates;
+    for (const erosion::PassResult* pass : study::few_passes(erosion, 2)) {
+        const std::optional<double> held = erosion::filter_coefficient(pass->transport);
+        if (held && *held > 0) {
+            rates.push_back(fmt::format("{} times in pass {}", short_number(*held / 1e3, 2), pass->pass));
+        }
+    }
+    return rates.empty() ? "" : fmt::format("A mm of flow held a detached grain {}, the mean.", fmt::join(rates, ", "));
+}
+
+std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
+    constexpr std::size_t most_told = 4; // passes, a sentence each
+    if (erosion.passes.empty()) {
+        return "";
+    }
+    std::vector<std::string> sentences;
+    for (const erosion::PassResult& pass : erosion.passes) {
+        sentences.push_back(tell_pass(pass, erosion::is_forced(erosion)));
+        if (erosion.passes.size() > most_told) {
+            sentences.push_back(tell_later_passes(erosion));
+            break;
+        }
+    }
+    if (std::string transport = tell_transport(erosion); !transport.empty()) {
+        sentences.push_back(std::move(transport));
+    }
+    const std::string& verdict = erosion.passes.back().verdict;
+    if (!verdict.empty() && verdict != erosion::nothing_leaves) { // told already
+        sentences.push_back(fmt::format("It ended there: {}.", verdict));
+    }
+    return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+/// By the rule asked for.
+std::int64_t count_detachable(const erosion::ProbeResult& probe, const erosion::DetachSpec& rule) {
+    return std::ranges::count(erosion::verdicts(rule, probe), std::uint8_t{1});
+}
+
+/// Whether gradients that differ ten times and more detach the same fines, to a fiftieth.
+bool hardly_depends_on_gradient(const std::vector<erosion::ProbeResult>& probes, const erosion::DetachSpec& rule) {
+    constexpr double wide = 10, alike = 0.02;
+    double least_gradient = std::numeric_limits<double>::infinity(), most_gradient = 0;
+    double fewest = least_gradient, most = 0;
+    for (const erosion::ProbeResult& probe : probes) {
+        if (probe.gradient <= 0) {
+            continue;
+        }
+        const auto count = static_cast<double>(count_detachable(probe, rule));
+        least_gradient = std::min(least_gradient, probe.gradient),
+        most_gradient = std::max(most_gradient, probe.gradient);
+        fewest = std::min(fewest, count), most = std::max(most, count);
+    }
+    return most > 0 && most_gradient >= wide * least_gradient && most - fewest <= alike * most;
+}
+
+std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes, const erosion::DetachSpec& rule) {
+    std::string text = fmt::format("Of {} fines ", grouped(std::ssize(probes.front().id)));
+    for (std::size_t k = 0; k < probes.size(); ++k) {
+        const std::int64_t yes = count_detachable(probes[k], rule);
+        text += fmt::format(
+            "{}{} at the gradient i = {:g}",
+            k == 0                   ? ""
+            : k + 1 == probes.size() ? " and "
+                                     : ", ",
+            yes == 0 ? "none" : grouped(yes), probes[k].gradient
+        );
+    }
+    text += rule.by == erosion::DetachBy::Displacement ? " are detachable, by their displacement." : " are detachable.";
+    if (hardly_depends_on_gradient(probes, rule)) {
+        text +=
+            " That the number hardly depends on the gradient says that these fines carry no load: without gravity any "
+            "water moves them, and none of these gradients is a critical one.";
+    }
+    return text;
+}
+
+/// "571", "1,261 to 1,271".
+std::string range_of(const std::vector<std::int64_t>& counts) {
+    const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
+    return *least == *most ? grouped(*least) : grouped(*least) + " to " + grouped(*most);
+}
+
+/// What a removal did to the samples of all seeds. @param numbers of their stages
+std::string answer_to_removal(const std::string& name, const std::vector<const json*>& numbers) {
+    std::vector<std::int64_t> grains, passes;
+    std::vector<double> mass, strain;
+    std::size_t failed = 0;
+    for (const json* n : numbers) {
+        grains.push_back(n->at("removed")), passes.push_back(std::ssize(n->at("passes")));
+        mass.push_back(n->at("removed_mass_share")), strain.push_back(n->at("volumetric_strain"));
+        failed += n->at("failed").get<bool>() ? 1 : 0;
+    }
+    const std::size_t samples = numbers.size();
+    const study::Scatter share = study::scatter_of(mass), by = study::scatter_of(strain);
+    const std::string many = samples == 1 ? "" : fmt::format(" ({} samples)", samples);
+    return fmt::format(
+        "{}{}: {} fines taken out in {} {}, {} % of the mass; under the stresses held before the skeleton strained by "
+        "{} % in volume{}.",
+        name, many, range_of(grains), range_of(passes),
+        passes == std::vector<std::int64_t>(samples, 1) ? "pass" : "passes", study::with_scatter(share, 100),
+        is_noise(100 * by.mean) ? "less than 0.01" : study::with_scatter(by, 100),
+        failed == 0    ? ""
+        : samples == 1 ? ", and failed"
+                       : fmt::format(", and failed in {} of them", failed)
+    );
+}
+
+/// Of stages that take fines out without water, as long as these are few.
+std::vector<std::string> answers_to_removals(const std::vector<record::FinishedStage>& stages) {
+    constexpr std::size_t most = 4;
+    std::vector<std::pair<std::string, std::vector<const json*>>> removals; // by the name that all seeds share
+    for (const record::FinishedStage& stage : stages) {
+        const bool took_some = std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec) &&
+                               stage.numbers.contains("passes") && stage.numbers.at("removed") > 0;
+        if (!took_some) {
+            continue;
+        }
+        const std::string name = study::in_words(stage);
+        auto removal = std::ranges::find(removals, name, &decltype(removals)::value_type::first);
+        if (removal == removals.end()) {
+            removal = removals.insert(removal, {name, {}});
+        }
+        removal->second.push_back(&stage.numbers);
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [name, numbers] : removals) {
+        sentences.push_back(answer_to_removal(name, numbers));
+    }
+    return sentences.size() <= most ? sentences : std::vector<std::string>{};
+}
+
+std::string tell_question(const study::ErosionStory& story, bool has_strength) {
+    const std::size_t passes = story.erosion.passes.size();
+    const std::string& soil = story.eroded->study->soil;
+    const std::string which =
+        erosion::is_forced(story.erosion)
+            ? fmt::format(
+                  "what {} {} in which fines of the soil “{}” are taken out by force", passes,
+                  passes == 1 ? "pass" : "passes", soil
+              )
+            : fmt::format(
+                  "which fines of the soil “{}” a gradient of i = {:g} detaches, and what {} {} of their removal", soil,
+                  story.erosion.passes.front().probe.gradient, passes, passes == 1 ? "pass" : "passes"
+              );
+    return fmt::format(
+        "Asked: {} {} to stress, volume{} permeability{}.", which, passes == 1 ? "does" : "do",
+        has_strength ? "," : " and", has_strength ? " and strength" : ""
+    );
+}
+
+/// How much of the soil the sample stands for, where its curve was cut.
+std::optional<std::string> tell_part(const study::ErosionStory& story) {
+    if (story.eroded == nullptr || !story.eroded->variant->soil || !story.eroded->variant->soil->measured) {
+        return std::nullopt;
+    }
+    const grains::Grading& part = *story.eroded->variant->soil->whole;
+    const grains::Grading& measured = *story.eroded->variant->soil->measured;
+    const double finest = part.diameter.front(), coarsest = part.diameter.back();
+    const double below = grains::passing(measured, finest), up_to = grains::passing(measured, coarsest);
+    return fmt::format(
+        "Only its grains from {} to {} mm are in the sample, {} % of its mass: {} % are finer, {} % coarser. All that "
+        "follows is of that part.",
+        short_number(1e3 * finest), short_number(1e3 * coarsest), short_number(100 * (up_to - below)),
+        short_number(100 * below), short_number(100 * (1 - up_to))
+    );
+}
+
+/// What it means where hardly a grain that left carried load: another gradient would have taken the same.
+std::string tell_idle(const erosion::ErosionResult& erosion) {
+    constexpr double nearly_all = 0.98;
+    constexpr int least_carrying = 2; // contacts
+    std::int64_t removed = 0, idle = 0;
+    for (const erosion::PassResult& pass : erosion.passes) {
+        for (const auto& [contacts, grains] : pass.coordination_histogram) {
+            removed += grains;
+            idle += contacts < least_carrying ? grains : 0;
+        }
+    }
+    if (removed == 0 || static_cast<double>(idle) < nearly_all * static_cast<double>(removed)) {
+        return {};
+    }
+    return fmt::format(
+        "{} carried load: without gravity any water moves such grains, so that this gradient is not a critical "
+        "one, and a soil that criteria of stability call stable loses them too.",
+        idle == removed ? "None of them" : fmt::format("Only {} of the {}", grouped(removed - idle), grouped(removed))
+    );
+}
+
+/// The stage whose end an erosion starts from.
+const casefile::Stage& start_of(const record::FinishedStage& erosion) {
+    return erosion.variant->stages[static_cast<std::size_t>(std::max(0, erosion.stage->parent))];
+}
+
+/// The state that the erosion starts from; nothing without an erosion.
+std::optional<std::string>
+tell_start(const study::ErosionStory& story, const std::vector<record::FinishedStage>& stages) {
+    if (story.eroded == nullptr) {
+        return std::nullopt;
+    }
+    const std::string& start = start_of(*story.eroded).name;
+    const auto found = std::ranges::find_if(stages, [&](const record::FinishedStage& stage) {
+        return stage.variant == story.eroded->variant && stage.stage->name == start;
+    });
+    if (found == stages.end()) {
+        return std::nullopt;
+    }
+    const json& n = found->numbers;
+    return fmt::format(
+        "{} grains carry {:.4g} kPa at void ratio {:.3f} (porosity {:.3f}, {:.2f} contacts a grain, {} rattlers).",
+        grouped(n.at("grains").get<std::int64_t>()), n.at("mean_stress").get<double>() / 1e3,
+        n.at("void_ratio").get<double>(), n.at("porosity").get<double>(), n.at("coordination").get<double>(),
+        grouped(n.at("rattlers").get<std::int64_t>())
+    );
+}
+
+/// Whether one sample was eroded from so many states, or in so many ways, that one is told for all.
+bool are_too_many(const study::ErosionStory& story) {
+    constexpr std::size_t most_told = 3;
+    return story.others.size() >= most_told;
+}
+
+/// Where several samples were eroded: which is told, and how far apart they lie.
+std::optional<std::string>
+tell_range(const study::ErosionStory& story, const std::vector<record::FinishedStage>& stages) {
+    std::vector<double> percent;
+    for (const record::FinishedStage& stage : stages) {
+        if (stage.findings.erosion && !stage.findings.erosion->passes.empty()) {
+            percent.push_back(eroded_percent(*stage.findings.erosion));
+        }
+    }
+    if (story.eroded == nullptr || percent.size() < 2 ||
+        (percent.size() == story.others.size() + 1 && !are_too_many(story))) {
+        return std::nullopt; // all of one sample, and told one after the other
+    }
+    const auto [least, most] = std::minmax_element(percent.begin(), percent.end());
+    return fmt::format(
+        "{} erosions took {:.2f} to {:.2f} % of the mass (table “All erosions”); what follows is of {}.",
+        percent.size(), *least, *most, study::in_words_of_sample(*story.eroded)
+    );
+}
+
+} // namespace
+
+std::vector<std::string> answer_of_erosion(const study::RunResults& results) {
+    const study::ErosionStory& story = results.story;
+    const std::vector<record::FinishedStage>& stages = results.stages;
+    const std::vector<study::StrengthChange>& strength = results.strength;
+    std::vector<std::string> sentences;
+    if (!story.erosion.passes.empty() && !story.erosion.passes.front().probe.id.empty()) {
+        sentences.push_back(tell_question(story, !strength.empty()));
+    }
+    if (auto part = tell_part(story)) {
+        sentences.push_back(std::move(*part));
+    }
+    if (auto range = tell_range(story, stages)) {
+        sentences.push_back(std::move(*range));
+    }
+    if (auto start = tell_start(story, stages)) {
+        sentences.push_back(std::move(*start));
+    }
+    if (!story.probes.empty()) {
+        sentences.push_back(answer_to_probes(story.probes, story.probed_by));
+    }
+    if (!story.erosion.passes.empty()) {
+        const std::string name = story.others.empty() ? "" : story.eroded->stage->name + ": ";
+        sentences.push_back(name + answer_to_erosion(story.erosion));
+        if (std::string idle = tell_idle(story.erosion);
+            !idle.empty() && !story.erosion.passes.front().probe.id.empty() && !erosion::is_forced(story.erosion)) {
+            sentences.push_back(std::move(idle));
+        }
+    }
+    if (!are_too_many(story)) {
+        for (const record::FinishedStage* other : story.others) {
+            sentences.push_back(fmt::format(
+                "{}, from the state {}: {}", other->stage->name, start_of(*other).name,
+                answer_to_erosion(*other->findings.erosion)
+            ));
+        }
+    }
+    for (std::string& sentence : answers_to_removals(stages)) {
+        sentences.push_back(std::move(sentence));
+    }
+    for (std::string& sentence : tell_strength(strength)) {
+        sentences.push_back(std::move(sentence));
+    }
+    for (std::string& sentence : answers_to_tests(stages, strength)) {
+        sentences.push_back(std::move(sentence));
+    }
+    for (const study::ProbedState& state : results.probed_states) {
+        sentences.push_back(figures::tell_stability(state));
+    }
+    return sentences;
+}
+
+} // namespace suffuse::answer

@@ -1,0 +1,250 @@
+#include "suffuse/answer/strength_words.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/base/words.hpp"
+#include "suffuse/study/trace_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace suffuse::answer {
+namespace {
+using study::with_scatter;
+
+constexpr std::size_t most_told = 3; ///< changes, each in a sentence of its own
+constexpr int few_samples = 3;
+constexpr double notable_chance = 0.05;
+constexpr double kilo = 1e3, percent = 100, degree = radians(1);
+
+const char* const title_of_table = "Strength before and after";
+
+/// "+5 %", "−21 ± 3 %".
+std::string change_in_percent(const study::BeforeAfter& value) {
+    const double mean = percent * value.change.mean;
+    const std::string sign = mean > 0 ? "+" : "";
+    if (value.change.seeds < 2) {
+        return sign + short_number(mean, 2) + " %";
+    }
+    return fmt::format(
+        "{}{} ± {} %", sign, short_number(mean, 2), short_number(percent * value.change.standard_deviation, 2)
+    );
+}
+
+/// "322.8 to 256 kPa".
+std::string from_to(const study::BeforeAfter& value, double unit, int digits, const char* name) {
+    return fmt::format(
+        "{} to {}{}", short_number(value.before.mean / unit, digits), short_number(value.after.mean / unit, digits),
+        name
+    );
+}
+
+std::string values_of(const study::StrengthChange& change) {
+    const std::string name = study::values_name(*change.study, *change.variant);
+    return name.empty() ? "" : ", " + name;
+}
+
+std::string tests_of(const study::StrengthChange& change) {
+    return fmt::format("{} against {}{}", change.after->name, change.before->name, values_of(change));
+}
+
+std::string verdict_of(const study::StrengthChange& change) {
+    const std::optional<bool> weaker = change.is_weaker();
+    if (weaker) {
+        return *weaker ? "is weaker" : "is not weaker but stronger";
+    }
+    return change.borne().change.seeds > 0 ? "shows no change of strength beyond the scatter of samples"
+                                           : "cannot be compared";
+}
+
+std::string remarks_of(const study::StrengthChange& change, const char* between) {
+    std::string text;
+    for (const std::string& remark : change.remarks) {
+        text += (text.empty() ? "" : between) + remark;
+    }
+    return text;
+}
+
+double end_strain(const study::StrengthChange& change) {
+    return std::get<triaxial::TriaxialSpec>(change.after->spec).strain;
+}
+
+/// Probability that as many samples, two or three, of a soil that does not change differ as clearly: Student's t with
+/// one and two degrees of freedom.
+double by_chance(const study::Scatter& change) {
+    const double t = std::abs(change.mean) * std::sqrt(change.seeds) / change.standard_deviation;
+    return change.seeds == 2 ? 1 - 2 / pi * std::atan(t) : 1 - t / std::hypot(t, std::numbers::sqrt2);
+}
+
+/// How many samples a verdict rests on, and what that is worth.
+std::string how_sure(const study::StrengthChange& change) {
+    const int samples = change.borne().change.seeds;
+    if (samples < 2) {
+        return samples == 0              ? ""
+               : change.holds_deviator() ? " One sample: what others bear differs by some 50 %."
+                                         : " One sample: the strengths of others differ by some 10 %.";
+    }
+    std::string text = fmt::format(" Means of {} samples, ± one standard deviation", samples);
+    if (change.is_weaker() && samples <= few_samples && by_chance(change.borne().change) > notable_chance) {
+        text += fmt::format(
+            "; of so few, scatter alone gives as clear a change in {} % of the cases",
+            short_number(percent * by_chance(change.borne().change), 2)
+        );
+    }
+    return text + ".";
+}
+
+std::string tell(const study::StrengthChange& change) {
+    std::string text = fmt::format(
+        "Strength, {}: the soil without {} % of its mass {}", tests_of(change),
+        with_scatter(change.removed_mass, percent, 3), verdict_of(change)
+    );
+    if (change.peak_deviator.change.seeds > 0) {
+        text += fmt::format(
+            ". Its highest deviator stress goes from {} ({})", from_to(change.peak_deviator, kilo, 4, " kPa"),
+            change_in_percent(change.peak_deviator)
+        );
+    }
+    if (change.pore_pressure.change.seeds > 0) {
+        text += fmt::format(
+            ". With the deviator stress held, the excess pore pressure that it bears goes from {} ({})",
+            from_to(change.pore_pressure, kilo, 3, " kPa"), change_in_percent(change.pore_pressure)
+        );
+    }
+    if (change.friction_angle.change.seeds > 0) {
+        text += ", the friction angle there from " + from_to(change.friction_angle, degree, 3, "°");
+    }
+    if (change.final_deviator.change.seeds > 0) {
+        text += fmt::format(
+            ", the deviator stress at {} % axial strain from {} ({})", short_number(percent * end_strain(change), 3),
+            from_to(change.final_deviator, kilo, 4, " kPa"), change_in_percent(change.final_deviator)
+        );
+    }
+    text += fmt::format(
+        "{} from {}.", change.borne().change.seeds > 0 ? ", the void ratio" : "; the void ratio goes",
+        from_to(change.void_ratio, 1, 3, "")
+    );
+    if (const std::string remarks = remarks_of(change, "; "); !remarks.empty()) {
+        text += " " + as_sentence(remarks) + ".";
+    }
+    return text + how_sure(change);
+}
+
+/// "; WHAT changes by −30 to +5 %"; empty where no two tests tell it.
+std::string range_of(
+    const std::vector<study::StrengthChange>& changes, study::BeforeAfter study::StrengthChange::*value,
+    const char* what
+) {
+    double least = INFINITY, most = -INFINITY;
+    for (const study::StrengthChange& change : changes) {
+        if (const study::Scatter& by = (change.*value).change; by.seeds > 0) {
+            least = std::min(least, by.mean), most = std::max(most, by.mean);
+        }
+    }
+    return least > most ? ""
+                        : fmt::format(
+                              "; {} changes by {}{} to {}{} %", what, least > 0 ? "+" : "",
+                              short_number(percent * least, 2), most > 0 ? "+" : "", short_number(percent * most, 2)
+                          );
+}
+
+/// Of many: how many fared how.
+std::string tell_all(const std::vector<study::StrengthChange>& changes) {
+    std::size_t weaker = 0, stronger = 0;
+    for (const study::StrengthChange& change : changes) {
+        weaker += change.is_weaker() == true ? 1 : 0;
+        stronger += change.is_weaker() == false ? 1 : 0;
+    }
+    const std::string text = fmt::format(
+        "Of {} comparisons of a test before fines went with the same test after (table “{}”), {} find the soil weaker, "
+        "{} stronger, and {} no change beyond the scatter of samples",
+        changes.size(), title_of_table, weaker, stronger, changes.size() - weaker - stronger
+    );
+    return text + range_of(changes, &study::StrengthChange::peak_deviator, "the highest deviator stress") +
+           range_of(changes, &study::StrengthChange::pore_pressure, "the excess pore pressure borne") + ".";
+}
+
+} // namespace
+
+std::vector<std::string> tell_strength(const std::vector<study::StrengthChange>& changes) {
+    if (changes.size() > most_told) {
+        return {tell_all(changes)};
+    }
+    std::vector<std::string> sentences;
+    sentences.reserve(changes.size());
+    for (const study::StrengthChange& change : changes) {
+        sentences.push_back(tell(change));
+    }
+    return sentences;
+}
+
+std::optional<Headline> strength_headline(const std::vector<study::StrengthChange>& changes) {
+    const auto told =
+        std::ranges::find_if(changes, [](const study::StrengthChange& c) { return c.borne().change.seeds > 0; });
+    if (told == changes.end() || changes.size() > most_told) {
+        return std::nullopt;
+    }
+    return Headline{
+        change_in_percent(told->borne()),
+        told->holds_deviator() ? "excess pore pressure borne" : "highest deviator stress",
+        fmt::format("{} to {}: {}", told->before->name, told->after->name, from_to(told->borne(), kilo, 3, " kPa"))};
+}
+
+std::optional<figures::PageTable> tabulate_strength(const std::vector<study::StrengthChange>& changes) {
+    if (changes.empty()) {
+        return std::nullopt;
+    }
+    figures::PageTable table;
+    table.section = "Tests";
+    table.title = title_of_table;
+    table.note =
+        "The same test on the same sample, before fines went and after; changes are those of each sample, ± one "
+        "standard deviation over the samples. Void ratio: before fines went, and where the second test starts.";
+    const bool some_hold = std::ranges::any_of(changes, &study::StrengthChange::holds_deviator);
+    const bool all_hold = std::ranges::all_of(changes, &study::StrengthChange::holds_deviator);
+    table.header = {"tests", "samples", "mass gone [%]", "void ratio e [-]"};
+    if (!all_hold) {
+        table.header.insert(
+            table.header.end(),
+            {"highest q [kPa]", "change [%]", "friction angle φ there [°]", "q at the end [kPa]", "change [%]"}
+        );
+    }
+    if (some_hold) {
+        table.header.insert(table.header.end(), {"excess pore pressure borne [kPa]", "change [%]"});
+    }
+    table.header.emplace_back("remarks");
+    table.numeric.assign(table.header.size(), true);
+    table.numeric.front() = table.numeric.back() = false;
+    const auto pair = [](const study::BeforeAfter& value, double unit, int digits) {
+        return value.before.seeds > 0 ? fmt::format(
+                                            "{} → {}", short_number(value.before.mean / unit, digits),
+                                            short_number(value.after.mean / unit, digits)
+                                        )
+                                      : std::string("–");
+    };
+    for (const study::StrengthChange& change : changes) {
+        std::vector<std::string> row = {
+            fmt::format("{}{}: {}, {}", change.study->name, values_of(change), change.before->name, change.after->name),
+            std::to_string(change.borne().change.seeds), with_scatter(change.removed_mass, percent, 3),
+            pair(change.void_ratio, 1, 3)};
+        if (!all_hold) {
+            row.insert(
+                row.end(), {pair(change.peak_deviator, kilo, 4), with_scatter(change.peak_deviator.change, percent, 2),
+                            pair(change.friction_angle, degree, 3), pair(change.final_deviator, kilo, 4),
+                            with_scatter(change.final_deviator.change, percent, 2)}
+            );
+        }
+        if (some_hold) {
+            row.insert(
+                row.end(), {pair(change.pore_pressure, kilo, 3), with_scatter(change.pore_pressure.change, percent, 2)}
+            );
+        }
+        row.push_back(change.remarks.empty() ? "–" : remarks_of(change, "; "));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+} // namespace suffuse::answer

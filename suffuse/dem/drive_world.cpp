@@ -1,0 +1,80 @@
+#include "suffuse/dem/drive_world.hpp"
+
+#include "suffuse/cell/drive.hpp"
+#include "suffuse/cell/hold_stress.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/relax.hpp"
+#include "suffuse/dem/stable_dt.hpp"
+
+#include <algorithm>
+
+namespace suffuse::dem {
+namespace {
+
+double computed_time_step(const World& world, const cell::Loading& loading) {
+    return stable_time_step(world, default_step_safety, cell::stress_to_bear(loading, world.servo));
+}
+
+} // namespace
+
+Settling begin_settling(const World& world) {
+    Settling settling;
+    settling.stress_before = mean_stress(mean_stress_tensor(world));
+    return settling;
+}
+
+void settle_world(
+    World& world, StepCaches& caches, StepPlan plan, const BalanceSpec& spec, std::int64_t max_steps,
+    Settling& settling, const std::function<void(bool is_over)>& on_burst
+) {
+    const double asked = plan.dt;
+    BalanceState& state = settling.balance;
+    for (bool is_over = false; !is_over;) {
+        if (asked > 0) {
+            settling.time_step = asked;
+        } else {
+            renew_time_step(settling, state.steps, state.equilibrium.contacts, [&] {
+                return computed_time_step(world, plan.loading);
+            });
+        }
+        plan.dt = settling.time_step;
+        plan.drag = slowest_mode_drag(world.grains.size(), plan.dt);
+        const bool is_settled = settle_burst(world, caches, plan, spec, state);
+        cell::hold_stress(plan.loading, world.servo);
+        settling.collapsed = !is_settled && carries_nothing(plan.loading, spec, state, settling.stress_before);
+        is_over = is_settled || settling.collapsed;
+        on_burst(is_over);
+        if (!is_over && state.steps >= max_steps) {
+            report_not_balanced(plan.loading, spec, state);
+        }
+    }
+}
+
+Mat3 advance_world(
+    World& world, StepCaches& caches, StepPlan plan, std::int64_t steps, Advancing& advancing,
+    const std::function<std::int64_t()>& most_at_once, const std::function<void(std::int64_t steps)>& on_burst
+) {
+    const double asked = plan.dt;
+    StepReport report;
+    while (advancing.done < steps) {
+        if (asked > 0) {
+            advancing.time_step = asked;
+        } else {
+            renew_time_step(advancing, advancing.done, measure_equilibrium(world).contacts, [&] {
+                return computed_time_step(world, plan.loading);
+            });
+        }
+        plan.dt = advancing.time_step;
+        const std::int64_t burst = std::min(
+            {steps - advancing.done, most_at_once(), burst_steps,
+             time_step_interval - advancing.done % time_step_interval}
+        );
+        report = advance(world, caches, plan, burst);
+        cell::hold_stress(plan.loading, world.servo);
+        advancing.done += burst;
+        on_burst(burst);
+    }
+    return report.stress;
+}
+
+} // namespace suffuse::dem

@@ -1,0 +1,75 @@
+#include "suffuse/figures/figure.hpp"
+
+#include "suffuse/record/or_null.hpp"
+
+namespace suffuse::figures {
+
+namespace {
+
+using nlohmann::json;
+
+json rows_of(const Table& table) {
+    json rows = json::array();
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        json object = json::object();
+        for (const Column& column : table.columns()) {
+            if (const auto* words = std::get_if<std::vector<std::string>>(&column.values)) {
+                object[column.name] = (*words)[row];
+            } else {
+                object[column.name] = or_null(std::get<std::vector<double>>(column.values)[row]);
+            }
+        }
+        rows.push_back(std::move(object));
+    }
+    return rows;
+}
+
+} // namespace
+
+const json& color::sequence() {
+    static const json colors = {"#3b82b8", "#d55e00", "#17ac5b", "#835380", "#c57c92", "#a74346"};
+    return colors;
+}
+
+const json& color::dashes() {
+    static const json dashes = json::parse("[[1, 0], [6, 3], [2, 2], [8, 2, 2, 2], [4, 2, 1, 2], [10, 3]]");
+    return dashes;
+}
+
+json complete_specification(const Figure& figure) {
+    json specification = figure.chart;
+    specification["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
+    specification["description"] = figure.title + ". " + figure.caption;
+    specification["data"] = {{"values", rows_of(figure.table)}};
+    specification["config"] = look_in_print();
+    return specification;
+}
+
+json look_in_print() {
+    return json::parse(R"json({
+        "font": "Helvetica, Arial, 'DejaVu Sans', sans-serif",
+        "background": "white",
+        "view": {"stroke": null},
+        "axis": {
+            "labelFontSize": 11, "titleFontSize": 12, "titleFontWeight": "normal", "titlePadding": 8,
+            "labelColor": "#333333", "titleColor": "#111111", "domainColor": "#666666", "tickColor": "#666666",
+            "gridColor": "#e4e4e4", "labelOverlap": true, "labelSeparation": 8
+        },
+        "legend": {
+            "orient": "top", "labelFontSize": 11, "titleFontSize": 11, "titleFontWeight": "normal",
+            "labelColor": "#333333", "titleColor": "#111111", "symbolStrokeWidth": 2, "labelLimit": 480,
+            "symbolBaseFillColor": "#808080", "symbolBaseStrokeColor": "#808080"
+        },
+        "header": {"labelFontSize": 12, "labelColor": "#111111", "titleColor": "#111111", "labelLimit": 480},
+        "text": {"fontSize": 11},
+        "line": {"strokeWidth": 2}
+    })json");
+}
+
+std::string power_of_ten_labels() {
+    return "abs(log(datum.value) / LN10 - round(log(datum.value) / LN10)) > 1e-6 ? '' : '10' + "
+           "['⁻²⁰','⁻¹⁹','⁻¹⁸','⁻¹⁷','⁻¹⁶','⁻¹⁵','⁻¹⁴','⁻¹³','⁻¹²','⁻¹¹','⁻¹⁰','⁻⁹','⁻⁸','⁻⁷','⁻⁶','⁻⁵','⁻⁴',"
+           "'⁻³','⁻²','⁻¹','⁰','¹','²','³','⁴','⁵','⁶','⁷','⁸'][round(log(datum.value) / LN10) + 20]";
+}
+
+} // namespace suffuse::figures

@@ -1,0 +1,48 @@
+#pragma once
+// A figure as a value: its data, and either a Vega-Lite specification or a ready drawing. The same specification feeds
+// the report's page, exports to SVG and PNG, and notebooks. Caption = claim; axis titles carry symbol and unit.
+
+#include "suffuse/figures/table.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace suffuse::figures {
+
+struct Figure {
+    std::string id;           ///< "fig09", "own-rules": also the stem of its files
+    std::string title;        ///< a few words: what is drawn
+    std::string caption;      ///< the claim, with this run's numbers
+    std::string section;      ///< of the report: "Soils", "Tests", "Water", "Erosion"
+    Table table;              ///< what is drawn
+    nlohmann::json chart;     ///< Vega-Lite without `data`; null where there is a drawing
+    std::string drawing = {}; ///< SVG text instead of a chart
+};
+
+/// Colors that stay apart for color-blind readers, on white and on black paper alike.
+namespace color {
+inline constexpr const char* coarse = "#b5852f"; // sand
+inline constexpr const char* fines = "#c8322b";
+inline constexpr const char* detachable = "#d55e00";
+inline constexpr const char* staying = "#3b82b8";
+inline constexpr const char* ink = "#333333";
+inline constexpr const char* quiet = "#808080";
+/// For passes and tests, in their order.
+const nlohmann::json& sequence();
+/// And the dashes beside them.
+const nlohmann::json& dashes();
+/// Size of a legend's stroke, long enough to tell dashes apart [px²].
+inline constexpr int dash_symbol = 676;
+} // namespace color
+
+/// The chart with its data inside and the look of a figure in print, as written to `ID.vl.json`. [Vega-Lite 6]
+nlohmann::json complete_specification(const Figure& figure);
+
+/// Vega-Lite configuration of a figure in print: fonts, dark ink on white.
+nlohmann::json look_in_print();
+
+/// An axis or legend expression that writes decades as powers of ten, and nothing at the ticks between them.
+std::string power_of_ten_labels();
+
+} // namespace suffuse::figures

@@ -1,0 +1,157 @@
+#include "suffuse/figures/figure_guide.hpp"
+
+#include "suffuse/figures/figure_options.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace suffuse::figures {
+namespace {
+
+struct Guide {
+    std::string_view id, title, shows, needs;
+};
+
+constexpr std::array guides = {
+    Guide{
+        "fig01", "gradings of the mixtures",
+        "Percent passing by mass against size for the fines contents of a sweep, as asked and as drawn.",
+        "a study whose soil has `coarse` and `fines`, swept over fines_content"},
+    Guide{
+        "fig02", "drained triaxial tests of a sweep",
+        "Deviator stress q and volumetric strain against axial strain; compression positive, contraction positive. "
+        "[report.overlay] lays measured points over it.",
+        "`triaxial` stages in a study swept over fines_content"},
+    Guide{
+        "fig03", "void ratios against fines content",
+        "Void ratio of the loose and the densest state (e, e_min), intergranular and equivalent void ratio (e_g, e_eq: "
+        "all, or only inactive, fines counted as voids). The lowest e marks the threshold fines content.",
+        "`compact` stages, loose and dense, in a study swept over fines_content"},
+    Guide{
+        "fig04", "share of active fines",
+        "b: volume of the fines with at least two contacts over that of all fines, against fines content.",
+        "`compact` stages in a study swept over fines_content"},
+    Guide{
+        "fig05", "contacts by class",
+        "Shares of contacts between two coarse grains (LL), coarse and fine (LS), two fines (SS), against fines "
+        "content.",
+        "`compact` stages in a study swept over fines_content"},
+    Guide{
+        "fig06", "coarse-fine contacts among the strong ones",
+        "Share of LS among contacts whose force exceeds the mean over all contacts, against fines content.",
+        "`compact` stages in a study swept over fines_content"},
+    Guide{
+        "fig07", "the erosion loop", "The steps of a pass, with this run's counts of grains on the arrows.",
+        "an `erode` stage"},
+    Guide{
+        "fig08", "grading of the sample",
+        "The grading asked for and that of the grains drawn; what counts as fine is shaded.", "a `pack` stage"},
+    Guide{
+        "fig09", "speed of the fines by gradient",
+        "Speed of the fines while the water's force grows and then stays, a panel a gradient: bands hold the middle 80 "
+        "% of the grains that the rule calls detachable and of those that stay, lines are single grains, the fastest "
+        "and slowest among them. One group keeps accelerating, the other deforms with its contacts.",
+        "a `detach` stage"},
+    Guide{"fig10", "speed of the fines by pass", "As Figure 9, a panel a pass of the erosion.", "an `erode` stage"},
+    Guide{
+        "fig11", "eroded mass by pass", "Mass that left in each pass, as a share of the mass before it.",
+        "an `erode` stage"},
+    Guide{
+        "fig12", "contacts of the eroded grains",
+        "How many contacts the grains had that left, by pass: fewer than two is inactive.", "an `erode` stage"},
+    Guide{
+        "fig13", "stress and volumetric strain over the erosions",
+        "Mean stress relative to that before, and volumetric strain: at constant volume after each removal, then under "
+        "the stresses held.",
+        "an `erode` stage"},
+    Guide{
+        "fig14", "porosity over the erosions",
+        "Porosity against eroded mass: up with each removal, down where the skeleton resettles.", "an `erode` stage"},
+    Guide{
+        "own-rules", "the two detachment rules against each other",
+        "How many fines the velocity rule and the displacement rule call detachable, and how often they agree.",
+        "a `detach` or `erode` stage"},
+    Guide{
+        "own-constrictions", "constrictions beside the fines",
+        "Sizes of the constrictions of the coarse skeleton and of the fines: which could pass.", "an `erode` stage"},
+    Guide{
+        "own-transport", "how far the detached fines get",
+        "Share of the mass detached in a pass that gets farther than a length along the flow before a constriction "
+        "holds it.",
+        "an `erode` stage whose `passes_constriction` has size = \"flow-path\""},
+    Guide{
+        "own-eroded-grading", "gradings before, of what left, and after", "By mass, against size.", "an `erode` stage"},
+    Guide{
+        "own-permeability", "permeability by pass", "Along the direction of the flow, before and after each pass.",
+        "an `erode` stage"},
+    Guide{
+        "own-throat-flux", "flux through a throat against its size",
+        "Median and middle 80 % of the flux, over its mean, of throats of one size: before and after erosion, or of "
+        "flow stages.",
+        "an `erode` or a `flow` stage"},
+    Guide{
+        "own-flux-shares", "how few throats carry the flow",
+        "Which share of the flow goes through which share of the throats, those with most flux first, and the "
+        "distribution of the fluxes.",
+        "an `erode` or a `flow` stage"},
+    Guide{
+        "own-triaxial", "triaxial tests before and after erosion",
+        "Deviator stress and volumetric strain against axial strain.", "`triaxial` stages"},
+    Guide{
+        "own-paths", "paths of stress and of state",
+        "Deviator stress against mean stress, unless all tests move along one line there, and void ratio against the "
+        "logarithm of the mean stress.",
+        "`triaxial` stages"},
+    Guide{
+        "own-energy", "where the work of the tests goes",
+        "Shares of the work that sliding and rolling contacts and damping take and that springs hold, a bar a test.",
+        "`triaxial` stages"},
+    Guide{
+        "own-stress-probes", "stability against small loads in all directions",
+        "Second-order work of loads of one size in all directions of axial against lateral stress, and the strains "
+        "that they lead to: where the work is not above zero the sample can fail without more load.",
+        "a `stress-probe` stage"},
+    Guide{
+        "own-stability-grading", "the grading and the criteria's sizes",
+        "The grading with its gap, the split into fines and the sizes at which criteria look.",
+        "a soil; also `suffuse assess`"},
+    Guide{
+        "own-stability-shape", "the shape curve",
+        "Kenney and Lau's H = F(4d) - F(d) against F, with the limits H = F and H = 1.3 F.",
+        "a soil; also `suffuse assess`"},
+};
+
+} // namespace
+
+std::optional<std::string> explain_figure(std::string_view name) {
+    const std::string id = figure_id(std::string(name));
+    for (const Guide& guide : guides) {
+        if (guide.id == id) {
+            const std::string title =
+                id.starts_with("fig") ? fmt::format("Figure {} of the paper: {}", std::stoi(id.substr(3)), guide.title)
+                                      : fmt::format("{}: {}", id, guide.title);
+            return fmt::format(
+                "{}\n  {}\n  drawn from  {}\n  files       figures/{}.csv, its numbers; suffuse figures RUN --figure "
+                "{} "
+                "--format svg|png|pdf\n",
+                title, guide.shows, guide.needs, id,
+                id.starts_with("fig") ? std::to_string(std::stoi(id.substr(3))) : id
+            );
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string> figure_names() {
+    std::vector<std::string> names;
+    for (const Guide& guide : guides) {
+        names.push_back(
+            guide.id.starts_with("fig") ? fmt::format("figure-{}", std::stoi(std::string(guide.id.substr(3))))
+                                        : std::string(guide.id)
+        );
+    }
+    return names;
+}
+
+} // namespace suffuse::figures

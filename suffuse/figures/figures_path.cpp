@@ -1,0 +1,295 @@
+// Figures 13 and 14: what the removal of each pass did to the skeleton, step by step.
+#include "suffuse/base/words.hpp"
+#include "suffuse/figures/figures.hpp"
+#include "suffuse/study/passes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace suffuse::figures {
+
+namespace {
+
+using erosion::ErosionResult;
+using erosion::PassResult;
+using erosion::PathRow;
+using nlohmann::json;
+
+constexpr std::size_t most_named = 4;       ///< passes with labels, colors and words of their own
+constexpr std::size_t most_path_rows = 800; ///< drawn; the run's own files hold them all
+
+/// The path with the state before each removal put in front of it, so that a drawing shows what the removal changed.
+std::vector<PathRow> with_starts(const ErosionResult& erosion) {
+    std::vector<PathRow> rows;
+    for (const PathRow& row : erosion.path) {
+        const bool begins = rows.empty() || rows.back().pass != row.pass;
+        const auto pass = std::find_if(erosion.passes.begin(), erosion.passes.end(), [&](const PassResult& each) {
+            return each.pass == row.pass;
+        });
+        if (begins && pass != erosion.passes.end()) {
+            PathRow start = rows.empty() ? PathRow{} : rows.back();
+            start.pass = row.pass;
+            start.phase = "before";
+            start.step = row.step;
+            start.stress = pass->stress_before;
+            start.porosity = pass->porosity_before;
+            rows.push_back(start);
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+/// Rows for drawing: evenly thinned, but every first and last row of a phase stays.
+std::vector<PathRow> thinned(const std::vector<PathRow>& path) {
+    if (path.size() <= most_path_rows) {
+        return path;
+    }
+    const std::size_t every = (path.size() + most_path_rows - 1) / most_path_rows;
+    const auto same_phase = [](const PathRow& a, const PathRow& b) { return a.pass == b.pass && a.phase == b.phase; };
+    std::vector<PathRow> kept;
+    for (std::size_t row = 0; row < path.size(); ++row) {
+        const bool begins = row == 0 || !same_phase(path[row - 1], path[row]);
+        const bool ends = row + 1 == path.size() || !same_phase(path[row], path[row + 1]);
+        if (begins || ends || row % every == 0) {
+            kept.push_back(path[row]);
+        }
+    }
+    return kept;
+}
+
+Table path_table(const std::vector<PathRow>& path) {
+    std::vector<std::string> pass, phase;
+    std::vector<double> row_number, step, since, mean, x, y, z, strain, porosity, resettling, unbalanced, mass;
+    PathRow removal;
+    for (const PathRow& row : path) {
+        if (row.phase == "removal") {
+            removal = row;
+        }
+        const bool resettles = row.phase != "before" && row.pass == removal.pass;
+        since.push_back(resettles ? static_cast<double>(row.step - removal.step) : missing);
+        resettling.push_back(resettles ? row.porosity - removal.porosity : missing);
+        row_number.push_back(static_cast<double>(row_number.size()));
+        pass.push_back(study::pass_name(row.pass));
+        phase.push_back(row.phase);
+        step.push_back(static_cast<double>(row.step));
+        mean.push_back(dem::mean_stress(row.stress) / 1e3);
+        x.push_back(row.stress(0, 0) / 1e3);
+        y.push_back(row.stress(1, 1) / 1e3);
+        z.push_back(row.stress(2, 2) / 1e3);
+        strain.push_back(100 * row.volumetric_strain);
+        porosity.push_back(row.porosity);
+        unbalanced.push_back(row.unbalanced_force);
+        mass.push_back(100 * row.eroded_mass);
+    }
+    Table table;
+    table.add("row", "", std::move(row_number));
+    table.add("pass", std::move(pass));
+    table.add("phase", std::move(phase));
+    table.add("step", "", std::move(step));
+    table.add("mean_stress", "kPa", std::move(mean));
+    table.add("stress_x", "kPa", std::move(x));
+    table.add("stress_y", "kPa", std::move(y));
+    table.add("stress_z", "kPa", std::move(z));
+    table.add("volumetric_strain", "%", std::move(strain));
+    table.add("porosity", "-", std::move(porosity));
+    table.add("steps_since_removal", "", std::move(since));
+    table.add("porosity_change_since_removal", "-", std::move(resettling));
+    table.add("unbalanced_force", "-", std::move(unbalanced));
+    table.add("eroded_mass", "%", std::move(mass));
+    return table;
+}
+
+json only(const study::SomePasses& passes) {
+    return {{"filter", {{"field", "pass"}, {"oneOf", study::pass_names(passes)}}}};
+}
+
+/// The stretches of the path as shaded bands, with the pass written above its first.
+const char* const phase_bands = R"json({
+    "transform": [
+        {"filter": "datum.phase == 'constant volume' || datum.phase == 'servo'"},
+        {"aggregate": [{"op": "min", "field": "step", "as": "from"}, {"op": "max", "field": "step", "as": "to"}],
+         "groupby": ["pass", "phase"]}],
+    "mark": {"type": "rect", "opacity": 0.16},
+    "encoding": {
+        "x": {"field": "from", "type": "quantitative"}, "x2": {"field": "to"},
+        "fill": {"field": "phase", "type": "nominal", "title": "phase",
+                 "scale": {"domain": ["constant volume", "servo"], "range": ["#b5852f", "#3b82b8"]},
+                 "legend": {"symbolOpacity": 0.4, "symbolStrokeWidth": 0}},
+        "tooltip": [{"field": "pass", "title": "pass"}, {"field": "phase", "title": "phase"},
+                    {"field": "from", "title": "from step", "format": ","}, {"field": "to", "title": "to step", "format": ","}]
+    }
+})json";
+
+/// Where each pass removes its grains.
+const char* const removal_rules = R"json({
+    "transform": [
+        {"aggregate": [{"op": "min", "field": "step", "as": "from"}], "groupby": ["pass"]}],
+    "mark": {"type": "rule", "color": "#808080", "strokeDash": [4, 3]},
+    "encoding": {"x": {"field": "from", "type": "quantitative"}}
+})json";
+
+const char* const pass_labels = R"json({
+    "transform": [
+        {"aggregate": [{"op": "min", "field": "step", "as": "from"}], "groupby": ["pass"]}],
+    "mark": {"type": "text", "align": "left", "baseline": "bottom", "dx": 2, "dy": -3, "color": "#808080"},
+    "encoding": {"x": {"field": "from", "type": "quantitative"}, "y": {"value": 0},
+                 "text": {"field": "pass", "type": "nominal"}}
+})json";
+
+/// The strain's axis spans at least a tenth of what finding E5 calls negligible, that of the porosity's change what
+/// finding E6 can resolve: rounding is not drawn as if it were a response.
+json stress_chart() {
+    json chart = json::parse(R"json({
+        "vconcat": [
+            {"width": 560, "height": 220, "layer": [], "encoding": {"x": {"type": "quantitative",
+                "axis": {"title": null, "labels": false, "ticks": false, "tickCount": 6}}}},
+            {"width": 560, "height": 160, "layer": [], "encoding": {"x": {"type": "quantitative",
+                "title": "step since the start of the erosion [-]", "axis": {"tickCount": 6, "format": ",d"}}}}
+        ],
+        "spacing": 8,
+        "resolve": {"scale": {"x": "shared"}}
+    })json");
+    json stresses = json::parse(R"json({
+        "transform": [
+            {"calculate": "datum.mean_stress", "as": "mean p"}, {"calculate": "datum.stress_x", "as": "σx"},
+            {"calculate": "datum.stress_y", "as": "σy"}, {"calculate": "datum.stress_z", "as": "σz"},
+            {"fold": ["σx", "σy", "σz", "mean p"], "as": ["component", "stress"]}],
+        "mark": {"type": "line"},
+        "encoding": {
+            "x": {"field": "step"},
+            "y": {"field": "stress", "type": "quantitative", "title": "stress σ, p [kPa]", "scale": {"zero": true}},
+            "color": {"field": "component", "type": "nominal", "title": "stress",
+                      "scale": {"domain": ["mean p", "σx", "σy", "σz"],
+                                "range": ["#808080", "#3b82b8", "#d55e00", "#17ac5b"]}},
+            "strokeDash": {"field": "component", "type": "nominal",
+                      "scale": {"domain": ["mean p", "σx", "σy", "σz"], "range": [[1, 0], [6, 3], [2, 2], [8, 2, 2, 2]]}},
+            "order": {"field": "row"},
+            "tooltip": [{"field": "component", "title": "stress"}, {"field": "stress", "title": "value [kPa]", "format": ".4g"},
+                        {"field": "step", "title": "step", "format": ","}, {"field": "phase", "title": "phase"}]
+        }
+    })json");
+    json strain = json::parse(R"json({
+        "mark": {"type": "line", "color": "#c8322b"},
+        "encoding": {
+            "x": {"field": "step"},
+            "y": {"field": "volumetric_strain", "type": "quantitative", "title": "volumetric strain εᵥ [%]",
+                  "axis": {"tickCount": 5}, "scale": {"domain": {"unionWith": [-0.001, 0.001]}}},
+            "order": {"field": "row"},
+            "tooltip": [{"field": "volumetric_strain", "title": "εᵥ [%]", "format": ".3g"},
+                        {"field": "step", "title": "step", "format": ","}, {"field": "phase", "title": "phase"}]
+        }
+    })json");
+    const json bands = json::parse(phase_bands), rules = json::parse(removal_rules);
+    chart["vconcat"][0]["layer"] = {bands, rules, json::parse(pass_labels), stresses};
+    chart["vconcat"][1]["layer"] = {bands, rules, strain};
+    return chart;
+}
+
+/// The whole way, and below it the resettling alone, which is small beside the removal.
+const char* const porosity_panels = R"json({
+    "vconcat": [
+        {"width": 480, "height": 240,
+         "encoding": {
+            "x": {"field": "eroded_mass", "type": "quantitative", "title": "eroded mass, of the initial mass [%]"},
+            "y": {"field": "porosity", "type": "quantitative", "title": "porosity n [-]", "scale": {"zero": false}}
+         },
+         "layer": [
+            {"mark": {"type": "line", "color": "#808080", "strokeWidth": 1.5}, "encoding": {"order": {"field": "row"}}},
+            {"transform": [
+                {"window": [{"op": "last_value", "field": "row", "as": "end"}], "frame": [null, null],
+                 "groupby": ["pass", "phase"], "sort": [{"field": "row"}]},
+                {"filter": "datum.row == datum.end"}],
+             "mark": {"type": "point", "filled": true, "size": 80, "opacity": 1},
+             "encoding": {
+                "color": {"field": "pass", "type": "nominal", "title": null},
+                "shape": {"field": "phase", "type": "nominal", "title": null,
+                          "scale": {"domain": ["before", "removal", "constant volume", "servo"],
+                                    "range": ["diamond", "triangle-up", "square", "circle"]}},
+                "tooltip": [{"field": "pass", "title": "pass"}, {"field": "phase", "title": "at the end of"},
+                    {"field": "porosity", "title": "porosity n", "format": ".5f"},
+                    {"field": "eroded_mass", "title": "eroded mass [%]", "format": ".4g"}]}}
+         ]},
+        {"width": 480, "height": 120,
+         "transform": [{"filter": "isValid(datum.porosity_change_since_removal)"}],
+         "mark": {"type": "line"},
+         "encoding": {
+            "x": {"field": "steps_since_removal", "type": "quantitative", "title": "steps since the removal [-]",
+                  "axis": {"format": ",d", "tickCount": 6}},
+            "y": {"field": "porosity_change_since_removal", "type": "quantitative", "title": "change Δn [-]",
+                  "axis": {"tickCount": 4, "format": "~g"}, "scale": {"domain": {"unionWith": [-1e-5, 1e-5]}}},
+            "color": {"field": "pass", "type": "nominal", "title": null},
+            "order": {"field": "row"},
+            "tooltip": [{"field": "pass", "title": "pass"}, {"field": "phase", "title": "phase"},
+                {"field": "steps_since_removal", "title": "steps since the removal", "format": ","},
+                {"field": "porosity_change_since_removal", "title": "Δn", "format": ".3g"}]
+         }}
+    ],
+    "spacing": 16
+})json";
+
+} // namespace
+
+std::optional<Figure> stress_path(const ErosionResult& erosion) {
+    if (erosion.path.empty()) {
+        return std::nullopt;
+    }
+    std::string claim;
+    const study::SomePasses few = study::few_passes(erosion, most_named);
+    for (const PassResult* pass : few) {
+        claim += fmt::format(
+            "{}pass {}: mean stress {} kPa before, {} at constant volume, {} restored; volumetric strain {} %",
+            claim.empty() ? "" : "; ", pass->pass, short_number(dem::mean_stress(pass->stress_before) / 1e3, 4),
+            short_number(dem::mean_stress(pass->stress_constant_volume) / 1e3, 4),
+            short_number(dem::mean_stress(pass->stress_after) / 1e3, 4),
+            percent_beyond_noise(100 * pass->volumetric_strain)
+        );
+    }
+    claim = as_sentence(claim) + study::told_of(few, erosion.passes.size());
+    Figure figure;
+    figure.id = "fig13";
+    figure.section = "Erosion";
+    figure.title = "Stress and volumetric strain along the erosion passes";
+    figure.caption = claim + (claim.empty() ? "" : ". ") + "Compression and contraction positive.";
+    figure.table = path_table(thinned(with_starts(erosion)));
+    figure.chart = stress_chart();
+    figure.chart["vconcat"][0]["layer"][2]["transform"].push_back(only(few));
+    return figure;
+}
+
+std::optional<Figure> porosity_path(const ErosionResult& erosion) {
+    if (erosion.path.empty()) {
+        return std::nullopt;
+    }
+    std::string claim;
+    const study::SomePasses few = study::few_passes(erosion, most_named);
+    for (const PassResult* pass : few) {
+        claim += fmt::format(
+            "{}pass {}: n = {:.4f} before, {:.4f} after the removal, {:.4f} resettled", claim.empty() ? "" : "; ",
+            pass->pass, pass->porosity_before, pass->porosity_after_removal, pass->porosity_after
+        );
+    }
+    claim = as_sentence(claim) + study::told_of(few, erosion.passes.size());
+    Figure figure;
+    figure.id = "fig14";
+    figure.section = "Erosion";
+    figure.title = "Porosity against eroded mass";
+    figure.caption =
+        claim + (claim.empty() ? "" : ". ") +
+        "A removal moves the sample right and up, resettling straight down; the lower panel shows resettling alone.";
+    figure.table = path_table(thinned(with_starts(erosion)));
+    figure.chart = json::parse(porosity_panels);
+    if (!erosion.passes.empty()) {
+        const json scale = {{"domain", study::pass_names(few)}, {"range", color::sequence()}};
+        json &points = figure.chart["vconcat"][0]["layer"][1], &resettling = figure.chart["vconcat"][1];
+        for (json* each : {&points, &resettling}) {
+            (*each)["encoding"]["color"]["scale"] = scale;
+            (*each)["transform"].push_back(only(few));
+        }
+    }
+    return figure;
+}
+
+} // namespace suffuse::figures

@@ -1,0 +1,30 @@
+#pragma once
+// What the criteria of internal stability say of a soil, as lines for a terminal and as JSON for programs; the names of
+// the JSON are a promise (docs/formats.md).
+
+#include "suffuse/stability/assess.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace suffuse::job {
+
+struct AssessedSoil {
+    std::string name;             ///< as shown: the file, and the soil where a case has it
+    std::filesystem::path folder; ///< below -o, where there are several
+    stability::Assessment assessment;
+};
+
+nlohmann::json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec);
+
+/// What the critical gradients are reckoned with, and how the fines compare with the constrictions: sentences without
+/// their capital and their point. @param join between the two halves
+std::string seepage_text(const stability::UpwardSeepage& seepage);
+std::string constrictions_text(const stability::Assessment& assessment, const char* join = " ");
+
+/// @param columns of the terminal that it is for
+std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec, std::size_t columns = 80);
+
+} // namespace suffuse::job

@@ -1,0 +1,195 @@
+#include "suffuse/job/draw_figures.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/figures/figure_options.hpp"
+#include "suffuse/job/other_program.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <unistd.h>
+
+namespace suffuse::job {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* specification_ending = ".vl.json";
+constexpr const char* png_zoom = "3"; ///< about 290 dots an inch at a figure's own size
+
+/// A figure of the run, either a specification to be drawn or a drawing.
+struct Source {
+    std::string id;
+    fs::path file;
+    bool is_drawing = false;
+};
+
+/// A folder of our own that is gone at the end.
+class ScratchFolder {
+public:
+    ScratchFolder() {
+        std::string name = (fs::temp_directory_path() / "suffuse-figures-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) {
+            throw IoError(fmt::format("cannot make a folder in {}", fs::temp_directory_path().string()));
+        }
+        path_ = name;
+    }
+
+    ~ScratchFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+std::vector<Source> sources_in(const fs::path& run) {
+    const fs::path folder = run / "figures";
+    std::error_code error;
+    std::vector<Source> sources;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+        const std::string name = entry.path().filename().string();
+        if (name.ends_with(specification_ending)) {
+            sources.push_back({name.substr(0, name.size() - std::string(specification_ending).size()), entry.path()});
+        } else if (name.ends_with(".svg") && !fs::exists(folder / (entry.path().stem().string() + specification_ending))) {
+            sources.push_back({entry.path().stem().string(), entry.path(), true});
+        }
+    }
+    if (error || sources.empty()) {
+        throw IoError(fmt::format(
+            "{}: holds no figures; give the folder of a run, or write them with suffuse report {}", folder.string(),
+            shell_word(run.string())
+        ));
+    }
+    std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) { return a.id < b.id; });
+    return sources;
+}
+
+std::vector<Source> chosen(const std::vector<Source>& all, const std::vector<std::string>& wanted) {
+    if (wanted.empty()) {
+        return all;
+    }
+    std::vector<std::string> ids;
+    ids.reserve(all.size());
+    for (const Source& source : all) {
+        ids.push_back(source.id);
+    }
+    std::vector<Source> some;
+    for (const std::string& word : wanted) {
+        const auto found = std::find(ids.begin(), ids.end(), figures::figure_id(word));
+        if (found == ids.end()) {
+            throw UsageError(fmt::format(
+                "--figure {}: this run has no such figure{}; it has {}", shown(word),
+                near_hint(figures::figure_id(word), ids), fmt::join(ids, ", ")
+            ));
+        }
+        some.push_back(all[static_cast<std::size_t>(found - ids.begin())]);
+    }
+    return some;
+}
+
+/// What draws specifications. @throws IoError saying what to install.
+fs::path drawing_program(const fs::path& page) {
+    if (!is_installed("node")) {
+        throw IoError("node is missing, which draws the figures; install Node 18 or newer (Debian: nodejs)");
+    }
+    if (page.empty() || !fs::exists(page / "figures.mjs")) {
+        throw IoError("the program that draws the figures was not built: let npm reach its registry and call ./run or "
+                      "page/build.sh build/report-page once more");
+    }
+    return page / "figures.mjs";
+}
+
+/// Every figure as SVG in `folder`, by the built page's program.
+void draw_svg(const std::vector<Source>& sources, const fs::path& folder, const fs::path& page) {
+    std::vector<std::string> words = {"node", "", folder.string()};
+    for (const Source& source : sources) {
+        if (!source.is_drawing) {
+            words.push_back(source.file.string());
+        } else if (const fs::path copy = folder / source.file.filename(); copy != source.file) {
+            std::error_code error;
+            fs::copy_file(source.file, copy, fs::copy_options::overwrite_existing, error);
+            if (error && !fs::equivalent(source.file, copy, error)) {
+                throw IoError(fmt::format("cannot write {}: {}", copy.string(), error.message()));
+            }
+        }
+    }
+    if (words.size() == 3) {
+        return;
+    }
+    words[1] = drawing_program(page).string();
+    if (const ProgramEnd end = run_program(words); end.code != 0) {
+        throw IoError(fmt::format("node could not draw the figures: {}", end.complaint));
+    }
+}
+
+void convert(const fs::path& svg, const fs::path& to, const std::string& format) {
+    std::vector<std::string> words = {"rsvg-convert", "--format", format, "--output", to.string()};
+    if (format == "png") {
+        words.insert(words.end(), {"--zoom", png_zoom, "--background-color", "white"});
+    }
+    words.push_back(svg.string());
+    if (const ProgramEnd end = run_program(words); end.code != 0) {
+        throw IoError(fmt::format("rsvg-convert could not write {}: {}", to.string(), end.complaint));
+    }
+}
+
+} // namespace
+
+std::vector<fs::path> draw_figures(
+    const fs::path& run, const std::vector<std::string>& wanted, const std::string& format, const fs::path& folder,
+    const fs::path& page
+) {
+    const std::vector<Source> sources = chosen(sources_in(run), wanted);
+    if (format != "svg" && !is_installed("rsvg-convert")) {
+        throw IoError(fmt::format(
+            "rsvg-convert is missing, which makes {} from SVG; install it (Debian: librsvg2-bin), or ask for --format "
+            "svg",
+            format
+        ));
+    }
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) {
+        throw IoError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+    }
+    const ScratchFolder scratch;
+    const fs::path drawn = format == "svg" ? folder : scratch.path();
+    draw_svg(sources, drawn, page);
+    std::vector<fs::path> written;
+    for (const Source& source : sources) {
+        const fs::path file = folder / (source.id + "." + format);
+        if (format != "svg") {
+            convert(drawn / (source.id + ".svg"), file, format);
+        }
+        written.push_back(file);
+    }
+    return written;
+}
+
+void draw_figure(const fs::path& run, const std::string& which, const fs::path& file, const fs::path& page) {
+    const std::string ending = file.extension().string();
+    if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
+        throw UsageError(fmt::format("{}: a figure is drawn as .svg, .png or .pdf", shown(file.string())));
+    }
+    const ScratchFolder scratch;
+    const std::vector<fs::path> drawn = draw_figures(run, {which}, ending.substr(1), scratch.path(), page);
+    std::error_code error;
+    fs::copy_file(drawn.front(), file, fs::copy_options::overwrite_existing, error);
+    if (error) {
+        throw IoError(fmt::format("cannot write {}: {}", file.string(), error.message()));
+    }
+}
+
+} // namespace suffuse::job

@@ -1,0 +1,21 @@
+#pragma once
+// Other programs that do a part of the work: found on the PATH, run to their end, their complaints kept.
+
+#include <string>
+#include <vector>
+
+namespace suffuse::job {
+
+struct ProgramEnd {
+    int code = 0;          ///< exit status; 128 + signal where one ended it
+    std::string complaint; ///< what it wrote to standard error, its end
+};
+
+/// Whether a program of this name can be run.
+bool is_installed(const std::string& name);
+
+/// Runs `words[0]` with the others as its arguments, without input; its standard output is dropped.
+/// @throws IoError where it cannot be started.
+ProgramEnd run_program(const std::vector<std::string>& words);
+
+} // namespace suffuse::job

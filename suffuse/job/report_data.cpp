@@ -1,0 +1,199 @@
+#include "suffuse/job/report_data.hpp"
+
+#include "suffuse/answer/answer_fines.hpp"
+#include "suffuse/answer/erosion_table.hpp"
+#include "suffuse/answer/headlines.hpp"
+#include "suffuse/answer/removal_table.hpp"
+#include "suffuse/answer/report_answer.hpp"
+#include "suffuse/answer/section_tables.hpp"
+#include "suffuse/answer/strength_words.hpp"
+#include "suffuse/answer/triaxial_table.hpp"
+#include "suffuse/base/shell_word.hpp"
+#include "suffuse/io/text_file.hpp"
+#include "suffuse/job/assumed_values.hpp"
+#include "suffuse/job/erosion_figures.hpp"
+#include "suffuse/job/report_wishes.hpp"
+#include "suffuse/job/scene_data.hpp"
+#include "suffuse/job/study_figures.hpp"
+#include "suffuse/job/water_figures.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/result_json.hpp"
+#include "suffuse/record/stored.hpp"
+#include "suffuse/report/warnings.hpp"
+#include "suffuse/run/measure.hpp"
+#include "suffuse/study/fines_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace suffuse::job {
+namespace {
+
+using nlohmann::json;
+
+constexpr double largest_good_hold_error = 0.1; // of a stress that a test holds: the stiffness read there is off
+
+/// The largest error of the stresses that a stage was to be in balance under, over that stress; not a number for other
+/// stages.
+double stress_error(const casefile::Stage& stage, const Mat3& stress) {
+    Vec3 wanted{};
+    if (const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec)) {
+        wanted = {compact->pressure, compact->pressure, compact->pressure};
+    } else if (const auto* settle = std::get_if<dem::SettleSpec>(&stage.spec)) {
+        for (int a = 0; a < 3; ++a) {
+            const cell::AxisControl& axis = settle->loading.axis[static_cast<std::size_t>(a)];
+            wanted[a] = axis.control == cell::Control::Stress ? axis.value : 0;
+        }
+    }
+    double error = std::numeric_limits<double>::quiet_NaN();
+    for (int a = 0; a < 3; ++a) {
+        if (wanted[a] > 0) {
+            error = std::fmax(error, std::abs(stress(a, a) - wanted[a]) / wanted[a]);
+        }
+    }
+    return error;
+}
+
+report::StageRow stage_row(const casefile::Case& what, const record::FinishedStage& stage) {
+    const json& n = stage.numbers;
+    const casefile::StageSpec& spec = stage.stage->spec;
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const auto number = [&](const char* name) { return n.at(name).is_null() ? none : n[name].get<double>(); };
+    const auto* test = std::get_if<triaxial::TriaxialSpec>(&spec);
+    const bool settles =
+        std::holds_alternative<packing::CompactSpec>(spec) || std::holds_alternative<dem::SettleSpec>(spec) ||
+        std::holds_alternative<erosion::ErodeSpec>(spec) || std::holds_alternative<erosion::RemoveSpec>(spec) ||
+        (test != nullptr && (test->deviator_stress || test->stress_ratio));
+    const bool touches = n.at("contacts").get<std::int64_t>() > 0;
+    report::StageRow row;
+    row.name = stage.name();
+    row.grains = n.at("grains");
+    row.void_ratio = number("void_ratio");
+    row.porosity = number("porosity");
+    row.coordination = number("coordination");
+    row.mean_stress = number("mean_stress");
+    row.deviator_stress = number("deviator_stress");
+    if (touches) {
+        row.unbalanced_force = {number("unbalanced_force"), settles ? what.balance.unbalanced_force : none};
+        row.overlap = {number("max_overlap_ratio"), run::largest_good_overlap};
+        row.stress_error = {stress_error(*stage.stage, n.at("stress").get<Mat3>()), what.balance.stress_error};
+    }
+    row.inertial_number.value = number("inertial_number_max") > 0 ? number("inertial_number_max") : none;
+    if (test != nullptr) { // its rate was set by the number that its own rows hold
+        if (const auto error = triaxial::largest_hold_error(stage.findings.curve, test->path)) {
+            row.stress_error = {*error, largest_good_hold_error};
+        }
+        row.inertial_number = {0, test->inertial_number};
+        for (const triaxial::PathRow& each : stage.findings.curve) {
+            row.inertial_number.value = std::max(row.inertial_number.value, each.inertial_number);
+        }
+    }
+    const double volume = std::abs(determinant(n.at("cell").get<Mat3>()));
+    if (touches && n.contains("kinetic_energy") && row.mean_stress > 0) {
+        row.kinetic_share = n.at("kinetic_energy").get<double>() / (row.mean_stress * volume);
+    }
+    row.time_step = n.at("time_step");
+    row.steps = n.value("steps", std::int64_t{0});
+    row.seconds = n.at("wall_seconds");
+    return row;
+}
+
+/// What the case marks and the run has taken over, without what was typed when it began.
+std::vector<report::AssumedValue> assumed_in(const std::filesystem::path& folder, const casefile::Case& what) {
+    const std::filesystem::path given = folder / "case.toml", options = folder / record::options_file;
+    if (!std::filesystem::exists(given)) {
+        return {}; // a program that runs cases of its own leaves none
+    }
+    const json asked = std::filesystem::exists(options) ? record::read_json(options) : json::object();
+    const std::vector<std::string> nothing;
+    return record::take_from(options, [&] {
+        return assumed_values(
+            io::read_text(given), what.preset, asked.value("overrides", nothing), asked.value("studies", nothing)
+        );
+    });
+}
+
+/// Of a value of the provenance; of its calls, how many there were.
+std::string provenance_text(const json& value) {
+    if (value.is_array()) {
+        return std::to_string(value.size());
+    }
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+} // namespace
+
+report::ReportData describe_run(
+    const study::RunResults& results, const std::filesystem::path& folder, const json& provenance, RunRemarks remarks
+) {
+    const casefile::Case& what = *results.what;
+    const std::vector<record::FinishedStage>& stages = results.stages;
+    const study::ErosionStory& story = results.story;
+    report::ReportData data;
+    data.title = what.title;
+    data.run = folder.filename().string();
+    data.answer = results.fines_sweep ? answer::answer_of_fines(*results.fines_sweep) : std::vector<std::string>{};
+    if (const std::string sentence = answer::thresholds_sentence(results.fines); !sentence.empty()) {
+        data.answer.insert(data.answer.begin() + (data.answer.empty() ? 0 : 1), sentence); // after what was asked
+    }
+    for (std::string& sentence : answer::answer_of_erosion(results)) {
+        data.answer.push_back(std::move(sentence));
+    }
+    data.paper = what.paper;
+    if (!what.paper.empty()) { // another soil has nothing to meet
+        data.findings = results.findings;
+    }
+    if (auto table = answer::thresholds_table(results.fines)) {
+        data.tables.push_back(std::move(*table));
+    }
+    if (results.fines) {
+        if (auto table = answer::removal_table(results.fines->removals)) {
+            data.tables.push_back(std::move(*table));
+        }
+        data.headlines = answer::fines_headlines(results.fines->thresholds);
+    }
+    for (answer::Headline& headline : answer::erosion_headlines(story.erosion)) {
+        data.headlines.push_back(std::move(headline));
+    }
+    if (auto headline = answer::strength_headline(results.strength)) {
+        data.headlines.push_back(std::move(*headline));
+    }
+    if (auto headline = answer::findings_headline(data.findings)) {
+        data.headlines.push_back(std::move(*headline));
+    }
+    data.warnings = std::move(remarks.flaws);
+    data.warnings.insert(data.warnings.end(), remarks.warnings.begin(), remarks.warnings.end());
+    data.warnings = report::merged_warnings(data.warnings);
+    data.case_warnings = std::move(remarks.case_warnings);
+    data.unfinished = std::move(remarks.unfinished);
+    data.assumed = assumed_in(folder, what);
+    data.figures = draw_study(results, folder);
+    for (figures::Figure& figure : draw_erosion(what, folder, story)) {
+        data.figures.push_back(std::move(figure));
+    }
+    for (figures::Figure& figure : draw_fluxes(stages, story)) {
+        data.figures.push_back(std::move(figure));
+    }
+    show_stability(what, story, data);
+    for (std::optional<figures::PageTable> table :
+         {answer::tabulate_removals(stages), answer::tabulate_strength(results.strength),
+          answer::tabulate_tests(results), answer::tabulate_water(folder, stages, story, what.fluid),
+          answer::tabulate_erosions(stages)}) {
+        if (table) {
+            data.tables.push_back(std::move(*table));
+        }
+    }
+    heed_wishes(what.report, data);
+    data.scene = describe_scene(folder, stages, story.eroded);
+    for (const record::FinishedStage& stage : stages) {
+        data.stages.push_back(stage_row(what, stage));
+    }
+    for (const auto& [key, value] : provenance.items()) {
+        data.provenance.emplace_back(key, provenance_text(value));
+    }
+    data.redraw = "suffuse report " + shell_word(folder.string());
+    return data;
+}
+
+} // namespace suffuse::job

@@ -1,0 +1,189 @@
+#include "suffuse/job/run_folder.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/io/atomic_file.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/stored.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace suffuse::job {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path lock_file = ".lock";
+
+void make_folders(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) {
+        throw IoError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+    }
+}
+
+/// The number at the end of NAME-0012, or 0.
+int number_of(const std::string& folder, const std::string& name) {
+    if (folder.rfind(name + "-", 0) != 0) {
+        return 0;
+    }
+    const std::string digits = folder.substr(name.size() + 1);
+    const bool is_number = !digits.empty() && digits.size() < 9 &&
+                           std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return is_number ? std::stoi(digits) : 0;
+}
+
+/// A path: text, or the bytes of one that is not UTF-8, so that `resume` finds it.
+nlohmann::json path_json(const std::string& path) {
+    try {
+        nlohmann::json text = path;
+        [[maybe_unused]] const std::string valid = text.dump();
+        return text;
+    } catch (const nlohmann::json::type_error&) {
+        return std::vector<std::uint8_t>(path.begin(), path.end());
+    }
+}
+
+std::string path_of(const nlohmann::json& kept) {
+    if (kept.is_string()) {
+        return kept.get<std::string>();
+    }
+    const auto bytes = kept.get<std::vector<std::uint8_t>>();
+    return {bytes.begin(), bytes.end()};
+}
+
+} // namespace
+
+fs::path make_run_folder(const fs::path& case_file) {
+    const std::string name = fs::absolute(case_file).lexically_normal().parent_path().filename().string();
+    const std::string stem = name.empty() ? "run" : name;
+    const fs::path runs = "runs";
+    make_folders(runs);
+    int last = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(runs)) {
+        last = std::max(last, number_of(entry.path().filename().string(), stem));
+    }
+    // Another run may take the number between looking and making: only the maker of a folder gets it.
+    for (;;) {
+        const fs::path folder = runs / fmt::format("{}-{:04}", stem, ++last);
+        std::error_code error;
+        if (fs::create_directory(folder, error)) {
+            return folder;
+        }
+        if (error) {
+            throw IoError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+        }
+    }
+}
+
+fs::path cache_beside(const fs::path& folder) {
+    fs::path plain = (folder / "").lexically_normal().parent_path();
+    if (plain.empty() || plain.filename() == ".." || plain.filename() == ".") {
+        plain = (fs::absolute(folder) / "").lexically_normal().parent_path();
+    }
+    return plain.parent_path() / "suffuse-cache";
+}
+
+void take_run_folder(const fs::path& folder) {
+    if (fs::exists(folder) && !fs::is_directory(folder)) {
+        throw UsageError(fmt::format("{} is a file; -o wants a folder", shown(folder.string())));
+    }
+    make_folders(folder);
+    const auto is_ours = [](const fs::directory_entry& entry) { // of a run that could not even begin
+        const fs::path name = entry.path().filename();
+        return name == lock_file || io::is_partial(name.string());
+    };
+    const bool is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), is_ours);
+    const bool is_begun = fs::exists(folder / record::options_file) || fs::exists(folder / record::resolved_case_file);
+    if (!is_begun && !is_free) {
+        throw UsageError(fmt::format(
+            "{} is not empty and holds no run; give -o a new folder, so that nothing of yours is overwritten",
+            shown(folder.string())
+        ));
+    }
+}
+
+void keep_asked(const fs::path& folder, const AskedRun& asked) {
+    nlohmann::json kept{
+        {"case", path_json(asked.case_file)},
+        {"preset", asked.preset},
+        {"overrides", asked.overrides},
+        {"studies", asked.studies}};
+    if (asked.cache) {
+        kept["cache"] = path_json(*asked.cache);
+    }
+    record::write_json(folder / record::options_file, kept);
+}
+
+AskedRun read_asked(const fs::path& folder) {
+    if (!fs::exists(folder / record::options_file)) {
+        throw UsageError(fmt::format(
+            "{} holds no run that could be resumed; give the folder that suffuse run has named", shown(folder.string())
+        ));
+    }
+    const nlohmann::json asked = record::read_json(folder / record::options_file);
+    return record::take_from(folder / record::options_file, [&] {
+        AskedRun read{
+            path_of(asked.value("case", nlohmann::json(""))),
+            asked.value("preset", ""),
+            asked.value("overrides", std::vector<std::string>{}),
+            asked.value("studies", std::vector<std::string>{}),
+            {}};
+        if (asked.contains("cache")) {
+            read.cache = path_of(asked.at("cache"));
+        }
+        return read;
+    });
+}
+
+int try_lock(int descriptor, int kind) {
+    while (flock(descriptor, kind | LOCK_NB) != 0) {
+        if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
+}
+
+bool is_at_work(const fs::path& folder) {
+    const int descriptor = open((folder / lock_file).c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) {
+        return false;
+    }
+    const int refused = try_lock(descriptor, LOCK_SH);
+    close(descriptor);
+    return refused == EWOULDBLOCK;
+}
+
+FolderLock::FolderLock(const fs::path& folder, const std::function<void(const std::string&)>& tell, Kind kind)
+    : descriptor_(open((folder / lock_file).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) {
+        throw IoError(fmt::format("{}: cannot be written: {}", folder.string(), std::strerror(errno)));
+    }
+    const int refused = try_lock(descriptor_, kind == Kind::Shared ? LOCK_SH : LOCK_EX);
+    if (refused == EWOULDBLOCK) {
+        close(descriptor_);
+        throw UsageError(fmt::format("another suffuse is at work in {}", shown(folder.string())));
+    }
+    if (refused != 0) { // some network file systems have no locks
+        tell(fmt::format(
+            "{} cannot be locked ({}): see to it that no other suffuse works in it", shown(folder.string()),
+            std::strerror(refused)
+        ));
+    }
+}
+
+FolderLock::~FolderLock() {
+    close(descriptor_);
+}
+
+} // namespace suffuse::job

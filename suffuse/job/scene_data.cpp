@@ -1,0 +1,245 @@
+#include "suffuse/job/scene_data.hpp"
+
+#include "suffuse/base/words.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/known_state.hpp"
+#include "suffuse/study/trace_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+namespace suffuse::job {
+namespace {
+
+using report::Scene;
+using report::SceneState;
+
+constexpr std::size_t most_rows = 400'000;     ///< grains x states in a page: beyond, only the first and last state
+constexpr std::size_t most_contacts = 300'000; ///< of a state in a page: beyond, only those above the mean force
+constexpr std::size_t most_stages = 4;         ///< shown of a run without erosion
+
+using RowOf = std::unordered_map<std::uint32_t, std::uint32_t>;
+
+/// @throws IoError where `file` names a grain that the scene does not have.
+std::uint32_t row_of(const RowOf& rows, std::uint32_t id, const std::filesystem::path& file) {
+    const auto found = rows.find(id);
+    if (found == rows.end()) {
+        record::KnownState(file).complain(fmt::format("names the grain {}, which the stage did not start with", id));
+    }
+    return found->second;
+}
+
+/// The columns that do not change, with a row a grain in order of id.
+void add_grains(const dem::World& world, Scene& scene) {
+    std::vector<std::uint32_t> order(world.grains.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return world.grains.id[a] < world.grains.id[b];
+    });
+    for (const std::uint32_t g : order) {
+        scene.id.push_back(world.grains.id[g]);
+        scene.radius.push_back(world.grains.radius[g]);
+        scene.fine.push_back(world.grains.fine[g]);
+    }
+    scene.left_in.assign(order.size(), 0);
+}
+
+RowOf rows_of(const Scene& scene) {
+    RowOf rows;
+    for (std::uint32_t row = 0; row < scene.id.size(); ++row) {
+        rows.emplace(scene.id[row], row);
+    }
+    return rows;
+}
+
+void add_contacts(const dem::World& world, const RowOf& rows, SceneState& state) {
+    const Mat3 inverse_h = inverse(state.h);
+    for (const dem::ContactView& view : dem::inspect_contacts(world)) {
+        report::SceneContact contact;
+        contact.i = rows.at(world.grains.id[view.i]);
+        contact.j = rows.at(world.grains.id[view.j]);
+        contact.normal_force = -dot(view.normal_force, view.normal);
+        const double distance = world.grains.radius[view.i] + world.grains.radius[view.j] - view.overlap;
+        const Vec3 touched = state.position[contact.i] + distance * view.normal;
+        const Vec3 periods = inverse_h * (touched - state.position[contact.j]);
+        for (int a = 0; a < 3; ++a) {
+            contact.period[static_cast<std::size_t>(a)] = std::clamp(static_cast<int>(std::lround(periods[a])), -1, 1);
+        }
+        state.contacts.push_back(contact);
+    }
+}
+
+/// @param file that holds `world`
+SceneState
+describe_state(const dem::World& world, const std::filesystem::path& file, const Scene& scene, const RowOf& rows) {
+    SceneState state;
+    state.h = world.cell.h;
+    state.position.resize(scene.id.size());
+    state.coordination.resize(scene.id.size());
+    const Mat3 inverse_h = inverse(world.cell.h);
+    const std::vector<int> coordination = dem::coordination(world);
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        const std::uint32_t row = row_of(rows, world.grains.id[g], file);
+        state.position[row] = cell::wrapped(world.cell.h, inverse_h, world.grains.position[g]);
+        state.coordination[row] = coordination[g];
+    }
+    add_contacts(world, rows, state);
+    return state;
+}
+
+/// What the probe of a pass saw of each fine grain.
+void add_probe(const erosion::ProbeResult& probe, const RowOf& rows, SceneState& state) {
+    if (probe.id.empty()) {
+        return;
+    }
+    state.speed.assign(state.position.size(), std::numeric_limits<double>::quiet_NaN());
+    state.fluid_force = state.speed;
+    for (std::size_t k = 0; k < probe.id.size(); ++k) {
+        if (const auto found = rows.find(probe.id[k]); found != rows.end()) {
+            state.speed[found->second] = probe.speed[k].back();
+            state.fluid_force[found->second] = probe.fluid_force[k];
+        }
+    }
+}
+
+/// Keeps the page to a size that opens quickly, and says what was left out.
+void limit_size(Scene& scene) {
+    if (scene.states.size() > 2 && scene.states.size() * scene.id.size() > most_rows) {
+        scene.remark += fmt::format(
+            " Of {} states the first and the last are shown, to keep this file small.", scene.states.size()
+        );
+        scene.states.erase(scene.states.begin() + 1, scene.states.end() - 1);
+    }
+    for (SceneState& state : scene.states) {
+        if (state.contacts.size() <= most_contacts) {
+            continue;
+        }
+        const double mean = report::count_scene(scene, state).mean_force;
+        std::erase_if(state.contacts, [&](const report::SceneContact& c) { return c.normal_force <= mean; });
+        scene.remark += fmt::format(" {}: only contacts above the mean force.", as_sentence(state.label));
+    }
+}
+
+dem::World load(const std::filesystem::path& state) {
+    return record::KnownState(state).load().world;
+}
+
+Scene scene_of_erosion(const std::filesystem::path& folder, const record::FinishedStage& eroded) {
+    Scene scene;
+    const erosion::ErosionResult& erosion = *eroded.findings.erosion;
+    const std::filesystem::path place = record::stage_folder(folder, *eroded.variant, *eroded.stage);
+    const auto& parent = eroded.variant->stages[static_cast<std::size_t>(eroded.stage->parent)];
+    const dem::World before = load(record::stage_folder(folder, *eroded.variant, parent) / "state.h5");
+    add_grains(before, scene);
+    const RowOf rows = rows_of(scene);
+    for (const erosion::LedgerRow& row : erosion.ledger) {
+        scene.left_in[row_of(rows, row.grain, place / "results.cbor")] = row.pass;
+    }
+    if (const auto* spec = std::get_if<erosion::ErodeSpec>(&eroded.stage->spec); spec != nullptr && !spec->forced) {
+        scene.flow_direction = spec->direction;
+        scene.gradient = spec->gradient;
+    }
+    const int passes = static_cast<int>(erosion.passes.size());
+    for (int pass = 0; pass <= passes; ++pass) {
+        const std::filesystem::path file = pass == passes ? place / "state.h5" : record::pass_file(place, pass);
+        if (pass > 0 && !std::filesystem::exists(file)) {
+            continue; // a run of an earlier version
+        }
+        SceneState state = describe_state(pass == 0 ? before : load(file), file, scene, rows);
+        state.label = pass == 0 ? "before erosion" : fmt::format("after pass {}", pass);
+        state.passes = pass;
+        if (pass < passes) {
+            add_probe(erosion.passes[static_cast<std::size_t>(pass)].probe, rows, state);
+        }
+        scene.states.push_back(std::move(state));
+    }
+    scene.remark =
+        fmt::format("The {} grains of {}.", grouped(std::ssize(scene.id)), study::in_words_of_sample(eroded));
+    if (scene.gradient > 0) {
+        scene.remark += fmt::format(
+            " Speed and fluid force are those of the fines in the probe of the pass that follows, under i = {:g}.",
+            scene.gradient
+        );
+    }
+    return scene;
+}
+
+/// The last stage of the sample to show: of the mixtures of the last study the one nearest to where fines begin to
+/// carry, for pure sand and pure fines show nothing of it.
+const record::FinishedStage& shown_stage(const std::vector<record::FinishedStage>& stages) {
+    constexpr double telling = 0.3;
+    const auto distance = [](const record::FinishedStage& stage) {
+        const auto& soil = stage.variant->soil;
+        const bool is_mixture = soil && soil->fines && soil->fines_content > 0 && soil->fines_content < 1;
+        return is_mixture ? std::abs(soil->fines_content - telling) : 1.0;
+    };
+    const record::FinishedStage* shown = &stages.back();
+    for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
+        if (stage->study == shown->study && distance(*stage) < distance(*shown)) {
+            shown = &*stage;
+        }
+    }
+    return *shown;
+}
+
+/// The stages of the sample of `last` with as many grains as it has, in the case's order; clouds, which touch nowhere,
+/// left out. A scene has one list of grains.
+std::vector<const casefile::Stage*>
+stages_to_show(const std::vector<record::FinishedStage>& finished, const record::FinishedStage& last) {
+    std::vector<const casefile::Stage*> shown;
+    for (const record::FinishedStage& each : finished) {
+        if (each.variant == last.variant && !std::holds_alternative<packing::PackSpec>(each.stage->spec) &&
+            each.stage <= last.stage && each.numbers.at("grains") == last.numbers.at("grains")) {
+            shown.push_back(each.stage);
+        }
+    }
+    std::sort(shown.begin(), shown.end());
+    if (shown.size() > most_stages) {
+        shown.erase(shown.begin(), shown.end() - most_stages);
+    }
+    return shown;
+}
+
+Scene scene_of_stages(
+    const std::filesystem::path& folder, const std::vector<record::FinishedStage>& finished,
+    const record::FinishedStage& last
+) {
+    Scene scene;
+    RowOf rows;
+    for (const casefile::Stage* stage : stages_to_show(finished, last)) {
+        const std::filesystem::path file = record::stage_folder(folder, *last.variant, *stage) / "state.h5";
+        const dem::World world = load(file);
+        if (scene.id.empty()) {
+            add_grains(world, scene);
+            rows = rows_of(scene);
+        }
+        SceneState state = describe_state(world, file, scene, rows);
+        state.label = fmt::format("after {}", stage->name);
+        scene.states.push_back(std::move(state));
+    }
+    scene.remark = fmt::format("The {} grains of {}.", grouped(std::ssize(scene.id)), study::in_words_of_sample(last));
+    return scene;
+}
+
+} // namespace
+
+Scene describe_scene(
+    const std::filesystem::path& folder, const std::vector<record::FinishedStage>& stages,
+    const record::FinishedStage* eroded
+) {
+    Scene scene;
+    if (eroded != nullptr && eroded->stage->parent >= 0) {
+        scene = scene_of_erosion(folder, *eroded);
+    } else if (!stages.empty()) {
+        scene = scene_of_stages(folder, stages, shown_stage(stages));
+    }
+    limit_size(scene);
+    return scene;
+}
+
+} // namespace suffuse::job

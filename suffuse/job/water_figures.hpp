@@ -1,0 +1,15 @@
+#pragma once
+// The figures of how water spreads over the throats, from what the stages of a run found.
+
+#include "suffuse/figures/figure.hpp"
+#include "suffuse/study/erosion_story.hpp"
+
+#include <vector>
+
+namespace suffuse::job {
+
+/// Of the erosion that the report tells: before it, after its first and its last pass; and of the first `flow` stages.
+std::vector<figures::Figure>
+draw_fluxes(const std::vector<record::FinishedStage>& stages, const study::ErosionStory& story);
+
+} // namespace suffuse::job

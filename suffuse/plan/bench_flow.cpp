@@ -1,0 +1,53 @@
+#include "suffuse/plan/bench_flow.hpp"
+
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/base/stopwatch.hpp"
+#include "suffuse/flow/seepage.hpp"
+#include "suffuse/record/result_json.hpp"
+
+namespace suffuse::plan {
+
+BenchFlowResult bench_flow(const BenchFlowSpec& spec) {
+    const dem::World world = load_bench_packing(spec.packing);
+    const Stopwatch watch;
+    const flow::Seepage seepage = flow::solve_seepage(
+        world.cell, world.grains.position, world.grains.radius, {spec.gradient, spec.direction, false}, {}
+    );
+    BenchFlowResult result;
+    result.total = watch.seconds();
+    result.threads = thread_count();
+    result.grains = world.grains.size();
+    result.pores = seepage.network.pores.size();
+    result.throats = seepage.network.throats.size();
+    result.triangulate = seepage.seconds.triangulate;
+    result.conductance = seepage.seconds.conductance;
+    result.solve = seepage.seconds.solve;
+    result.forces = seepage.seconds.forces;
+    result.permeability = seepage.permeability;
+    result.mean_velocity = seepage.mean_velocity;
+    result.residual = seepage.field.residual;
+    result.force_sum_error = seepage.force_sum_error;
+    return result;
+}
+
+void to_json(nlohmann::json& json, const BenchFlowResult& r) {
+    const nlohmann::json seconds = {
+        {"triangulate", r.triangulate},
+        {"conductance", r.conductance},
+        {"solve", r.solve},
+        {"forces", r.forces},
+        {"total", r.total}};
+    json = {
+        {"threads", r.threads},
+        {"grains", r.grains},
+        {"pores", r.pores},
+        {"throats", r.throats},
+        {"seconds", seconds},
+        {"permeability", r.permeability},
+        {"mean_velocity", r.mean_velocity},
+        {"residual", r.residual},
+        {"force_sum_error", r.force_sum_error},
+    };
+}
+
+} // namespace suffuse::plan

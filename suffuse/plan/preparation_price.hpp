@@ -1,0 +1,27 @@
+#pragma once
+// What preparing a sample takes, beside what its strain does: one table, written by
+//     tools/record_plans.py --preparation RUN...
+// from runs that prepared samples.
+
+#include "suffuse/base/range.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace suffuse::plan {
+
+struct PreparationPrice {
+    std::string_view kind; ///< protocol, and how grains met: stage_kind
+    Range steps; ///< over those that the strain takes at the largest rate, of 2,000 median grains if it creeps [-]
+};
+
+inline constexpr std::array<PreparationPrice, 6> preparation_prices = {{
+    {"faithful, adhesive", {2.2, 5.4}},
+    {"faithful, frictionless", {3.3, 17}},
+    {"faithful, frictional", {3.1, 6.8}},
+    {"slow, adhesive", {3.5, 7.5}},
+    {"slow, frictionless", {3.5, 7.5}},
+    {"slow, frictional", {3.5, 7.5}},
+}};
+
+} // namespace suffuse::plan

@@ -1,0 +1,421 @@
+#include "suffuse/plan/price_stage.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/dem/inertial_number.hpp"
+#include "suffuse/grains/sampling.hpp"
+#include "suffuse/packing/compact.hpp"
+#include "suffuse/packing/pace.hpp"
+#include "suffuse/plan/preparation_price.hpp"
+#include "suffuse/record/read_import.hpp"
+#include "suffuse/triaxial/run_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <variant>
+
+namespace suffuse::plan {
+namespace {
+
+// Steps, beside the `patience` that comes on top where a balance is waited for.
+constexpr Range settling{250, 6'000};                                 // a packing from elsewhere
+constexpr Range swift_start{2'500, 9'000}, swift_density{300, 1'500}; // from near touching; from an asked density
+constexpr Range first_relaxation{600, 4'500}, next_relaxation{50, 1'200};
+constexpr Range rest_under_load{150, 4'500};      // after the ramp of a stress probe
+constexpr Range rest_after_removal{1'500, 8'000}; // after many grains were taken at once
+constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
+constexpr Range trials_for_a_density{2, 6}; // compactions until an asked void ratio is met
+constexpr int endless = 5;                  // passes that "until nothing leaves" may add to those asked ...
+constexpr int endless_travel = 30;          // ... where fines travel: 19 to 26 seen
+constexpr Range slow_collapse{0.55, 1.1};   // of the steps in which the largest rate would close what removal opened
+constexpr double swept_rattlers = 0.65;     // of the fines without load, at least this share leaves with an erosion
+
+// Axial strain until a stress: of samples that carry it elastically, deviator stress over strain, over the contact
+// modulus; of loose ones, that yield, strain = this x eta/(limit - eta) with eta = q/p [-].
+constexpr double stiffest = 0.25, softest = 0.07, yielding_coordination = 4;
+constexpr double loose_limit = 0.85, least_distance = 0.05;
+constexpr Range loose_strain{0.002, 0.02};
+
+// How far off the time step is, as a factor on the steps; a loose sample at constant volume loses its contacts and
+// steps faster.
+constexpr Range time_step_error{0.85, 1.2}, liquefied{0.5, 1.1};
+
+// What the made-up packing of measure_speed leaves out: recording, files, other work of the machine.
+constexpr Range price_error{0.75, 1.35};
+constexpr Range searching{0.25, 0.55};        // work of a step, a grain, while grains fly
+constexpr Range cloud_seconds{1e-6, 1.5e-5};  // a grain
+constexpr Range geometry_seconds{1e-5, 6e-5}; // a grain: pushing a cloud together
+constexpr Range flow_seconds{1e-5, 6e-5};     // a grain, one direction
+
+// Grains that a plan draws of a sample: more of the same curve say no more of their shares.
+constexpr std::int64_t most_drawn = 300'000;
+
+constexpr double grain_memory = 1000, flow_memory = 5000; // [B], a grain
+
+constexpr Range resolved_seconds{8e-6, 6e-5}; // a box, one direction
+constexpr double box_memory = 150;            // [B]
+
+/// Boxes of a grid with so many across the Sauter diameter.
+double resolving_boxes(const PricedSample& sample, const grains::Material& material, double across) {
+    double inverse_diameter = 0; // of Sauter's
+    for (const packing::SizeClass& size : sample.classes) {
+        inverse_diameter += size.volume / size.diameter;
+    }
+    const double solid = (sample.coarse.mass + sample.fines.mass) / material.density;
+    return solid / sample.solid_fraction * std::pow(across * inverse_diameter, 3);
+}
+
+const Range& preparation_steps(std::string_view kind) {
+    for (const PreparationPrice& price : preparation_prices) {
+        if (price.kind == kind) {
+            return price.steps;
+        }
+    }
+    throw Bug(fmt::format("no price of the preparation {}", kind));
+}
+
+/// Makes of a sample of some grains of `soil` one of so many. Of two curves the coarse grains may be very few of those
+/// drawn: their share follows from the soil.
+void scale_up(PricedSample& sample, const grains::Soil& soil, double particles) {
+    double coarse = sample.coarse.grains, fines = sample.fines.grains;
+    if (soil.coarse && soil.fines && coarse > 0 && fines > 0) {
+        coarse = (1 - soil.fines_content) * grains::grains_per_volume(*soil.coarse);
+        fines = soil.fines_content * grains::grains_per_volume(*soil.fines);
+    }
+    const auto make = [&](PricedFraction& fraction, double share) {
+        const double more = fraction.grains > 0 ? particles * share / (coarse + fines) / fraction.grains : 1;
+        fraction.grains *= more;
+        fraction.mass *= more;
+    };
+    make(sample.coarse, coarse);
+    make(sample.fines, fines);
+}
+
+/// One stage: what it takes, and what it makes of the sample.
+class Pricer {
+public:
+    Pricer(const casefile::Case& what, const casefile::Variant& variant, PricedSample& sample)
+        : case_(what), variant_(variant), sample_(sample) {}
+
+    StagePrice operator()(const casefile::ImportSpec& spec) {
+        const record::ImportedSample read = record::read_import(spec, variant_, variant_.folder);
+        sample_ = describe(read.grains);
+        take_state(sample_, state_at(sample_, grains::solid_volume(read.grains) / std::abs(determinant(read.h))));
+        return {.seconds = {0, 0.1}, .memory_a_grain = grain_memory, .basis = "read from a file"};
+    }
+
+    StagePrice operator()(const packing::PackSpec& spec) {
+        if (!variant_.soil) {
+            throw Bug("a stage that packs without a soil");
+        }
+        const std::int64_t some = std::min(variant_.particles, most_drawn);
+        grains::Soil soil = *variant_.soil;
+        if (some < variant_.particles) {
+            soil.grading_tolerance = 1; // fewer follow the curve less closely; it is the run that must
+        }
+        const grains::SampledGrains drawn = grains::sample_soil(soil, static_cast<int>(some));
+        grains::Grains grains;
+        for (std::size_t g = 0; g < drawn.radius.size(); ++g) {
+            add_grain(grains, {}, drawn.radius[g], variant_.material.density);
+            grains.fine[g] = drawn.fine[g];
+        }
+        sample_ = describe(grains);
+        if (some < variant_.particles) {
+            scale_up(sample_, soil, static_cast<double>(variant_.particles));
+        }
+        sample_.solid_fraction = 1 - spec.porosity;
+        return {
+            .seconds = count(sample_) * cloud_seconds,
+            .memory_a_grain = grain_memory,
+            .basis = fmt::format(
+                "no steps; {:.0f} coarse grains, fines content {:.2f} %", sample_.coarse.grains,
+                100 * fines_content(sample_)
+            )};
+    }
+
+    StagePrice operator()(const packing::CompactSpec& spec) {
+        const bool asks = spec.void_ratio || spec.intergranular_void_ratio;
+        const double cloud = 1 - sample_.solid_fraction;
+        const double start =
+            spec.start_porosity.value_or(leaves_out_gas(spec) ? std::min(cloud, packing::open_porosity) : cloud);
+        const Range pushing = start < cloud ? count(sample_) * geometry_seconds : Range{};
+        const double gas_time_step = compaction_time_step(spec, loose_time_step(sample_, variant_.material));
+        const packing::EqualGrains state = asks ? state_at(sample_, solid_fraction_asked(spec))
+                                                : packing::equal_grains(friction_of(spec), adheres(spec));
+        take_state(sample_, state);
+        sample_.pressure = spec.pressure;
+        const Range searches = count(sample_) * searching;
+        if (spec.protocol == packing::Protocol::Swift) {
+            const Range trials = asks ? Range{1, 3} : Range{1, 1};
+            return {
+                .steps = trials * ((asks ? swift_density : swift_start) + waited({})),
+                .seconds = trials * (count(sample_) * geometry_seconds),
+                .memory_a_grain = grain_memory,
+                .basis = "swift: pushed together, then pressed; contacts per grain some 0.6 above faithful's",
+                .more_work = searches};
+        }
+        const Range trials = asks ? trials_for_a_density : Range{1, 1};
+        const double end = 1 - sample_.solid_fraction;
+        const double open = adheres(spec) ? start : std::min(start, packing::open_porosity);
+        const double time_step =
+            compaction_time_step(spec, settled_time_step(sample_, variant_.material, {.mass = true}));
+        const double rate = packing::largest_rate(spec, variant_.material.density, sample_.median);
+        const double gas = strain_between(start, open) / (rate * gas_time_step);
+        const double loaded = strain_between(open, end) / (rate * time_step);
+        return {
+            .steps =
+                trials * (Range{gas, gas} + loaded * creep(spec) * preparation_steps(kind_of(spec)) + 2 * waited({})),
+            .seconds = trials * pushing,
+            .memory_a_grain = grain_memory,
+            .basis = fmt::format(
+                "{}: from a porosity of {:.2f} to some {:.2f} at {:.3g} 1/s and slower, then settling", kind_of(spec),
+                start, end, rate
+            ),
+            .more_work = searches};
+    }
+
+    StagePrice operator()(const dem::SettleSpec& spec) {
+        for (const cell::AxisControl& axis : spec.loading.axis) {
+            if (axis.control == cell::Control::Stress && axis.value > 0) {
+                sample_.pressure = axis.value;
+            }
+        }
+        return {.steps = waited(settling), .memory_a_grain = grain_memory, .basis = "until balanced"};
+    }
+
+    StagePrice operator()(const dem::AdvanceSpec& spec) {
+        const auto steps = static_cast<double>(spec.steps);
+        return {.steps = {steps, steps}, .memory_a_grain = grain_memory, .basis = "as asked"};
+    }
+
+    StagePrice operator()(const triaxial::TriaxialSpec& spec) {
+        const double rate = triaxial::strain_rate_of(spec, variant_.material, sample_.median, sample_.pressure);
+        const bool is_loose = sample_.coordination < yielding_coordination;
+        take_critical_state(sample_); // within the first percents of strain
+        const double dt = triaxial_time_step(spec);
+        const double a_strain = 1 / (rate * dt); // steps
+        const std::string pace = fmt::format("at {:.3g} 1/s (inertial number {:.1e})", rate, spec.inertial_number);
+        if (spec.deviator_stress || spec.stress_ratio) {
+            const Range strain = strain_until(spec, is_loose);
+            sample_.pressure /= 1 - std::min(stress_ratio_asked(spec), 2.0) / 3; // the lateral stress is held
+            return {
+                .steps = a_strain * strain + waited(balance_at_stress),
+                .memory_a_grain = grain_memory,
+                .basis = fmt::format("until a stress, at most {:.3g} % {}, then settling", 100 * spec.strain, pace)};
+        }
+        const bool liquefies = spec.path == triaxial::Path::Undrained && is_loose;
+        const Range error = spec.time_step > 0 ? Range{1, 1} : liquefies ? liquefied : time_step_error;
+        return {
+            .steps = a_strain * spec.strain * error,
+            .memory_a_grain = grain_memory,
+            .basis = fmt::format("{:.3g} % {}", 100 * spec.strain, pace)};
+    }
+
+    StagePrice operator()(const triaxial::StressProbeSpec& spec) {
+        const double loads = spec.directions + 1;
+        const auto ramp = static_cast<double>(spec.ramp);
+        return {
+            .reference_steps = first_relaxation + loads * rest_under_load + Range{loads * ramp, loads * ramp},
+            .memory_a_grain = 2 * grain_memory,
+            .basis = fmt::format("relaxation, {} loads and one without", spec.directions)};
+    }
+
+    StagePrice operator()(const flow::FlowSpec& spec) {
+        StagePrice price{
+            .seconds = (spec.tensor ? 2.0 : 1.0) * one_flow(),
+            .memory_a_grain = grain_memory + flow_memory,
+            .basis = "no steps"};
+        add_resolving(price, spec.resolve, spec.tensor ? 3 : 1);
+        return price;
+    }
+
+    StagePrice operator()(const erosion::DetachStageSpec& spec) {
+        const auto gradients = static_cast<double>(spec.gradients.size());
+        StagePrice price{
+            .reference_steps = first_relaxation + probe(spec.probe, gradients),
+            .seconds = one_flow(),
+            .memory_a_grain = 3 * grain_memory + flow_memory,
+            .basis = fmt::format("relaxation, {} gradients and a twin", spec.gradients.size())};
+        add_resolving(price, spec.probe.resolve, 1);
+        return price;
+    }
+
+    StagePrice operator()(const erosion::ErodeSpec& spec) {
+        const bool travels = erosion::travels(spec);
+        const int more = spec.until_nothing_leaves ? (travels ? endless_travel : endless) : 0;
+        const Range passes{static_cast<double>(spec.passes), static_cast<double>(spec.passes + more)};
+        const Range later{passes.least - 1, passes.most - 1};
+        const double carrying = sample_.fines.carrying;
+        const Range swept{carrying, 1 - swept_rattlers * (1 - carrying)};
+        sample_.fines_left = {
+            std::min(sample_.fines_left.least, swept.least), std::min(sample_.fines_left.most, swept.most)};
+        StagePrice price{
+            .steps = 2 * passes * waited(balance_after_removal),
+            .reference_steps = passes * probe(spec.probe, 1) + first_relaxation + later * next_relaxation,
+            .seconds = (travels ? 3 : 2) * passes * one_flow(),
+            .memory_a_grain = 4 * grain_memory + flow_memory,
+            .basis = fmt::format(
+                "{} passes{}: relaxation, probe with its twin, two new equilibria; more where the skeleton gives way",
+                spec.passes, spec.until_nothing_leaves ? " and more, until nothing leaves" : ""
+            )};
+        add_resolving(price, spec.probe.resolve, 2 * passes.most);
+        return price;
+    }
+
+    StagePrice operator()(const erosion::RemoveSpec& spec) {
+        const double before = 1 - sample_.solid_fraction * (1 - fines_content(sample_));
+        const bool empties = spec.grains == erosion::RemovedFines::All && spec.share >= 1;
+        if (empties && !(sample_.coarse.grains > 0)) {
+            return {.memory_a_grain = 2 * grain_memory, .basis = "refused: all grains are fines, and none would stay"};
+        }
+        if (empties) {
+            take_fines(sample_);
+        } else {
+            const double chosen = spec.grains == erosion::RemovedFines::All        ? 1
+                                  : spec.grains == erosion::RemovedFines::Inactive ? 1 - sample_.fines.carrying
+                                                                                   : sample_.fines.carrying;
+            const double left = 1 - spec.share * chosen;
+            sample_.fines_left = {left * sample_.fines_left.least, left * sample_.fines_left.most};
+        }
+        const double closing = empties ? std::max(0.0, strain_between(before, 1 - sample_.solid_fraction)) : 0;
+        const double rate = dem::rate_of_inertial_number(
+            dem::loaded_inertial_number, sample_.median, variant_.material.density, sample_.pressure
+        );
+        const double a_strain = 1 / (rate * settled_time_step(sample_, variant_.material));
+        return {
+            .steps = closing * a_strain * slow_collapse +
+                     static_cast<double>(spec.passes) * (rest_after_removal + 2 * waited({})),
+            .memory_a_grain = 2 * grain_memory,
+            .basis = spec.passes == 1 ? "two new equilibria, after all asked have gone"
+                                      : fmt::format("two new equilibria after each of {} passes", spec.passes)};
+    }
+
+private:
+    [[nodiscard]] double triaxial_time_step(const triaxial::TriaxialSpec& spec) const {
+        const dem::Lent lent = triaxial::lent_during(spec, variant_.material);
+        return spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, variant_.material, lent);
+    }
+
+    [[nodiscard]] double friction_of(const packing::CompactSpec& spec) const {
+        return spec.prepare.friction.value_or(variant_.material.friction);
+    }
+
+    [[nodiscard]] bool adheres(const packing::CompactSpec& spec) const {
+        return spec.prepare.adhesion_normal.value_or(variant_.material.adhesion_normal) > 0 ||
+               spec.prepare.adhesion_shear.value_or(variant_.material.adhesion_shear) > 0;
+    }
+
+    [[nodiscard]] bool leaves_out_gas(const packing::CompactSpec& spec) const {
+        return spec.protocol == packing::Protocol::Faithful && !adheres(spec);
+    }
+
+    /// Grains without friction creep until the slowest modes of the sample are at rest: for steps that grow as the root
+    /// of its solid in median grains, to which smaller ones are slowed; 250 to 43,000 of them were seen [-].
+    [[nodiscard]] double creep(const packing::CompactSpec& spec) const {
+        constexpr double priced_for = 2'000; // median grains
+        const bool creeps = !adheres(spec) && !(friction_of(spec) > 0);
+        const double solid = (sample_.coarse.mass + sample_.fines.mass) / case_.material.density;
+        return creeps ? std::sqrt(solid / sphere_volume(0.5 * sample_.median) / priced_for) : 1;
+    }
+
+    /// A row of preparation_prices.
+    [[nodiscard]] std::string kind_of(const packing::CompactSpec& spec) const {
+        const std::string_view met = adheres(spec) ? "adhesive" : friction_of(spec) > 0 ? "frictional" : "frictionless";
+        return fmt::format("{}, {}", packing::name_of(spec.protocol), met);
+    }
+
+    [[nodiscard]] double solid_fraction_asked(const packing::CompactSpec& spec) const {
+        const double content = fines_content(sample_);
+        const double e = spec.void_ratio ? *spec.void_ratio : *spec.intergranular_void_ratio * (1 - content) - content;
+        return 1 / (1 + std::max(e, 0.05)); // the run refuses less
+    }
+
+    [[nodiscard]] double compaction_time_step(const packing::CompactSpec& spec, double stable) const {
+        if (spec.time_step > 0) {
+            return spec.time_step;
+        }
+        return spec.protocol == packing::Protocol::Slow
+                   ? packing::slow_time_step(0.5 * smallest_diameter(sample_), variant_.material)
+                   : stable;
+    }
+
+    /// Strain of each axis from one porosity to another, at least a little [-].
+    [[nodiscard]] static double strain_between(double start, double end) {
+        constexpr double least = 0.007;
+        return std::max(start > end ? least : 0, std::log((1 - end) / (1 - start)) / 3);
+    }
+
+    /// Steps until balanced, and then the patience.
+    [[nodiscard]] Range waited(const Range& steps) const {
+        const auto patience = static_cast<double>(case_.balance.patience);
+        return steps + Range{patience, 1.2 * patience};
+    }
+
+    /// Probes, and the one twin that they share.
+    [[nodiscard]] static Range probe(const erosion::ProbeSpec& spec, double probes) {
+        const double steps = (probes + 1) * static_cast<double>(spec.ramp + spec.watch);
+        return {steps, steps};
+    }
+
+    /// On the drained path; undrained and constant-mean ones end below [-].
+    [[nodiscard]] double stress_ratio_asked(const triaxial::TriaxialSpec& spec) const {
+        if (spec.stress_ratio) {
+            return *spec.stress_ratio;
+        }
+        const double q = *spec.deviator_stress;
+        return q / (sample_.pressure + q / 3);
+    }
+
+    /// Axial strain until a deviator stress is reached [-].
+    [[nodiscard]] Range strain_until(const triaxial::TriaxialSpec& spec, bool is_loose) const {
+        const double ratio = stress_ratio_asked(spec);
+        const auto at_most = [&](double strain) { return std::min(strain, spec.strain); };
+        if (is_loose) {
+            const Range strain = ratio / std::max(loose_limit - ratio, least_distance) * loose_strain;
+            return {at_most(strain.least), at_most(strain.most)};
+        }
+        const double q = ratio * sample_.pressure / std::max(1 - ratio / 3, 0.1);
+        const double strain = q / as_pressed(sample_, variant_.material).modulus;
+        return {at_most(strain / stiffest), at_most(strain / softest)};
+    }
+
+    void add_resolving(StagePrice& price, const std::optional<std::int64_t>& across, double solutions) const {
+        if (across) {
+            const double boxes = resolving_boxes(sample_, variant_.material, static_cast<double>(*across));
+            price.seconds += solutions * boxes * resolved_seconds;
+            price.memory_a_grain += boxes * box_memory / count(sample_);
+            price.basis += fmt::format("; a grid of {:.2g} boxes", boxes);
+        }
+    }
+
+    [[nodiscard]] Range one_flow() const { return count(sample_) * flow_seconds; }
+
+    const casefile::Case& case_;
+    const casefile::Variant& variant_;
+    PricedSample& sample_;
+};
+
+} // namespace
+
+StagePrice price_stage(
+    const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage, PricedSample& sample
+) {
+    const bool removes = std::holds_alternative<erosion::ErodeSpec>(stage.spec);
+    const Range before = work_of_step(sample); // erosion begins with all that it finds
+    StagePrice price = std::visit(Pricer(what, variant, sample), stage.spec);
+    if (std::ranges::count(stage.measure, "permeability") > 0) {
+        price.seconds += 2 * count(sample) * flow_seconds;
+    }
+    price.work = (removes ? before : work_of_step(sample)) + price.more_work;
+    return price;
+}
+
+Range seconds_of(const StagePrice& price, const MachineSpeed& speed) {
+    const Range stepping =
+        1 / speed.particle_steps_per_second * price.steps + 1 / speed.reference_speed() * price.reference_steps;
+    return price.work * stepping * price_error + price.seconds;
+}
+
+} // namespace suffuse::plan

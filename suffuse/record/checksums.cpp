@@ -1,0 +1,260 @@
+#include "suffuse/record/checksums.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/shell_word.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/checkpoint.hpp"
+#include "suffuse/record/finished_stages.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/missing_stages.hpp"
+#include "suffuse/record/refine.hpp"
+#include "suffuse/record/stage_sums.hpp"
+#include "suffuse/record/stored.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+namespace suffuse::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> changing = {"events.jsonl", "progress.json", "plan.json", partial_file};
+
+/// What says what to compute, and by what it was computed.
+constexpr std::array<std::string_view, 5> inputs = {
+    "case.toml", resolved_case_file, options_file, refinement_file, provenance_file};
+
+/// Files of the results below the folder, by name.
+std::set<std::string> list_results(const fs::path& run) {
+    std::set<std::string> names;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(run)) {
+        const std::string name = entry.path().filename();
+        const bool is_result = name.front() != '.' && !io::is_partial(name) && std::ranges::count(changing, name) == 0;
+        if (entry.is_regular_file() && is_result) {
+            names.insert(entry.path().lexically_relative(run).string());
+        }
+    }
+    names.erase(checksums_file);
+    return names;
+}
+
+/// Of a finished stage: its own checksum of the file, or the run's earlier one; nothing where there is neither.
+std::optional<std::string> sum_from_stage(
+    const std::string& name, const fs::path& file, const std::optional<Sums>& of_stage, const Sums& earlier
+) {
+    const Sums& sums = of_stage ? *of_stage : earlier;
+    const auto found = sums.find(of_stage ? file.filename().string() : name);
+    return found == sums.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// The checksums with which the run ended. @throws IoError that says why there are none
+Sums sums_of_ended(const fs::path& run) {
+    if (fs::exists(run / checksums_file)) {
+        return read_run_sums(run);
+    }
+    check_is_run(run);
+    const std::string missing = tell_missing(find_missing_stages(load_run(run), run));
+    throw IoError(
+        missing.empty()
+            ? fmt::format(
+                  "{0}: has no {1}: an earlier version made it, or it was stopped in its last moment; "
+                  "suffuse report {2} writes them, once the stages are found whole",
+                  run.string(), checksums_file, shell_word(run.string())
+              )
+            : fmt::format(
+                  "{0}: the run has not ended: {1}; suffuse resume {2} goes on, and suffuse watch {2} shows whether it "
+                  "still runs",
+                  run.string(), missing, shell_word(run.string())
+              )
+    );
+}
+
+/// The state says of itself what stage.json says of it.
+void check_state(const fs::path& run, const std::string& numbers_file, Verification& found) {
+    const fs::path folder = (run / numbers_file).parent_path();
+    const nlohmann::json numbers = read_json(run / numbers_file);
+    if (!numbers.contains("state_hash") || !fs::exists(folder / "state.h5")) {
+        return;
+    }
+    const std::string told = take_from(run / numbers_file, [&] { return numbers.at("state_hash").get<std::string>(); });
+    const std::string hash = fmt::format("{:016x}", dem::state_hash(io::load_world(folder / "state.h5").world));
+    ++found.states;
+    if (hash != told) {
+        found.damages.push_back({numbers_file, fmt::format("tells the state {}, and state.h5 holds {}", told, hash)});
+    }
+}
+
+/// A file of the run that no stage left. @throws IoError
+void check_own(const fs::path& run, const std::string& name, const std::string& sum) {
+    const std::string what = what_became_of(run / name, sum);
+    if (what.empty()) {
+        return;
+    }
+    const std::string advice =
+        std::ranges::count(inputs, name) == 0
+            ? fmt::format("suffuse report {} writes it anew", shell_word(run.string()))
+            : fmt::format(
+                  "put it back as it was, or, where the change is yours, remove its line from {}",
+                  (run / checksums_file).string()
+              );
+    throw IoError(fmt::format("{} {} since the run ended; {}", (run / name).string(), what, advice));
+}
+
+/// What the stages tell of their files; the run tells the same, unless somebody wrote its checksums anew.
+void check_against_stages(const fs::path& run, const ChecksumOf& now, Verification& found) {
+    const StagesCheck stages = check_stages(run, "", now);
+    found.stages = stages.stages;
+    found.without_checksums = stages.without;
+    for (const Damage& damage : stages.damages) {
+        const bool is_known =
+            std::ranges::any_of(found.damages, [&](const Damage& known) { return known.file == damage.file; });
+        if (!is_known) {
+            found.damages.push_back({damage.file, damage.what + " since its stage ended"});
+        }
+    }
+}
+
+} // namespace
+
+Sums read_run_sums(const fs::path& run) {
+    if (!fs::exists(run / checksums_file)) {
+        return {};
+    }
+    try {
+        return read_sums(run / checksums_file);
+    } catch (const IoError& error) {
+        throw IoError(fmt::format(
+            "{}; put it back as it was, or remove it, and suffuse report {} writes it anew: what the stages left is "
+            "checked all the same",
+            error.what(), shell_word(run.string())
+        ));
+    }
+}
+
+void write_run_sums(const fs::path& run, const std::vector<std::string>& figures, const Sums& earlier) {
+    Sums sums;
+    std::map<fs::path, std::optional<Sums>> stages;
+    for (const std::string& name : list_results(run)) {
+        const fs::path file = run / name, folder = file.parent_path();
+        const bool is_in_figures = folder == run / "figures";
+        if (is_in_figures && std::ranges::count(figures, file.filename().string()) == 0) {
+            continue;
+        }
+        if (file.filename() == checksums_file || !fs::exists(folder / "stage.json")) {
+            sums[name] = checksum_of(file);
+            continue;
+        }
+        const auto [stage, is_new] = stages.try_emplace(folder);
+        if (is_new) {
+            stage->second = read_stage_sums(folder);
+        }
+        if (auto sum = sum_from_stage(name, file, stage->second, earlier)) {
+            sums[name] = std::move(*sum);
+        }
+    }
+    io::write_file(run / checksums_file, sums_text(sums));
+}
+
+void require_same_inputs(const fs::path& run) {
+    const Sums sums = read_run_sums(run);
+    for (const std::string_view input : inputs) {
+        const std::string name(input);
+        const auto found = sums.find(name);
+        const bool is_made_anew = name == provenance_file && !fs::exists(run / name);
+        if (found != sums.end() && !is_made_anew) {
+            check_own(run, name, found->second);
+        }
+    }
+}
+
+void require_same_result(const fs::path& run, const std::string& name) {
+    const Sums sums = read_run_sums(run);
+    if (const auto found = sums.find(name); found != sums.end()) {
+        check_own(run, name, found->second);
+    }
+}
+
+void require_same_figures(
+    const fs::path& run, const std::vector<std::string>& ids, const std::vector<std::string>& endings
+) {
+    for (const auto& [name, sum] : read_run_sums(run)) {
+        const fs::path file = name;
+        const std::string own = file.filename(), id = own.substr(0, own.find('.'));
+        const bool is_asked = ids.empty() || std::ranges::count(ids, id) > 0;
+        const bool is_read = std::ranges::count(endings, own.substr(id.size())) > 0;
+        if (file.parent_path() == "figures" && is_asked && is_read) {
+            check_own(run, name, sum);
+        }
+    }
+}
+
+bool has_same_results(const fs::path& run) {
+    const Sums sums = read_run_sums(run);
+    return std::ranges::all_of(sums, [&](const auto& each) {
+        const fs::path file = run / each.first;
+        return fs::exists(file.parent_path() / "stage.json") || what_became_of(file, each.second).empty();
+    });
+}
+
+Verification verify_run(const fs::path& run) {
+    Verification found;
+    std::map<fs::path, std::string> known; // no file is read twice
+    const ChecksumOf now = [&](const fs::path& file) {
+        const auto [place, is_new] = known.try_emplace(file);
+        if (is_new) {
+            place->second = checksum_of(file);
+        }
+        return place->second;
+    };
+    const Sums sums = sums_of_ended(run);
+    for (const auto& [name, sum] : sums) {
+        ++found.files;
+        if (std::string what = what_became_of(run / name, sum, now); !what.empty()) {
+            found.damages.push_back({name, std::move(what)});
+        }
+    }
+    check_against_stages(run, now, found);
+    std::set<std::string> broken;
+    for (const Damage& damage : found.damages) {
+        broken.insert(damage.file);
+    }
+    for (const std::string& name : list_results(run)) {
+        if (!sums.contains(name)) {
+            found.more.push_back(name);
+        }
+    }
+    if (!broken.contains(resolved_case_file)) {
+        found.missing = find_missing_stages(load_run(run), run);
+    }
+    for (const auto& [name, sum] : sums) {
+        const fs::path file = name;
+        const std::string state = (file.parent_path() / "state.h5").string();
+        if (file.filename() == "stage.json" && !broken.contains(name) && !broken.contains(state)) {
+            check_state(run, name, found);
+        }
+    }
+    return found;
+}
+
+void to_json(nlohmann::json& json, const Verification& found) {
+    nlohmann::json damages = nlohmann::json::array();
+    for (const Damage& damage : found.damages) {
+        damages.push_back({{"file", damage.file}, {"what", damage.what}});
+    }
+    json = {
+        {"files", found.files},
+        {"states", found.states},
+        {"stages", found.stages},
+        {"without_checksums", found.without_checksums},
+        {"damages", damages},
+        {"came_later", found.more},
+        {"missing_stages", found.missing.names}};
+}
+
+} // namespace suffuse::record

@@ -1,0 +1,60 @@
+#pragma once
+// Which grains of a packing that was not drawn from the soil's curves are fine: by size, where the soil has a limit.
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/casefile/case.hpp"
+#include "suffuse/grains/grains.hpp"
+#include "suffuse/grains/sampling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+namespace suffuse::record {
+
+/// Whether a stage of the sample takes fines out, or asks which would leave.
+inline bool needs_fines(const casefile::Variant& variant) {
+    return std::ranges::any_of(variant.stages, [](const casefile::Stage& stage) {
+        return std::holds_alternative<erosion::DetachStageSpec>(stage.spec) ||
+               std::holds_alternative<erosion::ErodeSpec>(stage.spec) ||
+               std::holds_alternative<erosion::RemoveSpec>(stage.spec);
+    });
+}
+
+/// @param origin the packing's file
+/// @throws CaseError where size does not tell the fines, or where a stage needs them and the packing has none (or no
+/// skeleton).
+inline void mark_fines(const casefile::Variant& variant, const std::string& origin, grains::Grains& grains) {
+    const auto is_fine = [](std::uint8_t fine) { return fine != 0; };
+    const auto& soil = variant.soil;
+    if (!soil) {
+        return;
+    }
+    const bool is_mixture = soil->coarse && soil->fines;
+    if (is_mixture && std::ranges::any_of(grains.fine, is_fine)) {
+        return; // the file names them: two curves may overlap
+    }
+    const std::optional<double> limit = grains::fines_limit(*soil);
+    if (!limit) {
+        return;
+    }
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        grains.fine[g] = 2 * grains.radius[g] < *limit ? 1 : 0;
+    }
+    const bool one_part_asked = is_mixture && (soil->fines_content <= 0 || soil->fines_content >= 1);
+    const auto fines = std::ranges::count_if(grains.fine, is_fine);
+    if (needs_fines(variant) && !one_part_asked && (fines == 0 || fines == std::ssize(grains.fine))) {
+        const auto [least, most] = std::ranges::minmax(grains.radius);
+        throw CaseError(
+            fmt::format(
+                "{}: grains run from {:.6g} to {:.6g} mm, and fines are those below {:.6g} mm: that leaves no {}; "
+                "choose the size of the soil's fines between (finer_than), or the soil that this packing is of",
+                origin, 2e3 * least, 2e3 * most, *limit * 1e3, fines == 0 ? "fines" : "skeleton"
+            ),
+            origin
+        );
+    }
+}
+
+} // namespace suffuse::record

@@ -1,0 +1,131 @@
+#pragma once
+// Results and stage states as JSON: what stage files, checkpoints and the rebuilt report are read from. Numbers keep
+// all their bits. A field is written once, here; its meaning and unit stand at its declaration.
+
+#include "suffuse/dem/settle.hpp"
+#include "suffuse/erosion/removal.hpp"
+#include "suffuse/packing/compact.hpp"
+#include "suffuse/record/or_null.hpp"
+#include "suffuse/triaxial/response.hpp"
+#include "suffuse/triaxial/stress_probe.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace suffuse {
+
+inline void to_json(nlohmann::json& json, const Vec3& v) {
+    json = {v.x, v.y, v.z};
+}
+
+inline void from_json(const nlohmann::json& json, Vec3& v) {
+    v = {json.at(0), json.at(1), json.at(2)};
+}
+
+inline void to_json(nlohmann::json& json, const Mat3& m) {
+    json = {m.row(0), m.row(1), m.row(2)};
+}
+
+inline void from_json(const nlohmann::json& json, Mat3& m) {
+    m = transpose(from_columns(json.at(0).get<Vec3>(), json.at(1).get<Vec3>(), json.at(2).get<Vec3>()));
+}
+
+namespace grains {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Material, density, modulus, shear_ratio, friction, rolling_stiffness, rolling_friction, twisting_stiffness,
+    twisting_friction, adhesion_normal, adhesion_shear, law, poisson, viscous_damping
+)
+} // namespace grains
+
+namespace dem {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Equilibrium, unbalanced_force, unbalanced_force_all, mean_contact_force, kinetic_energy, max_overlap_ratio,
+    contacts, rattlers, single_contact
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Lent, mass, rotation)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibrium, stress)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dissipation, slip, rolling, damping)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyParts, work, springs, motion, slip, rolling, damping)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyBalance, parts, springs_before, motion_before, rate, h, stress, time)
+} // namespace dem
+
+namespace packing {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE( // whole or not at all: what went on with a default would be of neither version
+    CompactState, phase, balance, time_step, known_contacts, material, damping, mode, median_diameter, start_porosity,
+    lent, steps, void_ratio_compacted
+)
+} // namespace packing
+
+namespace triaxial {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // curves of earlier runs lack some
+    PathRow, axial_strain, volumetric_strain, stress, mean_stress, deviator_stress, void_ratio, coordination,
+    mechanical_coordination, unbalanced_force, inertial_number, second_order_work, excess_pore_pressure, energy
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE( // whole or not at all, as CompactState
+    PathState, phase, start_h, start_stress, strain_rate, pace, least_pace, median_diameter, lent, time_step,
+    known_contacts, balance, energy, steps, rows
+)
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Answer, {{Answer::Rests, "rests"}, {Answer::Creeps, "creeps"}, {Answer::Fails, "fails"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressProbe, angle, stress, strain, second_order_work, normalized, answer, steps)
+
+inline void to_json(nlohmann::json& json, const Instability& at) {
+    json = {{"q", at.deviator_stress}, {"p", at.mean_stress}, {"strain", at.axial_strain}};
+}
+
+inline void to_json(nlohmann::json& json, const Response& response) {
+    json = {
+        {"peak_deviator", response.peak_deviator},
+        {"peak_strain", response.peak_strain},
+        {"peak_ratio", response.peak_ratio},
+        {"friction_angle", response.friction_angle},
+        {"final_deviator", response.final_deviator},
+        {"stiffness", response.stiffness},
+        {"dilatancy", response.dilatancy},
+        {"largest_contraction", response.largest_contraction},
+        {"final_volumetric_strain", response.final_volumetric_strain},
+        {"lost_at", or_null(response.lost_at)},
+        {"instability", or_null(response.instability)},
+        {"liquefied", or_null(response.liquefied)},
+        {"excess_pore_pressure", or_null(response.excess_pore_pressure)},
+        {"energy", response.energy}};
+}
+} // namespace triaxial
+
+namespace pores {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Constrictions, diameter, center, mean, median, d35)
+} // namespace pores
+
+namespace flow {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    ThroatFlux, throats, mean, half_carried_by, quantile, carried, diameter, flux_10, flux_50, flux_90
+)
+} // namespace flow
+
+namespace erosion {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // probes of earlier runs lack what the noise hides
+    ProbeResult, gradient, unbalanced_force, reached_floor, relax_steps, ramp, watch, time_step, fluid_over_contact,
+    signal_over_twin, viscous_time, beyond_viscous_time, id, diameter, fluid_force, coordination, speed, twin_speed,
+    displacement, free_speed, free_displacement, twin_noise, by_velocity, by_displacement, agreement, hidden_by_noise
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    PathRow, pass, phase, step, stress, volumetric_strain, porosity, unbalanced_force, eroded_mass
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerRow, grain, pass, diameter, mass, coordination, reason)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConstrictionSummary, count, mean, median, d35)
+NLOHMANN_JSON_SERIALIZE_ENUM(Fate, {{Fate::Left, "left"}, {Fate::Lodged, "lodged"}, {Fate::Stayed, "stayed"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Transport, distance, id, diameter, mass, travel, progress, path, throats, constriction, fate
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack fluxes, merged voids, transport ...
+    PassResult, pass, probe, constrictions, merge, constrictions_by_merge, detachable, held_back, removed, transport,
+    eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,
+    stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after,
+    fines_content_after, volumetric_strain, permeability_before, permeability_after, reynolds_before, reynolds_after,
+    tortuosity_before, tortuosity_after, throat_flux_before, throat_flux_after, steps, time_step, wall_seconds, failed,
+    reached_target, verdict
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemovalResult, erosion, start_h, asked_mass)
+} // namespace erosion
+
+} // namespace suffuse

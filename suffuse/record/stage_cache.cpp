@@ -1,0 +1,302 @@
+#include "suffuse/record/stage_cache.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/state_hash.hpp"
+#include "suffuse/base/version.hpp"
+#include "suffuse/casefile/dependencies.hpp"
+#include "suffuse/io/atomic_file.hpp"
+#include "suffuse/record/cache_entry.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/samples.hpp"
+#include "suffuse/record/stage_sums.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <dlfcn.h>
+#include <fstream>
+#include <unistd.h>
+
+namespace suffuse::record {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int layout = 2; // of entries; a change of it makes all of them unknown
+const char* const settings_file = "cache.json";
+
+std::string hash_of_file(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    StateHash hash;
+    hash.add(std::string_view(bytes));
+    return fmt::format("{:016x}, {} bytes", hash.value(), bytes.size());
+}
+
+/// The code that computes, whatever its version says: a program that was built anew may give other bits.
+const std::string& program() {
+    static const std::string text = [] {
+        Dl_info object{};
+        const bool is_found = dladdr(reinterpret_cast<const void*>(&StageCache::key_of), &object) != 0;
+        std::error_code error;
+        fs::path file = is_found && object.dli_fname != nullptr ? object.dli_fname : "";
+        if (!fs::exists(file, error)) {
+            file = "/proc/self/exe"; // a program that was found through PATH is known by its bare name
+        }
+        return fmt::format("{} {}, {}", version(), commit(), hash_of_file(file));
+    }();
+    return text;
+}
+
+/// How the folder of an entry, and one that becomes an entry, is named; what else lies there is not the cache's.
+bool names_an_entry(const std::string& name) {
+    return name.size() == 16 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+bool names_one_being_made(const std::string& name) {
+    return name.rfind("new-", 0) == 0 && name.find_first_not_of("0123456789-", 4) == std::string::npos;
+}
+
+/// Texts begin with the name of the stage, some with that of its study too.
+json renamed(json texts, const std::string& made_as, const std::string& name_now) {
+    const auto stage_of = [](const std::string& name) { return name.substr(name.rfind('/') + 1); };
+    for (json& item : texts) {
+        const std::string text = item;
+        for (const auto& [from, to] : {std::pair{made_as, name_now}, {stage_of(made_as), stage_of(name_now)}}) {
+            if (text.rfind(from + ": ", 0) == 0) {
+                item = to + text.substr(from.size());
+                break;
+            }
+        }
+    }
+    return texts;
+}
+
+/// stage.json of a stage that takes the entry's results.
+json numbers_for(
+    json numbers, const CacheEntry& entry, const casefile::Variant& variant, const casefile::Stage& stage
+) {
+    numbers["stage"] = stage.name;
+    numbers["sample"] = variant.folder;
+    numbers["from_cache"] = true;
+    for (const char* const list : {"warnings", "flaws"}) {
+        numbers[list] = renamed(numbers.at(list), entry.made_as, stage_name(variant, stage));
+    }
+    return numbers;
+}
+
+/// What a taking that failed has left.
+void remove_files(const fs::path& folder, const Sums& named) {
+    std::error_code error;
+    for (const auto& [name, sum] : named) {
+        fs::remove(folder / name, error);
+    }
+}
+
+} // namespace
+
+std::string describe_state(const dem::World& world) {
+    StateHash hash;
+    hash.add(dem::state_hash(world));
+    hash.add(world.clock.time);
+    hash.add(std::span(world.grains.id));
+    hash.add(std::span(world.grains.fine));
+    hash.add(std::span(world.grains.mass));
+    return fmt::format("{:016x}", hash.value());
+}
+
+std::string StageCache::key_of(
+    const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage,
+    const std::string& start_state
+) {
+    std::string text = fmt::format("# suffuse {}, cache layout {}\n", program(), layout);
+    text += start_state.empty() ? "# makes its own sample\n" : "# starts from the state " + start_state + "\n";
+    if (const auto* import = std::get_if<casefile::ImportSpec>(&stage.spec)) {
+        text += "# packing " + hash_of_file(import->path) + "\n";
+    }
+    text += leaves_tables(what, variant, stage) ? "# leaves tables\n" : "";
+    text += has_fractions(variant) ? "# tells of fines\n" : "";
+    return text + casefile::dependencies_of(what, variant, stage);
+}
+
+bool StageCache::keeps(const casefile::Stage& stage) {
+    return !std::holds_alternative<casefile::ImportSpec>(stage.spec);
+}
+
+fs::path StageCache::place_of(const std::string& key) const {
+    StateHash hash;
+    hash.add(std::string_view(key));
+    return folder_ / fmt::format("{:016x}", hash.value());
+}
+
+std::optional<CacheEntry> StageCache::find(const std::string& key) const {
+    if (folder_.empty()) {
+        return std::nullopt;
+    }
+    std::optional<WholeEntry> found = read_entry(place_of(key));
+    return found && found->depends_on == key ? std::optional(std::move(found->entry)) : std::nullopt;
+}
+
+CacheAnswer StageCache::take(
+    const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage, const fs::path& stage_folder
+) const {
+    const fs::path place = place_of(key);
+    std::error_code error;
+    if (folder_.empty() || !fs::exists(place, error)) {
+        return {};
+    }
+    Sums sums;
+    try {
+        sums = checked_sums(place);
+        const std::optional<CacheEntry> entry = find(key);
+        if (!entry) { // one of another key with this hash
+            return {};
+        }
+        json numbers = numbers_for(read_json(place / "stage.json"), *entry, variant, stage);
+        sums.erase("stage.json");
+        copy_checked(place, stage_folder, sums);
+        fs::last_write_time(place, fs::file_time_type::clock::now(), error);
+        seal_stage(stage_folder, std::move(numbers), sums);
+        return {true, ""};
+    } catch (const DamagedEntry& damage) {
+        remove_files(stage_folder, sums);
+        if (!fs::exists(place, error)) { // another program dropped it meanwhile
+            return {};
+        }
+        drop(place);
+        return {false, damage.what()};
+    } catch (const fs::filesystem_error&) { // the stage's folder cannot take it; whoever computes the stage says so
+        remove_files(stage_folder, sums);
+    } catch (const IoError&) {
+        remove_files(stage_folder, sums);
+    }
+    return {};
+}
+
+/// Where an entry is made, or taken apart: nobody looks there.
+fs::path StageCache::place_to_work() const {
+    static std::atomic<int> count{0};
+    return folder_ / fmt::format("new-{}-{}", getpid(), ++count);
+}
+
+/// At once for whoever reads it now: an entry is whole, or gone.
+void StageCache::drop(const fs::path& entry) const {
+    const fs::path apart = place_to_work();
+    std::error_code error;
+    fs::rename(entry, apart, error);
+    fs::remove_all(error ? entry : apart, error);
+}
+
+void StageCache::keep(const std::string& key, const fs::path& stage_folder) {
+    if (folder_.empty() || read_entry(place_of(key))) {
+        return;
+    }
+    const std::optional<Sums> sums = read_stage_sums(stage_folder);
+    expects(sums.has_value(), "a stage that is kept has checksums");
+    const fs::path making = place_to_work();
+    try {
+        fs::create_directories(making);
+        if (!fs::exists(folder_ / settings_file)) {
+            set_limit(usual_limit);
+        }
+        fill_entry(making, stage_folder, *sums, key);
+        if (fs::exists(place_of(key)) && !read_entry(place_of(key))) {
+            drop(place_of(key)); // a damaged one
+        }
+        std::error_code error;
+        fs::rename(making, place_of(key), error);
+        if (error) { // another sample was first, with the same bits
+            fs::remove_all(making, error);
+        }
+    } catch (const fs::filesystem_error& problem) {
+        std::error_code error;
+        fs::remove_all(making, error);
+        throw IoError(fmt::format("{}: {}", folder_.string(), problem.code().message()));
+    } catch (...) {
+        std::error_code error;
+        fs::remove_all(making, error);
+        throw;
+    }
+    shrink(limit());
+}
+
+std::vector<CacheEntry> StageCache::entries() const {
+    std::vector<std::pair<fs::file_time_type, CacheEntry>> found;
+    std::error_code error;
+    for (const fs::directory_entry& place : fs::directory_iterator(folder_, error)) {
+        if (!names_an_entry(place.path().filename().string())) {
+            continue;
+        }
+        if (auto whole = read_entry(place.path())) {
+            found.emplace_back(fs::last_write_time(place.path(), error), std::move(whole->entry));
+        }
+    }
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+        return a.first != b.first ? a.first > b.first : a.second.folder < b.second.folder;
+    });
+    std::vector<CacheEntry> list;
+    list.reserve(found.size());
+    for (auto& [time, entry] : found) {
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+std::int64_t StageCache::limit() const {
+    try {
+        return read_json(folder_ / settings_file).value("limit_bytes", usual_limit);
+    } catch (const IoError&) { // none was set, or the file is damaged
+    } catch (const json::exception&) {
+    }
+    return usual_limit;
+}
+
+void StageCache::set_limit(std::int64_t bytes) const {
+    fs::create_directories(folder_);
+    write_json(
+        folder_ / settings_file,
+        {{"about", "stages that suffuse computed, each with all that it depends on; may be deleted at any time"},
+         {"limit_bytes", bytes}}
+    );
+}
+
+int StageCache::clear() {
+    return drop_leftovers(std::chrono::hours(0)) + shrink(0);
+}
+
+/// What killed programs began and never finished, and entries that cannot be read. @return how many of the latter
+int StageCache::drop_leftovers(std::chrono::hours age) {
+    int damaged = 0;
+    std::error_code error;
+    const auto now = fs::file_time_type::clock::now();
+    for (const fs::directory_entry& place : fs::directory_iterator(folder_, error)) {
+        const std::string name = place.path().filename().string();
+        const bool is_damaged = names_an_entry(name) && !read_entry(place.path());
+        const bool is_left = names_one_being_made(name) && now - fs::last_write_time(place.path(), error) >= age;
+        if (is_damaged || is_left) {
+            fs::remove_all(place.path(), error);
+            damaged += is_damaged ? 1 : 0;
+        }
+    }
+    return damaged;
+}
+
+int StageCache::shrink(std::int64_t bytes) {
+    int dropped = drop_leftovers(std::chrono::hours(24)); // nobody takes a day to copy a stage
+    std::int64_t held = 0;
+    for (const CacheEntry& entry : entries()) {
+        held += entry.bytes;
+        if (held <= bytes) {
+            continue;
+        }
+        drop(entry.folder);
+        held -= entry.bytes;
+        ++dropped;
+    }
+    return dropped;
+}
+
+} // namespace suffuse::record

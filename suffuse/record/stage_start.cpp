@@ -1,0 +1,35 @@
+#include "suffuse/record/stage_start.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/samples.hpp"
+#include "suffuse/record/stage_sums.hpp"
+
+#include <fmt/format.h>
+
+namespace suffuse::record {
+namespace {
+
+std::string told(const std::filesystem::path& stage_folder, const char* state) {
+    const std::filesystem::path numbers = stage_folder / "stage.json";
+    return std::filesystem::exists(numbers) ? read_json(numbers).value(state, "") : "";
+}
+
+} // namespace
+
+void check_start(const casefile::Variant& variant, const casefile::Stage& stage, const std::filesystem::path& run) {
+    if (stage.parent < 0) {
+        return;
+    }
+    const casefile::Stage& parent = variant.stages[static_cast<std::size_t>(stage.parent)];
+    const std::filesystem::path folder = stage_folder(run, variant, stage);
+    const std::string start = told(folder, "start_state"), end = told(stage_folder(run, variant, parent), "end_state");
+    if (!start.empty() && !end.empty() && start != end) {
+        throw IoError(fmt::format(
+            "{}: was computed from the state {}, and {} now ends with {}; {}", folder.string(), start,
+            stage_name(variant, parent), end, advice_for({folder})
+        ));
+    }
+}
+
+} // namespace suffuse::record

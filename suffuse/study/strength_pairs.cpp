@@ -1,0 +1,126 @@
+#include "suffuse/study/strength_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace suffuse::study {
+namespace {
+
+using triaxial::Path;
+using triaxial::TriaxialSpec;
+
+bool is_same_test(const TriaxialSpec& a, const TriaxialSpec& b) {
+    return a.path == b.path && a.axis == b.axis && a.strain == b.strain && a.strain_ratio == b.strain_ratio &&
+           a.inertial_number == b.inertial_number && a.inertia == b.inertia && a.time_step == b.time_step;
+}
+
+/// Whether a test from the end of this stage is another than one from its start would be. It is the same after a mere
+/// look, and after a part of its own path that stops at a stress: the first to reach it is on the way up, while what
+/// was sheared to a strain may be past its peak.
+bool leaves_path(const casefile::StageSpec& spec, const TriaxialSpec& test) {
+    if (const auto* part = std::get_if<TriaxialSpec>(&spec)) {
+        const bool is_on_the_way_up = part->deviator_stress || part->stress_ratio;
+        return !is_on_the_way_up || test.path != Path::Drained || part->path != Path::Drained ||
+               part->axis != test.axis;
+    }
+    return !std::holds_alternative<erosion::ErodeSpec>(spec) && !std::holds_alternative<erosion::RemoveSpec>(spec) &&
+           !std::holds_alternative<erosion::DetachStageSpec>(spec) && !std::holds_alternative<flow::FlowSpec>(spec) &&
+           !std::holds_alternative<triaxial::StressProbeSpec>(spec) && !std::holds_alternative<dem::SettleSpec>(spec);
+}
+
+/// Share of the mass that a stage took [-]; nothing where it takes none.
+std::optional<double> taken_by(const record::FinishedStage& stage) {
+    if (std::holds_alternative<erosion::ErodeSpec>(stage.stage->spec)) {
+        return stage.numbers.value("eroded_share_of_solids", std::nan(""));
+    }
+    return std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec)
+               ? std::optional(stage.numbers.value("removed_mass_share", std::nan("")))
+               : std::nullopt;
+}
+
+bool skeleton_failed(const record::FinishedStage& stage) {
+    const auto& erosion = stage.findings.erosion;
+    return stage.numbers.value("failed", false) ||
+           (erosion && !erosion->passes.empty() && erosion->passes.back().failed);
+}
+
+class Finder {
+public:
+    explicit Finder(const std::vector<record::FinishedStage>& stages) : stages_(stages) {}
+
+    /// From the second test back to the nearest state before all erosion from which the same test was made.
+    [[nodiscard]] std::optional<TestPair> pair_of(const record::FinishedStage& after) const {
+        const TriaxialSpec* test = test_of_strength(*after.stage);
+        if (test == nullptr || !after.numbers.contains("response") || after.stage->parent < 0) {
+            return std::nullopt;
+        }
+        TestPair pair{nullptr, &after, nullptr, state(after, after.stage->parent), 0, false};
+        const record::FinishedStage* intact = nullptr;
+        double left = 1;
+        bool has_failed = false, looks = false;
+        for (int row = after.stage->parent; row >= 0;) {
+            const record::FinishedStage* stage = state(after, row);
+            if (stage == nullptr) {
+                break;
+            }
+            if (const record::FinishedStage* before = looks ? same_test_from(after, row, *test) : nullptr) {
+                pair.before = before, pair.intact = intact;
+                pair.removed_mass = 1 - left, pair.has_failed = has_failed;
+                looks = false;
+            }
+            if (leaves_path(stage->stage->spec, *test)) {
+                break;
+            }
+            row = stage->stage->parent;
+            if (const std::optional<double> share = taken_by(*stage)) {
+                left *= 1 - *share;
+                has_failed = has_failed || skeleton_failed(*stage);
+                looks = true, intact = row < 0 ? nullptr : state(after, row);
+            }
+        }
+        return pair.before != nullptr && pair.intact != nullptr ? std::optional(pair) : std::nullopt;
+    }
+
+private:
+    [[nodiscard]] const record::FinishedStage* state(const record::FinishedStage& of, int row) const {
+        const casefile::Stage* wanted = &of.variant->stages[static_cast<std::size_t>(row)];
+        const auto found =
+            std::ranges::find_if(stages_, [&](const record::FinishedStage& stage) { return stage.stage == wanted; });
+        return found == stages_.end() ? nullptr : &*found;
+    }
+
+    [[nodiscard]] const record::FinishedStage*
+    same_test_from(const record::FinishedStage& after, int row, const TriaxialSpec& test) const {
+        const auto found = std::ranges::find_if(stages_, [&](const record::FinishedStage& stage) {
+            const TriaxialSpec* other = test_of_strength(*stage.stage);
+            return stage.variant == after.variant && stage.stage->parent == row && other != nullptr &&
+                   is_same_test(*other, test) && stage.numbers.contains("response");
+        });
+        return found == stages_.end() ? nullptr : &*found;
+    }
+
+    const std::vector<record::FinishedStage>& stages_;
+};
+
+} // namespace
+
+const TriaxialSpec* test_of_strength(const casefile::Stage& stage) {
+    const auto* spec = std::get_if<TriaxialSpec>(&stage.spec);
+    const bool is_one =
+        spec != nullptr && !spec->deviator_stress && !spec->stress_ratio && spec->path != Path::Proportional;
+    return is_one ? spec : nullptr;
+}
+
+std::vector<TestPair> find_test_pairs(const std::vector<record::FinishedStage>& stages) {
+    const Finder finder(stages);
+    std::vector<TestPair> pairs;
+    for (const record::FinishedStage& stage : stages) {
+        if (const std::optional<TestPair> pair = finder.pair_of(stage)) {
+            pairs.push_back(*pair);
+        }
+    }
+    return pairs;
+}
+
+} // namespace suffuse::study

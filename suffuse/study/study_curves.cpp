@@ -1,0 +1,51 @@
+#include "suffuse/study/study_curves.hpp"
+
+#include "suffuse/base/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::study {
+
+Scatter scatter_of(std::vector<double> of_seed) {
+    Scatter scatter;
+    double sum = 0;
+    for (const double value : of_seed) {
+        if (std::isfinite(value)) {
+            sum += value;
+            ++scatter.seeds;
+        }
+    }
+    scatter.mean = scatter.seeds > 0 ? sum / scatter.seeds : std::nan("");
+    double squares = 0;
+    for (const double value : of_seed) {
+        squares += std::isfinite(value) ? (value - scatter.mean) * (value - scatter.mean) : 0;
+    }
+    scatter.standard_deviation = scatter.seeds > 1 ? std::sqrt(squares / (scatter.seeds - 1)) : 0;
+    scatter.of_seed = std::move(of_seed);
+    return scatter;
+}
+
+std::string with_scatter(const Scatter& value, double factor, int digits) {
+    if (value.seeds == 0) {
+        return "–";
+    }
+    const std::string mean = short_number(factor * value.mean, digits);
+    const bool is_spread = value.seeds > 1 && value.standard_deviation > 1e-3 * std::abs(value.mean);
+    return is_spread ? mean + " ± " + short_number(factor * value.standard_deviation, 2) : mean;
+}
+
+std::string seeds_that_have(const Scatter& scatter) {
+    const auto asked = std::ssize(scatter.of_seed);
+    return scatter.seeds == asked ? "" : fmt::format(", in {} of {} seeds", scatter.seeds, asked);
+}
+
+const StageCurve* StudyCurves::find(const std::string& stage) const {
+    const auto found =
+        std::find_if(stages.begin(), stages.end(), [&](const StageCurve& c) { return c.stage == stage; });
+    return found == stages.end() ? nullptr : &*found;
+}
+
+} // namespace suffuse::study
