@@ -1,4 +1,7 @@
-"""Settling at constant volume ends where nothing is left to settle."""
+"""Settling: as a stage of a case does it, and where it ends."""
+
+import os
+import pathlib
 
 import numpy
 import pytest
@@ -34,3 +37,21 @@ def test_a_sample_comes_to_rest_under_its_weight_on_grains_that_are_held(settled
     borne = ~grains.held & (grains.coordination >= 2)  # the others fall
     left = numpy.linalg.norm((grains.force + weight)[borne], axis=1).mean()
     assert left < 0.05 * numpy.linalg.norm(weight[borne], axis=1).mean()
+
+
+def test_a_packing_settles_to_the_bits_of_a_stage(tmp_path):
+    case = suffuse.Case(pathlib.Path(os.environ["SUFFUSE_SOURCE_DIR"]) / "examples/replay/case.toml")
+    run = case.run(tmp_path / "run", until="settled")
+    world = run["replay/start"].world.copy()
+    world.settle(suffuse.Loading(stress="100 kPa"))
+    assert world.hash == run["replay/settled"].world.hash
+
+
+def test_grains_keep_their_rows_where_a_force_names_them(settled):
+    settled.sort("id")
+    before = settled.grains.id.copy()
+    settled.settle(force=numpy.zeros((500, 3)))
+    assert (settled.grains.id == before).all()
+    hash_before = settled.hash
+    settled.sort()
+    assert settled.hash == hash_before and not (settled.grains.id == before).all()

@@ -175,23 +175,29 @@ std::string thresholds_sentence(const std::optional<study::FinesResults>& result
         const std::string scatter = at.seeds > 1 ? fmt::format(" ± {:.1f}", 100 * at.standard_deviation) : "";
         return fmt::format("{:.{}f}{} %", 100 * at.mean, at.seeds > 1 ? 1 : 0, scatter) + study::seeds_that_have(at);
     };
-    const auto lies = [&](const study::ContentThreshold& lowest) {
-        return lowest.at.seeds > 0 ? "lies at FC = " + content(lowest.at) : "cannot be placed by these fines contents";
+    const auto found = [&](study::ThresholdKind kind) {
+        const study::ContentThreshold* const threshold = study::find_threshold(results->thresholds, kind);
+        return threshold != nullptr && threshold->at.seeds > 0 ? std::optional(content(threshold->at)) : std::nullopt;
     };
-    const auto begins = [&](const study::ContentThreshold& onset) {
-        return onset.at.seeds > 0 ? "begin to rise at " + content(onset.at) : "show no onset";
+    const auto lies = [&](study::ThresholdKind lowest) {
+        const auto at = found(lowest);
+        return at ? "lies at FC = " + *at : "cannot be placed by these fines contents";
     };
-    const auto& list = results->thresholds;
+    const auto begins = [&](study::ThresholdKind onset) {
+        const auto at = found(onset);
+        return at ? "begin to rise at " + *at : "show no onset";
+    };
+    using enum study::ThresholdKind;
     std::string text = fmt::format(
         "Through {} fines contents, by a parabola at its lowest points, the least void ratio of the loose state {}",
-        results->loose.points.size(), lies(list.front())
+        results->loose.points.size(), lies(LowestLoose)
     );
     if (!results->dense.points.empty()) {
-        text += fmt::format(", that of the dense one {}", lies(list.at(list.size() - 3)));
+        text += fmt::format(", that of the dense one {}", lies(LowestDense));
     }
     return text + fmt::format(
-                      "; active fines {}, strong contacts between coarse and fine grains {}.",
-                      begins(list.at(list.size() - 2)), begins(list.back())
+                      "; active fines {}, strong contacts between coarse and fine grains {}.", begins(ActiveFines),
+                      begins(StrongContacts)
                   );
 }
 
@@ -212,7 +218,7 @@ std::optional<figures::PageTable> thresholds_table(const std::optional<study::Fi
     for (const study::ContentThreshold& threshold : results->thresholds) {
         const study::Scatter& at = threshold.at;
         table.rows.push_back(
-            {threshold.name, threshold.from, at.seeds > 0 ? fmt::format("{:.1f}", 100 * at.mean) : "none",
+            {threshold.name(), threshold.from(), at.seeds > 0 ? fmt::format("{:.1f}", 100 * at.mean) : "none",
              at.seeds > 1 ? fmt::format("{:.1f}", 100 * at.standard_deviation) : "", fmt::format("{}", at.seeds)}
         );
     }

@@ -71,16 +71,15 @@ std::optional<Headline> findings_headline(const std::vector<study::Finding>& fin
 std::vector<Headline> fines_headlines(const std::vector<study::ContentThreshold>& thresholds) {
     std::vector<Headline> headlines;
     for (const study::ContentThreshold& each : thresholds) {
-        const bool is_between = each.from.find("of the way") != std::string::npos;
-        if (each.at.seeds == 0 || is_between) {
+        if (each.at.seeds == 0 || each.kind == study::ThresholdKind::LowestBetween) {
             continue;
         }
         const std::string scatter =
             each.at.seeds > 1 ? fmt::format(" ± {}", short_number(100 * each.at.standard_deviation, 2)) : "";
-        const std::string how = each.name == "FC_threshold" ? ", by a parabola" : "";
+        const std::string how = each.is_lowest() ? ", by a parabola" : "";
         headlines.push_back(
-            {fmt::format("{:.0f}{} %", 100 * each.at.mean, scatter), each.name,
-             each.from + how + study::seeds_that_have(each.at)}
+            {fmt::format("{:.0f}{} %", 100 * each.at.mean, scatter), each.name(),
+             each.from() + how + study::seeds_that_have(each.at)}
         );
     }
     return headlines;

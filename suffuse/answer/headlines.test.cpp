@@ -27,11 +27,12 @@ TEST(Headlines, SayMassPermeabilityStressAndFindings) {
 }
 
 TEST(Headlines, OfFinesAreTheThresholdsThatWereFound) {
+    using enum study::ThresholdKind;
     const std::vector<study::ContentThreshold> thresholds = {
-        {"FC_threshold", "lowest void ratio, loose", study::scatter_of({0.40, 0.42})},
-        {"FC_threshold", "lowest void ratio at 25 % of the way to dense", study::scatter_of({0.38})},
-        {"FC_active", "active fines b begin to rise", study::scatter_of({0.331, std::nan("")})},
-        {"FC_active", "strong LS contacts begin to rise", study::scatter_of({})}};
+        {LowestLoose, study::scatter_of({0.40, 0.42})},
+        {LowestBetween, study::scatter_of({0.38}), 0.25},
+        {ActiveFines, study::scatter_of({0.331, std::nan("")})},
+        {StrongContacts, study::scatter_of({})}};
     const std::vector<Headline> headlines = fines_headlines(thresholds);
     ASSERT_EQ(headlines.size(), 2U);
     EXPECT_EQ(headlines[0].value, "41 ± 1.4 %"); // sqrt(2)

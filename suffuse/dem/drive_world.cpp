@@ -15,6 +15,22 @@ double computed_time_step(const World& world, const cell::Loading& loading) {
     return stable_time_step(world, default_step_safety, cell::stress_to_bear(loading, world.servo));
 }
 
+/// Later stages hold the stresses that the world was driven to, however the driving ends. Not before: what is held
+/// takes part in the choice of a time step.
+class HoldAtTheEnd {
+public:
+    HoldAtTheEnd(World& world, const cell::Loading& loading) : world_(world), loading_(loading) {}
+
+    ~HoldAtTheEnd() { cell::hold_stress(loading_, world_.servo); }
+
+    HoldAtTheEnd(const HoldAtTheEnd&) = delete;
+    HoldAtTheEnd& operator=(const HoldAtTheEnd&) = delete;
+
+private:
+    World& world_;
+    const cell::Loading& loading_;
+};
+
 } // namespace
 
 Settling begin_settling(const World& world) {
@@ -27,6 +43,7 @@ void settle_world(
     World& world, StepCaches& caches, StepPlan plan, const BalanceSpec& spec, std::int64_t max_steps,
     Settling& settling, const std::function<void(bool is_over)>& on_burst
 ) {
+    const HoldAtTheEnd held(world, plan.loading);
     const double asked = plan.dt;
     BalanceState& state = settling.balance;
     for (bool is_over = false; !is_over;) {
@@ -40,7 +57,6 @@ void settle_world(
         plan.dt = settling.time_step;
         plan.drag = slowest_mode_drag(world.grains.size(), plan.dt);
         const bool is_settled = settle_burst(world, caches, plan, spec, state);
-        cell::hold_stress(plan.loading, world.servo);
         settling.collapsed = !is_settled && carries_nothing(plan.loading, spec, state, settling.stress_before);
         is_over = is_settled || settling.collapsed;
         on_burst(is_over);
@@ -54,6 +70,7 @@ Mat3 advance_world(
     World& world, StepCaches& caches, StepPlan plan, std::int64_t steps, Advancing& advancing,
     const std::function<std::int64_t()>& most_at_once, const std::function<void(std::int64_t steps)>& on_burst
 ) {
+    const HoldAtTheEnd held(world, plan.loading);
     const double asked = plan.dt;
     StepReport report;
     while (advancing.done < steps) {
@@ -70,7 +87,6 @@ Mat3 advance_world(
              time_step_interval - advancing.done % time_step_interval}
         );
         report = advance(world, caches, plan, burst);
-        cell::hold_stress(plan.loading, world.servo);
         advancing.done += burst;
         on_burst(burst);
     }

@@ -151,26 +151,26 @@ GrainMove plan_move(
 ) {
     const bool loaded = load != nullptr && !load->force.empty();
     return {
-        rows.size(),
-        plan.domain_grains,
-        plan.remote.data(),
-        plan.remote_start.data(),
-        plan.roster.data(),
-        plan.awake_end.data(),
-        loaded ? load->force.data() : nullptr,
-        load_share,
-        watch.grains.data(),
-        watch.origin.data(),
-        only_awake,
-        rows.data(),
-        sums.data(),
-        thread_count() > 1,
-        turning,
-        is_diagonal(step.old_gradient) && is_diagonal(step.change) && is_diagonal(mean_motion),
-        motion::in_lanes(step),
-        double4x3(mean_motion),
-        motion::in_diagonals(step),
-        double4_diagonal(mean_motion)};
+        .grains = rows.size(),
+        .domain_grains = plan.domain_grains,
+        .remote = plan.remote.data(),
+        .remote_start = plan.remote_start.data(),
+        .roster = plan.roster.data(),
+        .awake_end = plan.awake_end.data(),
+        .load = loaded ? load->force.data() : nullptr,
+        .load_share = load_share,
+        .watch = watch.grains.data(),
+        .origin = watch.origin.data(),
+        .only_awake = only_awake,
+        .rows = rows.data(),
+        .sums = sums.data(),
+        .asks_ahead = thread_count() > 1,
+        .turning = turning,
+        .upright = is_diagonal(step.old_gradient) && is_diagonal(step.change) && is_diagonal(mean_motion),
+        .motion = motion::in_lanes(step),
+        .mean_motion = double4x3(mean_motion),
+        .upright_motion = motion::in_diagonals(step),
+        .upright_mean_motion = double4_diagonal(mean_motion)};
 }
 
 bool move_domain(const GrainMove& move, std::size_t domain) {

@@ -20,9 +20,9 @@
 namespace suffuse::dem {
 namespace {
 
-constexpr std::int64_t modulus_interval = 100; // steps between two looks at the stiffness that the servo reckons with
+constexpr std::int64_t modulus_interval = 100; // steps between two measurements of the moduli that the servo uses
 
-/// Whether the servo reckons with a stiffness that it has not looked at yet.
+/// Whether the servo needs moduli that were not measured yet.
 bool knows_no_moduli(const cell::ServoState& servo, const cell::Loading& loading) {
     return servo.modulus == Vec3{} || (cell::releases_shear(loading) && servo.shear_modulus == Vec3{});
 }

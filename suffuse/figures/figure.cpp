@@ -26,6 +26,11 @@ json rows_of(const Table& table) {
 
 } // namespace
 
+std::optional<int> figure_of_paper(std::string_view id) {
+    constexpr std::string_view start = "fig";
+    return id.starts_with(start) ? std::optional(std::stoi(std::string(id.substr(start.size())))) : std::nullopt;
+}
+
 const json& color::sequence() {
     static const json colors = {"#3b82b8", "#d55e00", "#17ac5b", "#835380", "#c57c92", "#a74346"};
     return colors;

@@ -6,7 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace suffuse::figures {
 
@@ -19,6 +21,9 @@ struct Figure {
     nlohmann::json chart;     ///< Vega-Lite without `data`; null where there is a drawing
     std::string drawing = {}; ///< SVG text instead of a chart
 };
+
+/// 9 of "fig09"; nothing for a figure of our own.
+std::optional<int> figure_of_paper(std::string_view id);
 
 /// Colors that stay apart for color-blind readers, on white and on black paper alike.
 namespace color {

@@ -128,15 +128,14 @@ std::optional<std::string> explain_figure(std::string_view name) {
     const std::string id = figure_id(std::string(name));
     for (const Guide& guide : guides) {
         if (guide.id == id) {
-            const std::string title =
-                id.starts_with("fig") ? fmt::format("Figure {} of the paper: {}", std::stoi(id.substr(3)), guide.title)
-                                      : fmt::format("{}: {}", id, guide.title);
+            const std::optional<int> number = figure_of_paper(id);
+            const std::string title = number ? fmt::format("Figure {} of the paper: {}", *number, guide.title)
+                                             : fmt::format("{}: {}", id, guide.title);
             return fmt::format(
                 "{}\n  {}\n  drawn from  {}\n  files       figures/{}.csv, its numbers; suffuse figures RUN --figure "
                 "{} "
                 "--format svg|png|pdf\n",
-                title, guide.shows, guide.needs, id,
-                id.starts_with("fig") ? std::to_string(std::stoi(id.substr(3))) : id
+                title, guide.shows, guide.needs, id, number ? std::to_string(*number) : id
             );
         }
     }
@@ -146,10 +145,8 @@ std::optional<std::string> explain_figure(std::string_view name) {
 std::vector<std::string> figure_names() {
     std::vector<std::string> names;
     for (const Guide& guide : guides) {
-        names.push_back(
-            guide.id.starts_with("fig") ? fmt::format("figure-{}", std::stoi(std::string(guide.id.substr(3))))
-                                        : std::string(guide.id)
-        );
+        const std::optional<int> number = figure_of_paper(guide.id);
+        names.push_back(number ? fmt::format("figure-{}", *number) : std::string(guide.id));
     }
     return names;
 }

@@ -19,7 +19,7 @@ struct AssessedSoil {
 
 nlohmann::json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec);
 
-/// What the critical gradients are reckoned with, and how the fines compare with the constrictions: sentences without
+/// What the critical gradients are computed from, and how the fines compare with the constrictions: sentences without
 /// their capital and their point. @param join between the two halves
 std::string seepage_text(const stability::UpwardSeepage& seepage);
 std::string constrictions_text(const stability::Assessment& assessment, const char* join = " ");

@@ -1,6 +1,6 @@
 #pragma once
-// One grain's motion over one step, in a cell that deforms: damped acceleration, convection by the cell's mean motion,
-// and the change of that mean motion [reference 1.4]. Pure functions; the loop over grains is in dem.
+// One grain's motion over one step (leapfrog), in a cell that deforms: damped acceleration, convection by the cell's
+// mean motion, and the change of that mean motion [reference 1.4]. Pure functions; the loop over grains is in dem.
 
 #include "suffuse/base/double4.hpp"
 #include "suffuse/base/vec3.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// Sorted pairs in little memory: what is kept between two searches for millions of grains.
+// The neighbor list: sorted pairs in little memory, kept between two searches (a Verlet list), for millions of grains.
 
 #include "suffuse/neighbors/pairs.hpp"
 

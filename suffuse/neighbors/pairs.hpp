@@ -1,7 +1,8 @@
 #pragma once
-// Pairs of grains nearer than a margin, in a periodic cell of any shape and for any size ratio. Grains are binned by
-// size class (a factor of two each), every class in a grid of its own cell size; each pair is found once, from its
-// smaller grain, so that the cost per grain does not grow with the size ratio [Ogarko & Luding 2012, the idea].
+// The neighbor search: pairs of grains nearer than a margin, in a periodic cell of any shape and for any size ratio.
+// Grains are binned by size class (a factor of two each), every class in a grid of its own cell size; each pair is
+// found once, from its smaller grain, so that the cost per grain does not grow with the size ratio [Ogarko & Luding
+// 2012, the idea].
 
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/cell/cell.hpp"

@@ -2,6 +2,7 @@
 
 #include "suffuse/report/html.hpp"
 #include "suffuse/report/page.hpp"
+#include "suffuse/report/style.hpp"
 
 #include <fmt/format.h>
 

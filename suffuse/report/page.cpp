@@ -8,6 +8,7 @@
 #include "suffuse/report/packed.hpp"
 #include "suffuse/report/scene_section.hpp"
 #include "suffuse/report/still.hpp"
+#include "suffuse/report/style.hpp"
 
 #include <fmt/format.h>
 
@@ -125,10 +126,9 @@ std::string figure_block(const figures::Figure& figure, const ReportData& report
     } else {
         out += "<div class=\"drawing\">" + described_by_page(figure.drawing, id) + "</div>\n";
     }
+    const std::optional<int> of_paper = figures::figure_of_paper(figure.id);
     const std::string number =
-        figure.id.starts_with("fig") && !report.paper.empty()
-            ? "Like Figure " + std::to_string(std::atoi(figure.id.c_str() + 3)) + " of the paper. "
-            : "";
+        of_paper && !report.paper.empty() ? fmt::format("Like Figure {} of the paper. ", *of_paper) : "";
     out += fmt::format(
         "<div class=\"about\">\n<figcaption id=\"{}-caption\"><b>{}</b>{}</figcaption>\n", id, number,
         typeset(figure.caption)

@@ -61,7 +61,4 @@ WrittenReport write_report(
     const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder = {}
 );
 
-/// The report's look, also for print and dark screens: CSS.
-std::string_view page_style();
-
 } // namespace suffuse::report

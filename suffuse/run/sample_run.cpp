@@ -249,25 +249,16 @@ StageWork SampleRun::begin_work(
 ) {
     StrainPictures pictures(what_.output, folder, start);
     StageWork work{
-        what_,
-        *sample_.variant,
-        stage,
-        folder,
-        record::leaves_tables(what_, *sample_.variant, stage),
-        control_,
-        std::move(start),
-        History(stage.record_every.value_or(what_.output.histories_every)),
-        std::move(pictures),
-        json::object(),
-        {},
-        {},
-        {},
-        0,
-        0,
-        0,
-        {},
-        false,
-        std::move(start_state)};
+        .what = what_,
+        .variant = *sample_.variant,
+        .stage = stage,
+        .folder = folder,
+        .write_tables = record::leaves_tables(what_, *sample_.variant, stage),
+        .control = control_,
+        .world = std::move(start),
+        .history = History(stage.record_every.value_or(what_.output.histories_every)),
+        .pictures = std::move(pictures),
+        .start_state = std::move(start_state)};
     if (std::filesystem::exists(folder / record::partial_file)) {
         take_up(work);
     }

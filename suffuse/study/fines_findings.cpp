@@ -96,12 +96,21 @@ void mark_thresholds(const std::vector<ContentThreshold>& thresholds, FinesStudy
         if (each.at.seeds == 0) {
             continue;
         }
-        if (each.from.ends_with("loose")) {
+        switch (each.kind) {
+        case ThresholdKind::LowestLoose:
             add(study.density, "FC_threshold of e", each.at);
-        } else if (each.from.ends_with("(e_min)")) {
+            break;
+        case ThresholdKind::LowestDense:
             add(study.density, "FC_threshold of e_min", each.at);
-        } else if (each.name == "FC_active") {
-            add(study.activity, each.from.starts_with("strong") ? "FC_active by strong LS" : "FC_active by b", each.at);
+            break;
+        case ThresholdKind::ActiveFines:
+            add(study.activity, "FC_active by b", each.at);
+            break;
+        case ThresholdKind::StrongContacts:
+            add(study.activity, "FC_active by strong LS", each.at);
+            break;
+        case ThresholdKind::LowestBetween:
+            break; // none of the figures' own curves
         }
     }
 }
@@ -114,8 +123,8 @@ json thresholds_json(const std::optional<FinesResults>& results) {
     for (const ContentThreshold& threshold : results->thresholds) {
         list.push_back(
             {{"study", results->study},
-             {"name", threshold.name},
-             {"from", threshold.from},
+             {"name", threshold.name()},
+             {"from", threshold.from()},
              {"of_seed", threshold.at.of_seed},
              {"mean", threshold.at.mean},
              {"standard_deviation", threshold.at.seeds > 1 ? json(threshold.at.standard_deviation) : json()}}

@@ -112,6 +112,16 @@ Points rising(Points points) {
     return points;
 }
 
+/// Of every seed by `find`, which takes a curve and a seed; not a number where it finds nothing.
+template <class Find>
+Scatter by_seed(const ContentCurve& curve, const Find& find) {
+    std::vector<double> of_seed;
+    for (std::size_t seed = 0; seed < curve.value.size(); ++seed) {
+        of_seed.push_back(find(curve, seed).value_or(std::nan("")));
+    }
+    return scatter_of(std::move(of_seed));
+}
+
 } // namespace
 
 ContentCurve content_curve(const StageCurve& stage, const std::string& number) {
@@ -222,25 +232,42 @@ std::vector<ContentThreshold> find_thresholds(const StageCurve& loose, const Sta
         return found && found->has_parabola() ? std::optional(found->vertex) : std::nullopt;
     };
     const ContentCurve e = content_curve(loose, "void_ratio");
-    std::vector<ContentThreshold> thresholds{threshold_of("FC_threshold", "lowest void ratio, loose", e, lowest)};
+    std::vector<ContentThreshold> thresholds{{ThresholdKind::LowestLoose, by_seed(e, lowest)}};
     if (dense != nullptr) {
         const ContentCurve e_min = content_curve(*dense, "void_ratio");
         for (const double density : {0.25, 0.5, 0.75}) {
-            thresholds.push_back(threshold_of(
-                "FC_threshold", fmt::format("lowest void ratio at {:g} % of the way to dense", 100 * density),
-                blend(e, e_min, density), lowest
-            ));
+            thresholds.push_back({ThresholdKind::LowestBetween, by_seed(blend(e, e_min, density), lowest), density});
         }
-        thresholds.push_back(threshold_of("FC_threshold", "lowest void ratio, dense (e_min)", e_min, lowest));
+        thresholds.push_back({ThresholdKind::LowestDense, by_seed(e_min, lowest)});
     }
-    const auto onset = [](const ContentCurve& curve, std::size_t seed) { return find_onset(curve, seed); };
     thresholds.push_back(
-        threshold_of("FC_active", "active fines b begin to rise", content_curve(loose, "active_fines_fraction"), onset)
+        {ThresholdKind::ActiveFines, by_seed(content_curve(loose, "active_fines_fraction"), find_onset)}
     );
-    thresholds.push_back(threshold_of(
-        "FC_active", "strong LS contacts begin to rise", content_curve(loose, "strong_contact_share.LS"), onset
-    ));
+    thresholds.push_back(
+        {ThresholdKind::StrongContacts, by_seed(content_curve(loose, "strong_contact_share.LS"), find_onset)}
+    );
     return thresholds;
+}
+
+std::string ContentThreshold::from() const {
+    switch (kind) {
+    case ThresholdKind::LowestLoose:
+        return "lowest void ratio, loose";
+    case ThresholdKind::LowestBetween:
+        return fmt::format("lowest void ratio at {:g} % of the way to dense", 100 * density);
+    case ThresholdKind::LowestDense:
+        return "lowest void ratio, dense (e_min)";
+    case ThresholdKind::ActiveFines:
+        return "active fines b begin to rise";
+    case ThresholdKind::StrongContacts:
+        break;
+    }
+    return "strong LS contacts begin to rise";
+}
+
+const ContentThreshold* find_threshold(const std::vector<ContentThreshold>& thresholds, ThresholdKind kind) {
+    const auto found = std::ranges::find(thresholds, kind, &ContentThreshold::kind);
+    return found == thresholds.end() ? nullptr : &*found;
 }
 
 } // namespace suffuse::study

@@ -5,10 +5,8 @@
 
 #include "suffuse/study/study_curves.hpp"
 
-#include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace suffuse::study {
@@ -54,22 +52,33 @@ std::optional<Extreme> find_extreme(const ContentCurve& curve, std::size_t seed,
 /// would place it.
 std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed);
 
-struct ContentThreshold {
-    std::string name; ///< "FC_threshold", "FC_active"
-    std::string from; ///< where it is read: "lowest void ratio, loose"
-    Scatter at;       ///< fines content [-]; not a number for seeds whose curve has none
+/// What tells a threshold.
+enum class ThresholdKind {
+    LowestLoose,    ///< FC_threshold by the void ratio of the loose state
+    LowestBetween,  ///< FC_threshold at a relative density between loose and dense
+    LowestDense,    ///< FC_threshold by that of the densest state, e_min
+    ActiveFines,    ///< FC_active by the active fines of the loose state
+    StrongContacts, ///< FC_active by its strong contacts between coarse and fine grains
 };
 
-/// Of every seed by `find`, which takes a curve and a seed.
-template <class Find>
-ContentThreshold threshold_of(std::string name, std::string from, const ContentCurve& curve, Find find) {
-    std::vector<double> of_seed;
-    for (std::size_t seed = 0; seed < curve.value.size(); ++seed) {
-        const std::optional<double> found = find(curve, seed);
-        of_seed.push_back(found.value_or(std::nan("")));
+struct ContentThreshold {
+    ThresholdKind kind = ThresholdKind::LowestLoose;
+    Scatter at;         ///< fines content [-]; not a number for seeds whose curve has none
+    double density = 0; ///< of LowestBetween: share of the way from loose to dense [-]
+
+    [[nodiscard]] bool is_lowest() const {
+        return kind != ThresholdKind::ActiveFines && kind != ThresholdKind::StrongContacts;
     }
-    return {std::move(name), std::move(from), scatter_of(std::move(of_seed))};
-}
+
+    /// "FC_threshold", "FC_active": as in summary.json.
+    [[nodiscard]] std::string name() const { return is_lowest() ? "FC_threshold" : "FC_active"; }
+
+    /// Where it is read: "lowest void ratio, loose". As in summary.json.
+    [[nodiscard]] std::string from() const;
+};
+
+/// Null where there is none of this kind.
+const ContentThreshold* find_threshold(const std::vector<ContentThreshold>& thresholds, ThresholdKind kind);
 
 /// FC_threshold from the void ratio of the loose and of the dense stage and at relative densities between them,
 /// FC_active from the active fines and from the strong contacts of the loose stage. `dense` may be null.

@@ -113,11 +113,11 @@ TEST(FinesThresholds, BetweenLooseAndDenseTheThresholdMovesWithTheDensity) {
     ASSERT_EQ(thresholds.size(), 7U);
     const std::vector<double> expected{0.41, 0.37, 0.33, 0.29, 0.25}; // means of the two seeds
     for (std::size_t k = 0; k < expected.size(); ++k) {
-        EXPECT_EQ(thresholds[k].name, "FC_threshold");
+        EXPECT_EQ(thresholds[k].name(), "FC_threshold");
         EXPECT_NEAR(thresholds[k].at.mean, expected[k], 1e-12);
         EXPECT_NEAR(thresholds[k].at.standard_deviation, 0.02 / std::sqrt(2), 1e-12);
     }
-    EXPECT_EQ(thresholds[5].name, "FC_active");
+    EXPECT_EQ(thresholds[5].name(), "FC_active");
     EXPECT_EQ(thresholds[5].at.seeds, 0) << "no such numbers in these curves";
     EXPECT_EQ(find_thresholds(loose, nullptr).size(), 3U);
 }

@@ -56,7 +56,7 @@ std::optional<double> deviator_to_stop_at(const TriaxialSpec& spec, double mean_
 /// loads that it bears flows as its own inertia lets it; frictionless grains do not turn.
 dem::Lent lent_during(const TriaxialSpec& spec, const grains::Material& material);
 
-/// Axial rate at which the test is quasi-static [1/s]: its inertial number reckons with the turning that it slows down.
+/// Axial rate at which the test is quasi-static [1/s]: its inertial number allows for the turning that it slows down.
 /// @param median by mass [m]; @param pressure at the start [Pa]
 double strain_rate_of(const TriaxialSpec& spec, const grains::Material& material, double median, double pressure);
 

@@ -27,6 +27,7 @@ MASKS = (
     Mask("*.html", "wall_time provenance", VALUE, "a column of the table of stages; the table of the build and the machine"),
     Mask("plan*.json", "error", GONE, "of stages that took more than 0.2 s"),
     Mask("*", "@program @commit version commit compiler processor", VALUE, "the build and the machine"),
+    Mask("*.h5", "sha256/values", VALUE, "of the whole file, which names version and commit; its columns are compared"),
     Mask("entry.json", "depends_on/0", VALUE, "version, commit and bytes of the program; the other lines are the key"),
     Mask("entry.json cache.json", "bytes folder", VALUE, "the length of version and commit; a hash of them"),
     Mask("SHA256SUMS", "*", VALUE, "the files themselves are compared; most have times"),
