@@ -1,6 +1,7 @@
 #include "apps/terminal.hpp"
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 
 #include <fmt/format.h>
 
@@ -122,7 +123,8 @@ std::string state_text(const nlohmann::json& state) {
         for (const nlohmann::json& pass : *passes) {
             eroded += pass.value("eroded_mass_percent_of_initial", 0.0);
         }
-        const bool is_removal = state.value("verb", "") == "remove"; // without water
+        const casefile::StageTraits* const traits = casefile::find_verb(state.value("verb", ""));
+        const bool is_removal = traits != nullptr && !traits->has_water;
         text = fmt::format("{} {:.3g} % of the mass", is_removal ? "removed" : "eroded", eroded);
     }
     for (const ShownNumber& number : shown_numbers) {

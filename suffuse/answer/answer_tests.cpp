@@ -65,7 +65,7 @@ struct ToldTest {
 /// Tests that were compared are told already; those that stop at a stress lead to a state, and show no strength.
 bool is_told_alone(const record::FinishedStage& stage, const std::vector<study::StrengthChange>& strength) {
     const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
-    const bool stops = spec != nullptr && (spec->deviator_stress || spec->stress_ratio);
+    const bool stops = spec != nullptr && spec->stops_at_stress();
     return !stops && std::ranges::none_of(strength, [&](const study::StrengthChange& change) {
         const std::string& name = stage.stage->name;
         return change.study == stage.study && (change.before->name == name || change.after->name == name);

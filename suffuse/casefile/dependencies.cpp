@@ -3,14 +3,10 @@
 #include "suffuse/casefile/fields.hpp"
 #include "suffuse/casefile/soil_fields.hpp"
 #include "suffuse/casefile/stage_list.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 
 namespace suffuse::casefile {
 namespace {
-
-template <class Spec>
-bool is(const Stage& stage) {
-    return std::holds_alternative<Spec>(stage.spec);
-}
 
 /// The stage without what has no part in its result.
 Stage nameless(Stage stage) {
@@ -39,17 +35,17 @@ std::string dependencies_of(const Case& c, const Variant& variant, const Stage& 
         v.field("seed", variant.seed);
         v.choice("mode", copy.mode, names::mode);
     });
-    if (is<packing::PackSpec>(stage)) {
+    const StageTraits& traits = traits_of(stage);
+    if (traits.origin == Origin::Soil) {
         root.set("particles", make_node(Scalar(variant.particles)));
     }
     root.set("grain", write("grain", [&](Writer& v) { grain_fields(v, material); }));
     root.set("contact", write("contact", [&](Writer& v) { contact_fields(v, material, damping); }));
     root.set("balance", write("balance", [&](Writer& v) { fields(v, copy.balance); }));
-    if (is<flow::FlowSpec>(stage) || is<erosion::DetachStageSpec>(stage) || is<erosion::ErodeSpec>(stage)) {
+    if (traits.has_water) {
         root.set("fluid", write("fluid", [&](Writer& v) { fields(v, copy.fluid); }));
     }
-    const bool makes_sample = is<packing::PackSpec>(stage) || is<ImportSpec>(stage);
-    if (makes_sample && variant.soil) {
+    if (traits.makes_sample() && variant.soil) {
         Node soil; // with a name, as [soil.NAME]: a bare value right below [soil] would not be printed
         soil.set("sample", write_soil(*variant.soil));
         root.set("soil", std::move(soil));

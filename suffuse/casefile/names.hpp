@@ -2,8 +2,9 @@
 // The words that a case may use where there is a choice. The first word of a value is the one that is written back.
 
 #include "suffuse/base/error.hpp"
-#include "suffuse/casefile/case.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -100,8 +101,13 @@ inline constexpr std::array size_axis = {Word<bool>{false, "left-to-right"}, Wor
 inline constexpr std::array dilation = {Word<bool>{false, "down"}, Word<bool>{true, "up"}};
 
 /// In the order of StageSpec.
-inline constexpr std::array<std::string_view, 11> verbs = {
-    "import", "pack", "compact", "settle", "triaxial", "stress-probe", "advance", "flow", "detach", "erode", "remove"};
+inline constexpr auto verbs = [] {
+    std::array<std::string_view, stage_traits.size()> words;
+    std::transform(stage_traits.begin(), stage_traits.end(), words.begin(), [](const StageTraits& t) {
+        return t.verb;
+    });
+    return words;
+}();
 
 inline constexpr std::array<std::string_view, 14> measures = {
     "void-ratios",  "active-fines",      "contact-classes", "strong-contacts", "stress-strain",
@@ -110,19 +116,13 @@ inline constexpr std::array<std::string_view, 14> measures = {
 
 /// Verbs that a measure belongs to; empty: what every state has.
 inline std::vector<std::string> verbs_of_measure(std::string_view measure) {
-    if (measure == "stress-strain") {
-        return {"triaxial"};
+    std::vector<std::string> list;
+    for (const StageTraits& traits : stage_traits) {
+        if (traits.has_measure(measure)) {
+            list.emplace_back(traits.verb);
+        }
     }
-    if (measure == "flow") {
-        return {"flow", "erode"};
-    }
-    if (measure == "coordination-of-eroded") {
-        return {"erode", "remove"};
-    }
-    if (measure == "volumetric-strain") {
-        return {"compact", "settle", "triaxial", "advance", "erode", "remove"};
-    }
-    return {};
+    return list;
 }
 
 inline constexpr std::array<std::string_view, 3> formats = {"vtp", "xyz", "csv"};

@@ -4,6 +4,7 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/casefile/read_toml.hpp"
 #include "suffuse/casefile/schema.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -105,7 +106,13 @@ void apply_preset_key(Node& root, const Node::Entry& entry) {
         }
         set(root.find("balance")->value, key);
     } else if (find_key("presets.*", key) != nullptr) {
-        set_in_stages({"detach", "erode"}, key);
+        std::vector<std::string> probing;
+        for (const StageTraits& traits : stage_traits) {
+            if (traits.probes_fines()) {
+                probing.emplace_back(traits.verb);
+            }
+        }
+        set_in_stages(probing, key);
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/casefile/sample_checks.hpp"
+#include "suffuse/casefile/stage_loading.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 
@@ -128,7 +130,7 @@ public:
             return;
         }
         const bool imports = std::any_of(variant_.stages.begin(), variant_.stages.end(), [](const Stage& other) {
-            return std::holds_alternative<ImportSpec>(other.spec);
+            return traits_of(other).origin == Origin::File;
         });
         if (imports && soil->whole) { // of two curves that overlap the packing itself may name its fines
             try {
@@ -154,13 +156,13 @@ public:
     /// A test, an erosion and a removal start from a sample that carries a stress: the pace or the loads of a test
     /// follow from it. What is probed may come from elsewhere with its contacts; a cloud has none.
     void check_start(const Stage& stage) {
-        if (stage.parent < 0) {
+        const Needs needs = traits_of(stage).needs;
+        if (stage.parent < 0 || needs == Needs::Nothing) {
             return;
         }
         const Stage& before = variant_.stages[static_cast<std::size_t>(stage.parent)];
-        const bool is_probe = std::holds_alternative<erosion::DetachStageSpec>(stage.spec);
-        if (std::holds_alternative<packing::PackSpec>(before.spec) ||
-            (std::holds_alternative<ImportSpec>(before.spec) && !is_probe)) {
+        const Origin origin = traits_of(before).origin;
+        if (origin == Origin::Soil || (origin == Origin::File && needs == Needs::Stress)) {
             context_.problems.error(
                 "E608", stage_place(stage, "do"),
                 fmt::format(
@@ -209,10 +211,8 @@ public:
         }
         for (int k = stage.parent; k >= 0; k = variant_.stages[static_cast<std::size_t>(k)].parent) {
             const Stage& before = variant_.stages[static_cast<std::size_t>(k)];
-            const auto* compact = std::get_if<packing::CompactSpec>(&before.spec);
-            const auto* settle = std::get_if<dem::SettleSpec>(&before.spec);
-            if ((compact == nullptr || !compact->shear_released) &&
-                (settle == nullptr || !settle->loading.shear_released)) {
+            const std::optional<cell::Loading> loading = loading_at_end(before.spec);
+            if (!loading || !loading->shear_released) {
                 continue;
             }
             context_.problems.error(
@@ -252,38 +252,58 @@ void check_loading(Checks& checks, const Stage& stage, const cell::Loading& load
     }
 }
 
-void check_stage(Checks& checks, const Stage& stage) {
-    if (const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec)) {
-        checks.check_pressure(stage, "pressure", compact->pressure);
-        checks.check_searched_friction(stage, *compact);
-        checks.check_adhesion(stage, compact->prepare);
-    } else if (const auto* settle = std::get_if<dem::SettleSpec>(&stage.spec)) {
-        check_loading(checks, stage, settle->loading, checks.stage_place(stage, "pressure").source != nullptr);
-    } else if (const auto* advance = std::get_if<dem::AdvanceSpec>(&stage.spec)) {
-        check_loading(checks, stage, advance->loading, false);
-    } else if (std::holds_alternative<triaxial::TriaxialSpec>(stage.spec) ||
-               std::holds_alternative<triaxial::StressProbeSpec>(stage.spec)) {
-        checks.check_start(stage);
-    } else if (const auto* flow = std::get_if<flow::FlowSpec>(&stage.spec)) {
-        checks.check_gradient(stage, "gradient", flow->gradient);
-        checks.check_resolve(stage, flow->resolve.has_value());
-    } else if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {
-        for (const double gradient : detach->gradients) {
+/// What the values of a stage are checked for.
+struct CheckValues {
+    Checks& checks;
+    const Stage& stage;
+
+    void operator()(const ImportSpec&) const {}
+
+    void operator()(const packing::PackSpec&) const {}
+
+    void operator()(const packing::CompactSpec& compact) const {
+        checks.check_pressure(stage, "pressure", compact.pressure);
+        checks.check_searched_friction(stage, compact);
+        checks.check_adhesion(stage, compact.prepare);
+    }
+
+    void operator()(const dem::SettleSpec& settle) const {
+        check_loading(checks, stage, settle.loading, checks.stage_place(stage, "pressure").source != nullptr);
+    }
+
+    void operator()(const triaxial::TriaxialSpec&) const {}
+
+    void operator()(const triaxial::StressProbeSpec&) const {}
+
+    void operator()(const dem::AdvanceSpec& advance) const { check_loading(checks, stage, advance.loading, false); }
+
+    void operator()(const flow::FlowSpec& flow) const {
+        checks.check_gradient(stage, "gradient", flow.gradient);
+        checks.check_resolve(stage, flow.resolve.has_value());
+    }
+
+    void operator()(const erosion::DetachStageSpec& detach) const {
+        for (const double gradient : detach.gradients) {
             checks.check_gradient(stage, "gradients", gradient);
         }
-        checks.check_resolve(stage, detach->probe.resolve.has_value());
-        checks.check_fines(stage);
-        checks.check_start(stage);
-    } else if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec)) {
-        checks.check_gradient(stage, "gradient", erode->gradient);
-        checks.check_travel(stage, *erode);
-        checks.check_resolve(stage, erode->probe.resolve.has_value());
-        checks.check_fines(stage);
-        checks.check_start(stage);
-    } else if (std::holds_alternative<erosion::RemoveSpec>(stage.spec)) {
-        checks.check_fines(stage);
-        checks.check_start(stage);
+        checks.check_resolve(stage, detach.probe.resolve.has_value());
     }
+
+    void operator()(const erosion::ErodeSpec& erode) const {
+        checks.check_gradient(stage, "gradient", erode.gradient);
+        checks.check_travel(stage, erode);
+        checks.check_resolve(stage, erode.probe.resolve.has_value());
+    }
+
+    void operator()(const erosion::RemoveSpec&) const {}
+};
+
+void check_stage(Checks& checks, const Stage& stage) {
+    std::visit(CheckValues{checks, stage}, stage.spec);
+    if (traits_of(stage).asks_for_fines) {
+        checks.check_fines(stage);
+    }
+    checks.check_start(stage);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/base/quantile.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/erosion/passage.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
@@ -51,11 +52,9 @@ std::optional<double> skeleton_width(const grains::SampledGrains& sample) {
     return std::cbrt(solid / (1 - settled_porosity)) / quantile(std::move(coarse), 0.5);
 }
 
-template <class... Specs>
-bool has_stage_of(const Variant& variant) {
-    return std::any_of(variant.stages.begin(), variant.stages.end(), [](const Stage& stage) {
-        return (std::holds_alternative<Specs>(stage.spec) || ...);
-    });
+template <class Is>
+bool has_stage(const Variant& variant, Is is) {
+    return std::ranges::any_of(variant.stages, [&](const Stage& stage) { return is(traits_of(stage)); });
 }
 
 /// Of one variant, told where the case asks for so many grains.
@@ -100,7 +99,7 @@ public:
 private:
     /// What leaves are shares of the fines, held back by the coarse: few of either say little.
     void check_counts(const grains::SampledGrains& sample) {
-        const bool erodes = has_stage_of<erosion::DetachStageSpec, erosion::ErodeSpec>(variant_);
+        const bool erodes = has_stage(variant_, [](const StageTraits& traits) { return traits.probes_fines(); });
         const auto fines = std::count(sample.fine.begin(), sample.fine.end(), std::uint8_t{1});
         const auto coarse = std::ssize(sample.fine) - fines;
         const bool has_both = fines > 0 && coarse > 0; // else W605 says so
@@ -124,7 +123,8 @@ private:
     void check_skeleton(const grains::SampledGrains& sample) {
         constexpr double wanted = erosion::narrowest_skeleton * (1 + doubtful_width);
         const auto width = skeleton_width(sample);
-        if (!has_stage_of<erosion::ErodeSpec>(variant_) || !width || *width >= wanted) {
+        const bool erodes = has_stage(variant_, [](const StageTraits& traits) { return traits.erodes(); });
+        if (!erodes || !width || *width >= wanted) {
             return;
         }
         problems_.warning(
@@ -188,7 +188,8 @@ void check_sample_sizes(ReadContext& context, const Study& study) {
     const Variant* narrowest = nullptr;
     double least = 0;
     for (const Variant& variant : study.variants) {
-        if (!has_stage_of<packing::PackSpec>(variant) || !variant.soil) {
+        const bool packs = has_stage(variant, [](const StageTraits& traits) { return traits.origin == Origin::Soil; });
+        if (!packs || !variant.soil) {
             continue;
         }
         if (variant.replicate == 1) {

@@ -4,6 +4,7 @@
 #include "suffuse/casefile/check_measures.hpp"
 #include "suffuse/casefile/check_name.hpp"
 #include "suffuse/casefile/fields.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,13 +65,11 @@ std::optional<Stage> read_stage(ReadContext& context, const Node& node, const st
 }
 
 bool makes_sample(const Stage& stage) {
-    return std::holds_alternative<ImportSpec>(stage.spec) || std::holds_alternative<packing::PackSpec>(stage.spec);
+    return traits_of(stage).makes_sample();
 }
 
 bool leaves_state(const Stage& stage) {
-    return stage.restore || std::holds_alternative<erosion::DetachStageSpec>(stage.spec) ||
-           std::holds_alternative<triaxial::StressProbeSpec>(stage.spec) ||
-           std::holds_alternative<flow::FlowSpec>(stage.spec);
+    return stage.restore || traits_of(stage).only_looks;
 }
 
 /// The row of the stage of this name; -1 where there is none.
@@ -204,7 +203,7 @@ Node write_stage(const Stage& stage) {
 }
 
 std::string verb_of(const StageSpec& spec) {
-    return std::string(names::verbs[spec.index()]);
+    return std::string(traits_of(spec).verb);
 }
 
 } // namespace suffuse::casefile

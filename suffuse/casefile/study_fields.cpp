@@ -7,6 +7,7 @@
 #include "suffuse/casefile/sample_checks.hpp"
 #include "suffuse/casefile/soil_fields.hpp"
 #include "suffuse/casefile/stage_list.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/casefile/sweep_value.hpp"
 #include "suffuse/casefile/variants.hpp"
 
@@ -133,7 +134,7 @@ void read_body(ReadContext& context, const StudySurroundings& around, Reader& v,
         );
     }
     const bool packs = std::any_of(study.stages.begin(), study.stages.end(), [](const Stage& stage) {
-        return std::holds_alternative<packing::PackSpec>(stage.spec);
+        return traits_of(stage).origin == Origin::Soil;
     });
     if (packs && study.soil.empty()) {
         v.error(

@@ -9,6 +9,8 @@
 #include "suffuse/answer/strength_words.hpp"
 #include "suffuse/answer/triaxial_table.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/casefile/stage_loading.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/io/text_file.hpp"
 #include "suffuse/job/assumed_values.hpp"
 #include "suffuse/job/erosion_figures.hpp"
@@ -37,19 +39,12 @@ constexpr double largest_good_hold_error = 0.1; // of a stress that a test holds
 /// The largest error of the stresses that a stage was to be in balance under, over that stress; not a number for other
 /// stages.
 double stress_error(const casefile::Stage& stage, const Mat3& stress) {
-    Vec3 wanted{};
-    if (const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec)) {
-        wanted = {compact->pressure, compact->pressure, compact->pressure};
-    } else if (const auto* settle = std::get_if<dem::SettleSpec>(&stage.spec)) {
-        for (int a = 0; a < 3; ++a) {
-            const cell::AxisControl& axis = settle->loading.axis[static_cast<std::size_t>(a)];
-            wanted[a] = axis.control == cell::Control::Stress ? axis.value : 0;
-        }
-    }
+    const cell::Loading loading = casefile::loading_at_end(stage.spec).value_or(cell::Loading{});
     double error = std::numeric_limits<double>::quiet_NaN();
     for (int a = 0; a < 3; ++a) {
-        if (wanted[a] > 0) {
-            error = std::fmax(error, std::abs(stress(a, a) - wanted[a]) / wanted[a]);
+        const cell::AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
+        if (axis.control == cell::Control::Stress && axis.value > 0) {
+            error = std::fmax(error, std::abs(stress(a, a) - axis.value) / axis.value);
         }
     }
     return error;
@@ -61,10 +56,7 @@ report::StageRow stage_row(const casefile::Case& what, const record::FinishedSta
     const double none = std::numeric_limits<double>::quiet_NaN();
     const auto number = [&](const char* name) { return n.at(name).is_null() ? none : n[name].get<double>(); };
     const auto* test = std::get_if<triaxial::TriaxialSpec>(&spec);
-    const bool settles =
-        std::holds_alternative<packing::CompactSpec>(spec) || std::holds_alternative<dem::SettleSpec>(spec) ||
-        std::holds_alternative<erosion::ErodeSpec>(spec) || std::holds_alternative<erosion::RemoveSpec>(spec) ||
-        (test != nullptr && (test->deviator_stress || test->stress_ratio));
+    const bool settles = casefile::traits_of(spec).ends_balanced || (test != nullptr && test->stops_at_stress());
     const bool touches = n.at("contacts").get<std::int64_t>() > 0;
     report::StageRow row;
     row.name = stage.name();

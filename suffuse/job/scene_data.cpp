@@ -1,6 +1,7 @@
 #include "suffuse/job/scene_data.hpp"
 
 #include "suffuse/base/words.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/known_state.hpp"
@@ -193,8 +194,9 @@ std::vector<const casefile::Stage*>
 stages_to_show(const std::vector<record::FinishedStage>& finished, const record::FinishedStage& last) {
     std::vector<const casefile::Stage*> shown;
     for (const record::FinishedStage& each : finished) {
-        if (each.variant == last.variant && !std::holds_alternative<packing::PackSpec>(each.stage->spec) &&
-            each.stage <= last.stage && each.numbers.at("grains") == last.numbers.at("grains")) {
+        const bool is_cloud = casefile::traits_of(*each.stage).origin == casefile::Origin::Soil;
+        if (each.variant == last.variant && !is_cloud && each.stage <= last.stage &&
+            each.numbers.at("grains") == last.numbers.at("grains")) {
             shown.push_back(each.stage);
         }
     }

@@ -3,9 +3,12 @@
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/plan/price_stage.hpp"
 #include "suffuse/record/read_import.hpp"
 #include "suffuse/record/samples.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +48,7 @@ void plan_variant(const casefile::Case& what, const casefile::Variant& variant, 
         estimate.memory = price.memory_a_grain * count(ends[k]);
         estimate.disk = disk_of(what, variant, stage, estimate.grains);
         estimate.basis = price.basis;
-        if (std::holds_alternative<packing::PackSpec>(stage.spec)) {
+        if (casefile::traits_of(stage).origin == casefile::Origin::Soil) {
             estimate.coarse = std::llround(ends[k].coarse.grains);
             estimate.fines_content = fines_content(ends[k]);
             estimate.sized_by = variant.sized_by ? grains::name_of(*variant.sized_by) : "";

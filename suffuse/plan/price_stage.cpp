@@ -1,6 +1,7 @@
 #include "suffuse/plan/price_stage.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/packing/compact.hpp"
@@ -197,7 +198,7 @@ public:
         const double dt = triaxial_time_step(spec);
         const double a_strain = 1 / (rate * dt); // steps
         const std::string pace = fmt::format("at {:.3g} 1/s (inertial number {:.1e})", rate, spec.inertial_number);
-        if (spec.deviator_stress || spec.stress_ratio) {
+        if (spec.stops_at_stress()) {
             const Range strain = strain_until(spec, is_loose);
             sample_.pressure /= 1 - std::min(stress_ratio_asked(spec), 2.0) / 3; // the lateral stress is held
             return {
@@ -402,13 +403,13 @@ private:
 StagePrice price_stage(
     const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage, PricedSample& sample
 ) {
-    const bool removes = std::holds_alternative<erosion::ErodeSpec>(stage.spec);
+    const bool erodes = casefile::traits_of(stage).erodes();
     const Range before = work_of_step(sample); // erosion begins with all that it finds
     StagePrice price = std::visit(Pricer(what, variant, sample), stage.spec);
     if (std::ranges::count(stage.measure, "permeability") > 0) {
         price.seconds += 2 * count(sample) * flow_seconds;
     }
-    price.work = (removes ? before : work_of_step(sample)) + price.more_work;
+    price.work = (erodes ? before : work_of_step(sample)) + price.more_work;
     return price;
 }
 

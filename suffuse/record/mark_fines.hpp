@@ -2,7 +2,7 @@
 // Which grains of a packing that was not drawn from the soil's curves are fine: by size, where the soil has a limit.
 
 #include "suffuse/base/error.hpp"
-#include "suffuse/casefile/case.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/grains/grains.hpp"
 #include "suffuse/grains/sampling.hpp"
 
@@ -16,9 +16,7 @@ namespace suffuse::record {
 /// Whether a stage of the sample takes fines out, or asks which would leave.
 inline bool needs_fines(const casefile::Variant& variant) {
     return std::ranges::any_of(variant.stages, [](const casefile::Stage& stage) {
-        return std::holds_alternative<erosion::DetachStageSpec>(stage.spec) ||
-               std::holds_alternative<erosion::ErodeSpec>(stage.spec) ||
-               std::holds_alternative<erosion::RemoveSpec>(stage.spec);
+        return casefile::traits_of(stage).asks_for_fines;
     });
 }
 

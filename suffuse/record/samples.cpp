@@ -1,5 +1,7 @@
 #include "suffuse/record/samples.hpp"
 
+#include "suffuse/casefile/stage_traits.hpp"
+
 #include <algorithm>
 
 namespace suffuse::record {
@@ -45,7 +47,7 @@ bool leaves_tables(const casefile::Case& what, const casefile::Variant& variant,
     while (origin->parent >= 0) {
         origin = &variant.stages[static_cast<std::size_t>(origin->parent)];
     }
-    return &stage == &variant.stages.back() || std::holds_alternative<casefile::ImportSpec>(origin->spec) ||
+    return &stage == &variant.stages.back() || casefile::traits_of(*origin).origin == casefile::Origin::File ||
            writes(what.output, "csv");
 }
 

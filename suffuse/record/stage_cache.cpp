@@ -4,6 +4,7 @@
 #include "suffuse/base/state_hash.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/dependencies.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/record/cache_entry.hpp"
 #include "suffuse/record/folder.hpp"
@@ -123,7 +124,7 @@ std::string StageCache::key_of(
 }
 
 bool StageCache::keeps(const casefile::Stage& stage) {
-    return !std::holds_alternative<casefile::ImportSpec>(stage.spec);
+    return casefile::traits_of(stage).is_cached;
 }
 
 fs::path StageCache::place_of(const std::string& key) const {

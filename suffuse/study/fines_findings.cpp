@@ -19,7 +19,7 @@ peak_from(const std::vector<record::FinishedStage>& stages, const casefile::Vari
             continue;
         }
         const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
-        if (spec != nullptr && spec->path == triaxial::Path::Drained && !spec->deviator_stress && !spec->stress_ratio) {
+        if (spec != nullptr && spec->path == triaxial::Path::Drained && !spec->stops_at_stress()) {
             return peak_of(stage);
         }
     }

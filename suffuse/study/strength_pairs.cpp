@@ -1,5 +1,7 @@
 #include "suffuse/study/strength_pairs.hpp"
 
+#include "suffuse/casefile/stage_traits.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -20,23 +22,19 @@ bool is_same_test(const TriaxialSpec& a, const TriaxialSpec& b) {
 /// was sheared to a strain may be past its peak.
 bool leaves_path(const casefile::StageSpec& spec, const TriaxialSpec& test) {
     if (const auto* part = std::get_if<TriaxialSpec>(&spec)) {
-        const bool is_on_the_way_up = part->deviator_stress || part->stress_ratio;
-        return !is_on_the_way_up || test.path != Path::Drained || part->path != Path::Drained ||
+        return !part->stops_at_stress() || test.path != Path::Drained || part->path != Path::Drained ||
                part->axis != test.axis;
     }
-    return !std::holds_alternative<erosion::ErodeSpec>(spec) && !std::holds_alternative<erosion::RemoveSpec>(spec) &&
-           !std::holds_alternative<erosion::DetachStageSpec>(spec) && !std::holds_alternative<flow::FlowSpec>(spec) &&
-           !std::holds_alternative<triaxial::StressProbeSpec>(spec) && !std::holds_alternative<dem::SettleSpec>(spec);
+    return !casefile::traits_of(spec).keeps_path;
 }
 
 /// Share of the mass that a stage took [-]; nothing where it takes none.
 std::optional<double> taken_by(const record::FinishedStage& stage) {
-    if (std::holds_alternative<erosion::ErodeSpec>(stage.stage->spec)) {
-        return stage.numbers.value("eroded_share_of_solids", std::nan(""));
+    const casefile::StageTraits& traits = casefile::traits_of(*stage.stage);
+    if (!traits.loses_grains) {
+        return std::nullopt;
     }
-    return std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec)
-               ? std::optional(stage.numbers.value("removed_mass_share", std::nan("")))
-               : std::nullopt;
+    return stage.numbers.value(traits.erodes() ? "eroded_share_of_solids" : "removed_mass_share", std::nan(""));
 }
 
 bool skeleton_failed(const record::FinishedStage& stage) {
@@ -107,8 +105,7 @@ private:
 
 const TriaxialSpec* test_of_strength(const casefile::Stage& stage) {
     const auto* spec = std::get_if<TriaxialSpec>(&stage.spec);
-    const bool is_one =
-        spec != nullptr && !spec->deviator_stress && !spec->stress_ratio && spec->path != Path::Proportional;
+    const bool is_one = spec != nullptr && !spec->stops_at_stress() && spec->path != Path::Proportional;
     return is_one ? spec : nullptr;
 }
 

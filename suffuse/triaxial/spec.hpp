@@ -31,6 +31,9 @@ struct TriaxialSpec {
     double inertial_number = 1e-3;         ///< sets the axial strain rate [-]
     double time_step = 0;                  ///< [s]; 0 = computed
     int rows = 400;                        ///< stress-strain rows recorded over the asked strain
+
+    /// There it settles; else it ends at a strain.
+    [[nodiscard]] bool stops_at_stress() const { return deviator_stress || stress_ratio; }
 };
 
 /// Loads of one size, in directions spaced equally over the plane of axisymmetric stress.

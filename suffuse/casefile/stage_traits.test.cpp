@@ -1,0 +1,80 @@
+#include "suffuse/casefile/stage_traits.hpp"
+
+#include "suffuse/casefile/names.hpp"
+#include "suffuse/casefile/stage_list.hpp"
+#include "suffuse/casefile/stage_loading.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace suffuse;
+using namespace suffuse::casefile;
+
+TEST(StageTraits, EachSpecHasTheRowOfItsVerb) {
+    EXPECT_EQ(traits_of(StageSpec{ImportSpec{}}).verb, "import");
+    EXPECT_EQ(traits_of(StageSpec{packing::PackSpec{}}).verb, "pack");
+    EXPECT_EQ(traits_of(StageSpec{packing::CompactSpec{}}).verb, "compact");
+    EXPECT_EQ(traits_of(StageSpec{dem::SettleSpec{}}).verb, "settle");
+    EXPECT_EQ(traits_of(StageSpec{triaxial::TriaxialSpec{}}).verb, "triaxial");
+    EXPECT_EQ(traits_of(StageSpec{triaxial::StressProbeSpec{}}).verb, "stress-probe");
+    EXPECT_EQ(traits_of(StageSpec{dem::AdvanceSpec{}}).verb, "advance");
+    EXPECT_EQ(traits_of(StageSpec{flow::FlowSpec{}}).verb, "flow");
+    EXPECT_EQ(traits_of(StageSpec{erosion::DetachStageSpec{}}).verb, "detach");
+    EXPECT_EQ(traits_of(StageSpec{erosion::ErodeSpec{}}).verb, "erode");
+    EXPECT_EQ(traits_of(StageSpec{erosion::RemoveSpec{}}).verb, "remove");
+}
+
+TEST(StageTraits, AVerbIsFoundByItsName) {
+    for (std::size_t k = 0; k < stage_traits.size(); ++k) {
+        EXPECT_EQ(find_verb(stage_traits[k].verb), &stage_traits[k]);
+        EXPECT_EQ(names::verbs[k], stage_traits[k].verb);
+        EXPECT_EQ(verb_of(default_spec(k)), stage_traits[k].verb);
+    }
+    EXPECT_EQ(find_verb("wash"), nullptr);
+    EXPECT_EQ(find_verb(""), nullptr);
+}
+
+TEST(StageTraits, TheRowsAgreeWithThemselves) {
+    for (const StageTraits& traits : stage_traits) {
+        SCOPED_TRACE(traits.verb);
+        EXPECT_FALSE(traits.only_looks && traits.loses_grains);
+        EXPECT_FALSE(traits.only_looks && !traits.keeps_path) << "a look changes nothing";
+        EXPECT_TRUE(!traits.makes_sample() || traits.needs == Needs::Nothing);
+        EXPECT_TRUE(!traits.loses_grains || traits.asks_for_fines);
+        for (const std::string_view measure : traits.measures) {
+            EXPECT_TRUE(measure.empty() || std::ranges::count(names::measures, measure) == 1) << measure;
+        }
+    }
+}
+
+TEST(StageTraits, AMeasureOfFewVerbsNamesThem) {
+    using List = std::vector<std::string>;
+    EXPECT_EQ(names::verbs_of_measure("stress-strain"), List{"triaxial"});
+    EXPECT_EQ(names::verbs_of_measure("flow"), (List{"flow", "erode"}));
+    EXPECT_EQ(names::verbs_of_measure("coordination-of-eroded"), (List{"erode", "remove"}));
+    EXPECT_EQ(
+        names::verbs_of_measure("volumetric-strain"),
+        (List{"compact", "settle", "triaxial", "advance", "erode", "remove"})
+    );
+    EXPECT_EQ(names::verbs_of_measure("porosity"), List{}) << "every state has one";
+}
+
+TEST(StageLoading, OnlyWhatSettlesUnderANamedLoadingHasOne) {
+    packing::CompactSpec compact;
+    compact.pressure = 1e5;
+    compact.shear_released = true;
+    const auto loading = loading_at_end(compact);
+    ASSERT_TRUE(loading);
+    EXPECT_TRUE(loading->shear_released);
+    for (const cell::AxisControl& axis : loading->axis) {
+        EXPECT_EQ(axis.control, cell::Control::Stress);
+        EXPECT_EQ(axis.value, 1e5);
+    }
+    for (std::size_t k = 0; k < stage_traits.size(); ++k) {
+        const bool names_one = stage_traits[k].verb == "compact" || stage_traits[k].verb == "settle";
+        EXPECT_EQ(loading_at_end(default_spec(k)).has_value(), names_one) << stage_traits[k].verb;
+    }
+}
+
+} // namespace
