@@ -182,7 +182,7 @@ void bind_preparation(py::module_& m) {
         py::arg("void_ratio_tolerance") = packing::CompactSpec{}.void_ratio_tolerance,
         py::arg("protocol") = std::string(name_of(packing::Protocol::Faithful)), py::arg("max_rate") = py::none(),
         py::arg("shear_stresses") = "kept", py::arg_v("balance", dem::BalanceSpec{}, "Balance()"),
-        py::arg("damping") = usual_damping, py::arg("on_progress") = py::none(),
+        py::arg("damping") = dem::usual_damping, py::arg("on_progress") = py::none(),
         with_keys(
             "Compacts a cloud isotropically, then settles it with the final material, as a stage that does "
             "\"compact\". Returns a dictionary: `steps`, `void_ratio_compacted` (before settling); and where a void "

@@ -17,8 +17,6 @@ namespace suffuse::python {
 
 using Handle = std::shared_ptr<WorldHandle>;
 
-inline constexpr double usual_damping = 0.2; // local, non-viscous; [contact] damping of a case
-
 /// Begins with the rows along the curve and with contacts, as the stages of a run do.
 inline dem::World& begin(Stepping& call) {
     dem::World& world = call.world_for_new_rows();

@@ -165,9 +165,10 @@ py::dict relax(
 /// A number, or one of the words of a case.
 double inertial_number_of(const py::object& value) {
     if (py::isinstance<py::str>(value)) {
-        const auto word = value.cast<std::string>();
-        if (word == "strict" || word == "loose") {
-            return word == "strict" ? 1e-4 : 1e-3;
+        for (const auto& known : casefile::names::inertial_number) {
+            if (known.word == value.cast<std::string>()) {
+                return known.value;
+            }
         }
     }
     return value_of(key_of("stage.triaxial", "inertial_number"), value, "inertial_number");
@@ -257,7 +258,7 @@ void bind_steps(py::module_& m) {
                                told;
     type.def(
         "step", &step, py::arg("steps"), py::arg_v("loading", cell::Loading{}, "Loading()"), py::kw_only(),
-        py::arg("time_step") = py::none(), py::arg("damping") = usual_damping, py::arg("force") = py::none(),
+        py::arg("time_step") = py::none(), py::arg("damping") = dem::usual_damping, py::arg("force") = py::none(),
         py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
         ("Advances by `steps` under `loading`, at constant volume unless given; returns the stress of the last step "
          "[Pa].\n" +
@@ -267,7 +268,7 @@ void bind_steps(py::module_& m) {
     type.def(
         "settle", &settle, py::arg_v("loading", cell::Loading{}, "Loading()"), py::kw_only(),
         py::arg_v("balance", dem::BalanceSpec{}, "Balance()"), py::arg("time_step") = py::none(),
-        py::arg("damping") = usual_damping, py::arg("max_steps") = dem::SettleSpec{}.max_steps,
+        py::arg("damping") = dem::usual_damping, py::arg("max_steps") = dem::SettleSpec{}.max_steps,
         py::arg("force") = py::none(), py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
         ("Steps until balanced, at constant volume or under the stresses of `loading`, as a stage that does "
          "\"settle\", "
@@ -281,7 +282,8 @@ void bind_steps(py::module_& m) {
     );
     type.def(
         "relax", &relax, py::arg("wanted") = 1e-8, py::kw_only(), py::arg("time_step") = py::none(),
-        py::arg("damping") = usual_damping, py::arg("max_steps") = 400'000, py::arg("on_progress") = py::none(),
+        py::arg("damping") = dem::usual_damping, py::arg("max_steps") = dem::most_relax_steps,
+        py::arg("on_progress") = py::none(),
         ("Relaxes at constant volume until the unbalanced force is below `wanted`, or falls no more. Returns a "
          "dictionary: "
          "`unbalanced_force`, `steps`, `reached_floor` (it fell no more).\n" +
@@ -293,7 +295,7 @@ void bind_steps(py::module_& m) {
         py::arg("path") = "drained", py::arg("strain_ratio") = py::none(), py::arg("deviator_stress") = py::none(),
         py::arg("stress_ratio") = py::none(), py::arg("inertial_number") = triaxial::TriaxialSpec{}.inertial_number,
         py::arg("inertia") = "lent", py::arg("time_step") = py::none(), py::arg("rows") = triaxial::TriaxialSpec{}.rows,
-        py::arg("damping") = usual_damping, py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
+        py::arg("damping") = dem::usual_damping, py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
         with_keys(
             "Compresses along z, as a stage that does \"triaxial\". Returns a dictionary: `curve`, `response`, "
             "`steps`, "
@@ -321,7 +323,7 @@ void bind_steps(py::module_& m) {
         "stress_probe", &run_stress_probe, py::arg("increment") = triaxial::StressProbeSpec{}.increment, py::kw_only(),
         py::arg("directions") = triaxial::StressProbeSpec{}.directions,
         py::arg("unbalanced_force") = triaxial::StressProbeSpec{}.unbalanced_force, py::arg("time_step") = py::none(),
-        py::arg("damping") = usual_damping, py::arg("on_progress") = py::none(),
+        py::arg("damping") = dem::usual_damping, py::arg("on_progress") = py::none(),
         with_keys(
             "Puts small loads of all directions of axisymmetric stress (z against x and y) on copies of the world, as "
             "a stage that does \"stress-probe\"; returns a list of dictionaries with `angle` [rad], `stress` (change "

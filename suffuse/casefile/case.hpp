@@ -57,7 +57,7 @@ struct Variant {
     std::int64_t particles = 0;
     std::optional<grains::SizedBy> sized_by; ///< the rule that decided on `particles`, where the study has rules
     grains::Material material;               ///< of the case, but for what is swept
-    double damping = 0.2;                    ///< likewise [-]
+    double damping = dem::usual_damping;     ///< likewise [-]
     std::vector<Stage> stages;
 };
 
@@ -107,9 +107,9 @@ struct Case {
     int schema = 1;
     std::string title, paper;
     std::uint64_t seed = 1;
-    std::string preset = "standard"; ///< in force; "standard" = the case as written
-    grains::Material material;       ///< where no study sweeps it
-    double damping = 0.2;            ///< likewise; local, non-viscous [-]
+    std::string preset = "standard";     ///< in force; "standard" = the case as written
+    grains::Material material;           ///< where no study sweeps it
+    double damping = dem::usual_damping; ///< likewise; local, non-viscous [-]
     dem::Mode mode = dem::Mode::Reference;
     dem::BalanceSpec balance;
     flow::Fluid fluid;

@@ -18,6 +18,9 @@ struct Word {
     std::string_view word;
 };
 
+/// How slowly a triaxial test loads: inertial numbers [-].
+inline constexpr std::array inertial_number = {Word<double>{1e-4, "strict"}, Word<double>{1e-3, "loose"}};
+
 enum class Then { Settle };
 enum class Of { Coarse };
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace suffuse::casefile {
@@ -118,13 +119,10 @@ void inertial_number_field(Reader& v, double& value) {
     if (node == nullptr) {
         return;
     }
-    if (node->is_text() && node->text == "strict") {
-        value = 1e-4;
-    } else if (node->is_text() && node->text == "loose") {
-        value = 1e-3;
-    } else {
-        value = v.number("inertial_number", *node).value_or(value);
-    }
+    const auto named = std::ranges::find_if(names::inertial_number, [&](const auto& known) {
+        return node->is_text() && known.word == node->text;
+    });
+    value = named != names::inertial_number.end() ? named->value : v.number("inertial_number", *node).value_or(value);
 }
 
 void inertial_number_field(Writer& v, double value) {

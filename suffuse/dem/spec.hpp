@@ -18,6 +18,10 @@ constexpr const char* name_of(Mode mode) {
     return mode == Mode::Fast ? "fast" : "reference";
 }
 
+inline constexpr double usual_damping = 0.2; ///< local, non-viscous, where nothing else is said [-]
+
+inline constexpr std::int64_t most_relax_steps = 400'000; ///< of a relaxation, after which its floor is taken
+
 /// All three must hold for a state to count as settled.
 struct BalanceSpec {
     double unbalanced_force = 1e-3; ///< mean resultant over grains with >= 2 contacts / mean contact force [-]

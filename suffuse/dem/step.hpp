@@ -15,9 +15,9 @@ namespace suffuse::dem {
 /// What was decided before the step; constant during it.
 struct StepPlan {
     Mode mode = Mode::Reference;
-    double dt = 0;        ///< [s]
-    double damping = 0.2; ///< local, non-viscous [-]
-    double drag = 0;      ///< viscous, for relaxation only [1/s]
+    double dt = 0;                  ///< [s]
+    double damping = usual_damping; ///< local, non-viscous [-]
+    double drag = 0;                ///< viscous, for relaxation only [1/s]
     cell::Loading loading;
     const grains::GrainLoad* load = nullptr; ///< force on each grain from outside the skeleton
     std::int64_t load_ramp = 0;              ///< steps over which `load` grows from nothing; 0: acts at once

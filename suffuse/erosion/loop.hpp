@@ -17,7 +17,7 @@ namespace suffuse::erosion {
 struct Surroundings {
     flow::Fluid fluid;
     dem::BalanceSpec balance;
-    double damping = 0.2; ///< local [-]
+    double damping = dem::usual_damping; ///< local [-]
     dem::Mode mode =
         dem::Mode::Reference; ///< of the new equilibrium; relaxation and probe are always of reference mode
     Pulse pulse;              ///< may throw Interrupted: the world is then as it was before the pass

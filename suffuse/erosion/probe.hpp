@@ -3,6 +3,7 @@
 // moves is watched. Beside it a twin without fluid, same hold and same steps, shows what would have moved anyway.
 
 #include "suffuse/base/pulse.hpp"
+#include "suffuse/dem/spec.hpp"
 #include "suffuse/dem/world.hpp"
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/erosion/spec.hpp"
@@ -16,8 +17,8 @@ namespace suffuse::erosion {
 struct ProbeSetting {
     ProbeSpec spec;
     flow::Fluid fluid;
-    double time_step = 0; ///< [s]
-    double damping = 0.2; ///< local [-]
+    double time_step = 0;                ///< [s]
+    double damping = dem::usual_damping; ///< local [-]
 };
 
 /// What the fluid does at one hydraulic gradient.

@@ -3,6 +3,7 @@
 
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/dem/inertial_number.hpp"
+#include "suffuse/dem/spec.hpp"
 #include "suffuse/pores/voids.hpp"
 
 #include <cstdint>
@@ -18,7 +19,7 @@ struct ProbeSpec {
     std::int64_t watch = 1000;      ///< steps at the full force; the paper's value
     bool hold_coarse = true;        ///< the paper holds them
     double unbalanced_force = 1e-8; ///< the probe starts from the equilibrium relaxed to this at constant volume [-]
-    std::int64_t relax_limit = 400'000;  ///< steps after which the floor reached is taken and reported
+    std::int64_t relax_limit = dem::most_relax_steps; ///< steps after which the floor reached is taken and reported
     std::optional<std::int64_t> resolve; ///< boxes across the Sauter diameter of the flow on a grid that gives the
                                          ///< forces and permeabilities, instead of the pore network
 };

@@ -35,10 +35,10 @@ struct CompactState {
 
     Phase phase = Phase::Compact;
     dem::BalanceState balance;
-    double time_step = 0;            ///< of the bursts now [s]
-    std::int64_t known_contacts = 0; ///< touching when it was chosen
-    grains::Material material;       ///< with the final parameters
-    double damping = 0.2;            ///< local [-]
+    double time_step = 0;                ///< of the bursts now [s]
+    std::int64_t known_contacts = 0;     ///< touching when it was chosen
+    grains::Material material;           ///< with the final parameters
+    double damping = dem::usual_damping; ///< local [-]
     dem::Mode mode = dem::Mode::Reference;
     double median_diameter = 0;      ///< by mass [m]
     double start_porosity = 0;       ///< when the first step was made [-]
