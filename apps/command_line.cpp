@@ -1,5 +1,6 @@
 #include "apps/command_line.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 
@@ -7,10 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "apps/completions.hpp"
 #include "apps/help.hpp"
-#include "apps/man_page.hpp"
-#include "apps/verb_flags.hpp"
+#include "apps/verb.hpp"
+#include "apps/verbs.hpp"
 #include <algorithm>
 #include <array>
 
@@ -116,18 +116,19 @@ bool asks_for_unknown_verb(const CLI::App& app) {
     return !extra.empty() && !extra.front().starts_with('-') && !names_of_verbs(innermost(app)).empty();
 }
 
-void parse(CLI::App& app, std::vector<std::string> words, CommandLine& line) {
+/// @return what there is to say where help or the version is asked for; else empty
+std::string parse(CLI::App& app, std::vector<std::string> words) {
     std::reverse(words.begin(), words.end()); // as CLI11 wants them
     try {
         app.parse(words);
     } catch (const CLI::CallForVersion&) {
-        line.text = version_text();
+        return version_text();
     } catch (const CLI::CallForHelp&) {
         if (asks_for_unknown_verb(app)) {
             complain_about_extra(app);
         }
         const CLI::App& verb = innermost(app);
-        line.text = &verb == &app ? overview(app) : help_on(verb);
+        return &verb == &app ? overview(app) : help_on(verb);
     } catch (const CLI::ExtrasError&) {
         complain_about_extra(app);
     } catch (const CLI::ParseError& error) {
@@ -138,46 +139,57 @@ void parse(CLI::App& app, std::vector<std::string> words, CommandLine& line) {
         }
         throw UsageError(fmt::format("{}; see suffuse {}--help", told, &verb == &app ? "" : path_of(verb) + " "));
     }
+    return app.get_subcommands().empty() ? overview(app) : "";
+}
+
+void add_everywhere(CLI::App& app, CommandLine& line, std::string& color) {
+    app.add_flag("-q,--quiet", line.quiet, "say nothing but results and errors");
+    app.add_flag("-v,--verbose", line.verbose, "say more");
+    app.add_flag("--json", line.json, "one JSON document on standard output");
+    app.add_option("--color", color, "auto, always or never; NO_COLOR is heeded")->type_name("WHEN");
+}
+
+std::vector<std::shared_ptr<Verb>> add_verbs(CLI::App& app) {
+    const Options program(app);
+    std::vector<std::shared_ptr<Verb>> verbs;
+    for (const auto make : verb_makers) {
+        verbs.push_back(make());
+        Options below = program.below(verbs.back()->name(), verbs.back()->text(), verbs.back()->example());
+        verbs.back()->add_to(below);
+    }
+    return verbs;
+}
+
+std::string typed_command(const std::vector<std::string>& words) {
+    std::string typed = "suffuse";
+    for (const std::string& word : words) {
+        typed += " " + shell_word(word);
+    }
+    return typed;
 }
 
 } // namespace
 
-CommandLine read_command_line(int argc, const char* const* argv) {
-    CommandLine line;
+Asked read_command_line(int argc, const char* const* argv) {
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    line.typed = "suffuse";
-    for (const std::string& word : words) {
-        line.typed += " " + shell_word(word);
-    }
+    Asked asked;
+    std::string color = "auto";
     CLI::App app;
     app.fallthrough();
     app.set_version_flag("--version", std::string(), "which program this is");
-    add_verbs(app, line);
-    parse(app, with_verb(words), line);
-    if (!line.text.empty()) {
-        return line;
+    add_everywhere(app, asked.line, color);
+    const std::vector<std::shared_ptr<Verb>> verbs = add_verbs(app);
+    asked.line.typed = typed_command(words);
+    asked.text = parse(app, with_verb(words));
+    if (!asked.text.empty()) {
+        return asked;
     }
-    if (app.get_subcommands().empty()) {
-        line.text = overview(app);
-        return line;
-    }
-    line.verb = app.get_subcommands().front()->get_name();
-    if (line.verb == "bench" && line.bench.empty()) {
-        throw UsageError("bench what? suffuse bench step, or suffuse bench flow; suffuse bench --help says more");
-    }
-    if (line.verb == "sweep" && line.emit.empty() && line.collect.empty()) {
-        throw UsageError(
-            "sweep: --emit slurm or --emit parallel with a case, or --collect DIR; suffuse run CASE runs all "
-            "samples on this machine"
-        );
-    }
-    line.color = color_of(line.color_word);
-    if (line.verb == "completions" || line.verb == "man") { // the table of verbs is here, and all there is to say
-        const std::vector<VerbRow> table = command_table(app);
-        line.text = line.verb == "man" ? man_page(table) : completions_for(line.subject, table);
-        line.verb.clear();
-    }
-    return line;
+    const std::string called = app.get_subcommands().front()->get_name();
+    asked.verb = *std::ranges::find(verbs, called, [](const auto& verb) { return verb->name(); });
+    asked.verb->check();
+    asked.line.color = color_of(color);
+    asked.text = asked.verb->printed(app);
+    return asked;
 }
 
 } // namespace suffuse::apps

@@ -100,6 +100,7 @@ void add_rows(const CLI::App& app, const std::string& path, std::vector<VerbRow>
     VerbRow row;
     row.path = path;
     row.text = app.get_description();
+    row.example = app.get_footer();
     for (const CLI::Option* option : app.get_options()) {
         (option->get_positional() ? row.arguments : row.flags).push_back(row_of(*option));
     }

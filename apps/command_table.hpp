@@ -25,7 +25,7 @@ struct FlagRow {
 
 struct VerbRow {
     std::string path; ///< "run", "bench step"; empty: the program itself
-    std::string text;
+    std::string text, example;
     std::vector<FlagRow> arguments; ///< without a flag, in their order
     std::vector<FlagRow> flags;
     std::vector<std::string> verbs; ///< below this one

@@ -5,42 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <array>
 #include <string_view>
 #include <vector>
 
 namespace suffuse::apps {
 namespace {
-
-struct Example {
-    std::string_view verb, text;
-};
-
-constexpr std::array examples{
-    Example{"run", "suffuse run dyke/case.toml --preset quick --set study.erosion.particles=4000 -o runs/small"},
-    Example{
-        "sweep", "suffuse sweep dyke/case.toml --emit slurm -o runs/dyke && sbatch runs/dyke/sweep.sbatch\n"
-                 "suffuse sweep --collect runs/dyke"},
-    Example{"cache", "suffuse cache runs/suffuse-cache --limit 50"},
-    Example{"resume", "suffuse resume runs/dyke-0001 --time-limit 2h"},
-    Example{"report", "suffuse report runs/dyke-0001"},
-    Example{"figures", "suffuse figures runs/dyke-0001 --format pdf --figure 9 --figure own-rules -o manuscript"},
-    Example{"compare", "suffuse compare runs/dyke-0001 runs/dyke-0002 --tolerance 1%"},
-    Example{"verify", "suffuse verify runs/dyke-0001"},
-    Example{"watch", "suffuse watch runs/dyke-0001"},
-    Example{"new", "suffuse new my-dyke --psd dyke.csv\nsuffuse new my-dyke --from fontainebleau-2016"},
-    Example{"check", "suffuse check my-dyke/case.toml"},
-    Example{"plan", "suffuse plan my-dyke/case.toml --preset paper"},
-    Example{"explain", "suffuse explain fines_content"},
-    Example{"schema", "suffuse schema > case-reference.md"},
-    Example{"bench step", "suffuse bench step --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3 --json"},
-    Example{"bench flow", "suffuse bench flow --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3"},
-    Example{"assess", "suffuse assess dyke.csv --fines 0.2mm -i 0.3 -o dyke-stability"},
-    Example{"import", "suffuse import pack.txt --cell 0.004,0.004,0.004 -o packing.xyz"},
-    Example{"export", "suffuse export runs/dyke-0001/studies/erosion/initial -o initial.xyz"},
-    Example{"completions", "suffuse completions bash > ~/.local/share/bash-completion/completions/suffuse"},
-    Example{"man", "suffuse man > suffuse.1 && man ./suffuse.1"},
-};
 
 constexpr std::string_view exit_codes =
     "exit codes  0 done, 1 failed while running, 2 wrong use, 3 errors in the case\n"
@@ -77,15 +46,6 @@ std::string flags_of(const CLI::App& app, bool positional, std::string_view left
 }
 
 } // namespace
-
-std::string_view example_of(std::string_view path) {
-    for (const Example& example : examples) {
-        if (example.verb == path) {
-            return example.text;
-        }
-    }
-    return {};
-}
 
 std::string_view exit_codes_text() {
     return exit_codes;
@@ -127,7 +87,7 @@ std::string help_on(const CLI::App& verb) {
     }
     const CLI::App* above = verb.get_parent()->get_parent();
     text += "\neverywhere\n" + flags_of(above != nullptr ? *above : *verb.get_parent(), false, "--version");
-    if (const std::string_view example = example_of(path); !example.empty()) {
+    if (const std::string example = verb.get_footer(); !example.empty()) {
         text += fmt::format("\nexample\n{}\n", example);
     }
     return text;

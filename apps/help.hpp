@@ -21,9 +21,6 @@ std::string path_of(const CLI::App& verb);
 
 std::string version_text();
 
-/// How a verb may be called; empty where there is no example of it.
-std::string_view example_of(std::string_view path);
-
 std::string_view exit_codes_text();
 
 } // namespace suffuse::apps

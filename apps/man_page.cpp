@@ -56,8 +56,8 @@ std::string verb_section(const VerbRow& verb) {
             text += flag_row(flag, false);
         }
     }
-    if (const std::string_view example = example_of(verb.path); !example.empty()) {
-        text += fmt::format(".PP\n.nf\n{}\n.fi\n", plain(example));
+    if (!verb.example.empty()) {
+        text += fmt::format(".PP\n.nf\n{}\n.fi\n", plain(verb.example));
     }
     return text;
 }

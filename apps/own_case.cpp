@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "apps/command_line.hpp"
 #include "apps/own_soil.hpp"
 #include <algorithm>
 #include <cmath>

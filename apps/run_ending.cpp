@@ -11,8 +11,8 @@
 
 #include "apps/exit_code.hpp"
 #include "apps/failures.hpp"
+#include "apps/json_text.hpp"
 #include "apps/stop_signal.hpp"
-#include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <optional>
 

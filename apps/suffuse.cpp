@@ -8,8 +8,9 @@
 #include "apps/command_line.hpp"
 #include "apps/console.hpp"
 #include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
 #include "apps/stop_signal.hpp"
-#include "apps/verbs.hpp"
+#include "apps/verb.hpp"
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -93,14 +94,14 @@ int run_program(int argc, const char* const* argv) {
     early.json = std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
     Console console(early);
     try {
-        const CommandLine line = read_command_line(argc, argv);
-        console = Console(line);
-        if (line.verb.empty()) {
-            Console().result(line.text);
+        const Asked asked = read_command_line(argc, argv);
+        console = Console(asked.line);
+        if (!asked.text.empty()) {
+            Console().result(asked.text);
             Console().finish();
             return Done;
         }
-        const int code = perform(line, console);
+        const int code = asked.verb->act(asked.line, console);
         console.finish();
         return code;
     } catch (...) {

@@ -1,16 +1,75 @@
 // bench: the speed on a packing brought from elsewhere.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/base/units.hpp"
 #include "suffuse/plan/bench_flow.hpp"
 #include "suffuse/plan/bench_step.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
+#include "apps/shared_options.hpp"
+#include "apps/typed_value.hpp"
+#include "apps/verb.hpp"
 #include "apps/verbs.hpp"
+#include <cstdint>
+#include <memory>
 
 namespace suffuse::apps {
 namespace {
+
+struct BenchVerb final : Verb {
+    BenchVerb() : Verb("bench", "measure the speed on a packing of yours", "") {}
+
+    std::string what; ///< "step" or "flow"
+    std::string packing;
+    CellOption cell;
+    ThreadOption threads;
+    int replicate = 1;
+    std::int64_t steps = 2000;
+    std::string time_step;
+    std::string mode = "reference";
+    double gradient = 0.05;
+
+    void add_to(Options& options) override {
+        Options step = options.below(
+            "step", "settle a packing at 100 kPa, then time slow shear",
+            "suffuse bench step --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3 --json"
+        );
+        step.value("--steps", steps, "steps that are timed, 2000 unless given")
+            .type("N")
+            .whole_number(1, 1'000'000'000);
+        step.value("--time-step", time_step, "in seconds; 4.1e-8 unless given").type("DT");
+        step.value("--mode", mode, "of the timed steps: reference or fast; reference unless given")
+            .type("NAME")
+            .one_of({"reference", "fast"});
+        add_common_to(step);
+        Options flow = options.below(
+            "flow", "time each part of a flow solution",
+            "suffuse bench flow --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3"
+        );
+        flow.value("--gradient", gradient, "hydraulic gradient along x, 0.05 unless given").type("I");
+        add_common_to(flow);
+    }
+
+    void add_common_to(Options& options) {
+        options.value("--packing", packing, packing_text).type("FILE").required();
+        cell.add_to(options);
+        threads.add_to(options);
+        options.value("--replicate", replicate, "copies of the packing along each axis").type("N").whole_number(1, 30);
+        options.keep_choice(what);
+    }
+
+    void check() const override {
+        if (what.empty()) {
+            throw UsageError("bench what? suffuse bench step, or suffuse bench flow; suffuse bench --help says more");
+        }
+    }
+
+    int act(const CommandLine&, const Console& console) const override;
+};
 
 /// One `name value` a line, tables within joined by a dot.
 std::string lines_of(const nlohmann::json& json, const std::string& prefix = "") {
@@ -26,33 +85,37 @@ std::string lines_of(const nlohmann::json& json, const std::string& prefix = "")
     return text;
 }
 
-} // namespace
-
-int bench_verb(const CommandLine& line, const Console& console) {
-    const plan::BenchPacking packing{line.packing, line.cell.empty() ? Mat3{} : cell_of(line.cell), line.replicate};
+int BenchVerb::act(const CommandLine&, const Console& console) const {
+    const plan::BenchPacking grains{packing, cell.matrix().value_or(Mat3{}), replicate};
     nlohmann::json result;
-    set_threads(line.threads);
-    if (line.bench == "step") {
+    threads.apply();
+    if (what == "step") {
         plan::BenchStepSpec spec;
-        spec.packing = packing;
-        spec.steps = line.steps;
-        spec.mode = line.mode == dem::name_of(dem::Mode::Fast) ? dem::Mode::Fast : dem::Mode::Reference;
-        if (!line.time_step.empty()) {
-            spec.time_step = quantity_of(line.time_step, dimension::time, "--time-step", true);
+        spec.packing = grains;
+        spec.steps = steps;
+        spec.mode = mode == dem::name_of(dem::Mode::Fast) ? dem::Mode::Fast : dem::Mode::Reference;
+        if (!time_step.empty()) {
+            spec.time_step = quantity_of(time_step, dimension::time, "--time-step", true);
         }
         if (!(spec.time_step > 0)) {
-            throw UsageError(fmt::format("--time-step {} is no time", shown(line.time_step)));
+            throw UsageError(fmt::format("--time-step {} is no time", shown(time_step)));
         }
         result = plan::bench_step(spec);
     } else {
         plan::BenchFlowSpec spec;
-        spec.packing = packing;
-        spec.gradient = line.gradient;
+        spec.packing = grains;
+        spec.gradient = gradient;
         result = plan::bench_flow(spec);
     }
     console.result(lines_of(result));
     console.document(json_text(result));
     return Done;
+}
+
+} // namespace
+
+MadeVerb make_bench_verb() {
+    return std::make_unique<BenchVerb>();
 }
 
 } // namespace suffuse::apps

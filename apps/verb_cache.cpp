@@ -1,6 +1,7 @@
 // cache: what the cache of stages holds.
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/stage_cache.hpp"
@@ -8,16 +9,44 @@
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
+#include "apps/verb.hpp"
 #include "apps/verbs.hpp"
-#include "apps/wording.hpp"
+#include <cstdint>
+#include <memory>
 #include <numeric>
+#include <optional>
+#include <vector>
 
 namespace suffuse::apps {
+namespace {
 
-int cache_verb(const CommandLine& line, const Console& console) {
+struct CacheVerb final : Verb {
+    CacheVerb()
+        : Verb(
+              "cache", "what the cache of stages holds; limit or empty it",
+              "suffuse cache runs/suffuse-cache --limit 50"
+          ) {}
+
+    std::string given;
+    std::optional<double> new_limit; ///< [GB]
+    bool clears = false;
+
+    void add_to(Options& options) override {
+        options.argument("DIR", given, "folder of the cache; runs/suffuse-cache unless given");
+        const Option limit =
+            options.value("--limit", new_limit, "most that it may hold from now on, in GB; 10 at first")
+                .type("GB")
+                .not_negative();
+        options.flag("--clear", clears, "drop all that it holds").excludes(limit);
+    }
+
+    int act(const CommandLine&, const Console& console) const override;
+};
+
+int CacheVerb::act(const CommandLine&, const Console& console) const {
     constexpr double gigabyte = 1e9;
-    const std::filesystem::path folder =
-        line.subject.empty() ? job::cache_beside("runs/any") : std::filesystem::path(line.subject);
+    const std::filesystem::path folder = given.empty() ? job::cache_beside("runs/any") : std::filesystem::path(given);
     if (!std::filesystem::is_directory(folder)) {
         throw UsageError(fmt::format(
             "{} is no folder; a run makes its cache beside its own folder, and suffuse run --cache DIR in DIR",
@@ -25,12 +54,12 @@ int cache_verb(const CommandLine& line, const Console& console) {
         ));
     }
     record::StageCache cache(folder);
-    if (line.cache_limit) {
-        cache.set_limit(static_cast<std::int64_t>(*line.cache_limit * gigabyte));
+    if (new_limit) {
+        cache.set_limit(static_cast<std::int64_t>(*new_limit * gigabyte));
     }
     int dropped = 0;
-    if (line.clear || line.cache_limit) {
-        dropped = line.clear ? cache.clear() : cache.shrink(cache.limit());
+    if (clears || new_limit) {
+        dropped = clears ? cache.clear() : cache.shrink(cache.limit());
     }
     const std::vector<record::CacheEntry> entries = cache.entries();
     const auto sum = [&](auto number) {
@@ -70,6 +99,12 @@ int cache_verb(const CommandLine& line, const Console& console) {
          {"entries", list}}
     ));
     return Done;
+}
+
+} // namespace
+
+MadeVerb make_cache_verb() {
+    return std::make_unique<CacheVerb>();
 }
 
 } // namespace suffuse::apps

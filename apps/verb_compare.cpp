@@ -1,8 +1,9 @@
-// compare and verify: what differs between two runs, from the paper, or from what a run was when it ended.
+// compare: what differs between two runs, or from the paper.
 
 #include "suffuse/base/amounts.hpp"
-#include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/base/units.hpp"
 #include "suffuse/record/checksums.hpp"
 #include "suffuse/record/compare_runs.hpp"
 #include "suffuse/record/folder.hpp"
@@ -12,17 +13,44 @@
 #include <fmt/ranges.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
+#include "apps/shared_options.hpp"
+#include "apps/typed_value.hpp"
+#include "apps/verb.hpp"
 #include "apps/verbs.hpp"
-#include "apps/wording.hpp"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
+#include <vector>
 
 namespace suffuse::apps {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct CompareVerb final : Verb {
+    CompareVerb()
+        : Verb(
+              "compare", "what differs between two runs, or from the paper's findings",
+              "suffuse compare runs/dyke-0001 runs/dyke-0002 --tolerance 1%"
+          ) {}
+
+    std::string first, second; ///< folders of runs
+    std::string tolerance;
+    bool with_paper = false;
+
+    void add_to(Options& options) override {
+        options.argument("DIR", first, folder_text).required();
+        options.argument("OTHER", second, "the folder of another run");
+        options.value("--tolerance", tolerance, "up to which two numbers count as the same, as in 1%; 0 unless given")
+            .type("SHARE");
+        options.flag("--paper", with_paper, "with what the paper found, instead of another run");
+    }
+
+    int act(const CommandLine&, const Console& console) const override;
+};
 
 constexpr std::ptrdiff_t most_shown = 20; // without --verbose
 
@@ -109,7 +137,7 @@ std::string verdict_on(const record::Comparison& found, double tolerance) {
 }
 
 /// What is in each of two runs that share no stage: there is nothing else to say of them.
-std::string nothing_shared(const CommandLine& line, const record::Comparison& found) {
+std::string nothing_shared(const CompareVerb& asked, const record::Comparison& found) {
     const auto list = [](const std::string& folder, const std::vector<std::string>& stages) {
         return fmt::format(
             "  {} has {}", folder, stages.empty() ? "no finished stage" : fmt::format("{}", fmt::join(stages, ", "))
@@ -118,19 +146,19 @@ std::string nothing_shared(const CommandLine& line, const record::Comparison& fo
     return fmt::format(
         "nothing to compare: no stage, by its study, sample and name, is in both\n{}\n{}\nstages are "
         "compared that have one name in both runs, as runs of one case have with other values (--set)",
-        list(line.subject, found.only_first), list(line.other, found.only_second)
+        list(asked.first, found.only_first), list(asked.second, found.only_second)
     );
 }
 
-int compare_two(const CommandLine& line, const Console& console) {
+int compare_two(const CompareVerb& asked, const Console& console) {
     const double tolerance =
-        line.tolerance.empty() ? 0 : quantity_of(line.tolerance, dimension::none, "--tolerance", true);
+        asked.tolerance.empty() ? 0 : quantity_of(asked.tolerance, dimension::none, "--tolerance", true);
     if (!(tolerance >= 0 && tolerance < 1)) {
-        throw UsageError(fmt::format("--tolerance {}: from 0 to below 1, or as in 2%", shown(line.tolerance)));
+        throw UsageError(fmt::format("--tolerance {}: from 0 to below 1, or as in 2%", shown(asked.tolerance)));
     }
-    const record::Comparison found = record::compare_runs(line.subject, line.other, tolerance);
+    const record::Comparison found = record::compare_runs(asked.first, asked.second, tolerance);
     if (found.stages == 0) {
-        console.result(nothing_shared(line, found));
+        console.result(nothing_shared(asked, found));
         console.document(json_text(found));
         return Differs;
     }
@@ -166,63 +194,28 @@ int tell_findings(const nlohmann::json& findings, const Console& console) {
     return all_met ? Done : Differs;
 }
 
-int compare_with_paper(const CommandLine& line, const Console& console) {
-    const fs::path summary = fs::path(line.subject) / "summary.json";
+int compare_with_paper(const CompareVerb& asked, const Console& console) {
+    const fs::path summary = fs::path(asked.first) / "summary.json";
     if (!fs::exists(summary)) {
-        throw IoError(
-            fmt::format("{}: has no summary.json: the run has not ended; suffuse resume goes on", line.subject)
+        throw IoError(fmt::format("{}: has no summary.json: the run has not ended; suffuse resume goes on", asked.first)
         );
     }
-    record::require_same_result(line.subject, "summary.json");
+    record::require_same_result(asked.first, "summary.json");
     const nlohmann::json told = record::read_json(summary);
     return record::take_from(summary, [&] { return tell_findings(told.at("findings"), console); });
 }
 
-/// Of stages of an earlier version, which the checksums of the run alone speak for.
-std::string without_checksums(std::size_t without, int stages) {
-    return without == 0 ? ""
-                        : fmt::format(
-                              "; {} of {}, of an earlier version, {} no checksums from {} end", without,
-                              plural(stages, "stage"), without == 1 ? "has" : "have", without == 1 ? "its" : "their"
-                          );
+int CompareVerb::act(const CommandLine&, const Console& console) const {
+    if (with_paper == !second.empty()) {
+        throw UsageError("compare: two folders of runs, or one and --paper");
+    }
+    return with_paper ? compare_with_paper(*this, console) : compare_two(*this, console);
 }
 
 } // namespace
 
-int compare_verb(const CommandLine& line, const Console& console) {
-    if (line.paper == !line.other.empty()) {
-        throw UsageError("compare: two folders of runs, or one and --paper");
-    }
-    return line.paper ? compare_with_paper(line, console) : compare_two(line, console);
-}
-
-int verify_verb(const CommandLine& line, const Console& console) {
-    const record::Verification found = record::verify_run(line.subject);
-    for (const record::Damage& damage : found.damages) {
-        console.result(fmt::format("  {} {}", damage.file, damage.what));
-    }
-    const bool is_complete = found.missing.names.empty();
-    console.result(fmt::format(
-        "{}: {} against their checksums, {} against what their stages tell{}",
-        !found.damages.empty() ? plural(std::ssize(found.damages), "difference")
-        : is_complete          ? "whole and unchanged"
-                               : "unchanged, but not complete",
-        plural(found.files, "file"), plural(found.states, "state"),
-        without_checksums(found.without_checksums.size(), found.stages)
-    ));
-    if (!is_complete) {
-        console.result(
-            fmt::format("{}; suffuse resume {} goes on", tell_missing(found.missing), shell_word(line.subject))
-        );
-    }
-    for (const std::string& name : found.more) {
-        console.detail("came later: " + name);
-    }
-    if (!found.more.empty()) {
-        console.talk(fmt::format("{} came after the checksums; -v lists them", plural(std::ssize(found.more), "file")));
-    }
-    console.document(json_text(found));
-    return found.damages.empty() && is_complete ? Done : Differs;
+MadeVerb make_compare_verb() {
+    return std::make_unique<CompareVerb>();
 }
 
 } // namespace suffuse::apps

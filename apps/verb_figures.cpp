@@ -8,15 +8,42 @@
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
 #include "apps/page_folder.hpp"
+#include "apps/shared_options.hpp"
+#include "apps/verb.hpp"
 #include "apps/verbs.hpp"
-#include "apps/wording.hpp"
 #include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <vector>
 
 namespace suffuse::apps {
-
 namespace {
+
+struct FiguresVerb final : Verb {
+    FiguresVerb()
+        : Verb(
+              "figures", "draw the figures of a run as files, for a manuscript",
+              "suffuse figures runs/dyke-0001 --format pdf --figure 9 --figure own-rules -o manuscript"
+          ) {}
+
+    std::string run;
+    std::string format = "svg";
+    std::vector<std::string> figures; ///< numbers or names
+    std::string output;
+
+    void add_to(Options& options) override {
+        options.argument("DIR", run, folder_text).required();
+        options.value("--format", format, "svg, png or pdf; svg unless given")
+            .type("NAME")
+            .one_of({"svg", "png", "pdf"});
+        options.values("--figure", figures, "only this one, as in 9 or own-rules; may be repeated").type("N");
+        options.value("-o,--output", output, "folder for the files; the run's figures/ unless given").type("DIR");
+    }
+
+    int act(const CommandLine&, const Console& console) const override;
+};
 
 /// Of words such as 9 and own-paths.
 std::vector<std::string> ids_of(std::vector<std::string> words) {
@@ -24,21 +51,24 @@ std::vector<std::string> ids_of(std::vector<std::string> words) {
     return words;
 }
 
-} // namespace
-
-int figures_verb(const CommandLine& line, const Console& console) {
-    const std::filesystem::path run = line.subject;
-    const std::filesystem::path folder = line.output.empty() ? run / "figures" : std::filesystem::path(line.output);
-    const std::string format = line.format.empty() ? "svg" : line.format;
-    record::require_same_figures(run, ids_of(line.figures), {".vl.json", ".svg"});
+int FiguresVerb::act(const CommandLine&, const Console& console) const {
+    const std::filesystem::path folder =
+        output.empty() ? std::filesystem::path(run) / "figures" : std::filesystem::path(output);
+    record::require_same_figures(run, ids_of(figures), {".vl.json", ".svg"});
     std::vector<std::string> written;
-    for (const std::filesystem::path& file : job::draw_figures(run, line.figures, format, folder, page_folder())) {
+    for (const std::filesystem::path& file : job::draw_figures(run, figures, format, folder, page_folder())) {
         written.push_back(file.string());
         console.result(file.string());
     }
     console.talk(fmt::format("{} written to {}", plural(std::ssize(written), "figure"), folder.string()));
     console.document(json_text({{"figures", written}, {"format", format}}));
     return Done;
+}
+
+} // namespace
+
+MadeVerb make_figures_verb() {
+    return std::make_unique<FiguresVerb>();
 }
 
 } // namespace suffuse::apps

@@ -1,27 +1,82 @@
 // new: a commented case and its data, from an example or from a grading curve of the user's.
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
+#include "suffuse/casefile/load_case.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/plan/plan.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "apps/cut_verdicts.hpp"
 #include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
 #include "apps/own_soil.hpp"
+#include "apps/shared_options.hpp"
 #include "apps/templates.hpp"
+#include "apps/typed_value.hpp"
+#include "apps/verb.hpp"
 #include "apps/verbs.hpp"
-#include "apps/wording.hpp"
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace suffuse::apps {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct NewVerb final : Verb {
+    NewVerb()
+        : Verb(
+              "new", "write a commented case and its data to start from",
+              "suffuse new my-dyke --psd dyke.csv\nsuffuse new my-dyke --from fontainebleau-2016"
+          ) {}
+
+    std::string given;                     ///< folder
+    std::string from;                      ///< template
+    std::string psd, sizes;                ///< grading curve, and the part of it that is modeled
+    std::optional<std::int64_t> particles; ///< of the quick preset
+    std::string pressure;                  ///< on the soil, with its unit
+    std::optional<double> gradient;
+
+    void add_to(Options& options) override {
+        options.argument("DIR", given, "folder to write it to; the name of the template or of the curve unless given");
+        const Option example = options.value("--from", from, "an example to start from").type("NAME");
+        const Option curve =
+            options.value("--psd", psd, "grading curve of a soil of yours: CSV with the columns d [mm], passing [%]")
+                .type("FILE")
+                .excludes(example);
+        options.value("--sizes", sizes, "with --psd: the part of the curve to model, as in 0.1mm,4mm")
+            .type("FROM,TO")
+            .needs(curve);
+        options
+            .value("--particles", particles, "with --psd: grains of the preset quick; as few as will do unless given")
+            .type("N")
+            .whole_number(1, 10'000'000)
+            .needs(curve);
+        options.value("--pressure", pressure, "with --psd: the effective stress on the soil; 100kPa is assumed")
+            .type("P")
+            .needs(curve);
+        options
+            .value(
+                "-i,--gradient", gradient,
+                "with --psd: the hydraulic gradient of the seepage, as in 0.4 or 12m/30m; 0.05 is assumed"
+            )
+            .type("I")
+            .ratio(0)
+            .needs(curve);
+    }
+
+    int act(const CommandLine&, const Console& console) const override;
+};
 
 struct NewFile {
     fs::path path;
@@ -65,17 +120,17 @@ void tell_next(const fs::path& folder, const Console& console) {
     console.talk(fmt::format("next: suffuse check {}, suffuse plan {}, suffuse run {}", path, path, path));
 }
 
-int new_from_template(const CommandLine& line, const Console& console) {
+int new_from_template(const NewVerb& asked, const Console& console) {
     const std::vector<std::string> names = template_names();
-    if (std::find(names.begin(), names.end(), line.from) == names.end()) {
+    if (std::find(names.begin(), names.end(), asked.from) == names.end()) {
         throw UsageError(fmt::format(
-            "no template {}{}; there are {}", shown(line.from), near_hint(line.from, names), fmt::join(names, ", ")
+            "no template {}{}; there are {}", shown(asked.from), near_hint(asked.from, names), fmt::join(names, ", ")
         ));
     }
-    const fs::path folder = line.subject.empty() ? line.from : line.subject;
+    const fs::path folder = asked.given.empty() ? asked.from : asked.given;
     std::vector<NewFile> files;
     for (const TemplateFile& file : template_files()) {
-        if (file.name == line.from) {
+        if (file.name == asked.from) {
             files.push_back({folder / file.path, std::string(file.text)});
         }
     }
@@ -131,17 +186,17 @@ nlohmann::json stability_json(const CutVerdicts& verdicts) {
 /// Priced as `suffuse plan` does: how stiff the contacts had to be counts as much as the number of grains.
 plan::RunPlan price_of(const fs::path& path) {
     const casefile::Case what = casefile::load_case(path.string(), {}).value;
-    set_threads(0);
+    ThreadOption{}.apply();
     return plan::plan_case(what, plan::samples_at_once(what));
 }
 
-OwnConditions conditions_of(const CommandLine& line) {
-    OwnConditions conditions{{}, line.seepage_gradient};
-    if (!line.pressure.empty()) {
-        conditions.pressure = quantity_of(line.pressure, dimension::pressure, "--pressure", false);
+OwnConditions conditions_of(const NewVerb& asked) {
+    OwnConditions conditions{{}, asked.gradient};
+    if (!asked.pressure.empty()) {
+        conditions.pressure = quantity_of(asked.pressure, dimension::pressure, "--pressure", false);
     }
     if (conditions.pressure && !(*conditions.pressure > 0)) {
-        throw UsageError(fmt::format("--pressure {}: it is above 0", shown(line.pressure)));
+        throw UsageError(fmt::format("--pressure {}: it is above 0", shown(asked.pressure)));
     }
     if (conditions.gradient && !(*conditions.gradient > 0)) {
         throw UsageError("--gradient 0: nothing seeps; it is above 0");
@@ -165,14 +220,14 @@ void tell_assumed(const OwnConditions& conditions, const fs::path& path, const C
     }
 }
 
-int new_from_soil(const CommandLine& line, const Console& console) {
-    const OwnConditions conditions = conditions_of(line); // what was typed is judged before what the file holds
-    const OwnSoil soil = model_own_soil(line.psd, {sizes_of(line.sizes), line.particles});
+int new_from_soil(const NewVerb& asked, const Console& console) {
+    const OwnConditions conditions = conditions_of(asked); // what was typed is judged before what the file holds
+    const OwnSoil soil = model_own_soil(asked.psd, {sizes_of(asked.sizes), asked.particles});
     const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
-    const fs::path folder = line.subject.empty() ? soil.name : line.subject;
+    const fs::path folder = asked.given.empty() ? soil.name : asked.given;
     const std::vector<std::string> written = write_new(
         {{folder / "case.toml", own_case_text(soil, conditions)},
-         {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, line.psd)}}
+         {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, asked.psd)}}
     );
     console.result(fmt::format("{}", fmt::join(written, "\n")));
     const plan::RunPlan plan = price_of(folder / "case.toml");
@@ -206,16 +261,20 @@ int new_from_soil(const CommandLine& line, const Console& console) {
     return Done;
 }
 
-} // namespace
-
-int new_verb(const CommandLine& line, const Console& console) {
-    if (line.from.empty() == line.psd.empty()) {
+int NewVerb::act(const CommandLine&, const Console& console) const {
+    if (from.empty() == psd.empty()) {
         throw UsageError(fmt::format(
             "new: --psd FILE for a soil of yours, from its grading curve; or --from NAME for an example: {}",
             fmt::join(template_names(), ", ")
         ));
     }
-    return line.psd.empty() ? new_from_template(line, console) : new_from_soil(line, console);
+    return psd.empty() ? new_from_template(*this, console) : new_from_soil(*this, console);
+}
+
+} // namespace
+
+MadeVerb make_new_verb() {
+    return std::make_unique<NewVerb>();
 }
 
 } // namespace suffuse::apps

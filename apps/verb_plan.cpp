@@ -1,21 +1,54 @@
 // plan: what a case would cost.
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/casefile/load_case.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/plan/plan.hpp"
 #include "suffuse/record/samples.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
+#include "apps/shared_options.hpp"
+#include "apps/verb.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <unistd.h>
+#include <vector>
 
 namespace suffuse::apps {
 namespace {
+
+struct PlanVerb final : Verb {
+    PlanVerb()
+        : Verb(
+              "plan", "what a case would cost: steps, time, memory, disk",
+              "suffuse plan my-dyke/case.toml --preset paper"
+          ) {}
+
+    std::string file;
+    ThreadOption threads;
+    CaseChanges changes;
+    CacheOptions cache;
+    std::string until; ///< stage
+
+    void add_to(Options& options) override {
+        options.argument("CASE", file, case_text).required();
+        threads.add_to(options);
+        changes.add_to(options);
+        cache.add_to(options);
+        add_until(options, until);
+    }
+
+    int act(const CommandLine&, const Console& console) const override;
+};
 
 /// What this machine may lack.
 std::vector<std::string> shortages(const plan::RunPlan& plan) {
@@ -180,18 +213,16 @@ void tell_refinements(const casefile::Case& what, const plan::RunPlan& plan, con
     }
 }
 
-} // namespace
-
-int plan_verb(const CommandLine& line, const Console& console) {
-    const casefile::Case what = load_asked_case(line, console);
-    plan::check_until(what, line.until);
-    set_threads(line.threads);
+int PlanVerb::act(const CommandLine&, const Console& console) const {
+    const casefile::Case what = load_asked_case(file, changes, console);
+    plan::check_until(what, until);
+    threads.apply();
     plan::RunPlan plan = plan::plan_case(what, plan::samples_at_once(what));
-    const std::filesystem::path cache = cache_folder(line, job::cache_beside("runs/new"));
-    plan::price_asked_alone(plan, what, line.until);
-    plan::leave_out_done(plan, what, {}, record::StageCache(cache)); // sums up, too
-    const std::vector<SampleRow> rows = rows_of(what, plan, line.until);
-    plan::keep_asked_alone(plan, what, line.until);
+    const std::filesystem::path folder = cache.folder_or(job::cache_beside("runs/new"));
+    plan::price_asked_alone(plan, what, until);
+    plan::leave_out_done(plan, what, {}, record::StageCache(folder)); // sums up, too
+    const std::vector<SampleRow> rows = rows_of(what, plan, until);
+    plan::keep_asked_alone(plan, what, until);
     const std::vector<std::string> warnings = shortages(plan);
     for (const std::string& warning : warnings) {
         console.talk("warning: " + warning);
@@ -217,16 +248,22 @@ int plan_verb(const CommandLine& line, const Console& console) {
     }
     tell_refinements(what, plan, console);
     if (cached > 0) {
-        console.talk(fmt::format("{} are in {}: they take no time", plural(cached, "stage"), cache.string()));
+        console.talk(fmt::format("{} are in {}: they take no time", plural(cached, "stage"), folder.string()));
     }
     nlohmann::json json = plan;
     json["samples"] = rows_json(rows);
-    json["cache"] = cache.string();
-    json["case"] = line.subject;
+    json["cache"] = folder.string();
+    json["case"] = file;
     json["preset"] = what.preset;
     json["warnings"] = warnings;
     console.document(json_text(json));
     return Done;
+}
+
+} // namespace
+
+MadeVerb make_plan_verb() {
+    return std::make_unique<PlanVerb>();
 }
 
 } // namespace suffuse::apps

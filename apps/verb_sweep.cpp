@@ -1,33 +1,93 @@
 // sweep: the samples of a case as tasks that any machine can run, and one run folder gathered from what they leave.
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/base/units.hpp"
 #include "suffuse/casefile/bind.hpp"
+#include "suffuse/casefile/load_case.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
+#include "suffuse/plan/plan.hpp"
 #include "suffuse/record/finished_stages.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/missing_stages.hpp"
 #include "suffuse/record/refine.hpp"
+#include "suffuse/record/samples.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
 #include "apps/failures.hpp"
+#include "apps/json_text.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/run_ending.hpp"
+#include "apps/shared_options.hpp"
+#include "apps/typed_value.hpp"
+#include "apps/verb.hpp"
 #include "apps/verbs.hpp"
-#include "apps/wording.hpp"
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace suffuse::apps {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct SweepVerb final : Verb {
+    SweepVerb()
+        : Verb(
+              "sweep", "run the samples of a case as tasks of a cluster, and gather them",
+              "suffuse sweep dyke/case.toml --emit slurm -o runs/dyke && sbatch runs/dyke/sweep.sbatch\n"
+              "suffuse sweep --collect runs/dyke"
+          ) {}
+
+    std::string subject;   ///< a case, or the folder of a run
+    std::string form;      ///< slurm or parallel
+    std::string collected; ///< folder of the run whose tasks are done
+    std::string output;
+    int threads = 0;        ///< of each task
+    std::string time_limit; ///< of each task, with its unit
+    CaseChanges changes;
+    CacheOptions cache;
+
+    void add_to(Options& options) override {
+        const Option from =
+            options.argument("CASE", subject, "the case file, or the folder of a run whose rest is to be run");
+        const Option emit = options.value("--emit", form, "write the tasks: slurm, or parallel (GNU parallel, sh)")
+                                .type("FORM")
+                                .one_of({"slurm", "parallel"})
+                                .needs(from);
+        options.value("--collect", collected, "gather what the tasks left in the folder DIR")
+            .type("DIR")
+            .excludes(emit)
+            .excludes(from);
+        options.value("-o,--output", output, "folder of the run; runs/NAME-0001 and so on unless given").type("DIR");
+        options.value("-j,--threads", threads, "threads of each task, 1 unless given").type("N").whole_number(1, 1024);
+        options.value("--time-limit", time_limit, "wall time of each task, as in 2h; what is not done goes on later")
+            .type("TIME");
+        changes.add_to(options);
+        cache.add_to(options);
+    }
+
+    void check() const override {
+        if (form.empty() && collected.empty()) {
+            throw UsageError(
+                "sweep: --emit slurm or --emit parallel with a case, or --collect DIR; suffuse run CASE runs all "
+                "samples on this machine"
+            );
+        }
+    }
+
+    int act(const CommandLine& line, const Console& console) const override;
+};
 
 /// A word behind #SBATCH: Slurm knows double quotes, and a backslash before what is meant as it stands.
 std::string for_slurm(const std::string& word) {
@@ -57,41 +117,41 @@ struct Emitted {
 };
 
 /// A new run folder for the case, or the one that is given.
-fs::path prepare_folder(const CommandLine& line, const Console& console, casefile::Case& what) {
-    if (fs::is_directory(line.subject)) {
-        const fs::path folder = line.subject;
+fs::path prepare_folder(const SweepVerb& asked, const Console& console, casefile::Case& what) {
+    if (fs::is_directory(asked.subject)) {
+        const fs::path folder = asked.subject;
         if (!fs::exists(folder / record::resolved_case_file)) {
             throw UsageError(fmt::format(
-                "{} holds no run; give a case file, or the folder that suffuse run has named", shown(line.subject)
+                "{} holds no run; give a case file, or the folder that suffuse run has named", shown(asked.subject)
             ));
         }
         what = record::load_run(folder);
         return folder;
     }
-    what = load_asked_case(line, console);
-    fs::path folder = line.output;
+    what = load_asked_case(asked.subject, asked.changes, console);
+    fs::path folder = asked.output;
     if (folder.empty()) {
-        folder = job::make_run_folder(line.subject);
+        folder = job::make_run_folder(asked.subject);
     } else {
         job::take_run_folder(folder);
     }
     if (!fs::exists(folder / "run_options.json")) {
-        const bool is_asked = line.no_cache || !line.cache.empty();
         job::keep_asked(
-            folder, {fs::absolute(line.subject).string(), line.preset, line.overrides, line.studies,
-                     is_asked ? std::optional(cache_folder(line, {}).string()) : std::nullopt}
+            folder,
+            {fs::absolute(asked.subject).string(), asked.changes.preset, asked.changes.overrides, asked.changes.studies,
+             asked.cache.is_asked() ? std::optional(asked.cache.folder_or({}).string()) : std::nullopt}
         );
     }
-    record::open_folder(folder, what, read_whole_file(line.subject));
+    record::open_folder(folder, what, read_whole_file(asked.subject));
     return folder;
 }
 
 /// One task, as a shell runs it.
-std::string task_text(const Emitted& emitted, const record::Sample& sample, const CommandLine& line) {
-    const std::string limit = line.time_limit.empty() ? "" : " --time-limit " + shell_word(line.time_limit);
+std::string task_text(const Emitted& emitted, const record::Sample& sample, const SweepVerb& asked) {
+    const std::string limit = asked.time_limit.empty() ? "" : " --time-limit " + shell_word(asked.time_limit);
     return fmt::format(
         "{} resume {} --sample {} -j {}{}\n", shell_word(fs::read_symlink("/proc/self/exe").string()),
-        shell_word(emitted.folder.string()), shell_word(sample.variant->folder), std::max(1, line.threads), limit
+        shell_word(emitted.folder.string()), shell_word(sample.variant->folder), std::max(1, asked.threads), limit
     );
 }
 
@@ -102,11 +162,11 @@ int memory_of_task(const casefile::Case& what) {
     return static_cast<int>(std::ceil(room * plan.memory / megabyte));
 }
 
-std::string slurm_text(const Emitted& emitted, const CommandLine& line) {
+std::string slurm_text(const Emitted& emitted, const SweepVerb& asked) {
     constexpr double warning = 60; // seconds before the end at which Slurm asks the task to save
     std::string time;
-    if (!line.time_limit.empty()) {
-        const double limit = quantity_of(line.time_limit, dimension::time, "--time-limit", false);
+    if (!asked.time_limit.empty()) {
+        const double limit = quantity_of(asked.time_limit, dimension::time, "--time-limit", false);
         time = fmt::format("#SBATCH --time={}\n", static_cast<int>(std::ceil((limit + warning) / 60)));
     }
     const std::string folder = emitted.folder.string();
@@ -125,20 +185,20 @@ std::string slurm_text(const Emitted& emitted, const CommandLine& line) {
         "task=$(sed -n \"${{SLURM_ARRAY_TASK_ID}}p\" {})\n"
         "eval \"exec $task\"\n",
         plural(std::ssize(emitted.left), "sample"), shell_word(folder + "/sweep.sbatch"), shell_word(folder),
-        for_slurm("suffuse-" + emitted.folder.filename().string()), emitted.left.size(), std::max(1, line.threads),
+        for_slurm("suffuse-" + emitted.folder.filename().string()), emitted.left.size(), std::max(1, asked.threads),
         memory_of_task(emitted.what), for_slurm(without_patterns(folder) + "/tasks/%a.txt"), warning, time,
         shell_word(folder + "/tasks.txt")
     );
 }
 
-int emit(const CommandLine& line, const Console& console) {
-    if (!line.time_limit.empty()) {
+int emit(const SweepVerb& asked, const Console& console) {
+    if (!asked.time_limit.empty()) {
         quantity_of(
-            line.time_limit, dimension::time, "--time-limit", false
+            asked.time_limit, dimension::time, "--time-limit", false
         ); // wrong use is told before anything is made
     }
     Emitted emitted;
-    const fs::path folder = prepare_folder(line, console, emitted.what);
+    const fs::path folder = prepare_folder(asked, console, emitted.what);
     emitted.folder = fs::absolute(folder).lexically_normal();
     if (emitted.folder.string().find('\n') != std::string::npos) {
         throw UsageError(fmt::format("{}: tasks stand in lines; give -o a folder without line breaks", shown(folder)));
@@ -147,7 +207,7 @@ int emit(const CommandLine& line, const Console& console) {
     for (const record::Sample& sample : record::list_samples(emitted.what)) {
         if (!record::is_complete(sample, folder)) {
             emitted.left.push_back(sample);
-            tasks += task_text(emitted, sample, line);
+            tasks += task_text(emitted, sample, asked);
         }
     }
     if (emitted.left.empty()) {
@@ -158,9 +218,9 @@ int emit(const CommandLine& line, const Console& console) {
     fs::create_directories(folder / "tasks");
     std::string how =
         fmt::format("parallel < {0}     (or one after the other: sh {0})", shell_word((folder / "tasks.txt").string()));
-    if (line.emit == "slurm") {
-        set_thread_count(std::max(1, line.threads));
-        io::write_file(folder / "sweep.sbatch", slurm_text(emitted, line));
+    if (asked.form == "slurm") {
+        set_thread_count(std::max(1, asked.threads));
+        io::write_file(folder / "sweep.sbatch", slurm_text(emitted, asked));
         how = fmt::format("sbatch {}", shell_word((folder / "sweep.sbatch").string()));
     }
     console.result(fmt::format("{} in {}", plural(std::ssize(emitted.left), "task"), folder.string()));
@@ -169,16 +229,16 @@ int emit(const CommandLine& line, const Console& console) {
     console.document(json_text(
         {{"folder", folder.string()},
          {"tasks", emitted.left.size()},
-         {"file", (folder / (line.emit == "slurm" ? "sweep.sbatch" : "tasks.txt")).string()}}
+         {"file", (folder / (asked.form == "slurm" ? "sweep.sbatch" : "tasks.txt")).string()}}
     ));
     return Done;
 }
 
-int collect(const CommandLine& line, const Console& console) {
-    const fs::path folder = line.collect;
+int collect(const SweepVerb& asked, const std::string& command, const Console& console) {
+    const fs::path folder = asked.collected;
     if (!fs::exists(folder / record::resolved_case_file)) {
         throw UsageError(
-            fmt::format("{} holds no run; give the folder that suffuse sweep --emit has named", shown(line.collect))
+            fmt::format("{} holds no run; give the folder that suffuse sweep --emit has named", shown(asked.collected))
         );
     }
     const job::FolderLock lock(folder, console.warner());
@@ -197,7 +257,7 @@ int collect(const CommandLine& line, const Console& console) {
         })) {
         fs::remove(folder / "provenance.json"); // of an earlier gathering, which had fewer of them
     }
-    const job::RunReport report = job::rebuild_report(folder, page_folder(), line.typed);
+    const job::RunReport report = job::rebuild_report(folder, page_folder(), command);
     std::vector<std::string> unfinished;
     for (const record::Sample& sample : samples) {
         const std::string& name = sample.variant->folder;
@@ -248,10 +308,14 @@ int collect(const CommandLine& line, const Console& console) {
     return code;
 }
 
+int SweepVerb::act(const CommandLine& line, const Console& console) const {
+    return collected.empty() ? emit(*this, console) : collect(*this, line.typed, console);
+}
+
 } // namespace
 
-int sweep_verb(const CommandLine& line, const Console& console) {
-    return line.collect.empty() ? emit(line, console) : collect(line, console);
+MadeVerb make_sweep_verb() {
+    return std::make_unique<SweepVerb>();
 }
 
 } // namespace suffuse::apps

@@ -1,21 +1,26 @@
 // watch: a run followed from another terminal, through what its folder holds; or, when it is over, how it went.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/job/run_folder.hpp"
-#include "suffuse/record/folder.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/event_log.hpp"
 #include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
 #include "apps/progress_file.hpp"
+#include "apps/shared_options.hpp"
+#include "apps/verb.hpp"
 #include "apps/verbs.hpp"
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace suffuse::apps {
 namespace {
@@ -25,6 +30,17 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds look_interval{250};
 constexpr std::chrono::seconds silence{3}; // without news, the lock is looked at: a killed run says no goodbye
+
+struct WatchVerb final : Verb {
+    WatchVerb()
+        : Verb("watch", "follow a run from another terminal, or tell how it ended", "suffuse watch runs/dyke-0001") {}
+
+    std::string run;
+
+    void add_to(Options& options) override { options.argument("DIR", run, folder_text).required(); }
+
+    int act(const CommandLine&, const Console& console) const override;
+};
 
 /// The lines below the events, where they can be redrawn.
 class Footer {
@@ -144,19 +160,17 @@ private:
     std::string task_;    ///< command of a sample of a sweep that is a task of its own; empty: a run
 };
 
-} // namespace
-
-int watch_verb(const CommandLine& line, const Console& console) {
-    const fs::path folder = line.subject;
+int WatchVerb::act(const CommandLine&, const Console& console) const {
+    const fs::path folder = run;
     if (!fs::exists(folder / "events.jsonl") && fs::exists(folder / "tasks.txt")) {
         throw UsageError(fmt::format(
             "{0} holds tasks of a sweep, each a run of its own: suffuse watch {1}, or suffuse sweep --collect {0}",
-            shell_word(line.subject), shell_word((folder / "studies" / "STUDY" / "SAMPLE").string())
+            shell_word(run), shell_word((folder / "studies" / "STUDY" / "SAMPLE").string())
         ));
     }
     if (!fs::exists(folder / "events.jsonl") && !job::is_at_work(folder)) {
         throw UsageError(fmt::format(
-            "{} holds no run that has begun; suffuse watch wants the folder that suffuse run names", shown(line.subject)
+            "{} holds no run that has begun; suffuse watch wants the folder that suffuse run names", shown(run)
         ));
     }
     Watch watch(folder, console);
@@ -179,6 +193,12 @@ int watch_verb(const CommandLine& line, const Console& console) {
         json_text({{"ended", watch.is_over()}, {"report", has_report ? report.string() : ""}, {"events", events}})
     );
     return watch.is_over() ? Done : Failed;
+}
+
+} // namespace
+
+MadeVerb make_watch_verb() {
+    return std::make_unique<WatchVerb>();
 }
 
 } // namespace suffuse::apps

@@ -1,59 +1,40 @@
 #pragma once
-// The verbs: each takes the command line and answers with an exit code.
+// The table of verbs, in the order of the help. A new one is a file verb_NAME.cpp that defines make_NAME_verb(), and a
+// row.
 
-#include "suffuse/base/units.hpp"
-#include "suffuse/base/vec3.hpp"
-#include "suffuse/casefile/load_case.hpp"
-#include "suffuse/plan/plan.hpp"
-
-#include "apps/command_line.hpp"
-#include "apps/console.hpp"
-#include <filesystem>
-#include <string>
+#include <memory>
 
 namespace suffuse::apps {
 
-/// Does what the command line says. @throws UsageError, and the errors of the library.
-int perform(const CommandLine& line, const Console& console);
+class Verb;
+using MadeVerb = std::unique_ptr<Verb>;
 
-int sweep_verb(const CommandLine& line, const Console& console);
-int cache_verb(const CommandLine& line, const Console& console);
-int new_verb(const CommandLine& line, const Console& console);
-int check_verb(const CommandLine& line, const Console& console);
-int explain_verb(const CommandLine& line, const Console& console);
-int schema_verb(const CommandLine& line, const Console& console);
-int plan_verb(const CommandLine& line, const Console& console);
-int run_verb(const CommandLine& line, const Console& console);
-int resume_verb(const CommandLine& line, const Console& console);
-int report_verb(const CommandLine& line, const Console& console);
-int figures_verb(const CommandLine& line, const Console& console);
-int compare_verb(const CommandLine& line, const Console& console);
-int verify_verb(const CommandLine& line, const Console& console);
-int watch_verb(const CommandLine& line, const Console& console);
-int bench_verb(const CommandLine& line, const Console& console);
-int import_verb(const CommandLine& line, const Console& console);
-int export_verb(const CommandLine& line, const Console& console);
-int assess_verb(const CommandLine& line, const Console& console);
+MadeVerb make_run_verb();
+MadeVerb make_resume_verb();
+MadeVerb make_report_verb();
+MadeVerb make_figures_verb();
+MadeVerb make_compare_verb();
+MadeVerb make_verify_verb();
+MadeVerb make_watch_verb();
+MadeVerb make_sweep_verb();
+MadeVerb make_cache_verb();
+MadeVerb make_new_verb();
+MadeVerb make_check_verb();
+MadeVerb make_plan_verb();
+MadeVerb make_explain_verb();
+MadeVerb make_schema_verb();
+MadeVerb make_bench_verb();
+MadeVerb make_import_verb();
+MadeVerb make_export_verb();
+MadeVerb make_assess_verb();
+MadeVerb make_completions_verb();
+MadeVerb make_man_verb();
 
-/// The case with its preset and overrides; its warnings are told.
-casefile::Case load_asked_case(const CommandLine& line, const Console& console);
-
-/// What the command line says of the cache, or `usual` where it says nothing; empty: none.
-std::filesystem::path cache_folder(const CommandLine& line, const std::filesystem::path& usual);
-
-/// Sets the number of threads: as asked, or one for each core.
-void set_threads(int asked);
-
-/// JSON as text; what is not UTF-8 is replaced.
-std::string json_text(const nlohmann::json& json);
-
-/// One problem of a case.
-nlohmann::json problem_json(const Diagnostic& problem);
-
-/// Edges "LX,LY,LZ" or nine numbers by rows, in meters or with units -> cell matrix [m]. @throws UsageError.
-Mat3 cell_of(const std::string& text);
-
-/// A number in SI, or a text with its unit. @throws UsageError, naming the flag.
-double quantity_of(const std::string& text, Dimension dimension, const std::string& flag, bool bare_is_si);
+inline constexpr MadeVerb (*verb_makers[])() = {
+    make_run_verb,    make_resume_verb, make_report_verb,  make_figures_verb,     make_compare_verb,
+    make_verify_verb, make_watch_verb,  make_sweep_verb,   make_cache_verb,       make_new_verb,
+    make_check_verb,  make_plan_verb,   make_explain_verb, make_schema_verb,      make_bench_verb,
+    make_import_verb, make_export_verb, make_assess_verb,  make_completions_verb, make_man_verb,
+};
 
 } // namespace suffuse::apps

@@ -1,34 +1,38 @@
-// check, explain, schema: a case before it is run.
+// check: a case before it is run, and all that is wrong with it.
 
 #include "suffuse/base/amounts.hpp"
-#include "suffuse/casefile/schema.hpp"
-#include "suffuse/job/explain_word.hpp"
+#include "suffuse/casefile/load_case.hpp"
 #include "suffuse/record/read_import.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
+#include "apps/shared_options.hpp"
+#include "apps/verb.hpp"
 #include "apps/verbs.hpp"
-#include "apps/wording.hpp"
+#include <cstdint>
+#include <memory>
 
 namespace suffuse::apps {
 namespace {
 
-nlohmann::json key_json(const casefile::Key& key) {
-    return {
-        {"place", casefile::key_place(key)},
-        {"table", key.table},
-        {"name", key.name},
-        {"value", casefile::value_text(key)},
-        {"default", key.default_text},
-        {"required", key.is_required},
-        {"text", key.text}};
-}
+struct CheckVerb final : Verb {
+    CheckVerb() : Verb("check", "read a case and tell all that is wrong with it", "suffuse check my-dyke/case.toml") {}
 
-} // namespace
+    std::string file;
+    CaseChanges changes;
 
-int check_verb(const CommandLine& line, const Console& console) {
-    const casefile::LoadedCase loaded = casefile::load_case(line.subject, {line.preset, line.overrides, line.studies});
+    void add_to(Options& options) override {
+        options.argument("CASE", file, case_text).required();
+        changes.add_to(options);
+    }
+
+    int act(const CommandLine&, const Console& console) const override;
+};
+
+int CheckVerb::act(const CommandLine&, const Console& console) const {
+    const casefile::LoadedCase loaded = casefile::load_case(file, changes);
     std::int64_t variants = 0, stages = 0;
     for (const casefile::Study& study : loaded.value.studies) {
         variants += std::ssize(study.variants);
@@ -47,12 +51,12 @@ int check_verb(const CommandLine& line, const Console& console) {
         console.talk("warning: " + said);
     }
     console.result(fmt::format(
-        "{}: no errors{}; preset {}, {}, {} in all", line.subject,
+        "{}: no errors{}; preset {}, {}, {} in all", file,
         loaded.warnings.empty() ? "" : fmt::format(", {}", plural(std::ssize(loaded.warnings), "warning")),
         loaded.value.preset, plural(variants, "sample"), plural(stages, "stage")
     ));
     console.document(json_text(
-        {{"case", line.subject},
+        {{"case", file},
          {"preset", loaded.value.preset},
          {"errors", 0},
          {"warnings", loaded.warnings.size()},
@@ -63,21 +67,10 @@ int check_verb(const CommandLine& line, const Console& console) {
     return Done;
 }
 
-int explain_verb(const CommandLine& line, const Console& console) {
-    const std::string text = job::explain_word(line.subject);
-    console.result(text);
-    console.document(json_text({{"topic", line.subject}, {"text", text}}));
-    return Done;
-}
+} // namespace
 
-int schema_verb(const CommandLine&, const Console& console) {
-    nlohmann::json keys = nlohmann::json::array();
-    for (const casefile::Key& key : casefile::schema()) {
-        keys.push_back(key_json(key));
-    }
-    console.result(casefile::schema_markdown());
-    console.document(json_text({{"keys", keys}}));
-    return Done;
+MadeVerb make_check_verb() {
+    return std::make_unique<CheckVerb>();
 }
 
 } // namespace suffuse::apps

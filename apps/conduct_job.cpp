@@ -1,0 +1,184 @@
+#include "apps/conduct_job.hpp"
+
+#include "suffuse/base/amounts.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/stopwatch.hpp"
+#include "suffuse/job/ended_run.hpp"
+#include "suffuse/job/run_case.hpp"
+#include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/plan/plan.hpp"
+#include "suffuse/plan/plan_record.hpp"
+#include "suffuse/record/finished_stages.hpp"
+#include "suffuse/record/samples.hpp"
+#include "suffuse/record/stage_cache.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/json_text.hpp"
+#include "apps/live_report.hpp"
+#include "apps/page_folder.hpp"
+#include "apps/progress_file.hpp"
+#include "apps/run_ending.hpp"
+#include "apps/stop_signal.hpp"
+#include "apps/terminal.hpp"
+#include "apps/test_gate.hpp"
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <unistd.h>
+#include <utility>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The plan of what is asked for alone.
+plan::RunPlan asked_plan(const Job& job) {
+    plan::RunPlan plan = job.plan;
+    plan::keep_asked_alone(plan, job.what, job.until, job.sample);
+    return plan;
+}
+
+Screen standard_error(const Console& console) {
+    return {can_redraw(), speaks_utf8(), console.is_quiet(), terminal_width, [](const std::string& text) {
+                if (takes_words(STDERR_FILENO)) { // the run waits for no terminal
+                    std::fwrite(text.data(), 1, text.size(), stderr);
+                }
+            }};
+}
+
+/// The run, and the last live page where no report takes its place.
+job::RunReport run_to_its_end(const Job& job, const run::RunOptions& options, std::optional<LiveReport>& live) {
+    const auto close = [&](const std::string& ending) {
+        if (live) {
+            live->close(ending);
+        }
+    };
+    try {
+        job::RunReport report = job::run_case(job.what, options);
+        if (record::is_resumable(report.outcome)) {
+            close(fmt::format("The run ended early: {}.", record::word_of(report.outcome)));
+        }
+        return report;
+    } catch (const std::exception& error) {
+        close(fmt::format("The run failed: {}", error.what()));
+        throw;
+    }
+}
+
+run::RunOptions options_of(const Job& job) {
+    run::RunOptions options;
+    options.folder = job.folder;
+    options.until = job.until;
+    options.sample = job.sample;
+    options.time_limit = job.time_limit;
+    options.stop = &stop_flag();
+    options.cache = job.cache;
+    options.page_folder = page_folder();
+    options.case_text = job.case_text;
+    options.command = job.command;
+    options.is_checked = true;
+    return options;
+}
+
+int tell_untouched(const job::RunReport& report, const Job& job, const Console& console) {
+    const std::string word(record::word_of(report.outcome));
+    tell_results(report, word + " before; nothing to do", console);
+    const int code = exit_code_of(report);
+    console.document(json_text(
+        {{"outcome", word},
+         {"exit_code", code},
+         {"folder", job.folder.string()},
+         {"report", report.report.string()},
+         {"wall_seconds", 0.0},
+         {"warnings", report.warnings},
+         {"flaws", report.flaws},
+         {"failures", report.failures},
+         {"findings", report.findings}}
+    ));
+    return code;
+}
+
+} // namespace
+
+plan::RunPlan plan_rest(const Job& job) {
+    plan::RunPlan plan = plan::plan_case(job.what, job.sample.empty() ? plan::samples_at_once(job.what) : 1);
+    plan::price_asked_alone(plan, job.what, job.until, job.sample);
+    plan::leave_out_done(plan, job.what, job.folder, record::StageCache(job.cache));
+    return plan;
+}
+
+std::optional<int> look_before(const Job& job, const Console& console) {
+    const std::string unchecked = record::tell_unchecked(record::require_whole_run(job.folder, job.sample));
+    if (!unchecked.empty()) {
+        console.talk("warning: " + unchecked);
+    }
+    const std::optional<job::RunReport> ended = job::find_ended(job.what, options_of(job));
+    return ended ? std::optional(tell_untouched(*ended, job, console)) : std::nullopt;
+}
+
+int conduct(const Job& job, const Console& console) {
+    run::RunOptions options = options_of(job);
+    ProgressView view(
+        standard_error(console), job.plan, "Ctrl-C saves and stops; suffuse resume " + shell_word(job.folder.string())
+    );
+    ProgressFile published(job.sample.empty() ? job.folder : job.folder / "studies" / job.sample, job.plan);
+    std::optional<LiveReport> live;
+    if (job.sample.empty()) {
+        live.emplace(job.folder, job.what.title, "suffuse resume " + shell_word(job.folder.string()), job.plan);
+    }
+    TestGate gate;
+    if (gate.is_set()) {
+        options.progress_interval = 0;
+    }
+    bool told_stop = false;
+    options.on_progress = [&](const run::Progress& progress) {
+        if (stop_flag() && !std::exchange(told_stop, true)) {
+            view.begin_anew();
+        } // the signal's message stands below
+        view.show(progress);
+        published.show(progress);
+        if (live) {
+            live->show(progress);
+        }
+        gate.pass(progress);
+    };
+    if (job.sample.empty()) { // a sample beside others knows the price of its own stages only
+        plan::keep_plan(job.folder, job.plan);
+    }
+    const Stopwatch watch;
+    const job::RunReport report = run_to_its_end(job, options, live);
+    view.clear();
+    for (const std::string& remark : report.remarks) {
+        console.talk("warning: " + remark);
+    }
+    const double seconds = watch.seconds();
+    const bool was_done = std::ranges::all_of(asked_plan(job).stages, &plan::StageEstimate::is_done);
+    return tell_end(
+        {job.folder, job.sample, std::ssize(record::list_samples(job.what)), seconds, was_done}, report, console
+    );
+}
+
+void tell_plan(const Job& job, const std::string& preposition, const Console& console) {
+    const plan::RunPlan asked = asked_plan(job);
+    console.talk(fmt::format(
+        "case  {}   preset {}   seed {}   {}{}", job.what.title.empty() ? "without a title" : job.what.title,
+        job.what.preset, job.what.seed, plural(thread_count(), "thread"),
+        job.plan.speed.at_once > 1 ? fmt::format("   {} samples at once", job.plan.speed.at_once) : ""
+    ));
+    console.talk(fmt::format("plan  {}", plan::plan_sentence(asked)));
+    console.talk(fmt::format("{:5} {}   report.html there shows how far it is", preposition, job.folder.string()));
+    const auto cached =
+        std::count_if(asked.stages.begin(), asked.stages.end(), [](const auto& stage) { return stage.is_cached; });
+    if (cached > 0) {
+        console.talk(fmt::format(
+            "cache {}   holds {} of the {}; --no-cache computes all", job.cache.string(), cached,
+            plural(std::ssize(job.plan.stages), "stage")
+        ));
+    }
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,40 @@
+#pragma once
+// What run and resume have in common: a case is planned, run to its end with its progress shown, and its end told.
+
+#include "suffuse/casefile/load_case.hpp"
+#include "suffuse/plan/plan.hpp"
+
+#include "apps/console.hpp"
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace suffuse::apps {
+
+/// A run that is about to begin or to go on.
+struct Job {
+    std::string until;     ///< stage; empty: to the end
+    double time_limit = 0; ///< [s]
+    std::string sample;    ///< this one alone; empty: all
+    std::string command;   ///< as typed
+    casefile::Case what;
+    std::filesystem::path folder;
+    std::string case_text;
+    std::filesystem::path cache; ///< empty: none
+    plan::RunPlan plan;
+};
+
+/// The plan without what the folder or the cache holds, what comes after the stage asked for as the last, and other
+/// samples than the one asked for alone.
+plan::RunPlan plan_rest(const Job& job);
+
+/// The code of a run that needs nothing. What is damaged is told before anything is written.
+std::optional<int> look_before(const Job& job, const Console& console);
+
+/// @param preposition before the folder: "into" a new one, or "in" the one that is there
+void tell_plan(const Job& job, const std::string& preposition, const Console& console);
+
+/// Runs it. @return the exit code
+int conduct(const Job& job, const Console& console);
+
+} // namespace suffuse::apps

@@ -1,0 +1,120 @@
+#include "apps/shared_options.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/base/units.hpp"
+#include "suffuse/casefile/load_case.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/typed_value.hpp"
+#include <algorithm>
+#include <limits>
+#include <thread>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace suffuse::apps {
+
+void CaseChanges::add_to(Options& options) {
+    options.value("--preset", preset, "size of the job, one of the case's [presets.*]").type("NAME");
+    options.values("--set", overrides, "change one value of the case; may be repeated").type("KEY=VALUE");
+    options.values("--study", studies, "this study of the case alone; may be repeated").type("NAME");
+}
+
+casefile::Case load_asked_case(const std::string& file, const CaseChanges& changes, const Console& console) {
+    casefile::LoadedCase loaded = casefile::load_case(file, changes);
+    if (!loaded.warnings.empty()) {
+        console.talk(render(loaded.warnings, console.has_color()));
+    }
+    return std::move(loaded.value);
+}
+
+void ThreadOption::add_to(Options& options) {
+    options.value("-j,--threads", asked, "threads; all cores unless given. Results do not depend on it")
+        .type("N")
+        .whole_number(1, 1024);
+}
+
+void ThreadOption::apply() const {
+    const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+    set_thread_count(asked > 0 ? asked : std::max(cores, 1));
+}
+
+void CacheOptions::add_to(Options& options) {
+    const Option cache =
+        options
+            .value(
+                "--cache", folder,
+                "folder where stages are kept and found again; suffuse-cache beside the run unless given"
+            )
+            .type("DIR");
+    options.flag("--no-cache", is_off, "compute every stage, and keep none").excludes(cache);
+}
+
+std::filesystem::path CacheOptions::folder_or(const std::filesystem::path& usual) const {
+    if (is_off) {
+        return {};
+    }
+    return folder.empty() ? usual : std::filesystem::absolute(folder).lexically_normal();
+}
+
+void RunLimits::add_to(Options& options) {
+    add_until(options, until);
+    options.value("--time-limit", time_limit, "save and stop after this wall time, as in 90min or 2h").type("TIME");
+}
+
+double RunLimits::seconds() const {
+    if (time_limit.empty()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double limit = quantity_of(time_limit, dimension::time, "--time-limit", false);
+    if (!(limit > 0)) {
+        throw UsageError(fmt::format("--time-limit {} is no time to work in", shown(time_limit)));
+    }
+    return limit;
+}
+
+void add_until(Options& options, std::string& stage) {
+    options.value("--until", stage, "end each sample with this stage").type("STAGE");
+}
+
+void CellOption::add_to(Options& options) {
+    options
+        .value(
+            "--cell", edges,
+            "edges of its cell in meters, or nine numbers, its matrix by rows; the file's own unless given"
+        )
+        .type("LX,LY,LZ");
+}
+
+std::optional<Mat3> CellOption::matrix() const {
+    return edges.empty() ? std::nullopt : std::optional(cell_of(edges));
+}
+
+void PackingOutput::add_to(Options& options) {
+    options.value("-o,--output", file, "file to write").type("FILE");
+    options.value("--format", format, "csv, yade, xyz, lammps, dump or vtp; by the file's ending unless given")
+        .type("NAME");
+}
+
+io::PackingFormat PackingOutput::chosen_format() const {
+    const std::vector<std::string> names = io::packing_format_names();
+    const auto chosen = format.empty() ? io::packing_format_of_file(file) : io::packing_format_of_name(format);
+    if (chosen) {
+        return *chosen;
+    }
+    if (format.empty()) {
+        throw UsageError(fmt::format(
+            "{} does not say its format by its ending; give --format, one of {}", shown(file), fmt::join(names, ", ")
+        ));
+    }
+    throw UsageError(fmt::format(
+        "unknown format {}{}; there are {}", shown(format), near_hint(format, names), fmt::join(names, ", ")
+    ));
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,78 @@
+#pragma once
+// Options that several verbs have, and what they mean.
+
+#include "suffuse/base/vec3.hpp"
+#include "suffuse/casefile/load_case.hpp"
+#include "suffuse/io/packing_export.hpp"
+
+#include "apps/console.hpp"
+#include "apps/options.hpp"
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace suffuse::apps {
+
+inline constexpr const char* case_text = "the case file";
+inline constexpr const char* folder_text = "the folder of a run";
+inline constexpr const char* packing_text =
+    "grains: CSV with x,y,z,r in meters, Yade's text, LAMMPS data or dump, extended XYZ, .vtp";
+
+/// What is changed of a case.
+struct CaseChanges : casefile::LoadOptions {
+    void add_to(Options& options);
+};
+
+/// The case, its changes made; its warnings are told.
+casefile::Case load_asked_case(const std::string& file, const CaseChanges& changes, const Console& console);
+
+struct ThreadOption {
+    int asked = 0; ///< 0: all cores
+
+    void add_to(Options& options);
+    /// Sets the number of threads.
+    void apply() const;
+};
+
+struct CacheOptions {
+    std::string folder;
+    bool is_off = false;
+
+    void add_to(Options& options);
+
+    [[nodiscard]] bool is_asked() const { return is_off || !folder.empty(); }
+
+    /// What is asked for, or `usual` where nothing is; empty: no cache.
+    [[nodiscard]] std::filesystem::path folder_or(const std::filesystem::path& usual) const;
+};
+
+/// How far a run goes.
+struct RunLimits {
+    std::string until;      ///< stage
+    std::string time_limit; ///< with its unit
+
+    void add_to(Options& options);
+    /// [s], without end unless asked for. @throws UsageError where it is no time.
+    [[nodiscard]] double seconds() const;
+};
+
+void add_until(Options& options, std::string& stage);
+
+/// The cell of a packing.
+struct CellOption {
+    std::string edges;
+
+    void add_to(Options& options);
+    [[nodiscard]] std::optional<Mat3> matrix() const;
+};
+
+/// A file that grains are written to.
+struct PackingOutput {
+    std::string file, format;
+
+    void add_to(Options& options);
+    /// As asked, or by the file's ending. @throws UsageError.
+    [[nodiscard]] io::PackingFormat chosen_format() const;
+};
+
+} // namespace suffuse::apps

@@ -1,0 +1,61 @@
+#include "apps/typed_value.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/base/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+namespace suffuse::apps {
+
+double quantity_of(const std::string& text, Dimension dimension, const std::string& flag, bool bare_is_si) {
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, problem] = std::from_chars(text.data(), end, value);
+    if (problem == std::errc() && stop == end && std::isfinite(value)) {
+        if (bare_is_si) {
+            return value;
+        }
+        const std::string unit = dimension == dimension::time ? "min" : usual_units(dimension).front();
+        throw UsageError(fmt::format("{} {} has no unit; write {}{}", flag, shown(text), shown(text), unit));
+    }
+    try {
+        return parse_quantity(text, dimension);
+    } catch (const UnitError& error) {
+        throw UsageError(fmt::format("{} {}: {}; {}", flag, shown(text), shown(error.what()), error.help));
+    }
+}
+
+Mat3 cell_of(const std::string& text) {
+    std::vector<double> values;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        values.push_back(quantity_of(text.substr(begin, end - begin), dimension::length, "--cell", true));
+        begin = end + 1;
+    }
+    Mat3 h{};
+    if (values.size() == 3) {
+        h = diagonal({values[0], values[1], values[2]});
+    } else if (values.size() == 9) {
+        for (int a = 0; a < 3; ++a) {
+            for (int b = 0; b < 3; ++b) {
+                h(a, b) = values[static_cast<std::size_t>(3 * a + b)];
+            }
+        }
+    } else {
+        throw UsageError(
+            fmt::format("--cell {} has {} numbers; it wants 3 edges, or 9 numbers", shown(text), values.size())
+        );
+    }
+    if (!(determinant(h) > 0) || !std::isfinite(determinant(h))) {
+        throw UsageError(fmt::format("--cell {} has no volume; its edges are positive lengths", shown(text)));
+    }
+    return h;
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,17 @@
+#pragma once
+// Quantities as they are typed on the command line.
+
+#include "suffuse/base/units.hpp"
+#include "suffuse/base/vec3.hpp"
+
+#include <string>
+
+namespace suffuse::apps {
+
+/// A number in SI, or a text with its unit. @throws UsageError, naming the flag.
+double quantity_of(const std::string& text, Dimension dimension, const std::string& flag, bool bare_is_si);
+
+/// Edges "LX,LY,LZ" or nine numbers by rows, in meters or with units -> cell matrix [m]. @throws UsageError.
+Mat3 cell_of(const std::string& text);
+
+} // namespace suffuse::apps

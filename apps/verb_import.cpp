@@ -1,0 +1,132 @@
+// import: a packing from another program, looked at and written in another format.
+
+#include "suffuse/base/amounts.hpp"
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/base/units.hpp"
+#include "suffuse/io/checkpoint.hpp"
+#include "suffuse/io/packing_checks.hpp"
+#include "suffuse/io/packing_export.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
+#include "apps/shared_options.hpp"
+#include "apps/verb.hpp"
+#include "apps/verbs.hpp"
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+namespace suffuse::apps {
+namespace {
+
+struct ImportVerb final : Verb {
+    ImportVerb()
+        : Verb(
+              "import", "look at a packing from elsewhere, and write it in another format",
+              "suffuse import pack.txt --cell 0.004,0.004,0.004 -o packing.xyz"
+          ) {}
+
+    std::string file;
+    CellOption cell;
+    std::string unit; ///< what a length of 1 in the file stands for
+    PackingOutput output;
+
+    void add_to(Options& options) override {
+        options.argument("FILE", file, packing_text).required();
+        cell.add_to(options);
+        options.value("--unit", unit, "of the lengths in the file, as in mm; m unless given").type("UNIT");
+        output.add_to(options);
+    }
+
+    int act(const CommandLine&, const Console& console) const override;
+};
+
+nlohmann::json describe(const io::TakenPacking& taken, const std::string& file) {
+    const auto [least, most] = std::minmax_element(taken.grains.radius.begin(), taken.grains.radius.end());
+    nlohmann::json json = {
+        {"file", file}, {"grains", taken.grains.size()}, {"radius", {*least, *most}}, {"warnings", taken.warnings}};
+    if (taken.h) {
+        const Mat3& h = *taken.h; // rows of the matrix whose columns are the cell vectors
+        json["cell"] = {{h(0, 0), h(0, 1), h(0, 2)}, {h(1, 0), h(1, 1), h(1, 2)}, {h(2, 0), h(2, 1), h(2, 2)}};
+        const double solid = grains::solid_volume(taken.grains), volume = determinant(h);
+        json["porosity"] = 1 - solid / volume;
+        json["void_ratio"] = volume / solid - 1;
+        json["largest_overlap"] = taken.overlap;
+    }
+    return json;
+}
+
+/// To four digits. (strtod, as stod throws at a length too small for a normal double, which a file may hold.)
+std::string length_text(double length) {
+    return print_quantity(std::strtod(fmt::format("{:.4g}", length).c_str(), nullptr), dimension::length);
+}
+
+std::string sentence(const nlohmann::json& about) {
+    std::string text = fmt::format(
+        "{}: {} grains, d {} to {}", about["file"].get<std::string>(), count_text(about["grains"]),
+        length_text(2 * about["radius"][0].get<double>()), length_text(2 * about["radius"][1].get<double>())
+    );
+    if (about.contains("void_ratio")) {
+        text += fmt::format(
+            ", void ratio {}, largest overlap {} % of the smaller radius", digits_text(about["void_ratio"], 4),
+            digits_text(100 * about["largest_overlap"].get<double>(), 2)
+        );
+    }
+    return text;
+}
+
+/// "mm" or "1 mm" [m].
+double unit_of(const std::string& text) {
+    try {
+        return parse_unit(text, dimension::length);
+    } catch (const UnitError& error) {
+        throw UsageError(fmt::format("--unit {}: {}; {}", shown(text), shown(error.what()), error.help));
+    }
+}
+
+/// The grains that were read, as far as they are known: enough to write them in any format.
+dem::World world_of(const io::TakenPacking& taken) {
+    dem::World world;
+    world.grains = taken.grains;
+    world.cell.h = taken.h.value_or(world.cell.h);
+    return world;
+}
+
+int ImportVerb::act(const CommandLine&, const Console& console) const {
+    io::PackingRequest request{.file = file, .cell = cell.matrix(), .only_looks = true};
+    if (!unit.empty()) {
+        request.unit = unit_of(unit);
+    }
+    const io::TakenPacking taken = io::take_packing(request);
+    nlohmann::json about = describe(taken, file);
+    for (const std::string& warning : taken.warnings) {
+        console.talk("warning: " + warning);
+    }
+    if (!output.file.empty()) {
+        const io::PackingFormat format = output.chosen_format();
+        if (!taken.h && format != io::PackingFormat::Csv && format != io::PackingFormat::Yade) {
+            throw UsageError(fmt::format(
+                "{}, and {} is written with one; give --cell LX,LY,LZ", shown(taken.no_cell), shown(output.file)
+            ));
+        }
+        io::export_packing(output.file, world_of(taken), format);
+        about["written"] = output.file;
+    }
+    console.result(sentence(about));
+    if (!taken.h) {
+        console.talk(shown(taken.no_cell) + "; with --cell LX,LY,LZ also its void ratio and overlaps");
+    }
+    console.document(json_text(about));
+    return Done;
+}
+
+} // namespace
+
+MadeVerb make_import_verb() {
+    return std::make_unique<ImportVerb>();
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,58 @@
+// report: the report of a run once more, without computing.
+
+#include "suffuse/job/run_case.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/record/finished_stages.hpp"
+#include "suffuse/record/folder.hpp"
+
+#include "apps/json_text.hpp"
+#include "apps/page_folder.hpp"
+#include "apps/run_ending.hpp"
+#include "apps/shared_options.hpp"
+#include "apps/verb.hpp"
+#include "apps/verbs.hpp"
+#include <filesystem>
+#include <memory>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportVerb final : Verb {
+    ReportVerb()
+        : Verb("report", "write the report of a run again, without computing", "suffuse report runs/dyke-0001") {}
+
+    std::string run;
+
+    void add_to(Options& options) override { options.argument("DIR", run, folder_text).required(); }
+
+    int act(const CommandLine& line, const Console& console) const override;
+};
+
+int ReportVerb::act(const CommandLine& line, const Console& console) const {
+    const fs::path folder = run;
+    record::check_is_run(folder); // before the lock, which would leave a file there
+    const job::FolderLock lock(folder, console.warner());
+    const std::string unchecked = record::tell_unchecked(record::require_whole_run(folder));
+    if (!unchecked.empty()) {
+        console.talk("warning: " + unchecked);
+    }
+    const job::RunReport report = job::rebuild_report(folder, page_folder(), line.typed);
+    tell_results(report, "written", console);
+    console.document(json_text(
+        {{"report", report.report.string()},
+         {"warnings", report.warnings},
+         {"flaws", report.flaws},
+         {"findings", report.findings}}
+    ));
+    return exit_code_of(report);
+}
+
+} // namespace
+
+MadeVerb make_report_verb() {
+    return std::make_unique<ReportVerb>();
+}
+
+} // namespace suffuse::apps

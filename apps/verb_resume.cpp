@@ -1,0 +1,116 @@
+// resume: a run that was stopped goes on.
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/read_text.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/casefile/load_case.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/refine.hpp"
+#include "suffuse/record/samples.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/conduct_job.hpp"
+#include "apps/shared_options.hpp"
+#include "apps/stop_signal.hpp"
+#include "apps/verb.hpp"
+#include "apps/verbs.hpp"
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ResumeVerb final : Verb {
+    ResumeVerb()
+        : Verb(
+              "resume", "go on with a run that was stopped, to the same bits",
+              "suffuse resume runs/dyke-0001 --time-limit 2h"
+          ) {}
+
+    std::string folder;
+    ThreadOption threads;
+    CacheOptions cache;
+    RunLimits limits;
+    std::string sample;
+
+    void add_to(Options& options) override {
+        options.argument("DIR", folder, folder_text).required();
+        threads.add_to(options);
+        cache.add_to(options);
+        limits.add_to(options);
+        options.value("--sample", sample, "this sample alone, beside others; as in fines/fc=20/rep=1").type("NAME");
+    }
+
+    int act(const CommandLine& line, const Console& console) const override;
+};
+
+/// Folder of the sample that is asked for alone. @throws UsageError where there is no such sample.
+std::optional<fs::path> check_sample(const casefile::Case& what, const fs::path& folder, const std::string& name) {
+    if (name.empty()) {
+        return std::nullopt;
+    }
+    std::vector<std::string> names;
+    for (const record::Sample& sample : record::list_samples(what)) {
+        names.push_back(sample.variant->folder);
+    }
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+        throw UsageError(fmt::format(
+            "--sample {}: the run has no such sample{}; suffuse plan lists them", shown(name), near_hint(name, names)
+        ));
+    }
+    fs::create_directories(folder / "studies" / name);
+    return folder / "studies" / name;
+}
+
+int ResumeVerb::act(const CommandLine& line, const Console& console) const {
+    Job job{
+        .until = limits.until,
+        .time_limit = limits.seconds(), // wrong use is told before anything is made
+        .sample = sample,
+        .command = line.typed,
+        .folder = folder};
+    heed_signals();
+    const fs::path resolved = job.folder / record::resolved_case_file;
+    fs::path usual_cache = job::cache_beside(job.folder);
+    if (fs::exists(job.folder / "run_options.json")) {
+        usual_cache = job::read_asked(job.folder).cache.value_or(usual_cache.string());
+    }
+    job.cache = cache.folder_or(usual_cache);
+    if (fs::exists(resolved)) {
+        job.what = record::load_run(job.folder);
+    } else { // stopped before it really began
+        const job::AskedRun asked = job::read_asked(job.folder);
+        job.what = casefile::load_case(asked.case_file, {asked.preset, asked.overrides, asked.studies}).value;
+        job.case_text = read_whole_file(asked.case_file);
+    }
+    plan::check_until(job.what, limits.until);
+    threads.apply();
+    const auto own = check_sample(job.what, job.folder, sample);
+    const job::FolderLock lock(
+        job.folder, console.warner(), own ? job::FolderLock::Kind::Shared : job::FolderLock::Kind::Alone
+    );
+    const std::optional<job::FolderLock> own_lock =
+        own ? std::optional<job::FolderLock>(std::in_place, *own, console.warner()) : std::nullopt;
+    if (const std::optional<int> code = look_before(job, console)) {
+        return *code;
+    }
+    job.plan = plan_rest(job);
+    tell_plan(job, "in", console);
+    return conduct(job, console);
+}
+
+} // namespace
+
+MadeVerb make_resume_verb() {
+    return std::make_unique<ResumeVerb>();
+}
+
+} // namespace suffuse::apps
