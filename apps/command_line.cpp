@@ -143,10 +143,13 @@ std::string parse(CLI::App& app, std::vector<std::string> words) {
 }
 
 void add_everywhere(CLI::App& app, CommandLine& line, std::string& color) {
-    app.add_flag("-q,--quiet", line.quiet, "say nothing but results and errors");
-    app.add_flag("-v,--verbose", line.verbose, "say more");
-    app.add_flag("--json", line.json, "one JSON document on standard output");
-    app.add_option("--color", color, "auto, always or never; NO_COLOR is heeded")->type_name("WHEN");
+    Options everywhere(app);
+    everywhere.flag("-q,--quiet", line.quiet, "say nothing but results and errors");
+    everywhere.flag("-v,--verbose", line.verbose, "say more");
+    everywhere.flag("--json", line.json, "one JSON document on standard output");
+    everywhere.value("--color", color, "auto, always or never; NO_COLOR is heeded")
+        .type("WHEN")
+        .suggest({"auto", "always", "never"});
 }
 
 std::vector<std::shared_ptr<Verb>> add_verbs(CLI::App& app) {

@@ -1,29 +1,16 @@
 #include "apps/command_table.hpp"
 
-#include "suffuse/io/packing_export.hpp"
-#include "suffuse/job/explain_word.hpp"
-
 #include <CLI/CLI.hpp>
 
 #include "apps/help.hpp"
-#include "apps/templates.hpp"
 #include <algorithm>
 
 namespace suffuse::apps {
 namespace {
 
-std::vector<std::string> template_words() {
-    std::vector<std::string> words;
-    for (const TemplateFile& file : template_files()) {
-        if (words.empty() || words.back() != file.name) {
-            words.emplace_back(file.name);
-        }
-    }
-    return words;
-}
-
-/// Words that the flag's own check allows: "NAME:{svg,png,pdf}" -> svg, png, pdf.
-std::vector<std::string> checked_words(const std::string& type) {
+/// Words that the option allows or suggests, which stand in its type: "NAME:{svg,png,pdf}" -> svg, png, pdf. None where
+/// only the user knows.
+std::vector<std::string> words_of(const std::string& type) {
     std::vector<std::string> words;
     const std::size_t open = type.find('{'), close = type.find('}');
     if (open == std::string::npos || close == std::string::npos) {
@@ -35,29 +22,6 @@ std::vector<std::string> checked_words(const std::string& type) {
         at = end + 1;
     }
     return words;
-}
-
-/// Words that may follow a flag or stand for an argument; nothing where only the user knows.
-std::vector<std::string> words_for(const std::string& name, const std::string& type) {
-    if (std::vector<std::string> words = checked_words(type); !words.empty()) {
-        return words;
-    }
-    if (name == "--color") {
-        return {"auto", "always", "never"};
-    }
-    if (name == "--preset") {
-        return {"quick", "standard", "paper"};
-    }
-    if (name == "--format") {
-        return io::packing_format_names();
-    }
-    if (name == "--from") {
-        return template_words();
-    }
-    if (name == "SHELL") {
-        return {"bash", "zsh", "fish"};
-    }
-    return name == "WORD" ? job::explained_words() : std::vector<std::string>{};
 }
 
 Values kind_of(const std::string& placeholder) {
@@ -90,7 +54,7 @@ FlagRow row_of(const CLI::Option& option) {
         }
     }
     if (!row.placeholder.empty()) {
-        row.words = words_for(row.names.back(), option.get_type_name());
+        row.words = words_of(option.get_type_name());
         row.values = row.words.empty() ? kind_of(row.placeholder) : Values::Words;
     }
     return row;

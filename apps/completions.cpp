@@ -1,11 +1,11 @@
 #include "apps/completions.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "apps/command_line.hpp"
 #include <algorithm>
 
 namespace suffuse::apps {

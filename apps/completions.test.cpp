@@ -2,6 +2,8 @@
 
 #include "apps/completions.hpp"
 
+#include "suffuse/base/error.hpp"
+
 #include <gtest/gtest.h>
 
 #include "apps/command_line.hpp"

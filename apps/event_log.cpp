@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "apps/command_line.hpp"
 #include "apps/wording.hpp"
 #include <fstream>
 

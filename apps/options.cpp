@@ -5,8 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cctype>
+#include <functional>
 #include <optional>
 
 namespace suffuse::apps {
@@ -32,6 +34,13 @@ std::string take_ratio(std::string& text, double least, double most, const std::
     return complaint_of_range(text, least, most, expected);
 }
 
+/// Takes every text: its words stand in the type of the option, as those of CLI::IsMember do.
+struct Suggestion : CLI::Validator {
+    explicit Suggestion(const std::function<std::vector<std::string>()>& words) {
+        desc_function_ = [words] { return fmt::format("{{{}}}", fmt::join(words(), ",")); };
+    }
+};
+
 } // namespace
 
 Option& Option::type(const std::string& name) {
@@ -46,6 +55,16 @@ Option& Option::required() {
 
 Option& Option::one_of(const std::vector<std::string>& words) {
     option_->check(CLI::IsMember(words));
+    return *this;
+}
+
+Option& Option::suggest(const std::vector<std::string>& words) {
+    option_->check(Suggestion([words] { return words; }));
+    return *this;
+}
+
+Option& Option::suggest(std::vector<std::string> (*words)()) {
+    option_->check(Suggestion(words));
     return *this;
 }
 

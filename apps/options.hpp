@@ -22,6 +22,9 @@ public:
     Option& type(const std::string& name); ///< what stands for its value in the help
     Option& required();
     Option& one_of(const std::vector<std::string>& words);
+    /// Words that a shell may complete; others are taken, too. The function is asked where they are wanted.
+    Option& suggest(const std::vector<std::string>& words);
+    Option& suggest(std::vector<std::string> (*words)());
     Option& whole_number(std::int64_t least, std::int64_t most);
     Option& not_negative();
     /// As a case has them: a bare number, one with %, or a quotient. "30%" and "3m/10m" become "0.3".

@@ -12,15 +12,17 @@
 #include "apps/typed_value.hpp"
 #include <algorithm>
 #include <limits>
-#include <thread>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
 namespace suffuse::apps {
 
 void CaseChanges::add_to(Options& options) {
-    options.value("--preset", preset, "size of the job, one of the case's [presets.*]").type("NAME");
+    options.value("--preset", preset, "size of the job, one of the case's [presets.*]")
+        .type("NAME")
+        .suggest({"quick", "standard", "paper"});
     options.values("--set", overrides, "change one value of the case; may be repeated").type("KEY=VALUE");
     options.values("--study", studies, "this study of the case alone; may be repeated").type("NAME");
 }
@@ -98,7 +100,8 @@ std::optional<Mat3> CellOption::matrix() const {
 void PackingOutput::add_to(Options& options) {
     options.value("-o,--output", file, "file to write").type("FILE");
     options.value("--format", format, "csv, yade, xyz, lammps, dump or vtp; by the file's ending unless given")
-        .type("NAME");
+        .type("NAME")
+        .suggest(io::packing_format_names);
 }
 
 io::PackingFormat PackingOutput::chosen_format() const {

@@ -17,7 +17,9 @@ struct CompletionsVerb final : Verb {
 
     std::string shell;
 
-    void add_to(Options& options) override { options.argument("SHELL", shell, "bash, zsh or fish").required(); }
+    void add_to(Options& options) override {
+        options.argument("SHELL", shell, "bash, zsh or fish").required().suggest({"bash", "zsh", "fish"});
+    }
 
     [[nodiscard]] std::string printed(const CLI::App& program) const override {
         return completions_for(shell, command_table(program));

@@ -24,7 +24,8 @@ struct ExplainVerb final : Verb {
 
     void add_to(Options& options) override {
         options.argument("WORD", word, "as in contact.modulus, erode, E310, figure-9, kezdi-1979, conventions")
-            .required();
+            .required()
+            .suggest(job::explained_words);
     }
 
     int act(const CommandLine&, const Console& console) const override;

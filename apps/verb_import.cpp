@@ -96,10 +96,11 @@ dem::World world_of(const io::TakenPacking& taken) {
 }
 
 int ImportVerb::act(const CommandLine&, const Console& console) const {
-    io::PackingRequest request{.file = file, .cell = cell.matrix(), .only_looks = true};
+    io::PackingRequest request{.file = file, .only_looks = true};
     if (!unit.empty()) {
         request.unit = unit_of(unit);
     }
+    request.cell = cell.matrix();
     const io::TakenPacking taken = io::take_packing(request);
     nlohmann::json about = describe(taken, file);
     for (const std::string& warning : taken.warnings) {

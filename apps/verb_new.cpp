@@ -33,6 +33,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::vector<std::string> template_names() {
+    std::vector<std::string> names;
+    for (const TemplateFile& file : template_files()) {
+        if (names.empty() || names.back() != file.name) {
+            names.emplace_back(file.name);
+        }
+    }
+    return names;
+}
+
 struct NewVerb final : Verb {
     NewVerb()
         : Verb(
@@ -49,7 +59,8 @@ struct NewVerb final : Verb {
 
     void add_to(Options& options) override {
         options.argument("DIR", given, "folder to write it to; the name of the template or of the curve unless given");
-        const Option example = options.value("--from", from, "an example to start from").type("NAME");
+        const Option example =
+            options.value("--from", from, "an example to start from").type("NAME").suggest(template_names);
         const Option curve =
             options.value("--psd", psd, "grading curve of a soil of yours: CSV with the columns d [mm], passing [%]")
                 .type("FILE")
@@ -82,16 +93,6 @@ struct NewFile {
     fs::path path;
     std::string text;
 };
-
-std::vector<std::string> template_names() {
-    std::vector<std::string> names;
-    for (const TemplateFile& file : template_files()) {
-        if (names.empty() || names.back() != file.name) {
-            names.emplace_back(file.name);
-        }
-    }
-    return names;
-}
 
 /// Writes all, or none where one exists. @return their paths.
 std::vector<std::string> write_new(const std::vector<NewFile>& files) {

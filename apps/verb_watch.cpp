@@ -4,6 +4,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/job/run_folder.hpp"
+#include "suffuse/record/folder.hpp"
 
 #include <fmt/format.h>
 
