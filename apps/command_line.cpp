@@ -116,7 +116,7 @@ bool asks_for_unknown_verb(const CLI::App& app) {
     return !extra.empty() && !extra.front().starts_with('-') && !names_of_verbs(innermost(app)).empty();
 }
 
-/// @return what there is to say where help or the version is asked for; else empty
+/// @return what there is to say where help or the version is asked for, or no verb; else empty
 std::string parse(CLI::App& app, std::vector<std::string> words) {
     std::reverse(words.begin(), words.end()); // as CLI11 wants them
     try {

@@ -6,6 +6,7 @@
 
 #include "apps/console.hpp"
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -13,10 +14,10 @@ namespace suffuse::apps {
 
 /// A run that is about to begin or to go on.
 struct Job {
-    std::string until;     ///< stage; empty: to the end
-    double time_limit = 0; ///< [s]
-    std::string sample;    ///< this one alone; empty: all
-    std::string command;   ///< as typed
+    std::string until;                                           ///< stage; empty: to the end
+    double time_limit = std::numeric_limits<double>::infinity(); ///< [s]
+    std::string sample;                                          ///< this one alone; empty: all
+    std::string command;                                         ///< as typed
     casefile::Case what;
     std::filesystem::path folder;
     std::string case_text;

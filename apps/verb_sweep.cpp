@@ -234,6 +234,35 @@ int emit(const SweepVerb& asked, const Console& console) {
     return Done;
 }
 
+/// Samples that have neither ended nor failed.
+std::vector<std::string>
+find_unfinished(const std::vector<record::Sample>& samples, const fs::path& folder, const job::RunReport& report) {
+    std::vector<std::string> unfinished;
+    for (const record::Sample& sample : samples) {
+        const std::string& name = sample.variant->folder;
+        const bool has_failed = std::any_of(report.failures.begin(), report.failures.end(), [&](const auto& failure) {
+            return failure.sample == name;
+        });
+        if (!has_failed && !record::is_complete(sample, folder)) {
+            unfinished.push_back(name);
+        }
+    }
+    return unfinished;
+}
+
+void tell_unfinished(const std::vector<std::string>& unfinished, const fs::path& folder, const Console& console) {
+    for (const std::string& name : unfinished) {
+        console.detail("not finished: " + name);
+    }
+    if (!unfinished.empty()) {
+        const char* const form = fs::exists(folder / "sweep.sbatch") ? "slurm" : "parallel"; // as before
+        console.talk(fmt::format(
+            "{} not finished: suffuse sweep {} --emit {} writes tasks for them, suffuse resume {} runs them here",
+            plural(std::ssize(unfinished), "sample"), shell_word(folder.string()), form, shell_word(folder.string())
+        ));
+    }
+}
+
 int collect(const SweepVerb& asked, const std::string& command, const Console& console) {
     const fs::path folder = asked.collected;
     if (!fs::exists(folder / record::resolved_case_file)) {
@@ -258,16 +287,7 @@ int collect(const SweepVerb& asked, const std::string& command, const Console& c
         fs::remove(folder / "provenance.json"); // of an earlier gathering, which had fewer of them
     }
     const job::RunReport report = job::rebuild_report(folder, page_folder(), command);
-    std::vector<std::string> unfinished;
-    for (const record::Sample& sample : samples) {
-        const std::string& name = sample.variant->folder;
-        const bool has_failed = std::any_of(report.failures.begin(), report.failures.end(), [&](const auto& failure) {
-            return failure.sample == name;
-        });
-        if (!has_failed && !record::is_complete(sample, folder)) {
-            unfinished.push_back(name);
-        }
-    }
+    const std::vector<std::string> unfinished = find_unfinished(samples, folder, report);
     const auto done = samples.size() - unfinished.size() - report.failures.size();
     tell_results(
         report,
@@ -279,16 +299,7 @@ int collect(const SweepVerb& asked, const std::string& command, const Console& c
     if (!report.failures.empty()) {
         tell_failures(report.failures, std::ssize(samples), folder, console);
     }
-    for (const std::string& name : unfinished) {
-        console.detail("not finished: " + name);
-    }
-    if (!unfinished.empty()) {
-        const char* const form = fs::exists(folder / "sweep.sbatch") ? "slurm" : "parallel"; // as before
-        console.talk(fmt::format(
-            "{} not finished: suffuse sweep {} --emit {} writes tasks for them, suffuse resume {} runs them here",
-            plural(std::ssize(unfinished), "sample"), shell_word(folder.string()), form, shell_word(folder.string())
-        ));
-    }
+    tell_unfinished(unfinished, folder, console);
     const int code = !report.failures.empty() ? code_of(report.failures)
                      : !unfinished.empty()    ? OutOfTime
                      : report.flaws.empty()   ? Done
