@@ -38,7 +38,7 @@ public:
     [[nodiscard]] virtual std::string printed(const CLI::App&) const { return {}; }
 
     /// Does it. @return the exit code. @throws UsageError, and the errors of the library.
-    virtual int act(const CommandLine&, const Console&) const {
+    [[nodiscard]] virtual int act(const CommandLine&, const Console&) const {
         throw Bug("a verb that neither prints nor acts: " + name_);
     }
 

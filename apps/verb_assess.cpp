@@ -72,7 +72,7 @@ struct AssessVerb final : Verb {
         options.value("-o,--output", output, "folder for a page, its figures and numbers").type("DIR");
     }
 
-    int act(const CommandLine& line, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 };
 
 stability::AssessSpec spec_of(const AssessVerb& asked) {

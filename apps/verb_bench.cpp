@@ -68,7 +68,7 @@ struct BenchVerb final : Verb {
         }
     }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 /// One `name value` a line, tables within joined by a dot.

@@ -41,7 +41,7 @@ struct CacheVerb final : Verb {
         options.flag("--clear", clears, "drop all that it holds").excludes(limit);
     }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 int CacheVerb::act(const CommandLine&, const Console& console) const {

@@ -28,7 +28,7 @@ struct CheckVerb final : Verb {
         changes.add_to(options);
     }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 int CheckVerb::act(const CommandLine&, const Console& console) const {

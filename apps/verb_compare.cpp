@@ -49,7 +49,7 @@ struct CompareVerb final : Verb {
         options.flag("--paper", with_paper, "with what the paper found, instead of another run");
     }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 constexpr std::ptrdiff_t most_shown = 20; // without --verbose

@@ -28,7 +28,7 @@ struct ExplainVerb final : Verb {
             .suggest(job::explained_words);
     }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 int ExplainVerb::act(const CommandLine&, const Console& console) const {

@@ -42,7 +42,7 @@ struct ExportVerb final : Verb {
         output.add_to(options);
     }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 /// Whoever names a run instead of a stage is told the stages that it has.

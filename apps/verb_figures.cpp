@@ -42,7 +42,7 @@ struct FiguresVerb final : Verb {
         options.value("-o,--output", output, "folder for the files; the run's figures/ unless given").type("DIR");
     }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 /// Of words such as 9 and own-paths.

@@ -41,7 +41,7 @@ struct ImportVerb final : Verb {
         output.add_to(options);
     }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 nlohmann::json describe(const io::TakenPacking& taken, const std::string& file) {

@@ -86,7 +86,7 @@ struct NewVerb final : Verb {
             .needs(curve);
     }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 struct NewFile {

@@ -47,7 +47,7 @@ struct PlanVerb final : Verb {
         add_until(options, until);
     }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 /// What this machine may lack.

@@ -27,7 +27,7 @@ struct ReportVerb final : Verb {
 
     void add_to(Options& options) override { options.argument("DIR", run, folder_text).required(); }
 
-    int act(const CommandLine& line, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 };
 
 int ReportVerb::act(const CommandLine& line, const Console& console) const {

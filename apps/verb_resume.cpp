@@ -49,7 +49,7 @@ struct ResumeVerb final : Verb {
         options.value("--sample", sample, "this sample alone, beside others; as in fines/fc=20/rep=1").type("NAME");
     }
 
-    int act(const CommandLine& line, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 };
 
 /// Folder of the sample that is asked for alone. @throws UsageError where there is no such sample.

@@ -52,7 +52,7 @@ struct RunVerb final : Verb {
         limits.add_to(options);
     }
 
-    int act(const CommandLine& line, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 };
 
 /// "--preset standard (20-40 min)" after a quick run. The case is read anew for it, and what it holds by then, or

@@ -15,7 +15,7 @@ struct SchemaVerb final : Verb {
     SchemaVerb()
         : Verb("schema", "every key that a case may have, as Markdown", "suffuse schema > case-reference.md") {}
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 nlohmann::json key_json(const casefile::Key& key) {

@@ -86,7 +86,7 @@ struct SweepVerb final : Verb {
         }
     }
 
-    int act(const CommandLine& line, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 };
 
 /// A word behind #SBATCH: Slurm knows double quotes, and a backslash before what is meant as it stands.

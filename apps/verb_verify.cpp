@@ -27,7 +27,7 @@ struct VerifyVerb final : Verb {
 
     void add_to(Options& options) override { options.argument("DIR", run, folder_text).required(); }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 /// Of stages of an earlier version, which the checksums of the run alone speak for.

@@ -40,7 +40,7 @@ struct WatchVerb final : Verb {
 
     void add_to(Options& options) override { options.argument("DIR", run, folder_text).required(); }
 
-    int act(const CommandLine&, const Console& console) const override;
+    [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
 /// The lines below the events, where they can be redrawn.
