@@ -1,6 +1,7 @@
 #include "suffuse/answer/erosion_table.hpp"
 
 #include "suffuse/base/words.hpp"
+#include "suffuse/record/ending_words.hpp"
 #include "suffuse/study/passes.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
@@ -28,7 +29,7 @@ std::vector<std::string> row_of(const record::FinishedStage& stage) {
         first.permeability_before > 0 ? short_number(last.permeability_after / first.permeability_before) : "–",
         percent_beyond_noise(100 * largest_loss),
         percent_beyond_noise(100 * strain),
-        last.verdict.empty() ? "passes asked for" : last.verdict};
+        last.verdict ? record::words_of(last.verdict) : "passes asked for"};
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "suffuse/erosion/loop.hpp"
 #include "suffuse/figures/stress_probes.hpp"
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/record/ending_words.hpp"
 #include "suffuse/study/passes.hpp"
 #include "suffuse/study/probed_states.hpp"
 #include "suffuse/study/trace_curves.hpp"
@@ -114,9 +115,9 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
     if (std::string transport = tell_transport(erosion); !transport.empty()) {
         sentences.push_back(std::move(transport));
     }
-    const std::string& verdict = erosion.passes.back().verdict;
-    if (!verdict.empty() && verdict != erosion::nothing_leaves) { // told already
-        sentences.push_back(fmt::format("It ended there: {}.", verdict));
+    const erosion::Ending& ending = erosion.passes.back().verdict;
+    if (ending && ending != erosion::Ending{erosion::NothingLeaves{}}) { // told already
+        sentences.push_back(fmt::format("It ended there: {}.", record::words_of(ending)));
     }
     return fmt::format("{}", fmt::join(sentences, " "));
 }

@@ -89,11 +89,11 @@ TEST(ReportAnswer, IsBriefOfAPassThatTookNothingButForAnUnusualReason) {
     casefile::Variant variant;
     variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
     std::vector<record::FinishedStage> stages = {erosion_of(variant, variant.stages[1], 0)};
-    std::string& verdict = stages.front().findings.erosion->passes.front().verdict;
+    erosion::Ending& ending = stages.front().findings.erosion->passes.front().verdict;
     const std::string brief = "Pass 1: none of 39 detachable fines was carried out.";
-    verdict = erosion::nothing_leaves;
+    ending = {erosion::NothingLeaves{}};
     EXPECT_EQ(answer_of_erosion(results_of(stages)), std::vector<std::string>{brief});
-    verdict = "what leaves cannot be told from the twin's noise";
+    ending = {erosion::NoiseDecides{}};
     EXPECT_EQ(
         answer_of_erosion(results_of(stages)),
         std::vector<std::string>{brief + " It ended there: what leaves cannot be told from the twin's noise."}
@@ -114,7 +114,7 @@ TEST(ReportAnswer, SaysThatGrainsWithoutLoadLeaveUnderAnyGradient) {
     pass.coordination_histogram = {{0, 2}, {2, 1}};
     EXPECT_EQ(told().find("carried load"), std::string::npos) << told();
     pass.coordination_histogram = {{0, 2}, {1, 1}};
-    stages.front().findings.erosion->ledger.push_back({7, 1, 1e-4, 1e-9, 0, "forced"});
+    stages.front().findings.erosion->ledger.push_back({7, 1, 1e-4, 1e-9, 0, erosion::Reason::Forced});
     EXPECT_EQ(told().find("carried load"), std::string::npos) << "what leaves by force needs no water";
     EXPECT_NE(told().find("Pass 1: 3 fines were taken out by force, 3.00 % of"), std::string::npos) << told();
     EXPECT_NE(told().find("Asked: what 1 pass in which fines"), std::string::npos) << told();

@@ -10,7 +10,7 @@
 namespace suffuse::erosion {
 
 std::vector<LedgerRow> extract(
-    dem::World& world, std::span<const std::uint32_t> leaving, std::span<const int> contacts, const std::string& reason,
+    dem::World& world, std::span<const std::uint32_t> leaving, std::span<const int> contacts, Reason reason,
     const ErosionResult& so_far, PassResult& pass
 ) {
     const grains::Grains& grains = world.grains;

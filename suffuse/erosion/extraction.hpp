@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace suffuse::erosion {
@@ -15,7 +14,7 @@ namespace suffuse::erosion {
 /// contacts. @param contacts of all grains, when it was decided who leaves
 /// @return the ledger so far and these grains. Throws Bug where it does not add up.
 std::vector<LedgerRow> extract(
-    dem::World& world, std::span<const std::uint32_t> leaving, std::span<const int> contacts, const std::string& reason,
+    dem::World& world, std::span<const std::uint32_t> leaving, std::span<const int> contacts, Reason reason,
     const ErosionResult& so_far, PassResult& pass
 );
 

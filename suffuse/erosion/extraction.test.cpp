@@ -25,7 +25,7 @@ TEST(Extraction, WhatLeavesIsInTheLedgerAndNothingElse) {
     PassResult pass;
     pass.pass = 2;
     const auto ledger =
-        extract(world, std::vector<std::uint32_t>{1}, std::vector<int>{0, 3, 0, 0}, "velocity", so_far, pass);
+        extract(world, std::vector<std::uint32_t>{1}, std::vector<int>{0, 3, 0, 0}, Reason::Velocity, so_far, pass);
     ASSERT_EQ(ledger.size(), 1U);
     EXPECT_EQ(ledger[0].grain, 1U);
     EXPECT_EQ(ledger[0].pass, 2);
@@ -44,7 +44,8 @@ TEST(Extraction, ALedgerThatMissesOrRepeatsAGrainIsADefect) {
     ErosionResult so_far;
     const double mass = so_far.initial_mass = total_mass(world.grains);
     PassResult pass;
-    const auto ledger = extract(world, std::vector<std::uint32_t>{0, 1}, std::vector<int>(4), "velocity", so_far, pass);
+    const auto ledger =
+        extract(world, std::vector<std::uint32_t>{0, 1}, std::vector<int>(4), Reason::Velocity, so_far, pass);
     std::vector<LedgerRow> missing(ledger.begin(), ledger.begin() + 1), repeated = ledger;
     repeated.push_back(ledger.front());
     EXPECT_THROW(check_ledger(world, missing, mass), Bug);
@@ -115,9 +116,9 @@ TEST(Passage, MergedVoidsOfASimpleCubicSkeletonHaveEachSquareWindowOnce) {
 }
 
 TEST(Passage, TooFewOrTooLargeCoarseGrainsAreACause) {
-    EXPECT_FALSE(skeleton_complaint(lattice_with_fines(6)).has_value());
-    EXPECT_TRUE(skeleton_complaint(lattice_with_fines(4)).has_value()); // a cell of four diameters
-    EXPECT_TRUE(skeleton_complaint(lattice_with_fines(3)).has_value()); // 27 grains
+    EXPECT_FALSE(doubt_skeleton(lattice_with_fines(6)).has_value());
+    EXPECT_TRUE(doubt_skeleton(lattice_with_fines(4)).has_value()); // a cell of four diameters
+    EXPECT_TRUE(doubt_skeleton(lattice_with_fines(3)).has_value()); // 27 grains
 }
 
 } // namespace

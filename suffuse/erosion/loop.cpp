@@ -21,8 +21,6 @@
 #include "suffuse/grains/gradation.hpp"
 #include "suffuse/stokes/resolved_flow.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -142,11 +140,11 @@ std::vector<std::uint32_t> let_through(
     return rows;
 }
 
-std::string reason_of(const ErodeSpec& spec) {
+Reason reason_of(const ErodeSpec& spec) {
     if (spec.forced) {
-        return "forced";
+        return Reason::Forced;
     }
-    return spec.detached.by == DetachBy::Velocity ? "velocity" : "displacement";
+    return spec.detached.by == DetachBy::Velocity ? Reason::Velocity : Reason::Displacement;
 }
 
 /// Whether nothing will leave any more. Where grains travel, a pass from which none leaves may be chance: it takes
@@ -168,21 +166,18 @@ void judge_end(const dem::World& world, const ErodeSpec& spec, const ErosionResu
     const std::optional<ErodedTarget>& target = spec.until_eroded;
     const double share = target ? eroded_share(world, so_far.initial_mass, target->of) : 0;
     pass.reached_target = target && share >= target->share;
-    const std::optional<std::string> complaint = skeleton_complaint(world);
+    const std::optional<SkeletonDoubt> doubt = doubt_skeleton(world);
     if (pass.failed) {
         return; // its verdict stands
     }
     if (!spec.forced && noise_decides(spec.detached, pass.probe)) {
-        pass.verdict = "what leaves cannot be told from the twin's noise";
+        pass.verdict = {NoiseDecides{}};
     } else if (pass.reached_target) {
-        pass.verdict = fmt::format(
-            "{:.3g} % of the {} has left, {:.3g} % was asked for{}", 100 * share, name_of(target->of),
-            100 * target->share, complaint ? "; " + *complaint : ""
-        );
+        pass.verdict = {TargetReached{share, target->share, target->of, doubt}};
     } else if (is_exhausted(spec, so_far, pass)) {
-        pass.verdict = nothing_leaves;
-    } else if (complaint) {
-        pass.verdict = *complaint;
+        pass.verdict = {NothingLeaves{}};
+    } else if (doubt) {
+        pass.verdict = {*doubt};
     }
 }
 
@@ -197,8 +192,7 @@ ErosionResult begin_erosion(const dem::World& world) {
 
 bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result) {
     if (std::ranges::count(world.grains.fine, std::uint8_t{0}) == 0) {
-        throw StateError("all grains are fines: there is no skeleton that they could leave; leave this fines content "
-                         "out (key `only`)");
+        throw NoSkeleton("all grains are fines: there is no skeleton that they could leave");
     }
     PassResult pass;
     pass.pass = static_cast<int>(result.passes.size()) + 1;
@@ -253,7 +247,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     result.ledger = std::move(ledger);
     result.path.insert(result.path.end(), path.begin(), path.end());
     result.passes.push_back(std::move(pass));
-    return result.passes.back().verdict.empty();
+    return !result.passes.back().verdict;
 }
 
 double eroded_share(const dem::World& world, double initial_mass, ErodedTarget::Of of) {

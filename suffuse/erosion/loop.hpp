@@ -2,6 +2,7 @@
 // The erosion procedure of the paper (its section 4 and Figure 7): equilibrium, flow, probe, constrictions, extraction,
 // new equilibrium, and again.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/spec.hpp"
 #include "suffuse/dem/world.hpp"
@@ -23,11 +24,18 @@ struct Surroundings {
     Pulse pulse;              ///< may throw Interrupted: the world is then as it was before the pass
 };
 
-/// The verdict of the pass that ends an erosion in the usual way.
-inline constexpr const char* nothing_leaves = "nothing leaves any more";
+/// All grains are fines: nothing holds or carries.
+struct NoSkeleton : StateError {
+    using StateError::StateError;
+};
+
+/// A skeleton that neither comes to rest nor fails.
+struct NoRest : StateError {
+    using StateError::StateError;
+};
 
 /// One pass from an equilibrium; appends to `result` and returns whether the procedure should go on.
-/// @throws SolverError, GeometryError, StateError; the world is then as before.
+/// @throws SolverError, GeometryError, NoSkeleton, NoRest, StateError; the world is then as before.
 bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result);
 
 /// Begins a result at the equilibrium `world`. @throws StateError where that carries no stress.

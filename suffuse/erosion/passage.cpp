@@ -6,8 +6,6 @@
 #include "suffuse/pores/network.hpp"
 #include "suffuse/pores/widest_path.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -47,23 +45,16 @@ std::vector<double> paths_of_grains(
 
 } // namespace
 
-std::optional<std::string> skeleton_complaint(const dem::World& world) {
+std::optional<SkeletonDoubt> doubt_skeleton(const dem::World& world) {
     const CoarseGrains coarse = coarse_grains(world.grains);
     if (coarse.radius.size() < fewest_coarse) {
-        return fmt::format(
-            "the coarse skeleton has {} grains left: too few for its constrictions to mean anything",
-            coarse.radius.size()
-        );
+        return SkeletonDoubt{std::ssize(coarse.radius), 0};
     }
     const double diameter = 2 * upper_quantile(coarse.radius, 0.5);
     const Vec3 width = cell::widths(world.cell.h);
     const double narrow = std::min({width.x, width.y, width.z});
     if (narrow < narrowest_skeleton * diameter) {
-        return fmt::format(
-            "the cell is only {:.1f} coarse diameters wide (at least {} wanted): the coarse skeleton has lost its "
-            "meaning",
-            narrow / diameter, narrowest_skeleton
-        );
+        return SkeletonDoubt{std::ssize(coarse.radius), narrow / diameter};
     }
     return std::nullopt;
 }

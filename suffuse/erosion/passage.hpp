@@ -29,8 +29,8 @@ CoarseSkeleton measure_coarse_skeleton(
 inline constexpr double narrowest_skeleton = 5;
 inline constexpr std::size_t fewest_coarse = 50;
 
-/// Why the coarse skeleton has lost its meaning as a filter; nothing where it has not.
-std::optional<std::string> skeleton_complaint(const dem::World& world);
+/// Whether the coarse skeleton has lost its meaning as a filter; nothing where it has not.
+std::optional<SkeletonDoubt> doubt_skeleton(const dem::World& world);
 
 /// Whether a grain of diameter `d` [m] in row `g` passes.
 bool passes(const CoarseSkeleton& skeleton, ConstrictionSize size, std::size_t g, double d);

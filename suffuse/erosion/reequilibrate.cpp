@@ -34,9 +34,7 @@ public:
         }
     }
 
-    void
-    add(const std::string& phase, const dem::World& world, const Mat3& stress, double unbalanced_force,
-        std::int64_t steps) {
+    void add(Phase phase, const dem::World& world, const Mat3& stress, double unbalanced_force, std::int64_t steps) {
         const double strain = cell::volumetric_strain(start_h_, world.cell.h);
         const double eroded = 1 - total_mass(world.grains) / initial_mass_;
         rows_.push_back(
@@ -82,7 +80,7 @@ struct Resettling {
     void take_step(PassResult& pass);
 
     template <class IsOver>
-    dem::BalanceState run_phase(const std::string& phase, std::int64_t most_steps, const IsOver& is_over);
+    dem::BalanceState run_phase(Phase phase, std::int64_t most_steps, const IsOver& is_over);
 };
 
 /// The first step without the grains that left: what the rest carries where it is.
@@ -91,11 +89,13 @@ void Resettling::take_step(PassResult& pass) {
     pass.porosity_after_removal = dem::porosity(world);
     pass.stress_after_removal = dem::step(world, caches, plan).stress;
     steps = 1;
-    recorder.add("removal", world, pass.stress_after_removal, dem::measure_equilibrium(world).unbalanced_force, steps);
+    recorder.add(
+        Phase::Removal, world, pass.stress_after_removal, dem::measure_equilibrium(world).unbalanced_force, steps
+    );
 }
 
 template <class IsOver>
-dem::BalanceState Resettling::run_phase(const std::string& phase, std::int64_t most_steps, const IsOver& is_over) {
+dem::BalanceState Resettling::run_phase(Phase phase, std::int64_t most_steps, const IsOver& is_over) {
     dem::BalanceState state;
     dem::ComputedStep step; // a collapse makes contacts that it must know
     for (std::int64_t burst = 1;; ++burst) {
@@ -112,21 +112,18 @@ dem::BalanceState Resettling::run_phase(const std::string& phase, std::int64_t m
         if (over || state.steps >= most_steps) {
             return state;
         }
-        beat(around.pulse, phase, state.steps);
+        beat(around.pulse, name_of(phase), state.steps);
     }
 }
 
 /// Whether the skeleton came to rest, or failed.
 void judge(const dem::BalanceState& settled, const dem::BalanceSpec& balance, double most_strain, PassResult& pass) {
     if (pass.failed) {
-        pass.verdict = fmt::format(
-            "the skeleton fails: it does not carry its stresses any more and strained by more than {:.3g} %",
-            100 * most_strain
-        );
+        pass.verdict = {SkeletonFailed{most_strain}};
     } else if (settled.balanced_steps < balance.patience) {
-        throw StateError(fmt::format(
+        throw NoRest(fmt::format(
             "pass {}: the eroded skeleton does not come to rest under its stresses within {} steps: unbalanced force "
-            "{:.1e}, mean stress {:.4g} kPa of {:.4g} kPa; it has failed, or [balance] asks too much",
+            "{:.1e}, mean stress {:.4g} kPa of {:.4g} kPa; it has failed",
             pass.pass, settled.steps, settled.equilibrium.unbalanced_force, dem::mean_stress(settled.stress) / 1e3,
             dem::mean_stress(pass.stress_before) / 1e3
         ));
@@ -155,23 +152,24 @@ std::vector<PathRow> reequilibrate(
 
     Stopwatch watch;
     const dem::BalanceState still =
-        resettling.run_phase("constant volume", most_steps_at_constant_volume, [&](const auto& state) {
+        resettling.run_phase(Phase::ConstantVolume, most_steps_at_constant_volume, [&](const auto& state) {
             return rests(state, around.balance, before);
         });
     pass.stress_constant_volume = still.stress;
-    pass.wall_seconds["constant volume"] = watch.lap();
+    pass.wall_seconds[std::string(name_of(Phase::ConstantVolume))] = watch.lap();
 
     plan.loading = held_loading(world, pass.stress_before);
     plan.loading.servo.max_rate = dem::rate_of_inertial_number(
         spec.inertial_number, grains::median_diameter(world.grains), world.material.density, before
     );
-    const dem::BalanceState settled = resettling.run_phase("servo", most_steps_under_stress, [&](const auto& state) {
-        pass.failed = cell::largest_strain(cell::axial_strains(start_h, world.cell.h)) > spec.max_strain;
-        return pass.failed || state.balanced_steps >= around.balance.patience;
-    });
+    const dem::BalanceState settled =
+        resettling.run_phase(Phase::Servo, most_steps_under_stress, [&](const auto& state) {
+            pass.failed = cell::largest_strain(cell::axial_strains(start_h, world.cell.h)) > spec.max_strain;
+            return pass.failed || state.balanced_steps >= around.balance.patience;
+        });
     judge(settled, around.balance, spec.max_strain, pass);
     pass.stress_after = settled.stress;
-    pass.wall_seconds["servo"] = watch.lap();
+    pass.wall_seconds[std::string(name_of(Phase::Servo))] = watch.lap();
 
     pass.steps = resettling.steps;
     pass.time_step = plan.dt;

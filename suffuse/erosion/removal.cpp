@@ -9,18 +9,16 @@
 #include "suffuse/erosion/removal_order.hpp"
 #include "suffuse/stats/coordination.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
 namespace suffuse::erosion {
 namespace {
 
-std::string reason_of(RemovedFines which) {
-    return which == RemovedFines::All      ? "removed"
-           : which == RemovedFines::Active ? "removed active"
-                                           : "removed inactive";
+Reason reason_of(RemovedFines which) {
+    return which == RemovedFines::All      ? Reason::Removed
+           : which == RemovedFines::Active ? Reason::RemovedActive
+                                           : Reason::RemovedInactive;
 }
 
 /// What pass `number` takes, in the order of the grain table: all of the class where all goes at once, else as much as
@@ -70,18 +68,17 @@ bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& 
     describe_before(next, pass);
     const std::vector<std::uint32_t> leaving = choose_leaving(next, spec, result, pass.pass);
     if (leaving.size() == next.grains.size()) {
-        throw StateError("all grains are fines and would be removed: nothing stays to carry the stresses; leave this "
-                         "fines content out (key `only`)");
+        throw NoSkeleton("all grains are fines and would be removed: nothing stays to carry the stresses");
     }
     std::vector<LedgerRow> ledger =
         extract(next, leaving, dem::coordination(next), reason_of(spec.grains), result.erosion, pass);
     pass.detachable = pass.removed;
     const std::vector<PathRow> path = reequilibrate(next, spec.resettle, result.erosion, around, pass);
     const bool is_last = pass.pass >= spec.passes;
-    if (!is_last && pass.verdict.empty() && fines_to_remove(next, spec.grains).empty()) {
-        pass.verdict = fmt::format("no grain is left to be removed after pass {} of {}", pass.pass, spec.passes);
+    if (!is_last && !pass.verdict && fines_to_remove(next, spec.grains).empty()) {
+        pass.verdict = {NoneToRemove{pass.pass, spec.passes}};
     }
-    const bool go_on = !is_last && pass.verdict.empty();
+    const bool go_on = !is_last && !pass.verdict;
     result.erosion.ledger = std::move(ledger);
     result.erosion.path.insert(result.erosion.path.end(), path.begin(), path.end());
     result.erosion.passes.push_back(std::move(pass));

@@ -3,6 +3,7 @@
 
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/dem/inspect.hpp"
+#include "suffuse/erosion/ending.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/pores/constrictions.hpp"
 
@@ -98,10 +99,25 @@ inline std::optional<double> filter_coefficient(const Transport& transport) {
     return travelled > 0 ? std::optional(held / travelled) : std::nullopt;
 }
 
+/// What happens to the skeleton at a point of a pass's history.
+enum class Phase {
+    Removal,        ///< the first step without the grains that left
+    ConstantVolume, ///< until it rests, or carries nothing
+    Servo           ///< under the stresses held before
+};
+
+/// "removal", "constant volume", "servo".
+constexpr std::string_view name_of(Phase phase) {
+    return phase == Phase::Removal ? "removal" : phase == Phase::ConstantVolume ? "constant volume" : "servo";
+}
+
+/// Why a grain left: the rule that found it detachable, or that its class was taken out.
+enum class Reason { Velocity, Displacement, Forced, Removed, RemovedActive, RemovedInactive };
+
 /// The state of the sample at one point of the history of an erosion pass (Figures 13 and 14).
 struct PathRow {
     int pass = 0;
-    std::string phase;            ///< "removal", "constant volume", "servo"
+    Phase phase = Phase::Removal;
     std::int64_t step = 0;        ///< since the start of the erosion stage
     Mat3 stress;                  ///< compression positive [Pa]
     double volumetric_strain = 0; ///< since the start of the erosion stage, compression positive [-]
@@ -117,7 +133,7 @@ struct LedgerRow {
     double diameter = 0;     ///< [m]
     double mass = 0;         ///< [kg]
     int coordination = 0;    ///< contacts when it left
-    std::string reason;      ///< "velocity", "displacement", "forced"; "removed", "removed active", "removed inactive"
+    Reason reason = Reason::Velocity;
 };
 
 struct PassResult {
@@ -144,8 +160,7 @@ struct PassResult {
     std::map<std::string, double> wall_seconds; ///< by part: "relax", "flow", "probe", "constrictions" ...
     bool failed = false;                        ///< the skeleton does not carry its stresses any more
     bool reached_target = false;                ///< as much has left as was asked, whatever the verdict
-    std::string
-        verdict; ///< empty, or why the procedure stops here ("nothing leaves any more", "the skeleton fails ...")
+    Ending verdict;
 };
 
 struct ErosionResult {
@@ -157,7 +172,7 @@ struct ErosionResult {
 
 /// Whether fines were taken out by their contacts, whatever the water does.
 inline bool is_forced(const ErosionResult& erosion) {
-    return !erosion.ledger.empty() && erosion.ledger.front().reason == "forced";
+    return !erosion.ledger.empty() && erosion.ledger.front().reason == Reason::Forced;
 }
 
 /// Share of the mean stress lost at constant volume [-]; nothing where there was no stress to lose.

@@ -2,6 +2,7 @@
 #include "suffuse/base/escaped.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/figures/figures.hpp"
+#include "suffuse/record/ending_words.hpp"
 #include "suffuse/study/passes.hpp"
 
 #include <fmt/format.h>
@@ -214,8 +215,8 @@ std::optional<Figure> erosion_loop(const ErosionResult& erosion) {
             grouped(pass->detachable), grouped(std::ssize(pass->probe.id))
         );
     }
-    const std::string& verdict = erosion.passes.back().verdict;
-    figure.caption += verdict.empty() ? "." : "; it stopped because: " + verdict + ".";
+    const erosion::Ending& ending = erosion.passes.back().verdict;
+    figure.caption += ending ? "; it stopped because: " + record::words_of(ending) + "." : ".";
     figure.table = table_of(steps_of(all, erosion::is_forced(erosion)), all);
     figure.drawing = draw(steps_of(shown, erosion::is_forced(erosion)), shown);
     return figure;

@@ -133,11 +133,11 @@ TEST(Figures, AnEmptyRunMakesNone) {
 TEST(Figures, APassThatTookNothingStillGivesItsFigures) {
     ErosionResult erosion;
     erosion.passes.emplace_back().pass = 1;
-    erosion.passes[0].verdict = "nothing leaves";
+    erosion.passes[0].verdict = {erosion::NothingLeaves{}};
     EXPECT_TRUE(eroded_mass(erosion));
     EXPECT_FALSE(eroded_coordination(erosion));
     ASSERT_TRUE(erosion_loop(erosion));
-    EXPECT_NE(erosion_loop(erosion)->caption.find("nothing leaves"), std::string::npos);
+    EXPECT_NE(erosion_loop(erosion)->caption.find("it stopped because: nothing leaves any more."), std::string::npos);
 }
 
 TEST(GradingFigure, SizesAreInMillimetersAndSharesInPercent) {
@@ -315,7 +315,7 @@ TEST(LoopFigure, AForcedRemovalAsksNeitherProbeNorConstrictions) {
     erosion.passes[0].probe = {}; // as of a sample without fines
     EXPECT_NE(erosion_loop(erosion)->drawing.find(">–<"), std::string::npos);
     EXPECT_EQ(erosion_loop(erosion)->drawing.find("the removal is forced"), std::string::npos);
-    erosion.ledger.push_back({7, 1, 1e-4, 1e-9, 0, "forced"});
+    erosion.ledger.push_back({7, 1, 1e-4, 1e-9, 0, erosion::Reason::Forced});
     std::swap(erosion.ledger.front(), erosion.ledger.back());
     EXPECT_NE(erosion_loop(erosion)->drawing.find("not asked: the removal is forced"), std::string::npos);
 }

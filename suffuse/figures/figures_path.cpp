@@ -20,36 +20,45 @@ using nlohmann::json;
 constexpr std::size_t most_named = 4;       ///< passes with labels, colors and words of their own
 constexpr std::size_t most_path_rows = 800; ///< drawn; the run's own files hold them all
 
+/// A row of the path, or the state before a removal, which no path holds.
+struct DrawnRow {
+    PathRow state;
+    bool is_before = false;
+
+    [[nodiscard]] std::string_view phase() const { return is_before ? "before" : name_of(state.phase); }
+};
+
 /// The path with the state before each removal put in front of it, so that a drawing shows what the removal changed.
-std::vector<PathRow> with_starts(const ErosionResult& erosion) {
-    std::vector<PathRow> rows;
+std::vector<DrawnRow> with_starts(const ErosionResult& erosion) {
+    std::vector<DrawnRow> rows;
     for (const PathRow& row : erosion.path) {
-        const bool begins = rows.empty() || rows.back().pass != row.pass;
+        const bool begins = rows.empty() || rows.back().state.pass != row.pass;
         const auto pass = std::find_if(erosion.passes.begin(), erosion.passes.end(), [&](const PassResult& each) {
             return each.pass == row.pass;
         });
         if (begins && pass != erosion.passes.end()) {
-            PathRow start = rows.empty() ? PathRow{} : rows.back();
+            PathRow start = rows.empty() ? PathRow{} : rows.back().state;
             start.pass = row.pass;
-            start.phase = "before";
             start.step = row.step;
             start.stress = pass->stress_before;
             start.porosity = pass->porosity_before;
-            rows.push_back(start);
+            rows.push_back({start, true});
         }
-        rows.push_back(row);
+        rows.push_back({row});
     }
     return rows;
 }
 
 /// Rows for drawing: evenly thinned, but every first and last row of a phase stays.
-std::vector<PathRow> thinned(const std::vector<PathRow>& path) {
+std::vector<DrawnRow> thinned(const std::vector<DrawnRow>& path) {
     if (path.size() <= most_path_rows) {
         return path;
     }
     const std::size_t every = (path.size() + most_path_rows - 1) / most_path_rows;
-    const auto same_phase = [](const PathRow& a, const PathRow& b) { return a.pass == b.pass && a.phase == b.phase; };
-    std::vector<PathRow> kept;
+    const auto same_phase = [](const DrawnRow& a, const DrawnRow& b) {
+        return a.state.pass == b.state.pass && a.phase() == b.phase();
+    };
+    std::vector<DrawnRow> kept;
     for (std::size_t row = 0; row < path.size(); ++row) {
         const bool begins = row == 0 || !same_phase(path[row - 1], path[row]);
         const bool ends = row + 1 == path.size() || !same_phase(path[row], path[row + 1]);
@@ -60,20 +69,21 @@ std::vector<PathRow> thinned(const std::vector<PathRow>& path) {
     return kept;
 }
 
-Table path_table(const std::vector<PathRow>& path) {
+Table path_table(const std::vector<DrawnRow>& path) {
     std::vector<std::string> pass, phase;
     std::vector<double> row_number, step, since, mean, x, y, z, strain, porosity, resettling, unbalanced, mass;
     PathRow removal;
-    for (const PathRow& row : path) {
-        if (row.phase == "removal") {
+    for (const DrawnRow& each : path) {
+        const PathRow& row = each.state;
+        if (!each.is_before && row.phase == erosion::Phase::Removal) {
             removal = row;
         }
-        const bool resettles = row.phase != "before" && row.pass == removal.pass;
+        const bool resettles = !each.is_before && row.pass == removal.pass;
         since.push_back(resettles ? static_cast<double>(row.step - removal.step) : missing);
         resettling.push_back(resettles ? row.porosity - removal.porosity : missing);
         row_number.push_back(static_cast<double>(row_number.size()));
         pass.push_back(study::pass_name(row.pass));
-        phase.push_back(row.phase);
+        phase.emplace_back(each.phase());
         step.push_back(static_cast<double>(row.step));
         mean.push_back(dem::mean_stress(row.stress) / 1e3);
         x.push_back(row.stress(0, 0) / 1e3);

@@ -5,6 +5,7 @@
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/erosion/removal.hpp"
 #include "suffuse/packing/compact.hpp"
+#include "suffuse/record/ending_words.hpp"
 #include "suffuse/record/or_null.hpp"
 #include "suffuse/triaxial/response.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
@@ -107,8 +108,23 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // probes of earlier runs lack 
     signal_over_twin, viscous_time, beyond_viscous_time, id, diameter, fluid_force, coordination, speed, twin_speed,
     displacement, free_speed, free_displacement, twin_noise, by_velocity, by_displacement, agreement, hidden_by_noise
 )
+NLOHMANN_JSON_SERIALIZE_ENUM(
+    Phase, {{Phase::Removal, name_of(Phase::Removal)},
+            {Phase::ConstantVolume, name_of(Phase::ConstantVolume)},
+            {Phase::Servo, name_of(Phase::Servo)}}
+)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     PathRow, pass, phase, step, stress, volumetric_strain, porosity, unbalanced_force, eroded_mass
+)
+NLOHMANN_JSON_SERIALIZE_ENUM(
+    Reason, {{Reason::Velocity, "velocity"},
+             {Reason::Displacement, "displacement"},
+             {Reason::Forced, "forced"},
+             {Reason::Removed, "removed"},
+             {Reason::RemovedActive, "removed active"},
+             {Reason::RemovedInactive, "removed inactive"},
+             {Reason::RemovedActive, "removed, active"}, // of earlier runs
+             {Reason::RemovedInactive, "removed, inactive"}}
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerRow, grain, pass, diameter, mass, coordination, reason)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConstrictionSummary, count, mean, median, d35)
@@ -116,6 +132,15 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Fate, {{Fate::Left, "left"}, {Fate::Lodged, "lodged
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Transport, distance, id, diameter, mass, travel, progress, path, throats, constriction, fate
 )
+
+inline void to_json(nlohmann::json& json, const Ending& ending) {
+    json = record::words_of(ending);
+}
+
+inline void from_json(const nlohmann::json& json, Ending& ending) {
+    ending = record::ending_told(json);
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack fluxes, merged voids, transport ...
     PassResult, pass, probe, constrictions, merge, constrictions_by_merge, detachable, held_back, removed, transport,
     eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,

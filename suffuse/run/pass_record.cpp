@@ -42,7 +42,7 @@ json pass_record(const erosion::PassResult& pass) {
 void write_eroded(const std::filesystem::path& folder, const erosion::ErosionResult& result) {
     io::CsvWriter eroded(folder / "eroded.csv", "pass,id,d,mass,coordination,reason");
     for (const erosion::LedgerRow& row : result.ledger) {
-        eroded.row(row.pass, row.grain, row.diameter, row.mass, row.coordination, row.reason);
+        eroded.row(row.pass, row.grain, row.diameter, row.mass, row.coordination, json(row.reason).get<std::string>());
     }
     eroded.finish();
 }

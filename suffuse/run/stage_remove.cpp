@@ -3,9 +3,11 @@
 #include "suffuse/cell/strain.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/removal.hpp"
+#include "suffuse/record/ending_words.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/stage_work.hpp"
+#include "suffuse/run/take_pass.hpp"
 
 #include <fmt/format.h>
 
@@ -85,7 +87,7 @@ void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
         removal = work.resumed.at("removal").get<erosion::RemovalResult>();
     }
     while (goes_on) {
-        goes_on = erosion::remove_once(work.world, spec, around, removal);
+        goes_on = take_pass([&] { return erosion::remove_once(work.world, spec, around, removal); });
         work.history.record(work.world, true);
         work.count_steps(removal.erosion.passes.back().steps);
         if (goes_on) {
@@ -94,8 +96,8 @@ void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
     }
     work.time_step = removal.erosion.passes.back().time_step;
     work.numbers.update(removal_numbers(work.world, removal));
-    if (const std::string& verdict = removal.erosion.passes.back().verdict; !verdict.empty()) {
-        work.warnings.push_back(fmt::format("{}: {}", work.place(), verdict));
+    if (const erosion::Ending& ending = removal.erosion.passes.back().verdict) {
+        work.warnings.push_back(fmt::format("{}: {}", work.place(), record::words_of(ending)));
     }
     write_eroded(work.folder, removal.erosion);
 }

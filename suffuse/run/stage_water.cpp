@@ -14,11 +14,13 @@
 #include "suffuse/io/flow_tables.hpp"
 #include "suffuse/io/tables.hpp"
 #include "suffuse/record/case_hash.hpp"
+#include "suffuse/record/ending_words.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/record/samples.hpp"
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/stage_work.hpp"
+#include "suffuse/run/take_pass.hpp"
 #include "suffuse/stokes/resolved_flow.hpp"
 
 #include <fmt/format.h>
@@ -328,7 +330,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
                  {"stage", fmt::format("{}, pass {}", work.place(), passes_done())}}
             );
         }
-        goes_on = erosion::erode_once(work.world, spec, work.surroundings(), result);
+        goes_on = take_pass([&] { return erosion::erode_once(work.world, spec, work.surroundings(), result); });
         work.history.record(work.world, true);
         work.save_partial({{"result", result}, {"goes_on", goes_on}});
     }
@@ -344,10 +346,12 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         grains -= pass.removed;
         work.time_step = pass.probe.time_step;
         note_probe(work, spec.detached, pass.probe, !spec.forced);
-        const bool is_usual_end = pass.verdict == erosion::nothing_leaves ||
-                                  (pass.reached_target && !pass.failed && !erosion::skeleton_complaint(work.world));
-        if (!pass.verdict.empty() && !is_usual_end) {
-            work.warnings.push_back(fmt::format("{}: pass {}: {}", work.place(), pass.pass, pass.verdict));
+        const bool is_usual_end = pass.verdict == erosion::Ending{erosion::NothingLeaves{}} ||
+                                  (pass.reached_target && !pass.failed && !erosion::doubt_skeleton(work.world));
+        if (pass.verdict && !is_usual_end) {
+            work.warnings.push_back(
+                fmt::format("{}: pass {}: {}", work.place(), pass.pass, record::words_of(pass.verdict))
+            );
         }
     }
     note_target(work, spec, result);

@@ -107,20 +107,20 @@ inline void add_path(
     const double mass_before = erosion.path.empty() ? 0 : erosion.path.back().eroded_mass;
     const std::int64_t begin = erosion.path.empty() ? 0 : erosion.path.back().step + 2000;
     const double mass = mass_before + removal / 0.6;
-    const auto add = [&](const char* phase, std::int64_t step, double stress, double e, double n, double m) {
+    const auto add = [&](erosion::Phase phase, std::int64_t step, double stress, double e, double n, double m) {
         erosion.path.push_back({pass, phase, step, isotropic(stress), e, n, 1e-4, m});
         erosion.path.back().stress[2][2] *= 1.02;
     };
-    add("removal", begin, 1e5, strain_before, porosity_before + removal, mass);
+    add(erosion::Phase::Removal, begin, 1e5, strain_before, porosity_before + removal, mass);
     for (int k = 1; k <= 60; ++k) {
         const double share = 1 - std::exp(-k / 12.0);
-        add("constant volume", begin + 50 * k, 1e5 + share * (stress_left - 1e5), strain_before,
+        add(erosion::Phase::ConstantVolume, begin + 50 * k, 1e5 + share * (stress_left - 1e5), strain_before,
             porosity_before + removal, mass);
     }
     for (int k = 1; k <= 60; ++k) {
         const double share = 1 - std::exp(-k / 12.0);
-        add("servo", begin + 3000 + 60 * k, stress_left + share * (1e5 - stress_left), strain_before + share * strain,
-            porosity_before + removal - share * resettling, mass);
+        add(erosion::Phase::Servo, begin + 3000 + 60 * k, stress_left + share * (1e5 - stress_left),
+            strain_before + share * strain, porosity_before + removal - share * resettling, mass);
     }
 }
 
@@ -170,7 +170,9 @@ inline erosion::ErosionResult sample_erosion() {
             if (pass.probe.by_velocity[g] == 0) {
                 continue;
             }
-            erosion.ledger.push_back({pass.probe.id[g], pass.pass, d, mass, pass.probe.coordination[g], "velocity"});
+            erosion.ledger.push_back(
+                {pass.probe.id[g], pass.pass, d, mass, pass.probe.coordination[g], erosion::Reason::Velocity}
+            );
         }
     }
     erosion.initial_mass = mass_of_fines / 0.79;

@@ -1,0 +1,73 @@
+#pragma once
+// Why an erosion or a removal stops, with the numbers that say so. Its words: record/ending_words.hpp.
+
+#include "suffuse/erosion/spec.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace suffuse::erosion {
+
+/// The usual end of an erosion.
+struct NothingLeaves {
+    bool operator==(const NothingLeaves&) const = default;
+};
+
+/// What leaves cannot be told from the noise of the probe's twin.
+struct NoiseDecides {
+    bool operator==(const NoiseDecides&) const = default;
+};
+
+/// The coarse skeleton has lost its meaning as a filter.
+struct SkeletonDoubt {
+    std::int64_t coarse = 0; ///< grains left
+    double width = 0;        ///< of the cell, in median coarse diameters; 0 where the grains are too few [-]
+
+    bool operator==(const SkeletonDoubt&) const = default;
+};
+
+/// The skeleton does not carry its stresses any more.
+struct SkeletonFailed {
+    double most_strain = 0; ///< that an axis may strain by in a pass [-]
+
+    bool operator==(const SkeletonFailed&) const = default;
+};
+
+/// As much has left as was asked.
+struct TargetReached {
+    double share = 0, asked = 0; ///< of the mass [-]
+    ErodedTarget::Of of = ErodedTarget::Of::Fines;
+    std::optional<SkeletonDoubt> doubt;
+
+    bool operator==(const TargetReached&) const = default;
+};
+
+/// A removal of several passes took all that it may before the last.
+struct NoneToRemove {
+    int pass = 0, passes = 0;
+
+    bool operator==(const NoneToRemove&) const = default;
+};
+
+/// Of a result by another version, which tells it in words that this one does not use.
+struct ToldOtherwise {
+    std::string words;
+
+    bool operator==(const ToldOtherwise&) const = default;
+};
+
+/// Why the procedure stops after a pass; false where it goes on.
+struct Ending {
+    std::variant<
+        std::monostate, NothingLeaves, NoiseDecides, SkeletonDoubt, SkeletonFailed, TargetReached, NoneToRemove,
+        ToldOtherwise>
+        why;
+
+    explicit operator bool() const { return !std::holds_alternative<std::monostate>(why); }
+
+    bool operator==(const Ending&) const = default;
+};
+
+} // namespace suffuse::erosion

@@ -1,0 +1,32 @@
+#include "suffuse/run/take_pass.hpp"
+
+#include "suffuse/erosion/loop.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace suffuse;
+
+template <class Error>
+std::string told(const char* message) {
+    try {
+        run::take_pass([&]() -> bool { throw Error(message); });
+    } catch (const StateError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(TakePass, SaysWhichKeysHelp) {
+    EXPECT_EQ(told<erosion::NoSkeleton>("all are fines"), "all are fines; leave this fines content out (key `only`)");
+    EXPECT_EQ(told<erosion::NoRest>("it has failed"), "it has failed, or [balance] asks too much");
+    EXPECT_EQ(told<StateError>("too fast"), "too fast");
+}
+
+TEST(TakePass, HandsOnWhetherThereIsAnother) {
+    EXPECT_TRUE(run::take_pass([] { return true; }));
+    EXPECT_FALSE(run::take_pass([] { return false; }));
+}
+
+} // namespace
