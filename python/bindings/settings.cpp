@@ -1,5 +1,6 @@
 // Material, fluid, balance and loading: the same Specs as a case file's, with the same words.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema.hpp"
 #include "suffuse/cell/servo.hpp"
@@ -16,6 +17,7 @@
 #include "python/bindings/key_value.hpp"
 #include "python/bindings/typed.hpp"
 #include <array>
+#include <type_traits>
 #include <utility>
 
 namespace suffuse::python {
@@ -76,44 +78,61 @@ void make_value(py::class_<Spec>& type, const std::vector<const char*>& fields) 
     });
 }
 
-void bind_material(py::module_& m) {
-    using grains::Material;
-    py::class_<Material> type(m, "Material", "The constants of the contact law; keywords set fields.");
-    quantity_field(type, "grain", "density", &Material::density);
-    quantity_field(type, "contact", "modulus", &Material::modulus);
-    quantity_field(type, "contact", "shear_ratio", &Material::shear_ratio);
-    quantity_field(type, "contact", "poisson", &Material::poisson);
+/// The number of that name among the members of a material.
+double& number_in(grains::Material& material, std::string_view name) {
+    double* found = nullptr;
+    grains::list_members(material, [&](const grains::Member& member, auto& value) {
+        if constexpr (std::is_same_v<decltype(value), double&>) {
+            found = name == member.name ? &value : found;
+        }
+    });
+    expects(found != nullptr, "a material has the members that it lists");
+    return *found;
+}
+
+/// The key of the case that sets a member of the material.
+const Key& key_of_member(std::string_view name) {
+    constexpr std::string_view adhesion = "adhesion_";
+    if (name.starts_with(adhesion)) {
+        return key_of("contact.adhesion", name.substr(adhesion.size()));
+    }
+    return key_of(name == "density" ? "grain" : "contact", name);
+}
+
+void bind_member(py::class_<grains::Material>& type, const char* name, double) {
+    const Key& key = key_of_member(name);
+    const char* said = key.table == "contact.adhesion" ? "adhesion" : name;
     type.def_property(
-        "law",
-        [](const Material& material) {
+        name, [name](grains::Material material) { return number_in(material, name); },
+        [name, said, &key](grains::Material& material, const Quantity& value) {
+            number_in(material, name) = value_of(key, value, said);
+        },
+        key_doc(key).c_str()
+    );
+}
+
+void bind_member(py::class_<grains::Material>& type, const char* name, grains::ContactLaw) {
+    type.def_property(
+        name,
+        [](const grains::Material& material) {
             return std::string(casefile::names::word_for(casefile::names::law, material.law));
         },
-        [](Material& material, const std::string& word) { material.law = word_of(word, casefile::names::law, "law"); },
-        key_doc(key_of("contact", "law")).c_str()
+        [name](grains::Material& material, const std::string& word) {
+            material.law = word_of(word, casefile::names::law, name);
+        },
+        key_doc(key_of_member(name)).c_str()
     );
-    quantity_field(type, "contact", "friction", &Material::friction);
-    quantity_field(type, "contact", "rolling_stiffness", &Material::rolling_stiffness);
-    quantity_field(type, "contact", "rolling_friction", &Material::rolling_friction);
-    quantity_field(type, "contact", "twisting_stiffness", &Material::twisting_stiffness);
-    quantity_field(type, "contact", "twisting_friction", &Material::twisting_friction);
-    quantity_field(type, "contact", "viscous_damping", &Material::viscous_damping);
-    for (const auto& [name, field] :
-         {std::pair{"normal", &Material::adhesion_normal}, {"shear", &Material::adhesion_shear}}) {
-        const Key& key = key_of("contact.adhesion", name);
-        type.def_property(
-            fmt::format("adhesion_{}", name).c_str(),
-            [field = field](const Material& material) { return material.*field; },
-            [field = field, &key](Material& material, const Quantity& value) {
-                material.*field = value_of(key, value, "adhesion");
-            },
-            key_doc(key).c_str()
-        );
-    }
-    make_value(
-        type,
-        {"density", "modulus", "shear_ratio", "friction", "rolling_stiffness", "rolling_friction", "twisting_stiffness",
-         "twisting_friction", "adhesion_normal", "adhesion_shear", "law", "poisson", "viscous_damping"}
-    );
+}
+
+void bind_material(py::module_& m) {
+    py::class_<grains::Material> type(m, "Material", "The constants of the contact law; keywords set fields.");
+    const grains::Material usual;
+    std::vector<const char*> names;
+    grains::list_members(usual, [&](const grains::Member& member, const auto& value) {
+        names.push_back(member.name);
+        bind_member(type, member.name, value);
+    });
+    make_value(type, names);
 }
 
 void bind_fluid(py::module_& m) {

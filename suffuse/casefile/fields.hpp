@@ -25,7 +25,7 @@ template <class V>
 void contact_fields(V& v, grains::Material& m, double& damping) {
     v.choice("law", m.law, names::law);
     v.field("modulus", m.modulus);
-    shear_fields(v, m);
+    spring_fields(v, m);
     v.field("friction", m.friction);
     v.field("rolling_stiffness", m.rolling_stiffness);
     v.field("rolling_friction", m.rolling_friction);

@@ -2,7 +2,9 @@
 // The words that a case may use where there is a choice. The first word of a value is the one that is written back.
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/casefile/case.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
+#include "suffuse/contact/springs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,9 +26,12 @@ inline constexpr std::array inertial_number = {Word<double>{1e-4, "strict"}, Wor
 enum class Then { Settle };
 enum class Of { Coarse };
 
-inline constexpr std::array law = {
-    Word<grains::ContactLaw>{grains::ContactLaw::LinearRolling, "linear-rolling"},
-    Word<grains::ContactLaw>{grains::ContactLaw::HertzMindlin, "hertz-mindlin"}};
+inline constexpr auto law = std::apply(
+    [](const auto&... spring) {
+        return std::array{Word<grains::ContactLaw>{spring.law, spring.words.name}...};
+    },
+    contact::springs
+);
 inline constexpr std::array then = {Word<Then>{Then::Settle, "settle"}};
 inline constexpr std::array constrictions_of = {Word<Of>{Of::Coarse, "coarse"}};
 inline constexpr std::array hold = {Word<bool>{true, "coarse"}, Word<bool>{false, "none"}};

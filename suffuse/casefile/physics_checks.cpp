@@ -4,6 +4,7 @@
 #include "suffuse/casefile/sample_checks.hpp"
 #include "suffuse/casefile/stage_loading.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
+#include "suffuse/contact/springs.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 
@@ -29,8 +30,7 @@ double round_up(double value) {
 
 /// With which grains overlap by so many times less [Pa], rounded up.
 double stiffer_modulus(const grains::Material& material, double times) {
-    const bool is_hertzian = material.law == grains::ContactLaw::HertzMindlin;
-    return round_up(material.modulus * (is_hertzian ? std::pow(times, 1.5) : times));
+    return round_up(material.modulus * std::pow(times, contact::spring_of(material).exponent(material)));
 }
 
 class Checks {
@@ -39,7 +39,7 @@ public:
         : context_(context), settings_(settings), variant_(variant), path_("study." + study.name) {}
 
     void check_pressure(const Stage& stage, std::string_view key, double pressure) {
-        const double overlap = grains::mean_overlap_at(variant_.material, std::abs(pressure));
+        const double overlap = contact::mean_overlap_at(variant_.material, std::abs(pressure));
         if (overlap <= large_overlap) {
             check_squeezed(stage_place(stage, key), std::abs(pressure));
             return;
@@ -88,11 +88,16 @@ public:
 
     void check_adhesion(const Stage& stage, const packing::Prepare& prepare) {
         const bool adheres = prepare.adhesion_normal.value_or(0) > 0 || prepare.adhesion_shear.value_or(0) > 0;
-        if (adheres && variant_.material.law == grains::ContactLaw::HertzMindlin) {
+        const contact::Spring& spring = contact::spring_of(variant_.material);
+        if (adheres && !spring.may_adhere) {
             context_.problems.error(
-                "E207", stage_place(stage, "prepare"), "grains under the law \"hertz-mindlin\" do not adhere",
-                "leave `adhesion` out: with the final friction from the start a sample is loose too; or take law = "
-                "\"linear-rolling\""
+                "E207", stage_place(stage, "prepare"),
+                fmt::format("grains under the law \"{}\" do not adhere", spring.words.name),
+                fmt::format(
+                    "leave `adhesion` out: with the final friction from the start a sample is loose too; or take law = "
+                    "\"{}\"",
+                    contact::laws_that_adhere()
+                )
             );
         }
     }
@@ -310,7 +315,7 @@ void check_stage(Checks& checks, const Stage& stage) {
 
 double squeezed_overlap_at(double pressure, const grains::Material& material, double size_ratio) {
     constexpr double of_chains = 4; // over the pressure: stress of the strongest chains
-    return grains::overlap_under(material, of_chains * pressure * size_ratio * size_ratio);
+    return contact::spring_of(material).overlap_under(material, of_chains * pressure * size_ratio * size_ratio);
 }
 
 void check_physics(ReadContext& context, const Case& settings, const Study& study, const Variant& variant) {

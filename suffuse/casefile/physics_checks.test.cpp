@@ -1,6 +1,7 @@
 #include "suffuse/casefile/physics_checks.hpp"
 
 #include "suffuse/casefile/case_for_tests.hpp"
+#include "suffuse/contact/springs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,8 @@ using namespace suffuse::casefile::testing;
 
 // Settled at 100 kPa with 356 MPa, the reference's grains overlap by some thousandths of their radius.
 TEST(PhysicsChecks, OverlapIsOfTheRightOrder) {
-    EXPECT_GT(grains::mean_overlap_at({}, 1e5), 0.5e-3);
-    EXPECT_LT(grains::mean_overlap_at({}, 1e5), 5e-3);
+    EXPECT_GT(contact::mean_overlap_at({}, 1e5), 0.5e-3);
+    EXPECT_LT(contact::mean_overlap_at({}, 1e5), 5e-3);
 }
 
 TEST(PhysicsChecks, APressureThatSqueezesGrainsIsDoubtfulThenAnError) {

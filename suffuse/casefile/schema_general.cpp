@@ -3,12 +3,32 @@
 #include "suffuse/base/constants.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema_row.hpp"
+#include "suffuse/contact/springs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace suffuse::casefile::detail {
 
 namespace {
 
 constexpr Range friction_range{0, pi / 2, false, true};
+
+/// "linear-rolling: linear springs, adhesion; hertz-mindlin: elastic spheres"
+std::string said_of_laws(std::string_view contact::SpringWords::*what) {
+    std::vector<std::string> parts;
+    for (const contact::Spring& spring : contact::springs) {
+        parts.push_back(fmt::format("{}: {}", spring.words.name, spring.words.*what));
+    }
+    return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// Names of the laws that have a key of their own.
+std::string laws_with(std::string_view key) {
+    return fmt::format(
+        "{}", fmt::join(contact::laws_where([&](const contact::Spring& s) { return has_own(s, key); }), " and ")
+    );
+}
 
 std::vector<Key> top_rows() {
     return {
@@ -40,19 +60,24 @@ std::vector<Key> contact_rows() {
         quantity("grain", "density", dimension::density, above_zero, "Density of the grains."),
         choice(
             "contact", "law", names::words_of(names::law),
-            "Contact law. linear-rolling: linear springs, adhesion; hertz-mindlin: elastic spheres. Both with Coulomb "
-            "slip, rolling and twisting resistance."
+            fmt::format(
+                "Contact law. {}. {} with Coulomb slip, rolling and twisting resistance.",
+                said_of_laws(&contact::SpringWords::summary), contact::springs.size() == 2 ? "Both" : "All"
+            )
         ),
         quantity(
-            "contact", "modulus", dimension::pressure, above_zero,
-            "linear-rolling: E of the normal stiffness kn = 2 E r1 r2/(r1 + r2); hertz-mindlin: Young's modulus of the "
-            "grains, as \"70 GPa\" of quartz or glass, which must be given."
+            "contact", "modulus", dimension::pressure, above_zero, said_of_laws(&contact::SpringWords::modulus) + "."
         ),
-        ratio("contact", "shear_ratio", above_zero, "Shear stiffness / normal stiffness of linear-rolling."),
+        ratio(
+            "contact", "shear_ratio", above_zero,
+            fmt::format("Shear stiffness / normal stiffness of {}.", laws_with("shear_ratio"))
+        ),
         ratio(
             "contact", "poisson", {-1, 0.5, true, false},
-            "Poisson's ratio nu of the grains, of hertz-mindlin: shear stiffness / normal stiffness = 2 (1 - nu)/(2 - "
-            "nu)."
+            fmt::format(
+                "Poisson's ratio nu of the grains, of {}: shear stiffness / normal stiffness = 2 (1 - nu)/(2 - nu).",
+                laws_with("poisson")
+            )
         ),
         quantity(
             "contact", "friction", dimension::angle, friction_range,

@@ -3,11 +3,14 @@
 #include "suffuse/casefile/special_fields.hpp"
 
 #include "suffuse/casefile/names.hpp"
+#include "suffuse/contact/springs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <type_traits>
 
 namespace suffuse::casefile {
 
@@ -33,6 +36,16 @@ void check_file(Reader& v, const Place& place, const std::string& path) {
             "paths start at the folder of the case"
         );
     }
+}
+
+/// What to do about a key that the law lacks.
+std::string advice_without(const contact::Spring& spring, std::string_view key) {
+    const auto shears_by = [&](const contact::Spring& other) { return other.words.shear_key == key; };
+    if (!contact::laws_where(shears_by).empty()) {
+        return std::string(spring.words.shear);
+    }
+    const auto has_key = [&](const contact::Spring& other) { return has_own(other, key); };
+    return fmt::format("leave it out, or take law = \"{}\"", fmt::join(contact::laws_where(has_key), "\" or \""));
 }
 
 } // namespace
@@ -230,42 +243,57 @@ void sweep_field(Writer& v, std::string_view key, const std::vector<Sweep>& swee
     }
 }
 
-void shear_fields(Reader& v, grains::Material& m) {
-    const bool is_hertzian = m.law == grains::ContactLaw::HertzMindlin;
-    v.field("shear_ratio", m.shear_ratio);
-    v.field("poisson", m.poisson);
-    const char* const other = is_hertzian ? "shear_ratio" : "poisson";
-    if (const Node* node = v.take(other)) {
-        v.error(
-            "E207", node->place, fmt::format("the law \"{}\" has no `{}`", names::word_for(names::law, m.law), other),
-            is_hertzian ? "its shear stiffness follows from `poisson`, Poisson's ratio of the grains"
-                        : "`shear_ratio` is its shear stiffness / normal stiffness; or take law = \"hertz-mindlin\""
-        );
+void spring_fields(Reader& v, grains::Material& m) {
+    const contact::Spring& spring = contact::spring_of(m);
+    const auto owned_by_some = [](std::string_view key) {
+        return !contact::laws_where([&](const contact::Spring& any) { return has_own(any, key); }).empty();
+    };
+    std::vector<std::string_view> foreign;
+    grains::list_members(m, [&](const grains::Member& member, auto& value) {
+        if constexpr (std::is_same_v<decltype(value), double&>) {
+            if (owned_by_some(member.name)) {
+                v.field(member.name, value);
+                if (!has_own(spring, member.name)) {
+                    foreign.emplace_back(member.name);
+                }
+            }
+        }
+    });
+    for (const std::string_view key : foreign) {
+        if (const Node* node = v.take(key)) {
+            v.error(
+                "E207", node->place, fmt::format("the law \"{}\" has no `{}`", spring.words.name, key),
+                advice_without(spring, key)
+            );
+        }
     }
 }
 
-void shear_fields(Writer& v, const grains::Material& m) {
-    if (m.law == grains::ContactLaw::HertzMindlin) {
-        v.field("poisson", m.poisson);
-    } else {
-        v.field("shear_ratio", m.shear_ratio);
-    }
+void spring_fields(Writer& v, const grains::Material& m) {
+    const contact::Spring& spring = contact::spring_of(m);
+    grains::list_members(m, [&](const grains::Member& member, const auto& value) {
+        if constexpr (std::is_same_v<decltype(value), const double&>) {
+            if (has_own(spring, member.name)) {
+                v.field(member.name, value);
+            }
+        }
+    });
 }
 
 void check_law(Reader& v, const grains::Material& m) {
-    if (m.law != grains::ContactLaw::HertzMindlin) {
-        return;
+    const contact::Spring& spring = contact::spring_of(m);
+    for (const contact::NeededKey& key : spring.words.needs) {
+        if (!v.has(key.name)) {
+            v.error(
+                "E201", v.place(), fmt::format("the law \"{}\" needs {}", spring.words.name, key.what),
+                std::string(key.advice)
+            );
+        }
     }
-    if (!v.has("modulus")) {
+    if (!spring.may_adhere && adheres(m)) {
         v.error(
-            "E201", v.place(), "the law \"hertz-mindlin\" needs the `modulus` of the grains",
-            "Young's modulus, as in modulus = \"70 GPa\" of quartz or glass"
-        );
-    }
-    if (adheres(m)) {
-        v.error(
-            "E207", v.place(), "grains under the law \"hertz-mindlin\" do not adhere",
-            "leave `adhesion` out, or take law = \"linear-rolling\""
+            "E207", v.place(), fmt::format("grains under the law \"{}\" do not adhere", spring.words.name),
+            fmt::format("leave `adhesion` out, or take law = \"{}\"", contact::laws_that_adhere())
         );
     }
 }

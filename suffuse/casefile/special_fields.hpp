@@ -38,11 +38,11 @@ void check_path(Writer& v, const triaxial::TriaxialSpec& s);
 void check_servo(Reader& v, const cell::ServoSpec& s);
 void check_servo(Writer& v, const cell::ServoSpec& s);
 
-/// What the shear stiffness follows from: `shear_ratio` in the linear law, `poisson` in Hertz's.
-void shear_fields(Reader& v, grains::Material& m);
-void shear_fields(Writer& v, const grains::Material& m);
+/// What only some laws have, such as what their shear stiffness follows from.
+void spring_fields(Reader& v, grains::Material& m);
+void spring_fields(Writer& v, const grains::Material& m);
 
-/// Hertz's law needs the modulus of the grains, and has no adhesion.
+/// A law may need keys whose defaults are another's, and may have no adhesion.
 void check_law(Reader& v, const grains::Material& m);
 void check_law(Writer& v, const grains::Material& m);
 

@@ -1,7 +1,8 @@
 #include "suffuse/contact/contact_loop.hpp"
 
 #include "suffuse/base/clones.hpp"
-#include "suffuse/contact/hertz_mindlin.hpp"
+#include "suffuse/contact/opening.hpp"
+#include "suffuse/contact/springs.hpp"
 #include "suffuse/contact/tile.hpp"
 
 #include <algorithm>
@@ -54,29 +55,21 @@ load(const DomainWork<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>&
     }
 }
 
-template <class Real>
-[[gnu::always_inline]] inline void find_geometry(const LawConstants& law, std::size_t rows, Tile<Real>& t) {
+template <class Spring, class Real>
+[[gnu::always_inline]] inline void find_geometry(const SpringConstants& constants, std::size_t rows, Tile<Real>& t) {
+    const SpringConstants own = constants;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
-        const ContactGeometry<double> m =
-            find_geometry(law, triple(t.branch, k), t.exact_radius_1[k], t.exact_radius_2[k]);
-        set(t.normal, k, m.normal);
-        t.overlap[k] = static_cast<Real>(m.overlap);
-        t.reach_over_distance[k] = static_cast<Real>(m.reach_over_distance);
-        t.normal_stiffness[k] = static_cast<Real>(m.normal_stiffness);
-        t.radius_1[k] = static_cast<Real>(t.exact_radius_1[k]);
-        t.radius_2[k] = static_cast<Real>(t.exact_radius_2[k]);
-    }
-}
-
-/// Of Hertz's law, whose stiffness grows with the overlap.
-template <class Real>
-[[gnu::always_inline]] inline void stiffen(const LawConstants& law, std::size_t rows, Tile<Real>& t) {
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < rows; ++k) {
-        t.normal_stiffness[k] = static_cast<Real>(
-            hertz_stiffness(law, t.exact_radius_1[k], t.exact_radius_2[k], static_cast<double>(t.overlap[k]))
-        );
+        const double r1 = t.exact_radius_1[k], r2 = t.exact_radius_2[k];
+        const Placement<double> at = find_placement(triple(t.branch, k), r1, r2);
+        const Real overlap = static_cast<Real>(at.overlap);
+        set(t.normal, k, at.normal);
+        t.overlap[k] = overlap;
+        t.reach_over_distance[k] = static_cast<Real>(at.reach_over_distance);
+        t.normal_stiffness[k] =
+            static_cast<Real>(Spring::secant(own, r1, r2, at.per_reach, static_cast<double>(overlap)));
+        t.radius_1[k] = static_cast<Real>(r1);
+        t.radius_2[k] = static_cast<Real>(r2);
     }
 }
 
@@ -86,16 +79,17 @@ template <class Real>
     return dot(triple(t.normal, k), triple(t.velocity, k));
 }
 
-/// Of Hertz's law: contacts that part let go of a share of their springs.
-template <bool Twisting, class Real>
+/// Of springs that stiffen with the overlap: contacts that part let go of a share of them.
+template <class Spring, bool Twisting, class Real>
 [[gnu::always_inline]] inline void
 let_go(const DomainWork<Real>& w, std::size_t begin, std::size_t rows, const Tile<Real>& t) {
     const MemoryColumns<Real> m = w.memory;
+    const SpringConstantsOf<Real> own = w.law.spring_constants;
     const Real dt = w.dt;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
         const std::size_t c = begin + k;
-        const Real left = left_by_parting(t.overlap[k], opening_at(t, k), dt);
+        const Real left = left_by_parting<Spring>(own, t.overlap[k], opening_at(t, k), dt);
         m.fx[c] *= left, m.fy[c] *= left, m.fz[c] *= left;
         m.bx[c] *= left, m.by[c] *= left, m.bz[c] *= left;
         if constexpr (Twisting) {
@@ -308,14 +302,16 @@ template <bool Springs, bool Adhesive, bool Twisting, class Real>
         for (; !w.beyond_cache && far != domain.far.end() && *far < next_end; ++far) {
             fetch_second(w, *far);
         }
-        find_geometry(w.exact_law, rows, tile);
-        if (w.exact_law.is_hertzian()) {
-            stiffen(w.exact_law, rows, tile);
-        }
-        if constexpr (Springs) {
-            if (w.exact_law.is_hertzian()) {
-                let_go<Twisting>(w, c, rows, tile);
+        visit_spring(
+            w.exact_law.spring,
+            [&]<class Spring>(Spring) __attribute__((always_inline)) {
+                find_geometry<Spring>(w.exact_law.spring_constants, rows, tile);
+                if constexpr (Springs && Spring::stiffens) {
+                    let_go<Spring, Twisting>(w, c, rows, tile);
+                }
             }
+        );
+        if constexpr (Springs) {
             predict_forces<Adhesive, Twisting>(w, c, rows, tile);
             if (w.exact_law.viscosity > 0) {
                 add_viscous_forces(w.law, rows, tile);

@@ -62,10 +62,10 @@ Pressed press_contacts(
     if (sequel != nullptr) {
         sequel->waits_for = plan.reached_by;
     }
-    // Grains whose centers coincide push with 2 E r2, or 2 H r2 of Hertz's law. With shear, the sum of a force's
-    // components stays below twice that until they are nearly there. And no stress reaches the modulus. The quantum
-    // follows from the state alone, as the same bits after a resume ask for.
-    const double r = setting.largest_radius, most = law.most_stress(), largest_force = 2 * most * r * r;
+    // Grains whose centers coincide push with the spring's largest stress. With shear, the sum of a force's components
+    // stays below twice that until they are nearly there. And no mean stress reaches it. The quantum follows from the
+    // state alone, as the same bits after a resume ask for.
+    const double r = setting.largest_radius, most = law.most_stress, largest_force = 2 * most * r * r;
     const SumQuantum quantum(largest_force * 2 * r, most * setting.volume);
     const DomainWork<Real> work{
         grains.data(),

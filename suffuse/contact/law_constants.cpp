@@ -1,6 +1,9 @@
 #include "suffuse/contact/law_constants.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/contact/springs.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -8,16 +11,19 @@ namespace suffuse::contact {
 
 LawConstants resolve_law(const grains::Material& material) {
     constexpr double no_limit = 1e300; // [N m]: beyond any moment, and finite, so that zero times it is zero
-    const bool is_hertzian = material.law == grains::ContactLaw::HertzMindlin;
-    if (is_hertzian && adheres(material)) {
-        throw CaseError("grains under the law \"hertz-mindlin\" do not adhere; leave adhesion out, or take the law "
-                        "\"linear-rolling\"");
+    const Spring& spring = spring_of(material);
+    if (!spring.may_adhere && adheres(material)) {
+        throw CaseError(fmt::format(
+            "grains under the law \"{}\" do not adhere; leave adhesion out, or take the law \"{}\"", spring.words.name,
+            laws_that_adhere()
+        ));
     }
     LawConstants law;
-    law.twice_modulus = is_hertzian ? 0 : 2 * material.modulus;
-    law.hertz_modulus = is_hertzian ? hertz_modulus(material) : 0;
-    const double tangent_ratio = is_hertzian ? 1.5 : 1; // d(normal force)/d(overlap) over force/overlap
-    law.shear_ratio = tangent_ratio * shear_ratio(material);
+    law.spring = material.law;
+    law.spring_constants = spring.constants(material);
+    law.most_stress = spring.most_stress(material);
+    const double tangent_ratio = spring.exponent(material); // d(normal force)/d(overlap) over force/overlap
+    law.shear_ratio = tangent_ratio * spring.shear_ratio(material);
     law.viscosity = 2 * material.viscous_damping * std::sqrt(tangent_ratio * material.density * sphere_volume(1));
     law.tan_friction = std::tan(material.friction);
     law.rolling_stiffness = material.rolling_stiffness;

@@ -2,18 +2,21 @@
 // What a contact law takes from the material. Apart from the laws, so that what steps a world need not be compiled anew
 // with each change of one.
 
-#include "suffuse/grains/material.hpp"
+#include "suffuse/contact/spring.hpp"
+
+#include <algorithm>
 
 namespace suffuse::contact {
 
 /// Constants of the law, resolved from the material before the first step.
 template <class Real>
 struct LawConstantsOf {
-    Real twice_modulus{};      ///< 2 E, of the linear law [Pa]
-    Real hertz_modulus{};      ///< H, zero in the linear law [Pa]
-    Real shear_ratio{};        ///< shear stiffness over normal force/overlap [-]
-    Real viscosity{};          ///< of `viscous_force` [(kg/m3)^1/2]
-    Real tan_friction{};       ///< [-]
+    grains::ContactLaw spring{}; ///< which one of springs.hpp
+    SpringConstantsOf<Real> spring_constants{};
+    Real most_stress{};  ///< no mean stress of grains reaches it, nor their force over the square of the radius [Pa]
+    Real shear_ratio{};  ///< shear stiffness over normal force/overlap [-]
+    Real viscosity{};    ///< of `viscous_force` [(kg/m3)^1/2]
+    Real tan_friction{}; ///< [-]
     Real rolling_stiffness{};  ///< [-]
     Real rolling_limit{};      ///< [-]
     Real rolling_free{};       ///< added to the limit where there is none [N m]
@@ -27,24 +30,29 @@ struct LawConstantsOf {
     [[nodiscard]] LawConstantsOf<Other> as() const {
         // A limit beyond any moment is one in every precision, and zero times it is zero.
         const auto other = [](Real a) { return static_cast<Other>(a < Real(1e30) ? a : Real(1e30)); };
-        return {other(twice_modulus),      other(hertz_modulus),     other(shear_ratio),   other(viscosity),
-                other(tan_friction),       other(rolling_stiffness), other(rolling_limit), other(rolling_free),
-                other(twisting_stiffness), other(twisting_limit),    other(twisting_free), other(adhesion_normal),
-                other(adhesion_shear)};
-    }
-
-    [[nodiscard]] bool is_hertzian() const { return hertz_modulus > 0; }
-
-    /// No mean stress of grains reaches this, however much they overlap, nor their force over the square of the radius
-    /// [Pa].
-    [[nodiscard]] Real most_stress() const {
-        return twice_modulus > 2 * hertz_modulus ? twice_modulus : 2 * hertz_modulus;
+        SpringConstantsOf<Other> constants{};
+        std::ranges::transform(spring_constants, constants.begin(), other);
+        return {
+            spring,
+            constants,
+            other(most_stress),
+            other(shear_ratio),
+            other(viscosity),
+            other(tan_friction),
+            other(rolling_stiffness),
+            other(rolling_limit),
+            other(rolling_free),
+            other(twisting_stiffness),
+            other(twisting_limit),
+            other(twisting_free),
+            other(adhesion_normal),
+            other(adhesion_shear)};
     }
 };
 
 using LawConstants = LawConstantsOf<double>;
 
-/// @throws CaseError where a law is asked for that there is not: grains under Hertz's law do not adhere
+/// @throws CaseError where grains are to adhere under a law whose springs only push
 LawConstants resolve_law(const grains::Material& material);
 
 } // namespace suffuse::contact

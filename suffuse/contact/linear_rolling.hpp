@@ -1,45 +1,14 @@
 #pragma once
-// The contact law of the paper: linear normal and shear springs with Coulomb slip, rolling and twisting resistance with
+// The contact law of the paper: normal and shear springs with Coulomb slip, rolling and twisting resistance with
 // plastic limits, adhesion that breaks; incremental [reference 1.2 and 1.3; PHYSICS A2]. A pure function of two grains
-// and their memory, a template over the precision.
+// and their memory, a template over the precision. How stiff the normal spring is comes from a spring of springs.hpp.
 
+#include "suffuse/contact/lanes.hpp"
 #include "suffuse/contact/law_constants.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace suffuse::contact {
-
-/// A vector of lanes.
-template <class Real>
-struct Triple {
-    Real x{}, y{}, z{};
-};
-
-template <class Real>
-constexpr Triple<Real> operator+(const Triple<Real>& a, const Triple<Real>& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-template <class Real>
-constexpr Triple<Real> operator-(const Triple<Real>& a, const Triple<Real>& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-template <class Real>
-constexpr Triple<Real> operator*(const Real& s, const Triple<Real>& a) {
-    return {s * a.x, s * a.y, s * a.z};
-}
-
-template <class Real>
-constexpr Real dot(const Triple<Real>& a, const Triple<Real>& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class Real>
-constexpr Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// Two grains as the law sees them: `second` at the image that touches.
 template <class Real>
@@ -66,16 +35,6 @@ struct ContactOutcome {
     Triple<Real> torque_2; ///< on the second grain [N m]
     Real overlap;          ///< [m]; zero where the pair does not touch
 };
-
-template <class Real>
-inline Real root(Real a) {
-    return std::sqrt(a);
-}
-
-template <class Real>
-inline Real magnitude(Real a) {
-    return std::abs(a);
-}
 
 /// Sum of the components' magnitudes.
 template <class Real>
@@ -104,24 +63,31 @@ template <class Real>
 
 /// First part: where the grains are against each other.
 template <class Real>
+struct Placement {
+    Triple<Real> normal;
+    Real overlap;             ///< negative: a gap [m]
+    Real reach_over_distance; ///< (r1 + r2) / distance [-]
+    Real per_reach;           ///< 1/(r1 + r2), for the spring [1/m]
+};
+
+template <class Real>
+[[gnu::always_inline]] inline Placement<Real>
+find_placement(const Triple<Real>& branch, const Real& r1, const Real& r2) noexcept {
+    const Real one(1), reach = r1 + r2;
+    const Real distance = root(dot(branch, branch));
+    const Real inverse = one / (reach * distance); // one division for both
+    const Real inverse_distance = inverse * reach;
+    return {inverse_distance * branch, reach - distance, reach * inverse_distance, inverse * distance};
+}
+
+/// The same with the stiffness of the spring.
+template <class Real>
 struct ContactGeometry {
     Triple<Real> normal;
     Real overlap;             ///< negative: a gap [m]
     Real reach_over_distance; ///< (r1 + r2) / distance [-]
     Real normal_stiffness;    ///< normal force over overlap [N/m]
 };
-
-template <class Real>
-[[gnu::always_inline]] inline ContactGeometry<Real>
-find_geometry(const LawConstantsOf<Real>& law, const Triple<Real>& branch, const Real& r1, const Real& r2) noexcept {
-    const Real one(1), reach = r1 + r2;
-    const Real distance = root(dot(branch, branch));
-    const Real inverse = one / (reach * distance); // one division for both
-    const Real inverse_distance = inverse * reach;
-    return {
-        inverse_distance * branch, reach - distance, reach * inverse_distance,
-        law.twice_modulus * r1 * r2 * (inverse * distance)};
-}
 
 /// What the second part leaves to the next ones: how far force and moments may go.
 template <class Real>

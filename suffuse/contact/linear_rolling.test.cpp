@@ -188,7 +188,8 @@ TEST(LinearRolling, FrictionStaysInTheConeAndMomentsBelowTheirLimits) {
         State s = random_contact(random, random.uniform(1e-6, 1e-3));
         const auto out = act<false, true>(law, s.pair, s.memory);
         const double r1 = s.pair.radius_1, r2 = s.pair.radius_2;
-        const double normal = law.twice_modulus * r1 * r2 / (r1 + r2) * out.overlap, arm = std::min(r1, r2) * normal;
+        const double normal = law.spring_constants[0] * r1 * r2 / (r1 + r2) * out.overlap,
+                     arm = std::min(r1, r2) * normal;
         const double limit = law.tan_friction * normal, shear = length(s.memory.shear_force);
         EXPECT_LE(shear, limit * (1 + 1e-14)); // one rounding of a scale and of a length
         EXPECT_LE(length(s.memory.bending), law.rolling_limit * arm * (1 + 1e-14));
@@ -214,7 +215,7 @@ TEST(LinearRolling, ShearStrengthOfABondIsAdhesionPlusFrictionAndItBreaksThere) 
     s.pair.branch = {2e-4 - 1e-8, 0, 0};
     s.memory.normal = {1, 0, 0};
     s.memory.bonded = 1;
-    const double normal = law.twice_modulus * 1e-4 / 2 * 1e-8;
+    const double normal = law.spring_constants[0] * 1e-4 / 2 * 1e-8;
     const double strength = law.adhesion_shear * 1e-8 + normal * law.tan_friction;
     for (const double share : {0.999, 1.001}) {
         ContactMemory<double> memory = s.memory;

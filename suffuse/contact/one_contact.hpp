@@ -2,34 +2,43 @@
 // One contact under whichever law its constants name: what the hot loop does to a tile, part after part. For what looks
 // at single contacts, and as the slow way that the loop is tested against.
 
-#include "suffuse/contact/hertz_mindlin.hpp"
+#include "suffuse/contact/linear_rolling.hpp"
+#include "suffuse/contact/opening.hpp"
+#include "suffuse/contact/springs.hpp"
 
 namespace suffuse::contact {
 
 /// First part: where the grains are against each other, with the normal force over the overlap as stiffness.
 template <class Real>
-ContactGeometry<Real> find_geometry_under(
-    const LawConstantsOf<Real>& law, const Triple<Real>& branch, const Real& r1, const Real& r2
-) noexcept {
-    ContactGeometry<Real> geometry = find_geometry(law, branch, r1, r2);
-    if (law.is_hertzian()) {
-        geometry.normal_stiffness = hertz_stiffness(law, r1, r2, geometry.overlap);
-    }
-    return geometry;
+ContactGeometry<Real>
+find_geometry(const LawConstantsOf<Real>& law, const Triple<Real>& branch, const Real& r1, const Real& r2) noexcept {
+    const Placement<Real> at = find_placement(branch, r1, r2);
+    const Real stiffness = visit_spring(law.spring, [&](auto spring) {
+        return spring.secant(law.spring_constants, r1, r2, at.per_reach, at.overlap);
+    });
+    return {at.normal, at.overlap, at.reach_over_distance, stiffness};
 }
 
-/// Takes from the memory what Hertz's law takes before a step. @param opening speed of parting [m/s]
+/// Stiffness at one overlap over that at another [-].
+template <class Real>
+Real stiffness_growth(const LawConstantsOf<Real>& law, const Real& overlap, const Real& other) noexcept {
+    return visit_spring(law.spring, [&](auto spring) { return spring.growth(law.spring_constants, overlap, other); });
+}
+
+/// Takes from the memory what parting takes before a step. @param opening speed of parting [m/s]
 template <class Real>
 void let_go(
     const LawConstantsOf<Real>& law, const ContactGeometry<Real>& geometry, const Real& opening, const Real& dt,
     ContactMemory<Real>& memory
 ) noexcept {
-    if (law.is_hertzian()) {
-        const Real left = left_by_parting(geometry.overlap, opening, dt);
-        memory.shear_force = left * memory.shear_force;
-        memory.bending = left * memory.bending;
-        memory.twisting = left * memory.twisting;
-    }
+    visit_spring(law.spring, [&]<class Spring>(Spring) {
+        if constexpr (Spring::stiffens) {
+            const Real left = left_by_parting<Spring>(law.spring_constants, geometry.overlap, opening, dt);
+            memory.shear_force = left * memory.shear_force;
+            memory.bending = left * memory.bending;
+            memory.twisting = left * memory.twisting;
+        }
+    });
 }
 
 /// One step; updates `memory`. `Adhesive` and `Twisting` leave out what no contact of the sample has.
@@ -38,7 +47,7 @@ template <bool Adhesive, bool Twisting, class Real>
 ContactOutcome<Real> act_between(
     const LawConstantsOf<Real>& law, const Real& dt, const GrainPair<Real>& pair, ContactMemory<Real>& memory
 ) noexcept {
-    const ContactGeometry<Real> geometry = find_geometry_under(law, pair.branch, pair.radius_1, pair.radius_2);
+    const ContactGeometry<Real> geometry = find_geometry(law, pair.branch, pair.radius_1, pair.radius_2);
     const Real opening = dot(geometry.normal, pair.velocity);
     let_go(law, geometry, opening, dt, memory);
     Limits<Real> limits = predict_forces<Adhesive, Twisting>(law, dt, pair, geometry, memory);

@@ -1,17 +1,12 @@
 #include "suffuse/contact/stress.hpp"
 
+#include "suffuse/contact/springs.hpp"
 #include "suffuse/contact/sum_touching.hpp"
-
-#include <cmath>
 
 namespace suffuse::contact {
 
 double normal_stiffness(const grains::Material& material, double r1, double r2, double overlap) {
-    const double equivalent = r1 * r2 / (r1 + r2);
-    if (material.law == grains::ContactLaw::HertzMindlin) {
-        return overlap > 0 ? 1.5 * hertz_modulus(material) * std::sqrt(equivalent * overlap) : 0;
-    }
-    return 2 * material.modulus * r1 * r2 / (r1 + r2); // the bits of the reference's
+    return spring_of(material).tangent(material, r1, r2, overlap);
 }
 
 template <class Real>
@@ -19,10 +14,11 @@ AffineModuli affine_moduli(
     const grains::Grains& grains, const ContactPairs& contacts, const MemoryOf<Real>& memory,
     const grains::Material& material, const Mat3& h
 ) {
-    const double shear_ratio = grains::shear_ratio(material);
+    const Spring& spring = spring_of(material);
+    const double shear_ratio = spring.shear_ratio(material);
     const auto add = [&](AffineModuli& part, std::size_t c) {
         const double r1 = grains.radius[contacts.first[c]], r2 = grains.radius[contacts.second[c]];
-        const double kn = normal_stiffness(material, r1, r2, memory.overlap[c]), length = r1 + r2 - memory.overlap[c];
+        const double kn = spring.tangent(material, r1, r2, memory.overlap[c]), length = r1 + r2 - memory.overlap[c];
         const Vec3 n = memory.normal[c];
         for (int a = 0; a < 3; ++a) {
             const double square = n[a] * n[a];
@@ -49,12 +45,8 @@ double
 normal_force(const grains::Grains& grains, const Contacts& contacts, const grains::Material& material, std::size_t c) {
     const bool bonded = !contacts.bonded.empty() && contacts.bonded[c] != 0;
     const double overlap = contacts.overlap[c];
-    const double kn =
-        normal_stiffness(material, grains.radius[contacts.first[c]], grains.radius[contacts.second[c]], overlap);
-    if (material.law == grains::ContactLaw::HertzMindlin) {
-        return kn * overlap / 1.5; // of overlap^(3/2)
-    }
-    return overlap < 0 && !bonded ? 0.0 : kn * overlap;
+    const double r1 = grains.radius[contacts.first[c]], r2 = grains.radius[contacts.second[c]];
+    return overlap < 0 && !bonded ? 0.0 : spring_of(material).force(material, r1, r2, overlap);
 }
 
 } // namespace suffuse::contact

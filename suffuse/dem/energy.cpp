@@ -2,6 +2,7 @@
 
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/contact/one_contact.hpp"
+#include "suffuse/contact/springs.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/contact/sum_touching.hpp"
 
@@ -55,7 +56,7 @@ struct NextStep {
             twists ? triple(contacts.twisting[c]) : Triple<double>{}, triple(contacts.normal[c]),
             bonds ? static_cast<double>(contacts.bonded[c]) : 0.0};
         const contact::ContactGeometry<double> geometry =
-            contact::find_geometry_under(law, pair.branch, pair.radius_1, pair.radius_2);
+            contact::find_geometry(law, pair.branch, pair.radius_1, pair.radius_2);
         const double opening = dot(geometry.normal, pair.velocity);
         taken.slip += taken_by_new_area(pair, geometry, opening, memory);
         contact::let_go(law, geometry, opening, dt, memory);
@@ -79,15 +80,15 @@ struct NextStep {
         const contact::ContactMemory<double>& memory
     ) const {
         const double overlap = geometry.overlap, before = overlap + dt * opening;
-        if (!law.is_hertzian() || !(overlap > 0) || !(before > 0)) {
+        if (!contact::spring_of(law.spring).stiffens || !(overlap > 0) || !(before > 0)) {
             return 0;
         }
-        const double stiffness_before = geometry.normal_stiffness * std::sqrt(before / overlap);
+        const double stiffness_before = geometry.normal_stiffness * contact::stiffness_growth(law, before, overlap);
         const double shear = law.shear_ratio * stiffness_before, arms = shear * pair.radius_1 * pair.radius_2;
         const double held = held_in(dot(memory.shear_force, memory.shear_force), shear) +
                             held_in(dot(memory.bending, memory.bending), law.rolling_stiffness * arms) +
                             held_in(dot(memory.twisting, memory.twisting), law.twisting_stiffness * arms);
-        return held * (1 - std::sqrt(std::min(before, overlap) / std::max(before, overlap)));
+        return held * (1 - contact::stiffness_growth(law, std::min(before, overlap), std::max(before, overlap)));
     }
 };
 
@@ -145,16 +146,16 @@ double spring_energy(const World& world) {
     const grains::Grains& grains = world.grains;
     const contact::Contacts& contacts = world.contacts;
     const grains::Material& material = world.material;
-    const bool is_hertzian = material.law == grains::ContactLaw::HertzMindlin;
-    const double shear_ratio = grains::shear_ratio(material);
+    const contact::Spring& spring = contact::spring_of(material);
+    const double shear_ratio = spring.shear_ratio(material);
     return contact::sum_touching(contacts, grains.size(), 0.0, [&](double& sum, std::size_t c) {
         const double r1 = grains.radius[contacts.first[c]], r2 = grains.radius[contacts.second[c]];
         const double overlap = contacts.overlap[c];
-        const double normal = contact::normal_stiffness(material, r1, r2, overlap), shear = shear_ratio * normal;
+        const double shear = shear_ratio * spring.tangent(material, r1, r2, overlap);
         const double bending = material.rolling_stiffness * shear * r1 * r2;
         const double twisting = material.twisting_stiffness * shear * r1 * r2;
-        const double push = contact::normal_force(grains, contacts, material, c);
-        sum += (is_hertzian ? 0.4 * push * overlap : held_in(push * push, normal)) +
+        const bool pushes = contact::normal_force(grains, contacts, material, c) != 0; // or its bond pulls
+        sum += (pushes ? spring.energy(material, r1, r2, overlap) : 0) +
                held_in(norm2(contacts.shear_force[c]), shear) + held_in(norm2(contacts.bending[c]), bending);
         if (contacts.twisting.size() > 0) {
             sum += held_in(norm2(contacts.twisting[c]), twisting);

@@ -1,5 +1,6 @@
 #include "suffuse/dem/energy.hpp"
 
+#include "suffuse/contact/hertz_spring.hpp"
 #include "suffuse/contact/stress.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ TEST(SpringEnergy, OfElasticSpheresIsHertzs) {
     World world = touching({0, 1e-9, 0});
     world.material.law = grains::ContactLaw::HertzMindlin;
     world.material.modulus = 70e9;
-    const double h = grains::hertz_modulus(world.material), root = std::sqrt(r / 2 * overlap);
+    const double h = contact::hertz_modulus(world.material), root = std::sqrt(r / 2 * overlap);
     const double closed = 0.4 * h * root * overlap * overlap + 0.5 * 1e-18 / (1.5 * h * root * 2 * 0.7 / 1.7);
     EXPECT_NEAR(spring_energy(world), closed, 1e-9 * closed);
 }

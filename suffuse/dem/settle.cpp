@@ -1,6 +1,7 @@
 #include "suffuse/dem/settle.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/contact/springs.hpp"
 #include "suffuse/dem/inspect.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ bool is_balanced(
 ) {
     const Borne borne = borne_by(loading, state.stress);
     const bool unloads = borne.axes > 0 && borne.wanted == 0;
-    if (unloads && grains::overlap_under(material, borne.found) > unloaded) {
+    if (unloads && contact::spring_of(material).overlap_under(material, borne.found) > unloaded) {
         return false;
     }
     if (unloads && borne.axes == 3) {

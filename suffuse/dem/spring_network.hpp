@@ -20,7 +20,7 @@ class SpringNetwork {
 public:
     /// Of the contacts that the last step found; before the first step of those of the geometry.
     /// @param shear_ratio ks/kn; 0: only normal springs act; @param least_overlap over the smaller radius, that
-    /// contacts are taken to have at least: under Hertz's law they grow stiffer as a sample is loaded
+    /// contacts are taken to have at least: some laws grow stiffer as a sample is loaded
     SpringNetwork(const World& world, double shear_ratio, double least_overlap = 0);
 
     /// Rows of the motions.

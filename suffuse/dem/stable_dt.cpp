@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/contact/springs.hpp"
 #include "suffuse/contact/stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/spring_network.hpp"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace suffuse::dem {
@@ -23,8 +23,8 @@ struct ModeSums {
     ModeSums operator+(const ModeSums& b) const { return {energy + b.energy, inertia + b.inertia}; }
 };
 
-/// How far contacts are in before a time step is looked at again, over the smaller radius; of Hertz's law, whose
-/// stiffness grows with the root of it.
+/// How far contacts are in before a time step is looked at again, over the smaller radius; of springs that stiffen
+/// with it.
 struct OverlapToCome {
     double mean = 0; ///< of those that touch, under the stresses that the sample is to bear
     double most = 0; ///< of those that may come
@@ -32,15 +32,14 @@ struct OverlapToCome {
 
 constexpr double overlap_growth = 2; // until the step is looked at again
 
-/// Of a grain of mass m that a fixed equal one stops: m v^2/2 = (2/5) H sqrt(r/2) overlap^(5/2).
+/// Of the fastest grain where a fixed equal one stops it.
 double overlap_of_impact(const World& world) {
     double speed2 = 0; // against the mean motion
     for (std::size_t g = 0; g < world.grains.size(); ++g) {
         speed2 =
             std::max(speed2, norm2(world.grains.velocity[g] - world.cell.velocity_gradient * world.grains.position[g]));
     }
-    const double mass_r3 = world.material.density * sphere_volume(1);
-    return std::pow(1.25 * std::numbers::sqrt2 * mass_r3 * speed2 / grains::hertz_modulus(world.material), 0.4);
+    return contact::spring_of(world.material).overlap_of_impact(world.material, speed2);
 }
 
 OverlapToCome overlap_to_come(const World& world, double pressure) {
@@ -53,7 +52,7 @@ OverlapToCome overlap_to_come(const World& world, double pressure) {
         seen = std::max(seen, contacts.overlap[c] / smaller);
     }
     const Vec3& held = world.servo.held_stress;
-    const double mean = grains::mean_overlap_at(world.material, std::max({pressure, held.x, held.y, held.z}));
+    const double mean = contact::mean_overlap_at(world.material, std::max({pressure, held.x, held.y, held.z}));
     return {mean, std::max({least, overlap_of_impact(world), overlap_growth * seen, of_chains * mean})};
 }
 
@@ -67,9 +66,8 @@ double share_when_damped(double z) {
 
 double highest_frequency(const World& world, int iterations, double least_overlap) {
     const grains::Grains& grains = world.grains;
-    const SpringNetwork network(
-        world, contacts_only_push(world) ? 0 : grains::shear_ratio(world.material), least_overlap
-    );
+    const double shear_ratio = contact::spring_of(world.material).shear_ratio(world.material);
+    const SpringNetwork network(world, contacts_only_push(world) ? 0 : shear_ratio, least_overlap);
     Motions x{std::vector<Vec3>(grains.size()), std::vector<Vec3>(grains.size())};
     Motions force{std::vector<Vec3>(network.rows()), std::vector<Vec3>(network.rows())};
     for (std::size_t g = 0; g < grains.size(); ++g) { // any start that is not orthogonal to the stiffest mode
@@ -124,14 +122,14 @@ pair_frequency(const grains::Material& material, double shear_ratio, const Inert
 
 double stable_time_step(const World& world, double safety, double pressure) {
     const grains::Grains& grains = world.grains;
-    const bool is_hertzian = world.material.law == grains::ContactLaw::HertzMindlin;
-    const OverlapToCome overlap = is_hertzian ? overlap_to_come(world, pressure) : OverlapToCome{};
-    const grains::Material material = is_hertzian ? grains::linearized(world.material, overlap.most) : world.material;
+    const contact::Spring& spring = contact::spring_of(world.material);
+    const OverlapToCome overlap = spring.stiffens ? overlap_to_come(world, pressure) : OverlapToCome{};
+    const grains::Material material = contact::linearized(world.material, overlap.most);
     const double shear_ratio = contacts_only_push(world) ? 0 : material.shear_ratio;
     const auto grain = [&](std::size_t g) { return Inertia{grains.radius[g], grains.mass[g], grains.inertia[g]}; };
     const auto largest =
         static_cast<std::size_t>(std::max_element(grains.radius.begin(), grains.radius.end()) - grains.radius.begin());
-    const double stiffer = is_hertzian ? std::pow(overlap_growth, 0.25) : 1; // as a frequency
+    const double stiffer = std::pow(overlap_growth, 0.5 * (spring.exponent(world.material) - 1)); // as a frequency
     double highest = stiffer * highest_frequency(world, usual_iterations, overlap.mean);
     for (std::size_t g = 0; g < grains.size(); ++g) {
         for (const std::size_t other : {g, largest}) {

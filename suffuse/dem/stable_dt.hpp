@@ -21,17 +21,17 @@ struct Inertia {
 /// Highest angular frequency of the network of touching contacts [rad/s], before the first step of those that overlap;
 /// 0 without contacts. All of them stick, but for frictionless grains at rest in rotation: only their normal springs
 /// act. Power iteration on M^-1 K: it comes from below, within a few percent after `iterations`.
-/// @param least_overlap over the smaller radius, that contacts are taken to have at least (Hertz's law)
+/// @param least_overlap over the smaller radius, that contacts are taken to have at least, under laws that stiffen
 double highest_frequency(const World& world, int iterations = usual_iterations, double least_overlap = 0);
 
 /// Highest angular frequency of two free grains that touch [rad/s], in closed form: pressed together; slipping and
-/// rolling, which grains of unequal size couple; twisting. @param material of the linear law (grains::linearized);
+/// rolling, which grains of unequal size couple; twisting. @param material of the linear law (contact::linearized);
 /// @param shear_ratio that of the material, or 0 without shear
 double
 pair_frequency(const grains::Material& material, double shear_ratio, const Inertia& first, const Inertia& second);
 
 /// `safety` x 2 / highest frequency of the network, and of what contacts may still come: two equal grains, or one and
-/// the largest [s]. Under Hertz's law all are reckoned with as they will be under `pressure`, or what the world holds
+/// the largest [s]. Under laws that stiffen, all count as they will be under `pressure`, or what the world holds
 /// now, and twice as far in; what damps contacts shortens the step. Grains with several neighbors are quicker than
 /// pairs: look again when `network_has_grown`.
 /// @param pressure that the sample is to bear soon, if more than it does [Pa]

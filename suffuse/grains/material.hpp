@@ -1,11 +1,12 @@
 #pragma once
 // The constants of the contact laws [Aboul Hosn 2017 for the linear one; values are ours unless the case says
-// otherwise], and how stiff a law is that grows stiffer as it is pressed.
+// otherwise]. What a law makes of them stands in contact/springs.hpp.
 
 #include "suffuse/base/constants.hpp"
 
 namespace suffuse::grains {
 
+/// Its numbers are those of checkpoints.
 enum class ContactLaw {
     LinearRolling, ///< linear springs
     HertzMindlin,  ///< elastic spheres: springs that grow with the contact area
@@ -32,21 +33,33 @@ inline bool adheres(const Material& material) {
     return material.adhesion_normal > 0 || material.adhesion_shear > 0;
 }
 
-/// ks/kn: shear stiffness over d(normal force)/d(overlap) [-]. Hertz's law: 2 (1 - nu)/(2 - nu), without slip [Mindlin
-/// 1949].
-double shear_ratio(const Material& material);
+/// What files call a member of Material.
+struct Member {
+    const char* name;
+    const char* unit;
+    bool is_newer = false; ///< checkpoints of before lack it: they were made with its default
+};
 
-/// H of the normal force H sqrt(R overlap) overlap, R = r1 r2/(r1 + r2): (2/3) E/(1 - nu^2) [Pa] [Hertz 1882]
-double hertz_modulus(const Material& material);
-
-/// Overlap over radius of two equal grains that a force presses together [-]. @param stress force/radius^2 [Pa]
-double overlap_under(const Material& material, double stress);
-
-/// Mean overlap over radius of equal spheres under an isotropic pressure [Pa].
-double mean_overlap_at(const Material& material, double pressure);
-
-/// The linear law that is as stiff as `material` at an overlap of this share of the smaller radius: pairs of unequal
-/// grains are less stiff, by the root of two at most. The linear law itself is.
-Material linearized(const Material& material, double relative_overlap);
+/// Calls `visit` with each member's name and value, for all that reads and writes materials. It binds every member by
+/// name: a new one stops the compiler until it is listed.
+template <class Values, class Visit>
+void list_members(Values& material, Visit&& visit) {
+    auto& [density, modulus, shear_ratio, friction, rolling_stiffness, rolling_friction, twisting_stiffness, twisting_friction, adhesion_normal, adhesion_shear, law, poisson, viscous_damping] =
+        material;
+    constexpr bool is_newer = true;
+    visit(Member{"density", "kg/m3"}, density);
+    visit(Member{"modulus", "Pa"}, modulus);
+    visit(Member{"shear_ratio", ""}, shear_ratio);
+    visit(Member{"friction", "rad"}, friction);
+    visit(Member{"rolling_stiffness", ""}, rolling_stiffness);
+    visit(Member{"rolling_friction", ""}, rolling_friction);
+    visit(Member{"twisting_stiffness", ""}, twisting_stiffness);
+    visit(Member{"twisting_friction", ""}, twisting_friction);
+    visit(Member{"adhesion_normal", "Pa"}, adhesion_normal);
+    visit(Member{"adhesion_shear", "Pa"}, adhesion_shear);
+    visit(Member{"law", "", is_newer}, law);
+    visit(Member{"poisson", "", is_newer}, poisson);
+    visit(Member{"viscous_damping", "", is_newer}, viscous_damping);
+}
 
 } // namespace suffuse::grains

@@ -4,9 +4,11 @@
 #include "suffuse/base/state_hash.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/contact/carry_over.hpp"
+#include "suffuse/contact/springs.hpp"
 #include "suffuse/io/hdf5_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -21,10 +23,6 @@ const std::string unfinished_bytes = "unfinished", unfinished_hash = "unfinished
 const std::string last_stress = "servo/stress"; // states of before the servo answered to it do not hold it
 // States of before shear stresses could be released do not hold these.
 const std::string shear_modulus_name = "servo/shear_modulus", shear_stress_name = "servo/shear_stress";
-
-// States of before there was a choice of laws do not hold these: their material has the defaults.
-const std::string contact_law = "material/law", poisson_ratio = "material/poisson",
-                  viscous_share = "material/viscous_damping";
 
 // Each list below binds every member of its struct by name: a new member stops the compiler until it is saved too.
 
@@ -64,25 +62,6 @@ void list_contacts(Table& table, Visit&& visit) {
     visit("contacts/bonded", "", bonded);
 }
 
-template <class Values, class Visit>
-void list_material(Values& material, Visit&& visit) {
-    auto& [density, modulus, shear_ratio, friction, rolling_stiffness, rolling_friction, twisting_stiffness, twisting_friction, adhesion_normal, adhesion_shear, law, poisson, viscous_damping] =
-        material;
-    visit("material/density", "kg/m3", density);
-    visit("material/modulus", "Pa", modulus);
-    visit("material/shear_ratio", "", shear_ratio);
-    visit("material/friction", "rad", friction);
-    visit("material/rolling_stiffness", "", rolling_stiffness);
-    visit("material/rolling_friction", "", rolling_friction);
-    visit("material/twisting_stiffness", "", twisting_stiffness);
-    visit("material/twisting_friction", "", twisting_friction);
-    visit("material/adhesion_normal", "Pa", adhesion_normal);
-    visit("material/adhesion_shear", "Pa", adhesion_shear);
-    visit(contact_law, "", law);
-    visit(poisson_ratio, "", poisson);
-    visit(viscous_share, "", viscous_damping);
-}
-
 /// All but the contacts, which a file holds without the rows that carry no memory.
 template <class State, class Visit>
 void list_world(State& world, Visit&& visit) {
@@ -103,7 +82,9 @@ void list_world(State& world, Visit&& visit) {
     visit("clock/step", "", step);
     visit("clock/time", "s", time);
     visit("seed", "", seed);
-    list_material(material, visit);
+    grains::list_members(material, [&](const grains::Member& member, auto& value) {
+        visit(std::string("material/") + member.name, member.unit, value, member.is_newer);
+    });
     list_grains(grains, visit);
 }
 
@@ -113,11 +94,11 @@ public:
     explicit Saver(Hdf5Writer& file) : file_(file) {}
 
     template <class T>
-    void operator()(const std::string& name, const std::string& unit, const T& number) {
+    void operator()(const std::string& name, const std::string& unit, const T& number, bool = false) {
         file_.write(name, {}, &number, unit);
     }
 
-    void operator()(const std::string& name, const std::string& unit, const grains::ContactLaw& law) {
+    void operator()(const std::string& name, const std::string& unit, const grains::ContactLaw& law, bool) {
         (*this)(name, unit, static_cast<std::uint8_t>(law));
     }
 
@@ -170,20 +151,25 @@ class Loader {
 public:
     explicit Loader(const Hdf5Reader& file) : file_(file) {}
 
+    /// @param is_newer states of before do not hold it: their world has the default
     template <class T>
-    void operator()(const std::string& name, const std::string&, T& number) {
-        const bool is_newer = name == poisson_ratio || name == viscous_share;
+    void operator()(const std::string& name, const std::string&, T& number, bool is_newer = false) {
         if (!is_newer || file_.has(name)) {
             number = values<T>(name, {}).front();
         }
     }
 
-    void operator()(const std::string& name, const std::string&, grains::ContactLaw& law) {
-        const std::uint8_t found = file_.has(name) ? values<std::uint8_t>(name, {}).front() : 0;
-        if (found > static_cast<std::uint8_t>(grains::ContactLaw::HertzMindlin)) {
-            file_.complain(fmt::format("{} holds {}, expected 0 (linear-rolling) or 1 (hertz-mindlin)", name, found));
+    void operator()(const std::string& name, const std::string& unit, grains::ContactLaw& law, bool is_newer) {
+        auto number = static_cast<std::uint8_t>(law);
+        (*this)(name, unit, number, is_newer);
+        if (number >= contact::springs.size()) {
+            std::vector<std::string> known;
+            for (const contact::Spring& spring : contact::springs) {
+                known.push_back(fmt::format("{} ({})", static_cast<int>(spring.law), spring.words.name));
+            }
+            file_.complain(fmt::format("{} holds {}, expected {}", name, number, fmt::join(known, " or ")));
         }
-        law = static_cast<grains::ContactLaw>(found);
+        law = static_cast<grains::ContactLaw>(number);
     }
 
     void operator()(const std::string& name, const std::string&, Vec3& v) {

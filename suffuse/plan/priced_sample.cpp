@@ -1,5 +1,6 @@
 #include "suffuse/plan/priced_sample.hpp"
 
+#include "suffuse/contact/springs.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/grains/gradation.hpp"
 
@@ -87,7 +88,7 @@ double pair_frequency(
 } // namespace
 
 grains::Material as_pressed(const PricedSample& sample, const grains::Material& material) {
-    return grains::linearized(material, grains::mean_overlap_at(material, sample.pressure));
+    return contact::linearized(material, contact::mean_overlap_at(material, sample.pressure));
 }
 
 PricedSample describe(const grains::Grains& grains) {

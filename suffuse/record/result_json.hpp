@@ -31,10 +31,13 @@ inline void from_json(const nlohmann::json& json, Mat3& m) {
 }
 
 namespace grains {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    Material, density, modulus, shear_ratio, friction, rolling_stiffness, rolling_friction, twisting_stiffness,
-    twisting_friction, adhesion_normal, adhesion_shear, law, poisson, viscous_damping
-)
+inline void to_json(nlohmann::json& json, const Material& material) {
+    list_members(material, [&](const Member& member, const auto& value) { json[member.name] = value; });
+}
+
+inline void from_json(const nlohmann::json& json, Material& material) {
+    list_members(material, [&](const Member& member, auto& value) { json.at(member.name).get_to(value); });
+}
 } // namespace grains
 
 namespace dem {

@@ -1,9 +1,9 @@
 #include "suffuse/stats/backbone.hpp"
 
+#include "suffuse/contact/springs.hpp"
 #include "suffuse/dem/inspect.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace suffuse::stats {
@@ -53,11 +53,7 @@ double stiffness_to_pressure(const dem::World& world) {
     if (!(pressure > 0)) {
         return 0;
     }
-    const grains::Material& material = world.material;
-    if (material.law == grains::ContactLaw::HertzMindlin) { // E/(1 - nu^2) = 1.5 H
-        return std::cbrt(std::pow(1.5 * grains::hertz_modulus(material) / pressure, 2));
-    }
-    return material.modulus / (2 * pressure);
+    return contact::spring_of(world.material).stiffness_to_pressure(world.material, pressure);
 }
 
 } // namespace suffuse::stats

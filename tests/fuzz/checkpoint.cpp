@@ -11,7 +11,9 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -20,13 +22,13 @@ using namespace suffuse;
 
 /// What a good state of two grains and one contact has.
 struct Array {
-    std::string_view name;
+    std::string name;
     char type; ///< d double, l int64, L uint64, i int32, u uint32, b byte, t text
     io::Shape shape;
 };
 
-const std::vector<Array>& arrays() {
-    static const std::vector<Array> list{
+std::vector<Array> make_arrays() {
+    std::vector<Array> list{
         {"kind", 't', {}},
         {"schema", 'l', {}},
         {"cell/h", 'd', {3, 3}},
@@ -38,42 +40,28 @@ const std::vector<Array>& arrays() {
         {"servo/mean_rate", 'd', {3}},
         {"clock/step", 'l', {}},
         {"clock/time", 'd', {}},
-        {"seed", 'L', {}},
-        {"material/density", 'd', {}},
-        {"material/modulus", 'd', {}},
-        {"material/shear_ratio", 'd', {}},
-        {"material/friction", 'd', {}},
-        {"material/rolling_stiffness", 'd', {}},
-        {"material/rolling_friction", 'd', {}},
-        {"material/twisting_stiffness", 'd', {}},
-        {"material/twisting_friction", 'd', {}},
-        {"material/adhesion_normal", 'd', {}},
-        {"material/adhesion_shear", 'd', {}},
-        {"material/law", 'b', {}},
-        {"material/poisson", 'd', {}},
-        {"material/viscous_damping", 'd', {}},
-        {"grains/position", 'd', {2, 3}},
-        {"grains/velocity", 'd', {2, 3}},
-        {"grains/spin", 'd', {2, 3}},
-        {"grains/force", 'd', {2, 3}},
-        {"grains/torque", 'd', {2, 3}},
-        {"grains/radius", 'd', {2}},
-        {"grains/mass", 'd', {2}},
-        {"grains/inertia", 'd', {2}},
-        {"grains/id", 'u', {2}},
-        {"grains/motion", 'b', {2}},
-        {"grains/fine", 'b', {2}},
-        {"contacts/first", 'u', {1}},
-        {"contacts/second", 'u', {1}},
-        {"contacts/image", 'i', {1, 3}},
-        {"contacts/shear_force", 'd', {1, 3}},
-        {"contacts/bending", 'd', {1, 3}},
-        {"contacts/normal", 'd', {1, 3}},
-        {"contacts/overlap", 'd', {1}},
-        {"contacts/twisting", 'd', {1}},
-        {"contacts/bonded", 'b', {1}},
-        {"attributes/case", 't', {}},
+        {"seed", 'L', {}}};
+    const grains::Material material;
+    grains::list_members(material, [&](const grains::Member& member, const auto& value) {
+        list.push_back(
+            {std::string("material/") + member.name, std::is_enum_v<std::decay_t<decltype(value)>> ? 'b' : 'd', {}}
+        );
+    });
+    const std::vector<Array> tables{
+        {"grains/position", 'd', {2, 3}},  {"grains/velocity", 'd', {2, 3}}, {"grains/spin", 'd', {2, 3}},
+        {"grains/force", 'd', {2, 3}},     {"grains/torque", 'd', {2, 3}},   {"grains/radius", 'd', {2}},
+        {"grains/mass", 'd', {2}},         {"grains/inertia", 'd', {2}},     {"grains/id", 'u', {2}},
+        {"grains/motion", 'b', {2}},       {"grains/fine", 'b', {2}},        {"contacts/first", 'u', {1}},
+        {"contacts/second", 'u', {1}},     {"contacts/image", 'i', {1, 3}},  {"contacts/shear_force", 'd', {1, 3}},
+        {"contacts/bending", 'd', {1, 3}}, {"contacts/normal", 'd', {1, 3}}, {"contacts/overlap", 'd', {1}},
+        {"contacts/twisting", 'd', {1}},   {"contacts/bonded", 'b', {1}},    {"attributes/case", 't', {}},
         {"unfinished", 'b', {3}}};
+    list.insert(list.end(), tables.begin(), tables.end());
+    return list;
+}
+
+const std::vector<Array>& arrays() {
+    static const std::vector<Array> list = make_arrays();
     return list;
 }
 

@@ -1,27 +1,22 @@
 #pragma once
-// What elastic spheres have in place of linear springs [Hertz 1882, Mindlin 1949; as simplified by Agnolin and Roux
-// 2007, appendix A], and what damps the normal motion of a contact under either law. Slip and the limits of rolling and
-// twisting are those of linear_rolling.hpp, into whose parts these are put.
+// What the speed at which two grains part does to their contact, beside its springs: a spring that stiffens with the
+// overlap lets go of shear [Mindlin 1949; as simplified by Agnolin and Roux 2007, appendix A], and dashpots damp.
 
-#include "suffuse/contact/linear_rolling.hpp"
+#include "suffuse/contact/lanes.hpp"
+#include "suffuse/contact/law_constants.hpp"
 
 namespace suffuse::contact {
-
-/// Normal force over overlap [N/m]: H sqrt(R overlap), R = r1 r2/(r1 + r2); zero where the pair does not touch.
-template <class Real>
-[[gnu::always_inline]] inline Real
-hertz_stiffness(const LawConstantsOf<Real>& law, const Real& r1, const Real& r2, const Real& overlap) noexcept {
-    return law.hertz_modulus * root(r1 * r2 / (r1 + r2) * (overlap > Real{} ? overlap : Real{}));
-}
 
 /// What is left of the shear force and the moments of the step before [-]: as two grains part, their contact area
 /// shrinks, and takes with it the share of the springs that it held. Where they approach, the new area is free of
 /// shear. So no path closed in overlap and slip gains energy. @param opening speed of parting [m/s]; @param dt time
 /// step [s]
-template <class Real>
-[[gnu::always_inline]] inline Real left_by_parting(const Real& overlap, const Real& opening, const Real& dt) noexcept {
+template <class Spring, class Real>
+[[gnu::always_inline]] inline Real left_by_parting(
+    const SpringConstantsOf<Real>& constants, const Real& overlap, const Real& opening, const Real& dt
+) noexcept {
     const Real zero{}, one(1), before = overlap + dt * opening;
-    return opening > zero && overlap > zero ? root(overlap / before) : one;
+    return opening > zero && overlap > zero ? Spring::growth(constants, overlap, before) : one;
 }
 
 /// Normal force by which two grains resist their approach [N]: the given share of the critical damping, 2 sqrt(m k), of

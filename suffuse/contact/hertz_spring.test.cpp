@@ -1,14 +1,11 @@
-#include "suffuse/contact/hertz_mindlin.hpp"
+#include "suffuse/contact/hertz_spring.hpp"
 
-#include "suffuse/base/error.hpp"
-#include "suffuse/base/random.hpp"
 #include "suffuse/contact/one_contact.hpp"
+#include "suffuse/contact/springs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
-#include <vector>
 
 namespace suffuse::contact {
 namespace {
@@ -76,53 +73,35 @@ TEST(HertzMindlin, PartingTakesTheShearForceOfTheAreaThatIsLost) {
     EXPECT_NEAR(pressed / parted, 1, 1e-9);
 }
 
-// Without what parting takes, a spring that is stretched while soft and let back while stiff gives more than it took.
-TEST(HertzMindlin, NoClosedPathOfOverlapAndSlipGivesEnergy) {
-    RandomStream random(3, "paths");
-    for (int path = 0; path < 200; ++path) {
-        Bench bench;
-        bench.move(-overlap, 0);
-        std::vector<std::pair<double, double>> corners;
-        for (int k = 0; k < 4; ++k) {
-            corners.emplace_back(-random.uniform(0.1, 2) * overlap, random.uniform(-1, 1) * 1e-9);
-        }
-        constexpr int rounds = 3, steps = 300;
-        double work = 0, size = 0;
-        Triple<double> before = bench.move(-overlap, 0);
-        corners.emplace_back(-overlap, 0);
-        for (int k = 0; k < rounds * static_cast<int>(corners.size()); ++k) {
-            const auto [gap, slid] = corners[static_cast<std::size_t>(k) % corners.size()];
-            const double gap_from = bench.gap, slid_from = bench.slid;
-            for (int q = 1; q <= steps; ++q) {
-                const double share = static_cast<double>(q) / steps, gap_before = bench.gap, slid_before = bench.slid;
-                const Triple<double> now =
-                    bench.move(gap_from + share * (gap - gap_from), slid_from + share * (slid - slid_from));
-                const double done = -0.5 * (now.x + before.x) * (bench.gap - gap_before) -
-                                    0.5 * (now.y + before.y) * (bench.slid - slid_before);
-                work += done, size += std::abs(done);
-                before = now;
-            }
-        }
-        EXPECT_GT(work, -1e-3 * size) << path; // first order in the step
-    }
-}
-
 TEST(HertzMindlin, ViscousForceIsTheAskedShareOfTheCriticalOne) {
     grains::Material material = glass();
     material.viscous_damping = 0.3;
     const LawConstants law = resolve_law(material);
     const double m1 = material.density * sphere_volume(r1), m2 = material.density * sphere_volume(r2);
-    const double mass = m1 * m2 / (m1 + m2), secant = hertz_stiffness(law, r1, r2, overlap);
+    const double mass = m1 * m2 / (m1 + m2), secant = HertzSpring::force(material, r1, r2, overlap) / overlap;
     const double critical = 2 * std::sqrt(mass * 1.5 * secant); // d(F)/d(overlap) is 1.5 F/overlap
     EXPECT_NEAR(viscous_force(law, r1, r2, secant, 0.01) / (-0.3 * critical * 0.01), 1, 1e-12);
     EXPECT_EQ(viscous_force(law, r2, r1, secant, 0.01), viscous_force(law, r1, r2, secant, 0.01));
     EXPECT_EQ(viscous_force(law, r1, r2, 0.0, 0.01), 0); // at the first touch
 }
 
-TEST(HertzMindlin, GrainsThatAreToAdhereAreRefused) {
-    grains::Material material = glass();
-    material.adhesion_normal = 1e5;
-    EXPECT_THROW(resolve_law(material), CaseError);
+// Twice the force squared, twice the force: overlap as force^(2/3); and Hertz's force at that overlap is the force.
+TEST(HertzMindlin, OverlapUnderAForceIsHertzs) {
+    const double radius = 1e-4, force = 1e-3;
+    const double depth = radius * HertzSpring::overlap_under(glass(), force / (radius * radius));
+    const double contact_modulus = 70e9 / (2 * (1 - 0.09));
+    const double closed = 4.0 / 3 * contact_modulus * std::sqrt(radius / 2) * std::pow(depth, 1.5);
+    EXPECT_NEAR(closed / force, 1, 1e-12);
+    EXPECT_NEAR(LinearSpring::overlap_under({}, 356e3), 1e-3, 1e-15);
+}
+
+TEST(HertzMindlin, LinearizedIsAsStiffAtThatOverlap) {
+    const grains::Material linear = linearized(glass(), 1e-3);
+    const double radius = 1e-4, depth = 1e-3 * radius;
+    const double tangent = 1.5 * hertz_modulus(glass()) * std::sqrt(radius / 2 * depth);
+    EXPECT_NEAR(linear.modulus * radius / tangent, 1, 1e-12); // kn = E r of equal grains
+    EXPECT_NEAR(linear.shear_ratio, 2 * 0.7 / 1.7, 1e-15);
+    EXPECT_EQ(linearized({}, 1e-3).modulus, grains::Material{}.modulus);
 }
 
 } // namespace
