@@ -56,18 +56,17 @@ load(const DomainWork<Real>& w, std::size_t begin, std::size_t rows, Tile<Real>&
 }
 
 template <class Spring, class Real>
-[[gnu::always_inline]] inline void find_geometry(const SpringConstants& constants, std::size_t rows, Tile<Real>& t) {
-    const SpringConstants own = constants;
+[[gnu::always_inline]] inline void find_geometry(const SpringConstants& own, std::size_t rows, Tile<Real>& t) {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
         const double r1 = t.exact_radius_1[k], r2 = t.exact_radius_2[k];
         const Placement<double> at = find_placement(triple(t.branch, k), r1, r2);
         const Real overlap = static_cast<Real>(at.overlap);
+        const double stiffness = Spring::secant(own, r1, r2, at.per_reach, static_cast<double>(overlap));
         set(t.normal, k, at.normal);
         t.overlap[k] = overlap;
         t.reach_over_distance[k] = static_cast<Real>(at.reach_over_distance);
-        t.normal_stiffness[k] =
-            static_cast<Real>(Spring::secant(own, r1, r2, at.per_reach, static_cast<double>(overlap)));
+        t.normal_stiffness[k] = static_cast<Real>(stiffness);
         t.radius_1[k] = static_cast<Real>(r1);
         t.radius_2[k] = static_cast<Real>(r2);
     }

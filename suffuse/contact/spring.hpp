@@ -40,28 +40,31 @@ struct Spring {
     using OfMaterial = double (*)(const grains::Material&);
     using OfPair = double (*)(const grains::Material&, double r1, double r2, double overlap);
 
-    grains::ContactLaw law; ///< its number is the one in checkpoints
+    grains::ContactLaw law{}; ///< its number is the one in checkpoints
     SpringWords words;
-    bool stiffens;   ///< its stiffness grows with the overlap
-    bool may_adhere; ///< it may also pull
+    bool stiffens = false;   ///< its stiffness grows with the overlap
+    bool may_adhere = false; ///< it may also pull
 
-    SpringConstants (*constants)(const grains::Material&);
-    OfMaterial exponent;    ///< force as overlap^this; tangent over force/overlap [-]
-    OfMaterial shear_ratio; ///< shear stiffness over tangent [-]
-    OfMaterial most_stress; ///< no mean stress of grains reaches it, nor their force over the square of the radius [Pa]
-    OfPair force;           ///< [N]
-    OfPair tangent;         ///< d(force)/d(overlap) [N/m]
-    OfPair energy;          ///< held at that overlap [J]
+    SpringConstants (*constants)(const grains::Material&) = nullptr;
+    OfMaterial exponent = nullptr;    ///< force as overlap^this; tangent over force/overlap [-]
+    OfMaterial shear_ratio = nullptr; ///< shear stiffness over tangent [-]
+    /// No mean stress of grains reaches it, however much they overlap, nor their force over the square of the radius
+    /// [Pa].
+    OfMaterial most_stress = nullptr;
+
+    OfPair force = nullptr;   ///< [N]
+    OfPair tangent = nullptr; ///< d(force)/d(overlap) [N/m]
+    OfPair energy = nullptr;  ///< held at that overlap [J]
 
     /// Overlap over radius of two equal grains that a force presses together [-]. @param stress force/radius^2 [Pa]
-    double (*overlap_under)(const grains::Material&, double stress);
+    double (*overlap_under)(const grains::Material&, double stress) = nullptr;
 
     /// Overlap over radius at which a fixed equal grain stops one of this squared speed [m2/s2]: density (4/3) pi r^3
     /// speed^2/2 is the energy of the spring [-].
-    double (*overlap_of_impact)(const grains::Material&, double speed2);
+    double (*overlap_of_impact)(const grains::Material&, double speed2) = nullptr;
 
     /// Stiffness over mean pressure, as papers give it for this law: about the radius over the overlap [-].
-    double (*stiffness_to_pressure)(const grains::Material&, double pressure);
+    double (*stiffness_to_pressure)(const grains::Material&, double pressure) = nullptr;
 };
 
 } // namespace suffuse::contact

@@ -230,6 +230,7 @@ TEST_P(NormalSpring, GivesNoEnergyOnAnyClosedPathOfOverlapAndSlip) {
     for (int path = 0; path < 200; ++path) {
         Bench bench(material);
         std::vector<std::pair<double, double>> corners;
+        corners.reserve(5);
         for (int k = 0; k < 4; ++k) {
             corners.emplace_back(-random.uniform(0.1, 2) * Bench::overlap, random.uniform(-1, 1) * 1e-9);
         }

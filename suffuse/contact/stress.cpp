@@ -6,7 +6,7 @@
 namespace suffuse::contact {
 
 double normal_stiffness(const grains::Material& material, double r1, double r2, double overlap) {
-    return spring_of(material).tangent(material, r1, r2, overlap);
+    return visit_spring(material.law, [&](auto spring) { return spring.tangent(material, r1, r2, overlap); });
 }
 
 template <class Real>
@@ -14,11 +14,10 @@ AffineModuli affine_moduli(
     const grains::Grains& grains, const ContactPairs& contacts, const MemoryOf<Real>& memory,
     const grains::Material& material, const Mat3& h
 ) {
-    const Spring& spring = spring_of(material);
-    const double shear_ratio = spring.shear_ratio(material);
+    const double shear_ratio = spring_of(material).shear_ratio(material);
     const auto add = [&](AffineModuli& part, std::size_t c) {
         const double r1 = grains.radius[contacts.first[c]], r2 = grains.radius[contacts.second[c]];
-        const double kn = spring.tangent(material, r1, r2, memory.overlap[c]), length = r1 + r2 - memory.overlap[c];
+        const double kn = normal_stiffness(material, r1, r2, memory.overlap[c]), length = r1 + r2 - memory.overlap[c];
         const Vec3 n = memory.normal[c];
         for (int a = 0; a < 3; ++a) {
             const double square = n[a] * n[a];
@@ -46,7 +45,10 @@ normal_force(const grains::Grains& grains, const Contacts& contacts, const grain
     const bool bonded = !contacts.bonded.empty() && contacts.bonded[c] != 0;
     const double overlap = contacts.overlap[c];
     const double r1 = grains.radius[contacts.first[c]], r2 = grains.radius[contacts.second[c]];
-    return overlap < 0 && !bonded ? 0.0 : spring_of(material).force(material, r1, r2, overlap);
+    if (overlap < 0 && !bonded) {
+        return 0;
+    }
+    return visit_spring(material.law, [&](auto spring) { return spring.force(material, r1, r2, overlap); });
 }
 
 } // namespace suffuse::contact

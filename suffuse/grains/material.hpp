@@ -35,8 +35,8 @@ inline bool adheres(const Material& material) {
 
 /// What files call a member of Material.
 struct Member {
-    const char* name;
-    const char* unit;
+    const char* name = "";
+    const char* unit = "";
     bool is_newer = false; ///< checkpoints of before lack it: they were made with its default
 };
 

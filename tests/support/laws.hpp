@@ -13,8 +13,8 @@
 namespace suffuse::grains {
 
 /// For messages of tests.
-inline void PrintTo(const Material& material, std::ostream* out) {
-    *out << "a material under " << contact::spring_of(material).words.name;
+inline std::ostream& operator<<(std::ostream& out, const Material& material) {
+    return out << "a material under " << contact::spring_of(material).words.name;
 }
 
 } // namespace suffuse::grains
