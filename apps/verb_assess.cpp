@@ -145,6 +145,7 @@ void write_page(
     data.tables = {figures::stability_table(soil.assessment)};
     data.figures = {figures::stability_grading(soil.assessment), figures::stability_shape(soil.assessment)};
     data.provenance = {{"program", "suffuse"}, {"version", version()}, {"commit", commit()}, {"command", command}};
+    data.cited = {version(), commit()};
     data.redraw = command;
     report::write_report(folder, data, page_folder());
     io::write_file(folder / "assessment.json", json_text(about) + "\n");

@@ -68,21 +68,21 @@ Pressed press_contacts(
     const double r = setting.largest_radius, most = law.most_stress, largest_force = 2 * most * r * r;
     const SumQuantum quantum(largest_force * 2 * r, most * setting.volume);
     const DomainWork<Real> work{
-        grains.data(),
-        contacts.first.data(),
-        contacts.second.data(),
-        plan.second_sum.data(),
-        plan.image.data(),
-        setting.shifts.data(),
-        law,
-        law.as<Real>(),
-        static_cast<Real>(setting.dt),
-        quantum,
-        largest_force,
-        setting.looked_at,
-        grains.size() > cached_grains,
-        pointers(memory),
-        sums.data()};
+        .grains = grains.data(),
+        .first = contacts.first.data(),
+        .second = contacts.second.data(),
+        .second_sum = plan.second_sum.data(),
+        .image = plan.image.data(),
+        .shifts = setting.shifts.data(),
+        .exact_law = law,
+        .law = law.as<Real>(),
+        .dt = static_cast<Real>(setting.dt),
+        .quantum = quantum,
+        .largest_force = largest_force,
+        .looked_at = setting.looked_at,
+        .beyond_cache = grains.size() > cached_grains,
+        .memory = pointers(memory),
+        .sums = sums.data()};
     const DomainLoop<Real> press_loop =
         choose_loop<Real>(setting.normals_only, !memory.bonded.empty(), memory.twisting.size() > 0);
     StressSum total;

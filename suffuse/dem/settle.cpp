@@ -120,8 +120,9 @@ void report_not_balanced(
         "mean stress {:.4g} kPa; {}{}",
         state.steps, state.equilibrium.unbalanced_force, spec.unbalanced_force, stress_error(loading, state.stress),
         spec.stress_error, mean_stress(state.stress) / 1e3, limit.empty() ? "" : fmt::format("raise {}, or ", limit),
-        holds_stress ? "the stress may be out of reach of this sample: lower it, or give [balance] more room"
-                     : "no stress is held; give [balance] more room, or a stress that keeps the grains together"
+        holds_stress
+            ? "the stress may be out of reach of this sample: lower it, or ask for a balance that is less strict"
+            : "no stress is held: ask for a balance that is less strict, or for a stress that keeps the grains together"
     ));
 }
 

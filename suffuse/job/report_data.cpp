@@ -184,6 +184,7 @@ report::ReportData describe_run(
     for (const auto& [key, value] : provenance.items()) {
         data.provenance.emplace_back(key, provenance_text(value));
     }
+    data.cited = {provenance_text(provenance.at("version")), provenance_text(provenance.at("commit")), true};
     data.redraw = "suffuse report " + shell_word(folder.string());
     return data;
 }

@@ -34,11 +34,11 @@ void take_final_parameters(dem::World& world, const grains::Material& final_mate
 [[noreturn]] void report_out_of_reach(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
     throw StateError(fmt::format(
         "the pressure {:.4g} kPa is out of reach: after {} steps the sample carries {:.4g} kPa at the void ratio "
-        "{:.3f}, unbalanced force {:.1e}; lower the pressure, raise contact.modulus, {}",
+        "{:.3f}, unbalanced force {:.1e}; lower the pressure, take stiffer grains, {}",
         spec.pressure / 1e3, state.steps, dem::mean_stress(state.balance.stress) / 1e3, dem::void_ratio(world),
         state.balance.equilibrium.unbalanced_force,
-        spec.protocol == Protocol::Swift ? "start denser (start_porosity), or take protocol = \"faithful\""
-                                         : "or give [balance] more room"
+        spec.protocol == Protocol::Swift ? "start denser, or take the faithful protocol"
+                                         : "or ask for a balance that is less strict"
     ));
 }
 
@@ -62,8 +62,9 @@ void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state
         const bool clear = bring_to_porosity(world, *start);
         if (!clear && !swift) {
             throw StateError(fmt::format(
-                "start_porosity {:.3f} is denser than grains can be pushed together without overlaps; give a larger "
-                "one",
+                "a porosity of {:.3f} to start from is denser than grains can be pushed together without overlaps; "
+                "give a "
+                "larger one",
                 *start
             ));
         }

@@ -173,25 +173,20 @@ std::string in_words(const std::string& key) {
 
 std::string provenance_section(const ReportData& report, const std::optional<PageScript>& script) {
     std::vector<std::vector<std::string>> rows;
-    std::string version, commit, paper;
-    bool is_run = false;
     for (const auto& [key, value] : report.provenance) {
-        version += key == "version" ? " " + value : "";
-        commit += key == "commit" ? ", commit " + value : "";
-        paper += key == "paper" ? value : "";
-        is_run = is_run || key == "seed";
         const bool is_time = key == "wall_seconds";
         rows.push_back({in_words(key), is_time ? short_number(std::atof(value.c_str()), 4) + " s" : value});
     }
     std::sort(rows.begin(), rows.end());
     std::string out = html_table({"what", "value"}, rows, {}, "provenance");
-    out += "<h3>How to cite</h3>\n<p>" +
-           typeset(fmt::format(
-               "The program: suffuse{}{}; CITATION.cff in its source holds the entry.{}{}", version, commit,
-               is_run ? " Seed and hash of the case identify the run." : "",
-               paper.empty() ? "" : " The work that it follows: " + paper + "."
-           )) +
-           "</p>\n";
+    out +=
+        "<h3>How to cite</h3>\n<p>" +
+        typeset(fmt::format(
+            "The program: suffuse {}, commit {}; CITATION.cff in its source holds the entry.{}{}", report.cited.version,
+            report.cited.commit, report.cited.names_run ? " Seed and hash of the case identify the run." : "",
+            report.paper.empty() ? "" : " The work that it follows: " + report.paper + "."
+        )) +
+        "</p>\n";
     if (script && !script->notices.empty()) {
         out += "<details><summary>Notices of the software in this page</summary><pre>" + escaped(script->notices) +
                "</pre></details>\n";

@@ -28,6 +28,12 @@ struct Unfinished {
     std::string command; ///< with which it goes on
 };
 
+/// What a citation names beside the paper.
+struct CitedProgram {
+    std::string version, commit;
+    bool names_run = false; ///< seed and hash of a case stand in the provenance
+};
+
 struct ReportData {
     std::string title; ///< of the case
     std::string run;   ///< name of the run folder
@@ -45,7 +51,8 @@ struct ReportData {
     Scene scene;                          ///< without states: no section "In 3D"
     std::vector<StageRow> stages;
     std::vector<std::pair<std::string, std::string>> provenance; ///< version, commit, seed, threads, hashes, times
-    std::string redraw;                                          ///< the command that builds this report again
+    CitedProgram cited;
+    std::string redraw; ///< the command that builds this report again
 };
 
 struct WrittenReport {

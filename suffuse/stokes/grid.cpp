@@ -37,7 +37,7 @@ Grid grid_over(const Mat3& h, double spacing) {
             if (a != b && std::abs(h(a, b)) > 1e-12 * std::abs(h(a, a))) {
                 throw GeometryError(
                     "resolved flow: the cell is sheared; a right-angled cell along x, y, z is expected. The pore "
-                    "network (without `resolve`) takes cells of any shape"
+                    "network takes cells of any shape"
                 );
             }
         }

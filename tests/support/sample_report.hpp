@@ -73,6 +73,7 @@ inline report::ReportData sample_report(const std::string& title) {
         {"seed", "2016"},
         {"threads", "2"},
         {"state hash", "0123456789abcdef"}};
+    report.cited = {"0.1.0", "0000000, synthetic", true};
     report.scene = sample_scene();
     report.redraw = "suffuse report runs/synthetic-0001";
     return report;
