@@ -6,6 +6,7 @@
 
 namespace {
 
+using namespace suffuse;
 using namespace suffuse::casefile;
 using namespace suffuse::casefile::testing;
 
