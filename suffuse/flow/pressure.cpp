@@ -38,10 +38,7 @@ Members ends_of_throats(const pores::PoreNetwork& network) {
         for (std::size_t m = begin; m < end; ++m) {
             for (std::size_t k = 0; k < 4; ++k) {
                 const std::uint32_t p = pore[m], t = pores.throat[p][k];
-                // A pore may be on both sides, next to its own image.
-                const bool is_first =
-                    network.throats.side[t][0] == p && network.throats.image[t] == pores.neighbor_image[p][k];
-                ends.row[4 * m + k] = 2 * t + (is_first ? 0 : 1);
+                ends.row[4 * m + k] = 2 * t + static_cast<std::uint32_t>(side_of(network, p, k));
             }
         }
     });

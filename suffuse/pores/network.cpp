@@ -134,8 +134,8 @@ void measure_throats(
 ) {
     const std::size_t n = throats.size();
     resize_columns(
-        n, throats.area, throats.void_area, throats.solid_surface, throats.hydraulic_radius, throats.inscribed_radius,
-        throats.length, throats.center, throats.grain_share
+        n, throats.area, throats.void_area, throats.solid_surface, throats.wetted, throats.hydraulic_radius,
+        throats.inscribed_radius, throats.length, throats.center, throats.grain_share
     );
     parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
@@ -152,6 +152,7 @@ void measure_throats(
             throats.area[t] = geometry.area;
             throats.void_area[t] = geometry.void_area;
             throats.solid_surface[t] = geometry.solid_surface;
+            throats.wetted[t] = geometry.wetted;
             throats.hydraulic_radius[t] = geometry.hydraulic_radius;
             throats.grain_share[t] = geometry.grain_share;
             throats.length[t] = norm(p2 - p1);

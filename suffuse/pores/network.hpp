@@ -39,13 +39,14 @@ struct Throats {
     std::vector<cell::Image> image;
     std::vector<std::array<std::uint32_t, 3>> grain;
     std::vector<std::array<cell::Image, 3>> grain_image;
-    std::vector<Vec3> area;               ///< of the facet, pointing from side 0 to side 1 [m2]
-    std::vector<double> void_area;        ///< [m2]
-    std::vector<double> solid_surface;    ///< wetted by the throat's water [m2]
-    std::vector<double> hydraulic_radius; ///< [m]
-    std::vector<double> inscribed_radius; ///< of the circle that touches the three grains: the constriction [m]
-    std::vector<double> length;           ///< between the pore centers; exactly 0 inside a body of several pores [m]
-    std::vector<Vec3> center;             ///< of the inscribed circle [m]
+    std::vector<Vec3> area;                    ///< of the facet, pointing from side 0 to side 1 [m2]
+    std::vector<double> void_area;             ///< [m2]
+    std::vector<double> solid_surface;         ///< wetted by the throat's water [m2]
+    std::vector<std::array<double, 3>> wetted; ///< the part of it that is each grain's [m2]
+    std::vector<double> hydraulic_radius;      ///< [m]
+    std::vector<double> inscribed_radius;      ///< of the circle that touches the three grains: the constriction [m]
+    std::vector<double> length; ///< between the pore centers; exactly 0 inside a body of several pores [m]
+    std::vector<Vec3> center;   ///< of the inscribed circle [m]
     std::vector<std::array<double, 3>> grain_share; ///< part of pressure difference x area that each grain receives [-]
 
     [[nodiscard]] std::size_t size() const { return side.size(); }
@@ -63,6 +64,14 @@ struct PoreNetwork {
 /// A throat between two pores of one body: an artificial cut through one void, no constriction.
 inline bool is_internal(const Throats& throats, std::size_t t) {
     return throats.length[t] == 0;
+}
+
+/// Which side of the throat opposite to its corner k pore p is: next to its own image it is on both.
+inline std::size_t side_of(const PoreNetwork& network, std::uint32_t p, std::size_t k) {
+    const std::uint32_t t = network.pores.throat[p][k];
+    const bool is_first =
+        network.throats.side[t][0] == p && network.throats.image[t] == network.pores.neighbor_image[p][k];
+    return is_first ? 0 : 1;
 }
 
 /// Pore centers closer than this share of the facet's size (square root of its area) coincide.

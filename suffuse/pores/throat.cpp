@@ -55,7 +55,7 @@ measure_throat(const std::array<Vec3, 3>& x, const std::array<double, 3>& r, con
     throat.area = 0.5 * cross(x[1] - x[0], x[2] - x[0]);
     const double area = norm(throat.area);
     double sections = 0, beyond = 0, solid_volume = 0;
-    std::array<double, 3> section{}, wetted{};
+    std::array<double, 3> section{};
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec3 left = x[(k + 1) % 3] - x[k], right = x[(k + 2) % 3] - x[k];
         const double r2 = r[k] * r[k];
@@ -70,16 +70,16 @@ measure_throat(const std::array<Vec3, 3>& x, const std::array<double, 3>& r, con
         // The sum of the two arctangents by one, from the product of the two complex numbers.
         const double m1 = std::abs(one.numerator), d1 = std::abs(one.denominator);
         const double m2 = std::abs(two.numerator), d2 = std::abs(two.denominator);
-        wetted[k] = 2 * r2 * std::atan2(m1 * d2 + m2 * d1, d1 * d2 - m1 * m2);
-        throat.solid_surface += wetted[k];
-        solid_volume += wetted[k] * r[k] / 3;
+        throat.wetted[k] = 2 * r2 * std::atan2(m1 * d2 + m2 * d1, d1 * d2 - m1 * m2);
+        throat.solid_surface += throat.wetted[k];
+        solid_volume += throat.wetted[k] * r[k] / 3;
     }
     throat.void_area = std::abs(area - sections + beyond);
     const double water = std::abs(dot(throat.area, p2 - p1)) / 3 - solid_volume;
     const bool touches_solid = throat.solid_surface > 0;
     throat.hydraulic_radius = touches_solid ? water / throat.solid_surface : 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double wetted_share = touches_solid ? wetted[k] / throat.solid_surface : 1.0 / 3;
+        const double wetted_share = touches_solid ? throat.wetted[k] / throat.solid_surface : 1.0 / 3;
         throat.grain_share[k] = (section[k] + throat.void_area * wetted_share) / area;
     }
     return throat;

@@ -26,6 +26,7 @@ struct ThroatGeometry {
     double void_area = 0;                ///< of the triangle, without its sections of grains [m2]
     double solid_surface = 0;            ///< wetted by the throat's water [m2]
     double hydraulic_radius = 0;         ///< water volume over solid surface [m]
+    std::array<double, 3> wetted{};      ///< the part of the solid surface that is each grain's [m2]
     std::array<double, 3> grain_share{}; ///< part of the pressure difference x area that each grain receives [-]
 };
 
