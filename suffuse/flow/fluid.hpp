@@ -1,5 +1,5 @@
 #pragma once
-// The pore fluid, and what is asked of it.
+// The pore fluid, how it passes throats, and what is asked of it.
 
 #include "suffuse/base/vec3.hpp"
 
@@ -8,9 +8,16 @@
 
 namespace suffuse::flow {
 
+/// What the conductance of a throat and the forces on its grains follow from.
+enum class Conductance {
+    Bounded, ///< bounded drag, and momentum exchanged between throats: for any ratio of sizes
+    Yade,    ///< the hydraulic radius of each throat by itself, as in Yade 2023.02a
+};
+
 struct Fluid {
     double density = 1000;   ///< [kg/m3]
     double viscosity = 1e-3; ///< [Pa s]
+    Conductance conductance = Conductance::Yade;
 };
 
 /// `do = "flow"`: steady seepage through the frozen packing.

@@ -3,6 +3,7 @@
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/stopwatch.hpp"
+#include "suffuse/flow/bounded_drag.hpp"
 #include "suffuse/flow/conductance.hpp"
 #include "suffuse/flow/drag.hpp"
 
@@ -63,7 +64,11 @@ Seepage solve_seepage(
     pores::Triangulation triangulation = pores::triangulate(cell.h, position, radius);
     s.seconds.triangulate = watch.lap();
     s.network = pores::build_network(std::move(triangulation), cell.h, position, radius);
-    s.conductance = conductances(s.network, fluid.viscosity);
+    std::optional<BoundedDrag> bounded;
+    if (fluid.conductance == Conductance::Bounded) {
+        bounded.emplace(s.network, position, radius);
+    }
+    s.conductance = bounded ? bounded->conductances(fluid.viscosity) : conductances(s.network, fluid.viscosity);
     s.seconds.conductance = watch.lap();
 
     const Vec3 unit = (-fluid.density * gravity / norm(spec.direction)) * spec.direction; // at i = 1
@@ -76,7 +81,8 @@ Seepage solve_seepage(
     }
     s.seconds.solve = watch.lap();
     s.pressure_gradient = unit;
-    s.grain_force = grain_forces(s.network, s.field.pressure, unit, radius.size());
+    s.grain_force = bounded ? bounded->grain_forces(s.field.pressure, unit)
+                            : grain_forces(s.network, s.field.pressure, unit, radius.size());
     scale(s, spec.gradient);
     s.seconds.forces = watch.lap();
     return s;

@@ -1,0 +1,147 @@
+#include "suffuse/flow/bounded_drag.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/flow/conductance.hpp"
+#include "suffuse/flow/throat_drag.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace suffuse::flow {
+namespace {
+
+constexpr std::size_t block = 2048; // throats of one loop of a thread
+
+/// Layers are no thinner than this part of the smallest grain.
+constexpr double thinnest_layer = 1e-6;
+
+/// A neighbor that many times larger is a wall.
+constexpr double wall_ratio = 1.5;
+
+WettedGrains wetted_grains(const pores::Throats& throats, std::span<const double> radius, std::size_t t) {
+    const auto& g = throats.grain[t];
+    return {{radius[g[0]], radius[g[1]], radius[g[2]]}, throats.wetted[t]};
+}
+
+/// Volume of a throat's water [m3].
+double water_of(const pores::Throats& throats, std::size_t t) {
+    return std::max(0.0, throats.hydraulic_radius[t] * throats.solid_surface[t]);
+}
+
+std::vector<double> water_layers(const pores::PoreNetwork& network, std::span<const double> radius) {
+    const double least = thinnest_layer * *std::min_element(radius.begin(), radius.end());
+    std::vector<double> layer(network.throats.size());
+    parallel_for(layer.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const WettedGrains grains = wetted_grains(network.throats, radius, t);
+            layer[t] = std::max(least, water_layer(grains, water_of(network.throats, t)));
+        }
+    });
+    return layer;
+}
+
+std::vector<double>
+throat_drags(const pores::PoreNetwork& network, std::span<const double> radius, std::span<const double> layer) {
+    std::vector<double> drag(layer.size());
+    parallel_for(layer.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            drag[t] = throat_drag(wetted_grains(network.throats, radius, t), layer[t]);
+        }
+    });
+    return drag;
+}
+
+} // namespace
+
+std::vector<double>
+distances_to_walls(const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
+    std::vector<double> distance(radius.size(), std::numeric_limits<double>::infinity());
+    const pores::Pores& pores = network.pores;
+    const auto corner = [&](std::size_t p, std::size_t k) {
+        return position[pores.grain[p][k]] + shift(network.h, pores.grain_image[p][k]);
+    };
+    for (std::size_t p = 0; p < pores.size(); ++p) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            for (std::size_t l = 0; l < 4; ++l) {
+                const std::uint32_t g = pores.grain[p][k], wall = pores.grain[p][l];
+                if (radius[wall] > wall_ratio * radius[g]) {
+                    const double away = norm(corner(p, l) - corner(p, k)) - radius[wall];
+                    distance[g] = std::min(distance[g], std::max(away, radius[g]));
+                }
+            }
+        }
+    }
+    return distance;
+}
+
+BoundedDrag::BoundedDrag(
+    const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius
+)
+    : network_(network), position_(position), radius_(radius), layer_(water_layers(network, radius)),
+      exchange_(network, throat_drags(network, radius, layer_), exchange_legs(network, position, radius)) {}
+
+std::vector<double> BoundedDrag::conductances(double viscosity) const {
+    const pores::Throats& throats = network_.throats;
+    std::vector<double> water(throats.size());
+    parallel_for(water.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            water[t] = water_of(throats, t);
+        }
+    });
+    // Under a pressure gradient of 1 each volume of water is pushed by its size: velocities are mobilities [m2].
+    std::vector<double> conductance = exchange_.velocities(water);
+    parallel_for(conductance.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const double least = least_length * std::sqrt(norm(throats.area[t]));
+            const double mobility = std::max(0.0, conductance[t]); // below 0 only within the solver's tolerance
+            conductance[t] = pores::is_internal(throats, t)
+                                 ? 0
+                                 : throats.void_area[t] * mobility / (viscosity * std::max(throats.length[t], least));
+        }
+    });
+    return conductance;
+}
+
+/// On the void area of a throat [N]. Where a grain reaches over the opposite edge of a facet, sections and void area
+/// add up to more than the facet, and all of them are scaled.
+Vec3 BoundedDrag::push(std::size_t t, double drop) const {
+    const pores::Throats& throats = network_.throats;
+    const auto& share = throats.grain_share[t];
+    return (drop * throats.void_area[t] / (norm(throats.area[t]) * (share[0] + share[1] + share[2]))) * throats.area[t];
+}
+
+std::vector<Vec3> BoundedDrag::grain_forces(std::span<const double> pressure, const Vec3& gradient) const {
+    expects(pressure.size() == network_.pores.size(), "one pressure a pore");
+    const pores::Throats& throats = network_.throats;
+    const auto drop = [&](std::size_t t) {
+        const auto [p, q] = throats.side[t];
+        return pressure[p] - pressure[q] - dot(gradient, cell::shift(network_.h, throats.image[t]));
+    };
+    std::vector<Vec3> drag(throats.size());
+    parallel_for(drag.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            drag[t] = push(t, drop(t));
+        }
+    });
+    exchange_.hand_on(drag);
+
+    const std::vector<double> to_wall = distances_to_walls(network_, position_, radius_);
+    std::vector<Vec3> force(radius_.size());
+    for (std::size_t t = 0; t < throats.size(); ++t) {
+        const auto& [a, b, c] = throats.grain[t];
+        const WettedGrains grains = wetted_grains(throats, radius_, t);
+        const auto shares = drag_shares(grains, layer_[t], {to_wall[a], to_wall[b], to_wall[c]});
+        const auto& whole = throats.grain_share[t]; // of sections and, by wetted surface, of the void area
+        const double void_share = throats.void_area[t] / norm(throats.area[t]), sum = whole[0] + whole[1] + whole[2];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double wetted = throats.solid_surface[t] > 0 ? grains.area[k] / throats.solid_surface[t] : 1.0 / 3;
+            const double section = whole[k] - void_share * wetted;
+            force[throats.grain[t][k]] += (drop(t) * section / sum) * throats.area[t] + shares[k] * drag[t];
+        }
+    }
+    return force;
+}
+
+} // namespace suffuse::flow

@@ -1,0 +1,287 @@
+#include "suffuse/flow/momentum_exchange.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace suffuse::flow {
+namespace {
+
+constexpr std::size_t block = 2048; // pores or throats of one loop of a thread
+
+/// Exchange between two throats of a pore over void area and distance; fitted to resolved flows.
+constexpr double strength = 1.5;
+
+/// Four throats that exchange with each other by pairs do so, nearly, as through the pore with this part of the sum of
+/// their pairs; exactly where all pairs are alike.
+constexpr double star_of_four = 4.0 / 3;
+
+/// Middles of throats count as no closer than this share of the edge between them.
+constexpr double least_distance = 1e-6;
+
+/// Part of the triangle (a, b, c) outside the spheres around a and b, 0 where they overlap it all.
+double void_of_triangle(const Vec3& a, double ra, const Vec3& b, double rb, const Vec3& c) {
+    const Vec3 ab = b - a, ac = c - a, bc = c - b;
+    const double twice = norm(cross(ab, ac));
+    const double at_a = std::atan2(twice, dot(ab, ac)), at_b = std::atan2(twice, -dot(ab, bc));
+    return std::max(0.0, 0.5 * (twice - ra * ra * at_a - rb * rb * at_b));
+}
+
+/// Of the four throats of a pore.
+std::array<double, 4> legs_of_pore(
+    const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, std::size_t p
+) {
+    const pores::Pores& pores = network.pores;
+    // Throat k lies opposite to corner k; its middle is the mean of three corners and two pore centers. Less what is
+    // common to the four it is (other center - corner k) / 5.
+    std::array<Vec3, 4> x, middle;
+    std::array<double, 4> r{}, leg{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::uint32_t g = pores.grain[p][k], q = pores.neighbor[p][k];
+        x[k] = position[g] + shift(network.h, pores.grain_image[p][k]);
+        r[k] = radius[g];
+        middle[k] = (pores.center[q] + shift(network.h, pores.neighbor_image[p][k]) - x[k]) / 5;
+    }
+    constexpr std::size_t pairs[6][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
+                                         {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}; // two throats, their edge
+    for (const auto& [k, l, a, b] : pairs) {
+        const double area = void_of_triangle(x[a], r[a], x[b], r[b], pores.center[p]);
+        if (area > 0) {
+            const double distance = std::max(norm(middle[k] - middle[l]), least_distance * norm(x[a] - x[b]));
+            leg[k] += area / distance;
+            leg[l] += area / distance;
+        }
+    }
+    for (double& each : leg) {
+        each *= strength * star_of_four;
+    }
+    return leg;
+}
+
+/// Columns of a solution by conjugate gradients, preconditioned by the sums of the rows. T: one direction, or three at
+/// once with common steps, so that nothing depends on how the axes lie.
+template <class T>
+class Descent {
+public:
+    Descent(const pores::Pores& pores, std::span<const MomentumExchange::Row> row, std::vector<T> source)
+        : pores_(pores), row_(row), x_(row.size()), residual_(std::move(source)), direction_(row.size()),
+          image_(row.size()), partial_((row.size() + block - 1) / block) {}
+
+    /// The residual's size, squared.
+    double size2() {
+        return sum([&](std::size_t p) { return inner(residual_[p], residual_[p]) * row_[p].inverse; });
+    }
+
+    void turn(double kept) {
+        each([&](std::size_t p) { direction_[p] = row_[p].inverse * residual_[p] + kept * direction_[p]; });
+    }
+
+    double curvature() {
+        return sum([&](std::size_t p) {
+            const MomentumExchange::Row& row = row_[p];
+            T image = row.grains * direction_[p];
+            for (std::size_t k = 0; k < 4; ++k) {
+                image += row.neighbor[k] * (direction_[p] - direction_[pores_.neighbor[p][k]]);
+            }
+            image_[p] = image;
+            return inner(direction_[p], image);
+        });
+    }
+
+    /// The residual's size after the step, squared.
+    double go_down(double step) {
+        return sum([&](std::size_t p) {
+            x_[p] += step * direction_[p];
+            residual_[p] -= step * image_[p];
+            return inner(residual_[p], residual_[p]) * row_[p].inverse;
+        });
+    }
+
+    std::vector<T> take() { return std::move(x_); }
+
+private:
+    static double inner(double a, double b) { return a * b; }
+
+    static double inner(const Vec3& a, const Vec3& b) { return dot(a, b); }
+
+    template <class Body>
+    void each(Body&& body) {
+        parallel_for(row_.size(), block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t p = begin; p < end; ++p) {
+                body(p);
+            }
+        });
+    }
+
+    /// Adds up in fixed blocks, and allocates nothing.
+    template <class Body>
+    double sum(Body&& body) {
+        parallel_for(row_.size(), block, [&](std::size_t begin, std::size_t end) {
+            double part = 0;
+            for (std::size_t p = begin; p < end; ++p) {
+                part += body(p);
+            }
+            partial_[begin / block] = part;
+        });
+        double whole = 0;
+        for (const double part : partial_) {
+            whole += part;
+        }
+        return whole;
+    }
+
+    const pores::Pores& pores_;
+    std::span<const MomentumExchange::Row> row_;
+    std::vector<T> x_, residual_, direction_;
+    std::vector<T> image_; ///< A direction
+    std::vector<double> partial_;
+};
+
+[[noreturn]] void refuse(std::size_t pores, int iterations, double left, double tolerance) {
+    throw SolverError(
+        fmt::format(
+            "flow: the exchange of momentum between {} pores did not converge: {:.3g} of it is out of balance after {} "
+            "iterations, at most {:.3g} is asked; look for grains that overlap or lie in one place",
+            pores, left, iterations, tolerance
+        ),
+        iterations, left
+    );
+}
+
+} // namespace
+
+ExchangeLegs
+exchange_legs(const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
+    ExchangeLegs leg(network.throats.size());
+    parallel_for(network.pores.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+            const std::array<double, 4> of_pore = legs_of_pore(network, position, radius, p);
+            for (std::size_t k = 0; k < 4; ++k) {
+                leg[network.pores.throat[p][k]][pores::side_of(network, p, k)] = of_pore[k];
+            }
+        }
+    });
+    return leg;
+}
+
+MomentumExchange::MomentumExchange(
+    const pores::PoreNetwork& network, std::vector<double> drag, ExchangeLegs leg, const ExchangeSpec& spec
+)
+    : network_(network), drag_(std::move(drag)), leg_(std::move(leg)), spec_(spec), row_(network.pores.size()) {
+    expects(drag_.size() == network.throats.size() && leg_.size() == drag_.size(), "one drag and two legs a throat");
+    parallel_for(row_.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+            row_[p] = row_of(p);
+        }
+    });
+}
+
+/// A throat's velocity follows from those of its pores; put in, each leg goes in part to the grains and in part on to
+/// the pore beyond.
+MomentumExchange::Row MomentumExchange::row_of(std::uint32_t p) const {
+    Row row;
+    double sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::uint32_t t = network_.pores.throat[p][k];
+        const std::size_t side = pores::side_of(network_, p, k);
+        const double here = leg_[t][side], beyond = leg_[t][1 - side], all = drag_[t] + here + beyond;
+        if (!(here > 0)) {
+            continue;
+        }
+        row.grains += here * (drag_[t] / all);
+        row.neighbor[k] = network_.pores.neighbor[p][k] == p ? 0 : here * (beyond / all);
+        sum += row.neighbor[k];
+    }
+    sum += row.grains;
+    row.inverse = sum > 0 ? 1 / sum : 0;
+    return row;
+}
+
+template <class T>
+T MomentumExchange::velocity(const std::vector<T>& in_pore, const T& push, std::size_t t) const {
+    const auto [p, q] = network_.throats.side[t];
+    const double all = drag_[t] + leg_[t][0] + leg_[t][1];
+    return all > 0 ? (1 / all) * (push + leg_[t][0] * in_pore[p] + leg_[t][1] * in_pore[q]) : T{};
+}
+
+template <class T>
+std::vector<T> MomentumExchange::velocities_in_pores(std::span<const T> push) const {
+    expects(push.size() == drag_.size(), "one push a throat");
+    std::vector<T> source(row_.size());
+    parallel_for(row_.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                const std::uint32_t t = network_.pores.throat[p][k];
+                const double here = leg_[t][pores::side_of(network_, p, k)];
+                if (here > 0) {
+                    source[p] += (here / (drag_[t] + leg_[t][0] + leg_[t][1])) * push[t];
+                }
+            }
+        }
+    });
+    Descent<T> descent(network_.pores, row_, std::move(source));
+    double left = descent.size2(), kept = 0;
+    const double whole = left, wanted = spec_.tolerance * spec_.tolerance * whole;
+    int iterations = 0;
+    for (; left > wanted && iterations < spec_.iteration_limit; ++iterations) {
+        descent.turn(kept);
+        const double before = left, curvature = descent.curvature();
+        if (!(curvature > 0)) {
+            break;
+        }
+        left = descent.go_down(before / curvature);
+        kept = left / before;
+    }
+    if (!(left <= wanted)) {
+        refuse(row_.size(), iterations, std::sqrt(left / whole), spec_.tolerance);
+    }
+    return descent.take();
+}
+
+std::vector<double> MomentumExchange::velocities(std::span<const double> push) const {
+    const std::vector<double> in_pore = velocities_in_pores(push);
+    std::vector<double> speed(push.size());
+    parallel_for(push.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            speed[t] = velocity(in_pore, push[t], t);
+        }
+    });
+    return speed;
+}
+
+void MomentumExchange::hand_on(std::span<Vec3> push) const {
+    const std::vector<Vec3> in_pore = velocities_in_pores<Vec3>(push);
+    std::vector<Vec3> speed(push.size());
+    parallel_for(push.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            speed[t] = velocity(in_pore, push[t], t);
+        }
+    });
+    // What the throats of a pore gain by exchange adds up to nothing if the pore moves with the mean of them exactly.
+    std::vector<Vec3> mean(row_.size());
+    parallel_for(row_.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+            double legs = 0;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const std::uint32_t t = network_.pores.throat[p][k];
+                const double leg = leg_[t][pores::side_of(network_, p, k)];
+                mean[p] += leg * speed[t];
+                legs += leg;
+            }
+            mean[p] *= legs > 0 ? 1 / legs : 0;
+        }
+    });
+    parallel_for(push.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const auto [p, q] = network_.throats.side[t];
+            push[t] += leg_[t][0] * (mean[p] - speed[t]) + leg_[t][1] * (mean[q] - speed[t]);
+        }
+    });
+}
+
+} // namespace suffuse::flow

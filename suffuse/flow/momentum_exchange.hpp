@@ -1,0 +1,65 @@
+#pragma once
+// How the waters of neighboring throats pull each other along: each throat exchanges momentum with the pores on its two
+// sides in proportion to the difference of their velocities, and what does not go on stays with its grains. Velocities
+// of pores are the unknowns, by conjugate gradients: grains hold every pore, so that few iterations do. Viscosity 1.
+// docs/theory/pore-flow.md, "Bounded drag".
+
+#include "suffuse/base/vec3.hpp"
+#include "suffuse/pores/network.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace suffuse::flow {
+
+/// Momentum per difference of velocity that each throat exchanges with the pores on its sides 0 and 1 [m].
+using ExchangeLegs = std::vector<std::array<double, 2>>;
+
+/// Two throats of a pore share an edge between two grains. They exchange through the triangle from this edge to the
+/// pore's center, as far as it is void, over the distance between their middles.
+ExchangeLegs
+exchange_legs(const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius);
+
+struct ExchangeSpec {
+    double tolerance = 1e-6; ///< on the momentum that is out of balance in the pores, over all that enters them [-]
+    int iteration_limit = 2000;
+};
+
+class MomentumExchange {
+public:
+    /// `drag`: of each throat [m]. The network must outlive the object.
+    MomentumExchange(
+        const pores::PoreNetwork& network, std::vector<double> drag, ExchangeLegs leg, const ExchangeSpec& spec = {}
+    );
+
+    /// Velocity in each throat under the pushes on all. @throws SolverError where the tolerance is not reached.
+    [[nodiscard]] std::vector<double> velocities(std::span<const double> push) const;
+
+    /// Turns the pushes on the throats into what reaches the grains of each. The sum stays, to rounding, whatever the
+    /// tolerance. @throws SolverError where the tolerance is not reached.
+    void hand_on(std::span<Vec3> push) const;
+
+    /// What a pore exchanges with its neighbors, through the throats between, and with the grains of its throats.
+    struct Row {
+        std::array<double, 4> neighbor{};
+        double grains = 0;
+        double inverse = 0; ///< of the sum of them all; 0 where there is none
+    };
+
+private:
+    template <class T>
+    [[nodiscard]] T velocity(const std::vector<T>& in_pore, const T& push, std::size_t t) const;
+    template <class T>
+    [[nodiscard]] std::vector<T> velocities_in_pores(std::span<const T> push) const;
+    [[nodiscard]] Row row_of(std::uint32_t p) const;
+
+    const pores::PoreNetwork& network_;
+    std::vector<double> drag_;
+    ExchangeLegs leg_;
+    ExchangeSpec spec_;
+    std::vector<Row> row_; ///< per pore
+};
+
+} // namespace suffuse::flow

@@ -1,0 +1,181 @@
+#include "suffuse/flow/momentum_exchange.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/packings.hpp"
+#include <algorithm>
+#include <random>
+
+namespace suffuse::flow {
+namespace {
+
+using test::Packing;
+
+struct Sample {
+    Packing packing = test::random_packing(identity(), 120, 0.03, 0.15, 5);
+    pores::PoreNetwork network = pores::build_network(packing.h, packing.position, packing.radius);
+    ExchangeLegs leg = exchange_legs(network, packing.position, packing.radius);
+    std::vector<double> drag = std::vector<double>(network.throats.size());
+
+    Sample() {
+        std::mt19937_64 random(1);
+        std::lognormal_distribution<double> spread(-1, 2);
+        std::generate(drag.begin(), drag.end(), [&] { return spread(random); });
+    }
+
+    [[nodiscard]] std::size_t throats() const { return drag.size(); }
+
+    [[nodiscard]] std::vector<double> water() const {
+        std::vector<double> volume(throats());
+        for (std::size_t t = 0; t < throats(); ++t) {
+            volume[t] = std::max(0.0, network.throats.hydraulic_radius[t] * network.throats.solid_surface[t]);
+        }
+        return volume;
+    }
+};
+
+TEST(ExchangeLegs, OfACubicLatticeOfSmallSpheresHaveTheirClosedForm) {
+    // One body of tetrahedra in a cube, all of whose centers lie in the middle of it. The cell is cut as it may: what
+    // is the same in all cuts is that a triangle from an edge of the cube (1) or a diagonal of a face (sqrt 2) to the
+    // middle has these areas, and that legs are 2 x their sum over distances.
+    const double r = 0.1;
+    const Packing packing = test::lattice(2, 1, r, {{0.1, 0.2, 0.3}});
+    const auto network = pores::build_network(packing.h, packing.position, packing.radius);
+    const ExchangeLegs leg = exchange_legs(network, packing.position, packing.radius);
+    const double edge = 0.5 * (std::sqrt(0.5) - 2 * r * r * std::atan(std::sqrt(2.0)));
+    const double diagonal = 0.5 * (std::sqrt(2.0) / 2 - 2 * r * r * std::atan(std::sqrt(0.5)));
+    for (std::uint32_t p = 0; p < network.pores.size(); ++p) {
+        std::array<Vec3, 4> x, middle;
+        for (std::size_t k = 0; k < 4; ++k) {
+            x[k] = packing.position[network.pores.grain[p][k]] + shift(packing.h, network.pores.grain_image[p][k]);
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Vec3 other = network.pores.center[network.pores.neighbor[p][k]] +
+                               shift(packing.h, network.pores.neighbor_image[p][k]);
+            middle[k] = (x[0] + x[1] + x[2] + x[3] - x[k] + network.pores.center[p] + other) / 5;
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            double expected = 0;
+            for (std::size_t l = 0; l < 4; ++l) {
+                if (l == k) {
+                    continue;
+                }
+                const std::size_t a = k != 0 && l != 0 ? 0 : k != 1 && l != 1 ? 1 : 2, b = 6 - k - l - a;
+                const double length = norm(x[a] - x[b]);
+                const double area = length < 1.2 ? edge : length < 1.6 ? diagonal : 0; // not through the middle
+                expected += 2 * area / norm(middle[k] - middle[l]);
+            }
+            const std::uint32_t t = network.pores.throat[p][k];
+            EXPECT_NEAR(leg[t][pores::side_of(network, p, k)] / expected, 1, 1e-9);
+        }
+    }
+}
+
+TEST(MomentumExchange, WithoutLegsEachThroatIsAlone) {
+    const Sample sample;
+    const std::vector<double> water = sample.water();
+    const MomentumExchange exchange(sample.network, sample.drag, ExchangeLegs(sample.throats()));
+    const std::vector<double> velocity = exchange.velocities(water);
+    std::vector<Vec3> push(sample.throats(), Vec3{1, -2, 3});
+    exchange.hand_on(push);
+    for (std::size_t t = 0; t < sample.throats(); ++t) {
+        EXPECT_DOUBLE_EQ(velocity[t], water[t] / sample.drag[t]);
+        EXPECT_EQ(push[t], (Vec3{1, -2, 3}));
+    }
+}
+
+TEST(MomentumExchange, PushesThatDragAloneBalancesMoveAllWaterAlike) {
+    const Sample sample;
+    const MomentumExchange exchange(sample.network, sample.drag, sample.leg, {.tolerance = 1e-12});
+    std::vector<double> push = sample.drag;
+    for (double& each : push) {
+        each *= 0.7;
+    }
+    for (const double velocity : exchange.velocities(push)) {
+        EXPECT_NEAR(velocity, 0.7, 1e-9);
+    }
+}
+
+TEST(MomentumExchange, OfStrongLegsMovesAllWaterAlike) {
+    const Sample sample;
+    ExchangeLegs leg = sample.leg;
+    for (auto& [here, beyond] : leg) {
+        here = 1e6, beyond = 1e6;
+    }
+    const std::vector<double> water = sample.water();
+    double all_water = 0, all_drag = 0;
+    for (std::size_t t = 0; t < sample.throats(); ++t) {
+        all_water += water[t], all_drag += sample.drag[t];
+    }
+    const MomentumExchange exchange(sample.network, sample.drag, leg, {.tolerance = 1e-12});
+    for (const double velocity : exchange.velocities(water)) {
+        EXPECT_NEAR(velocity / (all_water / all_drag), 1, 1e-3);
+    }
+}
+
+TEST(MomentumExchange, HandsOnDragTimesVelocity) {
+    const Sample sample;
+    const MomentumExchange exchange(sample.network, sample.drag, sample.leg, {.tolerance = 1e-12});
+    const std::vector<double> water = sample.water();
+    const std::vector<double> velocity = exchange.velocities(water);
+    std::vector<Vec3> push;
+    for (const double each : water) {
+        push.push_back(each * Vec3{1, -2, 3});
+    }
+    exchange.hand_on(push);
+    const double mean = *std::max_element(water.begin(), water.end());
+    for (std::size_t t = 0; t < sample.throats(); ++t) {
+        EXPECT_NEAR(norm(push[t] - (sample.drag[t] * velocity[t]) * Vec3{1, -2, 3}) / mean, 0, 1e-9);
+    }
+}
+
+TEST(MomentumExchange, LosesNoMomentumWhateverTheTolerance) {
+    const Sample sample;
+    std::mt19937_64 random(2);
+    std::normal_distribution<double> normal;
+    Vec3 given, reached;
+    std::vector<Vec3> push(sample.throats());
+    for (Vec3& each : push) {
+        each = {1 + normal(random), normal(random), normal(random)};
+        given += each;
+    }
+    MomentumExchange(sample.network, sample.drag, sample.leg, {.tolerance = 0.5}).hand_on(push);
+    for (const Vec3& each : push) {
+        reached += each;
+    }
+    EXPECT_NEAR(norm(reached - given) / norm(given), 0, 1e-12);
+}
+
+TEST(MomentumExchange, SaysThatItDidNotConverge) {
+    const Sample sample;
+    const MomentumExchange exchange(
+        sample.network, sample.drag, sample.leg, {.tolerance = 1e-12, .iteration_limit = 2}
+    );
+    EXPECT_THROW((void)exchange.velocities(sample.water()), SolverError);
+}
+
+TEST(MomentumExchange, SameBitsForAnyNumberOfThreads) {
+    const Packing packing = test::reference_spheres("packing2000");
+    const auto network = pores::build_network(packing.h, packing.position, packing.radius);
+    const auto solve = [&] {
+        std::vector<Vec3> push = network.throats.area;
+        MomentumExchange(
+            network, std::vector<double>(push.size(), 1e-4), exchange_legs(network, packing.position, packing.radius)
+        )
+            .hand_on(push);
+        return push;
+    };
+    const std::vector<Vec3> one = solve();
+    for (const int threads : {2, 4}) {
+        set_thread_count(threads);
+        EXPECT_EQ(solve(), one);
+        set_thread_count(1);
+    }
+}
+
+} // namespace
+} // namespace suffuse::flow
