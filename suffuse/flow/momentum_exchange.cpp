@@ -63,14 +63,26 @@ std::array<double, 4> legs_of_pore(
     return leg;
 }
 
+/// Equation of a pore: what it exchanges with its neighbors, through the throats between, and with the grains of these.
+struct Row {
+    std::array<double, 4> neighbor{};
+    double grains = 0;
+    double inverse = 0; ///< of the sum of them all; 0 where there is none
+};
+
 /// Columns of a solution by conjugate gradients, preconditioned by the sums of the rows. T: one direction, or three at
 /// once with common steps, so that nothing depends on how the axes lie.
 template <class T>
 class Descent {
 public:
-    Descent(const pores::Pores& pores, std::span<const MomentumExchange::Row> row, std::vector<T> source)
-        : pores_(pores), row_(row), x_(row.size()), residual_(std::move(source)), direction_(row.size()),
-          image_(row.size()), partial_((row.size() + block - 1) / block) {}
+    explicit Descent(const pores::Pores& pores) : pores_(pores), partial_((pores.size() + block - 1) / block) {
+        resize_columns(pores.size(), row_, x_, residual_, direction_, image_);
+    }
+
+    /// Of the equation of pore p, to be filled in.
+    Row& row(std::size_t p) { return row_[p]; }
+
+    T& source(std::size_t p) { return residual_[p]; }
 
     /// The residual's size, squared.
     double size2() {
@@ -83,7 +95,7 @@ public:
 
     double curvature() {
         return sum([&](std::size_t p) {
-            const MomentumExchange::Row& row = row_[p];
+            const Row& row = row_[p];
             T image = row.grains * direction_[p];
             for (std::size_t k = 0; k < 4; ++k) {
                 image += row.neighbor[k] * (direction_[p] - direction_[pores_.neighbor[p][k]]);
@@ -136,7 +148,7 @@ private:
     }
 
     const pores::Pores& pores_;
-    std::span<const MomentumExchange::Row> row_;
+    std::vector<Row> row_;
     std::vector<T> x_, residual_, direction_;
     std::vector<T> image_; ///< A direction
     std::vector<double> partial_;
@@ -172,59 +184,45 @@ exchange_legs(const pores::PoreNetwork& network, std::span<const Vec3> position,
 MomentumExchange::MomentumExchange(
     const pores::PoreNetwork& network, std::vector<double> drag, ExchangeLegs leg, const ExchangeSpec& spec
 )
-    : network_(network), drag_(std::move(drag)), leg_(std::move(leg)), spec_(spec), row_(network.pores.size()) {
+    : network_(network), drag_(std::move(drag)), leg_(std::move(leg)), spec_(spec) {
     expects(drag_.size() == network.throats.size() && leg_.size() == drag_.size(), "one drag and two legs a throat");
-    parallel_for(row_.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
-            row_[p] = row_of(p);
-        }
-    });
-}
-
-/// A throat's velocity follows from those of its pores; put in, each leg goes in part to the grains and in part on to
-/// the pore beyond.
-MomentumExchange::Row MomentumExchange::row_of(std::uint32_t p) const {
-    Row row;
-    double sum = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const std::uint32_t t = network_.pores.throat[p][k];
-        const std::size_t side = pores::side_of(network_, p, k);
-        const double here = leg_[t][side], beyond = leg_[t][1 - side], all = drag_[t] + here + beyond;
-        if (!(here > 0)) {
-            continue;
-        }
-        row.grains += here * (drag_[t] / all);
-        row.neighbor[k] = network_.pores.neighbor[p][k] == p ? 0 : here * (beyond / all);
-        sum += row.neighbor[k];
-    }
-    sum += row.grains;
-    row.inverse = sum > 0 ? 1 / sum : 0;
-    return row;
 }
 
 template <class T>
 T MomentumExchange::velocity(const std::vector<T>& in_pore, const T& push, std::size_t t) const {
     const auto [p, q] = network_.throats.side[t];
-    const double all = drag_[t] + leg_[t][0] + leg_[t][1];
-    return all > 0 ? (1 / all) * (push + leg_[t][0] * in_pore[p] + leg_[t][1] * in_pore[q]) : T{};
+    const auto [here, beyond] = leg_[t];
+    const double all = drag_[t] + here + beyond;
+    return all > 0 ? (1 / all) * (push + here * in_pore[p] + beyond * in_pore[q]) : T{};
 }
 
+/// A throat's velocity follows from those of its pores. Put in, each leg goes in part to the grains and in part on to
+/// the pore beyond.
 template <class T>
 std::vector<T> MomentumExchange::velocities_in_pores(std::span<const T> push) const {
     expects(push.size() == drag_.size(), "one push a throat");
-    std::vector<T> source(row_.size());
-    parallel_for(row_.size(), block, [&](std::size_t begin, std::size_t end) {
+    Descent<T> descent(network_.pores);
+    parallel_for(network_.pores.size(), block, [&](std::size_t begin, std::size_t end) {
         for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+            Row& row = descent.row(p);
+            double sum = 0;
             for (std::size_t k = 0; k < 4; ++k) {
                 const std::uint32_t t = network_.pores.throat[p][k];
-                const double here = leg_[t][pores::side_of(network_, p, k)];
-                if (here > 0) {
-                    source[p] += (here / (drag_[t] + leg_[t][0] + leg_[t][1])) * push[t];
+                const std::size_t side = pores::side_of(network_, p, k);
+                const double here = leg_[t][side], beyond = leg_[t][1 - side];
+                if (!(here > 0)) {
+                    continue;
                 }
+                const double part = here / (drag_[t] + here + beyond);
+                descent.source(p) += part * push[t];
+                row.grains += part * drag_[t];
+                row.neighbor[k] = network_.pores.neighbor[p][k] == p ? 0 : part * beyond;
+                sum += row.neighbor[k];
             }
+            sum += row.grains;
+            row.inverse = sum > 0 ? 1 / sum : 0;
         }
     });
-    Descent<T> descent(network_.pores, row_, std::move(source));
     double left = descent.size2(), kept = 0;
     const double whole = left, wanted = spec_.tolerance * spec_.tolerance * whole;
     int iterations = 0;
@@ -238,7 +236,7 @@ std::vector<T> MomentumExchange::velocities_in_pores(std::span<const T> push) co
         kept = left / before;
     }
     if (!(left <= wanted)) {
-        refuse(row_.size(), iterations, std::sqrt(left / whole), spec_.tolerance);
+        refuse(network_.pores.size(), iterations, std::sqrt(left / whole), spec_.tolerance);
     }
     return descent.take();
 }
@@ -256,21 +254,15 @@ std::vector<double> MomentumExchange::velocities(std::span<const double> push) c
 
 void MomentumExchange::hand_on(std::span<Vec3> push) const {
     const std::vector<Vec3> in_pore = velocities_in_pores<Vec3>(push);
-    std::vector<Vec3> speed(push.size());
-    parallel_for(push.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-            speed[t] = velocity(in_pore, push[t], t);
-        }
-    });
     // What the throats of a pore gain by exchange adds up to nothing if the pore moves with the mean of them exactly.
-    std::vector<Vec3> mean(row_.size());
-    parallel_for(row_.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vec3> mean(network_.pores.size());
+    parallel_for(mean.size(), block, [&](std::size_t begin, std::size_t end) {
         for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
             double legs = 0;
             for (std::size_t k = 0; k < 4; ++k) {
                 const std::uint32_t t = network_.pores.throat[p][k];
                 const double leg = leg_[t][pores::side_of(network_, p, k)];
-                mean[p] += leg * speed[t];
+                mean[p] += leg * velocity(in_pore, push[t], t);
                 legs += leg;
             }
             mean[p] *= legs > 0 ? 1 / legs : 0;
@@ -279,7 +271,8 @@ void MomentumExchange::hand_on(std::span<Vec3> push) const {
     parallel_for(push.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const auto [p, q] = network_.throats.side[t];
-            push[t] += leg_[t][0] * (mean[p] - speed[t]) + leg_[t][1] * (mean[q] - speed[t]);
+            const Vec3 here = velocity(in_pore, push[t], t);
+            push[t] += leg_[t][0] * (mean[p] - here) + leg_[t][1] * (mean[q] - here);
         }
     });
 }

@@ -41,25 +41,16 @@ public:
     /// tolerance. @throws SolverError where the tolerance is not reached.
     void hand_on(std::span<Vec3> push) const;
 
-    /// What a pore exchanges with its neighbors, through the throats between, and with the grains of its throats.
-    struct Row {
-        std::array<double, 4> neighbor{};
-        double grains = 0;
-        double inverse = 0; ///< of the sum of them all; 0 where there is none
-    };
-
 private:
     template <class T>
-    [[nodiscard]] T velocity(const std::vector<T>& in_pore, const T& push, std::size_t t) const;
-    template <class T>
     [[nodiscard]] std::vector<T> velocities_in_pores(std::span<const T> push) const;
-    [[nodiscard]] Row row_of(std::uint32_t p) const;
+    template <class T>
+    [[nodiscard]] T velocity(const std::vector<T>& in_pore, const T& push, std::size_t t) const;
 
     const pores::PoreNetwork& network_;
     std::vector<double> drag_;
     ExchangeLegs leg_;
     ExchangeSpec spec_;
-    std::vector<Row> row_; ///< per pore
 };
 
 } // namespace suffuse::flow

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace suffuse::flow {
 namespace {
@@ -72,13 +73,14 @@ Seepage solve_seepage(
     s.seconds.conductance = watch.lap();
 
     const Vec3 unit = (-fluid.density * gravity / norm(spec.direction)) * spec.direction; // at i = 1
-    const PressureSolver solver(s.network, s.conductance);
-    s.field = solver.solve(unit);
+    std::optional<PressureSolver> solver(std::in_place, s.network, s.conductance);
+    s.field = solver->solve(unit);
     s.mean_velocity = mean_velocity(s.network, s.field.flux);
     s.permeability = -fluid.viscosity * dot(s.mean_velocity, unit) / norm2(unit);
     if (spec.tensor) {
-        s.tensor = permeability_tensor(solver, s.network, fluid.viscosity);
+        s.tensor = permeability_tensor(*solver, s.network, fluid.viscosity);
     }
+    solver.reset(); // forces need the room
     s.seconds.solve = watch.lap();
     s.pressure_gradient = unit;
     s.grain_force = bounded ? bounded->grain_forces(s.field.pressure, unit)
