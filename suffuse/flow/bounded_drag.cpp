@@ -12,7 +12,8 @@
 namespace suffuse::flow {
 namespace {
 
-constexpr std::size_t block = 2048; // throats of one loop of a thread
+constexpr std::size_t block = 2048;         // throats of one loop of a thread
+constexpr std::size_t stretch = 32 * block; // throats whose forces are held at a time
 
 /// Layers are no thinner than this part of the smallest grain.
 constexpr double thinnest_layer = 1e-6;
@@ -104,12 +105,29 @@ std::vector<double> BoundedDrag::conductances(double viscosity) const {
     return conductance;
 }
 
-/// On the void area of a throat [N]. Where a grain reaches over the opposite edge of a facet, sections and void area
-/// add up to more than the facet, and all of them are scaled.
-Vec3 BoundedDrag::push(std::size_t t, double drop) const {
+/// On the facet of a throat for what acts on its void area [Pa]. Where a grain reaches over the opposite edge, sections
+/// and void area add up to more than the facet, and all of them are scaled.
+double BoundedDrag::pressure_on_void(std::size_t t, double drop) const {
     const pores::Throats& throats = network_.throats;
     const auto& share = throats.grain_share[t];
-    return (drop * throats.void_area[t] / (norm(throats.area[t]) * (share[0] + share[1] + share[2]))) * throats.area[t];
+    return drop * throats.void_area[t] / (norm(throats.area[t]) * (share[0] + share[1] + share[2]));
+}
+
+/// On the three grains of throat t: what acts on their sections, and their shares in the drag of its water.
+std::array<Vec3, 3>
+BoundedDrag::forces_at(std::size_t t, double drop, const Vec3& drag, const std::array<double, 3>& to_wall) const {
+    const pores::Throats& throats = network_.throats;
+    const WettedGrains grains = wetted_grains(throats, radius_, t);
+    const auto shares = drag_shares(grains, layer_[t], to_wall);
+    const auto& whole = throats.grain_share[t]; // of sections and, by wetted surface, of the void area
+    const double sum = whole[0] + whole[1] + whole[2], surface = throats.solid_surface[t];
+    const double void_share = throats.void_area[t] / norm(throats.area[t]);
+    std::array<Vec3, 3> force;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double section = whole[k] - void_share * (surface > 0 ? grains.area[k] / surface : 1.0 / 3);
+        force[k] = (drop * section / sum) * throats.area[t] + shares[k] * drag;
+    }
+    return force;
 }
 
 std::vector<Vec3> BoundedDrag::grain_forces(std::span<const double> pressure, const Vec3& gradient) const {
@@ -119,26 +137,31 @@ std::vector<Vec3> BoundedDrag::grain_forces(std::span<const double> pressure, co
         const auto [p, q] = throats.side[t];
         return pressure[p] - pressure[q] - dot(gradient, cell::shift(network_.h, throats.image[t]));
     };
-    std::vector<Vec3> drag(throats.size());
-    parallel_for(drag.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> on_void(throats.size());
+    parallel_for(on_void.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
-            drag[t] = push(t, drop(t));
+            on_void[t] = pressure_on_void(t, drop(t));
         }
     });
-    exchange_.hand_on(drag);
-
+    const MomentumExchange::Motion motion = exchange_.motion(on_void);
     const std::vector<double> to_wall = distances_to_walls(network_, position_, radius_);
+
+    // Found on all threads, added up by one in the order of the throats, a stretch of them after the other.
     std::vector<Vec3> force(radius_.size());
-    for (std::size_t t = 0; t < throats.size(); ++t) {
-        const auto& [a, b, c] = throats.grain[t];
-        const WettedGrains grains = wetted_grains(throats, radius_, t);
-        const auto shares = drag_shares(grains, layer_[t], {to_wall[a], to_wall[b], to_wall[c]});
-        const auto& whole = throats.grain_share[t]; // of sections and, by wetted surface, of the void area
-        const double void_share = throats.void_area[t] / norm(throats.area[t]), sum = whole[0] + whole[1] + whole[2];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double wetted = throats.solid_surface[t] > 0 ? grains.area[k] / throats.solid_surface[t] : 1.0 / 3;
-            const double section = whole[k] - void_share * wetted;
-            force[throats.grain[t][k]] += (drop(t) * section / sum) * throats.area[t] + shares[k] * drag[t];
+    std::vector<std::array<Vec3, 3>> found(std::min(throats.size(), stretch));
+    for (std::size_t first = 0; first < throats.size(); first += stretch) {
+        const std::size_t count = std::min(stretch, throats.size() - first);
+        parallel_for(count, block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t t = first + begin; t < first + end; ++t) {
+                const auto& [a, b, c] = throats.grain[t];
+                const Vec3 drag = exchange_.to_grains(motion, on_void, t);
+                found[t - first] = forces_at(t, drop(t), drag, {to_wall[a], to_wall[b], to_wall[c]});
+            }
+        });
+        for (std::size_t t = first; t < first + count; ++t) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                force[throats.grain[t][k]] += found[t - first][k];
+            }
         }
     }
     return force;

@@ -8,6 +8,7 @@
 #include "suffuse/flow/momentum_exchange.hpp"
 #include "suffuse/pores/network.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -31,7 +32,9 @@ public:
     [[nodiscard]] std::vector<Vec3> grain_forces(std::span<const double> pressure, const Vec3& gradient) const;
 
 private:
-    [[nodiscard]] Vec3 push(std::size_t t, double drop) const;
+    [[nodiscard]] double pressure_on_void(std::size_t t, double drop) const;
+    [[nodiscard]] std::array<Vec3, 3>
+    forces_at(std::size_t t, double drop, const Vec3& drag, const std::array<double, 3>& to_wall) const;
 
     const pores::PoreNetwork& network_;
     std::span<const Vec3> position_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace suffuse::flow {
@@ -154,6 +155,16 @@ private:
     std::vector<double> partial_;
 };
 
+/// A push in no direction, or a pressure on the facet of throat t.
+template <class T>
+T push_on(const pores::PoreNetwork& network, std::span<const double> push, std::size_t t) {
+    if constexpr (std::is_same_v<T, Vec3>) {
+        return push[t] * network.throats.area[t];
+    } else {
+        return push[t];
+    }
+}
+
 [[noreturn]] void refuse(std::size_t pores, int iterations, double left, double tolerance) {
     throw SolverError(
         fmt::format(
@@ -199,7 +210,7 @@ T MomentumExchange::velocity(const std::vector<T>& in_pore, const T& push, std::
 /// A throat's velocity follows from those of its pores. Put in, each leg goes in part to the grains and in part on to
 /// the pore beyond.
 template <class T>
-std::vector<T> MomentumExchange::velocities_in_pores(std::span<const T> push) const {
+std::vector<T> MomentumExchange::velocities_in_pores(std::span<const double> push) const {
     expects(push.size() == drag_.size(), "one push a throat");
     Descent<T> descent(network_.pores);
     parallel_for(network_.pores.size(), block, [&](std::size_t begin, std::size_t end) {
@@ -214,7 +225,7 @@ std::vector<T> MomentumExchange::velocities_in_pores(std::span<const T> push) co
                     continue;
                 }
                 const double part = here / (drag_[t] + here + beyond);
-                descent.source(p) += part * push[t];
+                descent.source(p) += part * push_on<T>(network_, push, t);
                 row.grains += part * drag_[t];
                 row.neighbor[k] = network_.pores.neighbor[p][k] == p ? 0 : part * beyond;
                 sum += row.neighbor[k];
@@ -242,7 +253,7 @@ std::vector<T> MomentumExchange::velocities_in_pores(std::span<const T> push) co
 }
 
 std::vector<double> MomentumExchange::velocities(std::span<const double> push) const {
-    const std::vector<double> in_pore = velocities_in_pores(push);
+    const std::vector<double> in_pore = velocities_in_pores<double>(push);
     std::vector<double> speed(push.size());
     parallel_for(push.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
@@ -252,29 +263,28 @@ std::vector<double> MomentumExchange::velocities(std::span<const double> push) c
     return speed;
 }
 
-void MomentumExchange::hand_on(std::span<Vec3> push) const {
-    const std::vector<Vec3> in_pore = velocities_in_pores<Vec3>(push);
-    // What the throats of a pore gain by exchange adds up to nothing if the pore moves with the mean of them exactly.
-    std::vector<Vec3> mean(network_.pores.size());
-    parallel_for(mean.size(), block, [&](std::size_t begin, std::size_t end) {
+MomentumExchange::Motion MomentumExchange::motion(std::span<const double> pressure) const {
+    Motion motion{velocities_in_pores<Vec3>(pressure), std::vector<Vec3>(network_.pores.size())};
+    parallel_for(network_.pores.size(), block, [&](std::size_t begin, std::size_t end) {
         for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+            Vec3 sum;
             double legs = 0;
             for (std::size_t k = 0; k < 4; ++k) {
                 const std::uint32_t t = network_.pores.throat[p][k];
                 const double leg = leg_[t][pores::side_of(network_, p, k)];
-                mean[p] += leg * velocity(in_pore, push[t], t);
+                sum += leg * velocity(motion.velocity, push_on<Vec3>(network_, pressure, t), t);
                 legs += leg;
             }
-            mean[p] *= legs > 0 ? 1 / legs : 0;
+            motion.mean[p] = legs > 0 ? sum / legs : Vec3{};
         }
     });
-    parallel_for(push.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-            const auto [p, q] = network_.throats.side[t];
-            const Vec3 here = velocity(in_pore, push[t], t);
-            push[t] += leg_[t][0] * (mean[p] - here) + leg_[t][1] * (mean[q] - here);
-        }
-    });
+    return motion;
+}
+
+Vec3 MomentumExchange::to_grains(const Motion& motion, std::span<const double> pressure, std::size_t t) const {
+    const auto [p, q] = network_.throats.side[t];
+    const Vec3 push = push_on<Vec3>(network_, pressure, t), here = velocity(motion.velocity, push, t);
+    return push + leg_[t][0] * (motion.mean[p] - here) + leg_[t][1] * (motion.mean[q] - here);
 }
 
 } // namespace suffuse::flow

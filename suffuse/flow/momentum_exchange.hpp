@@ -37,13 +37,22 @@ public:
     /// Velocity in each throat under the pushes on all. @throws SolverError where the tolerance is not reached.
     [[nodiscard]] std::vector<double> velocities(std::span<const double> push) const;
 
-    /// Turns the pushes on the throats into what reaches the grains of each. The sum stays, to rounding, whatever the
-    /// tolerance. @throws SolverError where the tolerance is not reached.
-    void hand_on(std::span<Vec3> push) const;
+    /// How pores move under pressures on the facets of throats, pushes along their area vectors.
+    struct Motion {
+        std::vector<Vec3> velocity; ///< that balances what enters and leaves each pore, to the tolerance
+        std::vector<Vec3> mean;     ///< of its throats, by legs: the same, but exactly what makes their exchange vanish
+    };
+
+    /// @throws SolverError where the tolerance is not reached.
+    [[nodiscard]] Motion motion(std::span<const double> pressure) const;
+
+    /// What of the pushes reaches the grains of throat t. Over all throats it adds up to the pushes, to rounding and
+    /// whatever the tolerance.
+    [[nodiscard]] Vec3 to_grains(const Motion& motion, std::span<const double> pressure, std::size_t t) const;
 
 private:
     template <class T>
-    [[nodiscard]] std::vector<T> velocities_in_pores(std::span<const T> push) const;
+    [[nodiscard]] std::vector<T> velocities_in_pores(std::span<const double> push) const;
     template <class T>
     [[nodiscard]] T velocity(const std::vector<T>& in_pore, const T& push, std::size_t t) const;
 

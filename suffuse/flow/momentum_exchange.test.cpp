@@ -80,11 +80,10 @@ TEST(MomentumExchange, WithoutLegsEachThroatIsAlone) {
     const std::vector<double> water = sample.water();
     const MomentumExchange exchange(sample.network, sample.drag, ExchangeLegs(sample.throats()));
     const std::vector<double> velocity = exchange.velocities(water);
-    std::vector<Vec3> push(sample.throats(), Vec3{1, -2, 3});
-    exchange.hand_on(push);
+    const auto motion = exchange.motion(water);
     for (std::size_t t = 0; t < sample.throats(); ++t) {
         EXPECT_DOUBLE_EQ(velocity[t], water[t] / sample.drag[t]);
-        EXPECT_EQ(push[t], (Vec3{1, -2, 3}));
+        EXPECT_EQ(exchange.to_grains(motion, water, t), water[t] * sample.network.throats.area[t]);
     }
 }
 
@@ -117,19 +116,21 @@ TEST(MomentumExchange, OfStrongLegsMovesAllWaterAlike) {
     }
 }
 
-TEST(MomentumExchange, HandsOnDragTimesVelocity) {
+TEST(MomentumExchange, GivesGrainsDragTimesVelocity) {
     const Sample sample;
     const MomentumExchange exchange(sample.network, sample.drag, sample.leg, {.tolerance = 1e-12});
-    const std::vector<double> water = sample.water();
-    const std::vector<double> velocity = exchange.velocities(water);
-    std::vector<Vec3> push;
-    for (const double each : water) {
-        push.push_back(each * Vec3{1, -2, 3});
-    }
-    exchange.hand_on(push);
-    const double mean = *std::max_element(water.begin(), water.end());
+    const std::vector<double> pressure = sample.water();
+    std::vector<double> along_z;
+    double largest = 0;
     for (std::size_t t = 0; t < sample.throats(); ++t) {
-        EXPECT_NEAR(norm(push[t] - (sample.drag[t] * velocity[t]) * Vec3{1, -2, 3}) / mean, 0, 1e-9);
+        along_z.push_back(pressure[t] * sample.network.throats.area[t].z);
+        largest = std::max(largest, std::abs(along_z[t]));
+    }
+    const std::vector<double> velocity = exchange.velocities(along_z);
+    const auto motion = exchange.motion(pressure);
+    for (std::size_t t = 0; t < sample.throats(); ++t) {
+        const Vec3 drag = exchange.to_grains(motion, pressure, t);
+        EXPECT_NEAR(drag.z / largest, sample.drag[t] * velocity[t] / largest, 1e-9);
     }
 }
 
@@ -137,15 +138,16 @@ TEST(MomentumExchange, LosesNoMomentumWhateverTheTolerance) {
     const Sample sample;
     std::mt19937_64 random(2);
     std::normal_distribution<double> normal;
+    std::vector<double> pressure(sample.throats());
     Vec3 given, reached;
-    std::vector<Vec3> push(sample.throats());
-    for (Vec3& each : push) {
-        each = {1 + normal(random), normal(random), normal(random)};
-        given += each;
+    for (std::size_t t = 0; t < sample.throats(); ++t) {
+        pressure[t] = normal(random);
+        given += pressure[t] * sample.network.throats.area[t];
     }
-    MomentumExchange(sample.network, sample.drag, sample.leg, {.tolerance = 0.5}).hand_on(push);
-    for (const Vec3& each : push) {
-        reached += each;
+    const MomentumExchange exchange(sample.network, sample.drag, sample.leg, {.tolerance = 0.5});
+    const auto motion = exchange.motion(pressure);
+    for (std::size_t t = 0; t < sample.throats(); ++t) {
+        reached += exchange.to_grains(motion, pressure, t);
     }
     EXPECT_NEAR(norm(reached - given) / norm(given), 0, 1e-12);
 }
@@ -161,13 +163,10 @@ TEST(MomentumExchange, SaysThatItDidNotConverge) {
 TEST(MomentumExchange, SameBitsForAnyNumberOfThreads) {
     const Packing packing = test::reference_spheres("packing2000");
     const auto network = pores::build_network(packing.h, packing.position, packing.radius);
+    const std::vector<double> ones(network.throats.size(), 1);
     const auto solve = [&] {
-        std::vector<Vec3> push = network.throats.area;
-        MomentumExchange(
-            network, std::vector<double>(push.size(), 1e-4), exchange_legs(network, packing.position, packing.radius)
-        )
-            .hand_on(push);
-        return push;
+        const ExchangeLegs leg = exchange_legs(network, packing.position, packing.radius);
+        return MomentumExchange(network, std::vector<double>(ones.size(), 1e-4), leg).motion(ones).mean;
     };
     const std::vector<Vec3> one = solve();
     for (const int threads : {2, 4}) {
