@@ -68,7 +68,7 @@ Distances distances_of(const Grid& grid, int axis, std::span<const Vec3> positio
     const Vec3 offset = offsets(axis);
     const double unit = largest_spacing(grid);
     const std::vector<std::vector<Section>> sections = sections_by_plane(grid, offset, position, radius);
-    const auto [nx, ny, nz] = grid.boxes;
+    const std::size_t nx = grid.boxes[0], ny = grid.boxes[1], nz = grid.boxes[2];
     Distances result{std::vector<float>(grid.size(), far), std::vector<std::uint32_t>(grid.size())};
     parallel_for(nx, 1, [&](std::size_t x, std::size_t) {
         for (const Section& section : sections[x]) {
@@ -97,7 +97,7 @@ constexpr double not_held = -1;
 
 /// Mobility of a face, or `not_held`. Where a surface lies between two faces is read off their distances.
 double mobility_of(const Grid& grid, const std::vector<float>& distance, std::size_t x, std::size_t y, std::size_t z) {
-    const auto [nx, ny, nz] = grid.boxes;
+    const std::size_t nx = grid.boxes[0], ny = grid.boxes[1], nz = grid.boxes[2];
     const double here = distance[(x * ny + y) * nz + z];
     if (here < 0) {
         return 0;
@@ -123,7 +123,7 @@ double mobility_of(const Grid& grid, const std::vector<float>& distance, std::si
 }
 
 HeldFaces held_faces(const Grid& grid, const Distances& found) {
-    const auto [nx, ny, nz] = grid.boxes;
+    const std::size_t nx = grid.boxes[0], ny = grid.boxes[1], nz = grid.boxes[2];
     HeldFaces faces;
     faces.row_begin.assign(grid.rows() + 1, 0);
     const auto for_each_held = [&](const auto& act) { // act(row, z, mobility)
@@ -151,7 +151,7 @@ HeldFaces held_faces(const Grid& grid, const Distances& found) {
         const std::size_t f = next[row]++;
         faces.z[f] = static_cast<std::uint32_t>(z);
         faces.grain[f] = found.grain[row * nz + z];
-        faces.mobility[f] = mobility;
+        faces.mobility[f] = static_cast<float>(mobility);
     });
     return faces;
 }

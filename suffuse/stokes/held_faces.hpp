@@ -17,7 +17,7 @@ struct HeldFaces {
     std::vector<std::size_t> row_begin; ///< of row x boxes[1] + y, and the end
     std::vector<std::uint32_t> z;       ///< place in the row
     std::vector<std::uint32_t> grain;   ///< that holds it: the nearest
-    std::vector<double> mobility;       ///< velocity times viscosity over force per volume, 0 within a grain [m2]
+    std::vector<float> mobility;        ///< velocity times viscosity over force per volume, 0 within a grain [m2]
 
     [[nodiscard]] std::size_t size() const { return z.size(); }
 };

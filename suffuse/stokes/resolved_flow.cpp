@@ -63,11 +63,7 @@ std::vector<UnitFlow> solve_all(
     const ResolvedSpec& spec, const Pulse& pulse
 ) {
     HeldForces held(grid, position, radius);
-    std::vector<UnitFlow> flows;
-    for (const Vec3& direction : directions) {
-        flows.push_back(held.solve(direction, {spec.tolerance, spec.iteration_limit}, pulse));
-    }
-    return flows;
+    return held.solve(directions, {spec.tolerance, spec.iteration_limit}, pulse);
 }
 
 /// Of errors in proportion to the spacing squared nothing is left.

@@ -17,7 +17,7 @@ namespace suffuse::stokes {
 
 struct ResolvedSpec {
     double boxes_across = 12; ///< of the finer grid, across the Sauter diameter of the grains
-    double tolerance = 1e-5;  ///< on ResolvedFlow::residual [-]
+    double tolerance = 1e-4;  ///< on ResolvedFlow::residual [-]
     int iteration_limit = 2000;
 };
 
@@ -35,7 +35,7 @@ struct ResolvedFlow {
     double spacing = 0;         ///< of the grid [m]
     double across_smallest = 0; ///< spacings across the smallest grain: below some 4 its force is a rough one
     int iterations = 0;         ///< largest of all directions
-    double residual = 0;        ///< speed that is left on held faces, over that before the forces were found [-]
+    double residual = 0;        ///< estimated error of the permeability of a grid; forces are off by its root [-]
     double seconds = 0;
 };
 
