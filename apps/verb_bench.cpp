@@ -32,6 +32,7 @@ struct BenchVerb final : Verb {
     std::string time_step;
     std::string mode = "reference";
     double gradient = 0.05;
+    std::string conductance = "bounded";
 
     void add_to(Options& options) override {
         Options step = options.below(
@@ -51,6 +52,9 @@ struct BenchVerb final : Verb {
             "suffuse bench flow --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3"
         );
         flow.value("--gradient", gradient, "hydraulic gradient along x, 0.05 unless given").type("I");
+        flow.value("--conductance", conductance, "law of the throats: bounded or yade; bounded unless given")
+            .type("NAME")
+            .one_of({"bounded", "yade"});
         add_common_to(flow);
     }
 
@@ -105,6 +109,7 @@ int BenchVerb::act(const CommandLine&, const Console& console) const {
         plan::BenchFlowSpec spec;
         spec.packing = grains;
         spec.gradient = gradient;
+        spec.conductance = conductance == "yade" ? flow::Conductance::Yade : flow::Conductance::Bounded;
         result = plan::bench_flow(spec);
     }
     console.result(lines_of(result));

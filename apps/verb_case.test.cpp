@@ -70,8 +70,8 @@ TEST_F(Cli, ErrorsOfACaseAreCodeThreeWithFileAndLine) {
     for (const Slip& slip : std::vector<Slip>{
              {R"("356 MPa")", "356e6", "case.toml:10:", "kPa"},
              {R"("2600 kg/m^3")", R"("-2600 kg/m^3")", "case.toml:6:", "above 0"},
-             {R"(pressure = "100 kPa")", "pressure = 100", "case.toml:30:", "100 kPa"},
-             {R"(pressure = "100 kPa")", R"(pressure = "100 mm")", "case.toml:30:", "pressure"},
+             {R"(pressure = "100 kPa")", "pressure = 100", "case.toml:33:", "100 kPa"},
+             {R"(pressure = "100 kPa")", R"(pressure = "100 mm")", "case.toml:33:", "pressure"},
              {"shear_ratio       = 0.42", "shear_ratoi       = 0.42", "case.toml:11:", "shear_ratio"},
              {"shear_ratio       = 0.42", "shear_ratio       = nan", "case.toml:11:", "finite"},
              {R"(do      = "import")", R"(do      = "improt")", "case.toml:", "import"},

@@ -195,6 +195,12 @@ class Verdict:
     def between(self, what, ours, low, high):
         self._add(f"{what}: {ours:.4g}, expected {low:g} to {high:g}", low <= ours <= high)
 
+    def at_least(self, what, ours, low):
+        self._add(f"{what}: {ours:.4g}, expected {low:g} at least", ours >= low)
+
+    def at_most(self, what, ours, high):
+        self._add(f"{what}: {ours:.4g}, expected {high:g} at most", ours <= high)
+
     def _add(self, line, met):
         self.lines.append(f"{'met    ' if met else 'NOT MET'}  {line}")
         self.met = self.met and met

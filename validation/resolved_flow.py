@@ -48,6 +48,7 @@ def random_packing(way, grains, seed):
         "solid_fraction": solid_fraction,
         "to_van_der_hoef": flow.permeability / common.DIAMETER**2 / van_der_hoef(solid_fraction),
         "network_to_resolved": water.permeability / flow.permeability,
+        "yade_to_resolved": suffuse.seep(world, conductance="yade", **DRIVE).permeability / flow.permeability,
         "grid": flow.finer_permeability / flow.permeability - 1,
         "scatter_network": scatter(network),
         "scatter_resolved": scatter(resolved),
@@ -126,13 +127,13 @@ def main():
     for row in lattices.rows:
         print(f"{row['kind']:15}  {row['solid_fraction']:.4f}          {row['drag']:7.2f}  {row['exact']:7.2f}  {100 * row['error']:+.2f}")
     m, s = common.mean, common.deviation
-    print("way                       solid fraction  to van der Hoef  finer grid %  network/resolved  correlation of forces  scatter: network, resolved")
+    print("way                       solid fraction  to van der Hoef  finer grid %  network/resolved  Yade/resolved  correlation of forces  scatter: network, resolved")
     for way in ways:
         rows = packings.of(way=way)
         print(
             f"{way:24}  {m(rows, 'solid_fraction'):.4f}          {m(rows, 'to_van_der_hoef'):.3f}            "
             f"{100 * m(rows, 'grid'):+.1f}          {m(rows, 'network_to_resolved'):.3f} ± {s(rows, 'network_to_resolved'):.3f}"
-            f"     {m(rows, 'correlation'):.3f}                  {m(rows, 'scatter_network'):.3f}, {m(rows, 'scatter_resolved'):.3f}"
+            f"     {m(rows, 'yade_to_resolved'):.3f}         {m(rows, 'correlation'):.3f}                  {m(rows, 'scatter_network'):.3f}, {m(rows, 'scatter_resolved'):.3f}"
         )
     for row in graded.rows:
         print(f"two sizes, seed {row['seed']:.0f}: solid fraction {row['solid_fraction']:.4f}, network/resolved {row['network_to_resolved']:.3f}")

@@ -23,7 +23,11 @@ packing = suffuse.read_packing(file, cell=cell)
 print(f"{len(packing)} grains, porosity {packing.porosity:.4f}, "
       f"largest overlap {100 * suffuse.largest_overlap(packing):.2f} % of a radius")
 
-water = suffuse.seep(packing, gradient=0.05, direction="x", fluid=suffuse.Fluid(viscosity="1 mPa*s"), tensor=True)
+# As Yade has it. Without the keyword: a law that follows the flow between the grains at any ratio of sizes.
+fluid = suffuse.Fluid(viscosity="1 mPa*s", conductance="yade")
+water = suffuse.seep(packing, gradient=0.05, direction="x", fluid=fluid, tensor=True)
+better = suffuse.seep(packing, gradient=0.05, direction="x").permeability
+print(f"Yade's permeability is {water.permeability / better:.2f} times that of bounded drag")
 print(f"permeability along x {water.permeability:.4g} m2, tensor / that:")
 print(numpy.array_str(water.tensor / water.permeability, precision=3, suppress_small=True))
 

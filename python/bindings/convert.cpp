@@ -102,7 +102,7 @@ std::optional<double> optional_quantity(const py::handle& value, Dimension dimen
 
 Vec3 direction_of(const py::handle& value) {
     if (!py::isinstance<py::str>(value)) {
-        const Vec3 v = vector_of(value, dimension::none, "direction");
+        const Vec3 v = squarable(vector_of(value, dimension::none, "direction"));
         if (!(norm(v) > 0)) {
             throw CaseError("direction: a vector of length zero points nowhere");
         }

@@ -117,15 +117,15 @@ Constrictions put_constrictions_together(const py::tuple& state) {
 void bind_constrictions(py::module_& m) {
     py::class_<Constrictions, std::shared_ptr<Constrictions>> type(
         m, "Constrictions",
-        "Circles inscribed in the facets of the weighted Delaunay triangulation that lie between voids."
+        "The largest spheres that pass the facets of the weighted Delaunay triangulation that lie between voids."
     );
     type.def("__len__", [](const Constrictions& c) { return c.diameter.size(); });
     type.def("__repr__", [](const Constrictions& c) {
         return fmt::format("<suffuse.Constrictions: {}, mean {:.4g} mm>", c.diameter.size(), 1e3 * c.mean);
     });
     type.def(py::pickle(&take_constrictions_apart, &put_constrictions_together));
-    add_column(type, "diameter", &Constrictions::diameter, "constrictions: of the circle [m].");
-    add_column(type, "center", &Constrictions::center, "constrictions x 3: of the circle [m].");
+    add_column(type, "diameter", &Constrictions::diameter, "constrictions: of the sphere [m].");
+    add_column(type, "center", &Constrictions::center, "constrictions x 3: of the sphere, in its facet [m].");
     type.def_readonly("mean", &Constrictions::mean, "Mean diameter by number of facets [m].");
     type.def_readonly("median", &Constrictions::median, "Half of the facets are smaller [m].");
     type.def_readonly("d35", &Constrictions::d35, "35 % of the facets are smaller [m].");
@@ -206,12 +206,11 @@ void bind_network(py::module_& m) {
     );
     add_column(
         type, "inscribed_radius", &PoreNetwork::throats, &Throats::inscribed_radius,
-        "throats: of the circle between its grains, the constriction [m]."
+        "throats: of the largest free sphere centered in the facet, the constriction [m]."
     );
     add_column(type, "length", &PoreNetwork::throats, &Throats::length, "throats: between the pore centers [m].");
     add_column(
-        type, "throat_center", &PoreNetwork::throats, &Throats::center,
-        "throats x 3: center of the inscribed circle [m]."
+        type, "throat_center", &PoreNetwork::throats, &Throats::center, "throats x 3: center of that sphere [m]."
     );
     add_column(type, "hidden", &PoreNetwork::hidden, "n: rows of grains that are buried in others [-].");
     type.def_property_readonly(

@@ -9,6 +9,7 @@
 #include "python/bindings/key_doc.hpp"
 #include "python/bindings/packing.hpp"
 #include "python/bindings/typed.hpp"
+#include "python/bindings/work.hpp"
 
 namespace suffuse::python {
 namespace {
@@ -17,19 +18,14 @@ using stokes::ResolvedFlow;
 
 std::shared_ptr<ResolvedFlow> resolve_flow(
     const PackingOrCell& first, const NumbersOrNone& position, const NumbersOrNone& radius, const Quantity& gradient,
-    const Direction& direction, const flow::Fluid& fluid, bool tensor, double boxes_across
+    const Direction& direction, const flow::Fluid& fluid, bool tensor, double boxes_across, double tolerance
 ) {
     const Packing packing = packing_of(first, position, radius);
     const flow::FlowSpec spec{quantity_of(gradient, dimension::none, "gradient"), direction_of(direction), tensor};
-    const Pulse look_at_signals = [](std::string_view, long long) {
-        const py::gil_scoped_acquire interpreter;
-        if (PyErr_CheckSignals() != 0) {
-            throw py::error_already_set();
-        }
-    };
     const py::gil_scoped_release released;
     return std::make_shared<ResolvedFlow>(stokes::resolve_flow(
-        {packing.h, {}}, packing.position, packing.radius, spec, fluid, {.boxes_across = boxes_across}, look_at_signals
+        {packing.h, {}}, packing.position, packing.radius, spec, fluid,
+        {.boxes_across = boxes_across, .tolerance = tolerance}, look_at_signals()
     ));
 }
 
@@ -123,12 +119,13 @@ void bind_resolved(py::module_& m) {
         "for hundreds of grains, minutes for ten thousand.\n\ngradient: " +
         key_doc(key_of("stage.flow", "gradient")) + "\ndirection: " + key_doc(key_of("stage.flow", "direction")) +
         "\ntensor: " + key_doc(key_of("stage.flow", "tensor")) +
-        "\nboxes_across: boxes of the finer grid across the Sauter diameter of the grains, 4 at least.";
+        "\nboxes_across: boxes of the finer grid across the Sauter diameter of the grains, 4 at least.\n"
+        "tolerance: of the flow, over itself.";
     m.def(
         "resolve_flow", &resolve_flow, py::arg("packing_or_cell"), py::arg("position") = py::none(),
         py::arg("radius") = py::none(), py::kw_only(), py::arg("gradient") = 0.0, py::arg("direction") = "z",
         py::arg_v("fluid", flow::Fluid{}, "Fluid()"), py::arg("tensor") = false, py::arg("boxes_across") = 12.0,
-        doc.c_str()
+        py::arg("tolerance") = 1e-4, doc.c_str()
     );
 }
 

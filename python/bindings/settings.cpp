@@ -140,7 +140,16 @@ void bind_fluid(py::module_& m) {
     py::class_<Fluid> type(m, "Fluid", "The pore fluid; keywords set fields.");
     quantity_field(type, "fluid", "density", &Fluid::density);
     quantity_field(type, "fluid", "viscosity", &Fluid::viscosity);
-    make_value(type, {"density", "viscosity"});
+    const Key& conductance = key_of("fluid", "conductance");
+    type.def_property(
+        "conductance",
+        [](const Fluid& fluid) { return casefile::names::word_for(casefile::names::conductance, fluid.conductance); },
+        [](Fluid& fluid, const std::string& word) {
+            fluid.conductance = word_of(word, casefile::names::conductance, "conductance");
+        },
+        key_doc(conductance).c_str()
+    );
+    make_value(type, {"density", "viscosity", "conductance"});
 }
 
 void bind_balance(py::module_& m) {

@@ -1,26 +1,33 @@
 // Seepage through a world or any packing given as arrays.
 
+#include "suffuse/stokes/water.hpp"
+
 #include "suffuse/base/units.hpp"
 #include "suffuse/flow/pore_velocity.hpp"
 #include "suffuse/flow/reynolds.hpp"
 #include "suffuse/flow/seepage.hpp"
+#include "suffuse/pores/constrictions.hpp"
 
 #include <fmt/format.h>
 
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/key_doc.hpp"
+#include "python/bindings/key_value.hpp"
 #include "python/bindings/packing.hpp"
 #include "python/bindings/typed.hpp"
+#include "python/bindings/work.hpp"
 
 namespace suffuse::python {
 namespace {
 
 using flow::Seepage;
 
-/// A flow, what it was solved of and in which packing. The network is beside it, for whoever keeps that alone.
+/// A flow, what it was solved of and in which packing. The network is beside it, for whoever keeps that alone. Where
+/// the flow is resolved, what it does as a whole and to grains is of that, and pressures and fluxes of the network.
 struct SolvedSeepage : Seepage {
     flow::FlowSpec spec;
     flow::Fluid fluid;
+    flow::FlowSource source;
     std::shared_ptr<PackedNetwork> packed;
 };
 
@@ -29,30 +36,84 @@ using Water = std::shared_ptr<SolvedSeepage>;
 Water solve(Packing packing, const flow::FlowSpec& spec, const flow::Fluid& fluid) {
     const py::gil_scoped_release released;
     const cell::Cell cell{packing.h, {}};
-    Seepage seepage = flow::solve_seepage(cell, packing.position, packing.radius, spec, fluid);
+    if (packing.fine.empty()) {
+        packing.fine.resize(packing.radius.size());
+    }
+    stokes::Water water = stokes::solve_water(
+        cell, packing.position, packing.radius, packing.fine, spec, fluid, spec.how, look_at_signals()
+    );
+    Seepage seepage = std::move(water.network);
+    if (water.is_resolved()) {
+        seepage.permeability = water.resolved->permeability;
+        seepage.tensor = water.resolved->tensor;
+        seepage.mean_velocity = water.resolved->mean_velocity;
+        seepage.grain_force = std::move(water.resolved->grain_force);
+        seepage.force_sum = water.resolved->force_sum;
+    }
     auto packed = std::make_shared<PackedNetwork>(PackedNetwork{std::move(seepage.network), std::move(packing)});
-    return std::make_shared<SolvedSeepage>(SolvedSeepage{std::move(seepage), spec, fluid, std::move(packed)});
+    return std::make_shared<SolvedSeepage>(SolvedSeepage{
+        std::move(seepage), spec, fluid, water.source, std::move(packed)});
+}
+
+void warn_of(const SolvedSeepage& water) {
+    if (water.source.solver == flow::Solver::Network && water.source.raised_by_fines.value_or(0) > flow::most_raised) {
+        const std::string words = fmt::format(
+            "seep: the pore network makes the permeability {:.3f} times that of the coarse grains alone, and grains "
+            "more "
+            "cannot raise it: it is too high by that at least; solver=\"resolved\" solves the flow between the grains",
+            *water.source.raised_by_fines
+        );
+        if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) != 0) {
+            throw py::error_already_set();
+        }
+    }
 }
 
 Water seep(
     const PackingOrCell& first, const NumbersOrNone& position, const NumbersOrNone& radius, const Quantity& gradient,
-    const Direction& direction, const flow::Fluid& fluid, bool tensor
+    const Direction& direction, flow::Fluid fluid, bool tensor, const std::optional<std::string>& conductance,
+    const std::string& solver, std::optional<std::int64_t> resolve, double resolve_tolerance
 ) {
-    const double asked = quantity_of(gradient, dimension::none, "gradient");
-    return solve(packing_of(first, position, radius), {asked, direction_of(direction), tensor}, fluid);
+    const std::string key = "stage.flow";
+    flow::FlowSpec spec{quantity_of(gradient, dimension::none, "gradient"), direction_of(direction), tensor};
+    spec.how.solver = word_of(solver, casefile::names::solver, "solver");
+    if (resolve) {
+        spec.how.resolve = count_of(key_of(key, "resolve"), *resolve, "resolve");
+        if (spec.how.solver == flow::Solver::Network) {
+            throw CaseError("seep: `resolve` is for solver=\"resolved\" or \"auto\"; add it, or leave `resolve` out");
+        }
+    }
+    spec.how.resolve_tolerance =
+        value_of(key_of(key, "resolve_tolerance"), py::float_(resolve_tolerance), "resolve_tolerance");
+    if (conductance) {
+        fluid.conductance = word_of(*conductance, casefile::names::conductance, "conductance");
+    }
+    Water water = solve(packing_of(first, position, radius), spec, fluid);
+    warn_of(*water);
+    const std::string closed =
+        flow::words_of(water->closed_voids, [](std::uint32_t g) { return fmt::format("in row {}", g); });
+    if (!closed.empty() && PyErr_WarnEx(PyExc_UserWarning, ("flow: " + closed).c_str(), 2) != 0) {
+        throw py::error_already_set(); // who makes warnings errors gets one
+    }
+    return water;
 }
 
 /// For another process: what it is solved from.
 py::tuple take_water_apart(const SolvedSeepage& water) {
+    const flow::SolverChoice& how = water.spec.how;
     return py::make_tuple(
         to_tuple(water.packed->packing), water.spec.gradient, to_array(water.spec.direction), water.spec.tensor,
-        water.fluid
+        water.fluid, std::string(name_of(how.solver)), how.resolve, how.resolve_tolerance
     );
 }
 
 Water put_water_together(const py::tuple& state) {
     const flow::FlowSpec spec{
-        state[1].cast<double>(), vector_of(state[2], dimension::none, "direction"), state[3].cast<bool>()};
+        state[1].cast<double>(),
+        vector_of(state[2], dimension::none, "direction"),
+        state[3].cast<bool>(),
+        {word_of(state[5].cast<std::string>(), casefile::names::solver, "solver"),
+         state[6].cast<std::optional<std::int64_t>>(), state[7].cast<double>()}};
     return solve(from_tuple(state[0].cast<py::tuple>()), spec, state[4].cast<flow::Fluid>());
 }
 
@@ -88,6 +149,30 @@ void bind_seepage(py::module_& m) {
     );
     type.def_property_readonly(
         "fluid", [](const SolvedSeepage& water) { return water.fluid; }, "A copy of the pore fluid."
+    );
+    type.def_property_readonly(
+        "solver", [](const SolvedSeepage& water) { return std::string(name_of(water.source.solver)); },
+        "What permeability, tensor, mean velocity and forces are of: \"network\" or \"resolved\". Pressures and fluxes "
+        "are "
+        "of the network."
+    );
+    type.def_property_readonly(
+        "known_error", [](const SolvedSeepage& water) -> Typed<"dict[str, float | None]"> {
+            const flow::KnownError& error = water.source.known_error;
+            py::dict known;
+            known["permeability"] = error.permeability;
+            known["force_sum"] = error.force_sum;
+            known["force"] = error.force;
+            return known;
+        },
+        "Largest relative errors seen of such a flow, see validation/size_ratio.md: of the permeability, of the sum of "
+        "the forces on the fines, of single forces (root mean square); None where no bound is known."
+    );
+    type.def_property_readonly(
+        "raised_by_fines", [](const SolvedSeepage& water) { return water.source.raised_by_fines; },
+        "The network's permeability over that of its coarse grains alone; above 1 it is too high by that at least. "
+        "None "
+        "where there are not both kinds of grains."
     );
     type.def_property_readonly(
         "reynolds_number", &reynolds_number,
@@ -154,11 +239,16 @@ void bind_seepage(py::module_& m) {
     const std::string doc = "Solves the flow through a World, or through cell, positions and radii [m].\n\ngradient: " +
                             key_doc(key_of("stage.flow", "gradient")) +
                             "\ndirection: " + key_doc(key_of("stage.flow", "direction")) +
-                            "\ntensor: " + key_doc(key_of("stage.flow", "tensor"));
+                            "\ntensor: " + key_doc(key_of("stage.flow", "tensor")) +
+                            "\nconductance: " + key_doc(key_of("fluid", "conductance")) + " None: the fluid's." +
+                            "\nsolver: " + key_doc(key_of("stage.flow", "solver")) +
+                            "\nresolve: boxes of the grid across the Sauter diameter; None: 12." +
+                            "\nresolve_tolerance: " + key_doc(key_of("stage.flow", "resolve_tolerance"));
     m.def(
         "seep", &seep, py::arg("packing_or_cell"), py::arg("position") = py::none(), py::arg("radius") = py::none(),
         py::kw_only(), py::arg("gradient") = 0.0, py::arg("direction") = "z",
-        py::arg_v("fluid", flow::Fluid{}, "Fluid()"), py::arg("tensor") = false, doc.c_str()
+        py::arg_v("fluid", flow::Fluid{}, "Fluid()"), py::arg("tensor") = false, py::arg("conductance") = py::none(),
+        py::arg("solver") = "network", py::arg("resolve") = py::none(), py::arg("resolve_tolerance") = 1e-4, doc.c_str()
     );
 }
 

@@ -3,6 +3,8 @@
 // and Ctrl-C or an exception of the caller's progress function ends it between two bursts of steps. The turn is the
 // calling thread's: what its on_progress calls may step other worlds. What only reads takes no turn.
 
+#include "suffuse/base/pulse.hpp"
+
 #include "python/bindings/world_handle.hpp"
 #include <chrono>
 #include <mutex>
@@ -34,6 +36,16 @@ private:
     pybind11::gil_scoped_release released_; // first: another thread that computes may want the interpreter
     std::unique_lock<std::recursive_timed_mutex> turn_{mutex(), std::defer_lock};
 };
+
+/// For long work that has nothing to tell: ends it at Ctrl-C.
+inline Pulse look_at_signals() {
+    return [](std::string_view, long long) {
+        const pybind11::gil_scoped_acquire interpreter;
+        if (PyErr_CheckSignals() != 0) {
+            throw pybind11::error_already_set();
+        }
+    };
+}
 
 /// Looks at Ctrl-C and tells the caller how far the work is, at most ten times a second.
 class Attention {

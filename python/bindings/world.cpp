@@ -1,5 +1,7 @@
 // World, its grains and contacts: a state that is looked at, changed by hand, saved and loaded.
 
+#include "suffuse/base/error.hpp"
+#include "suffuse/cell/coincident.hpp"
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
@@ -47,6 +49,12 @@ Handle make_world(
             throw CaseError(fmt::format("radius: found {} at grain {}, expected a positive one", r[g], g));
         }
         grains::add_grain(world.grains, x[g], r[g], material.density);
+    }
+    if (const auto rows = cell::find_coincident(world.cell.h, x, r)) {
+        throw GeometryError(fmt::format(
+            "position: the grains in rows {} and {} lie in one place or an image of it; take one of them out",
+            rows->first, rows->second
+        ));
     }
     if (!velocity.is_none()) {
         world.grains.velocity = vectors_of(velocity, "velocity", x.size());

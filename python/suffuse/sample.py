@@ -34,18 +34,19 @@ def _psd(world):
     return sizes, share[len(mass) - 1 - last]
 
 
-def _solve(network, gradient=0.0, direction="z", viscosity=None, density=None, tensor=False):
+def _solve(network, gradient=0.0, direction="z", viscosity=None, density=None, tensor=False, conductance=None):
     """The flow through the packing: a Seepage.
 
     gradient: hydraulic gradient i along `direction`, or three numbers: i times the direction of the water [-]
     viscosity [Pa s] and density [kg/m3]: those of Fluid() unless given
     tensor: solves three directions and reports the permeability tensor
+    conductance: "bounded" or "yade"; that of Fluid() unless given
     """
     vector = numpy.asarray(gradient, dtype=float) if not isinstance(gradient, str) else numpy.zeros(())
     if vector.shape == (3,):
         gradient = float(numpy.linalg.norm(vector))
         direction = tuple(vector / gradient) if gradient > 0 else direction
-    given = {"viscosity": viscosity, "density": density}
+    given = {"viscosity": viscosity, "density": density, "conductance": conductance}
     fluid = _core.Fluid(**{name: value for name, value in given.items() if value is not None})
     return _core.seep(network, gradient=gradient, direction=direction, fluid=fluid, tensor=tensor)
 
@@ -68,20 +69,24 @@ def _as(core):
 
 
 @_as(_core.seep)
-def seep(packing_or_cell, position=None, radius=None, *, gradient=0.0, direction="z", fluid=None, tensor=False):
+def seep(
+    packing_or_cell, position=None, radius=None, *, gradient=0.0, direction="z", fluid=None, tensor=False,
+    conductance=None, solver="network", resolve=None, resolve_tolerance=1e-4
+):
     return _core.seep(
         packing_or_cell, position, radius, gradient=gradient, direction=direction, fluid=fluid or _core.Fluid(),
-        tensor=tensor,
+        tensor=tensor, conductance=conductance, solver=solver, resolve=resolve, resolve_tolerance=resolve_tolerance,
     )
 
 
 @_as(_core.resolve_flow)
 def resolve_flow(
-    packing_or_cell, position=None, radius=None, *, gradient=0.0, direction="z", fluid=None, tensor=False, boxes_across=12.0
+    packing_or_cell, position=None, radius=None, *, gradient=0.0, direction="z", fluid=None, tensor=False, boxes_across=12.0,
+    tolerance=1e-4
 ):
     return _core.resolve_flow(
         packing_or_cell, position, radius, gradient=gradient, direction=direction, fluid=fluid or _core.Fluid(),
-        tensor=tensor, boxes_across=boxes_across,
+        tensor=tensor, boxes_across=boxes_across, tolerance=tolerance,
     )
 
 

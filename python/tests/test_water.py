@@ -70,7 +70,7 @@ def test_water_tells_whether_it_is_slow_enough_for_a_flow_without_inertia(packin
     assert fast.reynolds_number == pytest.approx(10000 * water.reynolds_number, rel=1e-9)
     assert fast.flux_left_by_inertia < 0.9 and suffuse.seep(packing).reynolds_number == 0
     stage = suffuse.Case(small_case).run(tmp_path / "run")["replay/seep"]  # the program's own number
-    again = suffuse.seep(stage, gradient=stage["gradient"], direction="x")
+    again = suffuse.seep(stage, gradient=stage["gradient"], direction="x", conductance="yade")  # as the case has it
     assert again.reynolds_number == stage["reynolds_number"] and again.permeability == stage["permeability_along"]
 
 
@@ -124,6 +124,45 @@ def test_bad_geometry_and_bad_words_are_errors(packing):
         suffuse.PoreNetwork((1, 1, 1))
 
 
+def small():
+    return numpy.eye(3), [(0.1, 0.2, 0.3), (0.6, 0.7, 0.8)], [0.42, 0.1]
+
+
+def test_seepage_says_which_flow_it_is_of_and_how_far_off_such_are():
+    network = suffuse.seep(*small(), gradient=0.1)
+    assert network.solver == "network" and network.known_error["permeability"] == 0.2  # one fine grain
+    for solver in ("resolved", "auto"):
+        water = suffuse.seep(*small(), gradient=0.1, solver=solver, resolve=8)
+        flow = suffuse.resolve_flow(*small(), gradient=0.1, boxes_across=8)
+        assert water.solver == "resolved" and water.permeability == flow.permeability
+        assert numpy.array_equal(water.grain_force, flow.grain_force)
+        assert 0 < water.known_error["permeability"] < 0.2
+        again = pickle.loads(pickle.dumps(water))
+        assert again.solver == "resolved" and again.permeability == water.permeability
+    with pytest.raises(suffuse.CaseError, match="resolve"):
+        suffuse.seep(*small(), resolve=8)
+    with pytest.raises(suffuse.CaseError, match="network, resolved, auto"):
+        suffuse.seep(*small(), solver="grid")
+
+
+def test_the_law_of_conductances_is_the_fluids_or_an_argument(packing):
+    bounded, yade = suffuse.seep(packing), suffuse.seep(packing, conductance="yade")
+    assert yade.permeability > 1.1 * bounded.permeability
+    assert yade.fluid.conductance == "yade" and suffuse.Fluid().conductance == "bounded"
+    assert suffuse.seep(packing, fluid=suffuse.Fluid(conductance="yade")).permeability == yade.permeability
+    with pytest.raises(suffuse.CaseError, match="bounded, yade"):
+        suffuse.seep(packing, conductance="cubic")
+
+
+def test_a_permeability_that_a_grain_raises_is_warned_of():
+    cell, touching = numpy.eye(3), [(0.1, 0.2, 0.3), (0.6, 0.7, 0.8)]
+    with pytest.warns(UserWarning, match="times that of the coarse grains alone"):
+        water = suffuse.seep(cell, touching, [0.5, 0.05])
+    alone = suffuse.seep(cell, touching[:1], [0.5])
+    assert water.raised_by_fines == pytest.approx(water.permeability / alone.permeability, rel=1e-9)
+    assert alone.raised_by_fines is None
+
+
 def test_resolved_flow_carries_the_whole_gradient_and_tells_its_grid():
     position = [(0.1, 0.2, 0.3), (0.7, 0.6, 0.9), (0.4, 0.75, 0.35)]
     flow = suffuse.resolve_flow(numpy.eye(3), position, [0.3, 0.3, 0.15], gradient=0.3, direction="-x", boxes_across=8)
@@ -140,3 +179,27 @@ def test_resolved_flow_carries_the_whole_gradient_and_tells_its_grid():
                 assert numpy.array_equal(getattr(other, name), getattr(one, name)), name
     with pytest.raises(suffuse.CaseError, match="at least 4"):
         suffuse.resolve_flow(numpy.eye(3), position, [0.3, 0.3, 0.15], boxes_across=2)
+
+
+def test_grains_in_one_place_are_refused_by_their_rows():
+    x, r = [[0, 0, 0], [2e-3, 2e-3, 0], [0, 4e-3, 0]], [1e-3] * 3
+    for act in (suffuse.seep, suffuse.World, suffuse.PoreNetwork):
+        with pytest.raises(suffuse.GeometryError, match="rows 0 and 2 lie in one place"):
+            act((4e-3,) * 3, x, r)
+
+
+def test_overlaps_that_close_voids_are_warned_of_or_refused():
+    with pytest.warns(UserWarning, match="negative voids.*row"):
+        suffuse.seep((2.2e-3,) * 3, [[0, 0, 0], [1e-4, 0, 0]], [1e-3, 1e-3], gradient=0.1)
+    with pytest.raises(suffuse.GeometryError, match="no void is left"):
+        suffuse.seep((1.61e-3,) * 3, [[0, 0, 0]], [1e-3], gradient=0.1)
+
+
+def test_a_direction_may_have_any_length_and_a_gradient_not():
+    grain = ((2.2e-3,) * 3, [[0, 0, 0]], [1e-3])
+    k = suffuse.seep(*grain, gradient=0.1, direction="z").permeability
+    for length in (1e200, 1e-200):
+        assert suffuse.seep(*grain, gradient=0.1, direction=[0, 0, length]).permeability == k
+    for gradient in (1e200, 1e-320):
+        with pytest.raises(suffuse.CaseError, match="gradient"):
+            suffuse.seep(*grain, gradient=gradient)

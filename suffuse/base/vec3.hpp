@@ -62,6 +62,13 @@ inline double norm(const Vec3& a) {
     return std::sqrt(norm2(a));
 }
 
+/// `a`, or a vector along it of length near 1 where its square would leave the numbers that there are.
+inline Vec3 squarable(const Vec3& a) {
+    const double largest = std::fmax(std::abs(a.x), std::fmax(std::abs(a.y), std::abs(a.z)));
+    const bool is_far = largest > 1e100 || (largest > 0 && largest < 1e-100);
+    return is_far && std::isfinite(largest) ? a / largest : a;
+}
+
 /// A 3 x 3 matrix, `m[row][column]`.
 struct Mat3 {
     std::array<std::array<double, 3>, 3> m{};

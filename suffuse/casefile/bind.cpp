@@ -104,7 +104,7 @@ Case bind_case(const Node& root, const std::string& folder, const std::string& p
     read_table(context, root, "grain", [&](Reader& v) { grain_fields(v, c.material); });
     read_table(context, root, "contact", [&](Reader& v) { contact_fields(v, c.material, c.damping); });
     read_table(context, root, "balance", [&](Reader& v) { fields(v, c.balance); });
-    read_table(context, root, "fluid", [&](Reader& v) { fields(v, c.fluid); });
+    read_table(context, root, "fluid", [&](Reader& v) { fluid_fields(v, c); });
     read_table(context, root, "output", [&](Reader& v) { fields(v, c.output); });
     read_table(context, root, "report", [&](Reader& v) { fields(v, c.report); });
     for_each_member(context, root, "presets", [&](const Node::Entry& entry) { check_preset(context, entry); });
@@ -143,7 +143,7 @@ Node tree_of(const Case& c) {
     root.set("grain", write("grain", [&](Writer& v) { grain_fields(v, copy.material); }));
     root.set("contact", write("contact", [&](Writer& v) { contact_fields(v, copy.material, copy.damping); }));
     root.set("balance", write("balance", [&](Writer& v) { fields(v, copy.balance); }));
-    root.set("fluid", write("fluid", [&](Writer& v) { fields(v, copy.fluid); }));
+    root.set("fluid", write("fluid", [&](Writer& v) { fluid_fields(v, copy); }));
     Node soils, studies;
     for (const auto& [name, soil] : c.soils) {
         soils.set(name, write_soil(soil));

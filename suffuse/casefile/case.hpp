@@ -113,6 +113,7 @@ struct Case {
     dem::Mode mode = dem::Mode::Reference;
     dem::BalanceSpec balance;
     flow::Fluid fluid;
+    bool names_conductance = true; ///< false: of a run made before there was a choice
     std::map<std::string, grains::Soil> soils;
     std::vector<Study> studies; ///< in the order of the file
     OutputSpec output;

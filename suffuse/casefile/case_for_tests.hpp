@@ -107,6 +107,7 @@ patience = 100
 [fluid]
 density = "998 kg/m3"
 viscosity = "1.002e-3 Pa*s"
+conductance = "yade"
 [soil.whole]
 psd = "data/sand.csv"
 fines = { finer_than = "150 um" }
@@ -155,7 +156,9 @@ ramp = 500
 watch = 2_000
 probe_unbalanced_force = 1e-7
 relax_limit = 1000
+solver = "resolved"
 resolve = 8
+resolve_tolerance = 1e-5
 detached = { by = "displacement", over = "0.1 d", noise_quantile = 0.99 }
 restore = true
 only = { fines_content = [0.1] }

@@ -43,7 +43,7 @@ std::string dependencies_of(const Case& c, const Variant& variant, const Stage& 
     root.set("contact", write("contact", [&](Writer& v) { contact_fields(v, material, damping); }));
     root.set("balance", write("balance", [&](Writer& v) { fields(v, copy.balance); }));
     if (traits.has_water) {
-        root.set("fluid", write("fluid", [&](Writer& v) { fields(v, copy.fluid); }));
+        root.set("fluid", write("fluid", [&](Writer& v) { fluid_fields(v, copy); }));
     }
     if (traits.makes_sample() && variant.soil) {
         Node soil; // with a name, as [soil.NAME]: a bare value right below [soil] would not be printed

@@ -47,10 +47,18 @@ void fields(V& v, dem::BalanceSpec& s) {
     v.field("patience", s.patience);
 }
 
+/// A run of before the key `conductance` goes on with the law of then, and with a resolved case that does not name it.
 template <class V>
-void fields(V& v, flow::Fluid& s) {
-    v.field("density", s.density);
-    v.field("viscosity", s.viscosity);
+void fluid_fields(V& v, Case& c) {
+    v.field("density", c.fluid.density);
+    v.field("viscosity", c.fluid.viscosity);
+    if constexpr (V::reads) {
+        c.names_conductance = !v.context().is_resolved || v.has("conductance");
+        c.fluid.conductance = c.names_conductance ? c.fluid.conductance : flow::Conductance::Yade;
+    }
+    if (c.names_conductance) {
+        v.choice("conductance", c.fluid.conductance, names::conductance);
+    }
 }
 
 template <class V>
@@ -175,12 +183,24 @@ void fields(V& v, triaxial::StressProbeSpec& s) {
     v.time_step(s.time_step);
 }
 
+/// Written where they are not as of old, so that the resolved cases of earlier runs stay what they are.
+template <class V>
+void solver_fields(V& v, flow::SolverChoice& s) {
+    if (V::reads || s.solver != flow::SolverChoice{}.solver) {
+        v.choice("solver", s.solver, names::solver);
+    }
+    v.field("resolve", s.resolve);
+    if (V::reads || s.resolve_tolerance != flow::SolverChoice{}.resolve_tolerance) {
+        v.field("resolve_tolerance", s.resolve_tolerance);
+    }
+}
+
 template <class V>
 void fields(V& v, flow::FlowSpec& s) {
     v.field("gradient", s.gradient);
     v.direction(s.direction);
     v.field("tensor", s.tensor);
-    v.field("resolve", s.resolve);
+    solver_fields(v, s.how);
 }
 
 template <class V>
@@ -198,7 +218,7 @@ void probe_fields(V& v, erosion::ProbeSpec& probe, erosion::DetachSpec& detached
     v.field("watch", probe.watch);
     v.field("probe_unbalanced_force", probe.unbalanced_force);
     v.field("relax_limit", probe.relax_limit);
-    v.field("resolve", probe.resolve);
+    solver_fields(v, probe.flow);
     v.table("detached", [&](auto& inner) { fields(inner, detached); });
 }
 

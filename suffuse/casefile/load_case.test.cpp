@@ -186,6 +186,19 @@ TEST(LoadCase, AGradientMayBeHeadOverLength) {
     EXPECT_NE(resolved_toml(load(text)).find("gradient = 0.4"), std::string::npos);
 }
 
+TEST(LoadCase, ARunOfBeforeTheConductanceCouldBeChosenGoesOnWithYades) {
+    const Case now = load(good_case);
+    EXPECT_EQ(now.fluid.conductance, flow::Conductance::Bounded);
+    const std::string line = "conductance = \"bounded\"\n";
+    std::string before = resolved_toml(now);
+    ASSERT_NE(before.find(line), std::string::npos);
+    before.erase(before.find(line), line.size());
+    const Case then = load_case_text(before, "case.resolved.toml", data_folder()).value;
+    EXPECT_EQ(then.fluid.conductance, flow::Conductance::Yade);
+    EXPECT_EQ(resolved_toml(then), before); // by which its folder knows it
+    EXPECT_EQ(load_case_text(resolved_toml(now), "x", data_folder()).value.fluid.conductance, now.fluid.conductance);
+}
+
 TEST(LoadCase, UnitsMakeNoDifference) {
     const Case a = load(good_case + "[fluid]\nviscosity = \"1 mPa*s\"\ndensity = \"1000 kg/m^3\"\n");
     const Case b = load(good_case + "[fluid]\nviscosity = \"1e-3 Pa*s\"\ndensity = \"1 g/cm^3\"\n");

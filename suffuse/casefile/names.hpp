@@ -62,6 +62,14 @@ inline constexpr std::array grain_inertia = {
     Word<triaxial::GrainInertia>{triaxial::GrainInertia::Lent, "lent"},
     Word<triaxial::GrainInertia>{triaxial::GrainInertia::Own, "own"}};
 
+inline constexpr std::array conductance = {
+    Word<flow::Conductance>{flow::Conductance::Bounded, "bounded"},
+    Word<flow::Conductance>{flow::Conductance::Yade, "yade"}};
+
+inline constexpr std::array solver = {
+    Word<flow::Solver>{flow::Solver::Network, "network"}, Word<flow::Solver>{flow::Solver::Resolved, "resolved"},
+    Word<flow::Solver>{flow::Solver::Auto, "auto"}};
+
 inline constexpr std::array detach_by = {
     Word<erosion::DetachBy>{erosion::DetachBy::Velocity, "velocity"},
     Word<erosion::DetachBy>{erosion::DetachBy::Displacement, "displacement"}};

@@ -209,9 +209,21 @@ public:
         );
     }
 
+    /// A probe has one flow, and `resolve` asks for that on a grid.
+    void check_solver(const Stage& stage, const flow::SolverChoice& how) {
+        const Place place = stage_place(stage, "solver");
+        if (how.resolve && how.solver == flow::Solver::Network && place.source) {
+            context_.problems.error(
+                "E207", place,
+                fmt::format("stage \"{}\" takes the network's flow, and gives a grid to `resolve` it on", stage.name),
+                "take solver = \"resolved\" or \"auto\", or leave `resolve` out"
+            );
+        }
+    }
+
     /// The flow between the grains themselves is solved in right-angled cells: better told before the sample is made.
-    void check_resolve(const Stage& stage, bool resolves) {
-        if (!resolves) {
+    void check_resolve(const Stage& stage, const flow::SolverChoice& how) {
+        if (!flow::resolves(how)) {
             return;
         }
         for (int k = stage.parent; k >= 0; k = variant_.stages[static_cast<std::size_t>(k)].parent) {
@@ -221,13 +233,13 @@ public:
                 continue;
             }
             context_.problems.error(
-                "E207", stage_place(stage, "resolve"),
+                "E207", stage_place(stage, how.resolve ? "resolve" : "solver"),
                 fmt::format(
                     "stage \"{}\" resolves the flow, which takes a right-angled cell, and stage \"{}\" before it "
                     "releases shear stresses by shearing the cell",
                     stage.name, before.name
                 ),
-                "leave `resolve` out: the pore network takes cells of any shape; or keep the shear stresses"
+                "take solver = \"network\", without `resolve`: it takes cells of any shape; or keep the shear stresses"
             );
             return;
         }
@@ -284,20 +296,22 @@ struct CheckValues {
 
     void operator()(const flow::FlowSpec& flow) const {
         checks.check_gradient(stage, "gradient", flow.gradient);
-        checks.check_resolve(stage, flow.resolve.has_value());
+        checks.check_resolve(stage, flow.how);
     }
 
     void operator()(const erosion::DetachStageSpec& detach) const {
         for (const double gradient : detach.gradients) {
             checks.check_gradient(stage, "gradients", gradient);
         }
-        checks.check_resolve(stage, detach.probe.resolve.has_value());
+        checks.check_solver(stage, detach.probe.flow);
+        checks.check_resolve(stage, detach.probe.flow);
     }
 
     void operator()(const erosion::ErodeSpec& erode) const {
         checks.check_gradient(stage, "gradient", erode.gradient);
         checks.check_travel(stage, erode);
-        checks.check_resolve(stage, erode.probe.resolve.has_value());
+        checks.check_solver(stage, erode.probe.flow);
+        checks.check_resolve(stage, erode.probe.flow);
     }
 
     void operator()(const erosion::RemoveSpec&) const {}

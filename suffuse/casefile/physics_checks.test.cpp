@@ -70,6 +70,15 @@ TEST(PhysicsChecks, AResolvedFlowTakesNoCellThatReleasedItsShearStresses) {
     EXPECT_EQ(problems_of(settled("released")).size(), 0U);
 }
 
+TEST(PhysicsChecks, AProbeHasOneFlow) {
+    const std::string probe = good_case + "[[study.one.stage]]\nname = \"p\"\ndo = \"detach\"\n";
+    EXPECT_EQ(problems_of(probe + "resolve = 8\n").size(), 0U);
+    EXPECT_EQ(problems_of(probe + "solver = \"auto\"\nresolve = 8\n").size(), 0U);
+    EXPECT_EQ(find_problem(problems_of(probe + "solver = \"network\"\nresolve = 8\n"), "E207").line, 18);
+    const std::string flow = good_case + "[[study.one.stage]]\nname = \"f\"\ndo = \"flow\"\ngradient = 0.1\n";
+    EXPECT_EQ(problems_of(flow + "solver = \"network\"\nresolve = 8\n").size(), 0U); // both, beside each other
+}
+
 TEST(PhysicsChecks, TestsAndErosionNeedASampleThatCarriesAStress) {
     const std::string test = "[[study.one.stage]]\nname = \"x\"\ndo = \"triaxial\"\n";
     EXPECT_EQ(problems_of(good_case + test).size(), 0U);

@@ -353,7 +353,8 @@ void Reader::direction(Vec3& value) {
         if (!given) {
             return;
         }
-        const double length = norm(*given);
+        const Vec3 along = squarable(*given);
+        const double length = norm(along);
         if (!(length > 0) || !std::isfinite(length)) {
             error(
                 "E312", node->place, "`direction` has no length", "write \"z\", or three numbers that are not all zero"
@@ -361,7 +362,7 @@ void Reader::direction(Vec3& value) {
             return;
         }
         // A unit vector stays as it is, so that a case that was written back reads as the same bits.
-        value = std::abs(length - 1) < 1e-12 ? *given : *given / length;
+        value = std::abs(length - 1) < 1e-12 ? along : along / length;
         return;
     }
     static const std::vector<std::string> axes{"x", "y", "z", "+x", "+y", "+z", "-x", "-y", "-z"};

@@ -121,6 +121,12 @@ std::vector<Key> balance_rows() {
         count("balance", "patience", from_one, "Steps in a row for which both hold before a stage counts as settled."),
         quantity("fluid", "density", dimension::density, above_zero, "Density of the pore fluid."),
         quantity("fluid", "viscosity", dimension::viscosity, above_zero, "Dynamic viscosity of the pore fluid."),
+        choice(
+            "fluid", "conductance", names::words_of(names::conductance),
+            "Law of the pore network's throats and of the forces on grains. bounded: right at any ratio of sizes; "
+            "yade: "
+            "as in Yade 2023.02a, for comparisons with it; too permeable where fines are few or small."
+        ),
     };
 }
 

@@ -183,17 +183,36 @@ std::vector<Key> stress_probe_rows() {
     };
 }
 
-Key resolving(const std::string& stage, const std::string& what) {
-    return count(
-        stage, "resolve", {4, 200, false, false},
-        what + "so many of its boxes across the Sauter diameter; 12 is usual. Minutes and gigabytes for 10,000 grains; "
-               "`plan` tells. Not unless given."
+/// `what` is done with a flow that is resolved.
+std::vector<Key> solver_rows(const std::string& stage, const std::string& what) {
+    Key solver = choice(
+        stage, "solver", names::words_of(names::solver),
+        "network: of pores and throats; resolved: between the grains themselves, on a grid; auto: resolved where the "
+        "network is known to fail (fewer than 50 fines, at most 1 % of them, or a permeability that they raise). The "
+        "result says which, and `known_error`."
     );
+    solver.default_text = "\"network\""; // not written, see solver_fields
+    Key tolerance = ratio(
+        stage, "resolve_tolerance", {1e-10, 1e-2, false, false},
+        "The resolved flow is iterated until the error of its permeability is this part of it; forces are off by about "
+        "its root."
+    );
+    tolerance.default_text = "1e-4"; // not written either
+    return {
+        solver,
+        count(
+            stage, "resolve", {4, 200, false, false},
+            what +
+                "so many boxes of the grid across the Sauter diameter; 12 is usual. Minutes and gigabytes for 10,000 "
+                "grains; `plan` tells. Not unless given."
+        ),
+        tolerance,
+    };
 }
 
 std::vector<Key> probe_rows(const std::string& stage) {
     const std::string detached = stage + ".detached";
-    return {
+    std::vector<Key> rows = {
         direction(stage, "Where the water goes: grad p = -i rho_w g direction."),
         choice(
             stage, "hold", names::words_of(names::hold),
@@ -208,10 +227,6 @@ std::vector<Key> probe_rows(const std::string& stage) {
         count(
             stage, "relax_limit", from_one,
             "Steps of that relaxation after which the floor reached is taken and reported."
-        ),
-        resolving(
-            stage, "Takes the fluid's forces, and the permeabilities, from a flow between the grains themselves on a "
-                   "grid instead of the pore network's: "
         ),
         table(stage, "detached", "Which fines count as detachable."),
         choice(
@@ -233,6 +248,11 @@ std::vector<Key> probe_rows(const std::string& stage) {
             "Quantile of the speeds of the twin without fluid that is told as its noise; no grain is judged by it."
         ),
     };
+    append(
+        rows,
+        solver_rows(stage, "Resolves the flow that gives the forces and permeabilities, where the network does not: ")
+    );
+    return rows;
 }
 
 } // namespace
@@ -325,9 +345,14 @@ std::vector<Key> erosion_rows() {
         ),
         direction("stage.flow", "Where the water goes: grad p = -i rho_w g direction."),
         flag("stage.flow", "tensor", "Solves three directions and reports the permeability tensor."),
-        resolving("stage.flow", "Solves the flow a second time, between the grains themselves on a grid: "),
-        list_of(ratio("stage.detach", "gradients", from_zero, "Hydraulic gradients to probe; nothing is removed.")),
     };
+    append(
+        rows,
+        solver_rows("stage.flow", "Solves the flow a second time beside the network's, between the grains themselves: ")
+    );
+    rows.push_back(
+        list_of(ratio("stage.detach", "gradients", from_zero, "Hydraulic gradients to probe; nothing is removed."))
+    );
     append(rows, probe_rows("stage.detach"));
     append(
         rows,

@@ -16,14 +16,14 @@
 #include "suffuse/erosion/transport.hpp"
 #include "suffuse/flow/pore_velocity.hpp"
 #include "suffuse/flow/reynolds.hpp"
-#include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/grains/gradation.hpp"
-#include "suffuse/stokes/resolved_flow.hpp"
+#include "suffuse/stokes/water.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace suffuse::erosion {
@@ -34,8 +34,10 @@ namespace {
 /// is resolved on a grid, permeability and forces are of that.
 struct Seeping {
     double permeability = 0; ///< [m2]
-    double reynolds = 0;     ///< at a hydraulic gradient of 1 [-]
-    double tortuosity = 0;   ///< [-]
+    flow::FlowSource source;
+    double reynolds = 0;            ///< at a hydraulic gradient of 1 [-]
+    double tortuosity = 0;          ///< [-]
+    flow::ClosedVoids closed_voids; ///< of grains by id
     flow::ThroatFlux throat_flux;
     std::vector<ProbeLoad> loads;
 };
@@ -45,27 +47,27 @@ Seeping seep(
     const Surroundings& around
 ) {
     const grains::Grains& grains = world.grains;
-    const flow::FlowSpec unit_gradient{1, direction};
-    flow::Seepage unit = flow::solve_seepage(world.cell, grains.position, grains.radius, unit_gradient, around.fluid);
-    if (spec.resolve) {
-        stokes::ResolvedFlow resolved = stokes::resolve_flow(
-            world.cell, grains.position, grains.radius, unit_gradient, around.fluid,
-            {.boxes_across = static_cast<double>(*spec.resolve)}, around.pulse
-        );
-        unit.permeability = resolved.permeability;
-        unit.grain_force = std::move(resolved.grain_force);
+    flow::SolverChoice how = spec.flow;
+    if (flow::resolves(how)) {
+        how.solver = flow::Solver::Resolved; // one flow gives the forces
     }
+    const stokes::Water water = stokes::solve_water(
+        world.cell, grains.position, grains.radius, grains.fine, {1, direction}, around.fluid, how, around.pulse
+    );
+    const flow::Seepage& network = water.network;
     const double size = flow::sauter_diameter(grains.radius);
     const std::vector<Vec3> velocity =
-        flow::pore_velocities(unit.network, grains.position, grains.radius, unit.field.flux);
+        flow::pore_velocities(network.network, grains.position, grains.radius, network.field.flux);
     Seeping seeping{
-        unit.permeability,
-        flow::reynolds_number(unit.permeability, 1, size, around.fluid),
-        flow::tortuosity(unit.network, velocity),
-        flow::describe_fluxes(unit.network, unit.field.flux, 1),
-        {}};
+        .permeability = water.permeability(),
+        .source = water.source,
+        .reynolds = flow::reynolds_number(water.permeability(), 1, size, around.fluid),
+        .tortuosity = flow::tortuosity(network.network, velocity),
+        .closed_voids = flow::named_by_id(network.closed_voids, grains.id),
+        .throat_flux = flow::describe_fluxes(network.network, network.field.flux, 1),
+        .loads = {}};
     for (const double gradient : gradients) {
-        seeping.loads.push_back({gradient, unit.grain_force});
+        seeping.loads.push_back({gradient, water.grain_force()});
         for (Vec3& force : seeping.loads.back().force) {
             force *= gradient;
         }
@@ -90,12 +92,13 @@ dem::RelaxReport relax_further(dem::World& world, const ProbeSpec& spec, const S
 
 /// Step 3 under the flow's forces at each gradient.
 std::vector<ProbeResult> probe(
-    const dem::World& world, std::span<const ProbeLoad> loads, double dt, const dem::RelaxReport& relaxed,
-    const ProbeSpec& spec, const DetachSpec& rule, const Surroundings& around
+    const dem::World& world, const Seeping& seeping, double dt, const dem::RelaxReport& relaxed, const ProbeSpec& spec,
+    const DetachSpec& rule, const Surroundings& around
 ) {
     std::vector<ProbeResult> results =
-        watch_fines(world, loads, {spec, around.fluid, dt, around.damping}, around.pulse);
+        watch_fines(world, seeping.loads, {spec, around.fluid, dt, around.damping}, around.pulse);
     for (ProbeResult& result : results) {
+        result.flow = seeping.source;
         result.unbalanced_force = relaxed.unbalanced_force;
         result.relax_steps = relaxed.steps;
         result.reached_floor = relaxed.reached_floor;
@@ -215,7 +218,7 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.wall_seconds["flow"] = watch.lap();
 
     // 3 probe
-    pass.probe = probe(next, seeping.loads, dt, relaxed, spec.probe, spec.detached, around).front();
+    pass.probe = probe(next, seeping, dt, relaxed, spec.probe, spec.detached, around).front();
     pass.wall_seconds["probe"] = watch.lap();
 
     // 4 constrictions
@@ -237,8 +240,10 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     watch.lap();
     const Seeping after = seep(next, {}, spec.direction, spec.probe, around);
     pass.permeability_after = after.permeability;
+    pass.flow_after = after.source;
     pass.reynolds_after = std::abs(spec.gradient) * after.reynolds;
     pass.tortuosity_after = after.tortuosity;
+    pass.closed_voids = after.closed_voids;
     pass.throat_flux_after = after.throat_flux;
     pass.wall_seconds["flow"] += watch.lap();
 
@@ -263,7 +268,7 @@ probe_gradients(const dem::World& world, const DetachStageSpec& spec, const Surr
     const dem::RelaxReport relaxed = relax_further(relaxed_world, spec.probe, around);
     const double dt = dem::stable_time_step(relaxed_world);
     const Seeping seeping = seep(relaxed_world, spec.gradients, spec.direction, spec.probe, around);
-    return probe(relaxed_world, seeping.loads, dt, relaxed, spec.probe, spec.detached, around);
+    return probe(relaxed_world, seeping, dt, relaxed, spec.probe, spec.detached, around);
 }
 
 } // namespace suffuse::erosion

@@ -4,6 +4,8 @@
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/ending.hpp"
+#include "suffuse/flow/known_error.hpp"
+#include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/pores/constrictions.hpp"
 
@@ -23,6 +25,7 @@ inline constexpr int probe_samples = 10; ///< equal parts of the watch at which 
 /// One probe: every column has a row a fine grain.
 struct ProbeResult {
     double gradient = 0;         ///< hydraulic gradient i [-]
+    flow::FlowSource flow;       ///< that the forces are of
     double unbalanced_force = 0; ///< of the relaxed state that it started from [-]
     bool reached_floor = false;  ///< the unbalance stopped falling before the wanted one
     std::int64_t relax_steps = 0, ramp = 0, watch = 0;
@@ -152,8 +155,10 @@ struct PassResult {
     double void_ratio_after = 0, fines_content_after = 0;
     double volumetric_strain = 0;                           ///< of this pass, compression positive [-]
     double permeability_before = 0, permeability_after = 0; ///< along the flow [m2]
-    double reynolds_before = 0, reynolds_after = 0;         ///< of the water at the gradient, flow/reynolds.hpp [-]
-    double tortuosity_before = 0, tortuosity_after = 0;     ///< of its ways, flow/pore_velocity.hpp [-]
+    flow::FlowSource flow_after;                        ///< that permeability_after is of; before: that of the probe
+    double reynolds_before = 0, reynolds_after = 0;     ///< of the water at the gradient, flow/reynolds.hpp [-]
+    flow::ClosedVoids closed_voids;                     ///< after the pass, of grains by id
+    double tortuosity_before = 0, tortuosity_after = 0; ///< of its ways, flow/pore_velocity.hpp [-]
     flow::ThroatFlux throat_flux_before, throat_flux_after; ///< how the flow spreads over the throats
     std::int64_t steps = 0;
     double time_step = 0;                       ///< of the last of them [s]

@@ -4,6 +4,7 @@
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/spec.hpp"
+#include "suffuse/flow/fluid.hpp"
 #include "suffuse/pores/voids.hpp"
 
 #include <cstdint>
@@ -20,8 +21,7 @@ struct ProbeSpec {
     bool hold_coarse = true;        ///< the paper holds them
     double unbalanced_force = 1e-8; ///< the probe starts from the equilibrium relaxed to this at constant volume [-]
     std::int64_t relax_limit = dem::most_relax_steps; ///< steps after which the floor reached is taken and reported
-    std::optional<std::int64_t> resolve; ///< boxes across the Sauter diameter of the flow on a grid that gives the
-                                         ///< forces and permeabilities, instead of the pore network
+    flow::SolverChoice flow;                          ///< that gives the forces and permeabilities
 };
 
 enum class DetachBy { Velocity, Displacement };

@@ -1,5 +1,7 @@
 #include "suffuse/erosion/water_ways.hpp"
 
+#include "suffuse/pores/constrictions.hpp"
+#include "suffuse/pores/throat.hpp"
 #include "suffuse/pores/voids.hpp"
 
 #include <algorithm>
@@ -34,15 +36,24 @@ double mean_size(std::span<const double> flux) {
     return flux.empty() ? 0 : sum / static_cast<double>(flux.size());
 }
 
+flow::Seepage solve(
+    const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius, const Vec3& direction,
+    const flow::Fluid& fluid
+) {
+    flow::Seepage seepage = flow::solve_seepage(cell, position, radius, {1, direction, false}, fluid);
+    pores::measure_constrictions(seepage.network, position, radius);
+    return seepage;
+}
+
 } // namespace
 
 WaterWays::WaterWays(
     const dem::World& world, std::span<const std::uint32_t> leaving, const Vec3& direction, const flow::Fluid& fluid
 )
     : position_(without(world.grains.position, leaving)), radius_(without(world.grains.radius, leaving)),
-      direction_(direction / norm(direction)),
-      seepage_(flow::solve_seepage(world.cell, position_, radius_, {1, direction, false}, fluid)),
-      locator_(seepage_.network, position_), width_(widths_of_throats()), first_(seepage_.network.bodies + 1, 0) {
+      direction_(squarable(direction) / norm(squarable(direction))),
+      seepage_(solve(world.cell, position_, radius_, direction, fluid)), locator_(seepage_.network, position_),
+      width_(widths_of_throats()), first_(seepage_.network.bodies + 1, 0) {
     const pores::PoreNetwork& network = seepage_.network;
     const std::vector<double>& flux = seepage_.field.flux;
     const auto side_of = [&](std::size_t t) { return flux[t] > 0 ? std::uint8_t{0} : std::uint8_t{1}; };
@@ -65,8 +76,10 @@ WaterWays::WaterWays(
     }
 }
 
-/// That of the circle in the throat's facet, which is the narrowest place between the pores' void spheres where it lies
-/// between them. Where both lie on one side the facet only cuts their void, and the smaller of the two is.
+/// Of the narrowest place on the way from one pore's void sphere to the other's along the points as far from all three
+/// grains: where the facet lies between the two that is the circle that touches the three, whose center may lie beside
+/// the triangle, where the water of a neighbor is. Where both lie on one side the facet only cuts their void, and the
+/// smaller of the two is. Without such places it is the room in the facet itself.
 std::vector<double> WaterWays::widths_of_throats() const {
     const pores::Throats& throats = seepage_.network.throats;
     const std::vector<pores::VoidSphere> space = pores::void_spheres(seepage_.network, position_, radius_);
@@ -76,11 +89,25 @@ std::vector<double> WaterWays::widths_of_throats() const {
         const Vec3 beyond = other.center + shift(seepage_.network.h, throats.image[t]);
         const double from_near = dot(throats.area[t], near.center - throats.center[t]);
         const double from_other = dot(throats.area[t], beyond - throats.center[t]);
-        const double circle = throats.inscribed_radius[t];
+        const double smaller = std::min(near.radius, other.radius), circle = circle_of(t);
         const bool cuts_a_void = from_near * from_other > 0;
-        width[t] = 2 * (cuts_a_void ? std::max(circle, std::min(near.radius, other.radius)) : circle);
+        width[t] = 2 * (smaller > 0 && cuts_a_void  ? smaller
+                        : smaller > 0 && circle > 0 ? std::min(circle, smaller)
+                                                    : throats.inscribed_radius[t]);
     }
     return width;
+}
+
+double WaterWays::circle_of(std::size_t t) const {
+    const pores::Throats& throats = seepage_.network.throats;
+    std::array<Vec3, 3> x;
+    std::array<double, 3> r{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t g = throats.grain[t][k];
+        x[k] = position_[g] + shift(seepage_.network.h, throats.grain_image[t][k]);
+        r[k] = radius_[g];
+    }
+    return pores::inscribed_circle(x[1] - x[0], x[2] - x[0], r).radius;
 }
 
 std::span<const WaterWays::Outlet> WaterWays::outlets(std::uint32_t body) const {

@@ -47,6 +47,9 @@ public:
     /// The flow that it follows, among the grains that stay.
     [[nodiscard]] const flow::Seepage& seepage() const { return seepage_; }
 
+    /// The diameter that passes each throat [m].
+    [[nodiscard]] std::span<const double> widths() const { return width_; }
+
 private:
     /// A body of water in one of its images.
     struct Place {
@@ -67,13 +70,14 @@ private:
     [[nodiscard]] Vec3 place_before(const Outlet& outlet, const cell::Image& throat, double radius) const;
 
     [[nodiscard]] std::vector<double> widths_of_throats() const;
+    [[nodiscard]] double circle_of(std::size_t t) const; ///< that touches its three grains: the radius [m]
 
     std::vector<Vec3> position_; ///< of the grains that stay [m]
     std::vector<double> radius_; ///< [m]
     Vec3 direction_;             ///< of length 1
     flow::Seepage seepage_;
     pores::PoreLocator locator_;
-    std::vector<double> width_;        ///< of each throat: the diameter that passes [m]
+    std::vector<double> width_;        ///< of throats [m]
     std::vector<std::uint32_t> first_; ///< outlets of body b are [first_[b], first_[b + 1])
     std::vector<Outlet> outlet_;
 };

@@ -77,7 +77,7 @@ TEST(WaterWays, GrainsGoToThroatsInProportionToTheirFlux) {
     for (std::size_t t = 0; t < network.throats.size(); ++t) {
         const double flux = ways.seepage().field.flux[t];
         if (network.pores.body[network.throats.side[t][flux > 0 ? 0 : 1]] == body) {
-            share[std::max(0.0, 2 * network.throats.inscribed_radius[t])] += std::abs(flux);
+            share[std::max(0.0, ways.widths()[t])] += std::abs(flux);
             outflow += std::abs(flux);
         }
     }

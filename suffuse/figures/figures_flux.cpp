@@ -105,7 +105,7 @@ std::optional<Figure> flux_by_size(const std::vector<FluxState>& states) {
     const auto [least, most] = std::ranges::minmax(figure.table.numbers("diameter"));
     json& size = figure.chart["encoding"]["x"] = size_axis(least / 1.05, 1.05 * most, false);
     size["field"] = "diameter";
-    size["title"] = "diameter of the throat's inscribed circle d [mm]";
+    size["title"] = "diameter of the throat's constriction d [mm]";
     const json axis = {{"labelExpr", power_of_ten_labels()}, {"tickCount", 6}};
     for (json& layer : figure.chart["layer"]) {
         layer["encoding"]["y"].update(

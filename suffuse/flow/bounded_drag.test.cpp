@@ -130,11 +130,11 @@ TEST(BoundedDrag, OfLatticesIsNearTheExactSolution) {
     const std::vector<Vec3> simple{{0.1, 0.2, 0.3}}, body{{0.1, 0.2, 0.3}, {0.6, 0.7, 0.8}},
         face{{0.1, 0.2, 0.3}, {0.6, 0.7, 0.3}, {0.6, 0.2, 0.8}, {0.1, 0.7, 0.8}};
     for (const Case& c :
-         {Case{simple, pi / 6, 42.1, 0.79},
-          {body, pi * std::sqrt(3.0) / 8, 162.9, 0.99},
+         {Case{simple, pi / 6, 42.1, 0.76},
+          {body, pi * std::sqrt(3.0) / 8, 162.9, 0.98},
           {face, pi / std::sqrt(18.0), 435, 0.95},
-          {simple, 0.343, 15.4, 1.18},
-          {simple, 0.125, 4.292, 1.27}}) {
+          {simple, 0.343, 15.4, 1.09},
+          {simple, 0.125, 4.292, 1.12}}) {
         const double r = 1e-3, solid = static_cast<double>(c.places.size()) * 4 * pi / 3 * r * r * r;
         const Packing packing = test::lattice(2, std::cbrt(solid / c.solid_fraction), r, c.places);
         const double exact = 2 * r * r / (9 * c.solid_fraction * c.drag);
@@ -170,13 +170,21 @@ Packing with_fines(Packing packing, std::size_t fines, double r, unsigned seed) 
 }
 
 TEST(BoundedDrag, FinesDoNotRaiseThePermeability) {
+    // A lone grain cuts the water into other pores wherever it lies, however small it is: that alone moves the
+    // permeability of a dozen grains by up to 4 % either way. In the mean over places little is left of it.
     const Packing coarse = Resolved("q3_20").coarse(); // a dozen grains
     const double size = coarse.radius.front(), alone = permeability(coarse);
     for (const auto& [fines, ratio] :
          {std::pair{1U, 3.0}, {10U, 3.0}, {1U, 10.0}, {100U, 10.0}, {1U, 100.0}, {600U, 100.0}}) {
-        const double k = permeability(with_fines(coarse, fines, size / ratio, 1));
-        EXPECT_LE(k, 1.02 * alone) << fines << " of ratio " << ratio;
-        EXPECT_GE(k, 0.3 * alone) << fines << " of ratio " << ratio;
+        constexpr unsigned places = 10;
+        double mean = 0;
+        for (unsigned seed = 1; seed <= places; ++seed) {
+            const double k = permeability(with_fines(coarse, fines, size / ratio, seed)) / alone;
+            mean += k / places;
+            EXPECT_LE(k, 1.05) << fines << " of ratio " << ratio;
+            EXPECT_GE(k, 0.3) << fines << " of ratio " << ratio;
+        }
+        EXPECT_LE(mean, 1.02) << fines << " of ratio " << ratio;
     }
 }
 

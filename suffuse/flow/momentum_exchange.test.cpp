@@ -38,39 +38,48 @@ struct Sample {
     }
 };
 
+/// Corners of pore p, and the middles of the throats opposite to them.
+struct PorePlaces {
+    std::array<Vec3, 4> corner, middle;
+
+    PorePlaces(const Packing& packing, const pores::PoreNetwork& network, std::size_t p) {
+        const pores::Pores& pores = network.pores;
+        Vec3 sum = pores.center[p];
+        for (std::size_t k = 0; k < 4; ++k) {
+            corner[k] = packing.position[pores.grain[p][k]] + shift(packing.h, pores.grain_image[p][k]);
+            sum += corner[k];
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Vec3 beyond = pores.center[pores.neighbor[p][k]] + shift(packing.h, pores.neighbor_image[p][k]);
+            middle[k] = (sum - corner[k] + beyond) / 5;
+        }
+    }
+};
+
 TEST(ExchangeLegs, OfACubicLatticeOfSmallSpheresHaveTheirClosedForm) {
-    // One body of tetrahedra in a cube, all of whose centers lie in the middle of it. The cell is cut as it may: what
-    // is the same in all cuts is that a triangle from an edge of the cube (1) or a diagonal of a face (sqrt 2) to the
-    // middle has these areas, and that legs are 2 x their sum over distances.
+    // Tetrahedra that cut a cube of the lattice have their centers in its middle, however they cut it. The triangle to
+    // there from an edge of the cube or from a diagonal of its face has one of two areas; a diagonal of the cube goes
+    // through the middle. A leg is twice their sum over distances.
     const double r = 0.1;
     const Packing packing = test::lattice(2, 1, r, {{0.1, 0.2, 0.3}});
     const auto network = pores::build_network(packing.h, packing.position, packing.radius);
     const ExchangeLegs leg = exchange_legs(network, packing.position, packing.radius);
-    const double edge = 0.5 * (std::sqrt(0.5) - 2 * r * r * std::atan(std::sqrt(2.0)));
-    const double diagonal = 0.5 * (std::sqrt(2.0) / 2 - 2 * r * r * std::atan(std::sqrt(0.5)));
+    const auto area_from = [&](double length) {
+        const double edge = 0.5 * (std::sqrt(0.5) - 2 * r * r * std::atan(std::sqrt(2.0)));
+        const double diagonal = 0.5 * (std::sqrt(0.5) - 2 * r * r * std::atan(std::sqrt(0.5)));
+        return length < 1.2 ? edge : length < 1.6 ? diagonal : 0;
+    };
+    constexpr std::size_t pairs[6][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
+                                         {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}};
     for (std::uint32_t p = 0; p < network.pores.size(); ++p) {
-        std::array<Vec3, 4> x, middle;
-        for (std::size_t k = 0; k < 4; ++k) {
-            x[k] = packing.position[network.pores.grain[p][k]] + shift(packing.h, network.pores.grain_image[p][k]);
+        const PorePlaces at(packing, network, p);
+        std::array<double, 4> expected{};
+        for (const auto& [k, l, a, b] : pairs) {
+            const double exchange = area_from(norm(at.corner[a] - at.corner[b])) / norm(at.middle[k] - at.middle[l]);
+            expected[k] += 2 * exchange, expected[l] += 2 * exchange;
         }
         for (std::size_t k = 0; k < 4; ++k) {
-            const Vec3 other = network.pores.center[network.pores.neighbor[p][k]] +
-                               shift(packing.h, network.pores.neighbor_image[p][k]);
-            middle[k] = (x[0] + x[1] + x[2] + x[3] - x[k] + network.pores.center[p] + other) / 5;
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            double expected = 0;
-            for (std::size_t l = 0; l < 4; ++l) {
-                if (l == k) {
-                    continue;
-                }
-                const std::size_t a = k != 0 && l != 0 ? 0 : k != 1 && l != 1 ? 1 : 2, b = 6 - k - l - a;
-                const double length = norm(x[a] - x[b]);
-                const double area = length < 1.2 ? edge : length < 1.6 ? diagonal : 0; // not through the middle
-                expected += 2 * area / norm(middle[k] - middle[l]);
-            }
-            const std::uint32_t t = network.pores.throat[p][k];
-            EXPECT_NEAR(leg[t][pores::side_of(network, p, k)] / expected, 1, 1e-9);
+            EXPECT_NEAR(leg[network.pores.throat[p][k]][pores::side_of(network, p, k)] / expected[k], 1, 1e-9);
         }
     }
 }

@@ -34,10 +34,58 @@ double relative_force_error(const Seepage& s) {
     return norm(expected) > 0 ? norm(s.force_sum - expected) / norm(expected) : 0;
 }
 
+void sum_forces(Seepage& s) {
+    s.force_sum = {};
+    for (const Vec3& force : s.grain_force) {
+        s.force_sum += force;
+    }
+    s.force_sum_error = relative_force_error(s);
+}
+
+/// Hydraulic gradients beyond are refused: squares of what they drive would not be numbers.
+constexpr double largest_gradient = 1e50, smallest_gradient = 1e-50;
+
+/// Forces that add up no better than this are no forces.
+constexpr double worst_force_sum = 1e-3;
+
+ClosedVoids find_closed_voids(const pores::PoreNetwork& network) {
+    const pores::VoidAccount voids = pores::account_voids(network);
+    if (!(voids.all > 0)) {
+        const auto [a, b, c, d] = voids.deepest;
+        throw GeometryError(fmt::format(
+            "flow: the grains overlap so far that no void is left to flow through: as pores count it, it is {:.3g} of "
+            "the cell, most negative between the grains in rows {}, {}, {} and {}; let the grains settle apart first",
+            voids.all / determinant(network.h), a, b, c, d
+        ));
+    }
+    return {voids.negative / voids.all, voids.deepest};
+}
+
+/// A last look, whatever led to it.
+void expect_numbers(const Seepage& s, std::span<const Vec3> position) {
+    for (std::size_t g = 0; g < s.grain_force.size(); ++g) {
+        if (!std::isfinite(norm2(s.grain_force[g]))) {
+            throw GeometryError(fmt::format(
+                "flow: the force on the grain in row {}, at ({}, {}, {}) m, is not a number; look for grains that "
+                "overlap it, and at the fluid's viscosity and density",
+                g, position[g].x, position[g].y, position[g].z
+            ));
+        }
+    }
+    const double numbers = s.permeability + norm2(s.mean_velocity) + s.field.residual + s.field.net_outflow;
+    if (!std::isfinite(numbers) || !(s.force_sum_error <= worst_force_sum)) {
+        throw GeometryError(fmt::format(
+            "flow: permeability {} m2, and the forces on the grains are {} of the gradient's off their sum: no result; "
+            "look for grains much smaller than the cell, and at the fluid's viscosity and density",
+            s.permeability, s.force_sum_error
+        ));
+    }
+}
+
 } // namespace
 
 void check(const FlowSpec& spec, const Fluid& fluid) {
-    const double length = norm(spec.direction);
+    const double length = norm(squarable(spec.direction));
     if (!std::isfinite(length) || !(length > 0)) {
         throw CaseError(fmt::format(
             "flow: direction ({}, {}, {}) is not a direction; three finite numbers, not all zero, are expected",
@@ -46,6 +94,13 @@ void check(const FlowSpec& spec, const Fluid& fluid) {
     }
     if (!std::isfinite(spec.gradient)) {
         throw CaseError("flow: the hydraulic gradient is not a finite number");
+    }
+    const double size = std::abs(spec.gradient);
+    if (size > largest_gradient || (size > 0 && size < smallest_gradient)) {
+        throw CaseError(fmt::format(
+            "flow: the hydraulic gradient is {}; 0, or a size between {} and {}, is expected", spec.gradient,
+            smallest_gradient, largest_gradient
+        ));
     }
     if (!(fluid.viscosity > 0) || !(fluid.density > 0) || !std::isfinite(fluid.viscosity * fluid.density)) {
         throw CaseError(fmt::format(
@@ -63,8 +118,10 @@ Seepage solve_seepage(
     Seepage s;
     Stopwatch watch;
     pores::Triangulation triangulation = pores::triangulate(cell.h, position, radius);
+    pores::expect_grains_apart(cell.h, position, radius);
     s.seconds.triangulate = watch.lap();
     s.network = pores::build_network(std::move(triangulation), cell.h, position, radius);
+    s.closed_voids = find_closed_voids(s.network);
     std::optional<BoundedDrag> bounded;
     if (fluid.conductance == Conductance::Bounded) {
         bounded.emplace(s.network, position, radius);
@@ -72,7 +129,8 @@ Seepage solve_seepage(
     s.conductance = bounded ? bounded->conductances(fluid.viscosity) : conductances(s.network, fluid.viscosity);
     s.seconds.conductance = watch.lap();
 
-    const Vec3 unit = (-fluid.density * gravity / norm(spec.direction)) * spec.direction; // at i = 1
+    const Vec3 along = squarable(spec.direction);
+    const Vec3 unit = (-fluid.density * gravity / norm(along)) * along; // at i = 1
     std::optional<PressureSolver> solver(std::in_place, s.network, s.conductance);
     s.field = solver->solve(unit);
     s.mean_velocity = mean_velocity(s.network, s.field.flux);
@@ -85,21 +143,41 @@ Seepage solve_seepage(
     s.pressure_gradient = unit;
     s.grain_force = bounded ? bounded->grain_forces(s.field.pressure, unit)
                             : grain_forces(s.network, s.field.pressure, unit, radius.size());
+    sum_forces(s);
+    expect_numbers(s, position);
     scale(s, spec.gradient);
     s.seconds.forces = watch.lap();
     return s;
+}
+
+ClosedVoids named_by_id(ClosedVoids closed, std::span<const std::uint32_t> id) {
+    for (std::uint32_t& grain : closed.grain) {
+        grain = id[grain];
+    }
+    return closed;
+}
+
+std::string words_of(const ClosedVoids& closed, const std::function<std::string(std::uint32_t)>& grain) {
+    if (!(closed.share > many_closed_voids)) {
+        return {};
+    }
+    return fmt::format(
+        "grains overlap so far that the pore network counts negative voids, {:.2g} of all void, most between the "
+        "grains "
+        "{}, {}, {} and {}: there its throats mean nothing, and the permeability is not that of the packing; let the "
+        "grains settle apart first",
+        closed.share, grain(closed.grain[0]), grain(closed.grain[1]), grain(closed.grain[2]), grain(closed.grain[3])
+    );
 }
 
 void scale(Seepage& s, double factor) {
     scale(s.field, factor);
     s.pressure_gradient *= factor;
     s.mean_velocity *= factor;
-    s.force_sum = {};
     for (Vec3& force : s.grain_force) {
         force *= factor;
-        s.force_sum += force;
     }
-    s.force_sum_error = relative_force_error(s);
+    sum_forces(s);
 }
 
 } // namespace suffuse::flow

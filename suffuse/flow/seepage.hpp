@@ -8,8 +8,12 @@
 #include "suffuse/flow/pressure.hpp"
 #include "suffuse/pores/network.hpp"
 
+#include <array>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace suffuse::flow {
@@ -18,6 +22,21 @@ namespace suffuse::flow {
 struct SeepageSeconds {
     double triangulate = 0, conductance = 0, solve = 0, forces = 0;
 };
+
+/// Where grains overlap so far that the network counts a negative void between them (pores::VoidAccount).
+struct ClosedVoids {
+    double share = 0;                        ///< of the whole void [-]
+    std::array<std::uint32_t, 4> grain = {}; ///< rows of those around the most negative one
+};
+
+/// The same with ids of grains in place of their rows. @param id a number a row
+ClosedVoids named_by_id(ClosedVoids closed, std::span<const std::uint32_t> id);
+
+/// Beyond this share the closed voids are told of: far above rounding, and above packings under stress (validation).
+inline constexpr double many_closed_voids = 1e-3;
+
+/// What a flow with more closed voids than that is told, its grains named as `grains` names their rows; else empty.
+std::string words_of(const ClosedVoids& closed, const std::function<std::string(std::uint32_t)>& grain);
 
 struct Seepage {
     pores::PoreNetwork network;
@@ -29,7 +48,8 @@ struct Seepage {
     std::optional<Mat3> tensor;    ///< permeability tensor, where asked [m2]
     Vec3 mean_velocity;            ///< superficial [m/s]
     Vec3 force_sum;                ///< over all grains [N]
-    double force_sum_error = 0;    ///< |force_sum + V grad p| / |V grad p|, 0 where there is no gradient [-]
+    ClosedVoids closed_voids;
+    double force_sum_error = 0; ///< |force_sum + V grad p| / |V grad p|, 0 where there is no gradient [-]
     SeepageSeconds seconds;
 };
 
@@ -37,7 +57,8 @@ struct Seepage {
 void check(const FlowSpec& spec, const Fluid& fluid);
 
 /// Solves the flow through the grains at `position` with `radius` [m], one row a grain.
-/// @throws GeometryError, SolverError; CaseError for a fluid or direction that cannot be.
+/// @throws GeometryError, also where grains overlap over all the void; SolverError; CaseError for a fluid or direction
+/// that cannot be. No result has a number that is none.
 Seepage solve_seepage(
     const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius, const FlowSpec& spec,
     const Fluid& fluid

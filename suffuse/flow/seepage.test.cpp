@@ -10,8 +10,11 @@
 
 #include "tests/support/packings.hpp"
 #include "tests/support/reference.hpp"
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
+#include <string>
 
 namespace suffuse::flow {
 namespace {
@@ -265,6 +268,90 @@ TEST(Seepage, RefusesWhatCannotBe) {
     EXPECT_THROW(seep(packing, along({1, 0, 0}, std::nan(""))), CaseError);
     EXPECT_THROW(seep(packing, along({1, 0, 0}), {.viscosity = 0}), CaseError);
     EXPECT_THROW(seep(packing, along({1, 0, 0}), {.density = -1}), CaseError);
+}
+
+std::string refusal(const Packing& packing, const FlowSpec& spec = along({1, 0, 0}, 0.1)) {
+    try {
+        seep(packing, spec);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Seepage, DirectionsOfAnyLengthAreDirections) {
+    const Packing packing = test::random_packing(identity(), 20, 0.05, 0.1, 12);
+    const double one = seep(packing, along({0.6, 0, 0.8}, 0.1)).permeability;
+    for (const double length : {1e200, 1e-200, 1e308, 1e-308}) {
+        const Seepage s = seep(packing, along(length * Vec3{0.6, 0, 0.8}, 0.1));
+        EXPECT_NEAR(s.permeability / one, 1, 1e-14) << length;
+        EXPECT_LE(s.force_sum_error, 1e-10);
+    }
+    EXPECT_THROW(seep(packing, along({std::numeric_limits<double>::infinity(), 0, 0})), CaseError);
+    EXPECT_THROW(seep(packing, along({std::nan(""), 0, 1})), CaseError);
+}
+
+TEST(Seepage, GradientsGiveNumbersOrAreRefused) {
+    const Packing packing = test::random_packing(identity(), 20, 0.05, 0.1, 12);
+    for (const double gradient : {1e308, 1e200, 1e-320, std::numeric_limits<double>::infinity()}) {
+        EXPECT_THROW(seep(packing, along({1, 0, 0}, gradient)), CaseError) << gradient;
+    }
+    for (const double gradient : {1e40, 1e-40, -1e40}) {
+        EXPECT_LE(seep(packing, along({1, 0, 0}, gradient)).force_sum_error, 1e-10) << gradient;
+    }
+}
+
+TEST(Seepage, GrainsInOnePlaceAreRefusedByTheirRows) {
+    Packing packing = test::random_packing(identity(), 20, 0.05, 0.1, 12);
+    packing.position.push_back(packing.position[3] + Vec3{1, 0, 0});
+    packing.radius.push_back(packing.radius[3]);
+    EXPECT_NE(refusal(packing).find("rows 3 and 20 lie in one place"), std::string::npos) << refusal(packing);
+}
+
+TEST(Seepage, GrainsTooSmallForTheirCellAreRefused) {
+    Packing packing{2e-3 * identity(), {{0, 0, 0}}, {1e-3}};
+    for (const Conductance law : {Conductance::Bounded, Conductance::Yade}) {
+        for (const double radius : {1e-12, 1e-20, 1e-100, 1e-310}) {
+            packing.radius = {radius};
+            EXPECT_THROW(seep(packing, along({1, 0, 0}, 0.1), {.conductance = law}), GeometryError) << radius;
+        }
+        for (const double radius : {1e-11, 1e-9, 1e-6}) {
+            packing.radius = {radius};
+            const Seepage s = seep(packing, along({1, 0, 0}, 0.1), {.conductance = law});
+            EXPECT_TRUE(std::isfinite(s.permeability) && s.permeability > 0) << radius;
+            EXPECT_LT(s.force_sum_error, 1e-3);
+        }
+    }
+    for (const double size : {1e-100, 1e-40, 1e60, 1e100, 1e160}) {
+        EXPECT_THROW(seep({size * identity(), {{0, 0, 0}}, {0.5 * size}}, along({1, 0, 0}, 0.1)), GeometryError)
+            << size;
+    }
+}
+
+TEST(Seepage, OverlapsWithoutVoidAreToldOrRefused) {
+    // Simple cubic, side L: the pores' void is L^3 - 4 pi / 3, negative from L = 1.612 on, where windows are open
+    // still.
+    const auto cubic = [](double side) { return test::lattice(2, side, 1, {{0.1, 0.2, 0.3}}); };
+    const auto row = [](std::uint32_t g) { return std::to_string(g); };
+    double before = 1e300;
+    for (const double side : {2.2, 2.0, 1.8, 1.7}) {
+        const Seepage s = seep(cubic(side), along({1, 0, 0}, 0.1));
+        EXPECT_EQ(s.closed_voids.share, 0) << side;
+        EXPECT_EQ(words_of(s.closed_voids, row), "");
+        EXPECT_LT(s.permeability, before);
+        before = s.permeability;
+    }
+    for (const double side : {1.61, 1.5, 1.42, 1.41, 1.3}) {
+        EXPECT_NE(refusal(cubic(side)).find("no void is left"), std::string::npos) << side;
+    }
+    Packing two = cubic(2.0); // one grain pushed far into its neighbor
+    two.position[0] += Vec3{1.2, 0, 0};
+    const Seepage s = seep(two, along({1, 0, 0}, 0.1));
+    EXPECT_GT(s.closed_voids.share, many_closed_voids);
+    EXPECT_NE(words_of(s.closed_voids, row).find("negative voids"), std::string::npos);
+    for (const char* const name : {"packing500", "packing2000"}) {
+        EXPECT_EQ(seep(test::reference_spheres(name), along({1, 0, 0}, 0.1)).closed_voids.share, 0);
+    }
 }
 
 } // namespace

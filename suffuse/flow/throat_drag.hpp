@@ -14,13 +14,16 @@ namespace suffuse::flow {
 inline constexpr double stokes = 1.5;
 
 /// Drag of a film over its surface, times its thickness. Fitted to resolved flows, as all that follows.
-inline constexpr double film = 1.6;
+inline constexpr double film = 1.5;
+
+/// What neighbors add to the drag of a sphere, over its surface, times the radius to which its water reaches.
+inline constexpr double crowding = 1.0;
 
 /// The same, where it tells how the grains of a throat share its drag.
 inline constexpr double film_of_share = 4;
 
-/// Part of the layer that a grain must be away from a wall to feel the water in full.
-inline constexpr double layer_at_wall = 0.5;
+/// Layers of water that a grain must be away from a wall to feel the water in full.
+inline constexpr double layer_at_wall = 1.0;
 
 /// What the water of a throat touches of its grains.
 struct WettedGrains {
@@ -58,7 +61,8 @@ inline double water_layer(const WettedGrains& grains, double water) {
 inline double throat_drag(const WettedGrains& grains, double layer) {
     double drag = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        drag += grains.area[k] * (stokes / grains.radius[k] + film / layer);
+        const double r = grains.radius[k];
+        drag += grains.area[k] * (stokes / r + crowding / (r + layer) + film / layer);
     }
     return drag;
 }

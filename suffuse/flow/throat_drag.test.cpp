@@ -58,7 +58,7 @@ TEST(DragShares, FollowDragWhereNoWallIsNear) {
 
 TEST(DragShares, AtAWallGoToTheGrainsThatHaveNone) {
     const WettedGrains grains = whole_spheres({1, 1, 5});
-    const double layer = 4; // a grain feels the water in full at a distance of 3
+    const double layer = 2; // a grain feels the water in full at a distance of 3
     const auto away = drag_shares(grains, layer, {3, 3, far}), near = drag_shares(grains, layer, {1.5, 3, far});
     const auto open = drag_shares(grains, layer, {far, far, far});
     EXPECT_EQ(away, open);

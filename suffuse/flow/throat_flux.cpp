@@ -20,6 +20,9 @@ struct Throat {
 
 /// Open throats with the size of their flux.
 std::vector<Throat> open_throats(const pores::PoreNetwork& network, std::span<const double> flux) {
+    expects(
+        network.throats.inscribed_radius.size() == flux.size(), "sizes of throats are measured before their fluxes"
+    );
     std::vector<Throat> open;
     for (std::size_t t = 0; t < network.throats.size(); ++t) {
         if (!pores::is_internal(network.throats, t) && network.throats.void_area[t] > 0 &&

@@ -1,6 +1,7 @@
 #include "suffuse/flow/throat_flux.hpp"
 
 #include "suffuse/flow/seepage.hpp"
+#include "suffuse/pores/constrictions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -84,10 +85,11 @@ TEST(ThroatFlux, ClosedThroatsAndCutsThroughOneBodyOfWaterAreNone) {
 TEST(ThroatFlux, OfAPackingDoesNotDependOnTheGradient) {
     const test::Packing packing = test::reference_spheres("packing500");
     const auto at = [&](double gradient) {
-        const Seepage seepage = solve_seepage(
+        Seepage seepage = solve_seepage(
             {packing.h, {}}, packing.position, packing.radius,
             {.gradient = gradient, .direction = {0, 0, 1}, .tensor = false}, {}
         );
+        pores::measure_constrictions(seepage.network, packing.position, packing.radius);
         return describe_fluxes(seepage.network, seepage.field.flux, gradient);
     };
     const ThroatFlux one = at(1), small = at(0.05);

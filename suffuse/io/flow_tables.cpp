@@ -26,6 +26,7 @@ void write_throats_csv(
 ) {
     const pores::Throats& throats = network.throats;
     expects(conductance.size() == throats.size() && flux.size() == throats.size(), "there is a flux for each throat");
+    expects(throats.inscribed_radius.size() == throats.size(), "constrictions are measured before they are written");
     CsvWriter table(path, "pore_1,pore_2,area,hydraulic_radius,inscribed_radius,length,conductance,flux");
     for (std::size_t t = 0; t < throats.size(); ++t) {
         table.row(

@@ -11,7 +11,8 @@ BenchFlowResult bench_flow(const BenchFlowSpec& spec) {
     const dem::World world = load_bench_packing(spec.packing);
     const Stopwatch watch;
     const flow::Seepage seepage = flow::solve_seepage(
-        world.cell, world.grains.position, world.grains.radius, {spec.gradient, spec.direction, false}, {}
+        world.cell, world.grains.position, world.grains.radius, {spec.gradient, spec.direction},
+        {.conductance = spec.conductance}
     );
     BenchFlowResult result;
     result.total = watch.seconds();

@@ -1,6 +1,7 @@
 #pragma once
 // The seconds of each part of a flow solution on a packing brought from elsewhere, with the permeability found.
 
+#include "suffuse/flow/fluid.hpp"
 #include "suffuse/plan/bench_packing.hpp"
 
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@ struct BenchFlowSpec {
     BenchPacking packing;
     double gradient = 0.05;     ///< hydraulic gradient [-]
     Vec3 direction = {1, 0, 0}; ///< where the water goes
+    flow::Conductance conductance = flow::Conductance::Bounded;
 };
 
 struct BenchFlowResult {

@@ -55,7 +55,7 @@ constexpr std::int64_t most_drawn = 300'000;
 
 constexpr double grain_memory = 1000, flow_memory = 5000; // [B], a grain
 
-constexpr Range resolved_seconds{8e-6, 6e-5}; // a box, one direction
+constexpr Range resolved_seconds{5e-6, 2e-5}; // a box, one direction
 constexpr double box_memory = 150;            // [B]
 
 /// Boxes of a grid with so many across the Sauter diameter.
@@ -228,7 +228,7 @@ public:
             .seconds = (spec.tensor ? 2.0 : 1.0) * one_flow(),
             .memory_a_grain = grain_memory + flow_memory,
             .basis = "no steps"};
-        add_resolving(price, spec.resolve, spec.tensor ? 3 : 1);
+        add_resolving(price, spec.how, spec.tensor ? 3 : 1);
         return price;
     }
 
@@ -239,7 +239,7 @@ public:
             .seconds = one_flow(),
             .memory_a_grain = 3 * grain_memory + flow_memory,
             .basis = fmt::format("relaxation, {} gradients and a twin", spec.gradients.size())};
-        add_resolving(price, spec.probe.resolve, 1);
+        add_resolving(price, spec.probe.flow, 1);
         return price;
     }
 
@@ -261,7 +261,7 @@ public:
                 "{} passes{}: relaxation, probe with its twin, two new equilibria; more where the skeleton gives way",
                 spec.passes, spec.until_nothing_leaves ? " and more, until nothing leaves" : ""
             )};
-        add_resolving(price, spec.probe.resolve, 2 * passes.most);
+        add_resolving(price, spec.probe.flow, 2 * passes.most);
         return price;
     }
 
@@ -382,12 +382,15 @@ private:
         return {at_most(strain / stiffest), at_most(strain / softest)};
     }
 
-    void add_resolving(StagePrice& price, const std::optional<std::int64_t>& across, double solutions) const {
-        if (across) {
-            const double boxes = resolving_boxes(sample_, variant_.material, static_cast<double>(*across));
-            price.seconds += solutions * boxes * resolved_seconds;
+    /// Whether `auto` resolves is known when it has the network's answer: up to as many as that.
+    void add_resolving(StagePrice& price, const flow::SolverChoice& how, double solutions) const {
+        const bool may_be = how.solver == flow::Solver::Auto;
+        if (flow::resolves(how) || may_be) {
+            const auto across = static_cast<double>(how.resolve.value_or(flow::usual_boxes_across));
+            const double boxes = resolving_boxes(sample_, variant_.material, across);
+            price.seconds += solutions * boxes * Range{may_be ? 0 : resolved_seconds.least, resolved_seconds.most};
             price.memory_a_grain += boxes * box_memory / count(sample_);
-            price.basis += fmt::format("; a grid of {:.2g} boxes", boxes);
+            price.basis += fmt::format("; {}a grid of {:.2g} boxes", may_be ? "perhaps " : "", boxes);
         }
     }
 

@@ -1,6 +1,10 @@
 #include "suffuse/pores/constrictions.hpp"
 
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/base/quantile.hpp"
+#include "suffuse/pores/facet_room.hpp"
+#include "suffuse/pores/triangulation_check.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -8,7 +12,95 @@
 namespace suffuse::pores {
 namespace {
 
+constexpr std::size_t block = 1024;
+
+struct Skeleton {
+    const PoreNetwork& network;
+    std::span<const Vec3> position;
+    std::span<const double> radius;
+    std::vector<std::array<std::uint8_t, 4>> other_side =
+        {}; ///< of each facet of each pore: its number in the neighbor
+
+    [[nodiscard]] Vec3 center(std::uint32_t g, const cell::Image& image) const {
+        return position[g] + shift(network.h, image);
+    }
+};
+
+/// What may reach into the facet of a throat, relative to its first grain at `origin`.
+class Surroundings {
+public:
+    Surroundings(const Skeleton& skeleton, std::size_t t, const Vec3& origin)
+        : skeleton_(skeleton), origin_(origin), pore_(skeleton.network.throats.side[t]) {
+        const Pores& pores = skeleton.network.pores;
+        image_[1] = skeleton.network.throats.image[t];
+        const auto is_facet = [&](std::size_t k) { // next to its own image a pore has both sides
+            return pores.throat[pore_[0]][k] == t && pores.neighbor_image[pore_[0]][k] == image_[1];
+        };
+        while (!is_facet(opposite_[0])) {
+            ++opposite_[0];
+        }
+        opposite_[1] = skeleton.other_side[pore_[0]][opposite_[0]];
+    }
+
+    /// The far corners of its two tetrahedra.
+    void add_corners(NearGrains& near) const {
+        for (std::size_t s = 0; s < 2; ++s) {
+            add(near, pore_[s], opposite_[s], image_[s]);
+        }
+    }
+
+    /// Those of the six tetrahedra behind them.
+    void add_beyond(NearGrains& near) const {
+        const Pores& pores = skeleton_.network.pores;
+        for (std::size_t s = 0; s < 2; ++s) {
+            const std::uint32_t p = pore_[s];
+            for (std::size_t k = 0; k < 4; ++k) {
+                if (k != opposite_[s]) {
+                    const cell::Image image = image_[s] + pores.neighbor_image[p][k];
+                    add(near, pores.neighbor[p][k], skeleton_.other_side[p][k], image);
+                }
+            }
+        }
+    }
+
+private:
+    void add(NearGrains& near, std::uint32_t p, std::size_t k, const cell::Image& image) const {
+        const Pores& pores = skeleton_.network.pores;
+        const std::uint32_t g = pores.grain[p][k];
+        near.add(skeleton_.center(g, pores.grain_image[p][k] + image) - origin_, skeleton_.radius[g]);
+    }
+
+    const Skeleton& skeleton_;
+    Vec3 origin_;
+    std::array<std::uint32_t, 2> pore_;
+    std::array<std::size_t, 2> opposite_{};
+    std::array<cell::Image, 2> image_{}; ///< by which the pores are moved from their own places
+};
+
+/// The largest sphere in the facet of a throat; its center is where the network has it.
+InscribedCircle find_constriction(const Skeleton& skeleton, std::size_t t) {
+    const Throats& throats = skeleton.network.throats;
+    std::array<Vec3, 3> x;
+    std::array<double, 3> r{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        x[k] = skeleton.center(throats.grain[t][k], throats.grain_image[t][k]);
+        r[k] = skeleton.radius[throats.grain[t][k]];
+    }
+    const Vec3 b = x[1] - x[0], c = x[2] - x[0];
+    NearGrains near;
+    const Surroundings around(skeleton, t, x[0]);
+    around.add_corners(near);
+    around.add_beyond(near);
+    InscribedCircle circle = inscribed_circle(b, c, r);
+    if (!circle.is_inside || !is_free(circle, near)) {
+        circle = largest_in_facet(b, c, r, circle, near);
+    }
+    circle.center += x[0];
+    return circle;
+}
+
 Constrictions sizes_of(const Throats& throats, std::span<const std::uint32_t> constricted) {
+    expects(throats.inscribed_radius.size() == throats.size(), "constrictions are measured before they are counted");
     Constrictions result;
     for (const std::uint32_t t : constricted) {
         result.diameter.push_back(2 * throats.inscribed_radius[t]);
@@ -26,6 +118,27 @@ Constrictions sizes_of(const Throats& throats, std::span<const std::uint32_t> co
 }
 
 } // namespace
+
+void measure_constrictions(PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
+    Throats& throats = network.throats;
+    resize_columns(throats.size(), throats.inscribed_radius, throats.center);
+    Skeleton skeleton{network, position, radius};
+    skeleton.other_side.resize(network.pores.size());
+    parallel_for(network.pores.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                skeleton.other_side[p][k] = static_cast<std::uint8_t>(facet_from_other_side(network.pores, p, k));
+            }
+        }
+    });
+    parallel_for(throats.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const InscribedCircle sphere = find_constriction(skeleton, t);
+            throats.inscribed_radius[t] = sphere.radius;
+            throats.center[t] = sphere.center;
+        }
+    });
+}
 
 Constrictions find_constrictions(const PoreNetwork& network) {
     return sizes_of(network.throats, throats_between_voids(network, {}, {}, VoidMerge::None));

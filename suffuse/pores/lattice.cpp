@@ -12,6 +12,11 @@
 namespace suffuse::pores {
 namespace {
 
+constexpr double smallest_cell = 1e-30, largest_cell = 1e30; // [m]: their fourth powers are numbers
+
+/// Of the shortest period: the sum of the forces on smaller grains is lost in rounding.
+constexpr double smallest_grain = 1e-9;
+
 constexpr int grid_bits = 44; // leaves 8 bits of a double for coordinates of up to 256 cell sizes: ghosts stay exact
 
 double on_grid(double x) {
@@ -74,6 +79,13 @@ void check_cell(const Mat3& h) {
             v, size
         ));
     }
+    if (!(size > smallest_cell && size < largest_cell)) {
+        throw GeometryError(fmt::format(
+            "pores: the cell's longest edge is {} m; volumes, conductances and forces need one between {} and {} m: "
+            "give lengths in meters",
+            size, smallest_cell, largest_cell
+        ));
+    }
 }
 
 void check_grains(const Mat3& compact, std::span<const Vec3> position, std::span<const double> radius) {
@@ -97,6 +109,14 @@ void check_grains(const Mat3& compact, std::span<const Vec3> position, std::span
             "pores: grain in row {} has diameter {} m and the cell repeats every {} m: it would sit inside its own "
             "image; a larger cell is needed",
             largest - radius.begin(), 2 * *largest, period
+        ));
+    }
+    const auto smallest = std::min_element(radius.begin(), radius.end());
+    if (!(*smallest > smallest_grain * period)) {
+        throw GeometryError(fmt::format(
+            "pores: grain in row {} has radius {} m and the cell repeats every {} m: it is too small to be told from "
+            "a point; give grains and cell in one unit, or leave it out",
+            smallest - radius.begin(), *smallest, period
         ));
     }
 }

@@ -2,10 +2,14 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/cell/coincident.hpp"
+#include "suffuse/pores/constrictions.hpp"
 #include "suffuse/pores/offset_union.hpp"
 #include "suffuse/pores/power_center.hpp"
 #include "suffuse/pores/throat.hpp"
 #include "suffuse/pores/triangulation_check.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <numeric>
@@ -135,7 +139,7 @@ void measure_throats(
     const std::size_t n = throats.size();
     resize_columns(
         n, throats.area, throats.void_area, throats.solid_surface, throats.wetted, throats.hydraulic_radius,
-        throats.inscribed_radius, throats.length, throats.center, throats.grain_share
+        throats.length, throats.grain_share
     );
     parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
@@ -148,7 +152,6 @@ void measure_throats(
             const Vec3 p1 = pores.center[throats.side[t][0]];
             const Vec3 p2 = pores.center[throats.side[t][1]] + shift(h, throats.image[t]);
             const ThroatGeometry geometry = measure_throat(x, r, p1, p2);
-            const InscribedCircle circle = inscribed_circle(x[1] - x[0], x[2] - x[0], r);
             throats.area[t] = geometry.area;
             throats.void_area[t] = geometry.void_area;
             throats.solid_surface[t] = geometry.solid_surface;
@@ -156,8 +159,6 @@ void measure_throats(
             throats.hydraulic_radius[t] = geometry.hydraulic_radius;
             throats.grain_share[t] = geometry.grain_share;
             throats.length[t] = norm(p2 - p1);
-            throats.inscribed_radius[t] = circle.radius;
-            throats.center[t] = x[0] + circle.center;
         }
     });
 }
@@ -215,7 +216,39 @@ PoreNetwork build_network(
 }
 
 PoreNetwork build_network(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius) {
-    return build_network(triangulate(h, position, radius), h, position, radius);
+    Triangulation triangulation = triangulate(h, position, radius);
+    expect_grains_apart(h, position, radius);
+    PoreNetwork network = build_network(std::move(triangulation), h, position, radius);
+    measure_constrictions(network, position, radius);
+    return network;
+}
+
+VoidAccount account_voids(const PoreNetwork& network) {
+    const Pores& pores = network.pores;
+    std::vector<double> of_body(network.bodies, 0.0);
+    std::size_t deepest = 0;
+    for (std::size_t p = 0; p < pores.size(); ++p) {
+        of_body[pores.body[p]] += pores.void_volume[p];
+        deepest = pores.void_volume[p] < pores.void_volume[deepest] ? p : deepest;
+    }
+    VoidAccount account;
+    account.deepest = pores.grain[deepest];
+    for (const double part : of_body) {
+        account.all += part;
+        account.negative += std::max(0.0, -part);
+    }
+    return account;
+}
+
+void expect_grains_apart(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius) {
+    if (const auto rows = cell::find_coincident(h, position, radius)) {
+        const Vec3& x = position[rows->second];
+        throw GeometryError(fmt::format(
+            "pores: the grains in rows {} and {} lie in one place, ({}, {}, {}) m or an image of it; take one of them "
+            "out",
+            rows->first, rows->second, x.x, x.y, x.z
+        ));
+    }
 }
 
 } // namespace suffuse::pores

@@ -44,9 +44,9 @@ struct Throats {
     std::vector<double> solid_surface;         ///< wetted by the throat's water [m2]
     std::vector<std::array<double, 3>> wetted; ///< the part of it that is each grain's [m2]
     std::vector<double> hydraulic_radius;      ///< [m]
-    std::vector<double> inscribed_radius;      ///< of the circle that touches the three grains: the constriction [m]
-    std::vector<double> length; ///< between the pore centers; exactly 0 inside a body of several pores [m]
-    std::vector<Vec3> center;   ///< of the inscribed circle [m]
+    std::vector<double> inscribed_radius; ///< of the largest free sphere centered in the facet: the constriction [m]
+    std::vector<double> length;           ///< between the pore centers; exactly 0 inside a body of several pores [m]
+    std::vector<Vec3> center;             ///< of that sphere; both columns are empty until measure_constrictions [m]
     std::vector<std::array<double, 3>> grain_share; ///< part of pressure difference x area that each grain receives [-]
 
     [[nodiscard]] std::size_t size() const { return side.size(); }
@@ -60,6 +60,19 @@ struct PoreNetwork {
     std::vector<std::uint32_t> hidden; ///< grains buried in others: no pore touches them, no fluid pushes them
     double jitter = 0;                 ///< see Triangulation [m]
 };
+
+/// What is left between the grains, counted by bodies of water. Where two grains overlap their common part is taken off
+/// twice, so that a body whose grains overlap much has a negative void: its throats mean nothing.
+struct VoidAccount {
+    double all = 0;                            ///< sum over bodies [m3]
+    double negative = 0;                       ///< of those below 0, as a positive number [m3]
+    std::array<std::uint32_t, 4> deepest = {}; ///< grains of the pore whose void is the most negative
+};
+
+VoidAccount account_voids(const PoreNetwork& network);
+
+/// @throws GeometryError for two grains in one place.
+void expect_grains_apart(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius);
 
 /// A throat between two pores of one body: an artificial cut through one void, no constriction.
 inline bool is_internal(const Throats& throats, std::size_t t) {
@@ -77,12 +90,13 @@ inline std::size_t side_of(const PoreNetwork& network, std::uint32_t p, std::siz
 /// Pore centers closer than this share of the facet's size (square root of its area) coincide.
 inline constexpr double coincidence = 1e-9;
 
-/// Builds the tables of a triangulation of the same cell, positions and radii. @throws GeometryError if it is not one.
+/// Builds the tables of a triangulation of the same cell, positions and radii, without constrictions, which a flow does
+/// not need. @throws GeometryError if it is not one.
 PoreNetwork build_network(
     Triangulation&& triangulation, const Mat3& h, std::span<const Vec3> position, std::span<const double> radius
 );
 
-/// Triangulates and builds. @throws GeometryError for input that is not a packing.
+/// Triangulates, builds and measures the constrictions. @throws GeometryError for input that is not a packing.
 PoreNetwork build_network(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius);
 
 } // namespace suffuse::pores

@@ -12,10 +12,12 @@ namespace suffuse::pores {
 /// Solid angle of the triangle (a, b, c) seen from the origin [sr], positive where a, b, c turn left seen from there.
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The circle in the plane of three grain centers that touches the three grains: the constriction.
+/// The circle in the plane of three grain centers that touches the three grains. Alone it is no constriction: three
+/// grains with a common tangent have one as large as one likes, with its center far from them (facet_room.hpp).
 struct InscribedCircle {
-    Vec3 center;       ///< relative to the first grain center [m]
-    double radius = 0; ///< 0 where none fits; negative where the grains overlap over the whole triangle [m]
+    Vec3 center;            ///< relative to the first grain center [m]
+    double radius = 0;      ///< 0 where none fits; negative where the grains overlap over the whole triangle [m]
+    bool is_inside = false; ///< its center lies in the triangle, or on an edge of it
 };
 
 /// `b`, `c`: centers of the second and third grain relative to the first [m]; `r`: radii [m].

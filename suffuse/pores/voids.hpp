@@ -43,7 +43,7 @@ std::vector<VoidSphere>
 void_spheres(const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius);
 
 /// The throats of `network` that lead from one void into another or into its image, in rising order. Facets that cut
-/// one window between two voids, so that their circles coincide, count once, unless `merge` is None. A void that runs
+/// one window between two voids, so that their spheres coincide, count once, unless `merge` is None. A void that runs
 /// through the cell and meets itself is one with its images. `position` and `radius` are those of the network [m]; None
 /// needs neither.
 std::vector<std::uint32_t> throats_between_voids(

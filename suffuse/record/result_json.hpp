@@ -100,6 +100,48 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Constrictions, diameter, center, mean, median
 } // namespace pores
 
 namespace flow {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ClosedVoids, share, grain)
+NLOHMANN_JSON_SERIALIZE_ENUM(
+    Solver, {{Solver::Network, name_of(Solver::Network)}, {Solver::Resolved, name_of(Solver::Resolved)}}
+)
+NLOHMANN_JSON_SERIALIZE_ENUM(
+    Doubt, {{Doubt::None, name_of(Doubt::None)},
+            {Doubt::FewFines, name_of(Doubt::FewFines)},
+            {Doubt::LittleFines, name_of(Doubt::LittleFines)},
+            {Doubt::RaisedByFines, name_of(Doubt::RaisedByFines)}}
+)
+
+inline void to_json(nlohmann::json& json, const KnownError& error) {
+    json = {
+        {"permeability", or_null(error.permeability)},
+        {"force_sum", or_null(error.force_sum)},
+        {"force", or_null(error.force)}};
+}
+
+inline void from_json(const nlohmann::json& json, KnownError& error) {
+    const auto read = [&](const char* name) {
+        const nlohmann::json& value = json.at(name);
+        return value.is_null() ? std::optional<double>() : value.get<double>();
+    };
+    error = {read("permeability"), read("force_sum"), read("force")};
+}
+
+inline void to_json(nlohmann::json& json, const FlowSource& source) {
+    json = {
+        {"solver", source.solver},
+        {"known_error", source.known_error},
+        {"raised_by_fines", or_null(source.raised_by_fines)},
+        {"doubt", source.doubt}};
+}
+
+inline void from_json(const nlohmann::json& json, FlowSource& source) {
+    json.at("solver").get_to(source.solver);
+    json.at("known_error").get_to(source.known_error);
+    json.at("doubt").get_to(source.doubt);
+    const nlohmann::json& raised = json.at("raised_by_fines");
+    source.raised_by_fines = raised.is_null() ? std::optional<double>() : raised.get<double>();
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     ThroatFlux, throats, mean, half_carried_by, quantile, carried, diameter, flux_10, flux_50, flux_90
 )
@@ -107,9 +149,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 
 namespace erosion {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // probes of earlier runs lack what the noise hides
-    ProbeResult, gradient, unbalanced_force, reached_floor, relax_steps, ramp, watch, time_step, fluid_over_contact,
-    signal_over_twin, viscous_time, beyond_viscous_time, id, diameter, fluid_force, coordination, speed, twin_speed,
-    displacement, free_speed, free_displacement, twin_noise, by_velocity, by_displacement, agreement, hidden_by_noise
+    ProbeResult, gradient, flow, unbalanced_force, reached_floor, relax_steps, ramp, watch, time_step,
+    fluid_over_contact, signal_over_twin, viscous_time, beyond_viscous_time, id, diameter, fluid_force, coordination,
+    speed, twin_speed, displacement, free_speed, free_displacement, twin_noise, by_velocity, by_displacement, agreement,
+    hidden_by_noise
 )
 NLOHMANN_JSON_SERIALIZE_ENUM(
     Phase, {{Phase::Removal, name_of(Phase::Removal)},
@@ -148,9 +191,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack 
     PassResult, pass, probe, constrictions, merge, constrictions_by_merge, detachable, held_back, removed, transport,
     eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,
     stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after,
-    fines_content_after, volumetric_strain, permeability_before, permeability_after, reynolds_before, reynolds_after,
-    tortuosity_before, tortuosity_after, throat_flux_before, throat_flux_after, steps, time_step, wall_seconds, failed,
-    reached_target, verdict
+    fines_content_after, volumetric_strain, permeability_before, permeability_after, flow_after, reynolds_before,
+    reynolds_after, closed_voids, tortuosity_before, tortuosity_after, throat_flux_before, throat_flux_after, steps,
+    time_step, wall_seconds, failed, reached_target, verdict
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemovalResult, erosion, start_h, asked_mass)

@@ -13,6 +13,7 @@
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/io/flow_tables.hpp"
 #include "suffuse/io/tables.hpp"
+#include "suffuse/pores/constrictions.hpp"
 #include "suffuse/record/case_hash.hpp"
 #include "suffuse/record/ending_words.hpp"
 #include "suffuse/record/folder.hpp"
@@ -21,7 +22,7 @@
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/run/take_pass.hpp"
-#include "suffuse/stokes/resolved_flow.hpp"
+#include "suffuse/stokes/water.hpp"
 
 #include <fmt/format.h>
 
@@ -70,6 +71,15 @@ json transport_numbers(const erosion::Transport& transport) {
     };
 }
 
+/// Which flow a number is of, and what is known of it.
+json source_numbers(const flow::FlowSource& source) {
+    json numbers = source;
+    if (source.doubt == flow::Doubt::None) {
+        numbers["doubt"] = nullptr;
+    }
+    return numbers;
+}
+
 json pass_numbers(const erosion::PassResult& pass) {
     json by_merge = json::object();
     for (std::size_t way = 0; way < pores::every_merge.size(); ++way) {
@@ -89,6 +99,8 @@ json pass_numbers(const erosion::PassResult& pass) {
         {"constrictions_by_merge", by_merge},
         {"permeability_before", pass.permeability_before},
         {"permeability_after", pass.permeability_after},
+        {"flow_before", source_numbers(pass.probe.flow)},
+        {"flow_after", source_numbers(pass.flow_after)},
         {"reynolds_number_before", pass.reynolds_before},
         {"reynolds_number_after", pass.reynolds_after},
         {"tortuosity_before", pass.tortuosity_before},
@@ -101,18 +113,45 @@ json pass_numbers(const erosion::PassResult& pass) {
     return numbers;
 }
 
-/// Below this the network's permeability is too high by 40 % and more: validation/permeability.md.
+/// Below this Yade's law is too permeable by 40 % and more: validation/permeability.md.
 constexpr double open_packing = 0.55;
 
-void note_open_packing(StageWork& work, const std::string& when, double porosity) {
-    const double solid_fraction = 1 - porosity;
-    if (solid_fraction < open_packing) {
+/// @param when "of the sample", "after pass 2"
+void note_network(
+    StageWork& work, const std::string& when, const flow::FlowSource& source, double porosity, bool would_resolve
+) {
+    if (would_resolve && source.solver == flow::Solver::Network && source.doubt != flow::Doubt::None) {
         work.warnings.push_back(fmt::format(
-            "{}: the solid fraction {} is {:.3f}: below {} the pore network's permeability is too high by 40 % and "
-            "more (validation/permeability.md), and its ratio to a denser state's is too high as well; the fluid's "
-            "forces add up to the gradient all the same",
+            "{}: solver \"auto\" would resolve the flow {} ({}), and the cell is sheared: the network's is taken",
+            work.place(), when, name_of(source.doubt)
+        ));
+    }
+    if (source.solver == flow::Solver::Network && source.raised_by_fines.value_or(0) > flow::most_raised) {
+        work.warnings.push_back(fmt::format(
+            "{}: the pore network makes the permeability {} {:.3f} times that of the coarse grains alone, and grains "
+            "more cannot raise it: it is too high by that at least; solver = \"resolved\" solves the flow between the "
+            "grains, \"auto\" where this is so",
+            work.place(), when, *source.raised_by_fines
+        ));
+    }
+    const double solid_fraction = 1 - porosity;
+    const bool is_yades =
+        source.solver == flow::Solver::Network && work.what.fluid.conductance == flow::Conductance::Yade;
+    if (is_yades && solid_fraction < open_packing) {
+        work.warnings.push_back(fmt::format(
+            "{}: the solid fraction {} is {:.3f}: below {} the permeability of conductance = \"yade\" is too high by "
+            "40 % and more (validation/permeability.md), and its ratio to a denser state's is too high as well; the "
+            "fluid's forces add up to the gradient all the same",
             work.place(), when, solid_fraction, open_packing
         ));
+    }
+}
+
+/// @param closed with grains by id
+void note_closed_voids(StageWork& work, const std::string& when, const flow::ClosedVoids& closed) {
+    const std::string words = flow::words_of(closed, [](std::uint32_t id) { return std::to_string(id); });
+    if (!words.empty()) {
+        work.warnings.push_back(fmt::format("{}: {}{}", work.place(), when, words));
     }
 }
 
@@ -213,12 +252,7 @@ json force_difference(const std::vector<Vec3>& network, const std::vector<Vec3>&
 }
 
 /// The flow between the grains themselves, beside that of the network.
-json resolve(StageWork& work, const flow::FlowSpec& spec, const std::vector<Vec3>& network_force) {
-    const grains::Grains& grains = work.world.grains;
-    const stokes::ResolvedFlow flow = stokes::resolve_flow(
-        work.world.cell, grains.position, grains.radius, spec, work.what.fluid,
-        {.boxes_across = static_cast<double>(*spec.resolve)}, work.control.pulse()
-    );
+json resolved_numbers(const stokes::ResolvedFlow& flow, const std::vector<Vec3>& network_force) {
     json numbers = {
         {"permeability", flow.permeability},
         {"finer_permeability", flow.finer_permeability},
@@ -235,9 +269,6 @@ json resolve(StageWork& work, const flow::FlowSpec& spec, const std::vector<Vec3
         numbers["permeability_along"] = flow.permeability;
         numbers["permeability"] = *flow.tensor;
     }
-    if (work.write_tables) {
-        io::write_grain_forces_csv(work.folder / "resolved_forces.csv", grains, {flow.grain_force});
-    }
     return numbers;
 }
 
@@ -245,32 +276,40 @@ json resolve(StageWork& work, const flow::FlowSpec& spec, const std::vector<Vec3
 
 void do_flow(StageWork& work, const flow::FlowSpec& spec) {
     const dem::World& world = work.world;
-    const flow::Seepage seepage =
-        flow::solve_seepage(world.cell, world.grains.position, world.grains.radius, spec, work.what.fluid);
-    const double porosity = dem::porosity(world);
-    if (spec.resolve) {
-        work.numbers["resolved"] = resolve(work, spec, seepage.grain_force);
-    } else {
-        note_open_packing(work, "of the sample", porosity);
-    }
-    json& numbers = work.numbers;
-    numbers["gradient"] = spec.gradient;
-    numbers["permeability"] = seepage.permeability;
-    if (seepage.tensor) {
-        numbers["permeability_along"] = seepage.permeability;
-        numbers["permeability"] = *seepage.tensor;
-    }
-    numbers["mean_velocity"] = seepage.mean_velocity;
-    const std::vector<Vec3> velocity =
-        flow::pore_velocities(seepage.network, world.grains.position, world.grains.radius, seepage.field.flux);
-    numbers["tortuosity"] = flow::tortuosity(seepage.network, velocity);
-    const double reynolds = flow::reynolds_number(
-        seepage.permeability, spec.gradient, flow::sauter_diameter(world.grains.radius), work.what.fluid
+    const grains::Grains& grains = world.grains;
+    const stokes::Water water = stokes::solve_water(
+        world.cell, grains.position, grains.radius, grains.fine, spec, work.what.fluid, spec.how, work.control.pulse()
     );
+    const flow::Seepage& seepage = water.network;
+    const flow::FlowSource& source = water.source;
+    const bool is_resolved = water.is_resolved();
+    const double porosity = dem::porosity(world);
+    note_network(work, "of the sample", source, porosity, spec.how.solver == flow::Solver::Auto);
+    note_closed_voids(work, "", flow::named_by_id(seepage.closed_voids, grains.id));
+    json& numbers = work.numbers;
+    numbers.update(source_numbers(source));
+    numbers["gradient"] = spec.gradient;
+    const double permeability = water.permeability();
+    const std::optional<Mat3>& tensor = is_resolved ? water.resolved->tensor : seepage.tensor;
+    numbers["permeability"] = permeability;
+    if (tensor) {
+        numbers["permeability_along"] = permeability;
+        numbers["permeability"] = *tensor;
+    }
+    if (water.resolved) {
+        numbers["resolved"] = resolved_numbers(*water.resolved, seepage.grain_force);
+        numbers["network_permeability"] = seepage.permeability;
+    }
+    numbers["mean_velocity"] = is_resolved ? water.resolved->mean_velocity : seepage.mean_velocity;
+    const std::vector<Vec3> velocity =
+        flow::pore_velocities(seepage.network, grains.position, grains.radius, seepage.field.flux);
+    numbers["tortuosity"] = flow::tortuosity(seepage.network, velocity);
+    const double reynolds =
+        flow::reynolds_number(permeability, spec.gradient, flow::sauter_diameter(grains.radius), work.what.fluid);
     numbers["reynolds_number"] = reynolds;
     note_fast_water(work, "in the sample", spec.gradient, reynolds, porosity);
     numbers["pressure_gradient"] = seepage.pressure_gradient;
-    numbers["force_sum"] = seepage.force_sum;
+    numbers["force_sum"] = is_resolved ? water.resolved->force_sum : seepage.force_sum;
     numbers["force_sum_error"] = seepage.force_sum_error;
     work.findings.throat_flux =
         flow::describe_fluxes(seepage.network, seepage.field.flux, spec.gradient != 0 ? spec.gradient : 1);
@@ -286,13 +325,16 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
         {"forces", seepage.seconds.forces}};
     numbers["steps"] = 0;
     if (work.write_tables) {
-        io::write_grain_forces_csv(work.folder / "grain_forces.csv", world.grains, {seepage.grain_force});
+        io::write_grain_forces_csv(work.folder / "grain_forces.csv", grains, {water.grain_force()});
+        if (water.resolved) {
+            io::write_grain_forces_csv(work.folder / "resolved_forces.csv", grains, {water.resolved->grain_force});
+        }
         io::write_pores_csv(work.folder / "pores.csv", seepage.network, seepage.field.pressure, velocity);
         io::write_throats_csv(work.folder / "throats.csv", seepage.network, seepage.conductance, seepage.field.flux);
     }
     if (record::writes(work.what.output, "vtp")) {
         io::write_pores_vtu(
-            work.folder / "pores.vtu", seepage.network, world.grains.position, seepage.field.pressure, velocity
+            work.folder / "pores.vtu", seepage.network, grains.position, seepage.field.pressure, velocity
         );
     }
 }
@@ -306,6 +348,10 @@ void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
     }
     work.numbers["probes"] = probes;
     const erosion::ProbeResult& first = work.findings.probes.front();
+    work.numbers.update(source_numbers(first.flow));
+    note_network(
+        work, "of the sample", first.flow, dem::porosity(work.world), spec.probe.flow.solver == flow::Solver::Auto
+    );
     const auto count = static_cast<std::int64_t>(work.findings.probes.size());
     work.time_step = first.time_step;
     work.numbers["steps"] = first.relax_steps + (count + 1) * (first.ramp + first.watch); // one twin serves all
@@ -358,9 +404,11 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     if (!result.passes.empty()) {
         const erosion::PassResult& last = result.passes.back();
         const std::string when = fmt::format("after pass {}", last.pass);
-        if (!spec.probe.resolve) {
-            note_open_packing(work, when, last.porosity_after);
-        }
+        const bool would_resolve = spec.probe.flow.solver == flow::Solver::Auto;
+        const erosion::PassResult& first = result.passes.front();
+        note_network(work, "before pass 1", first.probe.flow, first.porosity_before, would_resolve);
+        note_network(work, when, last.flow_after, last.porosity_after, would_resolve);
+        note_closed_voids(work, when + ": ", last.closed_voids);
         note_fast_water(work, when, spec.gradient, last.reynolds_after, last.porosity_after);
     }
     work.numbers["passes"] = passes;

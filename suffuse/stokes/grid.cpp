@@ -29,18 +29,25 @@ std::size_t even_smooth_from(std::size_t least) {
 
 } // namespace
 
-Grid grid_over(const Mat3& h, double spacing) {
-    Grid grid;
-    double total = 1;
+bool is_right_angled(const Mat3& h) {
     for (int a = 0; a < 3; ++a) {
         for (int b = 0; b < 3; ++b) {
             if (a != b && std::abs(h(a, b)) > 1e-12 * std::abs(h(a, a))) {
-                throw GeometryError(
-                    "resolved flow: the cell is sheared; a right-angled cell along x, y, z is expected. The pore "
-                    "network takes cells of any shape"
-                );
+                return false;
             }
         }
+    }
+    return true;
+}
+
+Grid grid_over(const Mat3& h, double spacing) {
+    if (!is_right_angled(h)) {
+        throw GeometryError("resolved flow: the cell is sheared; a right-angled cell along x, y, z is expected. The "
+                            "pore network takes cells of any shape");
+    }
+    Grid grid;
+    double total = 1;
+    for (int a = 0; a < 3; ++a) {
         if (!(h(a, a) > 0)) {
             throw GeometryError("resolved flow: the cell has no positive width along each of x, y, z");
         }

@@ -24,6 +24,9 @@ struct Grid {
     [[nodiscard]] std::size_t field_size() const { return rows() * row_length(); }
 };
 
+/// Whether the cell's edges lie along x, y, z.
+bool is_right_angled(const Mat3& h);
+
 /// The coarsest grid of spacing at most `spacing` [m] whose numbers of boxes are even products of 2, 3, 5 and 7.
 /// @throws GeometryError for a cell that is not right-angled along x, y, z, or one of more than 2^31 boxes.
 Grid grid_over(const Mat3& h, double spacing);

@@ -4,16 +4,20 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/run_text.hpp"
+#include <fstream>
 
 namespace suffuse::test {
 namespace {
 
 using nlohmann::json;
 
+/// Behind the constants, whose last table is [fluid].
+const std::string yades_law = "conductance = \"yade\"\n";
+
 TEST(ReferenceErosion, TenThousandGrainsLoseTheirRattlersInTheFirstPass) {
     const TempFolder folder;
     run_text(
-        reference_constants + reference_soil() + study_of_packing("packing10k") + R"(
+        reference_constants + yades_law + reference_soil() + study_of_packing("packing10k") + R"(
 [[study.s.stage]]
 name      = "erosion"
 do        = "erode"
@@ -36,7 +40,9 @@ direction = "-x"
     within_two_percent(pass.at("porosity_after"), 0.48272);
     within_two_percent(pass.at("permeability_before"), 5.36e-11);
     within_two_percent(pass.at("permeability_after"), 1.66e-10);
-    within_two_percent(pass.at("constriction_mean"), 0.448e-3);
+    // The reference's 0.448 mm is that of circles, whatever they reach into (pores/constrictions.test.cpp compares
+    // them).
+    within_two_percent(pass.at("constriction_mean"), 0.404e-3);
     const json& merged = pass.at("constrictions_by_merge");
     EXPECT_EQ(merged.at("none").at("mean"), pass.at("constriction_mean"));
     EXPECT_EQ(merged.at("none").at("count"), pass.at("constrictions"));
@@ -61,13 +67,44 @@ TEST(OpenPackings, AreWarnedOfWhereTheirPermeabilityIsAsked) {
         run_text(reference_constants + study + flow, folder.path());
         return stage_of(folder.path(), "flow").at("warnings").dump();
     };
-    const std::string open = warnings(
-        mixed_soil + "[study.s]\nsoil = \"mixture\"\nparticles = 200\n[[study.s.stage]]\nname = \"cloud\"\n"
-                     "do = \"pack\"\nporosity = 0.5\n"
-    );
+    const std::string cloud = mixed_soil +
+                              "[study.s]\nsoil = \"mixture\"\nparticles = 200\n[[study.s.stage]]\nname = \"cloud\"\n"
+                              "do = \"pack\"\nporosity = 0.5\n";
+    const std::string open = warnings(yades_law + cloud);
     EXPECT_NE(open.find("the solid fraction of the sample is 0.500"), std::string::npos) << open;
     EXPECT_NE(open.find("too high by 40 % and more"), std::string::npos) << open;
-    EXPECT_EQ(warnings(reference_soil() + study_of_packing("packing500")).find("solid fraction"), std::string::npos);
+    const std::string dense = reference_soil() + study_of_packing("packing500");
+    EXPECT_EQ(warnings(yades_law + dense).find("solid fraction"), std::string::npos);
+    EXPECT_EQ(warnings(cloud).find("solid fraction"), std::string::npos); // bounded drag is for them too
+}
+
+TEST(ClosedVoids, AreWarnedOfWhereWaterFlowsByTheGrainsThatOverlap) {
+    const TempFolder folder;
+    std::ofstream(folder.path() / "two.csv")
+        << "x,y,z,r\n1e-3,1e-3,1e-3,1e-3\n1.1e-3,1e-3,1e-3,1e-3\n3e-3,3e-3,3e-3,1e-3\n";
+    run_text(
+        reference_constants + reference_soil() + R"(
+[study.s]
+soil = "sand"
+[[study.s.stage]]
+name        = "start"
+do          = "import"
+packing     = ")" +
+            (folder.path() / "two.csv").string() +
+            R"("
+cell        = ["4.4 mm", "4.4 mm", "4.4 mm"]
+max_overlap = 2
+[[study.s.stage]]
+name      = "flow"
+do        = "flow"
+gradient  = 0.05
+direction = [0, 0, 1e200]
+)",
+        folder.path()
+    );
+    const json flow = stage_of(folder.path(), "flow");
+    EXPECT_NE(flow.at("warnings").dump().find("counts negative voids"), std::string::npos) << flow.at("warnings");
+    EXPECT_GT(flow.at("permeability"), 0);
 }
 
 TEST(FastWater, IsWarnedOfWhereItsInertiaWouldCount) {

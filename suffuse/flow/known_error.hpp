@@ -1,0 +1,74 @@
+#pragma once
+// Which flow a result is of, and how far such a one is known to be off: what validation/size_ratio.md measured, and a
+// check that any packing can be put to: fines held in the water cannot make it faster.
+
+#include "suffuse/cell/cell.hpp"
+#include "suffuse/flow/fluid.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace suffuse::flow {
+
+/// Largest errors seen, over the right value; nothing where no bound is known.
+struct KnownError {
+    std::optional<double> permeability; ///< along one direction of one sample [-]
+    std::optional<double> force_sum;    ///< of the forces on all fines, along the flow [-]
+    std::optional<double> force;        ///< root mean square over single grains [-]
+};
+
+/// What the network is known to be bad at.
+enum class Doubt {
+    None,
+    FewFines,      ///< fewer than 50 of them
+    LittleFines,   ///< at most 1 % of the mass
+    RaisedByFines, ///< it has a higher permeability with the fines than without
+};
+
+/// "", "fewer than 50 fines" ...
+std::string_view name_of(Doubt doubt);
+
+/// Where a permeability and the forces on the grains are from.
+struct FlowSource {
+    Solver solver = Solver::Network; ///< never Auto
+    KnownError known_error;
+    std::optional<double> raised_by_fines; ///< the network's permeability over that of its coarse grains alone [-]
+    Doubt doubt = Doubt::None;             ///< of the network
+};
+
+/// More than this and the network's word is doubted.
+inline constexpr double most_raised = 1.02;
+
+/// Grains of two kinds.
+struct Mixture {
+    double solid_fraction = 0;
+    double size_ratio = 1;    ///< Sauter diameter of the coarse grains over that of the fines; 1 where one is missing
+    double fines_content = 0; ///< by volume [-]
+    std::size_t fines = 0, coarse = 0;
+};
+
+/// 1 for a fine grain: those below the widest gap between neighboring sizes, if one is 1.5 times the other there; else
+/// there are none. For packings that do not say.
+std::vector<std::uint8_t> tell_fines(std::span<const double> radius);
+
+/// @param fine 1 for a fine grain, a row a grain
+Mixture describe_mixture(std::span<const double> radius, std::span<const std::uint8_t> fine, double volume);
+
+/// Of the network under a law of conductances.
+KnownError known_error(Conductance law, const Mixture& mixture);
+
+/// `permeability` along a direction, with the fines, over that of the coarse grains alone [-]; nothing where there are
+/// not both. @throws as solve_seepage
+std::optional<double> raised_by_fines(
+    const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius,
+    std::span<const std::uint8_t> fine, const Vec3& direction, const Fluid& fluid, double permeability
+);
+
+/// The first that holds, in the order of `Doubt`.
+Doubt doubt_network(const Mixture& mixture, std::optional<double> raised_by_fines);
+
+} // namespace suffuse::flow

@@ -1,0 +1,102 @@
+#include "suffuse/flow/known_error.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/flow/seepage.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/packings.hpp"
+
+namespace suffuse::flow {
+namespace {
+
+using Marks = std::vector<std::uint8_t>;
+
+/// Coarse grains of 1, fines of a size.
+Mixture mixture_of(std::size_t coarse, std::size_t fines, double size, double solid_fraction) {
+    std::vector<double> radius(coarse, 1.0);
+    Marks fine(coarse, 0);
+    radius.insert(radius.end(), fines, size);
+    fine.insert(fine.end(), fines, 1);
+    double cubes = 0;
+    for (const double r : radius) {
+        cubes += r * r * r;
+    }
+    return describe_mixture(radius, fine, 4 * pi / 3 * cubes / solid_fraction);
+}
+
+TEST(Mixture, HasTheNumbersOfItsTwoKinds) {
+    const Mixture mixture = mixture_of(10, 300, 0.2, 0.6);
+    EXPECT_EQ(mixture.coarse, 10U);
+    EXPECT_EQ(mixture.fines, 300U);
+    EXPECT_NEAR(mixture.size_ratio, 5, 1e-12);
+    EXPECT_NEAR(mixture.fines_content, 300 * 0.008 / (10 + 300 * 0.008), 1e-12);
+    EXPECT_NEAR(mixture.solid_fraction, 0.6, 1e-12);
+    EXPECT_EQ(mixture_of(10, 0, 0.2, 0.6).size_ratio, 1);
+}
+
+TEST(FinesOfSizes, AreThoseBelowTheWidestGap) {
+    const std::vector<double> radius = {1, 0.1, 0.9, 0.11, 1.1};
+    EXPECT_EQ(tell_fines(radius), (Marks{0, 1, 0, 1, 0}));
+    const std::vector<double> continuous = {1, 1.3, 1.6, 2.0};
+    EXPECT_EQ(tell_fines(continuous), (Marks{0, 0, 0, 0}));
+    EXPECT_EQ(tell_fines({}), Marks{});
+}
+
+TEST(KnownErrors, AreWiderWhereFinesAreFewOrGrainsDoNotTouch) {
+    const auto permeability = [](const Mixture& mixture) {
+        return known_error(Conductance::Bounded, mixture).permeability.value();
+    };
+    EXPECT_EQ(permeability(mixture_of(50, 2000, 0.2, 0.6)), 0.15);
+    EXPECT_EQ(permeability(mixture_of(50, 49, 0.2, 0.6)), 0.20);
+    EXPECT_EQ(permeability(mixture_of(500, 60, 0.2, 0.6)), 0.20); // 0.1 % of the solids
+    EXPECT_EQ(permeability(mixture_of(50, 0, 0.2, 0.4)), 0.20);
+    EXPECT_EQ(permeability(mixture_of(50, 0, 0.2, 0.6)), 0.15);
+}
+
+TEST(KnownErrors, OfYadesLawGrowWithTheRatioUntilNoneIsKnown) {
+    const auto permeability = [](const Mixture& mixture) {
+        return known_error(Conductance::Yade, mixture).permeability;
+    };
+    EXPECT_EQ(permeability(mixture_of(50, 0, 1, 0.65)), 0.05);
+    EXPECT_NEAR(permeability(mixture_of(50, 0, 1, 0.599)).value(), 0.13, 1e-12); // half way between two measured
+    EXPECT_EQ(permeability(mixture_of(50, 0, 1, 0.4)), std::nullopt);
+    double before = 0.25;
+    for (const double size : {0.3, 0.2, 0.12}) {
+        const double error = permeability(mixture_of(50, 2000, size, 0.6)).value();
+        EXPECT_GT(error, before);
+        before = error;
+    }
+    EXPECT_EQ(permeability(mixture_of(50, 2000, 0.05, 0.6)), std::nullopt);
+}
+
+TEST(RaisedByFines, ComparesWithTheCoarseGrainsAlone) {
+    test::Packing packing = test::lattice(2, 1, 0.42, {{0.1, 0.2, 0.3}});
+    const Fluid fluid;
+    const Vec3 along{0, 0, 1};
+    const auto permeability = [&] {
+        return solve_seepage({packing.h, {}}, packing.position, packing.radius, {1, along}, fluid).permeability;
+    };
+    const auto raised = [&](double found) {
+        return raised_by_fines(
+            {packing.h, {}}, packing.position, packing.radius, tell_fines(packing.radius), along, fluid, found
+        );
+    };
+    const double alone = permeability();
+    EXPECT_EQ(raised(alone), std::nullopt); // all of one kind
+    packing.position.push_back({0.6, 0.7, 0.8});
+    packing.radius.push_back(0.1);
+    const double both = permeability();
+    EXPECT_NEAR(raised(both).value(), both / alone, 1e-12);
+}
+
+TEST(Doubts, AreOfFewFinesLittleFinesAndOfAPermeabilityThatTheyRaise) {
+    EXPECT_EQ(doubt_network(mixture_of(50, 2000, 0.2, 0.6), 0.9), Doubt::None);
+    EXPECT_EQ(doubt_network(mixture_of(50, 2000, 0.2, 0.6), 1.03), Doubt::RaisedByFines);
+    EXPECT_EQ(doubt_network(mixture_of(50, 10, 0.2, 0.6), 0.9), Doubt::FewFines);
+    EXPECT_EQ(doubt_network(mixture_of(5000, 100, 0.2, 0.6), 0.9), Doubt::LittleFines);
+    EXPECT_EQ(doubt_network(mixture_of(50, 0, 0.2, 0.6), std::nullopt), Doubt::None);
+}
+
+} // namespace
+} // namespace suffuse::flow
