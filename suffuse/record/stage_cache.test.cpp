@@ -139,6 +139,7 @@ TEST_F(Cached, AStageThatWasDamagedIsNotKept) {
 TEST_F(Cached, AStageWhoseNumbersTellOfFinesIsNotTakenForOneWithout) {
     const casefile::Case what;
     stage.spec = packing::CompactSpec{};
+    variant.stages = {stage};
     variant.soil = grains::Soil{};
     const std::string plain = StageCache::key_of(what, variant, stage, "1");
     variant.soil->fines.emplace();
