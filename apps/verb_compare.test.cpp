@@ -51,8 +51,7 @@ TEST_F(Compare, AnotherPressureIsCodeFiveAndSaysWhereItDiffers) {
         EXPECT_NE(difference.at("where"), "replay/settled: void_ratio");
     }
     EXPECT_LT(
-        near.at("differences").size(),
-        say({"compare", "first", "second", "--json"}).json().at("differences").size()
+        near.at("differences").size(), say({"compare", "first", "second", "--json"}).json().at("differences").size()
     );
 }
 

@@ -55,17 +55,10 @@ Water solve(Packing packing, const flow::FlowSpec& spec, const flow::Fluid& flui
         std::move(seepage), spec, fluid, water.source, std::move(packed)});
 }
 
-void warn_of(const SolvedSeepage& water) {
-    if (water.source.solver == flow::Solver::Network && water.source.raised_by_fines.value_or(0) > flow::most_raised) {
-        const std::string words = fmt::format(
-            "seep: the pore network makes the permeability {:.3f} times that of the coarse grains alone, and grains "
-            "more "
-            "cannot raise it: it is too high by that at least; solver=\"resolved\" solves the flow between the grains",
-            *water.source.raised_by_fines
-        );
-        if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) != 0) {
-            throw py::error_already_set();
-        }
+/// As a warning of Python's. @throws error_already_set where the caller makes warnings errors
+void warn_caller(const std::string& words) {
+    if (!words.empty() && PyErr_WarnEx(PyExc_UserWarning, ("flow: " + words).c_str(), 2) != 0) {
+        throw py::error_already_set();
     }
 }
 
@@ -89,12 +82,8 @@ Water seep(
         fluid.conductance = word_of(*conductance, casefile::names::conductance, "conductance");
     }
     Water water = solve(packing_of(first, position, radius), spec, fluid);
-    warn_of(*water);
-    const std::string closed =
-        flow::words_of(water->closed_voids, [](std::uint32_t g) { return fmt::format("in row {}", g); });
-    if (!closed.empty() && PyErr_WarnEx(PyExc_UserWarning, ("flow: " + closed).c_str(), 2) != 0) {
-        throw py::error_already_set(); // who makes warnings errors gets one
-    }
+    warn_caller(flow::words_of(water->source, "of the packing"));
+    warn_caller(flow::words_of(water->closed_voids, [](std::uint32_t g) { return fmt::format("in row {}", g); }));
     return water;
 }
 

@@ -4,6 +4,8 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/flow/seepage.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -65,6 +67,19 @@ std::string_view name_of(Doubt doubt) {
         return "fines raise the network's permeability";
     }
     return "";
+}
+
+std::string words_of(const FlowSource& source, std::string_view when) {
+    if (source.solver != Solver::Network || source.raised_by_fines.value_or(0) <= most_raised) {
+        return "";
+    }
+    return fmt::format(
+        "the pore network makes the permeability {} {:.3f} times that of the coarse grains alone, and grains more "
+        "cannot "
+        "raise it: it is too high by that at least; solver = \"resolved\" solves the flow between the grains, \"auto\" "
+        "where this is so",
+        when, *source.raised_by_fines
+    );
 }
 
 std::vector<std::uint8_t> tell_fines(std::span<const double> radius) {

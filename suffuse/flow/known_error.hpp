@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct FlowSource {
 
 /// More than this and the network's word is doubted.
 inline constexpr double most_raised = 1.02;
+
+/// What is to be said of a permeability of the network that fines raise by more; else empty.
+/// @param when "of the sample", "after pass 2"
+std::string words_of(const FlowSource& source, std::string_view when);
 
 /// Grains of two kinds.
 struct Mixture {

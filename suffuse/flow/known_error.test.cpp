@@ -90,6 +90,12 @@ TEST(RaisedByFines, ComparesWithTheCoarseGrainsAlone) {
     EXPECT_NEAR(raised(both).value(), both / alone, 1e-12);
 }
 
+TEST(RaisedByFines, AreTellingWhereTheNetworkIsTheSourceAndMoreThanItsGrainsAlone) {
+    EXPECT_EQ(words_of({.raised_by_fines = 1.01}, "of the sample"), "");
+    EXPECT_EQ(words_of({.solver = Solver::Resolved, .raised_by_fines = 1.2}, "of the sample"), "");
+    EXPECT_NE(words_of({.raised_by_fines = 1.2}, "of the sample").find("of the sample 1.200 times"), std::string::npos);
+}
+
 TEST(Doubts, AreOfFewFinesLittleFinesAndOfAPermeabilityThatTheyRaise) {
     EXPECT_EQ(doubt_network(mixture_of(50, 2000, 0.2, 0.6), 0.9), Doubt::None);
     EXPECT_EQ(doubt_network(mixture_of(50, 2000, 0.2, 0.6), 1.03), Doubt::RaisedByFines);

@@ -126,13 +126,8 @@ void note_network(
             work.place(), when, name_of(source.doubt)
         ));
     }
-    if (source.solver == flow::Solver::Network && source.raised_by_fines.value_or(0) > flow::most_raised) {
-        work.warnings.push_back(fmt::format(
-            "{}: the pore network makes the permeability {} {:.3f} times that of the coarse grains alone, and grains "
-            "more cannot raise it: it is too high by that at least; solver = \"resolved\" solves the flow between the "
-            "grains, \"auto\" where this is so",
-            work.place(), when, *source.raised_by_fines
-        ));
+    if (const std::string words = flow::words_of(source, when); !words.empty()) {
+        work.warnings.push_back(fmt::format("{}: {}", work.place(), words));
     }
     const double solid_fraction = 1 - porosity;
     const bool is_yades =
