@@ -48,7 +48,7 @@ KnownError yade_error(const Mixture& mixture) {
         }
         return {yade_error_of_equal_grains(mixture.solid_fraction), std::nullopt, 0.25};
     }
-    const std::array<Row, 3> rows = {Row{3.5, {0.4, 0.2, 0.3}}, Row{6.5, {1.0, 0.25, 0.4}}, Row{10, {2.0, 0.3, 0.5}}};
+    const std::array<Row, 3> rows = {Row{3.5, {0.5, 0.2, 0.35}}, Row{6.5, {1.5, 0.3, 0.45}}, Row{10, {3.5, 0.4, 0.6}}};
     const auto row = std::ranges::find_if(rows, [&](const Row& each) { return mixture.size_ratio <= each.up_to; });
     return row == rows.end() ? KnownError{} : row->error;
 }
@@ -124,7 +124,7 @@ KnownError known_error(Conductance law, const Mixture& mixture) {
     }
     const bool is_mixed = mixture.size_ratio > one_size;
     if (is_mixed && (mixture.fines_content <= little_fines || mixture.fines < few_fines)) {
-        return {0.20, 0.15, 0.40};
+        return {0.20, 0.20, 0.40};
     }
     if (mixture.solid_fraction < dense_enough) {
         return {0.20, std::nullopt, std::nullopt};
