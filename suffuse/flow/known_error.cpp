@@ -38,7 +38,7 @@ double yade_error_of_equal_grains(double solid_fraction) {
 
 KnownError yade_error(const Mixture& mixture) {
     struct Row {
-        double up_to;
+        double up_to = 0;
         KnownError error;
     };
 

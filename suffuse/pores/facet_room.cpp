@@ -150,8 +150,8 @@ private:
             }
         };
         ask_at(first.r + edge.half_gap);
-        std::array<Point, most_grains> others; // where along the edge, and how far from it, squared
-        std::array<double, most_grains> r;
+        std::array<Point, most_grains> others{}; // where along the edge, and how far from it, squared
+        std::array<double, most_grains> r{};
         std::size_t count = 0;
         for (std::size_t k = 0; k < size_; ++k) {
             if (k == edge.first || k == edge.last) {
@@ -191,7 +191,7 @@ private:
     std::array<Point, 3> corner_;
     std::array<Edge, 3> edge_{};
     double longest_ = 0;
-    std::array<Seen, most_grains> grain_;
+    std::array<Seen, most_grains> grain_{};
     std::size_t size_ = 0;
     double value_ = 0;
     Point place_{};

@@ -14,7 +14,8 @@ const std::vector<double> radius{0.35};
 
 /// Place of a face, off the center of the grain by the shortest way.
 Vec3 offset(int axis, std::size_t row, std::size_t z) {
-    Vec3 at{static_cast<double>(row / grid.boxes[1]), static_cast<double>(row % grid.boxes[1]), static_cast<double>(z)};
+    const std::size_t x = row / grid.boxes[1], y = row % grid.boxes[1];
+    Vec3 at{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
     for (int a = 0; a < 3; ++a) {
         at[a] = (at[a] + (a == axis ? 0 : 0.5)) * grid.spacing[a] - position[0][a];
         at[a] -= std::round(at[a]);
@@ -46,10 +47,10 @@ TEST(HeldFaces, AreOfTheNearestGrain) {
     const std::vector<double> radii{0.26, 0.24};
     const HeldFaces faces = find_held_faces(grid, two, radii)[1];
     for (std::size_t row = 0; row < grid.rows(); ++row) {
+        const std::size_t x = row / grid.boxes[1], y = row % grid.boxes[1];
         for (std::size_t f = faces.row_begin[row]; f < faces.row_begin[row + 1]; ++f) {
             const Vec3 at{
-                (static_cast<double>(row / grid.boxes[1]) + 0.5) * grid.spacing.x,
-                static_cast<double>(row % grid.boxes[1]) * grid.spacing.y,
+                (static_cast<double>(x) + 0.5) * grid.spacing.x, static_cast<double>(y) * grid.spacing.y,
                 (static_cast<double>(faces.z[f]) + 0.5) * grid.spacing.z};
             const double first = norm(at - two[0]) - radii[0], second = norm(at - two[1]) - radii[1];
             if (std::abs(first - second) > 1e-6 && std::min(first, second) < 0) {
