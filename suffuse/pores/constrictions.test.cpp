@@ -147,6 +147,22 @@ TEST(Constrictions, OfFinesInAWideVoidAreNoWiderThanTheCell) {
     EXPECT_LT(widest, 0.8);
 }
 
+TEST(Constrictions, CountEachFacetOnceAndHaveTheMeanAndTheQuantilesOfTheirList) {
+    const test::Packing packing = test::reference_spheres("packing10k");
+    for (const auto& [name, limit] : skeletons) {
+        const test::Packing coarse = coarse_part(packing, limit);
+        const auto about = test::read_reference_json(std::string(name) + ".json");
+        const Constrictions found = find_constrictions(coarse.h, coarse.position, coarse.radius);
+        ASSERT_EQ(found.diameter.size(), about["n"].get<std::size_t>()); // as many facets as the reference's
+        std::vector<double> sorted = found.diameter;
+        std::sort(sorted.begin(), sorted.end());
+        const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+        EXPECT_NEAR(found.mean / (sum / static_cast<double>(sorted.size())), 1, 1e-9);
+        EXPECT_NEAR(found.median / quantile_of_sorted(sorted, 0.5), 1, 1e-9);
+        EXPECT_NEAR(found.d35 / quantile_of_sorted(sorted, 0.35), 1, 1e-9);
+    }
+}
+
 TEST(Constrictions, OfAFaceCenteredPackingAreAllOfThreeTouchingGrains) {
     const test::Packing packing = test::face_centered(3, 1);
     const Constrictions found = find_constrictions(packing.h, packing.position, packing.radius);
