@@ -1,0 +1,208 @@
+// Rows of the schema: stages with water, and those that take fines out.
+
+#include "suffuse/casefile/names.hpp"
+#include "suffuse/casefile/schema_row.hpp"
+
+namespace suffuse::casefile::detail {
+
+namespace {
+
+/// Where what is left finds its new equilibrium.
+Key resettling_pace(const char* where) {
+    return ratio(
+        where, "inertial_number", {1e-6, 1e-2, false, false},
+        "Sets the largest strain rate at which what is left settles under the stresses held; a skeleton that collapses "
+        "ends the denser the slower it is pressed."
+    );
+}
+
+/// `what` is done with a flow that is resolved.
+std::vector<Key> solver_rows(const std::string& stage, const std::string& what) {
+    Key solver = choice(
+        stage, "solver", names::words_of(names::solver),
+        "network: of pores and throats; resolved: between the grains themselves, on a grid; auto: resolved where the "
+        "network is known to fail (fewer than 50 fines, at most 1 % of them, or a permeability that they raise). The "
+        "result says which, and `known_error`."
+    );
+    solver.default_text = "\"network\""; // not written, see solver_fields
+    Key tolerance = ratio(
+        stage, "resolve_tolerance", {1e-10, 1e-2, false, false},
+        "The resolved flow is iterated until the error of its permeability is this part of it; forces are off by about "
+        "its root."
+    );
+    tolerance.default_text = "1e-4"; // not written either
+    return {
+        solver,
+        count(
+            stage, "resolve", {4, 200, false, false},
+            what +
+                "so many boxes of the grid across the Sauter diameter; 12 is usual. Minutes and gigabytes for 10,000 "
+                "grains; `plan` tells. Not unless given."
+        ),
+        tolerance,
+    };
+}
+
+std::vector<Key> probe_rows(const std::string& stage) {
+    const std::string detached = stage + ".detached";
+    std::vector<Key> rows = {
+        direction(stage, "Where the water goes: grad p = -i rho_w g direction."),
+        choice(
+            stage, "hold", names::words_of(names::hold),
+            "Grains that stay fixed while the forces act: the paper holds the coarse ones."
+        ),
+        count(stage, "ramp", from_one, "Steps from no force to the full force."),
+        count(stage, "watch", {10, 1e15, false, false}, "Steps at the full force; the paper takes 1000."),
+        ratio(
+            stage, "probe_unbalanced_force", above_zero,
+            "The probe starts from the equilibrium relaxed to this at constant volume."
+        ),
+        count(
+            stage, "relax_limit", from_one,
+            "Steps of that relaxation after which the floor reached is taken and reported."
+        ),
+        table(stage, "detached", "Which fines count as detachable."),
+        choice(
+            detached, "by", names::words_of(names::detach_by),
+            "The paper's velocity rule, or its announced successor, displacement along the drag."
+        ),
+        choice(
+            detached, "rule", names::words_of(names::velocity_rule),
+            "Velocity rule: rising over every tenth of the watch and ending above a share of free flight; rising only; "
+            "or above a speed."
+        ),
+        other(
+            detached, "over",
+            "0.5 (share of free flight), \"1e-5 m/s\" (rule \"above\"), or \"0.1 d\" (displacement, in diameters)",
+            "What the rule compares with."
+        ),
+        ratio(
+            detached, "noise_quantile", open_share,
+            "Quantile of the speeds of the twin without fluid that is told as its noise; no grain is judged by it."
+        ),
+    };
+    append(
+        rows,
+        solver_rows(stage, "Resolves the flow that gives the forces and permeabilities, where the network does not: ")
+    );
+    return rows;
+}
+
+} // namespace
+
+std::vector<Key> erosion_rows() {
+    std::vector<Key> rows = {
+        required(
+            ratio("stage.flow", "gradient", any, "Hydraulic gradient i, also as head over length: \"12 m / 30 m\".")
+        ),
+        direction("stage.flow", "Where the water goes: grad p = -i rho_w g direction."),
+        flag("stage.flow", "tensor", "Solves three directions and reports the permeability tensor."),
+    };
+    append(
+        rows,
+        solver_rows("stage.flow", "Solves the flow a second time beside the network's, between the grains themselves: ")
+    );
+    rows.push_back(
+        list_of(ratio("stage.detach", "gradients", from_zero, "Hydraulic gradients to probe; nothing is removed."))
+    );
+    append(rows, probe_rows("stage.detach"));
+    append(
+        rows,
+        {
+            count(
+                "stage.erode", "passes", {1, 10'000, false, false},
+                "Passes of flow, probe, extraction and new equilibrium, at most."
+            ),
+            flag("stage.erode", "until_nothing_leaves", "Goes on beyond `passes` until nothing more leaves."),
+            table(
+                "stage.erode", "until_eroded",
+                "No pass after the one by whose end so much has left; `passes` and what else ends the stage still do."
+            ),
+            required(ratio("stage.erode.until_eroded", "share", {0, 1, true, false}, "Mass to leave.")),
+            choice(
+                "stage.erode.until_eroded", "of", names::words_of(names::eroded_of),
+                "Of which mass before the first pass: of the fines (unless said), or of all grains."
+            ),
+            ratio(
+                "stage.erode", "gradient", above_zero,
+                "Hydraulic gradient i, also as head over length: \"12 m / 30 m\"."
+            ),
+        }
+    );
+    append(rows, probe_rows("stage.erode"));
+    append(
+        rows,
+        {
+            table(
+                "stage.erode", "passes_constriction",
+                "Which detachable grains leave: those smaller than this constriction of the coarse skeleton, or those "
+                "that get through with the water."
+            ),
+            choice(
+                "stage.erode.passes_constriction", "size", names::words_of(names::constriction_size),
+                "Mean (the paper's), median (or d50, the same), d35; the widest path along the flow; the flow path: "
+                "constrictions that the grain meets on its way with the water, between all grains that stay, and where "
+                "it lodges if held; or none: every detachable grain leaves."
+            ),
+            choice(
+                "stage.erode.passes_constriction", "of", names::words_of(names::constrictions_of),
+                "Whose constrictions; a flow path meets those of all grains that stay."
+            ),
+            choice(
+                "stage.erode.passes_constriction", "merge", names::words_of(names::void_merge),
+                "Which neighboring pores are one void, so that no constriction lies between them: none (each facet of "
+                "the triangulation counts, as in the reference), those where the center of the void sphere of one lies "
+                "in that of the other, or those whose void spheres overlap. Of no effect on the two paths."
+            ),
+            quantity(
+                "stage.erode.passes_constriction", "distance", dimension::length, above_zero,
+                "Flow path: how far along the flow a grain has to get to leave; the cell's length along it unless said."
+            ),
+            table(
+                "stage.erode", "forced",
+                "Forced removal, whatever probe and constrictions say: fines with few contacts leave."
+            ),
+            count(
+                "stage.erode.forced", "max_contacts", {0, 1000, false, false},
+                "Fines with at most this many contacts leave."
+            ),
+            ratio(
+                "stage.erode", "max_strain", {0, 2, true, false},
+                "Strain of an axis in one pass beyond which the skeleton counts as failed; the erosion then ends."
+            ),
+            resettling_pace("stage.erode"),
+            choice(
+                "stage.erode", "then", names::words_of(names::then),
+                "What follows an extraction: steps without fluid until [balance] holds."
+            ),
+            choice(
+                "stage.remove", "grains", names::words_of(names::removed_fines),
+                "What is taken out without water: all fines, those with fewer than two contacts, or those with at "
+                "least two. The rest comes to rest at constant volume, then under the stresses held before."
+            ),
+            ratio(
+                "stage.remove", "share", {0, 1, true, false},
+                "How much of their mass, as it is when the stage begins, to within half a grain."
+            ),
+            choice(
+                "stage.remove", "order", names::words_of(names::removal_order),
+                "Which grains go first where not all go at once: by chance, by diameter, by the mean stress in the "
+                "grain, or by number of contacts; among equals the seed decides."
+            ),
+            count(
+                "stage.remove", "passes", {1, 10'000, false, false},
+                "Equal parts in which they go, each followed by a new equilibrium, after which stresses and contacts "
+                "are looked at anew."
+            ),
+            ratio(
+                "stage.remove", "max_strain", {0, 2, true, false},
+                "Strain of an axis in one pass beyond which the skeleton counts as failed; the stage then ends as it "
+                "is."
+            ),
+            resettling_pace("stage.remove"),
+        }
+    );
+    return rows;
+}
+
+} // namespace suffuse::casefile::detail
