@@ -247,7 +247,7 @@ tensor = true
 resolve = 12
 [study.sized]
 soil = "two"
-sample_size = { coarse_grains = 2_000, cell_width = 12, at_least = 3_000 }
+sample_size = { coarse_grains = 2_000, cell_width = 12, at_least = 3_000, at_most = 90_000, least_coarse = 70 }
 [[study.sized.stage]]
 name = "cloud"
 do = "pack"
@@ -257,6 +257,15 @@ do = "compact"
 pressure = "100 kPa"
 shear_stresses = "released"
 intergranular_void_ratio = 0.8
+if_unreachable = "nearest"
+prepare = { skeleton_first = true }
+[[study.sized.stage]]
+name = "alike"
+from = "cloud"
+do = "compact"
+pressure = "100 kPa"
+intergranular_void_ratio = 0.8
+prepared_as = { fines_content = "20 %" }
 [output]
 formats = ["csv", "vtp"]
 snapshots = { every = "1 %" }

@@ -75,7 +75,7 @@ const std::vector<Wrong> keys = {
     {"E203", 11, 1, 9, "`porosity`", with_line(10, "do = \"pack\"\nporosityy = 0.6")},
     {"E203", 15, 1, 6, "a stage that does \"erode\"", good_case + "passes = 2\n"},
     {"E203", 15, 2, 8, "unknown key `nonsense`", good_case + "[nonsense]\n"},
-    {"E203", 8, 1, 12, "belongs in a soil: `fines_content`", with_line(7, "particles = 500\nfines_contnt = \"20 %\"")},
+    {"E203", 8, 1, 12, "belongs in a soil or `prepared_as`", with_line(7, "particles = 500\nfines_contnt = \"20 %\"")},
     {"E203", 16, 1, 9, "belongs in [fluid]", good_case + "[contact]\nviscosity = \"1 Pa*s\"\n"},
     {"E201", 2, 7, 4, "needs a grading", with_line(3, "")},
     {"E207", 11, 1, 19, "`start_porosity`, and its protocol",

@@ -110,14 +110,18 @@ void fields(V& v, packing::CompactSpec& s) {
             a.field("normal", s.prepare.adhesion_normal);
             a.field("shear", s.prepare.adhesion_shear);
         });
+        p.field("skeleton_first", s.prepare.skeleton_first);
     });
     v.field("void_ratio", s.void_ratio);
     v.field("intergranular_void_ratio", s.intergranular_void_ratio);
     v.field("void_ratio_tolerance", s.void_ratio_tolerance);
+    v.choice("if_unreachable", s.if_unreachable, names::if_unreachable);
+    v.table("prepared_as", s.prepared_as, [](auto& p, double& content) { p.field("fines_content", content); });
     v.field("max_rate", s.max_rate);
     v.time_step(s.time_step);
     check_start(v, s);
     check_void_ratio(v, s);
+    check_skeleton_first(v, s);
     check_shear_stresses(v, s);
 }
 

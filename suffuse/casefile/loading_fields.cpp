@@ -301,9 +301,44 @@ void check_void_ratio(Reader& v, const packing::CompactSpec& s) {
             "keep one of them: with the fines content each gives the other"
         );
     }
+    if (s.prepared_as && !s.void_ratio && !s.intergranular_void_ratio) {
+        v.error(
+            "E207", v.place(),
+            fmt::format("{} is `prepared_as` another sample, whose preparation nobody searches", v.title()),
+            "ask for a `void_ratio` or an `intergranular_void_ratio`, or give `prepare` alone"
+        );
+    }
 }
 
 void check_void_ratio(Writer&, const packing::CompactSpec&) {}
+
+void check_skeleton_first(Reader& v, const packing::CompactSpec& s) {
+    if (!s.prepare.skeleton_first) {
+        return;
+    }
+    if (s.protocol == packing::Protocol::Swift) {
+        v.error(
+            "E207", v.place(),
+            fmt::format("{} makes its skeleton first, and protocol \"swift\" pushes all grains together", v.title()),
+            "take protocol = \"faithful\", or leave `skeleton_first` out"
+        );
+    }
+    if (s.void_ratio) {
+        v.error(
+            "E207", v.place(),
+            fmt::format("{} makes its skeleton first, which leaves the `void_ratio` to the fines content", v.title()),
+            "ask for the `intergranular_void_ratio` of the skeleton instead"
+        );
+    }
+    if (s.prepared_as) {
+        v.error(
+            "E207", v.place(), fmt::format("{} has both `skeleton_first` and `prepared_as`", v.title()),
+            "keep one of them: they are two ways to keep a skeleton"
+        );
+    }
+}
+
+void check_skeleton_first(Writer&, const packing::CompactSpec&) {}
 
 void check_shear_stresses(Reader& v, const packing::CompactSpec& s) {
     if (s.shear_released && s.protocol == packing::Protocol::Slow) {

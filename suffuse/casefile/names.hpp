@@ -58,6 +58,10 @@ inline constexpr std::array triaxial_path = {
     Word<triaxial::Path>{triaxial::Path::Undrained, "undrained"},
     Word<triaxial::Path>{triaxial::Path::Proportional, "proportional"}};
 
+inline constexpr std::array if_unreachable = {
+    Word<packing::IfUnreachable>{packing::IfUnreachable::Error, "error"},
+    Word<packing::IfUnreachable>{packing::IfUnreachable::Nearest, "nearest"}};
+
 inline constexpr std::array grain_inertia = {
     Word<triaxial::GrainInertia>{triaxial::GrainInertia::Lent, "lent"},
     Word<triaxial::GrainInertia>{triaxial::GrainInertia::Own, "own"}};

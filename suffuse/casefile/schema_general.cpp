@@ -209,6 +209,14 @@ std::vector<Key> soil_and_study_rows() {
             "Or a cell so many median coarse diameters wide, at a porosity of 0.4."
         ),
         count("study.*.sample_size", "at_least", {1, 2e9, false, false}, "But never fewer grains of both fractions."),
+        count(
+            "study.*.sample_size", "at_most", {1, 2e9, false, false},
+            "Nor more, where that leaves `least_coarse` coarse grains: many fines are what costs."
+        ),
+        count(
+            "study.*.sample_size", "least_coarse", {1, 2e9, false, false},
+            "Coarse grains that `at_most` leaves, however many fines belong to them."
+        ),
         other(
             "study.*", "sweep", "{ KEY = [values] }",
             "One copy of the study per value; lists multiply. KEY is `particles`, `soil`, a key of the soil, "

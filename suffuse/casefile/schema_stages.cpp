@@ -232,6 +232,11 @@ std::vector<Key> preparation_rows() {
                 "stage.compact.prepare.adhesion", "shear", dimension::pressure, from_zero,
                 "Shear strength without normal force = this x min(r1, r2)^2."
             ),
+            flag(
+                "stage.compact.prepare", "skeleton_first",
+                "Coarse grains are compacted alone, in the way that `prepare` says; fines are then put into their "
+                "voids, and all settle, without adhesion. The skeleton is widened where the fines do not fit."
+            ),
             ratio(
                 "stage.compact", "void_ratio", {0.1, 5, false, false},
                 "Void ratio to meet: faithful and slow search the friction during compaction, swift the porosity at "
@@ -243,6 +248,21 @@ std::vector<Key> preparation_rows() {
                 "and from the sample's fines content FC: e = e_g (1 - FC) - FC."
             ),
             ratio("stage.compact", "void_ratio_tolerance", above_zero, "How closely the void ratio is met."),
+            choice(
+                "stage.compact", "if_unreachable", names::words_of(names::if_unreachable),
+                "error: a void ratio that is not met fails the sample; nearest: the preparation that comes nearest is "
+                "taken, with a warning."
+            ),
+            table(
+                "stage.compact", "prepared_as",
+                "Samples of more fines than this take the friction and adhesion that the search found for the sample "
+                "of "
+                "so many, of the same seed and of all other swept keys; the others search."
+            ),
+            required(ratio(
+                "stage.compact.prepared_as", "fines_content", share,
+                "Of the sample to prepare by: a value of the sweep over `fines_content`."
+            )),
             quantity(
                 "stage.compact", "max_rate", dimension::rate, above_zero,
                 "Largest strain rate while the cloud carries no load; not for swift. By default the one of inertial "

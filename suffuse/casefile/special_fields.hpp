@@ -54,6 +54,10 @@ void check_start(Writer& v, const packing::CompactSpec& s);
 void check_void_ratio(Reader& v, const packing::CompactSpec& s);
 void check_void_ratio(Writer& v, const packing::CompactSpec& s);
 
+/// A skeleton that is made first is compacted by itself, not pushed together with its fines.
+void check_skeleton_first(Reader& v, const packing::CompactSpec& s);
+void check_skeleton_first(Writer& v, const packing::CompactSpec& s);
+
 /// Shear stresses are released by the secant servo, beside stresses that are held.
 void check_shear_stresses(Reader& v, const packing::CompactSpec& s);
 void check_shear_stresses(Reader& v, const dem::SettleSpec& s);

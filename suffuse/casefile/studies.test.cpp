@@ -2,6 +2,7 @@
 #include "suffuse/base/constants.hpp"
 #include "suffuse/casefile/case_for_tests.hpp"
 #include "suffuse/casefile/dependencies.hpp"
+#include "suffuse/casefile/prepared_as.hpp"
 
 #include <gtest/gtest.h>
 
@@ -147,7 +148,9 @@ TEST(Studies, SampleSizeGivesEachVariantItsOwnNumberOfGrains) {
     EXPECT_EQ(study.particles, 0);
     ASSERT_EQ(study.variants.size(), 2U);
     for (const Variant& variant : study.variants) {
-        EXPECT_EQ(variant.particles, grains::size_sample(*variant.soil, {3000, 100, 2000}).particles);
+        EXPECT_EQ(
+            variant.particles, grains::size_sample(*variant.soil, {.coarse_grains = 3000, .cell_width = 100}).particles
+        );
         EXPECT_EQ(variant.sized_by, grains::SizedBy::CoarseGrains);
     }
     EXPECT_GT(study.variants[1].particles, study.variants[0].particles);
@@ -299,6 +302,44 @@ TEST(Set, MistakesAreReportedOnTheirOwnText) {
     EXPECT_EQ(problem("study.one.stage=5", "E201").line, 5);
     EXPECT_EQ(problem("contact.modulus=5", "E310").source_line, "contact.modulus=5");
     EXPECT_EQ(problem("title=\xfc", "E100").file, "--set");
+}
+
+const std::string prepared_as = R"([[study.one.stage]]
+name = "loose"
+do = "compact"
+pressure = "100 kPa"
+intergranular_void_ratio = 0.9
+prepared_as = { fines_content = "10 %" }
+)";
+
+TEST(Studies, ASampleIsPreparedAsOneThatTheSweepHas) {
+    const Study study = load(with_size + prepared_as).studies[0];
+    const Variant &by = study.variants[0], &other = study.variants[1];
+    EXPECT_FALSE(is_prepared_as_another(by, by.stages[1]));
+    EXPECT_TRUE(is_prepared_as_another(other, other.stages[1]));
+    EXPECT_EQ(sample_to_prepare_by(study, other, other.stages[1]), &by);
+    const std::string missing = replaced(with_size + prepared_as, "= \"10 %\" }", "= \"15 %\" }");
+    const Diagnostic problem = find_problem(problems_of(missing), "E406");
+    EXPECT_NE(problem.message.find("15 %"), std::string::npos) << problem.message;
+    EXPECT_EQ(problem.line, 19);
+}
+
+TEST(Studies, APreparationThatNobodySearchesCannotBeTaken) {
+    const std::string bare = replaced(with_size + prepared_as, "intergranular_void_ratio = 0.9\n", "");
+    EXPECT_NE(find_problem(problems_of(bare), "E207").message.find("nobody searches"), std::string::npos);
+}
+
+TEST(Studies, ASkeletonMadeFirstExcludesWhatPushesAllGrainsTogether) {
+    const auto with = [](const std::string& more) {
+        return with_size + "[[study.one.stage]]\nname = \"loose\"\ndo = \"compact\"\npressure = \"100 kPa\"\n" +
+               "prepare = { skeleton_first = true }\n" + more;
+    };
+    EXPECT_EQ(load(with("intergranular_void_ratio = 0.9\n")).studies[0].variants.size(), 2U);
+    for (const std::string more :
+         {"protocol = \"swift\"\n", "void_ratio = 0.6\n",
+          "intergranular_void_ratio = 0.9\nprepared_as = { fines_content = \"10 %\" }\n"}) {
+        EXPECT_EQ(find_problem(problems_of(with(more)), "E207").code, "E207") << more;
+    }
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "suffuse/casefile/fields.hpp"
 #include "suffuse/casefile/overrides.hpp"
 #include "suffuse/casefile/physics_checks.hpp"
+#include "suffuse/casefile/prepared_as.hpp"
 #include "suffuse/casefile/sample_checks.hpp"
 #include "suffuse/casefile/soil_fields.hpp"
 #include "suffuse/casefile/stage_list.hpp"
@@ -37,6 +38,8 @@ void fields(V& v, grains::SampleSizeSpec& size) {
     v.field("coarse_grains", size.coarse_grains);
     v.field("cell_width", size.cell_width);
     v.field("at_least", size.at_least);
+    v.field("at_most", size.at_most);
+    v.field("least_coarse", size.least_coarse);
 }
 
 /// A study that packs has one of `particles` and `sample_size`, the latter with a soil of two fractions.
@@ -227,6 +230,7 @@ Study read_study(ReadContext& context, const StudySurroundings& around, const No
         read_variant(context, around, entry, study, std::move(variant));
     }
     check_sample_sizes(context, study);
+    check_prepared_as(context, study);
     return study;
 }
 

@@ -4,6 +4,7 @@
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse::grains {
@@ -25,6 +26,12 @@ SampleSize size_sample(const Soil& soil, const SampleSizeSpec& spec) {
     size.rule = by_count <= by_width ? SizedBy::CoarseGrains : SizedBy::CellWidth;
     // The nearest whole number: the sample's own rounding then gives the coarse grains asked for.
     size.particles = std::llround(std::min(by_count, by_width) * (coarse + fines));
+    if (spec.at_most && size.particles > *spec.at_most) {
+        const std::int64_t least = std::llround(static_cast<double>(spec.least_coarse) / counted * (coarse + fines));
+        const bool pays = !has_skeleton || least <= *spec.at_most;
+        size = pays ? SampleSize{*spec.at_most, SizedBy::AtMost}
+                    : SampleSize{std::min(least, size.particles), SizedBy::LeastCoarse};
+    }
     if (size.particles < spec.at_least) {
         size = {spec.at_least, SizedBy::AtLeast};
     }

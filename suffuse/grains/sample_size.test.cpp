@@ -66,5 +66,34 @@ TEST(SampleSize, NeedsTwoFractions) {
     EXPECT_THROW(size_sample(one, {}), CaseError);
 }
 
+TEST(SampleSize, ACeilingTakesCoarseGrainsAwayDownToTheLeastNumber) {
+    SampleSizeSpec spec{200, 100, 1};
+    const auto coarse_of = [](const Soil& soil, const SampleSize& size) {
+        const SampledGrains sample = sample_soil(soil, static_cast<int>(size.particles));
+        return std::count(sample.fine.begin(), sample.fine.end(), 0);
+    };
+    const Soil soil = two_sizes(2, 0.5); // nine grains for each coarse one
+    spec.at_most = 900;
+    const SampleSize paid = size_sample(soil, spec);
+    EXPECT_EQ(paid.rule, SizedBy::AtMost);
+    EXPECT_EQ(paid.particles, 900);
+    EXPECT_EQ(coarse_of(soil, paid), 100);
+    spec.at_most = 400;
+    const SampleSize least = size_sample(soil, spec);
+    EXPECT_EQ(least.rule, SizedBy::LeastCoarse);
+    EXPECT_EQ(least.particles, 60 * 9);
+    EXPECT_EQ(coarse_of(soil, least), 60);
+    spec.at_most = 5000;
+    EXPECT_EQ(size_sample(soil, spec).rule, SizedBy::CoarseGrains);
+}
+
+TEST(SampleSize, ASoilOfFinesAloneHasNoCoarseGrainsForACeilingToSpare) {
+    SampleSizeSpec spec{2000, 100, 1};
+    spec.at_most = 500;
+    const SampleSize size = size_sample(two_sizes(3.5, 1), spec);
+    EXPECT_EQ(size.rule, SizedBy::AtMost);
+    EXPECT_EQ(size.particles, 500);
+}
+
 } // namespace
 } // namespace suffuse::grains

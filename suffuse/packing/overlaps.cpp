@@ -13,12 +13,13 @@ namespace {
 /// anew when a grain has moved too far for it.
 class NearPairs {
 public:
-    NearPairs(const Mat3& h, std::span<const double> radius)
-        : h_(h), radius_(radius), margin_(0.2 * *std::min_element(radius.begin(), radius.end())) {}
+    NearPairs(const Mat3& h, std::span<const double> radius, std::size_t fixed)
+        : h_(h), radius_(radius), fixed_(fixed), margin_(0.2 * *std::min_element(radius.begin(), radius.end())) {}
 
     const std::vector<neighbors::Pair>& find(const std::vector<Vec3>& position) {
         if (!reaches(position)) {
             wide_ = neighbors::find_pairs(h_, position, radius_, wide_margins * margin_);
+            std::erase_if(wide_, [&](const neighbors::Pair& pair) { return pair.second < fixed_; });
             listed_at_ = position;
         }
         near_.clear();
@@ -55,14 +56,17 @@ private:
 
     const Mat3& h_;
     std::span<const double> radius_;
-    double margin_; ///< [m]
+    std::size_t fixed_; ///< rows before this one stay
+    double margin_;     ///< [m]
     std::vector<neighbors::Pair> wide_, near_;
     std::vector<Vec3> listed_at_; ///< where grains were when the wider list was made [m]
 };
 
-/// Pushes overlapping pairs apart, one after another, the lighter grain moving further. @return whether any overlapped.
+/// Pushes overlapping pairs apart, one after another, the lighter grain moving further, and of one that is fixed the
+/// other alone. @return whether any overlapped.
 bool push_apart(
-    std::span<const neighbors::Pair> pairs, const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position
+    std::span<const neighbors::Pair> pairs, const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position,
+    std::size_t fixed
 ) {
     constexpr double slack = 1e-3; // of the smaller radius: aiming at a gap ends in finitely many sweeps
     bool moved = false;
@@ -79,8 +83,9 @@ bool push_apart(
         const Vec3 normal = distance > 0 ? branch / distance : Vec3{1, 0, 0};
         const double push = ri + rj + slack * std::min(ri, rj) - distance;
         const double vi = ri * ri * ri, vj = rj * rj * rj;
-        position[i] -= push * vj / (vi + vj) * normal;
-        position[j] += push * vi / (vi + vj) * normal;
+        const double share = i < fixed ? 0 : vj / (vi + vj); // of the way, for `i`
+        position[i] -= push * share * normal;
+        position[j] += push * (i < fixed ? 1 : vi / (vi + vj)) * normal;
     }
     return moved;
 }
@@ -88,17 +93,23 @@ bool push_apart(
 } // namespace
 
 bool clear_overlaps(const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, int most_rounds) {
+    return clear_overlaps_around(h, radius, position, 0, most_rounds);
+}
+
+bool clear_overlaps_around(
+    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, std::size_t fixed, int most_rounds
+) {
     constexpr int sweeps = 12; // over the pairs that are near when a round begins
     if (radius.empty()) {
         return true;
     }
-    NearPairs near(h, radius);
+    NearPairs near(h, radius, fixed);
     for (int round = 0; round < most_rounds; ++round) {
         const std::vector<neighbors::Pair>& pairs = near.find(position);
         if (!near.any_overlaps(position)) {
             return true;
         }
-        for (int sweep = 0; sweep < sweeps && push_apart(pairs, h, radius, position); ++sweep) {
+        for (int sweep = 0; sweep < sweeps && push_apart(pairs, h, radius, position, fixed); ++sweep) {
         }
     }
     return false;

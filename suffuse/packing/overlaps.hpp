@@ -17,6 +17,11 @@ bool clear_overlaps(
     const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, int most_rounds = default_rounds
 );
 
+/// The same with the first `fixed` grains where they are: pairs among these are not looked at.
+bool clear_overlaps_around(
+    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, std::size_t fixed, int most_rounds
+);
+
 /// Shrinks (or widens) the cell of a world at rest to a porosity, grains with it, and clears the overlaps. Contacts and
 /// velocities are forgotten. @return whether no overlap is left; near the densest packings some are.
 bool bring_to_porosity(dem::World& world, double porosity, int most_rounds = default_rounds);

@@ -16,6 +16,14 @@ struct Prepare {
     std::optional<double> friction;        ///< lowered contact friction: dense [rad]
     std::optional<double> adhesion_normal; ///< on contacts made during compaction: loose [Pa]
     std::optional<double> adhesion_shear;  ///< [Pa]
+    /// Coarse grains are compacted alone, in this way; fines are then put into their voids, and all settle.
+    bool skeleton_first = false;
+};
+
+/// A void ratio that no preparation gives.
+enum class IfUnreachable {
+    Error,
+    Nearest ///< the preparation that comes nearest is taken, and the result says so
 };
 
 /// How a sample gets to its pressure: docs/theory/preparation.md says what each costs and how their fabrics differ.
@@ -45,6 +53,9 @@ struct CompactSpec {
     /// Instead: wanted void ratio with the fines counted as voids; `void_ratio` follows with the fines content [-].
     std::optional<double> intergranular_void_ratio;
     double void_ratio_tolerance = 0.002;
+    IfUnreachable if_unreachable = IfUnreachable::Error;
+    /// Samples of more fines than this take the preparation that was found for the sample of so many [-].
+    std::optional<double> prepared_as;
     /// Largest strain rate while the cloud carries no load, if not that of `cloud_inertial_number`; not in Swift [1/s].
     std::optional<double> max_rate;
     double time_step = 0; ///< [s]; 0 = computed from the contact network

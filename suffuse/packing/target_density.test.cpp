@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace suffuse::packing {
 namespace {
 
@@ -47,6 +49,39 @@ TEST(TargetDensity, OutOfReachNamesTheRange) {
             EXPECT_NE(text.find("0.5000"), std::string::npos) << text;
             EXPECT_NE(text.find("1.1000"), std::string::npos) << text;
         }
+    }
+}
+
+TEST(TargetDensity, TheNearestIsTakenWhereTheCaseAsksForIt) {
+    const grains::Material material;
+    CompactSpec spec = wanted(1.3);
+    spec.if_unreachable = IfUnreachable::Nearest;
+    CompactSpec last;
+    const FoundDensity found = search_void_ratio(spec, material, [&](const CompactSpec& trial) {
+        last = trial;
+        return made_up_void_ratio(trial, material);
+    });
+    EXPECT_FALSE(found.is_met);
+    EXPECT_NEAR(found.void_ratio, 1.1, 1e-12); // the loosest on offer
+    EXPECT_EQ(made_up_void_ratio(last, material), found.void_ratio);
+    EXPECT_GT(last.void_ratio_tolerance, 1e9) << "a trial that is taken although it misses must not end early";
+}
+
+TEST(TargetDensity, ScatterOfSingleSamplesDoesNotBeatTheSearch) {
+    const grains::Material material;
+    for (int seed = 0; seed < 50; ++seed) {
+        // Twice the tolerance to both sides, another for every preparation, the same for the same one.
+        const auto reach = [&](const CompactSpec& spec) {
+            const double friction = *spec.prepare.friction;
+            const double chance = std::sin(43758.5453 * std::sin(1e3 * friction + seed));
+            return made_up_void_ratio(spec, material) + 0.02 * chance;
+        };
+        CompactSpec spec = wanted(0.6);
+        spec.void_ratio_tolerance = 0.01;
+        EXPECT_NO_THROW({
+            const FoundDensity found = search_void_ratio(spec, material, reach);
+            EXPECT_NEAR(found.void_ratio, 0.6, 0.01);
+        }) << seed;
     }
 }
 

@@ -137,7 +137,7 @@ public:
     }
 
     StagePrice operator()(const packing::CompactSpec& spec) {
-        const bool asks = spec.void_ratio || spec.intergranular_void_ratio;
+        const bool asks = (spec.void_ratio || spec.intergranular_void_ratio) && !takes_preparation(spec);
         const double cloud = 1 - sample_.solid_fraction;
         const double start =
             spec.start_porosity.value_or(leaves_out_gas(spec) ? std::min(cloud, packing::open_porosity) : cloud);
@@ -297,6 +297,11 @@ private:
     [[nodiscard]] double triaxial_time_step(const triaxial::TriaxialSpec& spec) const {
         const dem::Lent lent = triaxial::lent_during(spec, variant_.material);
         return spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, variant_.material, lent);
+    }
+
+    /// Whether another sample has searched for this one.
+    [[nodiscard]] bool takes_preparation(const packing::CompactSpec& spec) const {
+        return spec.prepared_as && variant_.soil && variant_.soil->fines_content > *spec.prepared_as;
     }
 
     [[nodiscard]] double friction_of(const packing::CompactSpec& spec) const {

@@ -5,12 +5,14 @@
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/missing_stages.hpp"
 #include "suffuse/record/refine.hpp"
+#include "suffuse/run/preparation_found.hpp"
 #include "suffuse/run/sample_run.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <new>
 #include <set>
+#include <span>
 
 namespace suffuse::run {
 namespace {
@@ -77,7 +79,16 @@ private:
         std::ranges::stable_sort(left, std::greater{}, [](const record::Sample& s) {
             return s.stages * s.variant->particles;
         });
-        run_side_by_side(left.size(), thread_count(), [&](std::size_t k) { run_sample(left[k]); });
+        const bool is_alone = !options_.sample.empty(); // it makes for itself what it would wait for
+        const auto first_waiting = std::stable_partition(left.begin(), left.end(), [&](const record::Sample& sample) {
+            return is_alone || !waits_for_another(sample, options_.folder);
+        });
+        run_together({left.begin(), first_waiting});
+        run_together({first_waiting, left.end()});
+    }
+
+    void run_together(std::span<const record::Sample> samples) {
+        run_side_by_side(samples.size(), thread_count(), [&](std::size_t k) { run_sample(samples[k]); });
     }
 
     void run_sample(const record::Sample& sample) {

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/version.hpp"
+#include "suffuse/casefile/prepared_as.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/tables.hpp"
 #include "suffuse/io/vtk.hpp"
@@ -15,6 +16,7 @@
 #include "suffuse/record/stored_findings.hpp"
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/measure_asked.hpp"
+#include "suffuse/run/preparation_found.hpp"
 
 #include <fmt/format.h>
 
@@ -176,10 +178,11 @@ void SampleRun::run() {
     }
 }
 
-void SampleRun::run_stage(const casefile::Stage& stage) {
-    const std::filesystem::path folder = record::stage_folder(options_.folder, *sample_.variant, stage);
+void SampleRun::run_stage(const casefile::Stage& asked) {
+    const std::filesystem::path folder = record::stage_folder(options_.folder, *sample_.variant, asked);
     std::filesystem::create_directories(folder);
     std::filesystem::remove(folder / record::failure_file);
+    const casefile::Stage stage = with_preparation_found(what_, options_, sample_, asked);
     dem::World start = start_of(stage);
     const std::string state = stage.parent >= 0 ? record::describe_state(start) : "";
     std::string key;
@@ -190,6 +193,9 @@ void SampleRun::run_stage(const casefile::Stage& stage) {
         }
     }
     StageWork work = begin_work(stage, folder, std::move(start), state);
+    if (casefile::is_prepared_as_another(*sample_.variant, asked)) {
+        work.numbers["prepared_as"] = casefile::sample_to_prepare_by(*sample_.study, *sample_.variant, asked)->folder;
+    }
     control_.begin(place());
     try {
         do_stage_or_go_on(work);

@@ -28,7 +28,7 @@ public:
     [[nodiscard]] Progress place() const;
 
 private:
-    void run_stage(const casefile::Stage& stage);
+    void run_stage(const casefile::Stage& asked);
     bool take_from_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
     void keep_in_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
     [[nodiscard]] StageWork begin_work(

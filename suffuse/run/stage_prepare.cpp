@@ -9,6 +9,7 @@
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
+#include "suffuse/packing/skeleton_first.hpp"
 #include "suffuse/packing/target_density.hpp"
 #include "suffuse/record/read_import.hpp"
 #include "suffuse/record/result_json.hpp"
@@ -18,6 +19,8 @@
 
 namespace suffuse::run {
 namespace {
+
+constexpr const char* skeleton_key = "skeleton"; // of the numbers of what was made skeleton first
 
 /// Turns a wanted intergranular void ratio into the void ratio of this sample: e = e_g (1 - FC) - FC.
 packing::CompactSpec with_void_ratio(packing::CompactSpec spec, const grains::Grains& grains) {
@@ -36,11 +39,21 @@ packing::CompactSpec with_void_ratio(packing::CompactSpec spec, const grains::Gr
     return spec;
 }
 
-/// One compaction from the cloud on; it can be resumed between bursts unless it is a trial among several. A trial ends
-/// as soon as it is seen to miss.
-void compact(StageWork& work, const packing::CompactSpec& spec, packing::CompactState state) {
-    if (!spec.void_ratio) {
-        work.control.save_with([&] { work.save_partial(state); });
+enum class Part {
+    Whole,  ///< what the stage hands on: it can be resumed between bursts
+    OfMore, ///< a trial among several, or a skeleton alone: done anew where it was interrupted
+};
+
+/// One compaction. A trial ends as soon as it is seen to miss the void ratio asked for.
+void compact(StageWork& work, const packing::CompactSpec& spec, packing::CompactState state, Part part) {
+    if (part == Part::Whole) {
+        work.control.save_with([&] {
+            nlohmann::json saved = state;
+            if (work.numbers.contains(skeleton_key)) {
+                saved[skeleton_key] = work.numbers[skeleton_key];
+            }
+            work.save_partial(saved);
+        });
     }
     dem::StepCaches caches;
     bool done = state.phase == packing::CompactState::Phase::Done;
@@ -75,6 +88,96 @@ void warn_of_shear_stress(StageWork& work, double pressure) {
             work.place(), pressure / 1e3, q / 1e3
         ));
     }
+}
+
+/// Compactions of one cloud until a void ratio is met.
+void search(StageWork& work, const packing::CompactSpec& wanted) {
+    const dem::World cloud = work.world;
+    const auto reach = [&](const packing::CompactSpec& trial) {
+        work.world = cloud;
+        work.history.begin_anew();
+        work.pictures.begin_anew(cloud);
+        const packing::CompactState start =
+            packing::begin_compaction(work.world, trial, work.variant.damping, work.what.mode);
+        compact(work, trial, start, Part::OfMore);
+        return dem::void_ratio(work.world);
+    };
+    const packing::FoundDensity found = packing::search_void_ratio(wanted, work.world.material, reach);
+    work.numbers["preparation_friction"] = found.spec.prepare.friction.value_or(work.variant.material.friction);
+    work.numbers["preparation_adhesion"] = {
+        {"normal", found.spec.prepare.adhesion_normal.value_or(0)},
+        {"shear", found.spec.prepare.adhesion_shear.value_or(0)}};
+    if (found.spec.start_porosity) {
+        work.numbers["preparation_start_porosity"] = *found.spec.start_porosity;
+    }
+    work.numbers["preparation_trials"] = found.trials;
+    work.numbers["void_ratio_asked"] = *wanted.void_ratio;
+    if (!found.is_met) {
+        work.warnings.push_back(fmt::format(
+            "{}: the void ratio {:.4f} was not met within {}; the nearest that was reached is {:.4f}, and was taken",
+            work.place(), *wanted.void_ratio, wanted.void_ratio_tolerance, found.void_ratio
+        ));
+    }
+}
+
+/// The grains of the world, by the preparation asked for or by a search for it.
+void compact_as_asked(StageWork& work, const packing::CompactSpec& asked, Part part) {
+    const packing::CompactSpec spec = with_void_ratio(asked, work.world.grains);
+    const bool goes_on = !work.resumed.is_null() && part == Part::Whole;
+    if (!goes_on) {
+        dem::sort_along_curve(work.world);
+    }
+    if (spec.void_ratio) {
+        search(work, spec);
+        return;
+    }
+    const packing::CompactState state =
+        goes_on ? work.resumed.get<packing::CompactState>()
+                : packing::begin_compaction(work.world, spec, work.variant.damping, work.what.mode);
+    compact(work, spec, state, part);
+}
+
+void compact_on_skeleton(StageWork& work, const packing::CompactSpec& together) {
+    compact_as_asked(work, together, Part::Whole);
+    work.numbers["steps"] =
+        work.numbers["steps"].get<std::int64_t>() + work.numbers[skeleton_key].value("steps", std::int64_t{0});
+}
+
+/// The coarse grains alone, as asked; the fines into their voids; then all of them, without the adhesion and the void
+/// ratio that were the skeleton's.
+void compact_skeleton_first(StageWork& work, const packing::CompactSpec& asked) {
+    packing::CompactSpec together = asked;
+    together.prepare.adhesion_normal = together.prepare.adhesion_shear = std::nullopt;
+    together.intergranular_void_ratio = std::nullopt;
+    if (!work.resumed.is_null()) {
+        work.numbers[skeleton_key] = work.resumed.at(skeleton_key);
+        compact_on_skeleton(work, together);
+        return;
+    }
+    const grains::Grains fines = packing::take_out_fines(work.world);
+    nlohmann::json& told = work.numbers[skeleton_key] = nlohmann::json::object();
+    if (work.world.grains.size() == 0) { // fines alone: their cloud is as good as any
+        work.world.grains = fines;
+        compact_as_asked(work, together, Part::Whole);
+        return;
+    }
+    compact_as_asked(work, asked, Part::OfMore);
+    told = {{"void_ratio", dem::void_ratio(work.world)}, {"steps", work.numbers.at("steps")}};
+    if (fines.size() == 0) {
+        return;
+    }
+    const packing::Placing placing = packing::put_into_voids(work.world, fines);
+    told["widening"] = placing.widening;
+    if (!placing.touch_none) {
+        throw StateError(fmt::format(
+            "the fines found no room between the coarse grains, although the skeleton was widened {:.2f} times; take "
+            "more coarse grains, or leave `skeleton_first` out",
+            placing.widening
+        ));
+    }
+    work.history.begin_anew();
+    work.pictures.begin_anew(work.world);
+    compact_on_skeleton(work, together);
 }
 
 } // namespace
@@ -113,30 +216,12 @@ void do_pack(StageWork& work, const packing::PackSpec& spec) {
 }
 
 void do_compact(StageWork& work, const packing::CompactSpec& asked) {
-    const packing::CompactSpec spec = with_void_ratio(asked, work.world.grains);
-    if (work.resumed.is_null()) {
-        dem::sort_along_curve(work.world);
-    }
-    if (spec.void_ratio) {
-        const dem::World cloud = work.world;
-        const auto reach = [&](const packing::CompactSpec& trial) {
-            work.world = cloud;
-            work.history.begin_anew();
-            work.pictures.begin_anew(cloud);
-            compact(work, trial, packing::begin_compaction(work.world, trial, work.variant.damping, work.what.mode));
-            return dem::void_ratio(work.world);
-        };
-        const packing::FoundDensity found = packing::search_void_ratio(spec, work.world.material, reach);
-        work.numbers["preparation_friction"] = found.spec.prepare.friction.value_or(work.variant.material.friction);
-        work.numbers["preparation_trials"] = found.trials;
-    } else if (work.resumed.is_null()) {
-        const packing::CompactState start =
-            packing::begin_compaction(work.world, spec, work.variant.damping, work.what.mode);
-        compact(work, spec, start);
+    if (asked.prepare.skeleton_first) {
+        compact_skeleton_first(work, asked);
     } else {
-        compact(work, spec, work.resumed.get<packing::CompactState>());
+        compact_as_asked(work, asked, Part::Whole);
     }
-    warn_of_shear_stress(work, spec.pressure);
+    warn_of_shear_stress(work, asked.pressure);
 }
 
 } // namespace suffuse::run
