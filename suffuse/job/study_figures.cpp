@@ -222,8 +222,8 @@ std::vector<study::Mixture> describe_mixtures(
     std::vector<study::Mixture> mixtures;
     for (const double fines_content : sweep.curves.fines_content) {
         const auto stage = std::find_if(stages.begin(), stages.end(), [&](const record::FinishedStage& each) {
-            return each.study == sweep.study && each.stage->name == sweep.loose && each.variant->soil &&
-                   each.variant->soil->fines_content == fines_content;
+            return each.study == sweep.study && std::ranges::count(sweep.loose_stages, each.stage->name) > 0 &&
+                   each.variant->soil && each.variant->soil->fines_content == fines_content;
         });
         if (stage == stages.end() || !stage->variant->soil->coarse) {
             continue;

@@ -65,7 +65,7 @@ gather_fines(const std::optional<FinesSweep>& sweep, const std::vector<record::F
         found.study = sweep->study->name;
         found.loose_stage = sweep->loose;
         found.dense_stage = sweep->dense;
-        found.loose = sweep_points(*sweep, sweep->loose);
+        found.loose = loose_points(*sweep);
         found.dense = sweep_points(*sweep, sweep->dense);
         found.thresholds = find_thresholds(found.loose, found.dense.points.empty() ? nullptr : &found.dense);
     }

@@ -25,6 +25,25 @@ std::string loose_stage(const casefile::Study& study) {
     return loose == nullptr ? std::string{} : loose->name;
 }
 
+bool is_for_some_contents(const casefile::Stage& stage) {
+    return std::ranges::any_of(stage.only, [](const casefile::Sweep& only) { return only.key == fines_key; });
+}
+
+std::vector<std::string>
+stages_of_loose_state(const casefile::Study& study, const std::string& loose, const std::string& dense) {
+    std::vector<std::string> names = {loose};
+    const auto first = std::ranges::find(study.stages, loose, &casefile::Stage::name);
+    if (first == study.stages.end() || !is_for_some_contents(*first)) {
+        return names;
+    }
+    for (const casefile::Stage& stage : study.stages) {
+        if (stage.name != loose && stage.name != dense && compaction(stage) != nullptr && is_for_some_contents(stage)) {
+            names.push_back(stage.name);
+        }
+    }
+    return names;
+}
+
 std::string densest_stage(const casefile::Study& study, const std::string& loose) {
     const casefile::Stage* densest = nullptr;
     const auto friction = [](const casefile::Stage& stage) { return *compaction(stage)->prepare.friction; };
@@ -58,11 +77,28 @@ StageCurve sweep_points(const FinesSweep& sweep, const std::string& stage) {
     return curve;
 }
 
+StageCurve loose_points(const FinesSweep& sweep) {
+    StageCurve curve{sweep.loose, {}};
+    for (const std::string& stage : sweep.loose_stages) {
+        for (SweepPoint& point : sweep_points(sweep, stage).points) {
+            const bool is_known = std::ranges::any_of(curve.points, [&](const SweepPoint& known) {
+                return known.value[sweep.key] == point.value[sweep.key];
+            });
+            if (!is_known) {
+                curve.points.push_back(std::move(point));
+            }
+        }
+    }
+    std::ranges::stable_sort(curve.points, std::less{}, [&](const SweepPoint& p) { return p.value[sweep.key]; });
+    return curve;
+}
+
 const casefile::Stage* loose_test(const FinesSweep& sweep) {
     for (const casefile::Stage& stage : sweep.study->stages) {
         const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.spec);
         if (spec != nullptr && spec->path == triaxial::Path::Drained && stage.parent >= 0 &&
-            sweep.study->stages[static_cast<std::size_t>(stage.parent)].name == sweep.loose) {
+            std::ranges::count(sweep.loose_stages, sweep.study->stages[static_cast<std::size_t>(stage.parent)].name) >
+                0) {
             return &stage;
         }
     }
@@ -81,10 +117,11 @@ std::optional<FinesSweep> find_fines_sweep(const casefile::Case& what, const std
         sweep.study = &study;
         sweep.loose = loose_stage(study);
         sweep.dense = densest_stage(study, sweep.loose);
+        sweep.loose_stages = stages_of_loose_state(study, sweep.loose, sweep.dense);
         sweep.key = static_cast<std::size_t>(key - traced[s].keys.begin());
         sweep.traced = traced[s];
         sweep.curves.study = study.name;
-        sweep.curves.loose = sweep_points(sweep, sweep.loose);
+        sweep.curves.loose = loose_points(sweep);
         sweep.curves.dense.stage = sweep.dense;
         // The densest state at the same fines contents, in the same order; where it is missing it has no numbers.
         const StageCurve dense = sweep_points(sweep, sweep.dense);
