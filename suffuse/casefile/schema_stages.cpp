@@ -235,7 +235,7 @@ std::vector<Key> preparation_rows() {
             flag(
                 "stage.compact.prepare", "skeleton_first",
                 "Coarse grains are compacted alone, in the way that `prepare` says; fines are then put into their "
-                "voids, and all settle, without adhesion. The skeleton is widened where the fines do not fit."
+                "voids, and all settle. Where they do not fit, the skeleton is widened, and all are compacted together."
             ),
             ratio(
                 "stage.compact", "void_ratio", {0.1, 5, false, false},

@@ -137,12 +137,21 @@ void end_relaxation(dem::World& world, const CompactSpec& spec, CompactState& st
 
 } // namespace
 
-CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double damping, dem::Mode mode) {
+CompactState begin_settling(dem::World& world, double damping, dem::Mode mode) {
     CompactState state;
+    state.phase = CompactState::Phase::Settle;
     state.material = world.material;
     state.damping = damping;
     state.mode = mode;
     state.median_diameter = grains::median_diameter(world.grains);
+    state.start_porosity = dem::porosity(world);
+    state.void_ratio_compacted = dem::void_ratio(world);
+    return state;
+}
+
+CompactState begin_compaction(dem::World& world, const CompactSpec& spec, double damping, dem::Mode mode) {
+    CompactState state = begin_settling(world, damping, mode);
+    state.phase = CompactState::Phase::Compact;
     const Prepare& prepare = spec.prepare;
     world.material.friction = prepare.friction.value_or(world.material.friction);
     world.material.adhesion_normal = prepare.adhesion_normal.value_or(world.material.adhesion_normal);

@@ -52,6 +52,9 @@ struct CompactState {
 CompactState
 begin_compaction(dem::World& world, const CompactSpec& spec, double damping, dem::Mode mode = dem::Mode::Reference);
 
+/// The same for grains that stand already, and have their final parameters: they only have to settle.
+CompactState begin_settling(dem::World& world, double damping, dem::Mode mode = dem::Mode::Reference);
+
 /// Whether a balanced sample is known to miss the void ratio asked for, before it has proved its balance.
 bool misses_void_ratio(const dem::World& world, const CompactSpec& spec, const CompactState& state);
 

@@ -16,7 +16,7 @@ struct Prepare {
     std::optional<double> friction;        ///< lowered contact friction: dense [rad]
     std::optional<double> adhesion_normal; ///< on contacts made during compaction: loose [Pa]
     std::optional<double> adhesion_shear;  ///< [Pa]
-    /// Coarse grains are compacted alone, in this way; fines are then put into their voids, and all settle.
+    /// Coarse grains are compacted alone, in this way; fines are then put into their voids (skeleton_first.hpp).
     bool skeleton_first = false;
 };
 

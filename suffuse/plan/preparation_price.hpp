@@ -15,13 +15,16 @@ struct PreparationPrice {
     Range steps; ///< over those that the strain takes at the largest rate, of 2,000 median grains if it creeps [-]
 };
 
-inline constexpr std::array<PreparationPrice, 6> preparation_prices = {{
+inline constexpr std::array<PreparationPrice, 9> preparation_prices = {{
     {"faithful, adhesive", {2.2, 5.4}},
     {"faithful, frictionless", {3.3, 17}},
     {"faithful, frictional", {3.1, 6.8}},
     {"slow, adhesive", {3.5, 7.5}},
     {"slow, frictionless", {3.5, 7.5}},
     {"slow, frictional", {3.5, 7.5}},
+    {"skeleton first, adhesive", {2.2, 5.4}},
+    {"skeleton first, frictionless", {3.3, 17}},
+    {"skeleton first, frictional", {3.1, 6.8}},
 }};
 
 } // namespace suffuse::plan

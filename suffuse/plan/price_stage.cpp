@@ -329,7 +329,8 @@ private:
     /// A row of preparation_prices.
     [[nodiscard]] std::string kind_of(const packing::CompactSpec& spec) const {
         const std::string_view met = adheres(spec) ? "adhesive" : friction_of(spec) > 0 ? "frictional" : "frictionless";
-        return fmt::format("{}, {}", packing::name_of(spec.protocol), met);
+        const bool first = spec.prepare.skeleton_first;
+        return fmt::format("{}, {}", first ? "skeleton first" : packing::name_of(spec.protocol), met);
     }
 
     [[nodiscard]] double solid_fraction_asked(const packing::CompactSpec& spec) const {

@@ -137,34 +137,11 @@ void compact_as_asked(StageWork& work, const packing::CompactSpec& asked, Part p
     compact(work, spec, state, part);
 }
 
-void compact_on_skeleton(StageWork& work, const packing::CompactSpec& together) {
-    compact_as_asked(work, together, Part::Whole);
-    work.numbers["steps"] =
-        work.numbers["steps"].get<std::int64_t>() + work.numbers[skeleton_key].value("steps", std::int64_t{0});
-}
-
-/// The coarse grains alone, as asked; the fines into their voids; then all of them, without the adhesion and the void
-/// ratio that were the skeleton's.
-void compact_skeleton_first(StageWork& work, const packing::CompactSpec& asked) {
-    packing::CompactSpec together = asked;
-    together.prepare.adhesion_normal = together.prepare.adhesion_shear = std::nullopt;
-    together.intergranular_void_ratio = std::nullopt;
-    if (!work.resumed.is_null()) {
-        work.numbers[skeleton_key] = work.resumed.at(skeleton_key);
-        compact_on_skeleton(work, together);
-        return;
-    }
-    const grains::Grains fines = packing::take_out_fines(work.world);
-    nlohmann::json& told = work.numbers[skeleton_key] = nlohmann::json::object();
-    if (work.world.grains.size() == 0) { // fines alone: their cloud is as good as any
+/// @return whether the fines fitted into the voids of the skeleton as it is. Fines alone are their cloud again.
+bool put_fines(StageWork& work, const grains::Grains& fines, nlohmann::json& told) {
+    if (work.world.grains.size() == 0) {
         work.world.grains = fines;
-        compact_as_asked(work, together, Part::Whole);
-        return;
-    }
-    compact_as_asked(work, asked, Part::OfMore);
-    told = {{"void_ratio", dem::void_ratio(work.world)}, {"steps", work.numbers.at("steps")}};
-    if (fines.size() == 0) {
-        return;
+        return false;
     }
     const packing::Placing placing = packing::put_into_voids(work.world, fines);
     told["widening"] = placing.widening;
@@ -177,7 +154,39 @@ void compact_skeleton_first(StageWork& work, const packing::CompactSpec& asked) 
     }
     work.history.begin_anew();
     work.pictures.begin_anew(work.world);
-    compact_on_skeleton(work, together);
+    return placing.widening == 1;
+}
+
+/// All grains together, from where the fines were put: those that fitted only settle.
+void compact_on_skeleton(StageWork& work, const packing::CompactSpec& together, bool fitted) {
+    dem::sort_along_curve(work.world);
+    const packing::CompactState start =
+        fitted ? packing::begin_settling(work.world, work.variant.damping, work.what.mode)
+               : packing::begin_compaction(work.world, together, work.variant.damping, work.what.mode);
+    compact(work, together, start, Part::Whole);
+}
+
+/// The coarse grains alone, as asked; the fines into their voids; then all of them.
+void compact_skeleton_first(StageWork& work, const packing::CompactSpec& asked) {
+    packing::CompactSpec together = asked;
+    together.intergranular_void_ratio = std::nullopt; // the skeleton's
+    nlohmann::json& told = work.numbers[skeleton_key] = nlohmann::json::object();
+    if (!work.resumed.is_null()) {
+        told = work.resumed.at(skeleton_key);
+        compact(work, together, work.resumed.get<packing::CompactState>(), Part::Whole);
+    } else {
+        const grains::Grains fines = packing::take_out_fines(work.world);
+        if (work.world.grains.size() > 0) {
+            compact_as_asked(work, asked, Part::OfMore);
+            told = {{"void_ratio", dem::void_ratio(work.world)}, {"steps", work.numbers.at("steps")}};
+        }
+        if (fines.size() == 0) {
+            return;
+        }
+        const bool fitted = put_fines(work, fines, told);
+        compact_on_skeleton(work, together, fitted);
+    }
+    work.numbers["steps"] = work.numbers["steps"].get<std::int64_t>() + told.value("steps", std::int64_t{0});
 }
 
 } // namespace
