@@ -14,6 +14,7 @@
 #include "apps/json_text.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/wording.hpp"
+#include <algorithm>
 #include <optional>
 
 namespace suffuse::apps {
@@ -21,24 +22,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// "paper's findings: 3 of 7 met; met by noise: E6; not met by our number: E5; not met: E4, E7".
 std::string findings_text(const nlohmann::json& findings) {
-    std::vector<std::string> not_met, unknown;
+    std::vector<std::pair<std::string, std::vector<std::string>>> by_verdict;
+    std::size_t met = 0;
     for (const nlohmann::json& finding : findings) {
-        const nlohmann::json& met = finding.at("met");
-        if (!met.is_null() && met.get<bool>()) {
+        const std::string verdict = finding.at("verdict");
+        met += finding.at("met") == true ? 1U : 0U;
+        if (verdict == "met") {
             continue;
         }
-        (met.is_null() ? unknown : not_met).push_back(finding.at("id"));
+        auto same = std::ranges::find(by_verdict, verdict, &decltype(by_verdict)::value_type::first);
+        if (same == by_verdict.end()) {
+            same = by_verdict.insert(same, {verdict, {}});
+        }
+        same->second.push_back(finding.at("id"));
     }
-    const std::size_t met = findings.size() - not_met.size() - unknown.size();
     std::string text = fmt::format("paper's findings: {} of {} met", met, findings.size());
-    if (!not_met.empty()) {
-        text += fmt::format("; not met: {}", fmt::join(not_met, ", "));
+    for (const auto& [verdict, ids] : by_verdict) {
+        text += fmt::format("; {}: {}", verdict, fmt::join(ids, ", "));
     }
-    if (!unknown.empty()) {
-        text += fmt::format("; cannot tell: {}", fmt::join(unknown, ", "));
-    }
-    return text;
+    return text + (by_verdict.empty() ? "" : "; suffuse compare RUN --paper says why");
 }
 
 std::string report_text(const fs::path& report) {

@@ -171,21 +171,27 @@ int compare_two(const CompareVerb& asked, const Console& console) {
     return found.differences.empty() ? Done : Differs;
 }
 
-/// Each finding of the paper: its number, ours, and whether it is met.
+/// The lines of a finding: its verdict, the paper's words, our criterion and number, and why.
+std::string finding_text(const nlohmann::json& finding) {
+    const auto text = [&](const char* key) { return finding.value(key, std::string{}); };
+    const nlohmann::json& met = finding.at("met");
+    const std::string by_met = met.is_null() ? "cannot tell" : met.get<bool>() ? "met" : "not met";
+    std::string out = fmt::format(
+        "{:4}{}\n    paper      {}\n    criterion  {}", text("id"), finding.value("verdict", by_met), text("paper"),
+        text("claim")
+    );
+    if (const auto ours = finding.value("our_numbers", std::vector<std::string>{}); !ours.empty()) {
+        out += fmt::format("\n    our number {}", fmt::join(ours, ", "));
+    }
+    out += "\n    here       " + text("ours");
+    return out + (text("why").empty() ? "" : "\n    why        " + text("why"));
+}
+
 int tell_findings(const nlohmann::json& findings, const Console& console) {
     bool all_met = true;
     for (const nlohmann::json& finding : findings) {
-        const nlohmann::json& met = finding.at("met");
-        const bool is_known = met.is_boolean();
-        all_met = all_met && (!is_known || met.get<bool>());
-        console.result(fmt::format(
-            "{:4}{:12}{}\n{:16}paper: {}\n{:16}here:  {}", finding.at("id").get<std::string>(),
-            !is_known         ? "cannot tell"
-            : met.get<bool>() ? "met"
-                              : "not met",
-            finding.at("claim").get<std::string>(), "", finding.at("paper").get<std::string>(), "",
-            finding.at("ours").get<std::string>()
-        ));
+        all_met = all_met && finding.at("met") != false;
+        console.result(finding_text(finding));
     }
     if (findings.empty()) {
         console.result("the run holds nothing that the paper found something about");

@@ -62,10 +62,11 @@ std::optional<Headline> findings_headline(const std::vector<study::Finding>& fin
     }
     const auto met =
         std::count_if(findings.begin(), findings.end(), [](const study::Finding& f) { return f.met == true; });
-    const auto open = std::count_if(findings.begin(), findings.end(), [](const study::Finding& f) { return !f.met; });
+    const std::string all = study::count_standings(findings);
+    const std::size_t more = all.find_first_of(",;");
     return Headline{
         fmt::format("{} of {}", met, findings.size()), "findings of the paper met",
-        open > 0 ? fmt::format("{} cannot be told from this run", open) : ""};
+        more == std::string::npos ? "" : all.substr(more + 2)};
 }
 
 std::vector<Headline> fines_headlines(const std::vector<study::ContentThreshold>& thresholds) {

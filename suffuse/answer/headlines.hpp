@@ -2,7 +2,7 @@
 // The few numbers of an erosion, and of a study over the fines content, that are shown large beside the answer.
 
 #include "suffuse/erosion/result.hpp"
-#include "suffuse/study/findings.hpp"
+#include "suffuse/study/finding.hpp"
 #include "suffuse/study/fines_thresholds.hpp"
 
 #include <optional>

@@ -330,6 +330,18 @@ tell_range(const study::ErosionStory& story, const std::vector<record::FinishedS
     );
 }
 
+/// "first, then second: " where stages follow each other; nothing where one stage is all that eroded.
+std::string name_chain(const study::ErosionStory& story) {
+    if (story.others.empty() && story.chain.size() == 1) {
+        return {};
+    }
+    std::vector<std::string> names;
+    for (const record::FinishedStage* stage : story.chain) {
+        names.push_back(stage->stage->name);
+    }
+    return fmt::format("{}: ", fmt::join(names, ", then "));
+}
+
 } // namespace
 
 std::vector<std::string> answer_of_erosion(const study::RunResults& results) {
@@ -353,8 +365,7 @@ std::vector<std::string> answer_of_erosion(const study::RunResults& results) {
         sentences.push_back(answer_to_probes(story.probes, story.probed_by));
     }
     if (!story.erosion.passes.empty()) {
-        const std::string name = story.others.empty() ? "" : story.eroded->stage->name + ": ";
-        sentences.push_back(name + answer_to_erosion(story.erosion));
+        sentences.push_back(name_chain(story) + answer_to_erosion(story.erosion));
         if (std::string idle = tell_idle(story.erosion);
             !idle.empty() && !story.erosion.passes.front().probe.id.empty() && !erosion::is_forced(story.erosion)) {
             sentences.push_back(std::move(idle));

@@ -79,11 +79,11 @@ void add_passes(
     }
     const casefile::Variant& variant = *story.eroded->variant;
     const casefile::Stage& parent = variant.stages[static_cast<std::size_t>(story.eroded->stage->parent)];
-    const std::filesystem::path place = record::stage_folder(folder, variant, *story.eroded->stage);
     const auto& passes = story.erosion.passes;
     for (std::size_t k = 0; k < passes.size(); ++k) {
-        const std::filesystem::path after =
-            k + 1 == passes.size() ? place / "state.h5" : record::pass_file(place, static_cast<int>(k) + 1);
+        const study::StagePass& made = story.made_in[k];
+        const std::filesystem::path place = record::stage_folder(folder, variant, *made.stage->stage);
+        const std::filesystem::path after = made.is_last ? place / "state.h5" : record::pass_file(place, made.number);
         if (k == 0 && passes[k].permeability_before > 0) {
             rows.push_back(water_row(
                 "before erosion",

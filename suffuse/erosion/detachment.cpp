@@ -5,7 +5,8 @@
 namespace suffuse::erosion {
 namespace {
 
-constexpr double most_hidden = 0.05; // share of the fines: hidden ones beyond it make the verdict one on noise
+constexpr double most_hidden = 0.05;  // share of the fines: hidden ones beyond it make the verdict one on noise
+constexpr double most_refused = 0.05; // share of the grains taken: the two rules differ by a bounce here and there
 
 /// The paper's first group: the speed rises over every tenth of the watch.
 bool rises_throughout(const std::array<double, probe_samples + 1>& speed) {
@@ -60,6 +61,15 @@ void judge_detachment(const DetachSpec& spec, ProbeResult& result) {
 bool noise_decides(const DetachSpec& spec, const ProbeResult& result) {
     return spec.by == DetachBy::Velocity &&
            static_cast<double>(result.hidden_by_noise) > most_hidden * static_cast<double>(result.id.size());
+}
+
+bool takes_unaccepted(const ProbeResult& result) {
+    const auto [refused, accepted] = result.agreement[1];
+    return static_cast<double>(refused) > most_refused * static_cast<double>(refused + accepted);
+}
+
+bool threshold_takes_noise(const DetachSpec& spec, const ProbeResult& result) {
+    return spec.by == DetachBy::Velocity && spec.rule == VelocityRule::Above && takes_unaccepted(result);
 }
 
 const std::vector<std::uint8_t>& verdicts(const DetachSpec& spec, const ProbeResult& result) {

@@ -15,6 +15,16 @@ void judge_detachment(const DetachSpec& spec, ProbeResult& result);
 /// Whether what they do without fluid hides so many fines that the velocity rule cannot tell what the fluid detaches.
 bool noise_decides(const DetachSpec& spec, const ProbeResult& result);
 
+/// Whether of the grains that the velocity rule takes too many are not accepted by the displacement rule, which looks
+/// at what a grain does beyond its own twin: they move for another reason than the water.
+bool takes_unaccepted(const ProbeResult& result);
+
+/// Fines that move this many times as fast as their twin, in the median, move with the water.
+inline constexpr double clear_signal = 10;
+
+/// Whether an absolute speed, which knows no twin, decides by grains that the displacement rule does not accept.
+bool threshold_takes_noise(const DetachSpec& spec, const ProbeResult& result);
+
 /// The verdicts of the rule asked for.
 const std::vector<std::uint8_t>& verdicts(const DetachSpec& spec, const ProbeResult& result);
 

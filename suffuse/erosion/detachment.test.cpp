@@ -130,5 +130,24 @@ TEST(Detachment, TheTwoWayTableCountsEveryGrainOnce) {
     EXPECT_EQ(probe.agreement[0][0], 1);
 }
 
+TEST(Detachment, AThresholdTakesNoiseWhereTheTwinDoesNotAcceptItsGrains) {
+    std::vector<std::array<double, probe_samples + 1>> speeds(40, rising_to(0.1));
+    ProbeResult probe = probe_of(speeds);
+    std::fill(probe.displacement.begin(), probe.displacement.end(), 1);
+    DetachSpec spec;
+    spec.rule = VelocityRule::Above, spec.over_speed = 0.05;
+    probe.displacement[0] = probe.displacement[1] = 0; // 5 %: bounces
+    judge_detachment(spec, probe);
+    EXPECT_FALSE(threshold_takes_noise(spec, probe));
+    probe.displacement[2] = 0;
+    judge_detachment(spec, probe);
+    EXPECT_TRUE(threshold_takes_noise(spec, probe));
+    spec.by = DetachBy::Displacement;
+    EXPECT_FALSE(threshold_takes_noise(spec, probe)) << "it is the twin's rule that decides";
+    spec = {};
+    EXPECT_FALSE(threshold_takes_noise(spec, probe)) << "the strict rule looks at the twin itself";
+    EXPECT_FALSE(threshold_takes_noise(spec, ProbeResult{}));
+}
+
 } // namespace
 } // namespace suffuse::erosion

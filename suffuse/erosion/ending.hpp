@@ -35,6 +35,14 @@ struct SkeletonFailed {
     bool operator==(const SkeletonFailed&) const = default;
 };
 
+/// The skeleton finds no rest under its stresses, though it strains little.
+struct SkeletonRestless {
+    std::int64_t steps = 0; ///< under them
+    double carried = 0;     ///< share of the mean stress at the end [-]
+
+    bool operator==(const SkeletonRestless&) const = default;
+};
+
 /// As much has left as was asked.
 struct TargetReached {
     double share = 0, asked = 0; ///< of the mass [-]
@@ -61,8 +69,8 @@ struct ToldOtherwise {
 /// Why the procedure stops after a pass; false where it goes on.
 struct Ending {
     std::variant<
-        std::monostate, NothingLeaves, NoiseDecides, SkeletonDoubt, SkeletonFailed, TargetReached, NoneToRemove,
-        ToldOtherwise>
+        std::monostate, NothingLeaves, NoiseDecides, SkeletonDoubt, SkeletonFailed, SkeletonRestless, TargetReached,
+        NoneToRemove, ToldOtherwise>
         why;
 
     explicit operator bool() const { return !std::holds_alternative<std::monostate>(why); }

@@ -29,13 +29,8 @@ struct NoSkeleton : StateError {
     using StateError::StateError;
 };
 
-/// A skeleton that neither comes to rest nor fails.
-struct NoRest : StateError {
-    using StateError::StateError;
-};
-
 /// One pass from an equilibrium; appends to `result` and returns whether the procedure should go on.
-/// @throws SolverError, GeometryError, NoSkeleton, NoRest, StateError; the world is then as before.
+/// @throws SolverError, GeometryError, NoSkeleton, StateError; the world is then as before.
 bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result);
 
 /// Begins a result at the equilibrium `world`. @throws StateError where that carries no stress.

@@ -11,7 +11,6 @@ void describe_before(const dem::World& world, PassResult& pass);
 
 /// Runs both phases, fills in what they did, and returns the path from the first step after the removal on.
 /// A skeleton that strains further than it may has failed, is left there, and the pass's verdict says so.
-/// @throws NoRest
 std::vector<PathRow> reequilibrate(
     dem::World& world, const ResettleSpec& spec, const ErosionResult& so_far, const Surroundings& around,
     PassResult& pass

@@ -22,7 +22,7 @@ RemovalResult begin_removal(const dem::World& world, const RemoveSpec& spec);
 
 /// One pass from an equilibrium to the next: takes what is still to go by its end, from the grains that are of the
 /// class then. Appends to `result` and returns whether there is another pass.
-/// @throws NoSkeleton where no grain stays, NoRest; the world is then as before, as it is when the pulse interrupts.
+/// @throws NoSkeleton where no grain stays; the world is then as before, as it is when the pulse interrupts.
 bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& around, RemovalResult& result);
 
 /// Mass removed so far over the mass at the beginning [-].

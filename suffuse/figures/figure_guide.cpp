@@ -73,6 +73,11 @@ constexpr std::array guides = {
         "How many fines the velocity rule and the displacement rule call detachable, and how often they agree.",
         "a `detach` or `erode` stage"},
     Guide{
+        "own-twin", "each fine grain beside its twin",
+        "Speed at the end of the probe with water against that of the same grain without, a panel a pass. On the "
+        "diagonal what is left of unbalance moves a grain, above it the water does.",
+        "an `erode` stage"},
+    Guide{
         "own-constrictions", "constrictions beside the fines",
         "Sizes of the constrictions of the coarse skeleton and of the fines: which could pass.", "an `erode` stage"},
     Guide{

@@ -50,6 +50,9 @@ using NamedErosion = std::pair<std::string, const erosion::ErosionResult*>;
 std::optional<Figure>
 rules_compared(const std::vector<erosion::ProbeResult>& probes, const std::vector<NamedErosion>& erosions);
 
+/// Ours: the speed of each fine grain with water against that of its twin without, a panel a pass.
+std::optional<Figure> beside_twin(const erosion::ErosionResult& erosion);
+
 /// Ours: constriction sizes of the coarse skeleton beside the sizes of the fines.
 std::optional<Figure> constriction_sizes(const erosion::ErosionResult& erosion);
 

@@ -100,6 +100,7 @@ draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, co
             add(figures::stress_path(story.erosion), figures);
             add(figures::porosity_path(story.erosion), figures);
             add(figures::rules_compared(story.probes, named_erosions(story)), figures);
+            add(figures::beside_twin(story.erosion), figures);
             add(figures::constriction_sizes(story.erosion), figures);
             add(figures::transport_by_pass(story.erosion), figures);
             add(figures::eroded_grading(sampled, story.erosion, axis), figures);

@@ -4,6 +4,7 @@
 #include "suffuse/casefile/explain.hpp"
 #include "suffuse/figures/figure_guide.hpp"
 #include "suffuse/stability/criterion_guide.hpp"
+#include "suffuse/study/finding_guide.hpp"
 #include "suffuse/study/findings_fines.hpp"
 
 #include <fmt/format.h>
@@ -24,10 +25,15 @@ std::vector<study::Finding> all_findings() {
 std::optional<std::string> explain_finding(const std::string& id) {
     for (const study::Finding& finding : all_findings()) {
         if (finding.id == id) {
+            const std::string numbers = list_our_numbers(finding);
             return fmt::format(
-                "finding {} of the paper\n  met when  {}\n  paper     {}\n"
-                "  judged    where a case has a `paper` line: its report, and suffuse compare RUN --paper\n",
-                finding.id, finding.claim, finding.paper
+                "finding {} of the paper\n  paper     {}\n  met when  {}\n  ours      {}\n  why       {}\n"
+                "  judged    where a case has a `paper` line: its report, and suffuse compare RUN --paper, which say "
+                "why of their run\n",
+                finding.id, finding.paper, finding.claim,
+                numbers.empty() ? "no number: all are the paper's words"
+                                : numbers + ": the paper gives words there, and no number",
+                study::background_of(finding.id)
             );
         }
     }

@@ -25,9 +25,13 @@
 #include "suffuse/run/measure.hpp"
 #include "suffuse/study/fines_findings.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace suffuse::job {
 namespace {
@@ -106,6 +110,42 @@ std::vector<report::AssumedValue> assumed_in(const std::filesystem::path& folder
     });
 }
 
+/// The paper says "at equilibrium", and no number: what the state was relaxed to that the probes start from decides
+/// what a threshold on speed takes.
+std::optional<report::AssumedValue> assumed_unbalance(const casefile::Case& what) {
+    std::set<double> values;
+    for (const casefile::Study& study : what.studies) {
+        for (const casefile::Variant& variant : study.variants) {
+            for (const casefile::Stage& stage : variant.stages) {
+                if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec);
+                    erode != nullptr && !erode->forced) {
+                    values.insert(erode->probe.unbalanced_force);
+                } else if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {
+                    values.insert(detach->probe.unbalanced_force);
+                }
+            }
+        }
+    }
+    if (values.empty()) {
+        return std::nullopt;
+    }
+    return report::AssumedValue{
+        "probe_unbalanced_force", fmt::format("{}", fmt::join(values, ", ")),
+        "of the equilibrium that the probes start from"};
+}
+
+/// What the case marks, and what it need not say to be assumed.
+std::vector<report::AssumedValue> all_assumed(const std::filesystem::path& folder, const casefile::Case& what) {
+    std::vector<report::AssumedValue> values = assumed_in(folder, what);
+    const bool is_marked = std::ranges::any_of(values, [](const report::AssumedValue& value) {
+        return value.key.ends_with("probe_unbalanced_force");
+    });
+    if (auto unbalance = what.paper.empty() || is_marked ? std::nullopt : assumed_unbalance(what)) {
+        values.push_back(std::move(*unbalance));
+    }
+    return values;
+}
+
 /// Of a value of the provenance; of its calls, how many there were.
 std::string provenance_text(const json& value) {
     if (value.is_array()) {
@@ -159,7 +199,7 @@ report::ReportData describe_run(
     data.warnings = report::merged_warnings(data.warnings);
     data.case_warnings = std::move(remarks.case_warnings);
     data.unfinished = std::move(remarks.unfinished);
-    data.assumed = assumed_in(folder, what);
+    data.assumed = all_assumed(folder, what);
     data.figures = draw_study(results, folder);
     for (figures::Figure& figure : draw_erosion(what, folder, story)) {
         data.figures.push_back(std::move(figure));
@@ -177,7 +217,7 @@ report::ReportData describe_run(
         }
     }
     heed_wishes(what.report, data);
-    data.scene = describe_scene(folder, stages, story.eroded);
+    data.scene = describe_scene(folder, stages, story);
     for (const record::FinishedStage& stage : stages) {
         data.stages.push_back(stage_row(what, stage));
     }

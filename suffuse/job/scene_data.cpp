@@ -130,9 +130,16 @@ dem::World load(const std::filesystem::path& state) {
     return record::KnownState(state).load().world;
 }
 
-Scene scene_of_erosion(const std::filesystem::path& folder, const record::FinishedStage& eroded) {
+/// The state after a pass: a file of its own, or that of its stage.
+std::filesystem::path file_after(const std::filesystem::path& folder, const study::StagePass& made) {
+    const std::filesystem::path place = record::stage_folder(folder, *made.stage->variant, *made.stage->stage);
+    return made.is_last ? place / "state.h5" : record::pass_file(place, made.number);
+}
+
+Scene scene_of_erosion(const std::filesystem::path& folder, const study::ErosionStory& story) {
     Scene scene;
-    const erosion::ErosionResult& erosion = *eroded.findings.erosion;
+    const record::FinishedStage& eroded = *story.eroded;
+    const erosion::ErosionResult& erosion = story.erosion;
     const std::filesystem::path place = record::stage_folder(folder, *eroded.variant, *eroded.stage);
     const auto& parent = eroded.variant->stages[static_cast<std::size_t>(eroded.stage->parent)];
     const dem::World before = load(record::stage_folder(folder, *eroded.variant, parent) / "state.h5");
@@ -147,7 +154,8 @@ Scene scene_of_erosion(const std::filesystem::path& folder, const record::Finish
     }
     const int passes = static_cast<int>(erosion.passes.size());
     for (int pass = 0; pass <= passes; ++pass) {
-        const std::filesystem::path file = pass == passes ? place / "state.h5" : record::pass_file(place, pass);
+        const std::filesystem::path file =
+            pass == 0 ? place : file_after(folder, story.made_in[static_cast<std::size_t>(pass) - 1]);
         if (pass > 0 && !std::filesystem::exists(file)) {
             continue; // a run of an earlier version
         }
@@ -232,11 +240,11 @@ Scene scene_of_stages(
 
 Scene describe_scene(
     const std::filesystem::path& folder, const std::vector<record::FinishedStage>& stages,
-    const record::FinishedStage* eroded
+    const study::ErosionStory& story
 ) {
     Scene scene;
-    if (eroded != nullptr && eroded->stage->parent >= 0) {
-        scene = scene_of_erosion(folder, *eroded);
+    if (story.eroded != nullptr && story.eroded->stage->parent >= 0) {
+        scene = scene_of_erosion(folder, story);
     } else if (!stages.empty()) {
         scene = scene_of_stages(folder, stages, shown_stage(stages));
     }

@@ -4,16 +4,17 @@
 
 #include "suffuse/record/finished_stage.hpp"
 #include "suffuse/report/scene.hpp"
+#include "suffuse/study/erosion_story.hpp"
 
 #include <filesystem>
 #include <vector>
 
 namespace suffuse::job {
 
-/// A scene without states where there is nothing to show. `eroded` is the stage whose passes are shown, or null.
+/// A scene without states where there is nothing to show. Of a story with an erosion its passes are shown.
 report::Scene describe_scene(
     const std::filesystem::path& folder, const std::vector<record::FinishedStage>& stages,
-    const record::FinishedStage* eroded
+    const study::ErosionStory& story
 );
 
 } // namespace suffuse::job

@@ -19,6 +19,7 @@ using erosion::NoneToRemove;
 using erosion::NothingLeaves;
 using erosion::SkeletonDoubt;
 using erosion::SkeletonFailed;
+using erosion::SkeletonRestless;
 using erosion::TargetReached;
 using erosion::ToldOtherwise;
 
@@ -46,6 +47,14 @@ struct Words {
         return fmt::format(
             "the skeleton fails: it does not carry its stresses any more and strained by more than {:.3g} %",
             100 * failed.most_strain
+        );
+    }
+
+    std::string operator()(const SkeletonRestless& restless) const {
+        return fmt::format(
+            "the skeleton fails: after {} steps under its stresses it is not at rest and carries {:.3g} % of them, or "
+            "[balance] asks too much",
+            restless.steps, 100 * restless.carried
         );
     }
 
@@ -88,6 +97,7 @@ std::vector<Ending> endings_with(std::vector<double> numbers) {
         {SkeletonDoubt{whole(0), 0}},
         {SkeletonDoubt{0, numbers[0]}},
         {SkeletonFailed{numbers[0] / 100}},
+        {SkeletonRestless{whole(0), numbers[1] / 100}},
         {NoneToRemove{static_cast<int>(whole(0)), static_cast<int>(whole(1))}}};
     for (const ErodedTarget::Of of : {ErodedTarget::Of::Fines, ErodedTarget::Of::Solids}) {
         const TargetReached reached{numbers[0] / 100, numbers[1] / 100, of, {}};

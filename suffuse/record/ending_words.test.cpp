@@ -22,6 +22,8 @@ std::vector<Ending> endings() {
         {narrow},
         {SkeletonFailed{0.2}},
         {SkeletonFailed{1e-6}},
+        {SkeletonRestless{3'000'000, 0.98765}},
+        {SkeletonRestless{400'050, 1.2e-7}},
         {TargetReached{0.123456, 0.1, fines, {}}},
         {TargetReached{1, 1, solids, few}},
         {TargetReached{0.99996, 0.3, fines, narrow}},
@@ -36,6 +38,11 @@ TEST(EndingWords, AreThoseOfFilesAndWarnings) {
     EXPECT_EQ(
         told({SkeletonFailed{0.2}}),
         "the skeleton fails: it does not carry its stresses any more and strained by more than 20 %"
+    );
+    EXPECT_EQ(
+        told({SkeletonRestless{400'050, 0.0123}}),
+        "the skeleton fails: after 400050 steps under its stresses it is not at rest and carries 1.23 % of them, or "
+        "[balance] asks too much"
     );
     EXPECT_EQ(
         told({TargetReached{0.0512, 0.05, ErodedTarget::Of::Solids, SkeletonDoubt{13, 0}}}),

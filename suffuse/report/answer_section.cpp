@@ -1,30 +1,98 @@
 #include "suffuse/report/answer_section.hpp"
 
 #include "suffuse/report/html.hpp"
+#include "suffuse/study/finding_guide.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace suffuse::report {
 
 namespace {
 
-std::string findings_table(const std::vector<study::Finding>& findings) {
-    std::string out =
-        "<div class=\"scroll\" tabindex=\"0\"><table class=\"findings\"><thead><tr><th></th><th>Criterion</th>"
-        "<th>Paper</th><th>This run</th><th>Verdict</th></tr></thead><tbody>\n";
-    for (const study::Finding& finding : findings) {
-        const bool known = finding.met.has_value();
-        const char* css_class = !known ? "unknown" : *finding.met ? "met" : "not-met";
-        const char* verdict = !known ? "? cannot tell" : *finding.met ? "✓ met" : "✗ not met";
-        out += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td data-label=\"Paper\">{}</td><td data-label=\"This "
-            "run\">{}</td>"
-            "<td class=\"verdict {}\">{}</td></tr>\n",
-            escaped(finding.id), typeset(finding.claim), typeset(finding.paper), typeset(finding.ours), css_class,
-            verdict
-        );
+/// Colour never speaks alone: the sign says the same.
+struct Mark {
+    const char* css_class;
+    const char* sign;
+};
+
+Mark mark_of(study::Standing standing) {
+    switch (standing) {
+    case study::Standing::Met:
+        return {"met", "✓"};
+    case study::Standing::MetByNoise:
+        return {"by-number", "✓"};
+    case study::Standing::NotMet:
+        return {"not-met", "✗"};
+    case study::Standing::NotMetByOurNumber:
+        return {"by-number", "✗"};
+    case study::Standing::SeedsDisagree:
+    case study::Standing::CannotTell:
+        break;
     }
-    return out + "</tbody></table></div>\n";
+    return {"unknown", "?"};
+}
+
+/// The criterion with the numbers that are ours marked in it.
+std::string criterion(const study::Finding& finding) {
+    std::string html = typeset(finding.claim);
+    std::size_t from = 0;
+    for (const std::string& number : finding.our_numbers) {
+        const std::string text = typeset(number);
+        if (const std::size_t at = html.find(text, from); at != std::string::npos) {
+            const std::string marked = "<span class=\"our-number\">" + text + "</span>";
+            html.replace(at, text.size(), marked);
+            from = at + marked.size();
+        }
+    }
+    return html;
+}
+
+std::string findings_table(const std::vector<study::Finding>& findings) {
+    std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"findings\"><thead><tr><th></th><th>The paper"
+                      "</th><th>Our criterion</th><th>This run</th><th>Verdict</th><th>Why</th></tr></thead><tbody>\n";
+    for (const study::Finding& finding : findings) {
+        const study::Standing standing = study::standing_of(finding);
+        const Mark mark = mark_of(standing);
+        out += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td data-label=\"Criterion\">{}</td><td data-label=\"This "
+            "run\">{}</td><td class=\"verdict {}\">{} {}</td>",
+            escaped(finding.id), typeset(finding.paper), criterion(finding), typeset(finding.ours), mark.css_class,
+            mark.sign, study::name_of(standing)
+        );
+        out += finding.why.empty() ? "<td></td></tr>\n"
+                                   : "<td data-label=\"Why\">" + typeset(finding.why) + "</td></tr>\n";
+    }
+    return out +
+           "</tbody></table></div>\n<p class=\"quiet\">Numbers <span class=\"our-number\">marked</span> in a criterion "
+           "are ours: the paper gives words there. <b>Not met by our number</b>: the words hold, the number does "
+           "not.</p>\n";
+}
+
+/// What decides the findings that are not plainly met; those of one explanation together.
+std::string explanations(const std::vector<study::Finding>& findings) {
+    std::vector<std::pair<std::string, std::string_view>> told; // ids, text
+    for (const study::Finding& finding : findings) {
+        const std::string_view text = study::background_of(finding.id);
+        if (study::standing_of(finding) == study::Standing::Met || text.empty()) {
+            continue;
+        }
+        const auto same = std::ranges::find(told, text, &std::pair<std::string, std::string_view>::second);
+        if (same == told.end()) {
+            told.emplace_back(finding.id, text);
+        } else {
+            same->first += ", " + finding.id;
+        }
+    }
+    std::string out;
+    for (const auto& [ids, text] : told) {
+        out += fmt::format("<p><b>{}.</b> {}</p>\n", ids, typeset(std::string(text)));
+    }
+    return out.empty() ? out
+                       : "<details><summary>What decides the findings that are not plainly met</summary>\n" + out +
+                             "</details>\n";
 }
 
 std::string headline_list(const std::vector<answer::Headline>& headlines) {
@@ -70,16 +138,8 @@ std::string answer_content(const ReportData& report) {
     out += "</div>\n" + (report.headlines.empty() ? "" : headline_list(report.headlines)) + "</div>\n";
     out += warnings_box(report);
     if (!report.findings.empty()) {
-        std::size_t met = 0, unknown = 0;
-        for (const study::Finding& finding : report.findings) {
-            met += finding.met == true ? 1U : 0U;
-            unknown += finding.met ? 0U : 1U;
-        }
-        out += fmt::format(
-            "<h3>The paper's findings: {} of {} met{}</h3>\n", met, report.findings.size(),
-            unknown > 0 ? fmt::format(", {} cannot be told from this run", unknown) : ""
-        );
-        out += findings_table(report.findings);
+        out += fmt::format("<h3>The paper's findings: {}</h3>\n", study::count_standings(report.findings));
+        out += findings_table(report.findings) + explanations(report.findings);
     }
     if (!report.assumed.empty()) {
         std::vector<std::vector<std::string>> rows;

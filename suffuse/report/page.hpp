@@ -8,7 +8,7 @@
 #include "suffuse/figures/page_table.hpp"
 #include "suffuse/report/quality.hpp"
 #include "suffuse/report/scene.hpp"
-#include "suffuse/study/findings.hpp"
+#include "suffuse/study/finding.hpp"
 
 #include <filesystem>
 #include <string>

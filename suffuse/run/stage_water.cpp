@@ -19,6 +19,7 @@
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/record/samples.hpp"
+#include "suffuse/run/note_threshold.hpp"
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/run/take_pass.hpp"
@@ -340,6 +341,7 @@ void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
     for (const erosion::ProbeResult& probe : work.findings.probes) {
         probes.push_back(probe_numbers(probe));
         note_probe(work, spec.detached, probe, true);
+        note_threshold(work, fmt::format("i = {}", short_number(probe.gradient)), spec.detached, probe);
     }
     work.numbers["probes"] = probes;
     const erosion::ProbeResult& first = work.findings.probes.front();
@@ -387,6 +389,9 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         grains -= pass.removed;
         work.time_step = pass.probe.time_step;
         note_probe(work, spec.detached, pass.probe, !spec.forced);
+        if (!spec.forced) {
+            note_threshold(work, fmt::format("pass {}", pass.pass), spec.detached, pass.probe);
+        }
         const bool is_usual_end = pass.verdict == erosion::Ending{erosion::NothingLeaves{}} ||
                                   (pass.reached_target && !pass.failed && !erosion::doubt_skeleton(work.world));
         if (pass.verdict && !is_usual_end) {

@@ -11,8 +11,6 @@ bool take_pass(const std::function<bool()>& pass) {
         return pass();
     } catch (const erosion::NoSkeleton& error) {
         throw StateError(fmt::format("{}; leave this fines content out (key `only`)", error.what()));
-    } catch (const erosion::NoRest& error) {
-        throw StateError(fmt::format("{}, or [balance] asks too much", error.what()));
     }
 }
 

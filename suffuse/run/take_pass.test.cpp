@@ -20,7 +20,6 @@ std::string told(const char* message) {
 
 TEST(TakePass, SaysWhichKeysHelp) {
     EXPECT_EQ(told<erosion::NoSkeleton>("all are fines"), "all are fines; leave this fines content out (key `only`)");
-    EXPECT_EQ(told<erosion::NoRest>("it has failed"), "it has failed, or [balance] asks too much");
     EXPECT_EQ(told<StateError>("too fast"), "too fast");
 }
 

@@ -1,5 +1,7 @@
 #include "suffuse/study/erosion_story.hpp"
 
+#include "suffuse/study/joined_passes.hpp"
+
 #include <algorithm>
 
 namespace suffuse::study {
@@ -14,6 +16,18 @@ bool has_fines(const record::FinishedStage& stage) {
 
 bool probes_fines(const record::FinishedStage& stage) {
     return !stage.findings.probes.empty() && !stage.findings.probes.front().id.empty();
+}
+
+/// The nearest erosion that the stage's sample comes from, over stages of other verbs; null where there is none.
+const casefile::Stage* erosion_before(const record::FinishedStage& stage) {
+    const std::vector<casefile::Stage>& all = stage.variant->stages;
+    for (int row = stage.stage->parent; row >= 0; row = all[static_cast<std::size_t>(row)].parent) {
+        const casefile::Stage& earlier = all[static_cast<std::size_t>(row)];
+        if (std::holds_alternative<erosion::ErodeSpec>(earlier.spec)) {
+            return &earlier;
+        }
+    }
+    return nullptr;
 }
 
 } // namespace
@@ -39,15 +53,40 @@ const record::FinishedStage* find_probed(const std::vector<record::FinishedStage
     return probed == stages.end() ? nullptr : &*probed;
 }
 
+Erosions find_chain(const std::vector<record::FinishedStage>& stages, const record::FinishedStage* eroded) {
+    Erosions chain;
+    while (eroded != nullptr) {
+        chain.push_back(eroded);
+        const auto next = std::ranges::find_if(stages, [&](const record::FinishedStage& stage) {
+            return stage.findings.erosion && erosion_before(stage) == eroded->stage;
+        });
+        eroded = next == stages.end() ? nullptr : &*next;
+    }
+    return chain;
+}
+
+erosion::ErosionResult passes_of(const Erosions& chain) {
+    std::vector<const erosion::ErosionResult*> parts;
+    for (const record::FinishedStage* stage : chain) {
+        parts.push_back(&*stage->findings.erosion);
+    }
+    return join_passes(parts);
+}
+
 ErosionStory find_story(const std::vector<record::FinishedStage>& stages) {
     ErosionStory story;
     story.eroded = find_eroded(stages, [](const record::FinishedStage&) { return true; });
-    if (story.eroded != nullptr) {
-        story.erosion = *story.eroded->findings.erosion;
+    story.chain = find_chain(stages, story.eroded);
+    story.erosion = passes_of(story.chain);
+    for (const record::FinishedStage* part : story.chain) {
+        const auto passes = static_cast<int>(part->findings.erosion->passes.size());
+        for (int pass = 1; pass <= passes; ++pass) {
+            story.made_in.push_back({part, pass, pass == passes});
+        }
     }
     for (const record::FinishedStage& stage : stages) {
-        if (story.eroded != nullptr && &stage != story.eroded && stage.findings.erosion &&
-            stage.variant == story.eroded->variant) {
+        if (story.eroded != nullptr && stage.findings.erosion && stage.variant == story.eroded->variant &&
+            std::ranges::find(story.chain, &stage) == story.chain.end()) {
             story.others.push_back(&stage);
         }
     }

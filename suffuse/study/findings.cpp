@@ -1,8 +1,8 @@
 #include "suffuse/study/findings.hpp"
 
-#include "suffuse/base/error.hpp"
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/base/words.hpp"
+#include "suffuse/study/findings_reason.hpp"
 #include "suffuse/study/passes.hpp"
 
 #include <fmt/format.h>
@@ -67,6 +67,13 @@ Finding judge_gradients(const std::vector<ProbeResult>& probes, const ErosionRes
         }
     }
     finding.met = both(none_without, some_with);
+    if (!finding.met) {
+        finding.why = "A `detach` stage with `gradients = [0, 0.01, 0.05, 0.1]` tells.";
+    } else if (!*finding.met) {
+        finding.why = none_without == false ? "The rule takes grains that no water pulls at."
+                                            : "Under i = 0.01 no grain passes the rule: it asks for more speed than "
+                                              "the water gives within the watch.";
+    }
     return finding;
 }
 
@@ -85,9 +92,11 @@ Finding judge_separation(const std::vector<ProbeResult>& probes, const ErosionRe
     Finding finding{
         "E2", "At i = 0.05 the median speeds of the two groups differ at least ten times within 1,000 iterations",
         "two groups, easily told apart after 1,000 iterations (Figure 9)", "", std::nullopt};
+    finding.our_numbers = {"at least ten times"};
     const ProbeResult* probe = probe_at(0.05, probes, erosion);
     if (probe == nullptr) {
         finding.ours = "i = 0.05 was not probed";
+        finding.why = "A `detach` or `erode` stage at i = 0.05 tells.";
         return finding;
     }
     const Detached detached = count_detached(*probe);
@@ -95,6 +104,7 @@ Finding judge_separation(const std::vector<ProbeResult>& probes, const ErosionRe
         finding.ours = fmt::format(
             "one group only: {} detachable, {} others at i = 0.05", grouped(detached.yes), grouped(detached.no)
         );
+        finding.why = detached.yes == 0 ? "The rule takes no grain." : "The rule takes every grain.";
         return finding;
     }
     const double spacing = static_cast<double>(probe->watch) / erosion::probe_samples;
@@ -111,39 +121,45 @@ Finding judge_separation(const std::vector<ProbeResult>& probes, const ErosionRe
     // A watch that ends early, or was first read later than the paper's, shows a separation but cannot deny it.
     const bool watched = probe->watch >= static_cast<std::int64_t>(paper_watch) && last > 0;
     finding.met = separated ? Verdict(true) : watched ? Verdict(false) : std::nullopt;
+    finding.in_words = fast > slow;
+    if (!separated) {
+        finding.why = watched ? fmt::format(
+                                    "The slow group moves with what is left of unbalance ({}): relaxed further, the "
+                                    "two lie wider apart.",
+                                    short_number(probe->unbalanced_force, 2)
+                                )
+                              : "The watch ends before 1,000 iterations, or was first read after them.";
+    }
     return finding;
 }
 
-/// Removed grains of a pass, and how many of them had at least `contacts`.
-std::pair<std::int64_t, std::int64_t> with_at_least(const PassResult& pass, int contacts) {
-    std::int64_t all = 0, held = 0;
-    for (const auto& [coordination, count] : pass.coordination_histogram) {
-        all += count;
-        if (coordination >= contacts) {
-            held += count;
-        }
-    }
-    return {all, held};
+std::string share_of(std::int64_t part, std::int64_t all) {
+    return fmt::format(
+        "{} of {} ({} %)", grouped(part), grouped(all),
+        short_number(100.0 * static_cast<double>(part) / static_cast<double>(all))
+    );
 }
 
 Finding judge_rattlers(const ErosionResult& erosion) {
     Finding finding{
         "E3", "Pass 1: fewer than 10 % of the removed grains have more than 2 contacts",
         "very few have more than 2; most are rattlers (Figure 12)", "no grain was removed in pass 1", std::nullopt};
+    finding.our_numbers = {"10 %"};
     const PassResult* pass = pass_of(erosion, 1);
-    if (pass == nullptr) {
-        finding.ours = "there was no pass 1";
+    if (pass == nullptr || pass->removed == 0) {
+        finding.ours = pass == nullptr ? "there was no pass 1" : finding.ours;
+        finding.why = "Nothing was eroded.";
         return finding;
     }
-    const auto [removed, held] = with_at_least(*pass, 3);
-    if (removed == 0) {
-        return finding;
-    }
-    finding.ours = fmt::format(
-        "{} of {} ({} %)", grouped(held), grouped(removed),
-        short_number(100.0 * static_cast<double>(held) / static_cast<double>(removed))
-    );
+    const std::int64_t removed = left_with_at_least(*pass, 0), held = left_with_at_least(*pass, 3);
+    finding.ours = share_of(held, removed);
     finding.met = 10 * held < removed;
+    finding.in_words = 2 * held < removed;
+    const std::string noise = tell_noise(pass);
+    finding.is_noise = *finding.met && !noise.empty();
+    if (finding.is_noise || !*finding.met) {
+        finding.why = noise.empty() ? "The rule takes grains that carry load." : noise;
+    }
     return finding;
 }
 
@@ -152,20 +168,44 @@ Finding judge_active(const ErosionResult& erosion) {
         "E4", "Pass 2: more than 50 % of the removed grains have at least 2 contacts", "most are active (Figure 12)",
         "no grain was removed in pass 2", std::nullopt};
     const PassResult* pass = pass_of(erosion, 2);
-    if (pass == nullptr) {
-        finding.ours = "there was no pass 2";
+    finding.why = tell_few_active(erosion, pass);
+    if (pass == nullptr || pass->removed == 0) {
+        finding.ours = pass == nullptr ? "there was no pass 2" : finding.ours;
         return finding;
     }
-    const auto [removed, active] = with_at_least(*pass, 2);
-    if (removed == 0) {
-        return finding;
-    }
-    finding.ours = fmt::format(
-        "{} of {} ({} %)", grouped(active), grouped(removed),
-        short_number(100.0 * static_cast<double>(active) / static_cast<double>(removed))
-    );
+    const std::int64_t removed = left_with_at_least(*pass, 0), active = left_with_at_least(*pass, 2);
+    finding.ours = share_of(active, removed);
     finding.met = 2 * active > removed;
+    if (*finding.met) {
+        finding.why = tell_noise(pass);
+        finding.is_noise = !finding.why.empty();
+    }
     return finding;
+}
+
+/// Why a claim on both passes is not met, or is met by the noise of the second.
+void give_reason(const ErosionResult& erosion, Verdict first, Verdict second, Finding& finding) {
+    const PassResult* pass_2 = pass_of(erosion, 2);
+    if (finding.met == true) {
+        finding.why = tell_noise(pass_2);
+        finding.is_noise = !finding.why.empty();
+        return;
+    }
+    const std::string in_words =
+        finding.met == false && finding.in_words == true
+            ? fmt::format("The paper's words hold, our numbers ({}) do not. ", list_our_numbers(finding))
+            : "";
+    const std::string of_first = first == false ? tell_active_in_first(pass_of(erosion, 1)) : "";
+    const std::string of_second = second != true ? tell_few_active(erosion, pass_2) : "";
+    finding.why = in_words + of_first + (of_first.empty() || of_second.empty() ? "" : " ") + of_second;
+}
+
+/// Whether pass 2 stands beyond a bound that pass 1 keeps within, whichever of the two bounds it is.
+Verdict differ_in_words(std::optional<double> first, std::optional<double> second, double least, double most) {
+    if (!first || !second) {
+        return std::nullopt;
+    }
+    return (*first<least&& * second> least) || (*first<most&& * second> most);
 }
 
 /// Of a pass that cannot tell what removal does.
@@ -177,26 +217,33 @@ Finding judge_strain(const ErosionResult& erosion) {
     Finding finding{
         "E5", "Contraction below 0.01 % in pass 1, above 0.1 % in pass 2",
         "almost negligible in pass 1, important in pass 2 (Figure 13)", "", std::nullopt};
+    finding.our_numbers = {"0.01 %", "0.1 %"};
+    constexpr double least = 1e-4, most = 1e-3;
     Verdict negligible, important;
-    const auto tell = [&](int number, Verdict& verdict, auto&& judge) {
+    std::optional<double> first, second;
+    const auto tell = [&](int number, std::optional<double>& strain, Verdict& verdict, auto&& judge) {
         const PassResult* pass = pass_of(erosion, number);
         if (pass == nullptr || pass->removed == 0) {
             return took_nothing(pass, number);
         }
-        verdict = judge(pass->volumetric_strain);
+        strain = pass->volumetric_strain;
+        verdict = judge(*strain);
         const double percent = 100 * pass->volumetric_strain;
         return fmt::format("{} in pass {}", is_noise(percent) ? "below 0.01 %" : short_number(percent) + " %", number);
     };
-    finding.ours = tell(1, negligible, [](double strain) { return std::abs(strain) < 1e-4; });
-    finding.ours += "; " + tell(2, important, [](double strain) { return strain > 1e-3; });
+    finding.ours = tell(1, first, negligible, [](double strain) { return std::abs(strain) < least; });
+    finding.ours += "; " + tell(2, second, important, [](double strain) { return strain > most; });
     finding.met = both(negligible, important);
+    finding.in_words = differ_in_words(first ? std::optional(std::abs(*first)) : first, second, least, most);
+    give_reason(erosion, negligible, important, finding);
     return finding;
 }
 
 Finding judge_porosity(const ErosionResult& erosion) {
     Finding finding{
-        "E6", "Porosity rises with the eroded mass, and falls on resettling in pass 2",
+        "E6", "Porosity rises with the eroded mass, and falls on resettling in pass 2; changes up to 0.00001 are none",
         "rises with each erosion; the fall is negligible in pass 1, clear in pass 2 (Figure 14)", "", std::nullopt};
+    finding.our_numbers = {"0.00001"};
     constexpr int most_told = 4; // passes
     Verdict rises, falls;
     int more = 0, more_rose = 0;
@@ -229,6 +276,10 @@ Finding judge_porosity(const ErosionResult& erosion) {
         finding.ours = "no grain was removed";
     }
     finding.met = both(rises, falls);
+    give_reason(erosion, std::nullopt, falls, finding);
+    if (rises == false) {
+        finding.why = "A pass took less than the porosity resolves." + (finding.why.empty() ? "" : " " + finding.why);
+    }
     return finding;
 }
 
@@ -236,7 +287,10 @@ Finding judge_stress(const ErosionResult& erosion) {
     Finding finding{
         "E7", "Mean stress at constant volume falls by less than 1 % after pass 1, by more than 10 % after pass 2",
         "a slight change after pass 1, an important one after pass 2 (Figure 13)", "", std::nullopt};
-    const auto loss = [&](int number, Verdict& verdict, auto&& judge) {
+    finding.our_numbers = {"less than 1 %", "more than 10 %"};
+    constexpr double least = 0.01, most = 0.10;
+    std::optional<double> first, second;
+    const auto loss = [&](int number, std::optional<double>& share, Verdict& verdict, auto&& judge) {
         const PassResult* pass = pass_of(erosion, number);
         if (pass == nullptr || pass->removed == 0) {
             return took_nothing(pass, number);
@@ -246,16 +300,19 @@ Finding judge_stress(const ErosionResult& erosion) {
             return fmt::format("pass {} has no stress to compare", number);
         }
         const double after = dem::mean_stress(pass->stress_constant_volume), percent = 100 * (after - before) / before;
-        verdict = judge(-0.01 * percent);
+        share = -0.01 * percent;
+        verdict = judge(*share);
         return fmt::format(
             "pass {}: {} to {} kPa ({})", number, short_number(before / 1e3, 4), short_number(after / 1e3, 4),
             is_noise(percent) ? "unchanged" : short_number(percent) + " %"
         );
     };
     Verdict slight, important;
-    finding.ours = loss(1, slight, [](double share) { return share < 0.01; });
-    finding.ours += "; " + loss(2, important, [](double share) { return share > 0.10; });
+    finding.ours = loss(1, first, slight, [](double share) { return share < least; });
+    finding.ours += "; " + loss(2, second, important, [](double share) { return share > most; });
     finding.met = both(slight, important);
+    finding.in_words = differ_in_words(first, second, least, most);
+    give_reason(erosion, slight, important, finding);
     return finding;
 }
 
@@ -277,28 +334,6 @@ std::vector<Finding> judge_erosion(const std::vector<ProbeResult>& probes, const
         judge_strain(erosion),
         judge_porosity(erosion),
         judge_stress(erosion)};
-}
-
-std::vector<Finding> combine_seeds(const std::vector<std::vector<Finding>>& by_seed) {
-    if (by_seed.empty()) {
-        return {};
-    }
-    std::vector<Finding> combined = by_seed.front();
-    for (std::size_t f = 0; f < combined.size() && by_seed.size() > 1; ++f) {
-        std::size_t met = 0, not_met = 0;
-        for (const std::vector<Finding>& findings : by_seed) {
-            expects(findings.size() == combined.size(), "every seed is judged by the same findings");
-            met += findings[f].met == true ? 1U : 0U;
-            not_met += findings[f].met == false ? 1U : 0U;
-        }
-        combined[f].met = met == by_seed.size()       ? Verdict(true)
-                          : not_met == by_seed.size() ? Verdict(false)
-                                                      : std::nullopt;
-        combined[f].ours = fmt::format(
-            "met by {} of {} seeds, not met by {}; first seed: {}", met, by_seed.size(), not_met, combined[f].ours
-        );
-    }
-    return combined;
 }
 
 } // namespace suffuse::study

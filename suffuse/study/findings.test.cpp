@@ -1,5 +1,8 @@
 #include "suffuse/study/findings.hpp"
 
+#include "suffuse/study/finding_guide.hpp"
+#include "suffuse/study/findings_fines.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -213,6 +216,129 @@ TEST(Findings, SeedsThatDisagreeCannotTell) {
     EXPECT_EQ(e4({judge_erosion({}, stays), judge_erosion({}, stays)}), false);
     EXPECT_EQ(e4({judge_erosion({}, erodes), judge_erosion({}, stays)}), std::nullopt);
     EXPECT_TRUE(combine_seeds({}).empty());
+}
+
+/// A pass whose rule took `refused` grains that do what their twin does, and `accepted` that the water moves.
+PassResult taken_by_threshold(int number, std::int64_t refused, std::int64_t accepted, double signal) {
+    PassResult result = pass(number, {{0, accepted}, {3, refused}});
+    result.detachable = refused + accepted;
+    result.probe.agreement[1] = {refused, accepted};
+    result.probe.signal_over_twin = signal;
+    result.probe.unbalanced_force = 3e-5;
+    return result;
+}
+
+TEST(Findings, WhatTheTwinDoesNotTellApartIsMetByNoise) {
+    const PassResult clean = taken_by_threshold(1, 15, 2870, 19);
+    const Finding noisy = finding("E4", {}, passes({clean, taken_by_threshold(2, 283, 18, 1.01)}));
+    EXPECT_EQ(noisy.met, true);
+    EXPECT_EQ(standing_of(noisy), Standing::MetByNoise);
+    EXPECT_EQ(
+        noisy.why, "Of 301 grains that pass 2 found detachable, 18 moved beyond their twin without water. The fines "
+                   "moved 1.01 times as fast as the twin's in the median, at an unbalance of 3·10⁻⁵: what is left of "
+                   "unbalance picks them, not the water."
+    );
+    EXPECT_EQ(standing_of(finding("E3", {}, passes({clean}))), Standing::Met) << "a bounce here and there is no noise";
+
+    const Finding elastic = finding("E4", {}, passes({clean, taken_by_threshold(2, 283, 18, 800)}));
+    EXPECT_NE(elastic.why.find("give way elastically"), std::string::npos);
+    PassResult otherwise = taken_by_threshold(2, 283, 18, 1.01);
+    otherwise.detachable = 18; // the rule on displacement took them
+    EXPECT_EQ(standing_of(finding("E4", {}, passes({clean, otherwise}))), Standing::Met);
+}
+
+TEST(Findings, AContractionBetweenOurBoundsFailsByOurNumberAlone) {
+    const auto with_strains = [](double first, double second) {
+        ErosionResult erosion = passes({pass(1), pass(2, {{3, 10}})});
+        erosion.passes[0].volumetric_strain = first, erosion.passes[1].volumetric_strain = second;
+        return standing_of(finding("E5", {}, erosion));
+    };
+    EXPECT_EQ(with_strains(1e-5, 2e-3), Standing::Met);
+    EXPECT_EQ(with_strains(1e-5, 2e-4), Standing::NotMetByOurNumber) << "no longer negligible";
+    EXPECT_EQ(with_strains(2e-4, 2e-2), Standing::NotMetByOurNumber) << "not yet important";
+    EXPECT_EQ(with_strains(1e-5, 5e-5), Standing::NotMet) << "both negligible";
+    EXPECT_EQ(with_strains(2e-4, 3e-4), Standing::NotMet) << "neither";
+    EXPECT_EQ(with_strains(2e-3, 2e-3), Standing::NotMet) << "both important";
+}
+
+TEST(Findings, AStressLossBetweenOurBoundsFailsByOurNumberAlone) {
+    const auto with_losses = [](double first, double second) {
+        ErosionResult erosion = passes({pass(1), pass(2, {{3, 10}})});
+        erosion.passes[0].stress_constant_volume = (1 - first) * erosion.passes[0].stress_before;
+        erosion.passes[1].stress_constant_volume = (1 - second) * erosion.passes[1].stress_before;
+        return finding("E7", {}, erosion);
+    };
+    EXPECT_EQ(standing_of(with_losses(0.006, 0.2)), Standing::Met);
+    EXPECT_EQ(standing_of(with_losses(0.006, 0.075)), Standing::NotMetByOurNumber);
+    EXPECT_NE(with_losses(0.006, 0.075).why.find("less than 1 %, more than 10 %"), std::string::npos);
+    EXPECT_EQ(standing_of(with_losses(0.059, 1)), Standing::NotMetByOurNumber);
+    EXPECT_EQ(standing_of(with_losses(0.047, 0.0497)), Standing::NotMet);
+}
+
+TEST(Findings, WhyASecondPassFindsNoGrainThatCarriesLoadIsSaidWithTheWatersPull) {
+    ErosionResult erosion = passes({pass(1), pass(2, {{0, 4}})});
+    erosion.passes[1].probe.fluid_over_contact = 5.2e-7;
+    for (PassResult& each : erosion.passes) {
+        each.porosity_before = 0.4, each.porosity_after_removal = each.porosity_after = 0.48;
+    }
+    const Finding active = finding("E4", {}, erosion);
+    EXPECT_EQ(
+        active.why, "No grain that left in pass 2 carried load: pass 1 took what carries nothing, and only what it set "
+                    "free was left over. The water pulls at a fine grain with 5.2·10⁻⁷ of the mean contact force, so "
+                    "what carries load stays."
+    );
+    for (const char* id : {"E5", "E6", "E7"}) {
+        EXPECT_EQ(finding(id, {}, erosion).why, active.why) << id;
+    }
+    EXPECT_FALSE(finding("E4", {}, passes({pass(1)})).why.empty());
+    EXPECT_FALSE(finding("E1", {}, {}).why.empty()) << "what would tell";
+}
+
+TEST(Findings, OurNumbersStandInTheCriterionAndEveryFindingHasItsShortExplanation) {
+    std::vector<Finding> all = judge_erosion({}, {});
+    const StageCurve nothing;
+    for (const Finding& each : judge_fines(&nothing, &nothing, {})) {
+        all.push_back(each);
+    }
+    ASSERT_EQ(all.size(), 16U);
+    for (const Finding& each : all) {
+        std::size_t from = 0;
+        for (const std::string& number : each.our_numbers) {
+            from = each.claim.find(number, from);
+            ASSERT_NE(from, std::string::npos) << each.id << ": " << number;
+        }
+        EXPECT_FALSE(background_of(each.id).empty()) << each.id;
+    }
+    EXPECT_TRUE(background_of("E8").empty());
+}
+
+TEST(Findings, SeedsThatDisagreeAreToldApartFromARunThatCannotTell) {
+    const auto of = [](Verdict met, Verdict in_words, const char* why) {
+        return std::vector<Finding>{
+            {.id = "E5", .claim = "", .paper = "", .ours = "", .met = met, .in_words = in_words, .why = why}};
+    };
+    const Finding mixed = combine_seeds({of(true, true, ""), of(false, false, "No grain left.")}).front();
+    EXPECT_EQ(mixed.met, std::nullopt);
+    EXPECT_EQ(standing_of(mixed), Standing::SeedsDisagree);
+    EXPECT_EQ(mixed.why, "The seeds disagree: 1 of 2 meet it. Where it is not: No grain left.");
+
+    const Finding in_words = combine_seeds({of(true, true, ""), of(false, true, "Too few.")}).front();
+    EXPECT_EQ(standing_of(in_words), Standing::NotMetByOurNumber);
+    EXPECT_EQ(
+        standing_of(combine_seeds({of(false, true, ""), of(false, true, "")}).front()), Standing::NotMetByOurNumber
+    );
+    EXPECT_EQ(standing_of(combine_seeds({of(false, true, ""), of(false, false, "")}).front()), Standing::NotMet);
+    EXPECT_EQ(standing_of(combine_seeds({of(true, true, ""), of({}, {}, "")}).front()), Standing::CannotTell);
+}
+
+TEST(Findings, AreCountedByTheirStanding) {
+    std::vector<Finding> findings(5);
+    findings[0].met = findings[1].met = true, findings[1].is_noise = true;
+    findings[2].met = false, findings[2].in_words = true;
+    findings[3].met = false;
+    EXPECT_EQ(
+        count_standings(findings), "2 of 5 met, 1 of them by noise; 1 not met by our number; 1 not met; 1 cannot tell"
+    );
 }
 
 } // namespace

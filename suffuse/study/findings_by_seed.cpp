@@ -14,13 +14,13 @@ const record::FinishedStage* find_first(const std::vector<record::FinishedStage>
     return eroded != nullptr ? eroded : find_probed(stages, any);
 }
 
-/// The first probes and the first erosion of the stages that belong.
+/// The first probes of the stages that belong, and their first erosion with those that follow it.
 std::vector<Finding> judge(const std::vector<record::FinishedStage>& stages, const Belongs& belongs) {
     const record::FinishedStage* const probed = find_probed(stages, belongs);
     const record::FinishedStage* const eroded = find_eroded(stages, belongs);
     return judge_erosion(
         probed != nullptr ? probed->findings.probes : std::vector<erosion::ProbeResult>{},
-        eroded != nullptr ? *eroded->findings.erosion : erosion::ErosionResult{}
+        passes_of(find_chain(stages, eroded))
     );
 }
 

@@ -1,6 +1,8 @@
 #include "suffuse/study/findings_fines.hpp"
 
 #include "suffuse/base/words.hpp"
+#include "suffuse/study/fines_reason.hpp"
+#include "suffuse/study/seed_verdicts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,15 +14,6 @@
 
 namespace suffuse::study {
 namespace {
-
-/// What the seeds decide together.
-Verdict agreed(const std::vector<Verdict>& of_seed) {
-    const auto all = [&](bool wanted) {
-        return !of_seed.empty() &&
-               std::all_of(of_seed.begin(), of_seed.end(), [&](const Verdict& v) { return v == wanted; });
-    };
-    return all(true) ? Verdict(true) : all(false) ? Verdict(false) : std::nullopt;
-}
 
 std::string percent(double share, int digits = 3) {
     return short_number(100 * share, digits);
@@ -43,20 +36,31 @@ Scatter scatter_at(const ContentCurve& curve, double content) {
     return scatter_of(std::move(of_seed));
 }
 
-Finding judge_each_seed(
-    Finding finding, const ContentCurve& curve, const std::function<Verdict(std::size_t)>& judge, std::string ours
-) {
+using Judge = std::function<Verdict(std::size_t)>; ///< of a seed
+
+std::vector<Verdict> verdicts_of(const ContentCurve& curve, const Judge& judge) {
     std::vector<Verdict> of_seed;
     for (std::size_t s = 0; s < curve.seed.size(); ++s) {
         of_seed.push_back(judge(s));
     }
+    return of_seed;
+}
+
+Finding judge_each_seed(Finding finding, const ContentCurve& curve, const Judge& judge, std::string ours) {
+    const std::vector<Verdict> of_seed = verdicts_of(curve, judge);
     finding.met = agreed(of_seed);
+    finding.seeds_disagree = has(of_seed, true) && has(of_seed, false);
     finding.ours = std::move(ours);
     if (of_seed.size() > 1) {
         const auto met = std::count(of_seed.begin(), of_seed.end(), Verdict(true));
         finding.ours += fmt::format("; met by {} of {} seeds", met, of_seed.size());
     }
     return finding;
+}
+
+/// Whether the paper's words hold without our numbers, in every seed.
+void judge_words(const ContentCurve& curve, const Judge& judge, Finding& finding) {
+    finding.in_words = agreed(verdicts_of(curve, judge));
 }
 
 /// Whether an extreme lies between two fines contents. Points too far apart cannot tell, nor can an end of the curve
@@ -103,6 +107,7 @@ std::string describe_extreme(const ContentCurve& curve, Which which) {
 }
 
 Finding judge_extreme(Finding finding, const ContentCurve& curve, Which which, double least, double most) {
+    finding.our_numbers = {fmt::format("FC {} to {} %", percent(least), percent(most))};
     return judge_each_seed(
         std::move(finding), curve,
         [&](std::size_t s) { return lies_between(find_extreme(curve, s, which), least, most); },
@@ -137,6 +142,12 @@ Verdict stays_then_rises(const ContentCurve& curve, std::size_t s) {
     return both(stays, rises);
 }
 
+/// Whether it changes less up to 20 % than from there to 30 %, where it rises.
+Verdict bends_at_a_fifth(const ContentCurve& curve, std::size_t s) {
+    const auto sand = value_at(curve, s, 0), last = value_at(curve, s, 0.2), later = value_at(curve, s, 0.3);
+    return sand && last && later ? Verdict(*later - *last > std::abs(*last - *sand)) : std::nullopt;
+}
+
 std::string changes_of(const ContentCurve& curve) {
     std::vector<std::string> parts;
     for (const double content : {0.2, 0.3}) {
@@ -153,30 +164,48 @@ std::string changes_of(const ContentCurve& curve) {
 Finding judge_skeleton(const StageCurve& loose) {
     const ContentCurve e_g = content_curve(loose, "intergranular_void_ratio");
     const ContentCurve e_eq = content_curve(loose, "equivalent_void_ratio");
-    return judge_each_seed(
+    Finding finding = judge_each_seed(
         {"M3", "e_g and e_eq within 5 % of their value at FC 0 up to FC 20 %, more than 10 % above at 30 %",
          "both almost constant up to 20 %, rising beyond (Figure 3b)", "", std::nullopt},
         e_g, [&](std::size_t s) { return both(stays_then_rises(e_g, s), stays_then_rises(e_eq, s)); },
         fmt::format("above FC 0: e_g by {}; e_eq by {}", changes_of(e_g), changes_of(e_eq))
     );
+    finding.our_numbers = {"within 5 %", "more than 10 %"};
+    judge_words(
+        e_g, [&](std::size_t s) { return both(bends_at_a_fifth(e_g, s), bends_at_a_fifth(e_eq, s)); }, finding
+    );
+    return finding;
+}
+
+/// Whether b keeps within `few` up to 15 %, and is above `many` at 30 %.
+Verdict becomes_active(const ContentCurve& b, std::size_t s, double few, double many) {
+    const auto last = value_at(b, s, 0.15), later = value_at(b, s, 0.3);
+    const Verdict kept = holds_between(b, s, 0, 0.15, [few](double value) { return value <= few; });
+    return both(kept == false || last ? kept : std::nullopt, later ? Verdict(*later > many) : std::nullopt);
 }
 
 Finding judge_activity(const StageCurve& loose) {
+    constexpr double few = 0.1, many = 0.3;
     const ContentCurve b = content_curve(loose, "active_fines_fraction");
-    return judge_each_seed(
+    Finding finding = judge_each_seed(
         {"M4", "b at most 0.1 up to FC 15 %, above 0.3 at 30 %",
          "most fines inactive until 20 % (Figure 4; section 4 opens with 30 %)", "", std::nullopt},
-        b,
-        [&](std::size_t s) {
-            const auto last = value_at(b, s, 0.15), later = value_at(b, s, 0.3);
-            const Verdict few = holds_between(b, s, 0, 0.15, [](double value) { return value <= 0.1; });
-            return both(few == false || last ? few : std::nullopt, later ? Verdict(*later > 0.3) : std::nullopt);
-        },
+        b, [&](std::size_t s) { return becomes_active(b, s, few, many); },
         fmt::format(
             "active: {} at FC 15 %, {} at 20 %, {} at 30 %", percent_of(scatter_at(b, 0.15)),
             percent_of(scatter_at(b, 0.2)), percent_of(scatter_at(b, 0.3))
         )
     );
+    finding.our_numbers = {"0.1 up to FC 15 %", "0.3 at 30 %"};
+    judge_words(
+        b,
+        [&](std::size_t s) { // beyond one of the two bounds within which it was
+            const Verdict low = becomes_active(b, s, few, few), high = becomes_active(b, s, many, many);
+            return low && high ? Verdict(*low || *high) : std::nullopt;
+        },
+        finding
+    );
+    return finding;
 }
 
 Finding judge_coarse_contacts(const StageCurve& loose) {
@@ -188,7 +217,8 @@ Finding judge_coarse_contacts(const StageCurve& loose) {
             ours += fmt::format("{}{} at FC {} %", ours.empty() ? "" : ", ", percent_of(there), percent(content));
         }
     }
-    return judge_each_seed(
+    const ContentCurve ls = content_curve(loose, "contact_share.LS"), ss = content_curve(loose, "contact_share.SS");
+    Finding finding = judge_each_seed(
         {"M5", "LL at most 2 % of the contacts above FC 40 %", "almost none above 40 % (Figure 5)", "", std::nullopt},
         ll,
         [&](std::size_t s) {
@@ -198,108 +228,69 @@ Finding judge_coarse_contacts(const StageCurve& loose) {
         },
         ours.empty() ? "no fines content from 40 to 60 % was run" : ours
     );
+    finding.our_numbers = {"2 %"};
+    judge_words(
+        ll,
+        [&](std::size_t s) -> Verdict { // the rarest of the three
+            const auto coarse = value_at(ll, s, 0.5), mixed = value_at(ls, s, 0.5), fine = value_at(ss, s, 0.5);
+            return coarse && mixed && fine ? Verdict(*coarse < std::min(*mixed, *fine)) : std::nullopt;
+        },
+        finding
+    );
+    return finding;
 }
 
 Finding judge_fine_contacts(const StageCurve& loose) {
     const ContentCurve ss = content_curve(loose, "contact_share.SS");
-    return judge_each_seed(
+    const auto grows = [&](std::size_t s, double times) -> Verdict {
+        const auto before = value_at(ss, s, 0.3), after = value_at(ss, s, 0.4);
+        return before && after ? Verdict(*after > 0 && *after >= times * *before) : std::nullopt;
+    };
+    Finding finding = judge_each_seed(
         {"M7", "SS at FC 40 % at least twice that at 30 %", "increase significantly beyond 30 % (Figure 5)", "",
          std::nullopt},
-        ss,
-        [&](std::size_t s) -> Verdict {
-            const auto before = value_at(ss, s, 0.3), after = value_at(ss, s, 0.4);
-            return before && after ? Verdict(*after > 0 && *after >= 2 * *before) : std::nullopt;
-        },
+        ss, [&](std::size_t s) { return grows(s, 2); },
         fmt::format("{} at FC 30 %, {} at 40 %", percent_of(scatter_at(ss, 0.3)), percent_of(scatter_at(ss, 0.4)))
     );
+    finding.our_numbers = {"at least twice"};
+    judge_words(
+        ss, [&](std::size_t s) { return grows(s, 1); }, finding
+    );
+    return finding;
 }
 
 Finding judge_strong_contacts(const StageCurve& loose) {
     const ContentCurve strong = content_curve(loose, "strong_contact_share.LS");
-    return judge_each_seed(
+    const auto steepens = [&](std::size_t s, double times) -> Verdict {
+        const auto none = value_at(strong, s, 0), some = value_at(strong, s, 0.2), more = value_at(strong, s, 0.3);
+        if (!none || !some || !more) {
+            return std::nullopt;
+        }
+        const double before = (*some - *none) / 0.2, after = (*more - *some) / 0.1;
+        return after > 0 && after >= times * before;
+    };
+    Finding finding = judge_each_seed(
         {"M8", "The share of LS among strong contacts rises after FC 20 % (to 30 %) at least twice as fast as before",
          "increases significantly from 20 % on (Figure 6)", "", std::nullopt},
-        strong,
-        [&](std::size_t s) -> Verdict {
-            const auto none = value_at(strong, s, 0), some = value_at(strong, s, 0.2), more = value_at(strong, s, 0.3);
-            if (!none || !some || !more) {
-                return std::nullopt;
-            }
-            const double before = (*some - *none) / 0.2, after = (*more - *some) / 0.1;
-            return after > 0 && after >= 2 * before;
-        },
+        strong, [&](std::size_t s) { return steepens(s, 2); },
         fmt::format(
             "{} at FC 0, {} at 20 %, {} at 30 %", percent_of(scatter_at(strong, 0)),
             percent_of(scatter_at(strong, 0.2)), percent_of(scatter_at(strong, 0.3))
         )
     );
-}
-
-// ---------------------------------------------------------------- M9
-
-constexpr double paper_active = 0.2; // the paper's FC_active: samples at it are neither below nor above
-
-/// Strain per removed mass of one seed's removals, above the active fines content against below.
-std::optional<double> strain_ratio(const std::vector<Removal>& removals, std::uint64_t seed, bool is_isotropic) {
-    double below = 0, above = 0;
-    int few = 0, many = 0;
-    for (const Removal& removal : removals) {
-        if (removal.seed != seed || (removal.stress_ratio < isotropic_below) != is_isotropic ||
-            !(removal.removed_share > 0)) {
-            continue;
-        }
-        const double per_mass = removal.strain / removal.removed_share;
-        if (removal.fines_content < paper_active - same_content) {
-            below += per_mass, ++few;
-        } else if (removal.fines_content > paper_active + same_content) {
-            above += per_mass, ++many;
-        }
-    }
-    if (few == 0 || many == 0 || !(below > 0)) {
-        return std::nullopt;
-    }
-    return above / many / (below / few);
-}
-
-Finding judge_removals(const std::vector<Removal>& removals) {
-    Finding finding{
-        "M9",
-        "Removing all fines costs little below FC_active and much above it: at least three times the strain per "
-        "removed mass above 20 % as below, at the isotropic state and under q/p",
-        "expected at FC_active = 20 % (section 4: 30 %), not simulated", "no sample lost its fines at once",
-        std::nullopt};
-    if (removals.empty()) {
-        return finding;
-    }
-    std::set<std::uint64_t> seeds;
-    for (const Removal& removal : removals) {
-        seeds.insert(removal.seed);
-    }
-    finding.ours.clear();
-    Verdict verdict = true;
-    for (const bool is_isotropic : {true, false}) {
-        std::vector<Verdict> of_seed;
-        std::vector<double> ratios;
-        for (const std::uint64_t seed : seeds) {
-            const std::optional<double> ratio = strain_ratio(removals, seed, is_isotropic);
-            of_seed.push_back(ratio ? Verdict(*ratio >= 3) : std::nullopt);
-            ratios.push_back(ratio.value_or(std::nan("")));
-        }
-        verdict = both(verdict, agreed(of_seed));
-        const Scatter ratio = scatter_of(ratios);
-        finding.ours += fmt::format(
-            "{}{}: {} times the strain per removed mass", finding.ours.empty() ? "" : "; ",
-            is_isotropic ? "isotropic" : "under q/p", ratio.seeds > 0 ? short_number(ratio.mean) : "unknown"
-        );
-    }
-    finding.met = verdict;
+    finding.our_numbers = {"(to 30 %)", "at least twice as fast"};
+    judge_words(
+        strong, [&](std::size_t s) { return steepens(s, 1); }, finding
+    );
     return finding;
 }
 
 } // namespace
 
-std::vector<Finding>
-judge_fines(const StageCurve* loose, const StageCurve* dense, const std::vector<Removal>& removals) {
+std::vector<Finding> judge_fines(
+    const StageCurve* loose, const StageCurve* dense, const std::vector<Removal>& removals,
+    std::optional<double> size_ratio
+) {
     std::vector<Finding> findings;
     if (loose != nullptr) {
         findings.push_back(judge_extreme(
@@ -325,6 +316,9 @@ judge_fines(const StageCurve* loose, const StageCurve* dense, const std::vector<
     }
     if (loose != nullptr || !removals.empty()) {
         findings.push_back(judge_removals(removals));
+    }
+    for (Finding& finding : findings) {
+        give_reason(loose, size_ratio, finding);
     }
     return findings;
 }

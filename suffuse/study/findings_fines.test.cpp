@@ -163,5 +163,49 @@ TEST(FinesFindings, RemovalsAboveTheActiveContentStrainThreeTimesAsMuchForTheirM
     EXPECT_EQ(judge_fines(nullptr, nullptr, isotropic_only).at(0).met, std::nullopt);
 }
 
+Finding finding_with(const std::string& id, const std::string& number, Formula formula) {
+    std::map<std::string, Formula> soil = papers_soil();
+    soil[number] = std::move(formula);
+    const StageCurve loose = stage_of(soil, full_grid);
+    for (const Finding& each : judge_fines(&loose, nullptr, {}, 3.5)) {
+        if (each.id == id) {
+            return each;
+        }
+    }
+    return {};
+}
+
+TEST(FinesFindings, FailByOurNumberAloneWhereThePapersWordsHold) {
+    // Active fines: 0.05 at 15 %, 0.2 at 30 %: more of them, but fewer than our 0.3.
+    const auto fewer = [](double x) { return x <= 0.2 ? 0.05 : 0.2; };
+    EXPECT_EQ(standing_of(finding_with("M4", "active_fines_fraction", fewer)), Standing::NotMetByOurNumber);
+    const auto idle = [](double) { return 0.05; };
+    EXPECT_EQ(standing_of(finding_with("M4", "active_fines_fraction", idle)), Standing::NotMet);
+    const auto rises_a_little = [](double x) { return 0.5 + x; };
+    EXPECT_EQ(standing_of(finding_with("M7", "contact_share.SS", rises_a_little)), Standing::NotMetByOurNumber);
+    const auto falls = [](double x) { return 1 - x; };
+    EXPECT_EQ(standing_of(finding_with("M7", "contact_share.SS", falls)), Standing::NotMet);
+    const auto steepens_a_little = [](double x) { return x + 0.5 * std::max(0.0, x - 0.2); };
+    EXPECT_EQ(
+        standing_of(finding_with("M8", "strong_contact_share.LS", steepens_a_little)), Standing::NotMetByOurNumber
+    );
+    const auto few_left = [](double x) { return x < 0.4 ? 0.3 : 0.033; };
+    EXPECT_EQ(standing_of(finding_with("M5", "contact_share.LL", few_left)), Standing::NotMetByOurNumber);
+}
+
+TEST(FinesFindings, SayWhetherTheSkeletonWasKept) {
+    const auto idle = [](double) { return 0.05; };
+    const Finding kept = finding_with("M4", "active_fines_fraction", idle);
+    EXPECT_NE(kept.why.find("The skeleton was kept (e_g within 1 % up to FC 20 %)"), std::string::npos) << kept.why;
+    EXPECT_NE(kept.why.find("the size ratio 3.5"), std::string::npos) << kept.why;
+    const auto opens = [](double x) { return 1 + 1.45 * x; };
+    const Finding opened = finding_with("M3", "intergranular_void_ratio", opens);
+    EXPECT_EQ(
+        opened.why, "This way of preparing let the skeleton open: by FC 20 % e_g is 29 % above that of the sand alone "
+                    "(1), and the paper keeps it."
+    );
+    EXPECT_TRUE(finding_with("M4", "contact_share.SS", papers_soil()["contact_share.SS"]).why.empty()) << "met";
+}
+
 } // namespace
 } // namespace suffuse::study

@@ -1,5 +1,7 @@
 #include "suffuse/study/fines_findings.hpp"
 
+#include "suffuse/grains/grading.hpp"
+
 namespace suffuse::study {
 namespace {
 
@@ -38,6 +40,16 @@ std::optional<double> peak_before(
     return std::nullopt;
 }
 
+/// D50 of the coarse grains over that of the fines; nothing for a soil of one grading.
+std::optional<double> size_ratio_of(const casefile::Study& study) {
+    for (const casefile::Variant& variant : study.variants) {
+        if (variant.soil && variant.soil->coarse && variant.soil->fines) {
+            return grains::size_at(*variant.soil->coarse, 0.5) / grains::size_at(*variant.soil->fines, 0.5);
+        }
+    }
+    return std::nullopt;
+}
+
 Removal describe_removal(const std::vector<record::FinishedStage>& stages, const record::FinishedStage& stage) {
     const json& n = stage.numbers;
     Removal removal;
@@ -63,6 +75,7 @@ gather_fines(const std::optional<FinesSweep>& sweep, const std::vector<record::F
     FinesResults found;
     if (sweep && sweep->traced.keys.size() == 1 && sweep->study->sweep.front().values.size() > 2) {
         found.study = sweep->study->name;
+        found.size_ratio = size_ratio_of(*sweep->study);
         found.loose_stage = sweep->loose;
         found.dense_stage = sweep->dense;
         found.loose = loose_points(*sweep);
@@ -84,7 +97,7 @@ std::vector<Finding> judge_fines_of(const std::optional<FinesResults>& results) 
     }
     return judge_fines(
         results->loose.points.empty() ? nullptr : &results->loose,
-        results->dense.points.empty() ? nullptr : &results->dense, results->removals
+        results->dense.points.empty() ? nullptr : &results->dense, results->removals, results->size_ratio
     );
 }
 

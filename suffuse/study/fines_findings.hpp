@@ -15,7 +15,8 @@ struct FinesResults {
     std::string study, loose_stage, dense_stage; ///< names; empty where there is none
     StageCurve loose, dense;                     ///< without points where there is none
     std::vector<ContentThreshold> thresholds;
-    std::vector<Removal> removals; ///< of all studies of the case
+    std::optional<double> size_ratio; ///< D50 of the coarse grains over that of the fines [-]
+    std::vector<Removal> removals;    ///< of all studies of the case
 };
 
 /// Of the study of find_fines_sweep, where it sweeps the fines content over three values at least and nothing else, and
