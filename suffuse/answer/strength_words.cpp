@@ -96,6 +96,33 @@ std::string how_sure(const study::StrengthChange& change) {
     return text + ".";
 }
 
+/// "dilates by 9 %", "contracts by 3 %".
+std::string volume_in_words(double strain) {
+    const double value = percent * strain;
+    return is_noise(value)
+               ? "keeps its volume"
+               : fmt::format("{} by {} %", value < 0 ? "dilates" : "contracts", short_number(std::abs(value), 2));
+}
+
+/// The stress at a strain, and what is left in the critical state.
+std::string tell_beyond_peak(const study::StrengthChange& change) {
+    std::string text;
+    if (change.deviator_at_strain.change.seeds > 0) {
+        text += fmt::format(
+            ", the deviator stress at {} % axial strain from {} ({})", short_number(percent * change.told_strain, 3),
+            from_to(change.deviator_at_strain, kilo, 4, " kPa"), change_in_percent(change.deviator_at_strain)
+        );
+    }
+    if (change.residual_deviator.change.seeds > 0) {
+        text += fmt::format(
+            ", and what is left in the critical state, near {} %, from {} ({})",
+            short_number(percent * end_strain(change), 3), from_to(change.residual_deviator, kilo, 4, " kPa"),
+            change_in_percent(change.residual_deviator)
+        );
+    }
+    return text;
+}
+
 std::string tell(const study::StrengthChange& change) {
     std::string text = fmt::format(
         "Strength, {}: the soil without {} % of its mass {}", tests_of(change),
@@ -116,16 +143,17 @@ std::string tell(const study::StrengthChange& change) {
     if (change.friction_angle.change.seeds > 0) {
         text += ", the friction angle there from " + from_to(change.friction_angle, degree, 3, "°");
     }
-    if (change.final_deviator.change.seeds > 0) {
-        text += fmt::format(
-            ", the deviator stress at {} % axial strain from {} ({})", short_number(percent * end_strain(change), 3),
-            from_to(change.final_deviator, kilo, 4, " kPa"), change_in_percent(change.final_deviator)
-        );
-    }
+    text += tell_beyond_peak(change);
     text += fmt::format(
         "{} from {}.", change.borne().change.seeds > 0 ? ", the void ratio" : "; the void ratio goes",
         from_to(change.void_ratio, 1, 3, "")
     );
+    if (change.volume_change.change.seeds > 0) {
+        text += fmt::format(
+            " Sheared to the end, the sample {} before and {} after.",
+            volume_in_words(change.volume_change.before.mean), volume_in_words(change.volume_change.after.mean)
+        );
+    }
     if (const std::string remarks = remarks_of(change, "; "); !remarks.empty()) {
         text += " " + as_sentence(remarks) + ".";
     }
@@ -201,14 +229,18 @@ std::optional<figures::PageTable> tabulate_strength(const std::vector<study::Str
     table.title = title_of_table;
     table.note =
         "The same test on the same sample, before fines went and after; changes are those of each sample, ± one "
-        "standard deviation over the samples. Void ratio: before fines went, and where the second test starts.";
+        "standard deviation over the samples. Void ratio: before fines went, and where the second test starts. "
+        "Critical "
+        "state: over the last 10 % of axial strain neither volume nor stress go on changing. Contraction positive. "
+        "Laboratories found eroded soil more contractive than before (Chen, Zhang and Chang 2016) and slightly more "
+        "dilative (hal-02608716).";
     const bool some_hold = std::ranges::any_of(changes, &study::StrengthChange::holds_deviator);
     const bool all_hold = std::ranges::all_of(changes, &study::StrengthChange::holds_deviator);
     table.header = {"tests", "samples", "mass gone [%]", "void ratio e [-]"};
     if (!all_hold) {
         table.header.insert(
-            table.header.end(),
-            {"highest q [kPa]", "change [%]", "friction angle φ there [°]", "q at the end [kPa]", "change [%]"}
+            table.header.end(), {"highest q [kPa]", "change [%]", "friction angle φ there [°]", "q at a strain [kPa]",
+                                 "change [%]", "q left in the critical state [kPa]", "change [%]", "εᵥ at the end [%]"}
         );
     }
     if (some_hold) {
@@ -224,6 +256,13 @@ std::optional<figures::PageTable> tabulate_strength(const std::vector<study::Str
                                         )
                                       : std::string("–");
     };
+    const auto at_strain = [&](const study::StrengthChange& change) {
+        return change.deviator_at_strain.before.seeds > 0 ? fmt::format(
+                                                                "{} at {} %", pair(change.deviator_at_strain, kilo, 4),
+                                                                short_number(percent * change.told_strain, 3)
+                                                            )
+                                                          : std::string("–");
+    };
     for (const study::StrengthChange& change : changes) {
         std::vector<std::string> row = {
             fmt::format("{}{}: {}, {}", change.study->name, values_of(change), change.before->name, change.after->name),
@@ -231,9 +270,11 @@ std::optional<figures::PageTable> tabulate_strength(const std::vector<study::Str
             pair(change.void_ratio, 1, 3)};
         if (!all_hold) {
             row.insert(
-                row.end(), {pair(change.peak_deviator, kilo, 4), with_scatter(change.peak_deviator.change, percent, 2),
-                            pair(change.friction_angle, degree, 3), pair(change.final_deviator, kilo, 4),
-                            with_scatter(change.final_deviator.change, percent, 2)}
+                row.end(),
+                {pair(change.peak_deviator, kilo, 4), with_scatter(change.peak_deviator.change, percent, 2),
+                 pair(change.friction_angle, degree, 3), at_strain(change),
+                 with_scatter(change.deviator_at_strain.change, percent, 2), pair(change.residual_deviator, kilo, 4),
+                 with_scatter(change.residual_deviator.change, percent, 2), pair(change.volume_change, 1 / percent, 2)}
             );
         }
         if (some_hold) {

@@ -80,11 +80,54 @@ TEST(StrengthChange, IsThatOfTheSameTestOnTheSameSample) {
         (std::vector<std::string>{
             "Strength, after against before: the soil without 12 % of its mass is weaker. Its highest deviator stress "
             "goes from 400 to 300 kPa (−25 %), the friction angle there from 40 to 30°, the deviator stress at 10 % "
-            "axial strain from 320 to 240 kPa (−25 %), the void ratio from 0.7 to 0.9. One sample: the strengths of "
-            "others differ by some 10 %."})
+            "axial strain from 320 to 240 kPa (−25 %), the void ratio from 0.7 to 0.9. Too short to see the "
+            "critical state, and what strength is left there: at 10 % axial strain volume or stress still change. One "
+            "sample: the strengths of others differ by some 10 %."})
     );
     EXPECT_EQ(strength_headline(changes).value().value, "−25 %");
     EXPECT_EQ(tabulate_strength(changes).value().rows.front().size(), tabulate_strength(changes).value().header.size());
+}
+
+/// Rises to a peak, and comes down to `residual` [Pa]; the volume changes to `strain` and stays there.
+std::vector<triaxial::PathRow> long_test(double peak, double residual, double strain) {
+    std::vector<triaxial::PathRow> rows;
+    for (int k = 0; k <= 450; ++k) {
+        triaxial::PathRow row;
+        row.axial_strain = 1e-3 * k;
+        row.deviator_stress = row.axial_strain < 0.05   ? peak * row.axial_strain / 0.05
+                              : row.axial_strain < 0.25 ? peak + (residual - peak) * (row.axial_strain - 0.05) / 0.2
+                                                        : residual;
+        row.volumetric_strain = strain * std::min(1.0, row.axial_strain / 0.3);
+        row.void_ratio = 0.85;
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+TEST(StrengthChange, OfLongTestsTellsPeakAStrainAndWhatIsLeft) {
+    ErodedStudy study;
+    study.add_sample(400e3, 240e3);
+    for (const int row : {2, 3}) {
+        std::get<triaxial::TriaxialSpec>(study.variants.back().stages[static_cast<std::size_t>(row)].spec).strain =
+            0.45;
+    }
+    study.at(2).findings.curve = long_test(400e3, 200e3, -0.09);
+    study.at(3).findings.curve = long_test(240e3, 210e3, 0.03);
+    study.at(2).numbers["response"]["final_volumetric_strain"] = -0.09;
+    study.at(3).numbers["response"]["final_volumetric_strain"] = 0.03;
+    const std::vector<study::StrengthChange> changes = study::compare_strength(study.stages);
+    EXPECT_NEAR(changes.front().deviator_at_strain.before.mean, 350e3, 1);
+    EXPECT_NEAR(changes.front().residual_deviator.change.mean, 0.05, 1e-9);
+    EXPECT_TRUE(changes.front().remarks.empty());
+    const std::string told = tell_strength(changes).front();
+    EXPECT_NE(
+        told.find(
+            "the deviator stress at 10 % axial strain from 350 to 232.5 kPa (−34 %), and what is left in the critical "
+            "state, near 45 %, from 200 to 210 kPa (+5 %)"
+        ),
+        std::string::npos
+    ) << told;
+    EXPECT_NE(told.find("the sample dilates by 9 % before and contracts by 3 % after"), std::string::npos) << told;
 }
 
 TEST(StrengthChange, OfOneSampleWithinATenthIsNone) {
@@ -147,6 +190,8 @@ TEST(StrengthChange, RemarksOnWhatItsTestsDoNotShow) {
     EXPECT_EQ(
         study::compare_strength(study.stages).front().remarks,
         (std::vector<std::string>{
+            "too short to see the critical state, and what strength is left there: at 10 % axial strain volume or "
+            "stress still change",
             "before is highest at its end, and may rise further", "after liquefied", "after has a flaw (warnings)"})
     );
 }

@@ -137,6 +137,20 @@ TEST(Removal, ASkeletonThatStrainsTooFarHasFailedAndTheStageEnds) {
     EXPECT_EQ(world.grains.size(), 64U);
 }
 
+TEST(Removal, ASkeletonThatFindsNoRestHasFailedAndItsStateIsKept) {
+    dem::World world = lattice(std::sqrt(0.75) * edge - r + 1e-6); // without its fines no grain touches another
+    RemoveSpec spec;
+    spec.resettle.inertial_number = 1e-9; // too slow to find another
+    const RemovalResult result = remove_fines(world, spec);
+    const PassResult& pass = result.erosion.passes.at(0);
+    EXPECT_TRUE(pass.failed);
+    ASSERT_TRUE(std::holds_alternative<SkeletonRestless>(pass.verdict.why));
+    EXPECT_LT(std::get<SkeletonRestless>(pass.verdict.why).steps, 500'000) << "not after millions of steps";
+    EXPECT_NEAR(std::get<SkeletonRestless>(pass.verdict.why).carried, 0, 1e-9);
+    EXPECT_GT(pass.porosity_after, pass.porosity_before);
+    EXPECT_EQ(world.grains.size(), 64U);
+}
+
 TEST(Removal, InPassesTakesEqualPartsOfTheShareToWithinAGrain) {
     dem::World world = lattice(0.3e-3);
     const double fines = 64 * world.grains.mass[1], all = total_mass(world.grains);

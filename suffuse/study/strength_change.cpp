@@ -2,6 +2,7 @@
 
 #include "suffuse/base/words.hpp"
 #include "suffuse/record/result_json.hpp"
+#include "suffuse/study/end_of_test.hpp"
 #include "suffuse/study/strength_pairs.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
@@ -140,6 +141,51 @@ void remark_on_samples(const std::vector<TestPair>& pairs, std::vector<std::stri
     remark_on_test(after, remarks);
 }
 
+/// What the curves tell beyond their highest point.
+void gather_curves(
+    const std::vector<TestPair>& pairs, const std::vector<bool>& is_compared, const TriaxialSpec& test,
+    StrengthChange& change
+) {
+    constexpr double usual_strain = 0.1; // to which tests of soil are often told
+    change.told_strain = std::min(usual_strain, test.strain);
+    const auto at_strain = [&](const record::FinishedStage& stage) {
+        return test.strain <= usual_strain ? number_of(stage, "final_deviator")
+                                           : deviator_at(stage.findings.curve, usual_strain);
+    };
+    const auto of_both = [](const auto& number) {
+        return [&number](const TestPair& pair) { return std::pair{number(*pair.before), number(*pair.after)}; };
+    };
+    change.deviator_at_strain = gather(pairs, is_compared, of_both(at_strain), relative);
+    if (test.path == Path::Drained || test.path == Path::ConstantMean) {
+        change.volume_change = gather_response(pairs, is_compared, "final_volumetric_strain", difference);
+    }
+    std::vector<bool> are_critical;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        const auto before = end_of_test(pairs[k].before->findings.curve);
+        const auto after = end_of_test(pairs[k].after->findings.curve);
+        are_critical.push_back(is_compared[k] && before && after && before->is_critical() && after->is_critical());
+    }
+    const auto residual = [](const record::FinishedStage& stage) {
+        return end_of_test(stage.findings.curve)->deviator;
+    };
+    const auto void_ratio = [](const record::FinishedStage& stage) {
+        return end_of_test(stage.findings.curve)->void_ratio;
+    };
+    change.residual_deviator = gather(pairs, are_critical, of_both(residual), relative);
+    change.critical_void_ratio = gather(pairs, are_critical, of_both(void_ratio), difference);
+    const auto compared = static_cast<std::size_t>(std::ranges::count(is_compared, true));
+    const auto critical = static_cast<std::size_t>(std::ranges::count(are_critical, true));
+    remark(
+        compared - critical, compared,
+        fmt::format(
+            "too short to see the critical state, and what strength is left there: at {} % axial strain volume or "
+            "stress still change",
+            short_number(100 * test.strain, 3)
+        ),
+        change.remarks
+    );
+}
+
 StrengthChange summed_up(const std::vector<TestPair>& pairs) {
     const TestPair& first = pairs.front();
     const TriaxialSpec& test = *test_of_strength(*first.after->stage);
@@ -165,6 +211,7 @@ StrengthChange summed_up(const std::vector<TestPair>& pairs) {
         change.peak_deviator = gather_response(pairs, is_compared, "peak_deviator", relative);
         change.final_deviator = gather_response(pairs, is_compared, "final_deviator", relative);
         change.friction_angle = gather_response(pairs, is_compared, "friction_angle", difference);
+        gather_curves(pairs, is_compared, test, change);
     }
     const auto void_ratios = [](const TestPair& pair) {
         return std::pair{
@@ -230,6 +277,11 @@ json strength_json(const std::vector<StrengthChange>& changes) {
              {"removed_mass_share", scatter_json(change.removed_mass)},
              {"peak_deviator", before_after_json(change.peak_deviator)},
              {"final_deviator", before_after_json(change.final_deviator)},
+             {"told_strain", change.told_strain > 0 ? json(change.told_strain) : json()},
+             {"deviator_at_strain", before_after_json(change.deviator_at_strain)},
+             {"residual_deviator", before_after_json(change.residual_deviator)},
+             {"critical_void_ratio", before_after_json(change.critical_void_ratio)},
+             {"volume_change", before_after_json(change.volume_change)},
              {"friction_angle", before_after_json(change.friction_angle)},
              {"excess_pore_pressure", before_after_json(change.pore_pressure)},
              {"void_ratio", before_after_json(change.void_ratio)},

@@ -25,12 +25,17 @@ struct StrengthChange {
     const casefile::Stage* before = nullptr;    ///< the tests, of the first seed
     const casefile::Stage* after = nullptr;
     std::vector<std::uint64_t> seeds;
-    Scatter removed_mass;       ///< share of the mass before [-]
-    BeforeAfter peak_deviator;  ///< [Pa]
-    BeforeAfter final_deviator; ///< [Pa]
-    BeforeAfter friction_angle; ///< mobilized at the peak [rad]
-    BeforeAfter pore_pressure;  ///< the most that is borne where the deviator stress is held; else none [Pa]
-    BeforeAfter void_ratio;     ///< before fines went, and where the second test starts [-]
+    Scatter removed_mass;            ///< share of the mass before [-]
+    BeforeAfter peak_deviator;       ///< [Pa]
+    BeforeAfter final_deviator;      ///< [Pa]
+    double told_strain = 0;          ///< at which deviator_at_strain is read: 10 %, or the end of a shorter test [-]
+    BeforeAfter deviator_at_strain;  ///< [Pa]
+    BeforeAfter residual_deviator;   ///< of the critical state; none where a test of the pair does not reach it [Pa]
+    BeforeAfter critical_void_ratio; ///< there [-]
+    BeforeAfter volume_change;       ///< at the end, contraction positive; none where the volume is held [-]
+    BeforeAfter friction_angle;      ///< mobilized at the peak [rad]
+    BeforeAfter pore_pressure;       ///< the most that is borne where the deviator stress is held; else none [Pa]
+    BeforeAfter void_ratio;          ///< before fines went, and where the second test starts [-]
     std::vector<std::string> remarks;
 
     [[nodiscard]] bool holds_deviator() const;
