@@ -270,7 +270,7 @@ class Run:
 
     @property
     def findings(self):
-        """The paper's findings: id, claim, paper, ours, met."""
+        """The paper's findings: id, claim, paper, ours, met, verdict, our_numbers, why."""
         return self.summary["findings"]
 
     @property

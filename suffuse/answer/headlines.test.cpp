@@ -22,7 +22,7 @@ TEST(Headlines, SayMassPermeabilityStressAndFindings) {
     EXPECT_EQ(headlines[2].detail, "after pass 2, the largest loss");
     const std::optional<Headline> met = findings_headline(findings);
     EXPECT_EQ(met.value().value, "2 of 7");
-    EXPECT_EQ(met.value().detail, "4 cannot be told from this run");
+    EXPECT_EQ(met.value().detail, "1 not met; 4 cannot tell");
     EXPECT_FALSE(findings_headline({}).has_value());
 }
 

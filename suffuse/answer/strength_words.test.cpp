@@ -264,7 +264,7 @@ TEST(StrengthChange, OfManyTestsOfBothKindsHasATableAndRangesOfBoth) {
         std::string::npos
     );
     const figures::PageTable table = tabulate_strength(changes).value();
-    EXPECT_EQ(table.header.size(), 12U);
+    EXPECT_EQ(table.header.size(), 15U);
     for (const std::vector<std::string>& row : table.rows) {
         EXPECT_EQ(row.size(), table.header.size());
     }

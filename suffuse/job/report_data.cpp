@@ -3,6 +3,7 @@
 #include "suffuse/answer/answer_fines.hpp"
 #include "suffuse/answer/erosion_table.hpp"
 #include "suffuse/answer/headlines.hpp"
+#include "suffuse/answer/readings_table.hpp"
 #include "suffuse/answer/removal_table.hpp"
 #include "suffuse/answer/report_answer.hpp"
 #include "suffuse/answer/section_tables.hpp"
@@ -215,6 +216,9 @@ report::ReportData describe_run(
         if (table) {
             data.tables.push_back(std::move(*table));
         }
+    }
+    if (auto table = answer::tabulate_readings(what.paper.empty() ? std::vector<study::Reading>{} : results.readings)) {
+        data.tables.push_back(std::move(*table));
     }
     heed_wishes(what.report, data);
     data.scene = describe_scene(folder, stages, story);

@@ -62,6 +62,14 @@ json findings_json(const std::vector<study::Finding>& findings) {
     return list;
 }
 
+json readings_json(const std::vector<study::Reading>& readings) {
+    json list = json::array();
+    for (const study::Reading& reading : readings) {
+        list.push_back({{"reading", reading.name}, {"findings", findings_json(reading.findings)}});
+    }
+    return list;
+}
+
 /// What the check of the case says of its physics, as it did on the terminal before the run.
 std::vector<Diagnostic> check_again(const std::filesystem::path& folder) {
     std::vector<Diagnostic> found;
@@ -158,6 +166,7 @@ summarize(const casefile::Case& what, const std::filesystem::path& folder, const
                                   {"warnings", summary.warnings},
                                   {"flaws", summary.flaws},
                                   {"findings", findings_json(results.findings)},
+                                  {"readings", readings_json(results.readings)},
                                   {"thresholds", study::thresholds_json(results.fines)},
                                   {"strength", study::strength_json(results.strength)},
                                   {"samples", count_samples(what, folder, summary.failures.size())},

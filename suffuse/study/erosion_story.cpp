@@ -65,6 +65,20 @@ Erosions find_chain(const std::vector<record::FinishedStage>& stages, const reco
     return chain;
 }
 
+Erosions chain_to(const std::vector<record::FinishedStage>& stages, const record::FinishedStage& last) {
+    Erosions chain{&last};
+    while (const casefile::Stage* const before = erosion_before(*chain.front())) {
+        const auto found = std::ranges::find_if(stages, [&](const record::FinishedStage& stage) {
+            return stage.stage == before && stage.findings.erosion;
+        });
+        if (found == stages.end()) {
+            break;
+        }
+        chain.insert(chain.begin(), &*found);
+    }
+    return chain;
+}
+
 erosion::ErosionResult passes_of(const Erosions& chain) {
     std::vector<const erosion::ErosionResult*> parts;
     for (const record::FinishedStage* stage : chain) {

@@ -37,6 +37,9 @@ const record::FinishedStage* find_eroded(const std::vector<record::FinishedStage
 /// follow the same one, the first of the case belongs to it, the other is a story of its own. Nothing from null.
 Erosions find_chain(const std::vector<record::FinishedStage>& stages, const record::FinishedStage* eroded);
 
+/// The erosions that led to this one, and itself.
+Erosions chain_to(const std::vector<record::FinishedStage>& stages, const record::FinishedStage& last);
+
 /// The passes of a chain as those of one erosion.
 erosion::ErosionResult passes_of(const Erosions& chain);
 

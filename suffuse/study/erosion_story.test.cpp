@@ -1,5 +1,6 @@
 #include "suffuse/study/erosion_story.hpp"
 
+#include "suffuse/study/findings_by_seed.hpp"
 #include "suffuse/study/joined_passes.hpp"
 
 #include <gtest/gtest.h>
@@ -97,6 +98,25 @@ TEST(ErosionStory, OneStageIsAChainOfItself) {
     EXPECT_EQ(find_story(sample.stages).chain, (Erosions{&sample.stages[1]}));
     EXPECT_EQ(find_story(sample.stages).erosion.passes.size(), 2U);
     EXPECT_TRUE(find_story({}).chain.empty());
+}
+
+TEST(ErosionStory, EachWayToALastErosionIsAReading) {
+    TwoStages sample;
+    sample.study.variants = {sample.variant};
+    for (record::FinishedStage& stage : sample.stages) {
+        stage.variant = sample.study.variants.data();
+        stage.stage = &stage.variant->stages[static_cast<std::size_t>(&stage - sample.stages.data())];
+    }
+    const std::vector<Reading> readings = judge_readings(sample.stages);
+    ASSERT_EQ(readings.size(), 2U);
+    EXPECT_EQ(readings[0].name, "other");
+    EXPECT_EQ(readings[1].name, "first, then second");
+    for (const Reading& reading : readings) {
+        EXPECT_EQ(reading.findings.size(), 7U);
+    }
+    EXPECT_NE(readings[0].findings[3].ours.find("no pass 2"), std::string::npos);
+    EXPECT_NE(readings[1].findings[3].ours.find("0 of 1"), std::string::npos) << readings[1].findings[3].ours;
+    EXPECT_TRUE(judge_readings({}).empty());
 }
 
 } // namespace

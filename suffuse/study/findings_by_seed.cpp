@@ -24,7 +24,56 @@ std::vector<Finding> judge(const std::vector<record::FinishedStage>& stages, con
     );
 }
 
+std::string name_of(const Erosions& chain) {
+    std::string name;
+    for (const record::FinishedStage* stage : chain) {
+        name += (name.empty() ? "" : ", then ") + stage->stage->name;
+    }
+    return name;
+}
+
+/// The ways of one sample: those to erosions that no other follows.
+std::vector<Erosions> ways_of(const std::vector<record::FinishedStage>& stages, const casefile::Variant& variant) {
+    std::vector<Erosions> ways;
+    for (const record::FinishedStage& stage : stages) {
+        if (stage.variant == &variant && stage.findings.erosion && find_chain(stages, &stage).size() == 1) {
+            ways.push_back(chain_to(stages, stage));
+        }
+    }
+    return ways;
+}
+
 } // namespace
+
+std::vector<Reading> judge_readings(const std::vector<record::FinishedStage>& stages) {
+    const record::FinishedStage* const first = find_eroded(stages, [](const record::FinishedStage&) { return true; });
+    if (first == nullptr) {
+        return {};
+    }
+    std::vector<std::pair<std::string, std::vector<std::vector<Finding>>>> by_seed; // of each way
+    for (const casefile::Variant& variant : first->study->variants) {
+        if (variant.values != first->variant->values) {
+            continue;
+        }
+        const record::FinishedStage* const probed =
+            find_probed(stages, [&](const record::FinishedStage& stage) { return stage.variant == &variant; });
+        for (const Erosions& way : ways_of(stages, variant)) {
+            const std::string name = name_of(way);
+            auto found = std::ranges::find(by_seed, name, &decltype(by_seed)::value_type::first);
+            if (found == by_seed.end()) {
+                found = by_seed.insert(by_seed.end(), {name, {}});
+            }
+            found->second.push_back(judge_erosion(
+                probed != nullptr ? probed->findings.probes : std::vector<erosion::ProbeResult>{}, passes_of(way)
+            ));
+        }
+    }
+    std::vector<Reading> readings;
+    for (const auto& [name, findings] : by_seed) {
+        readings.push_back({name, combine_seeds(findings)});
+    }
+    return readings;
+}
 
 std::vector<Finding> judge_erosion_by_seed(const std::vector<record::FinishedStage>& stages) {
     const record::FinishedStage* const first = find_first(stages);

@@ -3,7 +3,7 @@
 
 #include "suffuse/record/finished_stage.hpp"
 #include "suffuse/study/erosion_story.hpp"
-#include "suffuse/study/findings.hpp"
+#include "suffuse/study/findings_by_seed.hpp"
 #include "suffuse/study/fines_findings.hpp"
 #include "suffuse/study/fines_sweep.hpp"
 #include "suffuse/study/probed_states.hpp"
@@ -29,6 +29,7 @@ struct RunResults {
     std::optional<FinesSweep> fines_sweep; ///< with its thresholds marked
     std::optional<FinesResults> fines;
     ErosionStory story;
+    std::vector<Reading> readings; ///< of its sample
     std::vector<StrengthChange> strength;
     std::vector<ProbedState> probed_states;
     std::vector<Finding> findings; ///< of the paper, whatever the case follows

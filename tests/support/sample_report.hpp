@@ -3,6 +3,7 @@
 
 #include "suffuse/answer/headlines.hpp"
 #include "suffuse/report/page.hpp"
+#include "suffuse/study/findings.hpp"
 
 #include "tests/support/sample_results.hpp"
 #include "tests/support/sample_scene.hpp"
