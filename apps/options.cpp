@@ -110,6 +110,10 @@ Option Options::argument(const std::string& name, std::string& value, const std:
     return Option(verb_->add_option(name, value, text));
 }
 
+Option Options::arguments(const std::string& name, std::vector<std::string>& values, const std::string& text) {
+    return Option(verb_->add_option(name, values, text));
+}
+
 template <class T>
 Option Options::value(const std::string& names, T& value, const std::string& text) {
     return Option(verb_->add_option(names, value, text));

@@ -43,6 +43,8 @@ public:
     explicit Options(CLI::App& verb) : verb_(&verb) {}
 
     Option argument(const std::string& name, std::string& value, const std::string& text);
+    /// One or more of a kind.
+    Option arguments(const std::string& name, std::vector<std::string>& values, const std::string& text);
     /// Text, a number, or an std::optional of one (options.cpp lists them). @param names "-o,--output"
     template <class T>
     Option value(const std::string& names, T& value, const std::string& text);

@@ -5,7 +5,6 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/modeled_part.hpp"
-#include "suffuse/io/read_grading.hpp"
 #include "suffuse/stability/fine_fraction.hpp"
 #include "suffuse/stability/kenney_lau.hpp"
 
@@ -134,9 +133,8 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
 
 } // namespace
 
-OwnSoil model_own_soil(const std::string& path, const OwnSoilSpec& spec) {
+OwnSoil model_own_soil(const Grading& measured, const std::string& path, const OwnSoilSpec& spec) {
     constexpr double least_grains = 2000;
-    const Grading measured = io::read_grading(path, io::CurveEnds::MayBeOpen);
     if (measured.passing.front() >= measured.passing.back()) {
         throw CaseError(fmt::format("{}: nothing lies between its sizes; measure more of the curve", path), path);
     }

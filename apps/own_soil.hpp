@@ -36,9 +36,9 @@ struct OwnSoilSpec {
     std::optional<std::int64_t> particles = {}; ///< of the quick preset; as few as will do unless given
 };
 
-/// @throws CaseError where the sizes are too far apart for a sample, saying at which sizes to cut; the problems of the
-/// file as read_grading() tells them.
-OwnSoil model_own_soil(const std::string& path, const OwnSoilSpec& spec);
+/// @param path for messages, and for the soil's name
+/// @throws CaseError where the sizes are too far apart for a sample, saying at which sizes to cut.
+OwnSoil model_own_soil(const grains::Grading& measured, const std::string& path, const OwnSoilSpec& spec);
 
 /// What the soil is under. Assumed where the user does not say.
 struct OwnConditions {

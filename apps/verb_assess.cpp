@@ -3,26 +3,24 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/units.hpp"
-#include "suffuse/base/version.hpp"
-#include "suffuse/base/words.hpp"
 #include "suffuse/casefile/load_case.hpp"
-#include "suffuse/figures/stability_view.hpp"
 #include "suffuse/grains/sampling.hpp"
-#include "suffuse/io/atomic_file.hpp"
-#include "suffuse/io/read_grading.hpp"
 #include "suffuse/job/assessed_soil.hpp"
-#include "suffuse/report/page.hpp"
+#include "suffuse/job/stability_matrix.hpp"
 #include "suffuse/stability/open_curve.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
+#include "apps/grading_input.hpp"
 #include "apps/json_text.hpp"
-#include "apps/page_folder.hpp"
 #include "apps/shared_options.hpp"
+#include "apps/stability_pages.hpp"
 #include "apps/typed_value.hpp"
 #include "apps/verb.hpp"
 #include "apps/verbs.hpp"
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -34,17 +32,17 @@ namespace {
 namespace fs = std::filesystem;
 
 using nlohmann::json;
-using stability::Criterion;
 
 struct AssessVerb final : Verb {
     AssessVerb()
         : Verb(
               "assess", "internal stability of a soil from its grading, without simulation",
-              "suffuse assess dyke.csv --fines 0.2mm -i 0.3 -o dyke-stability"
+              "suffuse assess dyke.csv --fines 0.2mm -i 0.3 -o dyke-stability\nsuffuse assess borehole-*.csv"
           ) {}
 
-    std::string file;  ///< a grading or a case
-    std::string fines; ///< size below which grains are fine, with its unit
+    std::vector<std::string> files; ///< gradings, or cases
+    std::string sample;             ///< of a file that holds several
+    std::string fines;              ///< size below which grains are fine, with its unit
     std::optional<double> seepage_gradient, relative_density, porosity;
     std::string density; ///< of the grains, with its unit
     std::optional<double> stress_share;
@@ -52,9 +50,8 @@ struct AssessVerb final : Verb {
     std::string output;
 
     void add_to(Options& options) override {
-        options
-            .argument("FILE", file, "a grading: CSV with the columns d [mm], passing [%]; or a case, for all its soils")
-            .required();
+        options.arguments("FILE", files, std::string(grading_text) + "; or a case, for all its soils").required();
+        options.value("--sample", sample, "of a table of several samples this one alone").type("NAME");
         options.value("--fines", fines, "size below which grains count as fine; found on the curve unless given")
             .type("D");
         options.value("-i,--gradient", seepage_gradient, "hydraulic gradient of upward seepage, as in 0.4 or 12m/30m")
@@ -73,6 +70,19 @@ struct AssessVerb final : Verb {
     }
 
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
+
+    /// What to type then.
+    [[nodiscard]] std::string next_step(std::size_t soils) const {
+        if (soils > 1) {
+            return output.empty() ? "-o DIR draws the curves over each other, with a page for each soil"
+                                  : "suffuse assess FILE tells one of them in full";
+        }
+        return fmt::format(
+            "a simulation tells how many grains are free to go: suffuse {} {}{}",
+            files.front().ends_with(".toml") ? "run" : "new --psd", shell_word(files.front()),
+            sample.empty() ? "" : " --sample " + shell_word(sample)
+        );
+    }
 };
 
 stability::AssessSpec spec_of(const AssessVerb& asked) {
@@ -99,78 +109,81 @@ stability::AssessSpec spec_of(const AssessVerb& asked) {
     return spec;
 }
 
-/// One soil of a CSV file, or each soil of a case.
-std::vector<job::AssessedSoil>
-assess_all(const AssessVerb& asked, const stability::AssessSpec& spec, const Console& console) {
-    std::vector<job::AssessedSoil> soils;
-    if (!asked.file.ends_with(".toml")) {
-        const auto grading = io::read_grading(asked.file, io::CurveEnds::MayBeOpen);
-        soils.push_back({asked.file, {}, stability::assess_measured(grading, spec)});
-        return soils;
-    }
-    const casefile::Case what = load_asked_case(asked.file, {}, console);
+void add_case_soils(
+    const std::string& file, const stability::AssessSpec& spec, const Console& console,
+    std::vector<job::AssessedSoil>& soils
+) {
+    const casefile::Case what = load_asked_case(file, {}, console);
     for (const auto& [name, soil] : what.soils) {
         stability::AssessSpec own = spec;
         own.finer_than = spec.finer_than ? spec.finer_than : soil.finer_than;
         soils.push_back(
-            {asked.file + ", soil " + name, what.soils.size() > 1 ? name : "",
+            {file + ", soil " + name, what.soils.size() > 1 ? name : "",
              stability::assess_measured(soil.measured ? *soil.measured : grains::asked_grading(soil), own)}
         );
     }
-    if (soils.empty()) {
-        throw CaseError(asked.file + ": the case has no soil; its packing is imported, and has no grading to assess");
+    if (what.soils.empty()) {
+        throw CaseError(file + ": the case has no soil; its packing is imported, and has no grading to assess");
+    }
+}
+
+/// All soils of all files, and how these were understood.
+std::vector<job::AssessedSoil>
+assess_all(const AssessVerb& asked, const stability::AssessSpec& spec, const Console& console, json& remarks) {
+    std::vector<job::AssessedSoil> soils;
+    for (const std::string& file : asked.files) {
+        if (file.ends_with(".toml")) {
+            add_case_soils(file, spec, console, soils);
+            continue;
+        }
+        const io::GradingFile read = read_gradings_of(file, asked.sample);
+        tell_remarks(read, console);
+        for (const Diagnostic& remark : read.remarks) {
+            remarks.push_back(remark_text(remark));
+        }
+        for (const io::NamedGrading& soil : read.soils) {
+            const std::string name = soil.name.empty() ? file : fmt::format("{}, {}", file, soil.name);
+            soils.push_back({name, soil.name, stability::assess_measured(soil.grading, spec)});
+        }
     }
     return soils;
 }
 
-void write_page(
-    const job::AssessedSoil& soil, const stability::AssessSpec& spec, const json& about, const fs::path& folder,
-    const std::string& command
-) {
-    report::ReportData data;
-    data.title = "Internal stability of " + soil.name;
-    data.run = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
-    data.answer = {"By its grading alone: " + stability::summary(soil.assessment.criteria) + "."};
-    if (spec.seepage) {
-        data.answer.push_back(as_sentence(job::seepage_text(*spec.seepage)) + ":");
-    }
-    for (const Criterion& criterion : soil.assessment.gradients) {
-        data.answer.push_back(
-            fmt::format("{}: {}; {}.", criterion.name, stability::verdict_word(criterion.verdict), criterion.remark)
-        );
-    }
-    if (soil.assessment.has_constrictions) {
-        data.answer.push_back(as_sentence(job::constrictions_text(soil.assessment)) + ".");
-    }
-    data.tables = {figures::stability_table(soil.assessment)};
-    data.figures = {figures::stability_grading(soil.assessment), figures::stability_shape(soil.assessment)};
-    data.provenance = {{"program", "suffuse"}, {"version", version()}, {"commit", commit()}, {"command", command}};
-    data.cited = {version(), commit()};
-    data.redraw = command;
-    report::write_report(folder, data, page_folder());
-    io::write_file(folder / "assessment.json", json_text(about) + "\n");
+/// A folder for each soil, where there are several: its sample's name or its file's, in letters that no shell minds.
+std::string folder_of(const job::AssessedSoil& soil, std::size_t number) {
+    std::string name = soil.folder.empty() ? fs::path(soil.name).stem().string() : soil.folder.string();
+    std::replace_if(
+        name.begin(), name.end(),
+        [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.'; }, '-'
+    );
+    return fmt::format("{:03}-{}", number + 1, name);
 }
 
 int AssessVerb::act(const CommandLine& line, const Console& console) const {
     const stability::AssessSpec spec = spec_of(*this);
-    json soils = json::array();
-    std::string text;
-    for (const job::AssessedSoil& soil : assess_all(*this, spec, console)) {
-        soils.push_back(job::soil_json(soil, spec));
-        text += (text.empty() ? "" : "\n\n") + job::text_of(soil, spec, terminal_width());
+    json remarks = json::array(), list = json::array();
+    const std::vector<job::AssessedSoil> soils = assess_all(*this, spec, console, remarks);
+    const bool are_many = soils.size() > 1;
+    std::string text = are_many ? job::matrix_text(soils) : job::text_of(soils.front(), spec, terminal_width());
+    for (std::size_t k = 0; k < soils.size(); ++k) {
+        list.push_back(job::soil_json(soils[k], spec));
         if (!output.empty()) {
-            const fs::path folder = fs::path(output) / soil.folder;
-            write_page(soil, spec, soils.back(), folder, line.typed);
-            soils.back()["written"] = (folder / "report.html").string();
-            text += fmt::format("\n{}", (folder / "report.html").string());
+            const fs::path folder = are_many ? fs::path(output) / folder_of(soils[k], k) : fs::path(output);
+            const std::string page = write_soil_page(soils[k], spec, list.back(), folder, line.typed).string();
+            list.back()["written"] = page;
+            text += are_many ? "" : "\n" + page;
+        }
+    }
+    json document{{"soils", list}, {"remarks", remarks}};
+    if (are_many) {
+        document["matrix"] = job::matrix_json(soils);
+        if (!output.empty()) {
+            text += "\n" + write_overlay_page(soils, document["matrix"], output, line.typed).string();
         }
     }
     console.result(text);
-    console.talk(fmt::format(
-        "a simulation tells how many grains are free to go: suffuse {} {}",
-        file.ends_with(".toml") ? "run" : "new --psd", shell_word(file)
-    ));
-    console.document(json_text({{"soils", soils}}));
+    console.talk(next_step(soils.size()));
+    console.document(json_text(document));
     return Done;
 }
 

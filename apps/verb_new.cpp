@@ -14,6 +14,7 @@
 
 #include "apps/cut_verdicts.hpp"
 #include "apps/exit_code.hpp"
+#include "apps/grading_input.hpp"
 #include "apps/json_text.hpp"
 #include "apps/own_soil.hpp"
 #include "apps/shared_options.hpp"
@@ -53,6 +54,7 @@ struct NewVerb final : Verb {
     std::string given;                     ///< folder
     std::string from;                      ///< template
     std::string psd, sizes;                ///< grading curve, and the part of it that is modeled
+    std::string sample;                    ///< of a file of several curves
     std::optional<std::int64_t> particles; ///< of the quick preset
     std::string pressure;                  ///< on the soil, with its unit
     std::optional<double> gradient;
@@ -61,10 +63,12 @@ struct NewVerb final : Verb {
         options.argument("DIR", given, "folder to write it to; the name of the template or of the curve unless given");
         const Option example =
             options.value("--from", from, "an example to start from").type("NAME").suggest(template_names);
-        const Option curve =
-            options.value("--psd", psd, "grading curve of a soil of yours: CSV with the columns d [mm], passing [%]")
-                .type("FILE")
-                .excludes(example);
+        const Option curve = options.value("--psd", psd, std::string("of a soil of yours ") + grading_text)
+                                 .type("FILE")
+                                 .excludes(example);
+        options.value("--sample", sample, "with --psd: of a table of several samples this one")
+            .type("NAME")
+            .needs(curve);
         options.value("--sizes", sizes, "with --psd: the part of the curve to model, as in 0.1mm,4mm")
             .type("FROM,TO")
             .needs(curve);
@@ -223,7 +227,11 @@ void tell_assumed(const OwnConditions& conditions, const fs::path& path, const C
 
 int new_from_soil(const NewVerb& asked, const Console& console) {
     const OwnConditions conditions = conditions_of(asked); // what was typed is judged before what the file holds
-    const OwnSoil soil = model_own_soil(asked.psd, {sizes_of(asked.sizes), asked.particles});
+    const io::GradingFile read = read_one_grading(asked.psd, asked.sample);
+    tell_remarks(read, console);
+    const std::string& sample = read.soils.front().name;
+    const std::string named = sample.empty() ? asked.psd : sample + ".csv"; // as the file is called, so is the soil
+    const OwnSoil soil = model_own_soil(read.soils.front().grading, named, {sizes_of(asked.sizes), asked.particles});
     const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
     const fs::path folder = asked.given.empty() ? soil.name : asked.given;
     const std::vector<std::string> written = write_new(

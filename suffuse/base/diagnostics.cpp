@@ -164,6 +164,10 @@ void Problems::warning(std::string code, const Place& place, std::string message
     add({std::move(code), {}, 0, 0, 1, {}, std::move(message), std::move(label), std::move(help), true}, place);
 }
 
+void Problems::take_over(const Problems& other) {
+    list_.insert(list_.end(), other.list_.begin(), other.list_.end());
+}
+
 bool Problems::has_errors() const {
     return std::any_of(list_.begin(), list_.end(), [](const Diagnostic& d) { return !d.is_warning; });
 }
@@ -184,10 +188,13 @@ std::vector<Diagnostic> Problems::sorted() const {
     });
     std::vector<Diagnostic> once;
     for (const Diagnostic& d : list) {
-        const bool is_known = std::any_of(once.begin(), once.end(), [&](const Diagnostic& o) {
-            return std::tie(o.code, o.file, o.line, o.column, o.message) ==
-                   std::tie(d.code, d.file, d.line, d.column, d.message);
-        });
+        bool is_known = false; // those of one place stand together
+        for (auto o = once.rbegin(); o != once.rend() && !is_known; ++o) {
+            if (std::tie(o->file, o->line, o->column) != std::tie(d.file, d.line, d.column)) {
+                break;
+            }
+            is_known = o->code == d.code && o->message == d.message;
+        }
         if (!is_known) {
             once.push_back(d);
         }

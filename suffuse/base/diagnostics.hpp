@@ -33,6 +33,9 @@ public:
     void
     warning(std::string code, const Place& place, std::string message, std::string help = {}, std::string label = {});
 
+    /// All that another list holds, behind what this one does.
+    void take_over(const Problems& other);
+
     [[nodiscard]] bool has_errors() const;
 
     /// In the order of the files and lines; the same problem at the same place once.

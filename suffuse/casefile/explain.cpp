@@ -63,7 +63,10 @@ constexpr std::array code_table = {
         "E502", "bad value in a data file",
         "A grading holds plain numbers, one for each column: with a decimal point, or with a decimal comma in all of "
         "them where columns are separated by semicolons or tabs."},
-    Code{"E503", "grading not monotonic", "Percent passing cannot fall as the size grows, and no size stands twice."},
+    Code{
+        "E503", "grading not monotonic",
+        "Percent passing cannot fall as the size grows by more than 0.1 %, and a size stands twice only where two "
+        "analyses meet that agree within 2 %."},
     Code{
         "E504", "impossible grading value",
         "Sizes are above 0, percent passing lies between 0 and 100, and a curve runs from 0 to 100 %."},
@@ -71,12 +74,20 @@ constexpr std::array code_table = {
     Code{
         "E506", "bad header of a grading",
         "The first line names the columns, `d [mm],passing [%]`; other units may stand in the brackets. Sizes may be "
-        "called size, sieve or aperture, and shares finer, cumulative retained or retained on sieve; what is retained "
-        "may "
-        "be a mass, `retained on sieve [g]`, with a line `pan`."},
+        "called size, sieve or aperture, and shares finer, cumulative retained or retained on sieve, also in French, "
+        "German, Spanish or Italian; what is retained may be a mass, `retained on sieve [g]`, with a line `pan`. "
+        "docs/gradings.md has an example of each kind."},
     Code{
         "E507", "nothing between the sizes",
         "`sizes` cuts the part out of a grading that is modeled; some mass has to lie between them."},
+    Code{
+        "W508", "how a grading was read",
+        "Something in the sheet could be understood in one way only, or was passed over: a pan, a total, a sieve that "
+        "was not used, plain numbers that are sieve numbers. Nothing is wrong where the sentence is true."},
+    Code{
+        "E509", "several samples in one file",
+        "A soil of a case has one grading, and the file holds several. `suffuse new --psd FILE --sample NAME` writes a "
+        "case with one of them; `suffuse assess FILE` judges all."},
     Code{
         "E601", "a sample too small for its largest grain",
         "The cell would be narrower than three of its largest grains, which then meet their own images. Take more "

@@ -46,7 +46,7 @@ TEST(ReadGrading, SieveAnalysesAsLaboratoriesWriteThemGiveTheSameCurve) {
              "D [MM];PASSING [%]\n0,1;0\n0,2;50,0\n0,4;100\n",                    // decimal comma, capitals
              "Sieve size (mm)\t% passing\n0,4\t100\n0,2\t50\n0,1\t0\n",           // tabs, descending
              "Sieve (\u00b5m),Percent finer\n100,0%\n200,50 %\n400,100%\n",       // percent signs
-             "\"Sieve, mm\",Size (mm),Passing\n1,0.1,0\n2,0.2,50\n3,0.4,100\n",   // quotes
+             "\"Sieve, no.\",Size (mm),Passing\n1,0.1,0\n2,0.2,50\n3,0.4,100\n",  // quotes
              "Grain size;Finer by mass\n100 um;0 %\n200 um;50 %\n0.4 mm;100 %\n", // units at every number
              "sieve [um];Cumulative retained [%]\r\n400;0\r\n200;50\r\n100;100\r\n",
              "d [mm];retained [%];passing [%];;\n0,4;0;100;;\n0,2;50;50;;\n0,1;50;0;;\n",     // empty cells
@@ -58,6 +58,7 @@ TEST(ReadGrading, SieveAnalysesAsLaboratoriesWriteThemGiveTheSameCurve) {
              "sieve [mm],cumulative mass retained [g]\n0.4,0\n0.2,150\n0.1,300\npan,300\n",
              "sieve [mm],cumulative retained [%]\n0.4,0\n0.2,50\n0.1,100\npan,100\n",
              "Sieve (mm);Individual retained (%)\n0,1;50,004\n0,2;50\n0,4;0\n", // rounded
+             "d [um],passing\n0.1 mm,0\n200,50\n400,100\n",                     // a number's own unit counts
              "d_mm,passing_percent\n0.1,0\n0.2,50\n0.4,100\n",                  // as scripts name columns
              "particle size um,finer pct\n100,0\n200,50\n400,100\n",
              "\"d [mm]\";\"passing [%]\"\n\"0,1\";\"0\"\n\"0,2\";\"50\"\n\"0,4\";\"100\"\n",
@@ -88,26 +89,25 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
         {"E503", 4, 1, "0.15 mm stands beside 0.2 mm", "d,passing\n0.1,0\n0.2,50\n0.15,60\n0.5,100\n"},
         {"E503", 3, 1, "each once", "d,passing\n0.1,0\n0.1,50\n0.2,100\n"},
         {"E504", 2, 1, "-0.1 mm", "d,passing\n-0.1,0\n0.2,100\n"},
-        {"E504", 2, 1, "sizes are above 0", "d,passing\n0,0\n0.2,100\n"},
+        {"E504", 2, 1, "sizes are above 0", "d,passing\n0,5\n0.2,100\n"},
         {"E504", 3, 5, "120 %", "d,passing\n0.1,0\n0.2,120\n"},
         {"E504", 2, 5, "-5 %", "d,passing\n0.1,-5\n0.2,100\n"},
         {"E504", 2, 5, "nothing passes", "d,passing\n0.1,5\n0.2,100\n"},
         {"E504", 3, 5, "everything passes", "d,passing\n0.1,0\n0.2,95\n"},
         {"E504", 2, 1, "`d [um]`", "d,passing\n63,0\n4000,100\n"},
-        {"E504", 3, 3, "`passing [-]`", "d,passing\n0.1,0\n4,1\n"},
+        {"E504", 3, 3, "`passing [-]`", "d,passing [%]\n0.1,0\n4,1\n"},
         {"E502", 3, 5, "\"nan\" is not a number", "d,passing\n0.1,0\n0.2,nan\n"},
         {"E502", 3, 1, "\"abc\" is not a number", "d,passing\n0.1,0\nabc,50\n"},
-        {"E502", 3, 5, "a value is missing", "d,passing\n0.1,0\n0.2,\n"},
+        {"E505", 0, 0, "at least two points", "d,passing\n0.1,0\n0.2,\n"},
         {"E502", 3, 1, "3 values where the header names 2 columns", "d,passing\n0.1,0\n0,2,50\n"},
-        {"E502", 2, 1, "has its own unit", "d [um],passing\n0.1 mm,0\n200,100\n"},
         {"E502", 2, 1, "has its own unit", "d,passing\n100 um,0\n0.2,100\n"}, // the other line has none
         {"E502", 3, 5, "has its own unit", "d,passing [-]\n0.1,0\n0.2,100 %\n"},
         {"E502", 2, 3, "a pressure", "d,passing\n1,0 kPa\n2,100 kPa\n"},
         {"E502", 2, 1, "decimal comma, columns are separated by ;", "d,passing\n0,1,0,5\n0,2,100,0\n"},
         {"E502", 3, 1, "write a decimal point", "d,passing\n0.1,0\n\"1,000\",100\n"},
         {"E502", 3, 1, "the same mark everywhere", "d;passing\n0.1;0\n1,000;100\n"},
-        {"E502", 3, 1, "is not a number", "d;passing\n4;100\npan;0\n"},
-        {"E506", 1, 1, "with [g] where masses", "sieve [mm],retained [g]\n0.2,10\n0.1,30\n"},
+        {"E505", 0, 0, "at least two points", "d;passing\n4;100\npan;0\n"},
+        {"E506", 1, 12, "with [g] where masses", "sieve [mm],retained [g]\n0.2,10\n0.1,30\n"},
         {"E504", 3, 1, "no line `pan`", "sieve [mm],retained on sieve [g]\n0.2,0\n0.1,30\n"},
         {"E504", 4, 1, "0 or more", "sieve [mm],retained on sieve [g]\n0.2,-1\n0.1,30\npan,0\n"},
         {"E504", 4, 1, "not all 0", "sieve [mm],retained on sieve [g]\n0.2,0\n0.1,0\npan,0\n"},
@@ -119,9 +119,9 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
         {"E505", 0, 0, "empty", ""},
         {"E505", 0, 0, "empty", "# nothing\n\n"},
         {"E505", 0, 0, "at least two points", "d,passing\n0.1,0\n"},
-        {"E506", 1, 1, "`d` is missing", "0.1,0\n0.2,100\n"},
-        {"E506", 1, 1, "titles above it begin with #", "Borehole 3\nd,passing\n0.1,0\n0.2,100\n"},
-        {"E506", 1, 1, "`passing` is missing", "d,percent\n0.2,100\n"},
+        {"E506", 1, 1, "do not say which are the sizes", "0.1,0\n0.2,60\n"},
+        {"E506", 1, 1, "the first line names the columns", "Borehole 3\nfoo,bar\n0.1,0\n0.2,100\n"},
+        {"E506", 1, 1, "`passing` is missing", "d,note\n0.2,good\n"},
         {"E506", 1, 1, "is a pressure", "d [kPa],passing\n0.2,100\n"},
         {"E100", 0, 0, "UTF-16", "\xFF\xFE"},
         {"E100", 1, 3, "zero bytes", std::string("d,\0", 3)},

@@ -125,6 +125,10 @@ constexpr std::array guides = {
         "own-stability-shape", "the shape curve",
         "Kenney and Lau's H = F(4d) - F(d) against F, with the limits H = F and H = 1.3 F.",
         "a soil; also `suffuse assess`"},
+    Guide{
+        "own-stability-overlay", "gradings of many samples",
+        "The curves of all samples that `suffuse assess` was given, over each other.",
+        "`suffuse assess` of several soils"},
 };
 
 } // namespace

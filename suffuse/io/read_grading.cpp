@@ -1,8 +1,13 @@
 #include "suffuse/io/read_grading.hpp"
 
 #include "suffuse/base/read_text.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/io/ags_grading.hpp"
+#include "suffuse/io/grading_shares.hpp"
+#include "suffuse/io/sheet_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -10,177 +15,140 @@ namespace suffuse::io {
 
 namespace {
 
-std::string in_mm(double diameter) {
-    return fmt::format("{:.6g} mm", diameter * 1e3);
-}
+/// What a table says when its columns stand between one mark.
+struct Reading {
+    Sheet sheet;
+    std::optional<GradingColumns> columns;
+    Problems problems;
+};
 
-std::string in_percent(double passing) {
-    return fmt::format("{:.6g} %", passing * 100);
-}
-
-bool check_values(const std::vector<GradingPoint>& points, Problems& problems) {
-    bool is_good = true;
-    for (const GradingPoint& point : points) {
-        if (!(point.diameter > 0)) {
-            problems.error(
-                "E504", point.diameter_place, fmt::format("a grain size of {}", in_mm(point.diameter)),
-                "sizes are above 0"
-            );
-            is_good = false;
-        }
-        if (!(point.passing >= 0 && point.passing <= 1)) {
-            problems.error(
-                "E504", point.passing_place, fmt::format("{} passing", in_percent(point.passing)),
-                "percent passing is between 0 and 100"
-            );
-            is_good = false;
-        }
+Reading try_mark(const std::shared_ptr<const Source>& source, char mark) {
+    Reading reading{split_sheet(source, mark), {}, {}};
+    if (!reading.sheet.rows.empty()) {
+        reading.columns = find_grading_columns(reading.sheet, reading.problems);
     }
-    return is_good;
+    return reading;
 }
 
-/// Points with sizes rising.
-bool check_order(const std::vector<GradingPoint>& points, Problems& problems) {
-    const auto rises = [](const GradingPoint& below, const GradingPoint& point) {
-        return point.passing > below.passing;
-    };
-    if (points.size() > 2 && std::ranges::adjacent_find(points, rises) == points.end() &&
-        rises(points.back(), points.front())) {
-        problems.error(
-            "E503", points.front().passing_place,
-            fmt::format(
-                "percent passing falls throughout, from {} at {} to {} at {}", in_percent(points.front().passing),
-                in_mm(points.front().diameter), in_percent(points.back().passing), in_mm(points.back().diameter)
-            ),
-            "name the column `cumulative retained [%]` if that is what it holds"
-        );
-        return false;
-    }
-    bool is_good = true;
-    for (std::size_t k = 1; k < points.size(); ++k) {
-        const GradingPoint &below = points[k - 1], &point = points[k];
-        if (!(point.diameter > below.diameter)) {
-            problems.error(
-                "E503", point.diameter_place,
-                fmt::format(
-                    "the grading is not monotonic: {} stands beside {}", in_mm(point.diameter), in_mm(below.diameter)
-                ),
-                "sizes must rise from line to line, or fall from line to line, each once"
-            );
-            is_good = false;
-        } else if (point.passing < below.passing) {
-            problems.error(
-                "E503", point.passing_place,
-                fmt::format(
-                    "the grading is not monotonic: {} passes {}, but {} passes the smaller {}",
-                    in_percent(point.passing), in_mm(point.diameter), in_percent(below.passing), in_mm(below.diameter)
-                ),
-                "percent passing cannot fall as the size grows"
-            );
-            is_good = false;
+/// Of the marks that the text has the first between which columns are found; else the first that cuts its lines.
+Reading choose_mark(const std::shared_ptr<const Source>& source) {
+    std::optional<Reading> first;
+    for (const char mark : possible_marks(source->text)) {
+        Reading reading = try_mark(source, mark);
+        if (reading.columns) {
+            return reading;
+        }
+        if (!first) {
+            first = std::move(reading);
         }
     }
-    return is_good;
+    return std::move(*first);
 }
 
-/// Curves that no soil has, but one whose unit was forgotten.
-bool check_units(const std::vector<GradingPoint>& points, Problems& problems) {
-    constexpr double stones = 0.06, least_end = 0.02; // [m], [-]
-    if (points.front().diameter >= stones) {
-        problems.error(
-            "E504", points.front().diameter_place,
-            fmt::format("the smallest size is {}: a soil of stones alone", in_mm(points.front().diameter)),
-            "sizes are in mm unless the header says otherwise: `d [um]` for micrometers"
-        );
-        return false;
+std::optional<std::vector<SievedSoil>> read_table(const std::shared_ptr<const Source>& source, Problems& problems) {
+    Reading reading = choose_mark(source);
+    const bool has_values =
+        std::ranges::any_of(reading.sheet.rows, [](const SheetRow& row) { return !row.is_comment; });
+    if (!has_values) {
+        problems.error("E505", {source, 0, 0, 1}, "the file is empty", expected_header);
+        return std::nullopt;
     }
-    if (points.back().passing <= least_end) {
-        problems.error(
-            "E504", points.back().passing_place,
-            fmt::format(
-                "the curve ends at {} passing {}", in_percent(points.back().passing), in_mm(points.back().diameter)
-            ),
-            "percent unless the header says otherwise: `passing [-]` for fractions"
-        );
-        return false;
+    problems.take_over(reading.problems);
+    if (!reading.columns) {
+        return std::nullopt;
     }
-    return true;
-}
-
-/// From nothing to everything, sizes rising.
-bool check_ends(const std::vector<GradingPoint>& points, Problems& problems) {
-    if (points.front().passing != 0) {
+    if (reading.columns->first_row >= reading.sheet.rows.size()) {
         problems.error(
-            "E504", points.front().passing_place,
-            fmt::format(
-                "the curve starts at {} passing {}", in_percent(points.front().passing), in_mm(points.front().diameter)
-            ),
-            "add the size that nothing passes (0 %): the smallest grains that you want to model"
-        );
-        return false;
-    }
-    if (points.back().passing != 1) {
-        problems.error(
-            "E504", points.back().passing_place,
-            fmt::format(
-                "the curve ends at {} passing {}", in_percent(points.back().passing), in_mm(points.back().diameter)
-            ),
-            "add the size that everything passes (100 %)"
-        );
-        return false;
-    }
-    return true;
-}
-
-} // namespace
-
-std::optional<grains::Grading> make_grading(
-    std::vector<GradingPoint> points, const std::string& origin, const Place& whole, Problems& problems, CurveEnds ends
-) {
-    if (points.size() < 2) {
-        problems.error(
-            "E505", whole,
-            fmt::format(
-                "a grading curve needs at least two points, and there {} {}", points.size() == 1 ? "is" : "are",
-                points.size()
-            ),
+            "E505", {source, 0, 0, 1}, "the file has headings and no values",
             "a line for each sieve: its size and the percent passing"
         );
         return std::nullopt;
     }
-    if (!check_values(points, problems)) {
-        return std::nullopt;
+    return read_sieve_rows(reading.sheet, std::move(*reading.columns), problems);
+}
+
+std::string names_of(const std::vector<NamedGrading>& soils) {
+    constexpr std::size_t most = 12;
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < std::min(most, soils.size()); ++k) {
+        names.push_back(soils[k].name);
     }
-    // Sieve tables often start with the coarsest.
-    if (points.front().diameter > points.back().diameter) {
-        std::reverse(points.begin(), points.end());
+    return fmt::format(
+        "{}{}", fmt::join(names, ", "), soils.size() > most ? fmt::format(" and {} more", soils.size() - most) : ""
+    );
+}
+
+/// The sample asked for, whatever its capitals.
+NamedGrading choose(const std::vector<NamedGrading>& soils, const std::string& sample, const std::string& file) {
+    std::vector<std::string> names;
+    for (const NamedGrading& soil : soils) {
+        names.push_back(soil.name);
+        if (edit_distance(soil.name, sample) == 0) {
+            return soil;
+        }
     }
-    if (!check_order(points, problems) || !check_units(points, problems)) {
-        return std::nullopt;
+    throw CaseError(
+        fmt::format("{}: no sample {}{}; it has {}", file, sample, near_hint(sample, names), names_of(soils)), file
+    );
+}
+
+} // namespace
+
+std::vector<NamedGrading>
+parse_gradings(const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends) {
+    const auto text = decode_sheet(source, problems);
+    if (!text) {
+        return {};
     }
-    if (ends == CurveEnds::Closed && !check_ends(points, problems)) {
-        return std::nullopt;
+    auto soils = looks_like_ags(text->text) ? read_ags(text, problems) : read_table(text, problems);
+    std::vector<NamedGrading> gradings;
+    bool is_good = soils.has_value();
+    const std::size_t count = soils ? soils->size() : 0;
+    for (SievedSoil& soil : soils ? *soils : std::vector<SievedSoil>{}) {
+        const std::string name = count > 1 ? soil.name : "";
+        Place whole{text, 0, 0, 1};
+        auto points = find_passing(std::move(soil), problems);
+        auto grading = points ? make_grading(std::move(*points), source->name, whole, problems, ends) : std::nullopt;
+        is_good = is_good && grading;
+        if (grading) {
+            gradings.push_back({name, std::move(*grading)});
+        }
     }
-    grains::Grading grading;
-    grading.origin = origin;
-    for (const GradingPoint& point : points) {
-        grading.diameter.push_back(point.diameter);
-        grading.passing.push_back(point.passing);
+    if (is_good && gradings.empty()) {
+        problems.error(
+            "E505", {text, 0, 0, 1}, "a grading curve needs at least two points, and there are 0",
+            "a line for each sieve: its size and the percent passing"
+        );
     }
-    return grading;
+    return is_good ? gradings : std::vector<NamedGrading>{};
 }
 
 std::optional<grains::Grading>
 parse_grading(const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends) {
-    const Place whole{source, 0, 0, 1};
-    if (!check_encoding(source, problems)) {
+    auto soils = parse_gradings(source, problems, ends);
+    if (soils.size() > 1) {
+        problems.error(
+            "E509", {source, 0, 0, 1},
+            fmt::format(
+                "the file holds the curves of {} samples, and one is needed: {}", soils.size(), names_of(soils)
+            ),
+            fmt::format("suffuse new --psd {} --sample NAME writes a case with one of them", source->name)
+        );
         return std::nullopt;
     }
-    auto points = read_grading_points(source, problems);
-    if (!points) {
-        return std::nullopt;
+    return soils.empty() ? std::nullopt : std::optional(std::move(soils.front().grading));
+}
+
+GradingFile read_gradings(const std::shared_ptr<const Source>& source, CurveEnds ends, const std::string& sample) {
+    Problems problems;
+    GradingFile file{parse_gradings(source, problems, ends), problems.sorted()};
+    if (problems.has_errors()) {
+        throw CaseProblems(std::move(file.remarks));
     }
-    return make_grading(std::move(*points), source->name, whole, problems, ends);
+    if (!sample.empty() && !(file.soils.size() == 1 && file.soils.front().name.empty())) {
+        file.soils = {choose(file.soils, sample, source->name)};
+    }
+    return file;
 }
 
 grains::Grading read_grading(const std::string& path, CurveEnds ends) {

@@ -1,9 +1,11 @@
 #pragma once
-// A grading curve from a CSV file: columns `d [mm]` and `passing [%]` by mass, `#` starts a comment; grading_csv.hpp
-// says what else is read. Sizes may rise or fall from line to line, but not both.
+// Grading curves out of what laboratories and site investigations keep: docs/gradings.md lists what is understood. The
+// text (sheet_text) is cut into cells (sheet), the columns are found (grading_columns), the rows read (grading_rows),
+// turned into percent passing (grading_shares) and checked (grading_curve). How a sheet was understood is told in
+// remarks; what could mean two things is refused.
 
 #include "suffuse/grains/soil.hpp"
-#include "suffuse/io/grading_csv.hpp"
+#include "suffuse/io/grading_curve.hpp"
 
 #include <memory>
 #include <optional>
@@ -12,21 +14,30 @@
 
 namespace suffuse::io {
 
-/// Grains are drawn from a curve that runs from 0 to 100 %; criteria may be asked of one that does not.
-enum class CurveEnds { Closed, MayBeOpen };
+struct NamedGrading {
+    std::string name; ///< of the sample; empty where the file has one alone
+    grains::Grading grading;
+};
 
-/// The curve through the points, sizes rising; reports each point that breaks the rules of a grading and is empty then.
-/// `whole` is the place of a problem of the curve as a whole.
-std::optional<grains::Grading> make_grading(
-    std::vector<GradingPoint> points, const std::string& origin, const Place& whole, Problems& problems,
-    CurveEnds ends = CurveEnds::Closed
-);
+/// All curves of a text; empty where something is wrong, all of which is reported. Remarks are warnings.
+std::vector<NamedGrading>
+parse_gradings(const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends = CurveEnds::Closed);
 
-/// Reads the text of a CSV file; all its problems are reported.
+/// The one curve of a text; several are an error that names them.
 std::optional<grains::Grading>
 parse_grading(const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends = CurveEnds::Closed);
 
-/// Reads a file. Throws CaseProblems, or IoError where it cannot be read.
+/// The curves of a file and how it was understood.
+struct GradingFile {
+    std::vector<NamedGrading> soils;
+    std::vector<Diagnostic> remarks;
+};
+
+/// Reads a file; of several samples that named `sample`, or all. Throws CaseProblems, or IoError where it cannot be
+/// read.
+GradingFile read_gradings(const std::shared_ptr<const Source>& source, CurveEnds ends, const std::string& sample = {});
+
+/// Reads a file that holds one curve. Throws as read_gradings().
 grains::Grading read_grading(const std::string& path, CurveEnds ends = CurveEnds::Closed);
 
 } // namespace suffuse::io

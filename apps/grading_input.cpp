@@ -1,0 +1,61 @@
+#include "apps/grading_input.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/read_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <vector>
+
+namespace suffuse::apps {
+namespace {
+
+std::shared_ptr<const Source> source_of(const std::string& path) {
+    if (path != "-") {
+        return std::make_shared<Source>(Source{path, read_whole_file(path)});
+    }
+    std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return std::make_shared<Source>(Source{"standard input", text.starts_with(mark) ? text.substr(mark.size()) : text});
+}
+
+} // namespace
+
+io::GradingFile read_gradings_of(const std::string& path, const std::string& sample) {
+    return io::read_gradings(source_of(path), io::CurveEnds::MayBeOpen, sample);
+}
+
+io::GradingFile read_one_grading(const std::string& path, const std::string& sample) {
+    io::GradingFile file = read_gradings_of(path, sample);
+    if (file.soils.size() > 1) {
+        constexpr std::size_t most = 12;
+        std::vector<std::string> names;
+        for (const io::NamedGrading& soil : file.soils) {
+            names.push_back(soil.name);
+        }
+        const std::size_t more = names.size() - std::min(most, names.size());
+        names.resize(names.size() - more);
+        throw CaseError(fmt::format(
+            "{} holds {} samples, and one is needed: {}{}; choose it by --sample NAME", path, file.soils.size(),
+            fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : ""
+        ));
+    }
+    return file;
+}
+
+std::string remark_text(const Diagnostic& remark) {
+    const std::string place = remark.line > 0 ? fmt::format("{}:{}", remark.file, remark.line) : remark.file;
+    return fmt::format("{}: {}{}{}", place, remark.message, remark.help.empty() ? "" : "; ", remark.help);
+}
+
+void tell_remarks(const io::GradingFile& file, const Console& console) {
+    for (const Diagnostic& remark : file.remarks) {
+        console.talk(remark_text(remark));
+    }
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,79 @@
+#include "apps/stability_pages.hpp"
+
+#include "suffuse/base/version.hpp"
+#include "suffuse/base/words.hpp"
+#include "suffuse/figures/stability_overlay.hpp"
+#include "suffuse/figures/stability_view.hpp"
+#include "suffuse/io/atomic_file.hpp"
+#include "suffuse/job/stability_matrix.hpp"
+#include "suffuse/report/page.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/json_text.hpp"
+#include "apps/page_folder.hpp"
+
+namespace suffuse::apps {
+
+namespace fs = std::filesystem;
+
+using nlohmann::json;
+using stability::Criterion;
+
+namespace {
+
+report::ReportData begin_page(const fs::path& folder, const std::string& command) {
+    report::ReportData data;
+    data.run = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
+    data.provenance = {{"program", "suffuse"}, {"version", version()}, {"commit", commit()}, {"command", command}};
+    data.cited = {version(), commit()};
+    data.redraw = command;
+    return data;
+}
+
+} // namespace
+
+fs::path write_soil_page(
+    const job::AssessedSoil& soil, const stability::AssessSpec& spec, const json& about, const fs::path& folder,
+    const std::string& command
+) {
+    report::ReportData data = begin_page(folder, command);
+    data.title = "Internal stability of " + soil.name;
+    data.answer = {"By its grading alone: " + stability::summary(soil.assessment.criteria) + "."};
+    if (spec.seepage) {
+        data.answer.push_back(as_sentence(job::seepage_text(*spec.seepage)) + ":");
+    }
+    for (const Criterion& criterion : soil.assessment.gradients) {
+        data.answer.push_back(
+            fmt::format("{}: {}; {}.", criterion.name, stability::verdict_word(criterion.verdict), criterion.remark)
+        );
+    }
+    if (soil.assessment.has_constrictions) {
+        data.answer.push_back(as_sentence(job::constrictions_text(soil.assessment)) + ".");
+    }
+    data.tables = {figures::stability_table(soil.assessment)};
+    data.figures = {figures::stability_grading(soil.assessment), figures::stability_shape(soil.assessment)};
+    report::write_report(folder, data, page_folder());
+    io::write_file(folder / "assessment.json", json_text(about) + "\n");
+    return folder / "report.html";
+}
+
+fs::path write_overlay_page(
+    const std::vector<job::AssessedSoil>& soils, const json& matrix, const fs::path& folder, const std::string& command
+) {
+    report::ReportData data = begin_page(folder, command);
+    const job::AssessedSoil& worst = soils[job::find_worst(soils)];
+    data.title = fmt::format("Internal stability of {} soils", soils.size());
+    data.answer = {fmt::format("The worst is {}: {}.", worst.name, stability::summary(worst.assessment.criteria))};
+    std::vector<figures::NamedAssessment> named;
+    for (const job::AssessedSoil& soil : soils) {
+        named.push_back({soil.name, &soil.assessment});
+    }
+    data.tables = {figures::stability_matrix(named)};
+    data.figures = {figures::stability_overlay(named)};
+    report::write_report(folder, data, page_folder());
+    io::write_file(folder / "assessments.json", json_text(matrix) + "\n");
+    return folder / "report.html";
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,308 @@
+#include "suffuse/io/heading.hpp"
+
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/io/sheet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+#include <vector>
+
+namespace suffuse::io {
+
+namespace {
+
+enum class Role {
+    Size,
+    Sieve,
+    Number,
+    Passing,
+    Retained,
+    Coarser,
+    Cumulative,
+    OnOne,
+    Percent,
+    Fraction,
+    Mass,
+    By,
+    Tare,
+    And,
+    Soil,
+    Sample,
+    Depth,
+    Phi,
+    Filler,
+};
+
+struct Stem {
+    std::string_view text; ///< five letters or more: also within a longer word; fewer: the whole word
+    Role role;
+};
+
+// clang-format off
+constexpr std::array stems{
+    // English
+    Stem{"d", Role::Size}, Stem{"diam", Role::Size}, Stem{"diameter", Role::Size}, Stem{"size", Role::Size},
+    Stem{"sizes", Role::Size}, Stem{"grainsize", Role::Size}, Stem{"opening", Role::Size}, Stem{"aperture", Role::Size},
+    Stem{"sieve", Role::Sieve}, Stem{"sieves", Role::Sieve}, Stem{"screen", Role::Sieve}, Stem{"mesh", Role::Number},
+    Stem{"no", Role::Number}, Stem{"number", Role::Number}, Stem{"id", Role::Number}, Stem{"name", Role::Filler},
+    Stem{"ref", Role::Filler}, Stem{"nos", Role::Number},
+    Stem{"designation", Role::Number}, Stem{"passing", Role::Passing}, Stem{"passed", Role::Passing},
+    Stem{"passes", Role::Passing}, Stem{"pass", Role::Passing}, Stem{"finer", Role::Passing},
+    Stem{"undersize", Role::Passing}, Stem{"smaller", Role::Passing}, Stem{"retained", Role::Retained},
+    Stem{"retaining", Role::Retained}, Stem{"ret", Role::Retained}, Stem{"coarser", Role::Coarser},
+    Stem{"oversize", Role::Coarser}, Stem{"larger", Role::Coarser}, Stem{"cum", Role::Cumulative},
+    Stem{"cumul", Role::Cumulative}, Stem{"total", Role::Cumulative}, Stem{"accumulated", Role::Cumulative},
+    Stem{"individual", Role::OnOne}, Stem{"each", Role::OnOne}, Stem{"on", Role::OnOne}, Stem{"partial", Role::OnOne},
+    Stem{"percent", Role::Percent}, Stem{"percentage", Role::Percent}, Stem{"pct", Role::Percent},
+    Stem{"fraction", Role::Fraction}, Stem{"ratio", Role::Fraction}, Stem{"proportion", Role::Fraction},
+    Stem{"mass", Role::Mass}, Stem{"weight", Role::Mass}, Stem{"wt", Role::Mass}, Stem{"g", Role::Mass},
+    Stem{"kg", Role::Mass}, Stem{"grams", Role::Mass}, Stem{"gram", Role::Mass}, Stem{"gr", Role::Mass},
+    Stem{"by", Role::By}, Stem{"than", Role::Filler}, Stem{"of", Role::Filler}, Stem{"the", Role::Filler},
+    Stem{"tare", Role::Tare}, Stem{"empty", Role::Tare}, Stem{"plus", Role::And}, Stem{"and", Role::And},
+    Stem{"with", Role::And}, Stem{"gross", Role::And}, Stem{"soil", Role::Soil}, Stem{"sample", Role::Sample},
+    Stem{"specimen", Role::Sample}, Stem{"borehole", Role::Sample}, Stem{"bh", Role::Sample},
+    Stem{"hole", Role::Sample}, Stem{"location", Role::Sample}, Stem{"test", Role::Sample}, Stem{"pit", Role::Sample},
+    Stem{"depth", Role::Depth}, Stem{"top", Role::Depth}, Stem{"bottom", Role::Depth}, Stem{"phi", Role::Phi},
+    Stem{"particle", Role::Filler}, Stem{"grain", Role::Filler}, Stem{"standard", Role::Filler},
+    // French
+    Stem{"diametre", Role::Size}, Stem{"ouverture", Role::Size}, Stem{"maille", Role::Size}, Stem{"taille", Role::Size},
+    Stem{"dimension", Role::Size}, Stem{"tamis", Role::Sieve}, Stem{"passant", Role::Passing},
+    Stem{"tamisat", Role::Passing}, Stem{"inferieur", Role::Passing}, Stem{"refus", Role::Retained},
+    Stem{"retenu", Role::Retained}, Stem{"partiel", Role::OnOne}, Stem{"pourcentage", Role::Percent},
+    Stem{"masse", Role::Mass}, Stem{"poids", Role::Mass}, Stem{"vide", Role::Tare}, Stem{"avec", Role::And},
+    Stem{"et", Role::And}, Stem{"sol", Role::Soil}, Stem{"echantillon", Role::Sample}, Stem{"sondage", Role::Sample},
+    Stem{"profondeur", Role::Depth}, Stem{"numero", Role::Number}, Stem{"des", Role::Filler}, Stem{"de", Role::Filler},
+    Stem{"du", Role::Filler}, Stem{"la", Role::Filler}, Stem{"les", Role::Filler}, Stem{"en", Role::Filler},
+    Stem{"sur", Role::OnOne}, Stem{"grain", Role::Filler}, Stem{"grains", Role::Filler},
+    // German
+    Stem{"durchmesser", Role::Size}, Stem{"korngro", Role::Size}, Stem{"siebweite", Role::Size},
+    Stem{"maschenweite", Role::Size}, Stem{"lochweite", Role::Size}, Stem{"offnung", Role::Size},
+    Stem{"oeffnung", Role::Size}, Stem{"siebgro", Role::Size}, Stem{"sieb", Role::Sieve}, Stem{"siebe", Role::Sieve},
+    Stem{"durchgang", Role::Passing}, Stem{"durchgange", Role::Passing}, Stem{"feiner", Role::Passing},
+    Stem{"ruckstand", Role::Retained}, Stem{"rueckstand", Role::Retained}, Stem{"grober", Role::Coarser},
+    Stem{"groeber", Role::Coarser}, Stem{"summe", Role::Cumulative}, Stem{"kumul", Role::Cumulative},
+    Stem{"gesamt", Role::Cumulative}, Stem{"einzel", Role::OnOne}, Stem{"auf", Role::OnOne}, Stem{"je", Role::OnOne},
+    Stem{"prozent", Role::Percent}, Stem{"anteil", Role::Fraction}, Stem{"gewicht", Role::Mass},
+    Stem{"leer", Role::Tare}, Stem{"mit", Role::And}, Stem{"und", Role::And}, Stem{"boden", Role::Soil},
+    Stem{"probe", Role::Sample}, Stem{"bohrung", Role::Sample}, Stem{"tiefe", Role::Depth}, Stem{"teufe", Role::Depth},
+    Stem{"nr", Role::Number}, Stem{"als", Role::Filler}, Stem{"in", Role::Filler}, Stem{"der", Role::Filler},
+    // Spanish
+    Stem{"diametro", Role::Size}, Stem{"abertura", Role::Size}, Stem{"tamano", Role::Size}, Stem{"malla", Role::Sieve},
+    Stem{"tamiz", Role::Sieve}, Stem{"tamices", Role::Sieve}, Stem{"pasa", Role::Passing}, Stem{"pasante", Role::Passing},
+    Stem{"pasando", Role::Passing}, Stem{"retenid", Role::Retained}, Stem{"acumulad", Role::Cumulative},
+    Stem{"parcial", Role::OnOne}, Stem{"porcentaje", Role::Percent}, Stem{"peso", Role::Mass}, Stem{"masa", Role::Mass},
+    Stem{"tara", Role::Tare}, Stem{"vacio", Role::Tare}, Stem{"con", Role::And}, Stem{"suelo", Role::Soil},
+    Stem{"muestra", Role::Sample}, Stem{"sondeo", Role::Sample}, Stem{"profundidad", Role::Depth},
+    Stem{"que", Role::Filler}, Stem{"del", Role::Filler}, Stem{"el", Role::Filler},
+    // Italian
+    Stem{"apertura", Role::Size}, Stem{"maglia", Role::Size}, Stem{"dimensione", Role::Size}, Stem{"luce", Role::Size},
+    Stem{"setaccio", Role::Sieve}, Stem{"vaglio", Role::Sieve}, Stem{"crivello", Role::Sieve},
+    Stem{"passante", Role::Passing}, Stem{"passanti", Role::Passing}, Stem{"trattenut", Role::Retained},
+    Stem{"ritenut", Role::Retained}, Stem{"cumulat", Role::Cumulative}, Stem{"progressiv", Role::Cumulative},
+    Stem{"parziale", Role::OnOne}, Stem{"singolo", Role::OnOne}, Stem{"percentuale", Role::Percent},
+    Stem{"massa", Role::Mass}, Stem{"vuoto", Role::Tare}, Stem{"terreno", Role::Soil}, Stem{"campione", Role::Sample},
+    Stem{"sondaggio", Role::Sample}, Stem{"profondita", Role::Depth}, Stem{"di", Role::Filler},
+    Stem{"al", Role::Filler}, Stem{"dei", Role::Filler},
+};
+
+// clang-format on
+
+std::optional<Role> role_of(std::string_view word) {
+    constexpr std::size_t whole = 5; // shorter stems are words of their own
+    for (const Stem& stem : stems) {
+        if (word == stem.text) {
+            return stem.role;
+        }
+    }
+    std::optional<Role> found;
+    std::size_t longest = 0;
+    for (const Stem& stem : stems) {
+        if (stem.text.size() >= whole && stem.text.size() > longest && word.find(stem.text) != std::string_view::npos) {
+            found = stem.role, longest = stem.text.size();
+        }
+    }
+    return found;
+}
+
+/// Letters of Latin-1 beyond ASCII, from U+00C0 on, without their accents; a blank where there is no letter.
+constexpr std::string_view latin = "aaaaaaaceeeeiiiidnooooo ouuuuypsaaaaaaaceeeeiiiidnooooo ouuuuypy";
+
+/// What a bracket or the end of a heading says of the unit. @return whether it is one.
+bool take_unit(std::string_view text, Heading& heading) {
+    std::string plain(trimmed(text));
+    std::transform(plain.begin(), plain.end(), plain.begin(), [](unsigned char c) {
+        return static_cast<char>(std::tolower(c));
+    });
+    if (plain.find('%') != std::string::npos || plain == "percent" || plain == "pct") {
+        heading.unit = ShareUnit::Percent;
+        return true;
+    }
+    if (plain == "-" || plain == "1" || plain == "fraction") {
+        heading.unit = ShareUnit::Fraction;
+        return true;
+    }
+    if (plain == "g" || plain == "kg" || plain == "gr" || plain == "grams" || plain == "gm" || plain == "mg") {
+        heading.unit = ShareUnit::Mass;
+        return true;
+    }
+    if (const SizeScale scale = size_scale_of(trimmed(text)); scale != SizeScale::Unknown) {
+        heading.scale = scale;
+        return true;
+    }
+    return false;
+}
+
+/// The words of a heading and where each stands in it.
+struct Word {
+    std::string text; ///< plain
+    std::string_view as_written;
+};
+
+std::vector<Word> split_words(std::string_view text) {
+    std::vector<Word> words;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" \t_.,:;/()[]=\"'", begin), text.size());
+        if (end > begin) {
+            const std::string_view written = text.substr(begin, end - begin);
+            const std::string plain = plain_words(written);
+            if (const std::string_view word = trimmed(plain); !word.empty()) {
+                words.push_back({std::string(word), written});
+            } else if (written == "+" || written == "&") {
+                words.push_back({"and", written});
+            } else if (written == "#") {
+                words.push_back({"no", written});
+            }
+        }
+        begin = end + 1;
+    }
+    return words;
+}
+
+/// Cuts the unit off, from brackets or the end: "Sieve size (mm)", "Opening, mm", "d_mm".
+std::string cut_unit(std::string_view text, Heading& heading) {
+    std::string rest(text);
+    if (rest.find('%') != std::string::npos) {
+        heading.unit = ShareUnit::Percent;
+        std::replace(rest.begin(), rest.end(), '%', ' ');
+    }
+    for (std::size_t open = rest.find_first_of("[("); open != std::string::npos;
+         open = rest.find_first_of("[(", open)) {
+        const std::size_t close = std::min(rest.find_first_of("])", open), rest.size() - 1);
+        const std::string within = rest.substr(open + 1, close - open - 1);
+        const bool is_unit = take_unit(within, heading);
+        heading.own_unit = is_unit || within.empty() ? heading.own_unit : within;
+        rest = rest.substr(0, open) + (is_unit ? " " : " " + within + " ") + rest.substr(close + 1);
+    }
+    const std::size_t cut = trimmed(rest).find_last_of(" _,");
+    if (cut != std::string_view::npos && heading.scale == SizeScale::Unknown) {
+        const std::string whole(trimmed(rest));
+        const std::string last(trimmed(std::string_view(whole).substr(cut + 1)));
+        const bool is_number_word = last == "No" || last == "no" || last == "No." || last == "Nr" || last == "#";
+        if (!is_number_word && take_unit(last, heading)) {
+            rest = whole.substr(0, cut);
+        }
+    }
+    return rest;
+}
+
+} // namespace
+
+std::string plain_words(std::string_view text) {
+    std::string plain;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const auto byte = static_cast<unsigned char>(text[k]);
+        if (byte == 0xC3 && k + 1 < text.size()) { // U+00C0 to U+00FF
+            const auto second = static_cast<unsigned char>(text[++k]);
+            plain += second == 0x9F ? "ss" : std::string(1, latin[(second - 0x80U) % latin.size()]);
+        } else if (byte == 0xCC) { // an accent that stands apart
+            ++k;
+        } else if ((text.substr(k, 2) == "\u03c6" || text.substr(k, 2) == "\u03d5") && k + 1 < text.size()) {
+            plain += "phi";
+            ++k;
+        } else if (std::isalnum(byte) != 0) {
+            plain += static_cast<char>(std::tolower(byte));
+        } else {
+            plain += ' ';
+        }
+    }
+    return plain;
+}
+
+Heading read_heading(std::string_view text) {
+    Heading heading;
+    const std::string named = cut_unit(text, heading);
+    std::array<bool, static_cast<std::size_t>(Role::Filler) + 1> has_role{};
+    const auto has = [&has_role](Role role) { return has_role[static_cast<std::size_t>(role)]; };
+    for (const Word& word : split_words(named)) {
+        if (const auto role = role_of(word.text)) {
+            has_role[static_cast<std::size_t>(*role)] = true;
+        } else {
+            heading.rest += heading.rest.empty() ? "" : " ";
+            heading.rest += word.as_written;
+        }
+    }
+    if (has(Role::Percent)) {
+        heading.unit = ShareUnit::Percent;
+    } else if (has(Role::Fraction) && heading.unit == ShareUnit::Unknown) {
+        heading.unit = ShareUnit::Fraction;
+    }
+    const bool weighed =
+        heading.unit == ShareUnit::Mass || (has(Role::Mass) && heading.unit == ShareUnit::Unknown && !has(Role::By));
+    const bool says_sieve = has(Role::Sieve),
+               says_share = has(Role::Passing) || has(Role::Retained) || has(Role::Coarser);
+    if (weighed && says_sieve && has(Role::And) && (has(Role::Soil) || has(Role::Retained))) {
+        heading.kind = ColumnKind::Gross;
+    } else if (weighed && !says_share && (has(Role::Tare) || says_sieve)) {
+        heading.kind = ColumnKind::Tare;
+    } else if (has(Role::Passing)) {
+        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Passing;
+    } else if (has(Role::Coarser)) {
+        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::CumulativeRetained;
+    } else if (has(Role::Retained)) {
+        heading.kind = ColumnKind::Share;
+        heading.meaning = has(Role::Cumulative) ? ShareMeaning::CumulativeRetained
+                          : has(Role::OnOne)    ? ShareMeaning::OnSieve
+                                                : ShareMeaning::Retained;
+    } else if (has(Role::Cumulative) && heading.unit != ShareUnit::Mass && heading.unit != ShareUnit::Unknown) {
+        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Cumulative;
+    } else if (has(Role::Sample)) {
+        heading.kind = ColumnKind::Sample;
+    } else if (has(Role::Depth)) {
+        heading.kind = ColumnKind::Sample, heading.names_depth = true;
+    } else if (has(Role::Size) || says_sieve || has(Role::Phi) || (has(Role::Number) && plain_words(text).find("mesh") != std::string::npos)) {
+        heading.kind = ColumnKind::Size;
+        if (has(Role::Phi)) {
+            heading.scale = SizeScale::Phi;
+        } else if (has(Role::Number) && heading.scale == SizeScale::Unknown) {
+            heading.scale = SizeScale::SieveNumber;
+        }
+    }
+    if (heading.kind == ColumnKind::Other && heading.scale != SizeScale::Unknown) { // a unit alone
+        heading.kind = ColumnKind::Size;
+    } else if (heading.kind == ColumnKind::Other && heading.unit == ShareUnit::Percent && heading.rest.empty()) {
+        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Cumulative;
+    }
+    if (heading.kind == ColumnKind::Share && weighed) {
+        heading.unit = ShareUnit::Mass;
+    }
+    return heading;
+}
+
+RowWord read_row_word(std::string_view text) {
+    const std::string plain = plain_words(text);
+    const std::string_view words = trimmed(plain);
+    const std::string_view word = words.substr(0, words.find(' '));
+    constexpr std::array pans{"pan",         "receiver",      "bottom",  "fond",  "fondo",   "schale", "boden",
+                              "bodenschale", "auffangschale", "bandeja", "ciego", "cazuela", "rest",   "base"};
+    constexpr std::array totals{"total", "totals", "sum",    "summe", "somme",
+                                "suma",  "totale", "gesamt", "somma", "gesamtmasse"};
+    if (std::find(pans.begin(), pans.end(), word) != pans.end() || trimmed(text).starts_with('<')) {
+        return RowWord::Pan;
+    }
+    const bool is_sum = trimmed(text) == "\u03a3" || trimmed(text) == "\u2211";
+    return is_sum || std::find(totals.begin(), totals.end(), word) != totals.end() ? RowWord::Total : RowWord::None;
+}
+
+} // namespace suffuse::io

@@ -1,0 +1,22 @@
+#pragma once
+// Many soils beside each other: a row for each, a column for each criterion, and which is the worst.
+
+#include "suffuse/job/assessed_soil.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace suffuse::job {
+
+/// The soil that most of the counted criteria call unstable; of several such the one with the least (H/F)min.
+std::size_t find_worst(const std::vector<AssessedSoil>& soils);
+
+/// A line for each soil with verdict and number of each counted criterion, then the worst by name and what the letters
+/// stand for.
+std::string matrix_text(const std::vector<AssessedSoil>& soils);
+
+/// The same for programs: names, verdicts, numbers, the worst soil of all and of each criterion.
+nlohmann::json matrix_json(const std::vector<AssessedSoil>& soils);
+
+} // namespace suffuse::job
