@@ -1,6 +1,7 @@
 // assess: internal stability of a soil from its grading, without simulation.
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/casefile/load_case.hpp"
@@ -109,9 +110,16 @@ stability::AssessSpec spec_of(const AssessVerb& asked) {
     return spec;
 }
 
+/// A soil that is to be assessed.
+struct AskedSoil {
+    std::string name;
+    fs::path folder;
+    grains::Grading measured;
+    stability::AssessSpec spec;
+};
+
 void add_case_soils(
-    const std::string& file, const stability::AssessSpec& spec, const Console& console,
-    std::vector<job::AssessedSoil>& soils
+    const std::string& file, const stability::AssessSpec& spec, const Console& console, std::vector<AskedSoil>& soils
 ) {
     const casefile::Case what = load_asked_case(file, {}, console);
     for (const auto& [name, soil] : what.soils) {
@@ -119,7 +127,7 @@ void add_case_soils(
         own.finer_than = spec.finer_than ? spec.finer_than : soil.finer_than;
         soils.push_back(
             {file + ", soil " + name, what.soils.size() > 1 ? name : "",
-             stability::assess_measured(soil.measured ? *soil.measured : grains::asked_grading(soil), own)}
+             soil.measured ? *soil.measured : grains::asked_grading(soil), own}
         );
     }
     if (what.soils.empty()) {
@@ -128,24 +136,33 @@ void add_case_soils(
 }
 
 /// All soils of all files, and how these were understood.
-std::vector<job::AssessedSoil>
-assess_all(const AssessVerb& asked, const stability::AssessSpec& spec, const Console& console, json& remarks) {
-    std::vector<job::AssessedSoil> soils;
+std::vector<AskedSoil>
+read_all(const AssessVerb& asked, const stability::AssessSpec& spec, const Console& console, json& remarks) {
+    std::vector<AskedSoil> soils;
     for (const std::string& file : asked.files) {
         if (file.ends_with(".toml")) {
             add_case_soils(file, spec, console, soils);
             continue;
         }
-        const io::GradingFile read = read_gradings_of(file, asked.sample);
+        io::GradingFile read = read_gradings_of(file, asked.sample);
         tell_remarks(read, console);
         for (const Diagnostic& remark : read.remarks) {
             remarks.push_back(remark_text(remark));
         }
-        for (const io::NamedGrading& soil : read.soils) {
+        for (io::NamedGrading& soil : read.soils) {
             const std::string name = soil.name.empty() ? file : fmt::format("{}, {}", file, soil.name);
-            soils.push_back({name, soil.name, stability::assess_measured(soil.grading, spec)});
+            soils.push_back({name, soil.name, std::move(soil.grading), spec});
         }
     }
+    return soils;
+}
+
+std::vector<job::AssessedSoil> assess_all(const std::vector<AskedSoil>& asked) {
+    ThreadOption{}.apply();
+    std::vector<job::AssessedSoil> soils(asked.size());
+    run_side_by_side(asked.size(), thread_count(), [&](std::size_t k) {
+        soils[k] = {asked[k].name, asked[k].folder, stability::assess_measured(asked[k].measured, asked[k].spec)};
+    });
     return soils;
 }
 
@@ -162,7 +179,7 @@ std::string folder_of(const job::AssessedSoil& soil, std::size_t number) {
 int AssessVerb::act(const CommandLine& line, const Console& console) const {
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();
-    const std::vector<job::AssessedSoil> soils = assess_all(*this, spec, console, remarks);
+    const std::vector<job::AssessedSoil> soils = assess_all(read_all(*this, spec, console, remarks));
     const bool are_many = soils.size() > 1;
     std::string text = are_many ? job::matrix_text(soils) : job::text_of(soils.front(), spec, terminal_width());
     for (std::size_t k = 0; k < soils.size(); ++k) {

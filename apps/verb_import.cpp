@@ -7,17 +7,21 @@
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/packing_checks.hpp"
 #include "suffuse/io/packing_export.hpp"
+#include "suffuse/io/text_file.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
 #include "apps/shared_options.hpp"
+#include "apps/typed_value.hpp"
 #include "apps/verb.hpp"
 #include "apps/verbs.hpp"
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 
 namespace suffuse::apps {
 namespace {
@@ -31,13 +35,16 @@ struct ImportVerb final : Verb {
 
     std::string file;
     CellOption cell;
-    std::string unit; ///< what a length of 1 in the file stands for
+    std::string radius; ///< of all grains, where the file has none
+    std::string unit;   ///< what a length of 1 in the file stands for
     PackingOutput output;
 
     void add_to(Options& options) override {
         options.argument("FILE", file, packing_text).required();
         cell.add_to(options);
         options.value("--unit", unit, "of the lengths in the file, as in mm; m unless given").type("UNIT");
+        options.value("--radius", radius, "of all grains, where the file has none: in the file's unit, or as in 0.5mm")
+            .type("R");
         output.add_to(options);
     }
 
@@ -87,6 +94,19 @@ double unit_of(const std::string& text) {
     }
 }
 
+/// "0.5", in the file's unit, or "0.5mm" [m].
+std::optional<double> radius_of(const std::string& text, double file_unit) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const auto plain = io::number_of<double>(text);
+    const double radius = plain ? *plain * file_unit : quantity_of(text, dimension::length, "--radius", false);
+    if (!(radius > 0) || !std::isfinite(radius)) {
+        throw UsageError(fmt::format("--radius {}: it is above 0", shown(text)));
+    }
+    return radius;
+}
+
 /// The grains that were read, as far as they are known: enough to write them in any format.
 dem::World world_of(const io::TakenPacking& taken) {
     dem::World world;
@@ -100,6 +120,7 @@ int ImportVerb::act(const CommandLine&, const Console& console) const {
     if (!unit.empty()) {
         request.unit = unit_of(unit);
     }
+    request.radius = radius_of(radius, request.unit);
     request.cell = cell.matrix();
     const io::TakenPacking taken = io::take_packing(request);
     nlohmann::json about = describe(taken, file);

@@ -20,8 +20,8 @@ struct Box {
 
 class DumpParser {
 public:
-    DumpParser(const std::string& file, std::string_view text, double density)
-        : file_(file), reader_(file, text), density_(density) {}
+    DumpParser(const std::string& file, std::string_view text, double density, std::optional<double> radius)
+        : file_(file), reader_(file, text), density_(density), radius_(radius) {}
 
     ImportedPacking parse() {
         ImportedPacking last;
@@ -34,7 +34,12 @@ public:
                 atoms_ = to_count(reader_, reader_.line(), "number of atoms");
             } else if (head.starts_with("ITEM: BOX BOUNDS")) {
                 read_boundaries(head);
-                read_box(head.find("xy xz yz") != std::string_view::npos);
+                if (head.find("abc origin") != std::string_view::npos) {
+                    read_general_box();
+                } else {
+                    check_tilt_words(head);
+                    read_box(head.find("xy xz yz") != std::string_view::npos);
+                }
             } else if (head.starts_with("ITEM: ATOMS")) {
                 last = read_atoms(split_at_blanks(head.substr(item.size() + 5)));
                 ++frames;
@@ -67,6 +72,36 @@ private:
             if (sides.find_first_not_of("fsm") == std::string_view::npos) {
                 no_cell_ = not_periodic(file_, reader_.number(), fmt::format("boundaries {}", sides), axis);
             }
+        }
+    }
+
+    /// Tilts stand in this order; another one would shear the box the wrong way.
+    void check_tilt_words(std::string_view head) const {
+        const bool has_tilt = head.find(" xy") != std::string_view::npos ||
+                              head.find(" yz") != std::string_view::npos || head.find(" xz") != std::string_view::npos;
+        if (has_tilt && head.find("xy xz yz") == std::string_view::npos) {
+            reader_.complain("found tilts in another order, expected xy xz yz");
+        }
+    }
+
+    /// Three rows, each an edge of the box and a coordinate of its corner.
+    void read_general_box() {
+        std::array<Vec3, 3> edges;
+        for (int k = 0; k < 3; ++k) {
+            need_line("an edge of the box and a coordinate of its origin");
+            const auto f = split_at_blanks(reader_.line());
+            if (f.size() != 4) {
+                reader_.complain(
+                    fmt::format("found {} numbers, expected an edge and a coordinate of the origin", f.size())
+                );
+            }
+            edges[static_cast<std::size_t>(k)] = {
+                to_number(reader_, f[0], "edge"), to_number(reader_, f[1], "edge"), to_number(reader_, f[2], "edge")};
+            box_.origin[k] = to_number(reader_, f[3], "origin");
+        }
+        box_.h = from_columns(edges[0], edges[1], edges[2]);
+        if (!(determinant(box_.h) > 0)) {
+            reader_.complain("the edges of the box span no volume, or are left-handed");
         }
     }
 
@@ -109,10 +144,14 @@ private:
         if (scaled) {
             position = columns.find("xs", "ys", "zs");
         }
+        if (!position) {
+            position = columns.find("xsu", "ysu", "zsu");
+        }
         const auto radius = columns.find("radius"), diameter = columns.find("diameter");
-        if (!position || (!radius && !diameter)) {
+        if (!position || (!radius && !diameter && !radius_)) {
             reader_.complain(fmt::format(
-                "found columns {}, expected x y z and radius: dump ID all custom N FILE id type x y z radius",
+                "found columns {}, expected x y z and radius (of equal grains one may be given): dump ID all custom N "
+                "FILE id type x y z radius",
                 fmt::join(names, " ")
             ));
         }
@@ -129,8 +168,9 @@ private:
                 reader_.complain(fmt::format("found {} fields, expected {}", f.size(), names.size()));
             }
             const Vec3 x = vector_in(reader_, f, *position);
-            const double r = radius ? positive_in(reader_, f[*radius], "radius")
-                                    : 0.5 * positive_in(reader_, f[*diameter], "diameter");
+            const double r = radius     ? positive_in(reader_, f[*radius], "radius")
+                             : diameter ? 0.5 * positive_in(reader_, f[*diameter], "diameter")
+                                        : *radius_;
             const auto g = grains::add_grain(packing.grains, scaled ? box_.h * x : x - box_.origin, r, density_);
             packing.grains.velocity[g] = velocity ? vector_in(reader_, f, *velocity) : Vec3{};
             packing.grains.spin[g] = spin ? vector_in(reader_, f, *spin) : Vec3{};
@@ -141,6 +181,7 @@ private:
     const std::string& file_;
     LineReader reader_;
     double density_;
+    std::optional<double> radius_; // of all, where the file has none
     std::size_t atoms_ = 0;
     Box box_;
     std::string no_cell_; // why the box is none
@@ -152,8 +193,9 @@ bool looks_like_lammps_dump(std::string_view text) {
     return text.starts_with(item);
 }
 
-ImportedPacking parse_lammps_dump(const std::string& file, std::string_view text, double density) {
-    return DumpParser(file, text, density).parse();
+ImportedPacking
+parse_lammps_dump(const std::string& file, std::string_view text, double density, std::optional<double> radius) {
+    return DumpParser(file, text, density, radius).parse();
 }
 
 } // namespace suffuse::io

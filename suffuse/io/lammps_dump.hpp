@@ -11,6 +11,7 @@ namespace suffuse::io {
 [[nodiscard]] bool looks_like_lammps_dump(std::string_view text);
 
 /// Positions are relative to the corner of the box. @throws CaseError with file and line.
-ImportedPacking parse_lammps_dump(const std::string& file, std::string_view text, double density);
+ImportedPacking
+parse_lammps_dump(const std::string& file, std::string_view text, double density, std::optional<double> radius = {});
 
 } // namespace suffuse::io

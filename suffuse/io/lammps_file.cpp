@@ -31,8 +31,8 @@ bool is_header(
 
 class LammpsParser {
 public:
-    LammpsParser(const std::string& file, std::string_view text, double density)
-        : file_(file), reader_(file, text), density_(density) {}
+    LammpsParser(const std::string& file, std::string_view text, double density, std::optional<double> radius)
+        : file_(file), reader_(file, text), density_(density), radius_(radius) {}
 
     ImportedPacking parse() {
         bool more = read_header();
@@ -40,9 +40,7 @@ public:
             const std::string section(reader_.line());
             const std::string style(reader_.comment());
             if (section == "Atoms") {
-                if (!style.empty() && style != "sphere") {
-                    reader_.complain(fmt::format("found atom style \"{}\", expected \"sphere\"", style));
-                }
+                take_style(style);
                 more = read_atoms();
             } else if (section == "Velocities") {
                 more = read_velocities();
@@ -75,9 +73,52 @@ private:
                 h_(0, 1) = to_number(reader_, words[0], "xy");
                 h_(0, 2) = to_number(reader_, words[1], "xz");
                 h_(1, 2) = to_number(reader_, words[2], "yz");
+            } else if (is_header(words, 3, {"avec"}) || is_header(words, 3, {"bvec"}) || is_header(words, 3, {"cvec"})) {
+                read_vector(words, words.back().front() - 'a');
+            } else if (is_header(words, 3, {"abc", "origin"})) {
+                origin_ = vector_of(words);
+            } else if (words.size() == 6 && (words[3] == "xy" || words[3] == "xz" || words[3] == "yz")) {
+                reader_.complain(fmt::format("found tilts {} {} {}, expected xy xz yz", words[3], words[4], words[5]));
             }
         }
         return false;
+    }
+
+    Vec3 vector_of(const std::vector<std::string_view>& words) {
+        return {
+            to_number(reader_, words[0], words[3]), to_number(reader_, words[1], words[3]),
+            to_number(reader_, words[2], words[3])};
+    }
+
+    /// An edge of a general triclinic box.
+    void read_vector(const std::vector<std::string_view>& words, int column) {
+        const Vec3 edge = vector_of(words);
+        for (int k = 0; k < 3; ++k) {
+            h_(k, column) = edge[k];
+        }
+    }
+
+    /// Where a row of the section has what: sphere; hybrid, whose first part is sphere; atomic, with one radius for
+    /// all.
+    void take_style(const std::string& style) {
+        const bool is_hybrid = style.starts_with("hybrid");
+        const bool has_other_first =
+            is_hybrid && split_at_blanks(style).size() > 1 && split_at_blanks(style)[1] != "sphere";
+        if ((!style.empty() && style != "sphere" && !is_hybrid && !(style == "atomic" && radius_)) || has_other_first) {
+            reader_.complain(
+                fmt::format("found atom style \"{}\", expected \"sphere\", or \"hybrid sphere ...\"", style)
+            );
+        }
+        style_ = is_hybrid ? Style::Hybrid : style == "atomic" ? Style::Atomic : Style::Sphere;
+        if (radius_ && style_ != Style::Atomic) {
+            reader_.complain("the file has diameters of its own, and a radius for all was given: leave that out");
+        }
+        if (is_hybrid) {
+            result_.warnings.push_back(fmt::format(
+                "{}:{}: atom style hybrid is read as id, type, x, y, z, diameter, density, and the rest is ignored",
+                file_, reader_.number()
+            ));
+        }
     }
 
     void read_edge(const std::vector<std::string_view>& words, int axis) {
@@ -104,7 +145,11 @@ private:
             if (names_a_section(reader_.line())) {
                 return true;
             }
-            const auto f = split_at_blanks(reader_.line());
+            const auto f = in_order_of_sphere(split_at_blanks(reader_.line()));
+            if (style_ == Style::Atomic) {
+                add_atom(f);
+                continue;
+            }
             if (f.size() != 7 && f.size() != 10) {
                 reader_.complain(fmt::format(
                     "found {} fields, expected 7 or 10: id, type, diameter, density, x, y, z and perhaps three images",
@@ -134,6 +179,28 @@ private:
             }
         }
         return false;
+    }
+
+    /// Columns of a hybrid style as atom_style sphere has them.
+    [[nodiscard]] std::vector<std::string_view> in_order_of_sphere(std::vector<std::string_view> f) const {
+        if (style_ != Style::Hybrid || f.size() < 7) {
+            return f;
+        }
+        return {f[0], f[1], f[5], f[6], f[2], f[3], f[4]};
+    }
+
+    /// id, type, x, y, z: a grain of the radius that was given.
+    void add_atom(const std::vector<std::string_view>& f) {
+        if (f.size() != 5 && f.size() != 8) {
+            reader_.complain(
+                fmt::format("found {} fields, expected 5 or 8: id, type, x, y, z and perhaps three images", f.size())
+            );
+        }
+        const Vec3 x{to_number(reader_, f[2], "x"), to_number(reader_, f[3], "y"), to_number(reader_, f[4], "z")};
+        const auto row = grains::add_grain(result_.grains, x - origin_, *radius_, density_);
+        if (!row_of_.emplace(to_count(reader_, f[0], "atom id"), row).second) {
+            reader_.complain(fmt::format("atom id {} occurs twice", f[0]));
+        }
     }
 
     /// id, velocity, spin.
@@ -176,7 +243,11 @@ private:
 
     const std::string& file_;
     LineReader reader_;
+    enum class Style { Sphere, Hybrid, Atomic };
+
     double density_;
+    std::optional<double> radius_; // of all, where the file has none
+    Style style_ = Style::Sphere;
     ImportedPacking result_;
     std::unordered_map<std::size_t, std::uint32_t> row_of_; // by atom id
     Mat3 h_{};
@@ -198,8 +269,9 @@ bool looks_like_lammps(std::string_view text) {
     return false;
 }
 
-ImportedPacking parse_lammps(const std::string& file, std::string_view text, double density) {
-    return LammpsParser(file, text, density).parse();
+ImportedPacking
+parse_lammps(const std::string& file, std::string_view text, double density, std::optional<double> radius) {
+    return LammpsParser(file, text, density, radius).parse();
 }
 
 } // namespace suffuse::io

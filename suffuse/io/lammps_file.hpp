@@ -11,6 +11,7 @@ namespace suffuse::io {
 /// Whether the head of a text says how many atoms there are, as a data file does.
 bool looks_like_lammps(std::string_view text);
 
-ImportedPacking parse_lammps(const std::string& file, std::string_view text, double density);
+ImportedPacking
+parse_lammps(const std::string& file, std::string_view text, double density, std::optional<double> radius = {});
 
 } // namespace suffuse::io

@@ -177,7 +177,7 @@ TakenPacking take_packing(const PackingRequest& request) {
             request.max_overlap, most_overlap
         ));
     }
-    ImportedPacking read = read_packing(request.file, request.density, request.unit);
+    ImportedPacking read = read_packing(request.file, request.density, request.unit, request.radius);
     TakenPacking taken;
     taken.warnings = std::move(read.warnings);
     const auto say = [&](const std::optional<std::string>& warning) {

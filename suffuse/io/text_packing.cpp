@@ -49,11 +49,36 @@ std::string plain_name(std::string_view name) {
     return plain.substr(0, plain.find_last_not_of(' ') + 1);
 }
 
+/// ParaView numbers the components of points and of arrays: Points:0, v:1, or with _.
+std::string known_name(const std::string& plain) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> vectors{
+        {{"points", ""},
+         {"coordinates", ""},
+         {"v", "v"},
+         {"velocity", "v"},
+         {"w", "w"},
+         {"omega", "w"},
+         {"angular_velocity", "w"}}};
+    const std::size_t cut = plain.find_last_of(":_");
+    if (cut == std::string::npos || cut + 2 != plain.size() || plain[cut + 1] < '0' || plain[cut + 1] > '2') {
+        return plain;
+    }
+    const auto found = std::ranges::find(
+        vectors, std::string_view(plain).substr(0, cut), &std::pair<std::string_view, std::string_view>::first
+    );
+    if (found == vectors.end()) {
+        return plain;
+    }
+    std::string name(found->second);
+    name += static_cast<char>('x' + (plain[cut + 1] - '0'));
+    return name;
+}
+
 Column column_of(std::string_view name) {
-    const std::string plain = plain_name(name);
+    const std::string plain = known_name(plain_name(name));
     const auto k = static_cast<std::size_t>(std::ranges::find(known, plain) - known.begin());
     const bool is_diameter = plain == "d" || plain == "diameter";
-    return {is_diameter || plain == "radius" ? radius : k, is_diameter};
+    return {is_diameter || plain == "radius" || plain == "radii" ? radius : k, is_diameter};
 }
 
 /// Where both are there, the radius is read and not the diameter, whose `d` may mean something else.
@@ -68,14 +93,17 @@ Columns columns_of(const Names& names) {
     return columns;
 }
 
-void check_columns(const LineReader& reader, const Names& names, const Columns& columns) {
+void check_columns(const LineReader& reader, const Names& names, const Columns& columns, bool has_radius) {
     for (std::size_t k = 0; k < unused; ++k) {
         if (std::ranges::count(columns, k, &Column::of) > 1) {
             reader.complain(fmt::format("column {} occurs twice", known[k]));
         }
         const std::size_t group = k < needed ? 0 : (k - needed) / 3 * 3 + needed; // first column of its vector
         const bool wanted = k < needed || has(columns, group) || has(columns, group + 1) || has(columns, group + 2);
-        if (wanted && !has(columns, k)) {
+        if (has_radius && k == radius && has(columns, k)) {
+            reader.complain("the file has radii of its own, and one for all was given: leave that out");
+        }
+        if (wanted && !has(columns, k) && !(has_radius && k == radius)) {
             const bool has_units = reader.line().find_first_of("[(") != std::string_view::npos;
             reader.complain(fmt::format(
                 "column {} is missing; found \"{}\", expected a header with {}{}", known[k], fmt::join(names, ","),
@@ -103,12 +131,14 @@ std::optional<std::string> ignored_warning(const Names& names, const Columns& co
 }
 
 void add_row(
-    const LineReader& reader, const Names& fields, const Columns& columns, double density, grains::Grains& grains
+    const LineReader& reader, const Names& fields, const Columns& columns, double density, std::optional<double> equal,
+    grains::Grains& grains
 ) {
     if (fields.size() != columns.size()) {
         reader.complain(fmt::format("found {} fields, expected {}", fields.size(), columns.size()));
     }
     std::array<double, unused> value{};
+    value[radius] = equal.value_or(0);
     bool is_diameter = false;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         if (const std::size_t of = columns[k].of; of != unused) {
@@ -179,6 +209,22 @@ Names names_in(const Notes& notes, std::size_t fields) {
     return {};
 }
 
+/// Whether the first of five columns without names counts the rows from 0 or 1: an id, as many programs write it.
+bool begins_with_ids(std::string_view text) {
+    constexpr std::size_t looked_at = 1000, needed_rows = 2;
+    LineReader reader("", text);
+    std::size_t rows = 0, first = 0;
+    for (; rows < looked_at && reader.next(); ++rows) {
+        const Names f = split_at_blanks(reader.line());
+        const auto id = f.empty() ? std::nullopt : number_of<std::size_t>(f.front());
+        first = rows == 0 ? id.value_or(2) : first;
+        if (f.size() != 5 || !id || first > 1 || *id != first + rows) {
+            return false;
+        }
+    }
+    return rows >= needed_rows;
+}
+
 /// What separates columns, told by the first row; a blank for any number of blanks and tabs.
 char mark_in(std::string_view line) {
     const std::size_t found = line.find_first_of(",;");
@@ -187,14 +233,10 @@ char mark_in(std::string_view line) {
 
 } // namespace
 
-ImportedPacking parse_table(const std::string& file, std::string_view text, double density) {
+ImportedPacking
+parse_table(const std::string& file, std::string_view text, double density, std::optional<double> equal) {
     ImportedPacking packing;
     LineReader reader(file, text);
-    if (text.starts_with("# vtk DataFile")) {
-        throw CaseError(
-            file + ": is a legacy VTK file, expected .vtp: ParaView saves it as PolyData (Save Data)", file
-        );
-    }
     const Notes notes = read_notes(text, file);
     packing.cell = notes.cell;
     if (!reader.next()) {
@@ -206,25 +248,31 @@ ImportedPacking parse_table(const std::string& file, std::string_view text, doub
     const bool has_header = mark != ' ' || has(columns_of(first), 0);
     Names names = has_header ? first : names_in(notes, first.size());
     if (names.empty()) {
-        if (first.size() < needed) {
+        if (first.size() < (equal ? 3 : needed)) {
             reader.complain(fmt::format(
-                "found {} fields, expected x y z r (or a CSV header x,y,z,r, a LAMMPS, extended XYZ or VTK file)",
-                first.size()
+                "found {} fields, expected x y z r (or a CSV header x,y,z,r, a LAMMPS, extended XYZ or VTK file){}",
+                first.size(), first.size() == 3 ? "; for equal grains give their radius: --radius R" : ""
             ));
         }
-        names = {"x", "y", "z", "r"};
-        names.resize(first.size(), unnamed);
+        names = {"x", "y", "z"};
+        if (begins_with_ids(text)) {
+            names = {"id", "x", "y", "z"};
+        }
+        if (!equal) {
+            names.emplace_back("r");
+        }
+        names.resize(std::max(names.size(), first.size()), unnamed);
     }
     const Columns columns = columns_of(names);
-    check_columns(reader, names, columns);
+    check_columns(reader, names, columns, equal.has_value());
     if (const auto ignored = ignored_warning(names, columns)) {
         packing.warnings.push_back(fmt::format("{}:{}: {}", file, reader.number(), *ignored));
     }
     if (!has_header) {
-        add_row(reader, first, columns, density, packing.grains);
+        add_row(reader, first, columns, density, equal, packing.grains);
     }
     while (reader.next()) {
-        add_row(reader, split(), columns, density, packing.grains);
+        add_row(reader, split(), columns, density, equal, packing.grains);
     }
     return packing;
 }

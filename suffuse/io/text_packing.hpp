@@ -11,6 +11,7 @@
 namespace suffuse::io {
 
 /// @throws CaseError with file and line.
-ImportedPacking parse_table(const std::string& file, std::string_view text, double density);
+ImportedPacking
+parse_table(const std::string& file, std::string_view text, double density, std::optional<double> radius = {});
 
 } // namespace suffuse::io

@@ -52,7 +52,8 @@ public:
         std::string section;
         for (std::size_t at = text_.find('<', root + 1); at < end; at = text_.find('<', at + 1)) {
             const std::string_view here = tag_at(at);
-            for (const std::string_view name : {"PointData", "CellData", "FieldData", "Points", "Verts", "Lines"}) {
+            for (const std::string_view name :
+                 {"PointData", "CellData", "FieldData", "Points", "Verts", "Lines", "Strips", "Polys", "Cells"}) {
                 if (here.starts_with(name)) {
                     section = name;
                 }

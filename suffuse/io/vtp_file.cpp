@@ -1,6 +1,7 @@
 #include "suffuse/io/vtp_file.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/io/legacy_vtk.hpp"
 #include "suffuse/io/vtk_reader.hpp"
 
 #include <fmt/format.h>
@@ -48,25 +49,38 @@ bool looks_like_vtp(std::string_view text) {
     return text.substr(0, 1000).find("<VTKFile") != std::string_view::npos;
 }
 
-ImportedPacking parse_vtp(const std::string& file, std::string_view text, double density) {
-    const Arrays arrays = read_vtk_arrays(file, text);
+ImportedPacking
+parse_vtp(const std::string& file, std::string_view text, double density, std::optional<double> equal_radius) {
+    const Arrays arrays =
+        looks_like_legacy_vtk(text) ? read_legacy_vtk_arrays(file, text) : read_vtk_arrays(file, text);
     const auto points = arrays.find("Points");
     if (points == arrays.end() || points->second.components != 3) {
-        throw CaseError(fmt::format("{}: has no points, expected PolyData with a point a grain", file), file);
+        throw CaseError(fmt::format("{}: has no points, expected a point a grain", file), file);
     }
     const std::size_t rows = points->second.values.size() / 3;
-    const VtkColumn* radius = find(arrays, {"radius", "Radius", "radii", "r"}, 1, rows);
+    const VtkColumn* radius = find(arrays, {"radius", "Radius", "radii", "r", "Radii"}, 1, rows);
     const VtkColumn* diameter = find(arrays, {"diameter", "Diameter"}, 1, rows);
-    if (radius == nullptr && diameter == nullptr) {
-        throw CaseError(fmt::format("{}: has no point array radius or diameter of a value a point", file), file);
+    const bool has_size = radius != nullptr || diameter != nullptr;
+    if (!has_size && !equal_radius) {
+        throw CaseError(
+            fmt::format(
+                "{}: has no point array radius or diameter of a value a point; for equal grains give their radius", file
+            ),
+            file
+        );
     }
-    const VtkColumn* velocity = find(arrays, {"velocity", "linVelVec", "v"}, 3, rows);
-    const VtkColumn* spin = find(arrays, {"angular_velocity", "angVelVec", "omega"}, 3, rows);
+    if (has_size && equal_radius) {
+        throw CaseError(fmt::format("{}: has radii of its own, and one for all was given: leave that out", file), file);
+    }
+    const VtkColumn* velocity = find(arrays, {"velocity", "linVelVec", "v", "Velocity"}, 3, rows);
+    const VtkColumn* spin = find(arrays, {"angular_velocity", "angVelVec", "omega", "AngularVelocity"}, 3, rows);
     const VtkColumn* fine = find(arrays, {"fine"}, 1, rows);
     ImportedPacking packing;
     packing.cell = read_cell(arrays, file);
     for (std::size_t row = 0; row < rows; ++row) {
-        const double r = radius != nullptr ? radius->values[row] : 0.5 * diameter->values[row];
+        const double r = radius != nullptr     ? radius->values[row]
+                         : diameter != nullptr ? 0.5 * diameter->values[row]
+                                               : *equal_radius;
         const Vec3 x = vector_at(points->second, row);
         const Vec3 v = velocity != nullptr ? vector_at(*velocity, row) : Vec3{};
         const Vec3 w = spin != nullptr ? vector_at(*spin, row) : Vec3{};

@@ -41,6 +41,49 @@ struct Ring {
                (r[0] * r[0] * at_first + r[1] * r[1] * second + r[2] * r[2] * at_third + r[3] * r[3] * fourth) / 2;
     }
 
+    /// Change of the void area with the diagonal, from the change of each angle of the quadrilateral.
+    [[nodiscard]] double area_change(double x) const {
+        const double a = side(0), b = side(1), c = side(2), d = side(3);
+        const double cos_second = (a * a + b * b - x * x) / (2 * a * b),
+                     cos_fourth = (c * c + d * d - x * x) / (2 * c * d);
+        const double sin_second = sine_of(cos_second), sin_fourth = sine_of(cos_fourth);
+        const double second = x / (a * b * sin_second), fourth = x / (c * d * sin_fourth);
+        const double first = -(x * x - a * a + b * b) / (2 * a * b * x * sin_second) -
+                             (x * x - d * d + c * c) / (2 * c * d * x * sin_fourth);
+        const double third = -second - fourth - first;
+        const double quadrilateral = (a * b * cos_second * second + c * d * cos_fourth * fourth) / 2;
+        return quadrilateral -
+               (r[0] * r[0] * first + r[1] * r[1] * second + r[2] * r[2] * third + r[3] * r[3] * fourth) / 2;
+    }
+
+    static double sine_of(double cosine) { return std::sqrt(std::max(1 - cosine * cosine, 1e-30)); }
+
+    /// Where the void area is largest between two diagonals: it rises to its one maximum and falls.
+    /// Regula falsi on its change, with the end that stays put weighed less each time (Illinois).
+    [[nodiscard]] double widest_diagonal(double low, double high) const {
+        double at_low = area_change(low), at_high = area_change(high);
+        if (!(at_low > 0)) {
+            return low;
+        }
+        if (!(at_high < 0)) {
+            return high;
+        }
+        constexpr int most = 40;
+        constexpr double close = 1e-5; // the error of the area goes with its square
+        for (int k = 0; k < most && high - low > close * high; ++k) {
+            const double x = (low * at_high - high * at_low) / (at_high - at_low), change = area_change(x);
+            if (std::abs(x - low) < close * high || std::abs(high - x) < close * high || !(std::abs(change) > 0)) {
+                return x;
+            }
+            if (change > 0) {
+                low = x, at_low = change, at_high /= 2;
+            } else {
+                high = x, at_high = change, at_low /= 2;
+            }
+        }
+        return (low + high) / 2;
+    }
+
     /// The diagonal when the second and fourth touch.
     [[nodiscard]] double longest_diagonal() const {
         const double across = r[1] + r[3];
@@ -102,27 +145,8 @@ double dense_constriction(double d1, double d2, double d3) {
 
 double loose_constriction(double d1, double d2, double d3, double d4) {
     const Ring ring{{d1 / 2, d2 / 2, d3 / 2, d4 / 2}};
-    // Golden section: the area rises to its one maximum and falls. Its error goes with the square of the bracket.
-    constexpr double golden = 0.6180339887498949;
-    double low = ring.r[0] + ring.r[2], high = ring.longest_diagonal();
-    double a = high - golden * (high - low), b = low + golden * (high - low);
-    double area_a = ring.void_area(a), area_b = ring.void_area(b);
-    for (int k = 0; k < 24; ++k) {
-        if (area_a < area_b) {
-            low = a;
-            a = b;
-            area_a = area_b;
-            b = low + golden * (high - low);
-            area_b = ring.void_area(b);
-        } else {
-            high = b;
-            b = a;
-            area_b = area_a;
-            a = high - golden * (high - low);
-            area_a = ring.void_area(a);
-        }
-    }
-    return std::sqrt(4 * std::max(area_a, area_b) / pi);
+    const double diagonal = ring.widest_diagonal(ring.r[0] + ring.r[2], ring.longest_diagonal());
+    return std::sqrt(4 * ring.void_area(diagonal) / pi);
 }
 
 SizeDistribution::SizeDistribution(std::vector<std::pair<double, double>> sizes_and_shares) {

@@ -17,6 +17,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         if (grading.has_value() == problems.has_errors()) {
             std::abort(); // a curve, or a reason why not
         }
+        Problems of_all;
+        const auto samples = io::parse_gradings(source, of_all, ends);
+        if (samples.empty() != of_all.has_errors()) {
+            std::abort(); // the same of a file of several samples
+        }
         if (grading && ends == io::CurveEnds::Closed) {
             grains::check(*grading); // what is read is a curve in the sense of those who use it
         }
