@@ -22,9 +22,9 @@ inline constexpr std::array<PreparationPrice, 9> preparation_prices = {{
     {"slow, adhesive", {3.5, 7.5}},
     {"slow, frictionless", {3.5, 7.5}},
     {"slow, frictional", {3.5, 7.5}},
-    {"skeleton first, adhesive", {2.2, 5.4}},
-    {"skeleton first, frictionless", {3.3, 17}},
-    {"skeleton first, frictional", {3.1, 6.8}},
+    {"skeleton first, adhesive", {1.3, 2.6}},
+    {"skeleton first, frictionless", {10, 21}},
+    {"skeleton first, frictional", {1.6, 3.5}},
 }};
 
 } // namespace suffuse::plan
