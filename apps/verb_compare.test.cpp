@@ -155,11 +155,19 @@ TEST_F(Compare, WithThePaperEachFindingIsJudged) {
     summary["findings"][1].update({{"id", "M2"}, {"met", nullptr}});
     write_to(folder / "first/summary.json", summary.dump());
     EXPECT_EQ(say({"compare", "first", "--paper"}).code, 0) << "what cannot be told is no difference";
-    summary["findings"][1]["met"] = false;
+    summary["findings"][1].update(
+        {{"met", false},
+         {"verdict", "not met by our number"},
+         {"our_numbers", {"25 to 35 %"}},
+         {"why", "The skeleton was kept."}}
+    );
     write_to(folder / "first/summary.json", summary.dump());
     const Said other = say({"compare", "first", "--paper"});
     EXPECT_EQ(other.code, 5);
-    expect_in("M2  not met", other.out);
+    expect_in("M1  met", other.out); // of a run that an earlier version reported
+    expect_in("M2  not met by our number", other.out);
+    expect_in("our number 25 to 35 %", other.out);
+    expect_in("why        The skeleton was kept.", other.out);
 }
 
 TEST_F(Compare, WrongUseSaysWhatToGive) {

@@ -27,7 +27,7 @@ RemovalResult remove_fines(dem::World& world, const RemoveSpec& spec = {}) {
 
 /// A simple cubic lattice of coarse grains, a fine one of `fine_radius` in the middle of each void, under the stress
 /// that this lattice has, which the servo is to hold.
-dem::World lattice(double fine_radius, double scale = 1) {
+dem::World lattice(double fine_radius, double scale = 1, double coarse_radius = r) {
     constexpr int cells = 4;
     dem::World world;
     world.cell.h = cells * edge * scale * identity();
@@ -35,7 +35,7 @@ dem::World lattice(double fine_radius, double scale = 1) {
         for (int b = 0; b < cells; ++b) {
             for (int c = 0; c < cells; ++c) {
                 const Vec3 corner = edge * Vec3{double(a), double(b), double(c)};
-                add_grain(world.grains, scale * corner, scale * r, 2600);
+                add_grain(world.grains, scale * corner, scale * coarse_radius, 2600);
                 add_grain(world.grains, scale * (corner + 0.5 * edge * Vec3{1, 1, 1}), scale * fine_radius, 2600);
                 world.grains.fine[world.grains.size() - 1] = 1;
             }
@@ -138,7 +138,8 @@ TEST(Removal, ASkeletonThatStrainsTooFarHasFailedAndTheStageEnds) {
 }
 
 TEST(Removal, ASkeletonThatFindsNoRestHasFailedAndItsStateIsKept) {
-    dem::World world = lattice(std::sqrt(0.75) * edge - r + 1e-6); // without its fines no grain touches another
+    const double small = r - overlap; // the fines alone hold the coarse grains, which touch nowhere
+    dem::World world = lattice(std::sqrt(0.75) * edge - small + 1e-6, 1, small);
     RemoveSpec spec;
     spec.resettle.inertial_number = 1e-9; // too slow to find another
     const RemovalResult result = remove_fines(world, spec);

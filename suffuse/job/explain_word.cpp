@@ -32,7 +32,7 @@ std::optional<std::string> explain_finding(const std::string& id) {
                 "why of their run\n",
                 finding.id, finding.paper, finding.claim,
                 numbers.empty() ? "no number: all are the paper's words"
-                                : numbers + ": the paper gives words there, and no number",
+                                : numbers + ": chosen by us, for the paper's words give none",
                 study::background_of(finding.id)
             );
         }
