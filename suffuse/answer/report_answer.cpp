@@ -10,6 +10,7 @@
 #include "suffuse/figures/stress_probes.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/record/ending_words.hpp"
+#include "suffuse/study/findings_reason.hpp"
 #include "suffuse/study/passes.hpp"
 #include "suffuse/study/probed_states.hpp"
 #include "suffuse/study/trace_curves.hpp"
@@ -366,6 +367,11 @@ std::vector<std::string> answer_of_erosion(const study::RunResults& results) {
     }
     if (!story.erosion.passes.empty()) {
         sentences.push_back(name_chain(story) + answer_to_erosion(story.erosion));
+        for (const erosion::PassResult& pass : story.erosion.passes) {
+            if (std::string noise = study::tell_noise(&pass); !noise.empty()) {
+                sentences.push_back(std::move(noise));
+            }
+        }
         if (std::string idle = tell_idle(story.erosion);
             !idle.empty() && !story.erosion.passes.front().probe.id.empty() && !erosion::is_forced(story.erosion)) {
             sentences.push_back(std::move(idle));

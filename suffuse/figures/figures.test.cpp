@@ -95,6 +95,7 @@ TEST(Figures, TheSampleRunHasTheFiguresOfThePaperAndOurs) {
                  "fig13",
                  "fig14",
                  "own-rules",
+                 "own-twin",
                  "own-constrictions",
                  "own-eroded-grading",
                  "own-permeability",
@@ -285,6 +286,34 @@ TEST(PathFigures, StressIsInKilopascalsAndStrainInPercent) {
     EXPECT_NEAR(table.numbers("stress_x")[1], 100, 1e-9);
     EXPECT_NEAR(table.numbers("stress_z")[1], 102, 1e-9);
     EXPECT_NEAR(table.numbers("volumetric_strain").back(), 100 * erosion.path.back().volumetric_strain, 1e-15);
+}
+
+TEST(PathFigures, WhereNothingChangesWordsStandInThePlaceOfNoise) {
+    ErosionResult erosion = test::sample_erosion();
+    EXPECT_TRUE(stress_path(erosion)->flat.empty());
+    EXPECT_EQ(porosity_path(erosion)->chart["vconcat"].size(), 2U);
+    for (erosion::PassResult& pass : erosion.passes) {
+        pass.stress_constant_volume = pass.stress_before;
+        pass.volumetric_strain = 1e-8;
+        pass.porosity_after = pass.porosity_after_removal + 1e-7;
+    }
+    EXPECT_NE(stress_path(erosion)->flat.find("a hundredth of a percent"), std::string::npos);
+    EXPECT_FALSE(stress_path(erosion)->chart.is_null()) << "its numbers are there for whoever wants them";
+    EXPECT_EQ(porosity_path(erosion)->chart["vconcat"].size(), 1U) << "the panel of resettling alone";
+    EXPECT_NE(porosity_path(erosion)->caption.find("In no pass did resettling"), std::string::npos);
+}
+
+TEST(TwinFigure, SetsEachFineGrainBesideWhatItDoesWithoutWater) {
+    ErosionResult erosion = test::sample_erosion();
+    const Figure figure = *beside_twin(erosion);
+    EXPECT_NE(figure.caption.find("In pass 1 "), std::string::npos) << figure.caption;
+    const auto& groups = figure.table.words("group");
+    EXPECT_TRUE(std::ranges::find(groups, "detachable, beyond its twin") != groups.end());
+    EXPECT_LE(figure.table.rows(), 2U * 500U);
+    for (erosion::PassResult& pass : erosion.passes) {
+        pass.probe.twin_speed.clear(); // no twin was watched
+    }
+    EXPECT_FALSE(beside_twin(erosion));
 }
 
 TEST(PathFigures, TheStateBeforeEachRemovalStandsInFrontOfIt) {

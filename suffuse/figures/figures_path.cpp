@@ -1,11 +1,13 @@
 // Figures 13 and 14: what the removal of each pass did to the skeleton, step by step.
 #include "suffuse/base/words.hpp"
 #include "suffuse/figures/figures.hpp"
+#include "suffuse/study/findings.hpp"
 #include "suffuse/study/passes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace suffuse::figures {
@@ -240,6 +242,11 @@ const char* const porosity_panels = R"json({
     "spacing": 16
 })json";
 
+/// A pass that a drawing of stress and volume shows.
+bool changes_skeleton(const PassResult& pass) {
+    return !is_noise(100 * erosion::stress_loss(pass).value_or(0)) || !is_noise(100 * pass.volumetric_strain);
+}
+
 } // namespace
 
 std::optional<Figure> stress_path(const ErosionResult& erosion) {
@@ -266,6 +273,11 @@ std::optional<Figure> stress_path(const ErosionResult& erosion) {
     figure.table = path_table(thinned(with_starts(erosion)));
     figure.chart = stress_chart();
     figure.chart["vconcat"][0]["layer"][2]["transform"].push_back(only(few));
+    if (std::ranges::none_of(erosion.passes, changes_skeleton)) {
+        figure.flat =
+            "In no pass did the mean stress or the volume change by a hundredth of a percent: there is nothing "
+            "to draw but rounding.";
+    }
     return figure;
 }
 
@@ -273,6 +285,9 @@ std::optional<Figure> porosity_path(const ErosionResult& erosion) {
     if (erosion.path.empty()) {
         return std::nullopt;
     }
+    const bool settles = std::ranges::any_of(erosion.passes, [](const PassResult& pass) {
+        return std::abs(pass.porosity_after_removal - pass.porosity_after) > study::porosity_resolution;
+    });
     std::string claim;
     const study::SomePasses few = study::few_passes(erosion, most_named);
     for (const PassResult* pass : few) {
@@ -286,17 +301,24 @@ std::optional<Figure> porosity_path(const ErosionResult& erosion) {
     figure.id = "fig14";
     figure.section = "Erosion";
     figure.title = "Porosity against eroded mass";
-    figure.caption =
-        claim + (claim.empty() ? "" : ". ") +
-        "A removal moves the sample right and up, resettling straight down; the lower panel shows resettling alone.";
+    figure.caption = claim + (claim.empty() ? "" : ". ") +
+                     "A removal moves the sample right and up, resettling straight down" +
+                     (settles ? "; the lower panel shows resettling alone."
+                              : ". In no pass did resettling change the porosity by more than 0.00001.");
     figure.table = path_table(thinned(with_starts(erosion)));
     figure.chart = json::parse(porosity_panels);
+    if (!settles) {
+        figure.chart["vconcat"].erase(1);
+    }
     if (!erosion.passes.empty()) {
         const json scale = {{"domain", study::pass_names(few)}, {"range", color::sequence()}};
-        json &points = figure.chart["vconcat"][0]["layer"][1], &resettling = figure.chart["vconcat"][1];
-        for (json* each : {&points, &resettling}) {
-            (*each)["encoding"]["color"]["scale"] = scale;
-            (*each)["transform"].push_back(only(few));
+        const auto color = [&](json& panel) {
+            panel["encoding"]["color"]["scale"] = scale;
+            panel["transform"].push_back(only(few));
+        };
+        color(figure.chart["vconcat"][0]["layer"][1]);
+        if (settles) {
+            color(figure.chart["vconcat"][1]);
         }
     }
     return figure;

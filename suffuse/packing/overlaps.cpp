@@ -83,9 +83,9 @@ bool push_apart(
         const Vec3 normal = distance > 0 ? branch / distance : Vec3{1, 0, 0};
         const double push = ri + rj + slack * std::min(ri, rj) - distance;
         const double vi = ri * ri * ri, vj = rj * rj * rj;
-        const double share = i < fixed ? 0 : vj / (vi + vj); // of the way, for `i`
-        position[i] -= push * share * normal;
-        position[j] += push * (i < fixed ? 1 : vi / (vi + vj)) * normal;
+        const double of_i = i < fixed ? 0 : push * vj / (vi + vj), of_j = i < fixed ? push : push * vi / (vi + vj);
+        position[i] -= of_i * normal;
+        position[j] += of_j * normal;
     }
     return moved;
 }

@@ -53,7 +53,9 @@ std::string criterion(const study::Finding& finding) {
 std::string findings_table(const std::vector<study::Finding>& findings) {
     std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"findings\"><thead><tr><th></th><th>The paper"
                       "</th><th>Our criterion</th><th>This run</th><th>Verdict</th><th>Why</th></tr></thead><tbody>\n";
-    for (const study::Finding& finding : findings) {
+    for (std::size_t k = 0; k < findings.size(); ++k) {
+        const study::Finding& finding = findings[k];
+        const std::string why = study::why_in_row(findings, k);
         const study::Standing standing = study::standing_of(finding);
         const Mark mark = mark_of(standing);
         out += fmt::format(
@@ -62,8 +64,7 @@ std::string findings_table(const std::vector<study::Finding>& findings) {
             escaped(finding.id), typeset(finding.paper), criterion(finding), typeset(finding.ours), mark.css_class,
             mark.sign, study::name_of(standing)
         );
-        out += finding.why.empty() ? "<td></td></tr>\n"
-                                   : "<td data-label=\"Why\">" + typeset(finding.why) + "</td></tr>\n";
+        out += why.empty() ? "<td></td></tr>\n" : "<td data-label=\"Why\">" + typeset(why) + "</td></tr>\n";
     }
     return out +
            "</tbody></table></div>\n<p class=\"quiet\">Numbers <span class=\"our-number\">marked</span> in a criterion "

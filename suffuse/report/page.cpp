@@ -121,7 +121,9 @@ std::string figure_block(const figures::Figure& figure, const ReportData& report
         : figure.drawing.empty()       ? ""
                                        : " wide drawn"
     );
-    if (figure.drawing.empty()) {
+    if (!figure.flat.empty()) {
+        out += "<p class=\"flat\">" + typeset(figure.flat) + "</p>\n";
+    } else if (figure.drawing.empty()) {
         out += fmt::format("<div class=\"chart\" data-chart=\"{}\"></div>\n", id);
     } else {
         out += "<div class=\"drawing\">" + described_by_page(figure.drawing, id) + "</div>\n";
@@ -202,7 +204,7 @@ json charts_json(const ReportData& report) {
             {{"id", figure.id},
              {"title", figure.title},
              {"caption", figure.caption},
-             {"chart", figure.drawing.empty() ? figure.chart : json(nullptr)},
+             {"chart", figure.drawing.empty() && figure.flat.empty() ? figure.chart : json(nullptr)},
              {"csv", figures::to_csv(figure.table, csv_remarks(figure, report))}}
         );
     }

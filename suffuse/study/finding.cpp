@@ -95,6 +95,16 @@ std::string count_standings(const std::vector<Finding>& findings) {
     return text;
 }
 
+std::string why_in_row(const std::vector<Finding>& findings, std::size_t at) {
+    const std::string& why = findings[at].why;
+    for (std::size_t before = 0; before < at && !why.empty(); ++before) {
+        if (findings[before].why == why) {
+            return "As " + findings[before].id + ".";
+        }
+    }
+    return why;
+}
+
 std::vector<Finding> combine_seeds(const std::vector<std::vector<Finding>>& by_seed) {
     if (by_seed.empty()) {
         return {};

@@ -48,6 +48,9 @@ std::string list_our_numbers(const Finding& finding);
 /// "4 of 7 met, 3 of them by noise; 1 not met by our number; 2 not met": those that there are.
 std::string count_standings(const std::vector<Finding>& findings);
 
+/// The reason as told in a row of findings: "As E4." where one before has the same.
+std::string why_in_row(const std::vector<Finding>& findings, std::size_t at);
+
 /// One finding for the same case run with several seeds: where they disagree, the criterion cannot be told.
 std::vector<Finding> combine_seeds(const std::vector<std::vector<Finding>>& by_seed);
 

@@ -331,6 +331,14 @@ TEST(Findings, SeedsThatDisagreeAreToldApartFromARunThatCannotTell) {
     EXPECT_EQ(standing_of(combine_seeds({of(true, true, ""), of({}, {}, "")}).front()), Standing::CannotTell);
 }
 
+TEST(Findings, OfOneReasonAreToldByTheFirst) {
+    std::vector<Finding> findings(3);
+    findings[0].id = "E4", findings[0].why = findings[1].why = "Noise.";
+    EXPECT_EQ(why_in_row(findings, 0), "Noise.");
+    EXPECT_EQ(why_in_row(findings, 1), "As E4.");
+    EXPECT_EQ(why_in_row(findings, 2), "");
+}
+
 TEST(Findings, AreCountedByTheirStanding) {
     std::vector<Finding> findings(5);
     findings[0].met = findings[1].met = true, findings[1].is_noise = true;
