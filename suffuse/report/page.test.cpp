@@ -81,7 +81,7 @@ TEST_F(Page, WithItsScriptCarriesTheDataAndTheHash) {
     EXPECT_NE(page.find("<script>console.log(1)</script>"), std::string::npos);
     EXPECT_NE(page.find("Notice of &lt;a library&gt;"), std::string::npos);
     const auto data = nlohmann::json::parse(unpacked(page, "report-data"));
-    ASSERT_EQ(data["figures"].size(), 22U);
+    ASSERT_EQ(data["figures"].size(), 23U);
     for (const auto& figure : data["figures"]) {
         EXPECT_EQ(
             figure["csv"].get<std::string>(), read_all(folder / "figures" / (figure["id"].get<std::string>() + ".csv"))
