@@ -16,10 +16,17 @@ std::size_t count(const OneBySeed& seeds, Verdict wanted) {
     return static_cast<std::size_t>(std::ranges::count_if(seeds, [&](const Finding* f) { return f->met == wanted; }));
 }
 
-/// The first reason of those that meet, or do not meet, the criterion.
+/// The first reason of those that meet, or do not meet, the criterion; of the latter, of one that does not even by the
+/// paper's words.
 std::string first_reason(const OneBySeed& seeds, Verdict met) {
-    const auto found = std::ranges::find_if(seeds, [&](const Finding* f) { return f->met == met && !f->why.empty(); });
-    return found == seeds.end() ? "" : (*found)->why;
+    const auto any = [&](auto&& is_it) {
+        const auto found = std::ranges::find_if(seeds, [&](const Finding* f) {
+            return f->met == met && !f->why.empty() && is_it(*f);
+        });
+        return found == seeds.end() ? std::string() : (*found)->why;
+    };
+    std::string why = met == false ? any([](const Finding& f) { return f.in_words != true; }) : "";
+    return why.empty() ? any([](const Finding&) { return true; }) : why;
 }
 
 /// Why the seeds together say what they do.
@@ -89,7 +96,8 @@ std::string count_standings(const std::vector<Finding>& findings) {
     for (const Standing standing :
          {Standing::NotMetByOurNumber, Standing::NotMet, Standing::SeedsDisagree, Standing::CannotTell}) {
         if (const auto there = count_of(standing); there > 0) {
-            text += fmt::format("; {} {}", there, name_of(standing));
+            const char* const which = standing == Standing::SeedsDisagree ? "on which " : "";
+            text += fmt::format("; {} {}{}", there, which, name_of(standing));
         }
     }
     return text;

@@ -327,7 +327,9 @@ TEST(Findings, SeedsThatDisagreeAreToldApartFromARunThatCannotTell) {
     EXPECT_EQ(
         standing_of(combine_seeds({of(false, true, ""), of(false, true, "")}).front()), Standing::NotMetByOurNumber
     );
-    EXPECT_EQ(standing_of(combine_seeds({of(false, true, ""), of(false, false, "")}).front()), Standing::NotMet);
+    const Finding not_met = combine_seeds({of(false, true, "By a number."), of(false, false, "No grain.")}).front();
+    EXPECT_EQ(standing_of(not_met), Standing::NotMet);
+    EXPECT_EQ(not_met.why, "No grain.");
     EXPECT_EQ(standing_of(combine_seeds({of(true, true, ""), of({}, {}, "")}).front()), Standing::CannotTell);
 }
 
