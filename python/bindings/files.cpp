@@ -16,10 +16,14 @@ namespace {
 
 py::tuple read_packing(
     const std::filesystem::path& path, const py::object& cell, const grains::Material& material, const py::object& unit,
-    double max_overlap
+    double max_overlap, const py::object& radius, const py::object& velocity_gradient
 ) {
     io::PackingRequest request{.file = path, .density = material.density, .max_overlap = max_overlap};
     request.unit = unit_of(unit, dimension::length, "unit");
+    request.radius = optional_quantity(radius, dimension::length, "radius");
+    if (!velocity_gradient.is_none()) {
+        request.velocity_gradient = matrix_of(velocity_gradient, dimension::rate, "velocity_gradient");
+    }
     if (!cell.is_none()) {
         request.cell = cell_of(cell);
     }
@@ -33,6 +37,7 @@ py::tuple read_packing(
     }
     dem::World world;
     world.cell.h = world.reference_h = *taken.h;
+    world.cell.velocity_gradient = taken.velocity_gradient;
     world.grains = std::move(taken.grains);
     world.material = material;
     return py::make_tuple(std::make_shared<WorldHandle>(std::move(world)), taken.warnings);
@@ -61,7 +66,7 @@ void bind_files(py::module_& m) {
     );
     m.def(
         "read_packing", &read_packing, py::arg("path"), py::arg("cell"), py::arg("material"), py::arg("unit"),
-        py::arg("max_overlap")
+        py::arg("max_overlap"), py::arg("radius"), py::arg("velocity_gradient")
     );
     m.def(
         "largest_overlap",

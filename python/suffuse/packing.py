@@ -5,18 +5,23 @@ import warnings
 from suffuse import _core
 
 
-def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1):
+def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, radius=None, velocity_gradient=None):
     """A World of the grains in a file, whichever of the formats it is: CSV with x,y,z,r, Yade's text, LAMMPS data and
-    dump, extended XYZ, VTK's .vtp; plain or gzipped.
+    dump, extended XYZ, VTK's .vtp, .vtu and .vtk, MercuryDPM's .data and .restart; plain or gzipped.
 
     cell: three edges or a 3 x 3 matrix whose columns are the cell vectors [m]; the file's own unless given.
     material: a Material, whose density [kg/m3] gives the masses; suffuse.Material() unless given
     unit: what a length of 1 in the file stands for, "mm" for a file in mm; grains of a size that no soil has are warned of
     max_overlap: largest overlap that is accepted / radius of the smaller grain, as in a case
+    radius: of all grains, for a file that has none [m]
+    velocity_gradient: dv/dx of the cell, extension positive [1/s], which the velocities of the file contain; the one that
+        fits them best unless given, and none where no mean motion shows
     What the file says beyond that is warned of, and so are a cell narrower than ten of the largest grains, one that they
     hardly fill, and one taken in place of the file's own. An imported packing carries no contact memory: settle it first.
     """
-    world, remarks = _core.read_packing(path, cell, material or _core.Material(), unit, max_overlap)
+    world, remarks = _core.read_packing(
+        path, cell, material or _core.Material(), unit, max_overlap, radius, velocity_gradient
+    )
     for remark in remarks:
         warnings.warn(remark, stacklevel=2)
     return world

@@ -82,6 +82,8 @@ void fields(V& v, ImportSpec& s) {
     packing_field(v, s);
     cell_field(v, s.cell);
     v.field("unit", s.unit);
+    v.field("radius", s.radius);
+    gradient_field(v, s.velocity_gradient);
     v.field("max_overlap", s.max_overlap);
 }
 

@@ -69,6 +69,21 @@ Node write_rows(const Writer& v, std::string_view key, const Mat3& matrix) {
     return make_array({v.vector(key, matrix.row(0)), v.vector(key, matrix.row(1)), v.vector(key, matrix.row(2))});
 }
 
+std::optional<Mat3> read_gradient(Reader& v, const Node& node) {
+    const std::vector<Node>* rows = v.list("velocity_gradient", node);
+    if (rows == nullptr) {
+        return std::nullopt;
+    }
+    if (rows->size() != 3) {
+        v.error(
+            "E205", node.place, fmt::format("`velocity_gradient` needs three rows, and there are {}", rows->size()),
+            "three rows of three rates, [[...], [...], [...]]"
+        );
+        return std::nullopt;
+    }
+    return read_rows(v, "velocity_gradient", *rows);
+}
+
 /// Joins the two lists of an advance stage; every axis must be given exactly once.
 void join_axes(Reader& v, const Axes& rate, const Axes& stress, cell::Loading& loading) {
     for (std::size_t a = 0; a < 3; ++a) {
@@ -188,6 +203,18 @@ void settle_stress_fields(Writer& v, const cell::Loading& loading) {
     }
 }
 
+void gradient_field(Reader& v, std::optional<Mat3>& gradient) {
+    if (const Node* node = v.take("velocity_gradient")) {
+        gradient = read_gradient(v, *node);
+    }
+}
+
+void gradient_field(Writer& v, const std::optional<Mat3>& gradient) {
+    if (gradient) {
+        v.set("velocity_gradient", write_rows(v, "velocity_gradient", *gradient));
+    }
+}
+
 void loading_fields(Reader& v, cell::Loading& loading) {
     const Node* rate = v.take("strain_rate");
     const Node* stress = v.take("stress");
@@ -200,18 +227,7 @@ void loading_fields(Reader& v, cell::Loading& loading) {
                 "keep one of them"
             );
         }
-        const std::vector<Node>* rows = v.list("velocity_gradient", *gradient);
-        if (rows == nullptr) {
-            return;
-        }
-        if (rows->size() != 3) {
-            return v.error(
-                "E205", gradient->place,
-                fmt::format("`velocity_gradient` needs three rows, and there are {}", rows->size()),
-                "three rows of three rates, [[...], [...], [...]]"
-            );
-        }
-        loading.velocity_gradient = read_rows(v, "velocity_gradient", *rows);
+        loading.velocity_gradient = read_gradient(v, *gradient);
         return;
     }
     if (rate == nullptr && stress == nullptr) {

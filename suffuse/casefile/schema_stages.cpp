@@ -80,7 +80,14 @@ std::vector<Key> movement_rows() {
         "Velocity gradient dv/dx of the cell as three rows, extension positive; instead of the other two."
     );
     gradient.form = "three rows of three rates";
+    Key imported_gradient = quantity(
+        "stage.import", "velocity_gradient", dimension::rate, any,
+        "Velocity gradient dv/dx of the cell that the velocities of the file contain, extension positive; the one that "
+        "fits them best unless given."
+    );
+    imported_gradient.form = gradient.form;
     std::vector<Key> rows = {
+        imported_gradient,
         required(count("stage.advance", "steps", count_from_zero, "Number of steps.")),
         time_step("stage.advance"),
         rate,
@@ -185,7 +192,7 @@ std::vector<Key> preparation_rows() {
             required(text(
                 "stage.import", "packing",
                 "File of grains: CSV with columns x, y, z, r, Yade's `x y z r` text, LAMMPS data or dump, extended "
-                "XYZ, .vtp."
+                "XYZ, .vtp, .vtu or .vtk, MercuryDPM's .data or .restart."
             )),
             other(
                 "stage.import", "cell", "three lengths, or a 3 x 3 matrix whose columns are the cell vectors",
@@ -194,6 +201,10 @@ std::vector<Key> preparation_rows() {
             quantity(
                 "stage.import", "unit", dimension::length, above_zero,
                 "What a length of 1 in the file stands for, its velocities likewise: \"1 mm\" where it is in mm."
+            ),
+            quantity(
+                "stage.import", "radius", dimension::length, above_zero,
+                "Radius of all grains, for a file that has none."
             ),
             ratio(
                 "stage.import", "max_overlap", {0, 2, true, false},

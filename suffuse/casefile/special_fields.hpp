@@ -27,6 +27,10 @@ void cell_field(Writer& v, const Mat3& h);
 void settle_stress_fields(Reader& v, cell::Loading& loading);
 void settle_stress_fields(Writer& v, const cell::Loading& loading);
 
+/// `velocity_gradient`: three rows of three rates, or nothing.
+void gradient_field(Reader& v, std::optional<Mat3>& gradient);
+void gradient_field(Writer& v, const std::optional<Mat3>& gradient);
+
 /// `stress` and `strain_rate`, exactly one per axis, or `velocity_gradient`.
 void loading_fields(Reader& v, cell::Loading& loading);
 void loading_fields(Writer& v, const cell::Loading& loading);

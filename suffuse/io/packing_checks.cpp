@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/grains/sampling.hpp"
+#include "suffuse/io/mean_motion.hpp"
 #include "suffuse/neighbors/pairs.hpp"
 
 #include <fmt/format.h>
@@ -167,6 +168,15 @@ std::optional<std::string> other_cell_warning(const ImportedPacking& read, const
     return fmt::format("the cell given, {}, is taken, not the file's own, {}", cell_text(h), cell_text(own));
 }
 
+/// What to say of a mean motion that was found in the velocities.
+std::string gradient_warning(const Mat3& g) {
+    return fmt::format(
+        "the grains move as a cell with the velocity gradient [[{:.4g}, {:.4g}, {:.4g}], [{:.4g}, {:.4g}, {:.4g}], "
+        "[{:.4g}, {:.4g}, {:.4g}]] 1/s does, which is taken for the cell's; velocity_gradient says another one",
+        g(0, 0), g(0, 1), g(0, 2), g(1, 0), g(1, 1), g(1, 2), g(2, 0), g(2, 1), g(2, 2)
+    );
+}
+
 } // namespace
 
 TakenPacking take_packing(const PackingRequest& request) {
@@ -186,6 +196,12 @@ TakenPacking take_packing(const PackingRequest& request) {
         }
     };
     say(size_warning(read.grains));
+    if (request.velocity_gradient) {
+        taken.velocity_gradient = *request.velocity_gradient;
+    } else if (const auto found = find_velocity_gradient(read.grains)) {
+        taken.velocity_gradient = *found;
+        say(gradient_warning(*found));
+    }
     if (request.cell || read.cell) {
         const Mat3& h = taken.h.emplace(request.cell ? *request.cell : read.cell->h);
         if (!read.no_cell.empty()) {

@@ -15,6 +15,7 @@ struct PackingRequest {
     double unit = 1;                    ///< what a length of 1 in the file stands for [m]
     std::optional<double> radius = {};  ///< of all grains, for a file that has none [m]
     std::optional<Mat3> cell = {};      ///< in place of the file's own; columns are the cell vectors [m]
+    std::optional<Mat3> velocity_gradient = {}; ///< that the velocities of the file contain; found in them unless given
     double max_overlap = usual_overlap; ///< largest overlap that is accepted / radius of the smaller grain [-]
     bool only_looks = false;            ///< a larger overlap is then a warning
     std::string where;                  ///< who asks, in front of warnings; the file unless given
@@ -23,6 +24,7 @@ struct PackingRequest {
 struct TakenPacking {
     grains::Grains grains;             ///< in the order of the file; `id` counts from 0
     std::optional<Mat3> h;             ///< columns are the cell vectors [m]; none where nobody gives a cell
+    Mat3 velocity_gradient{};          ///< of the cell, which the velocities contain [1/s]
     std::string no_cell;               ///< why there is none, to be said by who needs one
     double overlap = 0;                ///< largest, over the smaller radius [-]
     std::vector<std::string> warnings; ///< each with its place

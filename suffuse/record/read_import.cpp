@@ -14,6 +14,8 @@ ImportedSample
 read_import(const casefile::ImportSpec& spec, const casefile::Variant& variant, const std::string& where) {
     io::PackingRequest request{.file = spec.path, .density = variant.material.density, .unit = spec.unit};
     request.max_overlap = spec.max_overlap;
+    request.radius = spec.radius;
+    request.velocity_gradient = spec.velocity_gradient;
     request.where = where;
     if (!(spec.cell == Mat3{})) {
         request.cell = spec.cell;
@@ -26,7 +28,7 @@ read_import(const casefile::ImportSpec& spec, const casefile::Variant& variant, 
         );
     }
     mark_fines(variant, spec.path, taken.grains);
-    return {std::move(taken.grains), *taken.h, taken.overlap, std::move(taken.warnings)};
+    return {std::move(taken.grains), *taken.h, taken.velocity_gradient, taken.overlap, std::move(taken.warnings)};
 }
 
 CheckedImports check_imports(const casefile::Case& what) {

@@ -13,6 +13,7 @@ namespace suffuse::record {
 struct ImportedSample {
     grains::Grains grains;             ///< those that the soil has as fine are marked
     Mat3 h{};                          ///< columns are the cell vectors [m]
+    Mat3 velocity_gradient{};          ///< of the cell, which the velocities contain [1/s]
     double overlap = 0;                ///< largest, over the smaller radius [-]
     std::vector<std::string> warnings; ///< each with its place
 };

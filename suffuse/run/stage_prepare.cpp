@@ -194,6 +194,7 @@ void compact_skeleton_first(StageWork& work, const packing::CompactSpec& asked) 
 void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     record::ImportedSample sample = record::read_import(spec, work.variant, work.place());
     work.world.cell.h = sample.h;
+    work.world.cell.velocity_gradient = sample.velocity_gradient;
     work.world.grains = std::move(sample.grains);
     work.world.reference_h = work.world.cell.h;
     dem::add_first_contacts(work.world);
