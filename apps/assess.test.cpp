@@ -2,6 +2,7 @@
 
 #include "tests/support/program.hpp"
 #include "tests/support/reference.hpp"
+#include <cmath>
 #include <sstream>
 
 namespace suffuse {
@@ -55,7 +56,7 @@ TEST_F(Assess, SaysThatHardlyAnyFinesPassWhereTheConstrictionsAreTooNarrow) {
 TEST_F(Assess, WithAGradientSaysWhatMarginIsLeft) {
     EXPECT_EQ(call("dyke.csv -i 0.33"), 0);
     expect_out("upward seepage, i = 0.33; porosity 0.4, grains 2650 kg/m3");
-    expect_out("margin 0.66, as the critical gradient is 3 times this one");
+    expect_out("factor of safety 3");
     expect_out("they hold if it is at least 0.333");
     EXPECT_EQ(call("dyke.csv -i 0.33 --alpha 0.5 --porosity 0.3 --density 2.6g/cm^3 --json"), 0);
     const auto gradients = nlohmann::json::parse(out)["soils"][0]["gradients"];
@@ -118,6 +119,68 @@ TEST_F(Assess, TakesTheSoilsOfACase) {
     ASSERT_EQ(soils.size(), 1U);
     EXPECT_NEAR(soils[0]["fine_fraction"]["finer_than"].get<double>(), 0.26e-3, 1e-15);
     EXPECT_EQ(soils[0]["tally"]["unstable"], 0);
+}
+
+TEST_F(Assess, SetsManySamplesBesideEachOtherAndNamesTheWorst) {
+    write_to(folder / "wide.csv", "d [mm],A,B\n0.1,0,0\n0.2,15,22\n0.63,60,25\n2,90,30\n6.3,100,100\n");
+    EXPECT_EQ(call("dyke.csv wide.csv"), 0);
+    expect_out("wide.csv, A");
+    expect_out("worst: ");
+    expect_in("2 columns are read as cumulative shares", error);
+    EXPECT_EQ(call("dyke.csv wide.csv --json"), 0);
+    const auto told = nlohmann::json::parse(out);
+    EXPECT_EQ(told["soils"].size(), 3U);
+    EXPECT_EQ(told["matrix"]["soils"][1]["soil"], "wide.csv, A");
+    EXPECT_EQ(told["remarks"].size(), 1U);
+    const std::string worst = told["matrix"]["worst"];
+    for (const auto& soil : told["soils"]) { // as counted here
+        const int unstable = soil["tally"]["unstable"];
+        EXPECT_LE(
+            unstable, (worst == "dyke.csv" ? told["soils"][0] : told["soils"][2])["tally"]["unstable"].get<int>()
+        );
+    }
+    EXPECT_EQ(call("wide.csv --sample b"), 0);
+    expect_out("wide.csv, B");
+    EXPECT_EQ(call("wide.csv --sample C"), 3);
+    expect_in("it has A, B", error);
+    EXPECT_EQ(call("wide.csv -o pages"), 0);
+    expect_in("own-stability-overlay", read_all(folder / "pages/report.html"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "pages/002-B/report.html"));
+}
+
+TEST_F(Assess, JudgesAFilterBetweenTwoSoils) {
+    write_to(folder / "filter.csv", "d [mm],passing [%]\n2,0\n8,100\n");
+    EXPECT_EQ(call("dyke.csv --filter filter.csv"), 0);
+    expect_out("filter.csv as its filter");
+    expect_out("D15F/d85B");
+    EXPECT_EQ(call("dyke.csv --filter filter.csv --json"), 0);
+    const auto filter = nlohmann::json::parse(out)["soils"][0]["filter"]["criteria"];
+    ASSERT_EQ(filter.size(), 4U);
+    // D15F = 2 * 4^0.15 mm; 85 % lie at 1 * 2^(60/75) mm of the upper box, which runs from 25 % at 1 mm to 100 % at 2
+    // mm
+    EXPECT_NEAR(filter[0]["value"].get<double>(), 2 * std::pow(4, 0.15) / std::pow(2, 0.8), 1e-9);
+    EXPECT_EQ(filter[0]["verdict"], "holds");
+}
+
+TEST_F(Assess, WritesAPageToPlayWith) {
+    EXPECT_EQ(call("dyke.csv --page -i 0.25 --alpha 0.2 -o dyke.html"), 0);
+    const std::string page = read_all(folder / "dyke.html");
+    expect_in("\"gradient\":0.25", page);
+    expect_in("\"alpha\":0.2", page);
+    expect_in("default-src 'none'", page); // it asks nobody for anything
+    for (const char* mark : {"@DATA@", "@SCRIPT@", "@STYLE@", "@PROGRAM@", "http://", "https://"}) {
+        EXPECT_EQ(page.find(mark), std::string::npos) << mark;
+    }
+}
+
+TEST_F(Assess, TellsClassesOfSizeAndTheNumberOfTheMeasuredPart) {
+    EXPECT_EQ(call("dyke.csv"), 0);
+    expect_out("ASTM D2487: sand 100 %");
+    write_to(folder / "open.csv", "d [mm],passing [%]\n0.063,4\n0.2,15\n0.63,40\n2,70\n6.3,100\n");
+    EXPECT_EQ(call("open.csv --json"), 0);
+    const auto criteria = nlohmann::json::parse(out)["soils"][0]["criteria"];
+    EXPECT_EQ(criteria[0]["verdict"], "cannot say");
+    EXPECT_GT(criteria[0]["measured"].get<double>(), 1.3);
 }
 
 TEST_F(Assess, BadInputIsNamedWithItsPlace) {

@@ -113,20 +113,29 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
         spec.particles ? fmt::format("--particles allows {}", grouped(most))
                        : fmt::format("a quick sample has at most {} (--particles N allows others)", grouped(most))
     );
+    constexpr double out_of_reach = 2e8; // grains: beyond any computer's memory
+    const std::string spoken =
+        needed > out_of_reach ? fmt::format(
+                                    ". No computer holds so many: a run can model a part of this soil only, and its "
+                                    "answer is of that part. For the whole curve speaks suffuse assess {} alone",
+                                    shell_word(path)
+                                )
+                              : "";
     const auto part = grains::find_modeled_part(grading, soil.finer_than, static_cast<double>(most));
     if (!part) {
         throw CaseError(fmt::format(
-            "{}. No cut of its ends helps: the fines are too small beside the coarse grains. What the criteria of "
+            "{}{}. No cut of its ends helps: the fines are too small beside the coarse grains. What the criteria of "
             "stability say: suffuse assess {}",
-            found, shell_word(path)
+            found, spoken, shell_word(path)
         ));
     }
     const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
     const std::string turned = turned_text(judge_cut(soil.measured, cut, soil.finer_than));
     throw CaseError(fmt::format(
-        "{}. Cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines and {:.0f} % of "
+        "{}{}. Cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines and {:.0f} % "
+        "of "
         "the coarse grains{}",
-        found, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
+        found, spoken, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
         turned.empty() ? "" : ". Such a part is another soil by the criteria of stability, " + turned
     ));
 }

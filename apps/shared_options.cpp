@@ -27,6 +27,21 @@ void CaseChanges::add_to(Options& options) {
     options.values("--study", studies, "this study of the case alone; may be repeated").type("NAME");
 }
 
+std::string case_in(const std::string& given) {
+    const std::filesystem::path folder = given, file = folder / "case.toml";
+    std::error_code none;
+    if (!std::filesystem::is_directory(folder, none) || !std::filesystem::exists(file, none)) {
+        return given;
+    }
+    if (std::filesystem::exists(folder / "run_options.json", none)) {
+        throw UsageError(fmt::format(
+            "{} is the folder of a run: suffuse resume goes on with it, suffuse report writes its page anew",
+            shown(given)
+        ));
+    }
+    return file.string();
+}
+
 casefile::Case load_asked_case(const std::string& file, const CaseChanges& changes, const Console& console) {
     casefile::LoadedCase loaded = casefile::load_case(file, changes);
     if (!loaded.warnings.empty()) {

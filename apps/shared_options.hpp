@@ -13,7 +13,7 @@
 
 namespace suffuse::apps {
 
-inline constexpr const char* case_text = "the case file";
+inline constexpr const char* case_text = "the case file, or the folder of a case.toml";
 inline constexpr const char* folder_text = "the folder of a run";
 inline constexpr const char* packing_text =
     "grains: CSV with x,y,z,r in meters, Yade's text, LAMMPS data or dump, extended XYZ, .vtp";
@@ -22,6 +22,9 @@ inline constexpr const char* packing_text =
 struct CaseChanges : casefile::LoadOptions {
     void add_to(Options& options);
 };
+
+/// The case file that is meant: of a folder its case.toml. @throws UsageError for the folder of a run.
+std::string case_in(const std::string& given);
 
 /// The case, its changes made; its warnings are told.
 casefile::Case load_asked_case(const std::string& file, const CaseChanges& changes, const Console& console);

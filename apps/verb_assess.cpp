@@ -4,10 +4,14 @@
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/units.hpp"
+#include "suffuse/base/version.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/grains/sampling.hpp"
+#include "suffuse/io/atomic_file.hpp"
 #include "suffuse/job/assessed_soil.hpp"
 #include "suffuse/job/stability_matrix.hpp"
+#include "suffuse/report/assess_page.hpp"
+#include "suffuse/stability/filter_between.hpp"
 #include "suffuse/stability/open_curve.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +47,9 @@ struct AssessVerb final : Verb {
 
     std::vector<std::string> files; ///< gradings, or cases
     std::string sample;             ///< of a file that holds several
-    std::string fines;              ///< size below which grains are fine, with its unit
+    std::string filter;             ///< another soil, which is to hold these
+    bool wants_page = false;
+    std::string fines; ///< size below which grains are fine, with its unit
     std::optional<double> seepage_gradient, relative_density, porosity;
     std::string density; ///< of the grains, with its unit
     std::optional<double> stress_share;
@@ -53,6 +59,8 @@ struct AssessVerb final : Verb {
     void add_to(Options& options) override {
         options.arguments("FILE", files, std::string(grading_text) + "; or a case, for all its soils").required();
         options.value("--sample", sample, "of a table of several samples this one alone").type("NAME");
+        options.value("--filter", filter, "another grading: is it a filter for these soils?").type("FILE");
+        options.flag("--page", wants_page, "write one HTML file in which curves and sliders can be moved");
         options.value("--fines", fines, "size below which grains count as fine; found on the curve unless given")
             .type("D");
         options.value("-i,--gradient", seepage_gradient, "hydraulic gradient of upward seepage, as in 0.4 or 12m/30m")
@@ -67,7 +75,8 @@ struct AssessVerb final : Verb {
             .type("A")
             .ratio(0, 1);
         options.flag("--coarse-fabric", has_coarse_fabric, "D60/D10 of the coarse part decides how far to look at F");
-        options.value("-o,--output", output, "folder for a page, its figures and numbers").type("DIR");
+        options.value("-o,--output", output, "folder for a page, its figures and numbers; with --page the file")
+            .type("DIR");
     }
 
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
@@ -161,7 +170,9 @@ std::vector<job::AssessedSoil> assess_all(const std::vector<AskedSoil>& asked) {
     ThreadOption{}.apply();
     std::vector<job::AssessedSoil> soils(asked.size());
     run_side_by_side(asked.size(), thread_count(), [&](std::size_t k) {
-        soils[k] = {asked[k].name, asked[k].folder, stability::assess_measured(asked[k].measured, asked[k].spec)};
+        soils[k] = {
+            asked[k].name, asked[k].folder, stability::assess_measured(asked[k].measured, asked[k].spec),
+            asked[k].measured};
     });
     return soils;
 }
@@ -176,15 +187,58 @@ std::string folder_of(const job::AssessedSoil& soil, std::size_t number) {
     return fmt::format("{:03}-{}", number + 1, name);
 }
 
+/// Where the page of `--page` goes: as asked, or beside the file that it shows.
+fs::path page_file(const AssessVerb& asked) {
+    if (!asked.output.empty()) {
+        const fs::path given = asked.output;
+        return given.extension() == ".html" || given.extension() == ".htm" ? given : given / "assess.html";
+    }
+    const bool has_one_name = asked.files.size() == 1 && asked.files.front() != "-";
+    return has_one_name ? fs::path(asked.files.front()).stem().string() + "-stability.html"
+                        : std::string("assess.html");
+}
+
+std::string write_playground(
+    const AssessVerb& asked, const stability::AssessSpec& spec, const std::vector<job::AssessedSoil>& soils
+) {
+    std::vector<report::PageSoil> shown_soils;
+    for (const job::AssessedSoil& soil : soils) {
+        shown_soils.push_back({soil.name, soil.measured.diameter, soil.measured.passing});
+    }
+    report::PageSeepage seepage;
+    if (spec.seepage) {
+        seepage = {
+            spec.seepage->gradient, spec.seepage->porosity, spec.seepage->grain_density, spec.seepage->stress_share};
+    }
+    const fs::path file = page_file(asked);
+    std::error_code none;
+    fs::create_directories(file.parent_path(), none); // where that fails, writing says so
+    io::write_file(
+        file, report::assess_page(shown_soils, seepage, fmt::format("suffuse {} ({})", version(), commit()))
+    );
+    return file.string();
+}
+
 int AssessVerb::act(const CommandLine& line, const Console& console) const {
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();
     const std::vector<job::AssessedSoil> soils = assess_all(read_all(*this, spec, console, remarks));
-    const bool are_many = soils.size() > 1;
+    const bool are_many = soils.size() > 1, has_folder = !output.empty() && !wants_page;
+    std::optional<grains::Grading> filter_curve;
+    if (!filter.empty()) {
+        const io::GradingFile read = read_one_grading(filter, "");
+        tell_remarks(read, console);
+        filter_curve = read.soils.front().grading;
+    }
     std::string text = are_many ? job::matrix_text(soils) : job::text_of(soils.front(), spec, terminal_width());
     for (std::size_t k = 0; k < soils.size(); ++k) {
         list.push_back(job::soil_json(soils[k], spec));
-        if (!output.empty()) {
+        if (filter_curve) {
+            const auto criteria = stability::filter_criteria(soils[k].measured, *filter_curve);
+            list.back()["filter"] = job::filter_json(criteria, filter);
+            text += fmt::format("\n\n{}{}", are_many ? soils[k].name + "\n" : "", job::filter_text(criteria, filter));
+        }
+        if (has_folder) {
             const fs::path folder = are_many ? fs::path(output) / folder_of(soils[k], k) : fs::path(output);
             const std::string page = write_soil_page(soils[k], spec, list.back(), folder, line.typed).string();
             list.back()["written"] = page;
@@ -194,9 +248,13 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     json document{{"soils", list}, {"remarks", remarks}};
     if (are_many) {
         document["matrix"] = job::matrix_json(soils);
-        if (!output.empty()) {
+        if (has_folder) {
             text += "\n" + write_overlay_page(soils, document["matrix"], output, line.typed).string();
         }
+    }
+    if (wants_page) {
+        document["page"] = write_playground(*this, spec, soils);
+        text += "\n" + document["page"].get<std::string>();
     }
     console.result(text);
     console.talk(next_step(soils.size()));

@@ -20,11 +20,11 @@ namespace {
 struct CheckVerb final : Verb {
     CheckVerb() : Verb("check", "read a case and tell all that is wrong with it", "suffuse check my-dyke/case.toml") {}
 
-    std::string file;
+    std::string given; ///< a case, or the folder that holds one
     CaseChanges changes;
 
     void add_to(Options& options) override {
-        options.argument("CASE", file, case_text).required();
+        options.argument("CASE", given, case_text).required();
         changes.add_to(options);
     }
 
@@ -32,6 +32,7 @@ struct CheckVerb final : Verb {
 };
 
 int CheckVerb::act(const CommandLine&, const Console& console) const {
+    const std::string file = case_in(given);
     const casefile::LoadedCase loaded = casefile::load_case(file, changes);
     std::int64_t variants = 0, stages = 0;
     for (const casefile::Study& study : loaded.value.studies) {

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace suffuse::apps {
@@ -38,12 +40,26 @@ struct FiguresVerb final : Verb {
         options.value("--format", format, "svg, png or pdf; svg unless given")
             .type("NAME")
             .one_of({"svg", "png", "pdf"});
-        options.values("--figure", figures, "only this one, as in 9 or own-rules; may be repeated").type("N");
+        options.values("--figure", figures, "only these, as in 9 or 9,10,own-rules; may be repeated").type("N");
         options.value("-o,--output", output, "folder for the files; the run's figures/ unless given").type("DIR");
     }
 
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
+
+/// "9,10" are two.
+std::vector<std::string> at_commas(const std::vector<std::string>& asked) {
+    std::vector<std::string> words;
+    for (const std::string& list : asked) {
+        std::istringstream rest(list);
+        for (std::string word; std::getline(rest, word, ',');) {
+            if (!word.empty()) {
+                words.push_back(word);
+            }
+        }
+    }
+    return words;
+}
 
 /// Of words such as 9 and own-paths.
 std::vector<std::string> ids_of(std::vector<std::string> words) {
@@ -54,9 +70,10 @@ std::vector<std::string> ids_of(std::vector<std::string> words) {
 int FiguresVerb::act(const CommandLine&, const Console& console) const {
     const std::filesystem::path folder =
         output.empty() ? std::filesystem::path(run) / "figures" : std::filesystem::path(output);
-    record::require_same_figures(run, ids_of(figures), {".vl.json", ".svg"});
+    const std::vector<std::string> wanted = at_commas(figures);
+    record::require_same_figures(run, ids_of(wanted), {".vl.json", ".svg"});
     std::vector<std::string> written;
-    for (const std::filesystem::path& file : job::draw_figures(run, figures, format, folder, page_folder())) {
+    for (const std::filesystem::path& file : job::draw_figures(run, wanted, format, folder, page_folder())) {
         written.push_back(file.string());
         console.result(file.string());
     }

@@ -33,14 +33,14 @@ struct PlanVerb final : Verb {
               "suffuse plan my-dyke/case.toml --preset paper"
           ) {}
 
-    std::string file;
+    std::string given; ///< a case, or the folder that holds one
     ThreadOption threads;
     CaseChanges changes;
     CacheOptions cache;
     std::string until; ///< stage
 
     void add_to(Options& options) override {
-        options.argument("CASE", file, case_text).required();
+        options.argument("CASE", given, case_text).required();
         threads.add_to(options);
         changes.add_to(options);
         cache.add_to(options);
@@ -214,6 +214,7 @@ void tell_refinements(const casefile::Case& what, const plan::RunPlan& plan, con
 }
 
 int PlanVerb::act(const CommandLine&, const Console& console) const {
+    const std::string file = case_in(given);
     const casefile::Case what = load_asked_case(file, changes, console);
     plan::check_until(what, until);
     threads.apply();

@@ -36,7 +36,7 @@ struct RunVerb final : Verb {
               "suffuse run dyke/case.toml --preset quick --set study.erosion.particles=4000 -o runs/small"
           ) {}
 
-    std::string file;
+    std::string given; ///< a case, or the folder that holds one
     ThreadOption threads;
     std::string output;
     CaseChanges changes;
@@ -44,7 +44,7 @@ struct RunVerb final : Verb {
     RunLimits limits;
 
     void add_to(Options& options) override {
-        options.argument("CASE", file, case_text).required();
+        options.argument("CASE", given, case_text).required();
         threads.add_to(options);
         options.value("-o,--output", output, "folder of the run; runs/NAME-0001 and so on unless given").type("DIR");
         changes.add_to(options);
@@ -63,7 +63,8 @@ std::string larger_hint(const RunVerb& asked, const Job& job) {
     }
     try {
         const casefile::Case larger =
-            casefile::load_case(asked.file, {"standard", asked.changes.overrides, asked.changes.studies}).value;
+            casefile::load_case(case_in(asked.given), {"standard", asked.changes.overrides, asked.changes.studies})
+                .value;
         return fmt::format(
             "--preset standard ({})", duration_range_text(plan::plan_run(larger, job.plan.speed).seconds)
         );
@@ -78,6 +79,7 @@ int RunVerb::act(const CommandLine& line, const Console& console) const {
         .time_limit = limits.seconds(), // wrong use is told before anything is made
         .command = line.typed};
     heed_signals();
+    const std::string file = case_in(given);
     job.what = load_asked_case(file, changes, console);
     plan::check_until(job.what, limits.until);
     job.case_text = read_whole_file(file);

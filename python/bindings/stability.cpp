@@ -78,7 +78,8 @@ py::object assess(
     spec.fabric = coarse_fabric ? stability::PrimaryFabric::Coarse : stability::PrimaryFabric::Soil;
     spec.seepage = seepage_of(gradient, porosity, density, alpha);
     job::AssessedSoil soil = soil_of(grading);
-    soil.assessment = stability::assess_measured(soil.assessment.grading, spec);
+    soil.measured = soil.assessment.grading;
+    soil.assessment = stability::assess_measured(soil.measured, spec);
     nlohmann::json told = job::soil_json(soil, spec);
     told["text"] = job::text_of(soil, spec);
     return to_python(told);

@@ -162,11 +162,28 @@ std::vector<std::string> similar_units(std::string_view symbol) {
     return nearest ? std::vector{*nearest} : std::vector<std::string>{};
 }
 
+/// The one unit that differs from the symbol by its capitals alone, kpa for kPa; none where two do: mpa is mPa or MPa.
+const Unit* whatever_capitals(std::string_view symbol) {
+    const Unit* found = nullptr;
+    for (const Unit& unit : units) {
+        if (symbol.size() > 2 && symbol.size() == unit.symbol.size() && edit_distance(symbol, unit.symbol) == 0) {
+            if (found != nullptr) {
+                return nullptr;
+            }
+            found = &unit;
+        }
+    }
+    return found;
+}
+
 const Unit& find_unit(std::string_view symbol, std::string_view whole) {
     for (const Unit& unit : units) {
         if (unit.symbol == symbol) {
             return unit;
         }
+    }
+    if (const Unit* other = whatever_capitals(symbol)) {
+        return *other;
     }
     const std::vector<std::string> similar = similar_units(symbol);
     const std::string what = symbol.empty()    ? fmt::format("\"{}\" is not a unit", whole)

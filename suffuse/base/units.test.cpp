@@ -96,10 +96,9 @@ TEST(Units, ARatioMayBeAQuotient) {
 }
 
 TEST(Units, ErrorsSayWhatIsWrongAndWhatToDo) {
-    EXPECT_EQ(message_of("100 kpa*", dimension::pressure).substr(0, 12), "unknown unit");
-    EXPECT_EQ(
-        message_of("100 KPa", dimension::pressure), "unknown unit \"KPa\" | a unit with a similar name exists: \"kPa\""
-    );
+    EXPECT_EQ(message_of("100 kpq*", dimension::pressure).substr(0, 12), "unknown unit");
+    EXPECT_EQ(parse_quantity("100 kpa", dimension::pressure), 1e5); // no other unit differs by capitals alone
+    EXPECT_EQ(parse_quantity("100 KPa", dimension::pressure), 1e5);
     EXPECT_EQ(
         message_of("356 mpa", dimension::pressure),
         "unknown unit \"mpa\" | units with similar names exist: \"mPa\", \"MPa\""

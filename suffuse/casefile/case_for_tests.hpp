@@ -220,6 +220,8 @@ packing = "packing.csv"
 cell = [["1 mm", "0.1 mm", "0 mm"], ["0 mm", "1 mm", "0 mm"], ["0 mm", "0 mm", "1 mm"]]
 unit = "1 mm"
 max_overlap = "5 %"
+radius = "0.5 mm"
+velocity_gradient = [["1 1/s", "0 1/s", "0 1/s"], ["0 1/s", "1 1/s", "0 1/s"], ["0 1/s", "0 1/s", "1 1/s"]]
 [[study.other.stage]]
 name = "settled"
 do = "settle"

@@ -9,11 +9,12 @@
 namespace suffuse::casefile {
 
 struct ImportSpec {
-    std::string path;         ///< of the packing file, absolute
-    Mat3 cell = {};           ///< columns are the cell vectors [m]; zeros: the file's own
-    double unit = 1;          ///< what a length of 1 in the file stands for [m]
-    std::optional<double> radius = {};          ///< of all grains, for a file that has none [m]
-    std::optional<Mat3> velocity_gradient = {}; ///< that the file's velocities contain; found in them unless given [1/s]
+    std::string path;                  ///< of the packing file, absolute
+    Mat3 cell = {};                    ///< columns are the cell vectors [m]; zeros: the file's own
+    double unit = 1;                   ///< what a length of 1 in the file stands for [m]
+    std::optional<double> radius = {}; ///< of all grains, for a file that has none [m]
+    std::optional<Mat3> velocity_gradient =
+        {};                   ///< that the file's velocities contain; found in them unless given [1/s]
     double max_overlap = 0.1; ///< largest overlap that is accepted / radius of the smaller grain [-]
     std::string place;        ///< where the case asks for it, "case.toml:31:11", for messages
 };

@@ -62,13 +62,33 @@ struct Share {
     double diameter;             // of the grain that stands for it [m]
 };
 
+/// A size within a gap, where the curve has no grain, goes to the end of the gap that changes the grain's mass less.
+double out_of_gap(const Grading& grading, double diameter) {
+    const auto& d = grading.diameter;
+    const auto& f = grading.passing;
+    const auto above = static_cast<std::size_t>(std::ranges::upper_bound(d, diameter) - d.begin());
+    if (above == 0 || above == d.size() || !(d[above - 1] < diameter) || f[above - 1] < f[above]) {
+        return diameter;
+    }
+    std::size_t fine = above - 1, coarse = above;
+    while (fine > 0 && !(f[fine - 1] < f[fine])) {
+        --fine;
+    }
+    while (coarse + 1 < d.size() && !(f[coarse] < f[coarse + 1])) {
+        ++coarse;
+    }
+    const auto cube = [](double size) { return size * size * size; };
+    const bool is_finer = cube(diameter) - cube(d[fine]) < cube(d[coarse]) - cube(diameter);
+    return is_finer ? d[fine] : d[coarse];
+}
+
 Share share_of(const Grading& grading, const NumberCurve& curve, std::size_t k, std::size_t count) {
     const double each = curve.total() / static_cast<double>(count);
     Share share{};
     share.coarse_end = curve.size_above(each * static_cast<double>(k));
     share.fine_end = curve.size_above(each * static_cast<double>(k + 1));
     share.mass = passing(grading, share.coarse_end) - passing(grading, share.fine_end);
-    share.diameter = std::clamp(std::cbrt(share.mass / each), share.fine_end, share.coarse_end);
+    share.diameter = out_of_gap(grading, std::clamp(std::cbrt(share.mass / each), share.fine_end, share.coarse_end));
     return share;
 }
 

@@ -155,5 +155,14 @@ TEST(Sampling, SoilsThatMakeNoSenseAreRefused) {
     EXPECT_NE(complaint(content, 10).find("fines content 20"), std::string::npos);
 }
 
+TEST(Sampling, PutsNoGrainIntoAGap) {
+    const Grading grading{{0.1e-3, 0.11e-3, 0.3e-3, 0.5e-3, 0.55e-3}, {0, 0.2, 0.2, 0.2, 1}, ""};
+    for (const std::size_t count : {50U, 300U, 3000U}) {
+        for (const double d : sample_diameters(grading, count)) {
+            EXPECT_TRUE(d <= 0.11e-3 || d >= 0.5e-3) << d << " of " << count;
+        }
+    }
+}
+
 } // namespace
 } // namespace suffuse::grains

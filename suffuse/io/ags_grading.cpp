@@ -143,7 +143,7 @@ std::optional<std::vector<SievedSoil>> read_ags(const std::shared_ptr<const Sour
             );
         }
         soils[found->second].sieves.push_back(
-            {diameter->diameter, *passing / 100, place_at(*row, *size), place_at(*row, *share)}
+            {diameter->diameter, *passing / 100, place_at(*row, *size), place_at(*row, *share), true}
         );
     }
     return is_good ? std::optional(std::move(soils)) : std::nullopt;

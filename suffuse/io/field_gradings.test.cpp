@@ -300,6 +300,13 @@ TEST(FieldGradings, SievesAndAHydrometerInTwoRunsAreJoined) {
     EXPECT_NE(render(parsed.told).find("a second run of sizes"), std::string::npos);
 }
 
+TEST(FieldGradings, RockfillInMetersIsNoForgottenUnit) {
+    const ParsedSheet parsed = parse_sheet("d [m],passing [%]\n0.1,0\n0.3,40\n1,100\n");
+    ASSERT_EQ(parsed.soils.size(), 1U) << render(parsed.told);
+    expect_soil({"", {{100, 0}, {300, 40}, {1000, 100}}}, parsed.soils.front(), "rockfill");
+    EXPECT_TRUE(parse_sheet("d,passing\n100,0\n300,40\n1000,100\n").soils.empty());
+}
+
 TEST(FieldGradings, ATableOfThirtyTwoThousandColumnsIsRefusedAtOnce) {
     std::string text(64'000, ',');
     text += "\n";

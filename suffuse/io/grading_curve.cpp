@@ -172,7 +172,7 @@ bool check_order(const std::vector<GradingPoint>& points, Problems& problems) {
 /// Curves that no soil has, but one whose unit was forgotten.
 bool check_units(const std::vector<GradingPoint>& points, Problems& problems) {
     constexpr double stones = 0.06, least_end = 0.02; // [m], [-]
-    if (points.front().diameter >= stones) {
+    if (points.front().diameter >= stones && !points.front().has_unit) {
         problems.error(
             "E504", points.front().diameter_place,
             fmt::format("the smallest size is {}: a soil of stones alone", in_mm(points.front().diameter)),

@@ -16,6 +16,7 @@ struct GradingPoint {
     double diameter = 0; ///< [m]
     double passing = 0;  ///< [-]
     Place diameter_place, passing_place;
+    bool has_unit = false; ///< the size was written with its unit: it means what it says
 };
 
 /// Grains are drawn from a curve that runs from 0 to 100 %; criteria may be asked of one that does not.

@@ -281,6 +281,7 @@ private:
                 fmt::format("\"{}\" is no sieve of ASTM E11: read as {:.4g} mm", text, 1e3 * size->diameter)
             );
         }
+        has_unit_ = columns_.size.scale != SizeScale::Unknown || size->notation != SizeNotation::Plain;
         return size->diameter;
     }
 
@@ -371,7 +372,9 @@ private:
         if (const auto amount = read_amount(row, share)) {
             SievedSoil& soil = soil_of(row, share);
             soil.end = row.place;
-            soil.sieves.push_back({diameter, *amount, place_at(row, columns_.size.index), place_at(row, share.index)});
+            soil.sieves.push_back(
+                {diameter, *amount, place_at(row, columns_.size.index), place_at(row, share.index), has_unit_}
+            );
         }
     }
 
@@ -455,7 +458,7 @@ private:
     const Sheet& sheet_;
     GradingColumns columns_;
     Problems& problems_;
-    bool has_points_ = false, is_good_ = true, mixes_units_ = false;
+    bool has_points_ = false, is_good_ = true, mixes_units_ = false, has_unit_ = false;
     std::vector<SievedSoil> soils_;
     std::map<std::string, std::size_t> index_;
     std::vector<std::string> skipped_;

@@ -15,6 +15,7 @@ struct SieveRow {
     double diameter = 0; ///< [m]
     double amount = 0;   ///< share [-] or mass [kg]
     Place diameter_place, amount_place;
+    bool has_unit = false; ///< of the size: at it or in the heading
 };
 
 struct SievedSoil {

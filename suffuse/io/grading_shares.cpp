@@ -173,7 +173,7 @@ std::optional<std::vector<GradingPoint>> find_passing(SievedSoil soil, Problems&
         if (soil.meaning == ShareMeaning::OnSieve && passing < 1e-9 && passing > -rounding) {
             passing = 0;
         }
-        points.push_back({sieve.diameter, passing, sieve.diameter_place, sieve.amount_place});
+        points.push_back({sieve.diameter, passing, sieve.diameter_place, sieve.amount_place, sieve.has_unit});
     }
     return points;
 }

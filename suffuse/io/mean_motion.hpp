@@ -8,9 +8,9 @@
 
 namespace suffuse::io {
 
-/// dv/dx of the motion v = v0 + (dv/dx) x that fits the velocities best (least squares) [1/s]; nothing where it explains
-/// less than half of their scatter, or the grains lie in a plane. Velocities of a packing at rest, or of grains that
-/// only rattle, show none.
+/// dv/dx of the motion v = v0 + (dv/dx) x that fits the velocities best (least squares) [1/s]; nothing where it
+/// explains less than half of their scatter, or the grains lie in a plane. Velocities of a packing at rest, or of
+/// grains that only rattle, show none.
 std::optional<Mat3> find_velocity_gradient(const grains::Grains& grains);
 
 } // namespace suffuse::io

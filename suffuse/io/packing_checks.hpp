@@ -11,14 +11,14 @@ constexpr double usual_overlap = 0.1; ///< beyond, of the smaller radius, it is 
 /// What is asked of a packing.
 struct PackingRequest {
     std::filesystem::path file;
-    double density = 2600;              ///< of the grains [kg/m3]
-    double unit = 1;                    ///< what a length of 1 in the file stands for [m]
-    std::optional<double> radius = {};  ///< of all grains, for a file that has none [m]
-    std::optional<Mat3> cell = {};      ///< in place of the file's own; columns are the cell vectors [m]
+    double density = 2600;                      ///< of the grains [kg/m3]
+    double unit = 1;                            ///< what a length of 1 in the file stands for [m]
+    std::optional<double> radius = {};          ///< of all grains, for a file that has none [m]
+    std::optional<Mat3> cell = {};              ///< in place of the file's own; columns are the cell vectors [m]
     std::optional<Mat3> velocity_gradient = {}; ///< that the velocities of the file contain; found in them unless given
-    double max_overlap = usual_overlap; ///< largest overlap that is accepted / radius of the smaller grain [-]
-    bool only_looks = false;            ///< a larger overlap is then a warning
-    std::string where;                  ///< who asks, in front of warnings; the file unless given
+    double max_overlap = usual_overlap;         ///< largest overlap that is accepted / radius of the smaller grain [-]
+    bool only_looks = false;                    ///< a larger overlap is then a warning
+    std::string where;                          ///< who asks, in front of warnings; the file unless given
 };
 
 struct TakenPacking {

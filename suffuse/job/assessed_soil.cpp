@@ -2,8 +2,12 @@
 
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/record/or_null.hpp"
+#include "suffuse/stability/filter_between.hpp"
+#include "suffuse/stability/size_classes.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace suffuse::job {
 namespace {
@@ -19,6 +23,7 @@ json criterion_json(const Criterion& criterion) {
         {"name", criterion.name},
         {"measure", criterion.measure},
         {"value", or_null(criterion.value)},
+        {"measured", or_null(criterion.measured)},
         {"limit", or_null(criterion.limit)},
         {"upper", or_null(criterion.upper)},
         {"sense", senses[static_cast<int>(criterion.sense)]},
@@ -81,8 +86,9 @@ std::string opening(const AssessedSoil& soil) {
 /// "Kezdi 1979   D15c/d85f 11.4   <= 4   unstable   remark"; on narrow terminals the remark stands below.
 std::string line_of(const Criterion& criterion, std::size_t columns) {
     constexpr std::size_t wide = 120;
-    const std::string number =
-        criterion.value ? fmt::format("{} {:.3g}", criterion.measure, *criterion.value) : criterion.measure;
+    const std::string number = criterion.value      ? fmt::format("{} {:.3g}", criterion.measure, *criterion.value)
+                               : criterion.measured ? fmt::format("{} {:.3g} *", criterion.measure, *criterion.measured)
+                                                    : criterion.measure;
     const std::string first =
         fmt::format("  {:25}{:27}{:14}", criterion.name, number, stability::limit_text(criterion));
     const char* const verdict = stability::verdict_word(criterion.verdict);
@@ -100,6 +106,18 @@ std::string gradient_lines(const stability::UpwardSeepage& seepage, const Assess
         text += line_of(criterion, columns);
     }
     return text;
+}
+
+} // namespace
+
+namespace {
+
+json classes_json(const std::vector<stability::SizeClass>& classes) {
+    json shares = json::object();
+    for (const stability::SizeClass& one : classes) {
+        shares[one.name] = or_null(one.share);
+    }
+    return shares;
 }
 
 } // namespace
@@ -133,6 +151,11 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
           {"cannot_say", tally.cannot_say},
           {"unverified", tally.unverified}}},
         {"summary", stability::summary(found.criteria)}};
+    if (!soil.measured.diameter.empty()) {
+        about["classes"] = {
+            {"astm", classes_json(stability::astm_classes(soil.measured))},
+            {"iso", classes_json(stability::iso_classes(soil.measured))}};
+    }
     if (found.gap) {
         about["gap"] = {{"from", found.gap->fine_end}, {"to", found.gap->coarse_end}, {"finer", found.gap->finer}};
     }
@@ -191,13 +214,24 @@ std::string constrictions_text(const Assessment& found, const char* join) {
 
 std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec, std::size_t columns) {
     const Assessment& found = soil.assessment;
-    std::string text = opening(soil) + "\n" + heading("criterion");
+    std::string text = opening(soil);
+    if (!soil.measured.diameter.empty()) {
+        text += fmt::format(
+            "  ASTM D2487: {}; ISO 14688: {}\n", stability::classes_text(stability::astm_classes(soil.measured)),
+            stability::classes_text(stability::iso_classes(soil.measured))
+        );
+    }
+    text += "\n" + heading("criterion");
     for (const Criterion& criterion : found.criteria) {
         text += criterion.verified ? line_of(criterion, columns) : "";
     }
     text += "\n  unverified: limits not read in a source, so not counted\n";
     for (const Criterion& criterion : found.criteria) {
         text += criterion.verified ? "" : line_of(criterion, columns);
+    }
+    const auto is_part = [](const Criterion& criterion) { return criterion.measured.has_value(); };
+    if (std::ranges::any_of(found.criteria, is_part)) {
+        text += "\n  * of the part that was measured, which a missing end may turn\n";
     }
     if (spec.seepage) {
         text += gradient_lines(*spec.seepage, found, columns);
@@ -206,6 +240,28 @@ std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec,
         text += "\n  " + constrictions_text(found, "\n  ") + "\n";
     }
     return text + "\n" + stability::summary(found.criteria);
+}
+
+std::string filter_text(const std::vector<Criterion>& criteria, const std::string& filter) {
+    std::string text = fmt::format("  {} as its filter\n", filter);
+    for (const Criterion& criterion : criteria) {
+        const std::string number =
+            criterion.value ? fmt::format("{} {:.3g}", criterion.measure, *criterion.value) : criterion.measure;
+        text += fmt::format(
+            "  {:42}{:22}{:8}{}{}\n      {}\n", criterion.name, number, stability::limit_text(criterion),
+            stability::filter_word(criterion.verdict),
+            criterion.verified ? "" : " (unverified: limit not read in a source)", criterion.remark
+        );
+    }
+    return text;
+}
+
+json filter_json(const std::vector<Criterion>& criteria, const std::string& filter) {
+    json list = list_json(criteria);
+    for (std::size_t k = 0; k < criteria.size(); ++k) {
+        list[k]["verdict"] = stability::filter_word(criteria[k].verdict);
+    }
+    return {{"filter", filter}, {"criteria", list}};
 }
 
 } // namespace suffuse::job

@@ -15,6 +15,7 @@ struct AssessedSoil {
     std::string name;             ///< as shown: the file, and the soil where a case has it
     std::filesystem::path folder; ///< below -o, where there are several
     stability::Assessment assessment;
+    grains::Grading measured = {}; ///< as given, for its classes of size
 };
 
 nlohmann::json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec);
@@ -23,6 +24,10 @@ nlohmann::json soil_json(const AssessedSoil& soil, const stability::AssessSpec& 
 /// their capital and their point. @param join between the two halves
 std::string seepage_text(const stability::UpwardSeepage& seepage);
 std::string constrictions_text(const stability::Assessment& assessment, const char* join = " ");
+
+/// A line for each criterion between the soil and its filter.
+std::string filter_text(const std::vector<stability::Criterion>& criteria, const std::string& filter);
+nlohmann::json filter_json(const std::vector<stability::Criterion>& criteria, const std::string& filter);
 
 /// @param columns of the terminal that it is for
 std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec, std::size_t columns = 80);

@@ -31,9 +31,8 @@ std::string short_name(const std::string& name) {
 
 std::string cell_text(const Criterion& criterion) {
     constexpr const char* letters[] = {"s", "t", "U", "?"};
-    const std::string number = !criterion.value          ? ""
-                               : *criterion.value < 1000 ? fmt::format(" {:.3g}", *criterion.value)
-                                                         : std::string(" >999");
+    const std::optional<double> value = criterion.value ? criterion.value : criterion.measured;
+    const std::string number = !value ? "" : *value < 1000 ? fmt::format(" {:.3g}", *value) : std::string(" >999");
     return letters[static_cast<int>(criterion.verdict)] + number;
 }
 
@@ -106,7 +105,11 @@ std::string matrix_text(const std::vector<AssessedSoil>& soils) {
     }
     const AssessedSoil& worst = soils[find_worst(soils)];
     text += fmt::format("\n\nworst: {}: {}", worst.name, stability::summary(worst.assessment.criteria));
-    return text + fmt::format("\nU unstable, t transition, s stable, ? cannot say, each with its number; {}", legend);
+    return text + fmt::format(
+                      "\nU unstable, t transition, s stable, ? cannot say, each with its number (behind ? that of the "
+                      "measured part); {}",
+                      legend
+                  );
 }
 
 json matrix_json(const std::vector<AssessedSoil>& soils) {

@@ -26,10 +26,11 @@ struct Criterion {
     Sense sense = Sense::AtLeast;
     bool strict = false; ///< the limit itself is not stable
     Verdict verdict = Verdict::CannotSay;
-    std::string remark;             ///< where the number was found, or why the criterion cannot say
-    std::string source;             ///< key in docs/references.bib
-    bool verified = true;           ///< false: its limits were not read in a source; not part of the summary
-    std::optional<double> diameter; ///< where on the curve the number was found [m]
+    std::string remark;                  ///< where the number was found, or why the criterion cannot say
+    std::string source;                  ///< key in docs/references.bib
+    bool verified = true;                ///< false: its limits were not read in a source; not part of the summary
+    std::optional<double> measured = {}; ///< where it cannot say for want of an end: its number of what was measured
+    std::optional<double> diameter;      ///< where on the curve the number was found [m]
 };
 
 /// Stable or unstable, as the number stands to its limit; the limit itself, met but for rounding, counts as stable.

@@ -19,13 +19,10 @@ Criterion against(const UpwardSeepage& seepage, double critical) {
     return criterion;
 }
 
-std::string margin(const Criterion& criterion) {
-    const double left = *criterion.limit - *criterion.value;
-    return *criterion.value > 0 ? fmt::format(
-                                      "margin {:.3g}, as the critical gradient is {:.3g} times this one", left,
-                                      *criterion.limit / *criterion.value
-                                  )
-                                : fmt::format("margin {:.3g}", left);
+/// The critical gradient over the one that is asked.
+std::string factor_of_safety(const Criterion& criterion) {
+    return *criterion.value > 0 ? fmt::format("factor of safety {:.2g}", *criterion.limit / *criterion.value)
+                                : "no seepage, so no factor of safety";
 }
 
 } // namespace
@@ -39,7 +36,7 @@ Criterion terzaghi(const UpwardSeepage& seepage) {
     criterion.id = "terzaghi";
     criterion.name = "Terzaghi";
     criterion.source = "Terzaghi1939";
-    criterion.remark = margin(criterion);
+    criterion.remark = factor_of_safety(criterion);
     return criterion;
 }
 
@@ -52,11 +49,12 @@ Criterion skempton_brogan(const UpwardSeepage& seepage, Verdict by_shape) {
     criterion.name = "Skempton and Brogan 1994";
     criterion.source = "SkemptonBrogan1994";
     if (seepage.stress_share) {
-        criterion.remark = fmt::format("alpha = {:.3g}, {}", share, margin(criterion));
+        criterion.remark = fmt::format("alpha = {:.3g}, {}", share, factor_of_safety(criterion));
     } else if (all_carry) {
-        criterion.remark = fmt::format("alpha = 1 as the soil is stable by (H/F)min >= 1.3, {}", margin(criterion));
+        criterion.remark =
+            fmt::format("alpha = 1 as the soil is stable by (H/F)min >= 1.3, {}", factor_of_safety(criterion));
     } else if (seepage.gradient > whole) {
-        criterion.remark = fmt::format("whatever the fines carry, {}", margin(criterion));
+        criterion.remark = fmt::format("whatever the fines carry, {}", factor_of_safety(criterion));
     } else {
         criterion.limit.reset();
         criterion.verdict = Verdict::CannotSay;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 namespace suffuse::stability {
 
 using grains::Grading;
@@ -14,25 +16,10 @@ namespace {
 // 15 % of the coarse part and 15 % of the fine part: together 15 % of the soil, wherever the split is.
 constexpr double between = 0.15;
 
-/// Where no split inside the curve is worse than those toward one of its ends, there is no split to name.
 std::string worst_of_all(const FilterRatio& ratio) {
-    const double coarse = 1e3 * ratio.coarse, fine = 1e3 * ratio.fine;
-    if (!(ratio.split > 0)) {
-        return fmt::format(
-            "worst toward the finest grains, where no split is left: D15 {:.3g} mm of the soil, smallest grain {:.3g} "
-            "mm",
-            coarse, fine
-        );
-    }
-    if (!(ratio.split < 1)) {
-        return fmt::format(
-            "worst toward the coarsest grains, where no split is left: largest grain {:.3g} mm, d85 {:.3g} mm of the "
-            "soil",
-            coarse, fine
-        );
-    }
     return fmt::format(
-        "worst of all splits: D15c {:.3g} mm, d85f {:.3g} mm, split at F = {:.3g} %", coarse, fine, 100 * ratio.split
+        "worst of all splits: D15c {:.3g} mm, d85f {:.3g} mm, split at F = {:.3g} %", 1e3 * ratio.coarse,
+        1e3 * ratio.fine, 100 * ratio.split
     );
 }
 
@@ -63,12 +50,15 @@ FilterRatio worst_filter_ratio(const Grading& grading) {
         }
     };
     // log D15c - log d85f is linear in the split except where one of the two meets a point of the curve.
+    constexpr double first = least_part * (1 - between), last = (1 - least_part) * (1 - between);
+    std::vector<double> below{first, last}; // d85f
     for (const double passing : grading.passing) {
-        if (passing <= 1 - between) {
+        below.push_back(passing);
+        below.push_back(passing - between);
+    }
+    for (const double passing : below) {
+        if (passing >= first && passing <= last) {
             look(grains::size_at(grading, passing), coarse_end_at(grading, passing + between), passing);
-        }
-        if (passing >= between) {
-            look(grains::size_at(grading, passing - between), coarse_end_at(grading, passing), passing - between);
         }
     }
     return worst;

@@ -19,9 +19,13 @@ struct FilterRatio {
 /// At a split between two sizes [m].
 FilterRatio filter_ratio(const grains::Grading& grading, double split);
 
-/// The largest over all splits. From d85f to D15c lie always 15 % of the mass: so this exceeds 4 exactly where the
-/// curve somewhere is flatter than 15 % of the mass per factor 4 of size, the form in which [Li and Fannin 2008] give
-/// Kezdi's rule.
+/// The least share of the mass that either part of a split has: a trace of coarse or fine grains is no part of a soil.
+/// Ours, as of a gap.
+inline constexpr double least_part = 0.05;
+
+/// The largest over all splits that leave either part `least_part` of the mass. From d85f to D15c lie always 15 % of
+/// the mass: so this exceeds 4 exactly where the curve is flatter than 15 % of the mass per factor 4 of size somewhere
+/// among them, the form in which [Li and Fannin 2008] give Kezdi's rule.
 FilterRatio worst_filter_ratio(const grains::Grading& grading);
 
 /// Stable where D15c/d85f <= 4 for every split.

@@ -120,6 +120,7 @@ Criterion agree(const std::vector<Assessment>& completed, std::size_t which, con
         return criterion;
     }
     criterion.verdict = Verdict::CannotSay;
+    criterion.measured = completed.front().criteria[which].value; // its ends add no size to what was measured
     criterion.remark = same_verdict || completed.size() != 3 ? "needs " + missing + ", which the curve does not resolve"
                                                              : verdicts_by_end(completed, which, missing);
     return criterion;

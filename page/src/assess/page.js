@@ -1,0 +1,227 @@
+// The page of `suffuse assess --page`: a curve that can be dragged, typed or pasted, sliders, and verdicts that follow.
+"use strict";
+
+const told = JSON.parse(document.getElementById("data").textContent);
+const state = { which: 0, soils: told.soils.map((s) => ({ name: s.name, d: [...s.d], f: [...s.f] })), ...told.seepage };
+const $ = (id) => document.getElementById(id);
+const three = (x) => (x === undefined ? "" : x >= 1000 ? Math.round(x).toLocaleString("en") : String(Number(x.toPrecision(3))));
+const mm = (x) => three(1e3 * x);
+const escaped = (text) => text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
+const here = () => state.soils[state.which];
+const sign = { stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "cannot say": ["un", "? cannot say"] };
+
+const limitText = (c) =>
+  c.limit === undefined ? "" : c.upper !== undefined ? `${three(c.limit)} to ${three(c.upper)}`
+    : `${c.sense === "at-most" ? (c.strict ? "<" : "≤") : c.strict ? ">" : "≥"} ${three(c.limit)}`;
+
+const numberText = (c) =>
+  c.range ? `${three(c.range[0])} to ${three(c.range[1])}` : c.value !== undefined ? three(c.value)
+    : c.measured !== undefined ? `(${three(c.measured)})` : "–";
+
+/** Where the chart has a size [m] and a share. */
+const plot = { width: 720, height: 380, left: 52, right: 12, top: 26, bottom: 44 };
+
+function scales() {
+  let low = Infinity, high = 0;
+  for (const s of state.soils) { low = Math.min(low, s.d[0]); high = Math.max(high, s.d[s.d.length - 1]); }
+  const from = Math.log10(low / 1.4), to = Math.log10(high * 1.4), { width, height, left, right, top, bottom } = plot;
+  return {
+    from, to,
+    x: (d) => left + ((Math.log10(d) - from) / (to - from)) * (width - left - right),
+    y: (f) => top + (1 - f) * (height - top - bottom),
+    d: (x) => 10 ** (from + ((x - left) / (width - left - right)) * (to - from)),
+    f: (y) => 1 - (y - top) / (height - top - bottom),
+  };
+}
+
+function drawChart() {
+  const s = scales(), { width, height, left, right, bottom } = plot, parts = [];
+  const isNarrow = window.innerWidth < 641;
+  for (const [name, from, to] of [["clay", 0, 2e-6], ["silt", 2e-6, 63e-6], ["sand", 63e-6, 2e-3], ["gravel", 2e-3, 63e-3], ["cobbles", 63e-3, 1e3]]) {
+    const a = Math.max(s.x(Math.max(from, 1e-9)), left), b = Math.min(s.x(to), width - right);
+    if (b - a < 8) continue;
+    if (name === "sand" || name === "clay") parts.push(`<rect class="band" x="${a}" y="${plot.top}" width="${b - a}" height="${height - plot.top - bottom}"/>`);
+    if (b - a > 40) parts.push(`<text class="m s" x="${(a + b) / 2}" y="${plot.top - 8}">${name}</text>`);
+  }
+  for (let f = 0; f <= 1.001; f += 0.2) {
+    parts.push(`<path class="gr" d="M${left} ${s.y(f)}H${width - right}"/><text class="e" x="${left - 8}" y="${s.y(f) + 4.5}">${Math.round(100 * f)} %</text>`);
+  }
+  for (let e = Math.ceil(s.from - 1e-9); e <= s.to; ++e) {
+    for (const step of isNarrow ? [1] : [1, 2, 5]) {
+      const d = step * 10 ** e;
+      if (Math.log10(d) > s.to) continue;
+      parts.push(`<path class="ax" d="M${s.x(d)} ${height - bottom}v5"/><text class="m" x="${s.x(d)}" y="${height - bottom + 20}">${Number((1e3 * d).toPrecision(1))}</text>`);
+    }
+  }
+  parts.push(`<path class="ax" d="M${left} ${height - bottom}H${width - right}"/><text class="e s" x="${width - right}" y="${height - 6}">grain diameter in mm</text>`);
+  state.soils.forEach((soil, k) => {
+    if (k === state.which) return;
+    parts.push(`<path class="ln other" d="${soil.d.map((d, j) => `${j ? "L" : "M"}${s.x(d)} ${s.y(soil.f[j])}`).join("")}"/>`);
+  });
+  const soil = here();
+  parts.push(`<path class="ln mine" d="${soil.d.map((d, j) => `${j ? "L" : "M"}${s.x(d)} ${s.y(soil.f[j])}`).join("")}"/>`);
+  soil.d.forEach((d, j) => parts.push(
+    `<circle class="knob" data-point="${j}" tabindex="0" role="slider" aria-label="${mm(d)} mm" aria-valuenow="${three(100 * soil.f[j])}" cx="${s.x(d)}" cy="${s.y(soil.f[j])}" r="6"/>`));
+  $("chart").innerHTML = parts.join("");
+}
+
+function words(criteria, found) {
+  const { counted, unstable } = Criteria.tally(criteria), fs = state.gradient > 0 ? found.heave / state.gradient : undefined;
+  const lines = [counted === 0 ? "No criterion can say of this curve alone."
+    : unstable === 0 ? `None of ${counted} criteria says unstable.` : `${unstable} of ${counted} criteria say unstable.`];
+  if (fs !== undefined) lines.push(`Factor of safety ${fs.toFixed(1)} against heave.`);
+  return lines;
+}
+
+function drawSafety(found) {
+  const i = state.gradient, text = [];
+  text.push(`Heave at <i>i</i> = ${found.heave.toFixed(2)}${i > 0 ? `: <b>factor of safety ${(found.heave / i).toFixed(1)}</b>` : ""}.`);
+  if (found.fines !== undefined) {
+    text.push(`Fines leave at α<i>i</i><sub>c</sub> = ${found.fines.toFixed(2)} (α ${three(found.share)})${i > 0 ? `: <b class="${found.fines < i ? "no" : "ok"}">factor of safety ${(found.fines / i).toFixed(1)}</b>` : ""}.`);
+  } else {
+    text.push(`α of the fines is not known: they hold where it is at least ${three(found.needed)}.`);
+  }
+  $("safety").innerHTML = text.map((t) => `<p>${t}</p>`).join("");
+}
+
+function drawTable(criteria) {
+  $("criteria").innerHTML = criteria.map((c) =>
+    `<tr><td>${c.name}${c.verified ? "" : " <small>(unverified)</small>"}</td><td>${c.measure}</td><td class="n">${numberText(c)}</td><td class="n">${limitText(c)}</td><td class="${sign[c.verdict][0]}">${sign[c.verdict][1]}${c.why ? `<small>${c.why}</small>` : ""}</td></tr>`).join("");
+}
+
+function drawMatrix() {
+  $("all").hidden = state.soils.length < 2;
+  if (state.soils.length < 2) return;
+  const rows = state.soils.map((soil, k) => ({ soil, k, criteria: Criteria.assess(soil) }));
+  rows.sort((a, b) => Criteria.tally(b.criteria).unstable - Criteria.tally(a.criteria).unstable);
+  $("matrix-head").innerHTML = `<th>sample</th>${rows[0].criteria.map((c) => `<th>${c.name}</th>`).join("")}<th class="n">unstable by ▼</th>`;
+  $("matrix").innerHTML = rows.map(({ soil, k, criteria }) => {
+    const { counted, unstable } = Criteria.tally(criteria);
+    return `<tr class="${k === state.which ? "hi" : ""}"><th scope="row"><a href="#soil" data-soil="${k}">${escaped(soil.name)}</a></th>${criteria.map((c) =>
+      `<td class="${sign[c.verdict][0]}">${sign[c.verdict][1][0]} ${numberText(c)}</td>`).join("")}<td class="n"><b>${unstable} of ${counted}</b></td></tr>`;
+  }).join("");
+}
+
+function draw(keepText) {
+  const criteria = Criteria.assess(here());
+  const found = Criteria.gradients(state, criteria);
+  $("verdict").innerHTML = words(criteria, found).map((w) => `<span>${w}</span>`).join("");
+  $("name").textContent = here().name;
+  drawChart();
+  drawTable(criteria);
+  drawSafety(found);
+  drawMatrix();
+  if (!keepText) $("points").value = here().d.map((d, k) => `${Number((1e3 * d).toPrecision(6))}\t${Number((100 * here().f[k]).toPrecision(6))}`).join("\n");
+  for (const name of ["alpha", "porosity", "density", "gradient"]) {
+    const value = state[name];
+    $(`${name}-text`).textContent = value === null || value === undefined ? "not known" : three(value);
+    if (value !== null && value !== undefined) $(name).value = value;
+  }
+}
+
+/** A pasted or typed table: two numbers a line, the size in mm, percent passing; headings and comments are no lines. */
+function readPoints(text) {
+  const points = [];
+  for (const line of text.split(/\r?\n/)) {
+    const tidy = /[;\t]/.test(line) || !/\d,\d+[,\s]/.test(`${line} `) ? line.replace(/(\d),(\d)/g, "$1.$2") : line;
+    const numbers = tidy.split(/[\s;,]+/).filter(Boolean).map(Number);
+    if (!line.trim() || line.trim().startsWith("#")) continue;
+    if (numbers.length !== 2 || numbers.some(Number.isNaN)) {
+      if (points.length === 0) continue; // a heading
+      throw new Error(`"${line}": two numbers are wanted, the size in mm and percent passing`);
+    }
+    points.push({ d: numbers[0] / 1e3, f: numbers[1] / 100 });
+  }
+  points.sort((a, b) => a.d - b.d);
+  if (points.length < 2) throw new Error("two lines at least: size in mm, percent passing");
+  points.forEach((p, k) => {
+    if (!(p.d > 0) || p.f < 0 || p.f > 1) throw new Error(`${1e3 * p.d} mm, ${100 * p.f} %: sizes are above 0, percents from 0 to 100`);
+    if (k && p.f < points[k - 1].f) throw new Error(`percent passing falls at ${1e3 * p.d} mm: is it what is retained?`);
+    if (k && p.d === points[k - 1].d) throw new Error(`${1e3 * p.d} mm stands twice`);
+  });
+  if (points[0].f === points[points.length - 1].f) throw new Error("nothing lies between the sizes");
+  return points;
+}
+
+function takeText() {
+  try {
+    const points = readPoints($("points").value);
+    here().d = points.map((p) => p.d);
+    here().f = points.map((p) => p.f);
+    $("complaint").textContent = "";
+    draw(true);
+  } catch (error) {
+    $("complaint").textContent = error.message;
+  }
+}
+
+function move(point, x, y) {
+  const soil = here(), s = scales(), n = soil.d.length;
+  const low = point > 0 ? soil.f[point - 1] : 0, high = point + 1 < n ? soil.f[point + 1] : 1;
+  soil.f[point] = Math.min(high, Math.max(low, Math.round(1000 * s.f(y)) / 1000));
+  const least = point > 0 ? soil.d[point - 1] * 1.01 : 0, most = point + 1 < n ? soil.d[point + 1] / 1.01 : Infinity;
+  if (x !== null) soil.d[point] = Math.min(most, Math.max(least, Number(s.d(x).toPrecision(3))));
+}
+
+function connect() {
+  let held = null;
+  const place = (event) => {
+    const box = $("chart").getBoundingClientRect();
+    return { x: ((event.clientX - box.left) / box.width) * plot.width, y: ((event.clientY - box.top) / box.height) * plot.height };
+  };
+  $("chart").addEventListener("pointerdown", (event) => {
+    const point = event.target.dataset?.point;
+    if (point === undefined) return;
+    held = Number(point);
+    $("chart").setPointerCapture(event.pointerId);
+    event.preventDefault();
+  });
+  $("chart").addEventListener("pointermove", (event) => {
+    if (held === null) return;
+    const { x, y } = place(event);
+    move(held, event.shiftKey ? x : null, y);
+    draw();
+  });
+  $("chart").addEventListener("pointerup", () => { held = null; });
+  $("chart").addEventListener("keydown", (event) => {
+    const point = Number(event.target.dataset?.point), step = { ArrowUp: 0.01, ArrowDown: -0.01 }[event.key];
+    if (step === undefined || Number.isNaN(point)) return;
+    move(point, null, scales().y(here().f[point] + step));
+    draw();
+    document.querySelector(`[data-point="${point}"]`).focus();
+    event.preventDefault();
+  });
+  $("points").addEventListener("input", takeText);
+  for (const name of ["alpha", "porosity", "density", "gradient"]) {
+    $(name).addEventListener("input", () => { state[name] = Number($(name).value); draw(true); });
+  }
+  $("unknown").addEventListener("click", () => { state.alpha = null; draw(true); });
+  $("which").innerHTML = state.soils.map((s, k) => `<option value="${k}">${escaped(s.name)}</option>`).join("");
+  $("which").parentElement.hidden = state.soils.length < 2;
+  $("which").addEventListener("change", () => { state.which = Number($("which").value); draw(); });
+  $("back").addEventListener("click", () => {
+    const given = told.soils[state.which];
+    here().d = [...given.d];
+    here().f = [...given.f];
+    $("complaint").textContent = "";
+    draw();
+  });
+  $("matrix").addEventListener("click", (event) => {
+    const soil = event.target.dataset?.soil;
+    if (soil !== undefined) { state.which = Number(soil); $("which").value = soil; draw(); }
+  });
+  window.addEventListener("resize", drawChart);
+}
+
+connect();
+draw();
+if (location.hash === "#numbers") { // for page/check_assess.py: all numbers of all curves
+  const numbers = document.createElement("pre");
+  numbers.id = "numbers";
+  numbers.textContent = JSON.stringify(state.soils.map((soil) => {
+    const criteria = Criteria.assess(soil);
+    return { soil: soil.name, criteria, gradients: Criteria.gradients(state, criteria) };
+  }));
+  document.body.append(numbers);
+}
+document.documentElement.dataset.drawn = "all";

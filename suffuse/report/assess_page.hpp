@@ -1,0 +1,29 @@
+#pragma once
+// The page of `suffuse assess --page`: one offline HTML file in which a curve can be edited and what is known of the
+// soil dragged, while the criteria follow. It computes with its own script, page/src/assess.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suffuse::report {
+
+struct PageSoil {
+    std::string name;
+    std::vector<double> diameter, passing; ///< as measured: sizes rising [m], shares finer [-]
+};
+
+/// What the sliders begin with.
+struct PageSeepage {
+    double gradient = 0.3, porosity = 0.40, density = 2650;
+    std::optional<double> alpha = {};
+};
+
+/// @param program its name and version, for the foot
+std::string assess_page(const std::vector<PageSoil>& soils, const PageSeepage& seepage, const std::string& program);
+
+/// The page before data and program are put in: page/src/assess, embedded when the library is built.
+std::string_view assess_template();
+
+} // namespace suffuse::report
