@@ -128,4 +128,9 @@ std::size_t terminal_width() {
     return width > 0 ? width : usual;
 }
 
+std::size_t source_width() {
+    const std::size_t width = width_of(STDERR_FILENO);
+    return width > 0 ? width : std::string::npos;
+}
+
 } // namespace suffuse::apps

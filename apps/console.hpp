@@ -66,4 +66,7 @@ bool speaks_utf8();
 /// Width of the terminal on standard error [columns].
 std::size_t terminal_width();
 
+/// Width that a line of a source may have there: of a file or a pipe any.
+std::size_t source_width();
+
 } // namespace suffuse::apps

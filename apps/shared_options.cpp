@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/render_within.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/casefile/load_case.hpp"
@@ -45,7 +46,7 @@ std::string case_in(const std::string& given) {
 casefile::Case load_asked_case(const std::string& file, const CaseChanges& changes, const Console& console) {
     casefile::LoadedCase loaded = casefile::load_case(file, changes);
     if (!loaded.warnings.empty()) {
-        console.talk(render(loaded.warnings, console.has_color()));
+        console.talk(render_within(loaded.warnings, console.has_color(), source_width()));
     }
     return std::move(loaded.value);
 }

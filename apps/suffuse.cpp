@@ -2,6 +2,7 @@
 // with its words and its code.
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/render_within.hpp"
 
 #include <fmt/format.h>
 
@@ -29,7 +30,7 @@ struct Complaint {
 };
 
 Complaint complaint_about(const CaseProblems& error, bool color) {
-    Complaint complaint{BadCase, "case", render(error.problems, color), true};
+    Complaint complaint{BadCase, "case", render_within(error.problems, color, source_width()), true};
     for (const Diagnostic& problem : error.problems) {
         complaint.problems.push_back(problem_json(problem));
     }

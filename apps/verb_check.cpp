@@ -1,6 +1,7 @@
 // check: a case before it is run, and all that is wrong with it.
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/base/render_within.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/record/read_import.hpp"
 
@@ -46,7 +47,7 @@ int CheckVerb::act(const CommandLine&, const Console& console) const {
         problems.push_back(problem_json(warning));
     }
     if (!loaded.warnings.empty() && !console.wants_json()) {
-        console.talk(render(loaded.warnings, console.has_color()));
+        console.talk(render_within(loaded.warnings, console.has_color(), source_width()));
     }
     for (const std::string& said : record::check_imports(loaded.value).warnings) { // packings are data of the case, too
         console.talk("warning: " + said);

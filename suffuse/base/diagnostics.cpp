@@ -1,6 +1,7 @@
 #include "suffuse/base/diagnostics.hpp"
 
 #include "suffuse/base/read_text.hpp"
+#include "suffuse/base/render_within.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr std::size_t shown_characters = 160; ///< of a source line; a data file may be a single line of megabytes
+constexpr std::size_t most_shown = 160; ///< characters of a source line; a data file may be a line of megabytes
 
 bool starts_character(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
@@ -34,7 +35,7 @@ struct Excerpt {
     int characters = 0;
 };
 
-Excerpt cut_line(const std::string& line, int column) {
+Excerpt cut_line(const std::string& line, int column, std::size_t shown_characters) {
     std::vector<std::size_t> starts;
     for (std::size_t k = 0; k < line.size(); ++k) {
         if (starts_character(line[k])) {
@@ -64,7 +65,7 @@ std::size_t gutter_of(const Diagnostic& d) {
     return d.line > 0 ? fmt::formatted_size("{}", d.line) : 1;
 }
 
-std::string render_one(const Diagnostic& d, const Palette& paint) {
+std::string render_one(const Diagnostic& d, const Palette& paint, std::size_t columns) {
     const std::string_view tone = d.is_warning ? paint.warning : paint.error;
     std::string out = fmt::format(
         "{}{}[{}]{}{}: {}{}\n", tone, d.is_warning ? "warning" : "error", d.code, paint.off, paint.bold,
@@ -75,7 +76,9 @@ std::string render_one(const Diagnostic& d, const Palette& paint) {
         const std::string where = d.line > 0 ? fmt::format("{}:{}:{}", d.file, d.line, d.column) : d.file;
         out += fmt::format("{}{}-->{} {}\n", gutter, paint.frame, paint.off, printable(where));
     }
-    const Excerpt excerpt = cut_line(d.source_line, d.column);
+    constexpr std::size_t least_shown = 20, frame = 4; // the bar, and blanks beside it
+    const std::size_t taken = gutter.size() + frame, room = columns > taken ? columns - taken : 0;
+    const Excerpt excerpt = cut_line(d.source_line, d.column, std::clamp(room, least_shown, most_shown));
     if (d.line > 0 && !excerpt.text.empty()) {
         const int before = std::clamp(d.column - excerpt.first_column, 0, excerpt.characters);
         const int carets = std::max(1, std::min(d.length, excerpt.characters - before));
@@ -216,6 +219,10 @@ std::string count_problems(const std::vector<Diagnostic>& list) {
 }
 
 std::string render(const std::vector<Diagnostic>& list, bool color) {
+    return render_within(list, color, std::string::npos);
+}
+
+std::string render_within(const std::vector<Diagnostic>& list, bool color, std::size_t columns) {
     const Palette paint = color ? Palette{"\x1b[1;31m", "\x1b[1;33m", "\x1b[34m", "\x1b[1m", "\x1b[0m"} : Palette{};
     std::string out;
     constexpr std::ptrdiff_t most_errors = 3; // of one kind that are told in full
@@ -227,7 +234,7 @@ std::string render(const std::vector<Diagnostic>& list, bool color) {
         const bool is_folded = d->is_warning || kin > most_errors;
         const auto is_alike = [&](const Diagnostic& other) { return is_folded && are_alike(*d, other); };
         if (std::none_of(list.begin(), d, is_alike)) {
-            out += render_one(*d, paint) + render_rest(d, list.end(), is_alike, gutter_of(*d)) + "\n";
+            out += render_one(*d, paint, columns) + render_rest(d, list.end(), is_alike, gutter_of(*d)) + "\n";
         }
     }
     return out + count_problems(list) + (has_errors ? "; nothing was run\n" : "\n");

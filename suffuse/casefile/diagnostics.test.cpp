@@ -1,8 +1,13 @@
 #include "suffuse/base/diagnostics.hpp"
 
+#include "suffuse/base/render_within.hpp"
 #include "suffuse/casefile/case_for_tests.hpp"
 
 #include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -12,6 +17,23 @@ using namespace suffuse::casefile::testing;
 
 std::shared_ptr<const Source> source_of(const std::string& text) {
     return std::make_shared<Source>(Source{"dyke/case.toml", text});
+}
+
+TEST(Diagnostics, OnANarrowTerminalTheCaretStandsUnderItsWord) {
+    Problems problems;
+    const std::string line = std::string(70, 'a') + " WRONG " + std::string(30, 'b');
+    problems.error("E203", {source_of(line), 1, 72, 5}, "a word");
+    for (const std::size_t columns : {40U, 60U, 80U, 200U}) {
+        const std::string text = render_within(problems.sorted(), false, columns);
+        std::vector<std::string> lines;
+        std::istringstream rest(text);
+        for (std::string one; std::getline(rest, one);) {
+            lines.push_back(one);
+        }
+        ASSERT_GE(lines.size(), 5U) << text;
+        EXPECT_LE(lines[3].size(), columns);
+        EXPECT_EQ(lines[3].find("WRONG"), lines[4].find('^')) << text;
+    }
 }
 
 TEST(Diagnostics, ShowTheLineWithCaretsLabelAndHelp) {

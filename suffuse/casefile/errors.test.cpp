@@ -119,6 +119,8 @@ const std::vector<Wrong> values = {
     {"E205", 18, 11, 3, "true or false", with_stage("do = \"flow\"\nrestore = \"x\"\ngradient = 0.1\n")},
     {"E206", 10, 6, 6, "\"pack\"", with_line(10, "do = \"pakc\"")},
     {"E206", 13, 6, 10, "known are", with_line(13, "do = \"percolat\"")},
+    {"E206", 13, 6, 7, "\"triaxial\"", with_line(13, "do = \"triax\"")}, // begun, and not ended
+    {"E203", 15, 2, 8, "[contact]", good_case + "[contacts]\n"},
     {"E312", 18, 11, 10, "compression is positive",
      with_stage("do = \"settle\"\nstress = [\"-100 kPa\", \"1 kPa\", \"-\"]\n")},
     {"E301", 14, 12, 9, "\"kPa\"", with_line(14, "pressure = \"100 KPa\"")},

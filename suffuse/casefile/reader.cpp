@@ -209,7 +209,12 @@ Reader::find_word(std::string_view key, const Node& node, const std::vector<std:
     if (found != words.end()) {
         return static_cast<std::size_t>(found - words.begin());
     }
-    const auto nearest = nearest_word(*word, words);
+    auto nearest = nearest_word(*word, words);
+    constexpr std::size_t least = 4; // letters of an abbreviation: triax for triaxial
+    if (!nearest && word->size() >= least) {
+        const auto begun = std::ranges::find_if(words, [&](const std::string& known) { return known.starts_with(*word); });
+        nearest = begun != words.end() ? std::optional(*begun) : std::nullopt;
+    }
     error(
         "E206", node.place, fmt::format("`{}` cannot be {}", key, shown(node)),
         nearest ? fmt::format("a word with a similar name exists: \"{}\"; known are {}", *nearest, listed(words))

@@ -34,6 +34,18 @@ std::vector<std::string> homes_of(const std::string& name, const std::vector<std
     return homes;
 }
 
+/// Tables at the top of a case: contact, soil, study.
+std::vector<std::string> top_tables() {
+    std::vector<std::string> tables;
+    for (const Key& key : schema()) {
+        const std::string first(key.table.substr(0, key.table.find('.')));
+        if (!first.empty() && first != "stage" && std::ranges::find(tables, first) == tables.end()) {
+            tables.push_back(first);
+        }
+    }
+    return tables;
+}
+
 } // namespace
 
 Reader::Reader(
@@ -100,7 +112,11 @@ void Reader::unknown_key(const Node::Entry& entry) {
     std::string help;
     const auto near_here = nearest_word(entry.key, here);
     const auto near_else = nearest_word(entry.key, everywhere);
-    if (near_here && (elsewhere.empty() || edit_distance(entry.key, *near_here) == 1)) {
+    const bool is_top_table = path_.empty() && entry.value.is_table();
+    const auto near_table = is_top_table ? nearest_word(entry.key, top_tables()) : std::nullopt;
+    if (near_table) {
+        help = fmt::format("a table with a similar name exists: [{}]", *near_table);
+    } else if (near_here && (elsewhere.empty() || edit_distance(entry.key, *near_here) == 1)) {
         help = fmt::format("a key with a similar name exists: `{}`", *near_here);
     } else if (!elsewhere.empty()) {
         help = fmt::format("`{}` belongs in {}", entry.key, fmt::join(elsewhere, " or "));
@@ -110,7 +126,8 @@ void Reader::unknown_key(const Node::Entry& entry) {
             *near_else
         );
     } else {
-        help = fmt::format("keys here are {}", fmt::join(here, ", "));
+        help = is_top_table ? fmt::format("tables of a case are {}", fmt::join(top_tables(), ", "))
+                            : fmt::format("keys here are {}", fmt::join(here, ", "));
     }
     error(
         "E203", entry.place, fmt::format("unknown key `{}` in {}", entry.key, title()), help,

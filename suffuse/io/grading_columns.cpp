@@ -1,6 +1,8 @@
 #include "suffuse/io/grading_columns.hpp"
 
 #include "suffuse/base/units.hpp"
+#include "suffuse/io/sheet_header.hpp"
+#include "suffuse/io/unnamed_columns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,98 +15,21 @@ namespace suffuse::io {
 
 namespace {
 
-constexpr std::size_t most_columns = 2000, most_titles = 60;
-
-bool commas_are_decimal(const Sheet& sheet) {
-    return sheet.mark != ',';
-}
-
-/// A size in the cell, of a notation that needs no scale or as a plain number.
-bool is_size(const Sheet& sheet, const SheetRow& row, std::size_t column) {
-    return read_sieve_size(text_at(row, column), SizeScale::Unknown, commas_are_decimal(sheet)).has_value();
-}
-
-struct Header {
-    std::size_t row = 0;
-    std::vector<Heading> headings;
-    bool is_complete = false; ///< a size and a share
-};
-
-bool has_kind(const std::vector<Heading>& headings, ColumnKind kind) {
-    return std::ranges::any_of(headings, [kind](const Heading& heading) { return heading.kind == kind; });
-}
-
-/// A row of headings: one says size, and no cell of it is one.
-std::optional<Header> read_header(const Sheet& sheet, std::size_t row) {
-    Header header{row, {}, false};
-    bool has_size = false;
-    for (const SheetCell& cell : sheet.rows[row].cells) {
-        header.headings.push_back(read_heading(cell.text));
-        has_size = has_size || header.headings.back().kind == ColumnKind::Size;
-    }
-    const bool has_share = has_kind(header.headings, ColumnKind::Share) || has_kind(header.headings, ColumnKind::Gross);
-    header.is_complete = has_size && has_share;
-    return has_size && header.headings.size() > 1 ? std::optional(std::move(header)) : std::nullopt;
-}
-
-/// The first complete row of headings, else the first with a size; a comment counts where no other line does.
-std::optional<Header> find_header(const Sheet& sheet) {
-    std::optional<Header> best;
-    for (const bool in_comments : {false, true}) {
-        const std::size_t end = std::min(sheet.rows.size(), most_titles);
-        for (std::size_t k = 0; k < end; ++k) {
-            if (sheet.rows[k].is_comment != in_comments) {
-                continue;
-            }
-            const bool is_value = !in_comments && sheet.rows[k].cells.size() > 1 && is_size(sheet, sheet.rows[k], 0) &&
-                                  number_at(sheet, sheet.rows[k], 1);
-            auto header = is_value ? std::nullopt : read_header(sheet, k);
-            if (header && header->is_complete) {
-                return header;
-            }
-            if (header && !best && !in_comments) {
-                best = std::move(header);
-            }
-        }
-        if (best) {
-            return best;
-        }
-    }
-    return best;
-}
-
-/// "mm,%": a row without a number, in which every cell is a unit.
-bool take_unit_row(const SheetRow& row, std::vector<Heading>& headings) {
-    std::vector<Heading> units;
-    for (std::size_t k = 0; k < headings.size(); ++k) {
-        const std::string& text = text_at(row, k);
-        const std::string bracketed = text.starts_with('[') || text.starts_with('(') ? text : "(" + text + ")";
-        units.push_back(read_heading("x " + bracketed));
-        const bool is_unit = units.back().unit != ShareUnit::Unknown || units.back().scale != SizeScale::Unknown;
-        if ((!is_unit && !is_blank(text)) || text.find_first_of("0123456789") != std::string::npos) {
-            return false;
-        }
-    }
-    for (std::size_t k = 0; k < headings.size(); ++k) {
-        headings[k].unit = units[k].unit == ShareUnit::Unknown ? headings[k].unit : units[k].unit;
-        headings[k].scale = units[k].scale == SizeScale::Unknown ? headings[k].scale : units[k].scale;
-    }
-    return true;
-}
+constexpr std::size_t most_columns = 2000;
 
 class ColumnFinder {
 public:
     ColumnFinder(const Sheet& sheet, Problems& problems) : sheet_(sheet), problems_(problems) {}
 
     std::optional<GradingColumns> find() {
-        if (const auto header = find_header(sheet_)) {
+        if (const auto header = find_sheet_header(sheet_)) {
             return by_header(*header);
         }
-        return by_numbers();
+        return find_unnamed_columns(sheet_, problems_);
     }
 
 private:
-    std::optional<GradingColumns> by_header(const Header& header) {
+    std::optional<GradingColumns> by_header(const SheetHeader& header) {
         header_ = &sheet_.rows[header.row];
         headings_ = header.headings;
         found_.first_row = header.row + 1;
@@ -294,7 +219,7 @@ private:
         for (std::size_t k = 0; k < headings_.size(); ++k) {
             const bool may_be = headings_[k].kind == ColumnKind::Other ||
                                 (headings_[k].kind == ColumnKind::Sample && !headings_[k].rest.empty());
-            if (may_be && is_cumulative_in(found_.size.index, k)) {
+            if (may_be && is_cumulative(sheet_, found_.first_row, found_.size, k)) {
                 found_.shares.push_back(
                     {k, {}, header_->cells[k].text, ShareMeaning::Cumulative, headings_[k].unit, false}
                 );
@@ -338,114 +263,6 @@ private:
         );
     }
 
-    /// Numbers from 0 to 100 that rise, or fall, as the sizes do, whether these rise or fall.
-    bool is_cumulative_in(std::size_t size, std::size_t share) const {
-        std::vector<std::pair<double, double>> points;
-        for (std::size_t k = found_.first_row; k < sheet_.rows.size(); ++k) {
-            const SheetRow& row = sheet_.rows[k];
-            if (row.is_comment || is_blank(text_at(row, share)) || read_row_word(text_at(row, size)) != RowWord::None) {
-                continue;
-            }
-            const auto d = read_sieve_size(text_at(row, size), found_.size.scale, commas_are_decimal(sheet_));
-            const auto value = number_at(sheet_, row, share);
-            if (!d || !value || !(*value >= 0 && *value <= 100.5)) {
-                return false;
-            }
-            points.emplace_back(d->diameter, *value);
-        }
-        if (found_.size.scale != SizeScale::SieveNumber) {
-            std::ranges::stable_sort(points, {}, &std::pair<double, double>::first);
-        }
-        const auto falls = [](const auto& a, const auto& b) { return b.second < a.second - 0.1; };
-        const auto rises = [](const auto& a, const auto& b) { return b.second > a.second + 0.1; };
-        const bool never_falls = std::ranges::adjacent_find(points, falls) == points.end();
-        const bool never_rises = std::ranges::adjacent_find(points, rises) == points.end();
-        return points.size() > 1 && never_falls != never_rises;
-    }
-
-    /// No heading: two columns of numbers, of which one can be the sizes alone.
-    std::optional<GradingColumns> by_numbers() {
-        for (found_.first_row = 0; found_.first_row < sheet_.rows.size(); ++found_.first_row) {
-            const SheetRow& row = sheet_.rows[found_.first_row];
-            if (!row.is_comment && row.cells.size() == 2 && number_at(sheet_, row, 1) && is_size(sheet_, row, 0)) {
-                break;
-            }
-        }
-        const bool has_rows = found_.first_row < sheet_.rows.size();
-        const auto all_of_two = [this](const SheetRow& row) { return row.is_comment || row.cells.size() == 2; };
-        const bool are_two = has_rows && std::all_of(
-                                             sheet_.rows.begin() + static_cast<std::ptrdiff_t>(found_.first_row),
-                                             sheet_.rows.end(), all_of_two
-                                         );
-        const bool first = are_two && may_be_sizes(0, 1), second = are_two && may_be_sizes(1, 0);
-        if (first == second) {
-            complain_about_header(are_two);
-            return std::nullopt;
-        }
-        found_.size = {first ? 0U : 1U, SizeScale::Unknown};
-        found_.shares.push_back({first ? 1U : 0U, {}, "", ShareMeaning::Cumulative, ShareUnit::Unknown, false});
-        for (std::size_t k = 0; k < found_.first_row; ++k) {
-            if (!sheet_.rows[k].is_comment) {
-                if (!is_title(sheet_.rows[k])) {
-                    complain_about_header(false);
-                    return std::nullopt;
-                }
-                problems_.warning(
-                    sheet_remark, sheet_.rows[k].place, "passed over: it is no row of two numbers",
-                    "name the columns in it: `d [mm],passing [%]`"
-                );
-            }
-        }
-        problems_.warning(
-            sheet_remark, sheet_.rows[found_.first_row].place,
-            fmt::format(
-                "no names of columns: the {} is read as the size in mm, the other as a cumulative share",
-                first ? "first" : "second"
-            ),
-            "begin with a line `d [mm],passing [%]` to say so"
-        );
-        return found_;
-    }
-
-    /// One cell, or the names that a plotting program gives: nothing that could say of which kind or unit a column is.
-    static bool is_title(const SheetRow& row) {
-        return row.cells.size() == 1 || std::ranges::all_of(row.cells, [](const SheetCell& cell) {
-                   return cell.text.size() < 2; // x, y
-               });
-    }
-
-    /// Sizes each once, shares from near nothing to 100 (or to 1).
-    bool may_be_sizes(std::size_t size, std::size_t share) {
-        found_.size = {size, SizeScale::Unknown};
-        std::set<double> sizes;
-        double most = 0;
-        std::size_t rows = 0;
-        for (std::size_t k = found_.first_row; k < sheet_.rows.size(); ++k) {
-            const SheetRow& row = sheet_.rows[k];
-            if (row.is_comment) {
-                continue;
-            }
-            const auto d = read_sieve_size(text_at(row, size), SizeScale::Unknown, commas_are_decimal(sheet_));
-            const auto value = number_at(sheet_, row, share);
-            if (!d || !value || !(d->diameter > 0)) {
-                return false;
-            }
-            sizes.insert(d->diameter), most = std::max(most, *value), ++rows;
-        }
-        const bool ends_full = (most >= 90 && most <= 100.1) || (most >= 0.9 && most <= 1.001);
-        return rows > 1 && sizes.size() == rows && ends_full && is_cumulative_in(size, share);
-    }
-
-    void complain_about_header(bool are_two_columns) {
-        const auto first = std::ranges::find_if(sheet_.rows, [](const SheetRow& row) { return !row.is_comment; });
-        problems_.error(
-            "E506", first != sheet_.rows.end() ? first->place : sheet_.rows.front().place,
-            are_two_columns ? "no names of columns, and the numbers do not say which are the sizes"
-                            : "a grading curve needs a column of sizes and one of percent passing, and `d` is missing",
-            expected_header
-        );
-    }
-
     void tell_unread() {
         std::vector<std::string> unread;
         for (std::size_t k = 0; k < headings_.size(); ++k) {
@@ -476,6 +293,14 @@ private:
 };
 
 } // namespace
+
+bool commas_are_decimal(const Sheet& sheet) {
+    return sheet.mark != ',';
+}
+
+bool is_size(const Sheet& sheet, const SheetRow& row, std::size_t column) {
+    return read_sieve_size(text_at(row, column), SizeScale::Unknown, commas_are_decimal(sheet)).has_value();
+}
 
 const std::string& text_at(const SheetRow& row, std::size_t column) {
     static const std::string none;

@@ -196,7 +196,7 @@ const Criteria = (() => {
         const values = others.map((c) => c.value);
         return { ...first, value: undefined, range: [Math.min(...values), Math.max(...values)] };
       }
-      return { ...first, value: undefined, measured: first.value, verdict: "cannot say", why: "open: depends on what was not measured" };
+      return { ...first, value: undefined, measured: first.value, verdict: "cannot say", why: "depends on what was not measured" };
     });
   };
 

@@ -18,13 +18,20 @@ const numberText = (c) =>
   c.range ? `${three(c.range[0])} to ${three(c.range[1])}` : c.value !== undefined ? three(c.value)
     : c.measured !== undefined ? `(${three(c.measured)})` : "–";
 
-/** Where the chart has a size [m] and a share. */
-const plot = { width: 720, height: 380, left: 52, right: 12, top: 26, bottom: 44 };
+/** The chart, drawn for a desk or for a phone. */
+let plot;
+const shapes = {
+  wide: { width: 720, height: 380, left: 52, right: 12, top: 26, bottom: 44 },
+  narrow: { width: 358, height: 320, left: 48, right: 8, top: 26, bottom: 44 },
+};
 
+/** Where the chart has a size [m] and a share. */
 function scales() {
+  plot = window.innerWidth < 641 ? shapes.narrow : shapes.wide;
   let low = Infinity, high = 0;
   for (const s of state.soils) { low = Math.min(low, s.d[0]); high = Math.max(high, s.d[s.d.length - 1]); }
-  const from = Math.log10(low / 1.4), to = Math.log10(high * 1.4), { width, height, left, right, top, bottom } = plot;
+  const from = Math.log10(low / 1.4), to = Math.log10(high * 1.4);
+  const { width, height, left, right, top, bottom } = plot;
   return {
     from, to,
     x: (d) => left + ((Math.log10(d) - from) / (to - from)) * (width - left - right),
@@ -35,8 +42,10 @@ function scales() {
 }
 
 function drawChart() {
-  const s = scales(), { width, height, left, right, bottom } = plot, parts = [];
-  const isNarrow = window.innerWidth < 641;
+  const s = scales(), parts = [];
+  const { width, height, left, right, bottom } = plot;
+  const isNarrow = plot === shapes.narrow;
+  $("chart").setAttribute("viewBox", `0 0 ${width} ${height}`);
   for (const [name, from, to] of [["clay", 0, 2e-6], ["silt", 2e-6, 63e-6], ["sand", 63e-6, 2e-3], ["gravel", 2e-3, 63e-3], ["cobbles", 63e-3, 1e3]]) {
     const a = Math.max(s.x(Math.max(from, 1e-9)), left), b = Math.min(s.x(to), width - right);
     if (b - a < 8) continue;
@@ -86,7 +95,7 @@ function drawSafety(found) {
 
 function drawTable(criteria) {
   $("criteria").innerHTML = criteria.map((c) =>
-    `<tr><td>${c.name}${c.verified ? "" : " <small>(unverified)</small>"}</td><td>${c.measure}</td><td class="n">${numberText(c)}</td><td class="n">${limitText(c)}</td><td class="${sign[c.verdict][0]}">${sign[c.verdict][1]}${c.why ? `<small>${c.why}</small>` : ""}</td></tr>`).join("");
+    `<tr><td>${c.name}${c.verified ? "" : " <small>unverified</small>"}${c.why ? `<small>${c.why}</small>` : ""}</td><td>${c.measure}</td><td class="n">${numberText(c)}</td><td class="n">${limitText(c)}</td><td class="${sign[c.verdict][0]}">${sign[c.verdict][1]}</td></tr>`).join("");
 }
 
 function drawMatrix() {

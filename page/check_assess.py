@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""page/check_assess.py PROGRAM: the page of `suffuse assess --page` computes what the program does.
+
+Makes 200 random gradings, closed and open, writes the page for them, opens it in Chromium and compares every number
+and verdict of every criterion with `suffuse assess --json`. Exit code 77 without Chromium."""
+
+import html
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+COUNT = 200
+TOLERANCE = 1e-9  # relative: the same formulas in the same order, but for the rounding of powers and logarithms
+
+
+def grading(number):
+    """Sieves and percents of a soil: steep, wide, with a gap, with a trace, closed or open at either end."""
+    draw = random.Random(number)
+    size = 10 ** draw.uniform(-3, 0)
+    sizes, shares = [], []
+    for _ in range(draw.randint(3, 12)):
+        sizes.append(size)
+        size *= 10 ** draw.uniform(0.1, 0.8)
+        shares.append(draw.choice([draw.uniform(0, 100), draw.uniform(0, 100), 0.1, 99.9]))
+    shares.sort()
+    if draw.random() < 0.6:
+        shares[0] = 0
+    if draw.random() < 0.7:
+        shares[-1] = 100
+    if draw.random() < 0.4 and len(shares) > 4:  # a gap
+        gap = draw.randint(1, len(shares) - 3)
+        shares[gap + 1] = shares[gap]
+    shares[-1] = max(shares[-1], 5, shares[0] + 1)
+    return "d [mm],passing [%]\n" + "".join(f"{d:.5g},{f:.4g}\n" for d, f in zip(sizes, shares))
+
+
+def same(ours, theirs):
+    if ours is None or theirs is None:
+        return ours is None and theirs is None
+    return abs(ours - theirs) <= TOLERANCE * max(1, abs(ours))
+
+
+def main():
+    program = str(Path(sys.argv[1]).resolve())
+    browser = os.environ.get("SUFFUSE_CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
+    if not browser:
+        print("no Chromium found; install the package chromium, or name it in SUFFUSE_CHROMIUM", file=sys.stderr)
+        return 77
+    with tempfile.TemporaryDirectory() as folder:
+        files = []
+        for k in range(COUNT):
+            files.append(f"{k:03}.csv")
+            Path(folder, files[-1]).write_text(grading(k))
+        asked = ["-i", "0.35", "--porosity", "0.37", "--density", "2700kg/m^3"]
+        command = [program, "assess", *files, *asked, "--page", "-o", "all.html", "--json"]
+        ours = json.loads(subprocess.run(command, cwd=folder, check=True, stdout=subprocess.PIPE).stdout)["soils"]
+        page = Path(folder, "all.html").as_uri() + "#numbers"
+        opened = [browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/chromium", "--dump-dom", page]
+        dom = subprocess.run(opened, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=300, text=True).stdout
+        found = re.search(r'<pre id="numbers">(.*?)</pre>', dom, re.S)
+        if not found:
+            print("the page did not compute its numbers", file=sys.stderr)
+            return 1
+        theirs = json.loads(html.unescape(found.group(1)))
+    compared, wrong = 0, []
+    for soil, page_soil in zip(ours, theirs, strict=True):
+        for criterion, other in zip(soil["criteria"], page_soil["criteria"]):
+            compared += 1
+            pairs = [(criterion[key], other.get(key)) for key in ("value", "measured", "limit", "upper")]
+            if criterion["verdict"] == "cannot say" or criterion["value"] is None:
+                pairs = pairs[:2]  # a limit is shown, and never used
+            if criterion["id"] != other["id"] or criterion["verdict"] != other["verdict"] or not all(same(a, b) for a, b in pairs):
+                wrong.append(f"{soil['soil']} {criterion['id']}: {criterion} and on the page {other}")
+        heave, fines = soil["gradients"]
+        compared += 2
+        if not same(heave["limit"], page_soil["gradients"]["heave"]):
+            wrong.append(f"{soil['soil']}: heave {heave['limit']} and on the page {page_soil['gradients']['heave']}")
+        if heave["verdict"] == "stable" and not same(fines["limit"], page_soil["gradients"].get("fines")):
+            wrong.append(f"{soil['soil']}: fines {fines['limit']} and on the page {page_soil['gradients'].get('fines')}")
+    for text in wrong[:10]:
+        print(text, file=sys.stderr)
+    print(f"{compared} numbers and verdicts of {len(ours)} gradings compared, {len(wrong)} differ")
+    return 1 if wrong or compared < 1400 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,74 @@
+#include "suffuse/io/sheet_header.hpp"
+
+#include "suffuse/io/grading_columns.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace suffuse::io {
+
+namespace {
+
+bool has_kind(const std::vector<Heading>& headings, ColumnKind kind) {
+    return std::ranges::any_of(headings, [kind](const Heading& heading) { return heading.kind == kind; });
+}
+
+/// A row of headings: one says size, and no cell of it is one.
+std::optional<SheetHeader> read_header(const Sheet& sheet, std::size_t row) {
+    SheetHeader header{row, {}, false};
+    bool has_size = false;
+    for (const SheetCell& cell : sheet.rows[row].cells) {
+        header.headings.push_back(read_heading(cell.text));
+        has_size = has_size || header.headings.back().kind == ColumnKind::Size;
+    }
+    const bool has_share = has_kind(header.headings, ColumnKind::Share) || has_kind(header.headings, ColumnKind::Gross);
+    header.is_complete = has_size && has_share;
+    return has_size && header.headings.size() > 1 ? std::optional(std::move(header)) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
+    std::optional<SheetHeader> best;
+    for (const bool in_comments : {false, true}) {
+        const std::size_t end = std::min(sheet.rows.size(), most_titles);
+        for (std::size_t k = 0; k < end; ++k) {
+            if (sheet.rows[k].is_comment != in_comments) {
+                continue;
+            }
+            const bool is_value = !in_comments && sheet.rows[k].cells.size() > 1 && is_size(sheet, sheet.rows[k], 0) &&
+                                  number_at(sheet, sheet.rows[k], 1);
+            auto header = is_value ? std::nullopt : read_header(sheet, k);
+            if (header && header->is_complete) {
+                return header;
+            }
+            if (header && !best && !in_comments) {
+                best = std::move(header);
+            }
+        }
+        if (best) {
+            return best;
+        }
+    }
+    return best;
+}
+
+bool take_unit_row(const SheetRow& row, std::vector<Heading>& headings) {
+    std::vector<Heading> units;
+    for (std::size_t k = 0; k < headings.size(); ++k) {
+        const std::string& text = text_at(row, k);
+        const std::string bracketed = text.starts_with('[') || text.starts_with('(') ? text : "(" + text + ")";
+        units.push_back(read_heading("x " + bracketed));
+        const bool is_unit = units.back().unit != ShareUnit::Unknown || units.back().scale != SizeScale::Unknown;
+        if ((!is_unit && !is_blank(text)) || text.find_first_of("0123456789") != std::string::npos) {
+            return false;
+        }
+    }
+    for (std::size_t k = 0; k < headings.size(); ++k) {
+        headings[k].unit = units[k].unit == ShareUnit::Unknown ? headings[k].unit : units[k].unit;
+        headings[k].scale = units[k].scale == SizeScale::Unknown ? headings[k].scale : units[k].scale;
+    }
+    return true;
+}
+
+} // namespace suffuse::io
