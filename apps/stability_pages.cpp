@@ -5,6 +5,8 @@
 #include "suffuse/figures/stability_overlay.hpp"
 #include "suffuse/figures/stability_view.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/job/draw_figures.hpp"
+#include "suffuse/job/scratch_folder.hpp"
 #include "suffuse/job/stability_matrix.hpp"
 #include "suffuse/report/page.hpp"
 
@@ -29,6 +31,14 @@ report::ReportData begin_page(const fs::path& folder, const std::string& command
     data.cited = {version(), commit()};
     data.redraw = command;
     return data;
+}
+
+std::vector<figures::NamedAssessment> named(const std::vector<job::AssessedSoil>& soils) {
+    std::vector<figures::NamedAssessment> list;
+    for (const job::AssessedSoil& soil : soils) {
+        list.push_back({soil.name, &soil.assessment});
+    }
+    return list;
 }
 
 } // namespace
@@ -65,15 +75,23 @@ fs::path write_overlay_page(
     const job::AssessedSoil& worst = soils[job::find_worst(soils)];
     data.title = fmt::format("Internal stability of {} soils", soils.size());
     data.answer = {fmt::format("The worst is {}: {}.", worst.name, stability::summary(worst.assessment.criteria))};
-    std::vector<figures::NamedAssessment> named;
-    for (const job::AssessedSoil& soil : soils) {
-        named.push_back({soil.name, &soil.assessment});
-    }
-    data.tables = {figures::stability_matrix(named)};
-    data.figures = {figures::stability_overlay(named)};
+    data.tables = {figures::stability_matrix(named(soils))};
+    data.figures = {figures::stability_overlay(named(soils))};
     report::write_report(folder, data, page_folder());
     io::write_file(folder / "assessments.json", json_text(matrix) + "\n");
     return folder / "report.html";
+}
+
+void draw_curves(const std::vector<job::AssessedSoil>& soils, const fs::path& file) {
+    const job::ScratchFolder scratch;
+    report::ReportData data = begin_page(scratch.path(), "");
+    if (soils.size() == 1) {
+        data.figures = {figures::stability_grading(soils.front().assessment)};
+    } else {
+        data.figures = {figures::stability_overlay(named(soils))};
+    }
+    report::write_report(scratch.path(), data, page_folder());
+    job::draw_figure(scratch.path(), data.figures.front().id, file, page_folder());
 }
 
 } // namespace suffuse::apps

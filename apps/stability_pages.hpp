@@ -23,4 +23,8 @@ std::filesystem::path write_overlay_page(
     const std::string& command
 );
 
+/// The curves alone, of one soil or of all over each other, as the file's ending says: .pdf, .svg or .png.
+/// @throws IoError saying what to install
+void draw_curves(const std::vector<job::AssessedSoil>& soils, const std::filesystem::path& file);
+
 } // namespace suffuse::apps

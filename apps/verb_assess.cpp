@@ -75,7 +75,12 @@ struct AssessVerb final : Verb {
             .type("A")
             .ratio(0, 1);
         options.flag("--coarse-fabric", has_coarse_fabric, "D60/D10 of the coarse part decides how far to look at F");
-        options.value("-o,--output", output, "folder for a page, its figures and numbers; with --page the file")
+        options
+            .value(
+                "-o,--output", output,
+                "folder for a page, its figures and numbers; FILE.pdf, .svg or .png: the curves alone; with --page the "
+                "page"
+            )
             .type("DIR");
     }
 
@@ -187,6 +192,10 @@ std::string folder_of(const job::AssessedSoil& soil, std::size_t number) {
     return fmt::format("{:03}-{}", number + 1, name);
 }
 
+bool names_picture(const fs::path& output) {
+    return output.extension() == ".pdf" || output.extension() == ".svg" || output.extension() == ".png";
+}
+
 /// Where the page of `--page` goes: as asked, or beside the file that it shows.
 fs::path page_file(const AssessVerb& asked) {
     if (!asked.output.empty()) {
@@ -223,7 +232,8 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();
     const std::vector<job::AssessedSoil> soils = assess_all(read_all(*this, spec, console, remarks));
-    const bool are_many = soils.size() > 1, has_folder = !output.empty() && !wants_page;
+    const bool are_many = soils.size() > 1, is_picture = !wants_page && names_picture(output);
+    const bool has_folder = !output.empty() && !wants_page && !is_picture;
     std::optional<grains::Grading> filter_curve;
     if (!filter.empty()) {
         const io::GradingFile read = read_one_grading(filter, "");
@@ -251,6 +261,11 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         if (has_folder) {
             text += "\n" + write_overlay_page(soils, document["matrix"], output, line.typed).string();
         }
+    }
+    if (is_picture) {
+        draw_curves(soils, output);
+        document["written"] = output;
+        text += "\n" + output;
     }
     if (wants_page) {
         document["page"] = write_playground(*this, spec, soils);

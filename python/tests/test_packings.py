@@ -1,5 +1,7 @@
 """Packings from and for other programs, to the bit where the format carries it."""
 
+import warnings
+
 import numpy
 import pytest
 
@@ -131,3 +133,35 @@ def test_a_protocol_is_chosen_by_its_name():
         cloud.compact("100 kPa", protocol="quick")
     slow = suffuse.make_cloud(numpy.full(200, 1e-4), porosity=0.65, seed=3)
     assert slow.compact("100 kPa", max_rate="100 1/s")["steps"] > steps["faithful"]
+
+
+def test_a_packing_read_back_keeps_its_mean_motion_once(tmp_path):
+    world = suffuse.make_cloud(numpy.linspace(0.5, 1.5, 200) * 1e-4, 0.55, seed=1)
+    gradient = numpy.array([[0, 0, 50.0], [0, 0, 0], [0, 0, 0]])
+    loading = suffuse.Loading(velocity_gradient=gradient)
+    world.step(500, loading)
+    suffuse.write_packing(tmp_path / "p.csv", world)
+
+    def slope(of):  # of the velocity in x over z, over that of the cell
+        return numpy.polyfit(numpy.asarray(of.grains.position)[:, 2], numpy.asarray(of.grains.velocity)[:, 0], 1)[0] / 50
+
+    with pytest.warns(UserWarning, match="velocity gradient"):
+        found = suffuse.read_packing(tmp_path / "p.csv", cell=world.cell)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        given = suffuse.read_packing(tmp_path / "p.csv", cell=world.cell, velocity_gradient=gradient)
+    for read in (found, given):
+        read.material = world.material
+        read.step(1, loading, time_step=1e-15)
+        assert slope(read) == pytest.approx(slope(world), abs=1e-3)
+    assert numpy.array_equal(numpy.asarray(given.velocity_gradient), gradient)
+
+
+def test_equal_grains_take_one_radius(tmp_path):
+    (tmp_path / "p.txt").write_text("0.5 0.5 0.5\n1.5 0.5 0.5\n0.5 1.5 0.5\n")
+    with pytest.raises(suffuse.CaseError, match="radius"):
+        suffuse.read_packing(tmp_path / "p.txt", cell=(2, 2, 2))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        world = suffuse.read_packing(tmp_path / "p.txt", cell=(2, 2, 2), radius=0.5)
+    assert numpy.all(numpy.asarray(world.grains.radius) == 0.5)

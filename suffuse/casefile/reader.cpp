@@ -212,7 +212,8 @@ Reader::find_word(std::string_view key, const Node& node, const std::vector<std:
     auto nearest = nearest_word(*word, words);
     constexpr std::size_t least = 4; // letters of an abbreviation: triax for triaxial
     if (!nearest && word->size() >= least) {
-        const auto begun = std::ranges::find_if(words, [&](const std::string& known) { return known.starts_with(*word); });
+        const auto begun =
+            std::ranges::find_if(words, [&](const std::string& known) { return known.starts_with(*word); });
         nearest = begun != words.end() ? std::optional(*begun) : std::nullopt;
     }
     error(

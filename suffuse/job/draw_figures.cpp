@@ -5,6 +5,7 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/figures/figure_options.hpp"
 #include "suffuse/job/other_program.hpp"
+#include "suffuse/job/scratch_folder.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,31 +28,6 @@ struct Source {
     std::string id;
     fs::path file;
     bool is_drawing = false;
-};
-
-/// A folder of our own that is gone at the end.
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        std::string name = (fs::temp_directory_path() / "suffuse-figures-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) {
-            throw IoError(fmt::format("cannot make a folder in {}", fs::temp_directory_path().string()));
-        }
-        path_ = name;
-    }
-
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
 };
 
 std::vector<Source> sources_in(const fs::path& run) {
