@@ -73,6 +73,7 @@ inline constexpr std::array named_dimensions = {
     NamedDimension{dimension::mass, "mass", {"kg", "g", "mg", {}}},
     NamedDimension{dimension::angle, "angle", {"deg", "rad", {}, {}}},
     NamedDimension{dimension::rate, "rate", {"1/s", {}, {}, {}}},
+    NamedDimension{dimension::acceleration, "acceleration", {"m/s^2", {}, {}, {}}},
     NamedDimension{dimension::velocity, "velocity", {"m/s", "mm/s", "um/s", {}}},
     NamedDimension{dimension::force, "force", {"N", "kN", "mN", {}}},
     NamedDimension{dimension::pressure, "pressure", {"kPa", "Pa", "MPa", "GPa"}},

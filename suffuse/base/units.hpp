@@ -26,6 +26,7 @@ inline constexpr Dimension mass{0, 1, 0, 0};
 inline constexpr Dimension angle{0, 0, 0, 1};
 inline constexpr Dimension rate{0, 0, -1, 0};
 inline constexpr Dimension velocity{1, 0, -1, 0};
+inline constexpr Dimension acceleration{1, 0, -2, 0};
 inline constexpr Dimension force{1, 1, -2, 0};
 inline constexpr Dimension pressure{-1, 1, -2, 0};
 inline constexpr Dimension viscosity{-1, 1, -1, 0};

@@ -82,8 +82,8 @@ void check_preset(ReadContext& context, const Node::Entry& entry) {
 void read_top(ReadContext& context, const Node& root, Case& c) {
     Node values = root;
     std::erase_if(values.entries, [](const Node::Entry& entry) {
-        constexpr std::array<std::string_view, 9> tables = {"grain", "contact", "balance", "fluid",  "soil",
-                                                            "study", "output",  "report",  "presets"};
+        constexpr std::array<std::string_view, 10> tables = {"grain", "contact", "balance", "fluid",  "gravity",
+                                                             "soil",  "study",   "output",  "report", "presets"};
         return std::find(tables.begin(), tables.end(), entry.key) != tables.end();
     });
     Reader v(context, values, root.place, {""}, "");
@@ -94,10 +94,39 @@ void read_top(ReadContext& context, const Node& root, Case& c) {
     v.finish();
 }
 
+/// Grains that do not sink have no weight that could hold them.
+void check_sinking(ReadContext& context, const Case& c) {
+    if (c.material.density > c.fluid.density) {
+        return;
+    }
+    const auto place = [&](const char* key) {
+        const auto found = context.places.find(key);
+        return found == context.places.end() ? std::optional<Place>() : found->second;
+    };
+    context.problems.error(
+        "E617", place("grain.density").value_or(place("fluid.density").value_or(Place{})),
+        fmt::format(
+            "[gravity] gives fines weight, and grains of {} do not sink in a fluid of {}",
+            print_quantity(c.material.density, dimension::density), print_quantity(c.fluid.density, dimension::density)
+        ),
+        "quartz is density = \"2650 kg/m3\", water \"1000 kg/m3\"; without [gravity] the fines have no weight"
+    );
+}
+
+void read_gravity(ReadContext& context, const Node& root, Case& c) {
+    if (root.find("gravity") == nullptr) {
+        return;
+    }
+    c.gravity.emplace();
+    read_table(context, root, "gravity", [&](Reader& v) { fields(v, *c.gravity); });
+    context.gravity = c.gravity;
+    check_sinking(context, c);
+}
+
 } // namespace
 
 Case bind_case(const Node& root, const std::string& folder, const std::string& preset, Problems& problems) {
-    ReadContext context{problems, folder, {}, {}, root.find("applied_preset") != nullptr};
+    ReadContext context{problems, folder, {}, {}, root.find("applied_preset") != nullptr, {}};
     Case c;
     c.preset = preset;
     read_top(context, root, c);
@@ -105,6 +134,7 @@ Case bind_case(const Node& root, const std::string& folder, const std::string& p
     read_table(context, root, "contact", [&](Reader& v) { contact_fields(v, c.material, c.damping); });
     read_table(context, root, "balance", [&](Reader& v) { fields(v, c.balance); });
     read_table(context, root, "fluid", [&](Reader& v) { fluid_fields(v, c); });
+    read_gravity(context, root, c);
     read_table(context, root, "output", [&](Reader& v) { fields(v, c.output); });
     read_table(context, root, "report", [&](Reader& v) { fields(v, c.report); });
     for_each_member(context, root, "presets", [&](const Node::Entry& entry) { check_preset(context, entry); });
@@ -144,6 +174,9 @@ Node tree_of(const Case& c) {
     root.set("contact", write("contact", [&](Writer& v) { contact_fields(v, copy.material, copy.damping); }));
     root.set("balance", write("balance", [&](Writer& v) { fields(v, copy.balance); }));
     root.set("fluid", write("fluid", [&](Writer& v) { fluid_fields(v, copy); }));
+    if (copy.gravity) {
+        root.set("gravity", write("gravity", [&](Writer& v) { fields(v, *copy.gravity); }));
+    }
     Node soils, studies;
     for (const auto& [name, soil] : c.soils) {
         soils.set(name, write_soil(soil));

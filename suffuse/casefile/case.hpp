@@ -113,7 +113,8 @@ struct Case {
     dem::Mode mode = dem::Mode::Reference;
     dem::BalanceSpec balance;
     flow::Fluid fluid;
-    bool names_conductance = true; ///< false: of a run made before there was a choice
+    std::optional<erosion::Gravity> gravity; ///< nothing: the fines of a probe have no weight
+    bool names_conductance = true;           ///< false: of a run made before there was a choice
     std::map<std::string, grains::Soil> soils;
     std::vector<Study> studies; ///< in the order of the file
     OutputSpec output;

@@ -45,6 +45,9 @@ std::string dependencies_of(const Case& c, const Variant& variant, const Stage& 
     if (traits.has_water) {
         root.set("fluid", write("fluid", [&](Writer& v) { fluid_fields(v, copy); }));
     }
+    if (traits.probes_fines() && copy.gravity) {
+        root.set("gravity", write("gravity", [&](Writer& v) { fields(v, *copy.gravity); }));
+    }
     if (traits.makes_sample() && variant.soil) {
         Node soil; // with a name, as [soil.NAME]: a bare value right below [soil] would not be printed
         soil.set("sample", write_soil(*variant.soil));

@@ -3,6 +3,7 @@
 
 #include "suffuse/casefile/reader.hpp"
 #include "suffuse/casefile/special_fields.hpp"
+#include "suffuse/casefile/weight_fields.hpp"
 #include "suffuse/casefile/writer.hpp"
 
 namespace suffuse::casefile {
@@ -210,29 +211,36 @@ void fields(V& v, flow::FlowSpec& s) {
 }
 
 template <class V>
-void fields(V& v, erosion::DetachSpec& s) {
-    v.choice("by", s.by, names::detach_by);
-    velocity_rule_field(v, s);
-    over_field(v, s);
-    v.field("noise_quantile", s.noise_quantile);
+void fields(V& v, erosion::Gravity& s) {
+    v.direction(s.down, "down");
+    v.field("acceleration", s.acceleration);
 }
 
+/// What a probe of fines without weight is told; with weight none of it has a meaning.
 template <class V>
-void probe_fields(V& v, erosion::ProbeSpec& probe, erosion::DetachSpec& detached) {
-    v.choice("hold", probe.hold_coarse, names::hold);
-    v.field("ramp", probe.ramp);
-    v.field("watch", probe.watch);
-    v.field("probe_unbalanced_force", probe.unbalanced_force);
-    v.field("relax_limit", probe.relax_limit);
-    solver_fields(v, probe.flow);
-    v.table("detached", [&](auto& inner) { fields(inner, detached); });
+void weightless_fields(V& v, erosion::ProbeSpec& probe) {
+    if (V::reads || !probe.gravity) {
+        v.field("ramp", probe.ramp);
+        v.field("watch", probe.watch);
+        v.field("probe_unbalanced_force", probe.unbalanced_force);
+        v.field("relax_limit", probe.relax_limit);
+    }
+    check_weightless(v, probe);
 }
 
 template <class V>
 void fields(V& v, erosion::DetachStageSpec& s) {
-    v.field("gradients", s.gradients);
+    take_gravity(v, s.probe);
+    gradients_field(v, s);
     v.direction(s.direction);
-    probe_fields(v, s.probe, s.detached);
+    v.field("asked_gradient", s.asked_gradient);
+    v.choice("hold", s.probe.hold_coarse, names::hold);
+    weightless_fields(v, s.probe);
+    solver_fields(v, s.probe.flow);
+    if (V::reads || !s.probe.gravity) {
+        v.table("detached", [&](auto& inner) { fields(inner, s.detached); });
+    }
+    check_ramp(v, s);
 }
 
 template <class V>
@@ -249,9 +257,13 @@ void fields(V& v, erosion::ErodeSpec& s) {
         inner.field("share", target.share);
         inner.choice("of", target.of, names::eroded_of);
     });
-    v.field("gradient", s.gradient);
+    take_gravity(v, s.probe);
+    gradient_of_passes(v, s);
     v.direction(s.direction);
-    probe_fields(v, s.probe, s.detached);
+    hold_of_passes(v, s);
+    weightless_fields(v, s.probe);
+    solver_fields(v, s.probe.flow);
+    rule_of_passes(v, s);
     v.table("passes_constriction", [&](auto& inner) {
         auto of = names::Of::Coarse;
         inner.choice("size", s.passes_constriction, names::constriction_size);

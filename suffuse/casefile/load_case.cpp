@@ -27,7 +27,8 @@ std::string choose_preset(Node& root, const LoadOptions& options, Problems& prob
         is_asked
             ? Place{std::make_shared<Source>(Source{"--preset", options.preset}), 1, 1, static_cast<int>(options.preset.size())}
             : root.find("preset")->value.place;
-    apply_preset(root, name, asked, problems);
+    const bool weighs = root.find("gravity") != nullptr || std::ranges::any_of(options.overrides, sets_gravity);
+    apply_preset(root, name, asked, weighs, problems);
     return name;
 }
 

@@ -61,7 +61,8 @@ void for_each_stage(Node& root, const std::vector<std::string>& verbs, Visit vis
     });
 }
 
-void apply_preset_key(Node& root, const Node::Entry& entry) {
+/// @param weighs fines have weight, and keys of probes without it have no meaning
+void apply_preset_key(Node& root, const Node::Entry& entry, bool weighs) {
     const std::string& key = entry.key;
     const auto set = [&](Node& table, std::string_view name) { table.set(name, entry.value, entry.place); };
     const auto set_in_stages = [&](const std::vector<std::string>& verbs, std::string_view name) {
@@ -105,7 +106,7 @@ void apply_preset_key(Node& root, const Node::Entry& entry) {
             root.set("balance", Node{}, entry.place);
         }
         set(root.find("balance")->value, key);
-    } else if (find_key("presets.*", key) != nullptr) {
+    } else if (find_key("presets.*", key) != nullptr && !weighs) { // of probes without weight
         std::vector<std::string> probing;
         for (const StageTraits& traits : stage_traits) {
             if (traits.probes_fines()) {
@@ -118,7 +119,7 @@ void apply_preset_key(Node& root, const Node::Entry& entry) {
 
 } // namespace
 
-void apply_preset(Node& root, const std::string& name, const Place& asked, Problems& problems) {
+void apply_preset(Node& root, const std::string& name, const Place& asked, bool weighs, Problems& problems) {
     const Node::Entry* presets = root.find("presets");
     const Node::Entry* preset = presets != nullptr ? presets->value.find(name) : nullptr;
     if (preset == nullptr) {
@@ -142,7 +143,7 @@ void apply_preset(Node& root, const std::string& name, const Place& asked, Probl
     } // reported where the presets are read
     const std::vector<Node::Entry> entries = preset->value.entries;
     for (const Node::Entry& entry : entries) {
-        apply_preset_key(root, entry);
+        apply_preset_key(root, entry, weighs);
     }
 }
 
@@ -243,6 +244,10 @@ void apply_override(Node& root, const std::string& text, Problems& problems) {
             "--set KEY=VALUE takes the path of a key, as in study.erosion.stage.probe.watch=4000"
         );
     }
+}
+
+bool sets_gravity(const std::string& text) {
+    return split_path(text.substr(0, text.find('='))).front() == "gravity";
 }
 
 bool sets_preset(const std::string& text) {

@@ -12,13 +12,17 @@
 namespace suffuse::casefile {
 
 /// Applies [presets.NAME]; "standard" needs no table and is the case as written. `asked` is where the name stands.
-void apply_preset(Node& root, const std::string& name, const Place& asked, Problems& problems);
+/// @param weighs fines have weight: what a preset says of probes without it is passed over
+void apply_preset(Node& root, const std::string& name, const Place& asked, bool weighs, Problems& problems);
 
 /// Applies "study.erosion.stage.erosion.gradient=0.1"; stages are found by their names.
 void apply_override(Node& root, const std::string& text, Problems& problems);
 
 /// Whether an override is about presets, "presets.quick.particles=4000" or "preset=quick", and so comes before them.
 bool sets_preset(const std::string& text);
+
+/// Whether an override gives fines weight, "gravity.down=-z".
+bool sets_gravity(const std::string& text);
 
 /// Reports an override of a preset that is not in force: it would change nothing.
 void check_preset_override(const std::string& text, const std::string& in_force, Problems& problems);

@@ -5,6 +5,7 @@
 #include "suffuse/casefile/stage_loading.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/contact/springs.hpp"
+#include "suffuse/erosion/weight.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 
@@ -110,9 +111,44 @@ public:
         context_.problems.warning(
             "W604", stage_place(stage, key),
             fmt::format("a gradient of {:.4g} is above the critical one, about {:.2f}", gradient, critical),
-            "seepage upwards would lift the whole soil; gravity is not part of this model, so the run will not show "
-            "that"
+            "seepage upwards would lift the whole soil; without [gravity] grains have no weight, and the run will not "
+            "show that"
         );
+    }
+
+    /// A ramp that begins where the whole soil floats tells nothing of its fines.
+    void check_heave(const Stage& stage, const erosion::Gravity& gravity, const Vec3& direction, double first) {
+        const std::optional<double> heave = heave_of(gravity, direction);
+        if (!heave || first <= *heave) {
+            return;
+        }
+        context_.problems.error(
+            "E618", stage_place(stage, "gradients"),
+            fmt::format(
+                "the gradients begin at {:.4g}, and seepage this way lifts the whole soil at about {:.2f}", first,
+                *heave
+            ),
+            fmt::format("begin lower, as with gradients = {{ up_to = {:.2g}, steps = 24 }}", *heave)
+        );
+    }
+
+    void check_lift(const Stage& stage, const erosion::Gravity& gravity, const Vec3& direction, double gradient) {
+        const std::optional<double> heave = heave_of(gravity, direction);
+        if (!heave || gradient <= *heave) {
+            return;
+        }
+        context_.problems.warning(
+            "W604", stage_place(stage, "gradient"),
+            fmt::format("a gradient of {:.4g} is above the one of heave, about {:.2f}", gradient, *heave),
+            "seepage this way lifts the whole soil; the run holds the coarse grains, and tells which fines move"
+        );
+    }
+
+    /// About, as the sample is not made yet.
+    [[nodiscard]] std::optional<double> heave_of(const erosion::Gravity& gravity, const Vec3& direction) const {
+        const double critical =
+            erosion::critical_gradient(settled_porosity, variant_.material.density, settings_.fluid.density);
+        return erosion::heave_gradient(critical, gravity, direction);
     }
 
     /// Erosion without fines cannot do anything.
@@ -300,15 +336,26 @@ struct CheckValues {
     }
 
     void operator()(const erosion::DetachStageSpec& detach) const {
-        for (const double gradient : detach.gradients) {
-            checks.check_gradient(stage, "gradients", gradient);
+        if (detach.probe.gravity) {
+            checks.check_heave(stage, *detach.probe.gravity, detach.direction, detach.gradients.front());
+        } else {
+            for (const double gradient : detach.gradients) {
+                checks.check_gradient(stage, "gradients", gradient);
+            }
         }
         checks.check_solver(stage, detach.probe.flow);
         checks.check_resolve(stage, detach.probe.flow);
     }
 
     void operator()(const erosion::ErodeSpec& erode) const {
-        checks.check_gradient(stage, "gradient", erode.gradient);
+        for (int pass = 1; pass <= 1 + static_cast<int>(erode.later_passes.size()); ++pass) {
+            const double gradient = erosion::at_pass(erode, pass).gradient;
+            if (erode.probe.gravity) {
+                checks.check_lift(stage, *erode.probe.gravity, erode.direction, gradient);
+            } else {
+                checks.check_gradient(stage, "gradient", gradient);
+            }
+        }
         checks.check_travel(stage, erode);
         checks.check_solver(stage, erode.probe.flow);
         checks.check_resolve(stage, erode.probe.flow);

@@ -349,13 +349,13 @@ void Reader::field(std::string_view key, std::vector<std::string>& value) {
     }
 }
 
-void Reader::direction(Vec3& value) {
-    const Node* node = take("direction");
+void Reader::direction(Vec3& value, std::string_view key) {
+    const Node* node = take(key);
     if (node == nullptr) {
         return;
     }
     if (node->is_array()) {
-        const auto given = vector("direction", *node);
+        const auto given = vector(key, *node);
         if (!given) {
             return;
         }
@@ -363,7 +363,8 @@ void Reader::direction(Vec3& value) {
         const double length = norm(along);
         if (!(length > 0) || !std::isfinite(length)) {
             error(
-                "E312", node->place, "`direction` has no length", "write \"z\", or three numbers that are not all zero"
+                "E312", node->place, fmt::format("`{}` has no length", key),
+                "write \"z\", or three numbers that are not all zero"
             );
             return;
         }
@@ -372,7 +373,7 @@ void Reader::direction(Vec3& value) {
         return;
     }
     static const std::vector<std::string> axes{"x", "y", "z", "+x", "+y", "+z", "-x", "-y", "-z"};
-    if (const auto found = find_word("direction", *node, axes)) {
+    if (const auto found = find_word(key, *node, axes)) {
         value = {};
         value[static_cast<int>(*found % 3)] = *found >= 6 ? -1 : 1;
     }

@@ -25,6 +25,7 @@ struct ReadContext {
     std::map<std::pair<std::string, io::CurveEnds>, std::optional<grains::Grading>>
         gradings;             ///< by path, and whether its ends may be open; empty where it could not be read
     bool is_resolved = false; ///< a run's own copy, and not what a user wrote
+    std::optional<erosion::Gravity> gravity = {}; ///< of the case
 };
 
 class Reader {
@@ -45,7 +46,7 @@ public:
     void field(std::string_view key, std::string& value);
     void field(std::string_view key, std::vector<double>& value);
     void field(std::string_view key, std::vector<std::string>& value);
-    void direction(Vec3& value);
+    void direction(Vec3& value, std::string_view key = "direction");
 
     /// 0 where the case says "computed".
     void time_step(double& value);

@@ -130,6 +130,20 @@ std::vector<Key> balance_rows() {
     };
 }
 
+std::vector<Key> gravity_rows() {
+    Key down = row(
+        "gravity", "down", ValueKind::Direction,
+        "Where weight points. With this table the fines of `detach` and `erode` have weight, less buoyancy; without it "
+        "none, as in the paper. All other stages are weightless either way."
+    );
+    Key acceleration = quantity(
+        "gravity", "acceleration", dimension::acceleration, above_zero,
+        "Of gravity; a hydraulic gradient pulls with it, too."
+    );
+    acceleration.default_text = "\"9.81 m/s^2\"";
+    return {required(down), acceleration};
+}
+
 std::vector<Key> preset_rows() {
     Key inertial =
         ratio("presets.*", "inertial_number", above_zero, "Replaces `inertial_number` of every triaxial stage.");
@@ -163,6 +177,7 @@ std::vector<Key> general_rows() {
     std::vector<Key> rows = top_rows();
     append(rows, contact_rows());
     append(rows, balance_rows());
+    append(rows, gravity_rows());
     return rows;
 }
 

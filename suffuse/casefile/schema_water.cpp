@@ -3,6 +3,8 @@
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema_row.hpp"
 
+#include <algorithm>
+
 namespace suffuse::casefile::detail {
 
 namespace {
@@ -51,17 +53,20 @@ std::vector<Key> probe_rows(const std::string& stage) {
             stage, "hold", names::words_of(names::hold),
             "Grains that stay fixed while the forces act: the paper holds the coarse ones."
         ),
-        count(stage, "ramp", from_one, "Steps from no force to the full force."),
-        count(stage, "watch", {10, 1e15, false, false}, "Steps at the full force; the paper takes 1000."),
+        count(stage, "ramp", from_one, "Steps from no force to the full force; not with [gravity]."),
+        count(
+            stage, "watch", {10, 1e15, false, false},
+            "Steps at the full force; the paper takes 1000; not with [gravity]."
+        ),
         ratio(
             stage, "probe_unbalanced_force", above_zero,
-            "The probe starts from the equilibrium relaxed to this at constant volume."
+            "The probe starts from the equilibrium relaxed to this at constant volume; not with [gravity]."
         ),
         count(
             stage, "relax_limit", from_one,
-            "Steps of that relaxation after which the floor reached is taken and reported."
+            "Steps of that relaxation after which the floor reached is taken and reported; not with [gravity]."
         ),
-        table(stage, "detached", "Which fines count as detachable."),
+        table(stage, "detached", "Which fines count as detachable; not with [gravity], where weight decides."),
         choice(
             detached, "by", names::words_of(names::detach_by),
             "The paper's velocity rule, or its announced successor, displacement along the drag."
@@ -88,6 +93,42 @@ std::vector<Key> probe_rows(const std::string& stage) {
     return rows;
 }
 
+/// A key that may change from pass to pass.
+Key a_pass(Key key) {
+    key.form = value_text(key) + ", or a list of them, one a pass";
+    return key;
+}
+
+std::vector<Key> with_lists(std::vector<Key> rows, const std::vector<std::string>& names) {
+    for (Key& key : rows) {
+        if (key.table == "stage.erode" && std::ranges::find(names, key.name) != names.end()) {
+            key = a_pass(std::move(key));
+        }
+    }
+    return rows;
+}
+
+std::vector<Key> detach_rows() {
+    Key gradients = list_of(ratio(
+        "stage.detach", "gradients", from_zero,
+        "Hydraulic gradients to probe; nothing is removed. With [gravity] they rise, and { up_to = 1.2, steps = 24 } "
+        "is "
+        "the default."
+    ));
+    gradients.form = "a list, each a ratio, at least 0; or { up_to = 1.2, steps = 24 }, equal steps to the last";
+    std::vector<Key> rows = {
+        gradients,
+        required(ratio("stage.detach.gradients", "up_to", above_zero, "The last gradient.")),
+        required(count("stage.detach.gradients", "steps", {1, 1000, false, false}, "Steps up to it, all equal.")),
+        ratio(
+            "stage.detach", "asked_gradient", above_zero,
+            "With [gravity]: the gradient that the soil has to bear. Results tell the factor of safety against it."
+        ),
+    };
+    append(rows, probe_rows("stage.detach"));
+    return rows;
+}
+
 } // namespace
 
 std::vector<Key> erosion_rows() {
@@ -102,10 +143,7 @@ std::vector<Key> erosion_rows() {
         rows,
         solver_rows("stage.flow", "Solves the flow a second time beside the network's, between the grains themselves: ")
     );
-    rows.push_back(
-        list_of(ratio("stage.detach", "gradients", from_zero, "Hydraulic gradients to probe; nothing is removed."))
-    );
-    append(rows, probe_rows("stage.detach"));
+    append(rows, detach_rows());
     append(
         rows,
         {
@@ -123,13 +161,14 @@ std::vector<Key> erosion_rows() {
                 "stage.erode.until_eroded", "of", names::words_of(names::eroded_of),
                 "Of which mass before the first pass: of the fines (unless said), or of all grains."
             ),
-            ratio(
+            a_pass(ratio(
                 "stage.erode", "gradient", above_zero,
-                "Hydraulic gradient i, also as head over length: \"12 m / 30 m\"."
-            ),
+                "Hydraulic gradient i, also as head over length: \"12 m / 30 m\"; a list has one a pass, the last for "
+                "all that follow."
+            )),
         }
     );
-    append(rows, probe_rows("stage.erode"));
+    append(rows, with_lists(probe_rows("stage.erode"), {"hold", "detached"}));
     append(
         rows,
         {

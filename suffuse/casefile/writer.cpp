@@ -86,19 +86,19 @@ void Writer::field(std::string_view key, const std::vector<std::string>& value) 
     set(key, make_array(std::move(items)));
 }
 
-void Writer::direction(const Vec3& value) {
+void Writer::direction(const Vec3& value, std::string_view key) {
     for (int a = 0; a < 3; ++a) {
         Vec3 axis;
         axis[a] = 1;
         const std::string name(1, "xyz"[a]);
         if (value == axis) {
-            return set("direction", make_node(Scalar(name)));
+            return set(key, make_node(Scalar(name)));
         }
         if (value == -axis) {
-            return set("direction", make_node(Scalar("-" + name)));
+            return set(key, make_node(Scalar("-" + name)));
         }
     }
-    set("direction", vector("direction", value));
+    set(key, vector(key, value));
 }
 
 void Writer::time_step(double value) {

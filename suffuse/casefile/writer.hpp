@@ -28,7 +28,7 @@ public:
     void field(std::string_view key, const std::string& value);
     void field(std::string_view key, const std::vector<double>& value);
     void field(std::string_view key, const std::vector<std::string>& value);
-    void direction(const Vec3& value);
+    void direction(const Vec3& value, std::string_view key = "direction");
     void time_step(double value);
 
     template <class Value, class Words>

@@ -14,6 +14,7 @@
 #include "suffuse/erosion/probe.hpp"
 #include "suffuse/erosion/reequilibrate.hpp"
 #include "suffuse/erosion/transport.hpp"
+#include "suffuse/erosion/weighed_probe.hpp"
 #include "suffuse/flow/pore_velocity.hpp"
 #include "suffuse/flow/reynolds.hpp"
 #include "suffuse/flow/throat_flux.hpp"
@@ -107,11 +108,25 @@ std::vector<ProbeResult> probe(
     return results;
 }
 
+/// Step 3 where fines have weight.
+void weigh(
+    const dem::World& world, const ErodeSpec& spec, const Seeping& seeping, const Surroundings& around, PassResult& pass
+) {
+    pass.mobility =
+        weigh_fines(world, gradients_up_to(spec.gradient), spec.gradient, spec.direction, spec.probe, around);
+    pass.probe.gradient = spec.gradient;
+    pass.probe.flow = seeping.source;
+    pass.probe.time_step = pass.mobility->time_step;
+}
+
 /// The fines that the probe moved, or those that are taken out by force.
 std::vector<std::uint32_t> find_detachable(
-    const dem::World& world, const ErodeSpec& spec, const ProbeResult& probe, const std::vector<int>& contacts
+    const dem::World& world, const ErodeSpec& spec, const PassResult& pass, const std::vector<int>& contacts
 ) {
-    const std::vector<std::uint8_t>& detached = verdicts(spec.detached, probe);
+    if (pass.mobility) {
+        return mobile_rows(world, *pass.mobility);
+    }
+    const std::vector<std::uint8_t>& detached = verdicts(spec.detached, pass.probe);
     std::vector<std::uint32_t> rows;
     for (std::uint32_t g = 0, fine = 0; g < world.grains.size(); ++g) {
         if (world.grains.fine[g] == 0) {
@@ -130,7 +145,7 @@ std::vector<std::uint32_t> let_through(
     dem::World& world, const std::vector<int>& contacts, const CoarseSkeleton& skeleton, const ErodeSpec& spec,
     const flow::Fluid& fluid, const ErosionResult& so_far, PassResult& pass
 ) {
-    std::vector<std::uint32_t> rows = find_detachable(world, spec, pass.probe, contacts);
+    std::vector<std::uint32_t> rows = find_detachable(world, spec, pass, contacts);
     pass.detachable = std::ssize(rows);
     if (travels(spec)) {
         rows = transport_fines(world, rows, spec, fluid, so_far, pass);
@@ -147,6 +162,9 @@ Reason reason_of(const ErodeSpec& spec) {
     if (spec.forced) {
         return Reason::Forced;
     }
+    if (spec.probe.gravity) {
+        return Reason::Mobile;
+    }
     return spec.detached.by == DetachBy::Velocity ? Reason::Velocity : Reason::Displacement;
 }
 
@@ -154,6 +172,9 @@ Reason reason_of(const ErodeSpec& spec) {
 /// three.
 bool is_exhausted(const ErodeSpec& spec, const ErosionResult& so_far, const PassResult& pass) {
     constexpr std::ptrdiff_t passes_in_a_row = 3;
+    if (changes_after(spec, pass.pass)) {
+        return false;
+    }
     if (pass.removed > 0 || !travels(spec) || pass.detachable == 0) {
         return pass.removed == 0;
     }
@@ -193,19 +214,21 @@ ErosionResult begin_erosion(const dem::World& world) {
     return result;
 }
 
-bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result) {
+bool erode_once(dem::World& world, const ErodeSpec& every, const Surroundings& around, ErosionResult& result) {
     if (std::ranges::count(world.grains.fine, std::uint8_t{0}) == 0) {
         throw NoSkeleton("all grains are fines: there is no skeleton that they could leave");
     }
     PassResult pass;
     pass.pass = static_cast<int>(result.passes.size()) + 1;
+    const ErodeSpec spec = at_pass(every, pass.pass);
     Stopwatch watch;
     dem::World next = world; // the caller's world changes only when the pass is complete
     dem::sort_along_curve(next);
     describe_before(next, pass);
 
-    // 1 equilibrium
-    const dem::RelaxReport relaxed = relax_further(next, spec.probe, around);
+    // 1 equilibrium; fines that have weight come to rest under it
+    const bool weighs = spec.probe.gravity && !spec.forced;
+    const dem::RelaxReport relaxed = weighs ? dem::RelaxReport{} : relax_further(next, spec.probe, around);
     const double dt = dem::stable_time_step(next);
     pass.wall_seconds["relax"] = watch.lap();
 
@@ -218,7 +241,11 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.wall_seconds["flow"] = watch.lap();
 
     // 3 probe
-    pass.probe = probe(next, seeping, dt, relaxed, spec.probe, spec.detached, around).front();
+    if (weighs) {
+        weigh(next, spec, seeping, around, pass);
+    } else {
+        pass.probe = probe(next, seeping, dt, relaxed, spec.probe, spec.detached, around).front();
+    }
     pass.wall_seconds["probe"] = watch.lap();
 
     // 4 constrictions
@@ -227,6 +254,9 @@ bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& ar
     pass.constrictions = skeleton.constrictions;
     pass.merge = spec.merge;
     pass.constrictions_by_merge = skeleton.by_merge;
+    if (pass.mobility) {
+        tell_leaving(next, skeleton, spec.passes_constriction, *pass.mobility);
+    }
     pass.wall_seconds["constrictions"] = watch.lap();
 
     // 5 extraction

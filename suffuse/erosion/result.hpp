@@ -4,6 +4,7 @@
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/ending.hpp"
+#include "suffuse/erosion/mobility_result.hpp"
 #include "suffuse/flow/known_error.hpp"
 #include "suffuse/flow/seepage.hpp"
 #include "suffuse/flow/throat_flux.hpp"
@@ -114,8 +115,9 @@ constexpr std::string_view name_of(Phase phase) {
     return phase == Phase::Removal ? "removal" : phase == Phase::ConstantVolume ? "constant volume" : "servo";
 }
 
-/// Why a grain left: the rule that found it detachable, or that its class was taken out.
-enum class Reason { Velocity, Displacement, Forced, Removed, RemovedActive, RemovedInactive };
+/// Why a grain left: the rule that found it detachable, that the water moves it against its weight, or that its class
+/// was taken out.
+enum class Reason { Velocity, Displacement, Mobile, Forced, Removed, RemovedActive, RemovedInactive };
 
 /// The state of the sample at one point of the history of an erosion pass (Figures 13 and 14).
 struct PathRow {
@@ -140,8 +142,9 @@ struct LedgerRow {
 };
 
 struct PassResult {
-    int pass = 0; ///< 1-based
-    ProbeResult probe;
+    int pass = 0;                           ///< 1-based
+    ProbeResult probe;                      ///< with weight: its gradient and flow alone
+    std::optional<MobilityResult> mobility; ///< with weight
     Constrictions constrictions;
     pores::VoidMerge merge = pores::VoidMerge::None; ///< of the voids that they lie between
     ConstrictionsByMerge constrictions_by_merge;

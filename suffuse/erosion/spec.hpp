@@ -1,18 +1,27 @@
 #pragma once
 // Settings of the erosion procedure, section 4 of the paper.
 
+#include "suffuse/base/constants.hpp"
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/spec.hpp"
 #include "suffuse/flow/fluid.hpp"
 #include "suffuse/pores/voids.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 namespace suffuse::erosion {
+
+/// `[gravity]`: what gives the fines of a probe their weight. It must be said where down is.
+struct Gravity {
+    Vec3 down = {0, 0, -1};                 ///< of length 1
+    double acceleration = suffuse::gravity; ///< [m/s2]
+};
 
 /// Step 3: coarse grains held, fluid forces ramped on the fines of a copy and kept, beside a twin without fluid.
 struct ProbeSpec {
@@ -22,6 +31,8 @@ struct ProbeSpec {
     double unbalanced_force = 1e-8; ///< the probe starts from the equilibrium relaxed to this at constant volume [-]
     std::int64_t relax_limit = dem::most_relax_steps; ///< steps after which the floor reached is taken and reported
     flow::SolverChoice flow;                          ///< that gives the forces and permeabilities
+    std::optional<Gravity> gravity; ///< fines have weight, and mobility.hpp finds what moves; else they have none, and
+                                    ///< `ramp`, `watch` and what follows them hold
 };
 
 enum class DetachBy { Velocity, Displacement };
@@ -56,6 +67,7 @@ enum class ConstrictionSize {
 struct DetachStageSpec {
     std::vector<double> gradients = {0, 0.01, 0.05, 0.1};
     Vec3 direction = {0, 0, 1};
+    std::optional<double> asked_gradient; ///< with weight: that the soil has to bear [-]
     ProbeSpec probe;
     DetachSpec detached;
 };
@@ -83,10 +95,18 @@ struct ResettleSpec {
     double inertial_number = dem::loaded_inertial_number; ///< sets the largest strain rate under the stresses held [-]
 };
 
+/// What may change from one pass of an erosion to the next.
+struct PassSpec {
+    double gradient = 0.05;
+    DetachSpec detached;
+    bool hold_coarse = true;
+};
+
 /// `do = "erode"`: passes of flow, probe, extraction and new equilibrium. Figures 10 to 14.
 struct ErodeSpec {
     int passes = 2; ///< at most; stops earlier when nothing more leaves
     double gradient = 0.05;
+    std::vector<PassSpec> later_passes; ///< after the first, where they differ; the last is that of all that follow
     Vec3 direction = {0, 0, 1};
     ProbeSpec probe;
     DetachSpec detached;
@@ -98,6 +118,24 @@ struct ErodeSpec {
     std::optional<ErodedTarget> until_eroded; ///< no pass after the one that reaches it
     ResettleSpec resettle;
 };
+
+/// The erosion as its pass of this number (1-based) has it.
+inline ErodeSpec at_pass(const ErodeSpec& spec, int pass) {
+    ErodeSpec now = spec;
+    if (pass > 1 && !spec.later_passes.empty()) {
+        const std::size_t last = spec.later_passes.size() - 1;
+        const PassSpec& later = spec.later_passes[std::min(static_cast<std::size_t>(pass - 2), last)];
+        now.gradient = later.gradient;
+        now.detached = later.detached;
+        now.probe.hold_coarse = later.hold_coarse;
+    }
+    return now;
+}
+
+/// Whether a pass after this one (1-based) asks something else.
+inline bool changes_after(const ErodeSpec& spec, int pass) {
+    return static_cast<std::size_t>(pass) <= spec.later_passes.size();
+}
 
 /// Whether detached fines follow the water, and lodge where it holds them.
 inline bool travels(const ErodeSpec& spec) {

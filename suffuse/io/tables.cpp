@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -44,15 +45,25 @@ std::vector<dem::ContactView> contacts_by_id(const dem::World& world) {
 
 } // namespace
 
-void write_grains_csv(const std::filesystem::path& path, const dem::World& world) {
+void write_grains_csv(
+    const std::filesystem::path& path, const dem::World& world, std::span<const double> mobile_gradient
+) {
     const grains::Grains& grains = world.grains;
     const std::vector<int> contacts = dem::coordination(world);
-    CsvWriter table(path, "id,x,y,z,r,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,contacts,fine");
+    const std::string columns = "id,x,y,z,r,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,contacts,fine";
+    CsvWriter table(path, mobile_gradient.empty() ? columns : columns + ",mobile_gradient");
     for (const std::uint32_t g : rows_by_id(grains)) {
-        table.row(
-            grains.id[g], grains.position[g], grains.radius[g], grains.velocity[g], grains.spin[g], grains.force[g],
-            grains.torque[g], contacts[g], grains.fine[g]
-        );
+        const auto write = [&](const auto&... more) {
+            table.row(
+                grains.id[g], grains.position[g], grains.radius[g], grains.velocity[g], grains.spin[g], grains.force[g],
+                grains.torque[g], contacts[g], grains.fine[g], more...
+            );
+        };
+        if (mobile_gradient.empty()) {
+            write();
+        } else {
+            write(mobile_gradient[g]);
+        }
     }
     table.finish();
 }

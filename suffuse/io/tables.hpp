@@ -5,11 +5,15 @@
 #include "suffuse/grains/load.hpp"
 
 #include <filesystem>
+#include <span>
 
 namespace suffuse::io {
 
-/// `grains.csv`: `id,x,y,z,r,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,contacts,fine`, in order of id.
-void write_grains_csv(const std::filesystem::path& path, const dem::World& world);
+/// `grains.csv`: `id,x,y,z,r,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,contacts,fine`, in order of id; with a row a grain of
+/// `mobile_gradient`, in storage order, that column too.
+void write_grains_csv(
+    const std::filesystem::path& path, const dem::World& world, std::span<const double> mobile_gradient = {}
+);
 
 /// `contacts.csv`: `i,j,overlap,nx,ny,nz,fnx,fny,fnz,fsx,fsy,fsz,mx,my,mz`; i < j are ids, in their
 /// order; the normal points from i to j, force and moment act on i.

@@ -16,6 +16,7 @@ namespace suffuse::record {
 /// What the report draws from a stage, beyond its numbers.
 struct StageFindings {
     std::vector<erosion::ProbeResult> probes;
+    std::optional<erosion::MobilityResult> mobility; ///< of a detach stage with weight
     std::optional<erosion::ErosionResult> erosion;
     std::vector<triaxial::PathRow> curve;
     std::optional<flow::ThroatFlux> throat_flux;

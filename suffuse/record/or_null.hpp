@@ -23,3 +23,13 @@ nlohmann::json or_null(const std::optional<T>& value) {
 }
 
 } // namespace suffuse
+
+/// Members that may be missing are null, both ways.
+template <class T>
+struct nlohmann::adl_serializer<std::optional<T>> {
+    static void to_json(json& document, const std::optional<T>& value) { document = value ? json(*value) : json(); }
+
+    static void from_json(const json& document, std::optional<T>& value) {
+        value = document.is_null() ? std::optional<T>() : document.get<T>();
+    }
+};

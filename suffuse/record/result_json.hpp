@@ -165,6 +165,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 NLOHMANN_JSON_SERIALIZE_ENUM(
     Reason, {{Reason::Velocity, "velocity"},
              {Reason::Displacement, "displacement"},
+             {Reason::Mobile, "mobile"},
              {Reason::Forced, "forced"},
              {Reason::Removed, "removed"},
              {Reason::RemovedActive, "removed active"},
@@ -179,6 +180,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Transport, distance, id, diameter, mass, travel, progress, path, throats, constriction, fate
 )
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(
+    MobilityStep, gradient, mobile_mass_share, mobile_number_share, leaving_mass_share, lifted_mass_share,
+    displaced_mass_share, held_for, still_moving, permeability
+)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(
+    MobilityResult, down, direction, acceleration, flow, ramp, critical_gradient, heave_gradient, alpha_fines,
+    skempton_brogan_gradient, fines_heave_gradient, single_grain_gradient, fines_content, drag_share, moves_1, moves_10,
+    moves_50, asked_gradient, load_bearing_mass_share, sifting_mass_share, sifts, fallen_mass_share, rested_for,
+    weight_scale, time_step, rest_steps, ramp_steps, id, diameter, mass, mobile_gradient, bears_load
+)
+
 inline void to_json(nlohmann::json& json, const Ending& ending) {
     json = record::words_of(ending);
 }
@@ -188,12 +200,12 @@ inline void from_json(const nlohmann::json& json, Ending& ending) {
 }
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack fluxes, merged voids, transport ...
-    PassResult, pass, probe, constrictions, merge, constrictions_by_merge, detachable, held_back, removed, transport,
-    eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before, stress_after_removal,
-    stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after, void_ratio_after,
-    fines_content_after, volumetric_strain, permeability_before, permeability_after, flow_after, reynolds_before,
-    reynolds_after, closed_voids, tortuosity_before, tortuosity_after, throat_flux_before, throat_flux_after, steps,
-    time_step, wall_seconds, failed, reached_target, verdict
+    PassResult, pass, probe, mobility, constrictions, merge, constrictions_by_merge, detachable, held_back, removed,
+    transport, eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before,
+    stress_after_removal, stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after,
+    void_ratio_after, fines_content_after, volumetric_strain, permeability_before, permeability_after, flow_after,
+    reynolds_before, reynolds_after, closed_voids, tortuosity_before, tortuosity_after, throat_flux_before,
+    throat_flux_after, steps, time_step, wall_seconds, failed, reached_target, verdict
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemovalResult, erosion, start_h, asked_mass)

@@ -12,6 +12,9 @@ void save_findings(const std::filesystem::path& folder, const StageFindings& fin
     if (!findings.probes.empty()) {
         results["probes"] = findings.probes;
     }
+    if (findings.mobility) {
+        results["mobility"] = *findings.mobility;
+    }
     if (findings.erosion) {
         results["erosion"] = *findings.erosion;
     }
@@ -36,6 +39,9 @@ StageFindings read_findings(const std::filesystem::path& folder) {
         StageFindings findings;
         if (results.contains("probes")) {
             results.at("probes").get_to(findings.probes);
+        }
+        if (results.contains("mobility")) {
+            findings.mobility = results.at("mobility").get<erosion::MobilityResult>();
         }
         if (results.contains("erosion")) {
             findings.erosion = results.at("erosion").get<erosion::ErosionResult>();

@@ -122,7 +122,11 @@ json describe_stage(StageWork& work) {
 }
 
 void write_pictures(const StageWork& work, const casefile::OutputSpec& output) {
-    write_grain_pictures(work.folder, "grains", work.world, output.formats);
+    std::vector<io::VtkArray> further;
+    if (!work.mobile_gradient.empty()) {
+        further.push_back(io::vtk_scalars("mobile_gradient", work.mobile_gradient));
+    }
+    write_grain_pictures(work.folder, "grains", work.world, output.formats, further);
     if (record::writes(output, "vtp")) {
         io::write_contacts_vtp(work.folder / "contacts.vtp", work.world);
         io::write_cell_vtp(work.folder / "cell.vtp", work.world.cell);
@@ -137,7 +141,7 @@ void write_files(const StageWork& work, const casefile::OutputSpec& output) {
     );
     work.history.write_csv(work.folder / "history.csv");
     if (work.write_tables) {
-        io::write_grains_csv(work.folder / "grains.csv", world);
+        io::write_grains_csv(work.folder / "grains.csv", world, work.mobile_gradient);
         io::write_contacts_csv(work.folder / "contacts.csv", world);
     }
     if (output.snapshots.when != casefile::Snapshots::When::Never) {

@@ -5,6 +5,7 @@
 #include "suffuse/erosion/detachment.hpp"
 #include "suffuse/erosion/loop.hpp"
 #include "suffuse/erosion/passage.hpp"
+#include "suffuse/erosion/weighed_probe.hpp"
 #include "suffuse/flow/pore_velocity.hpp"
 #include "suffuse/flow/reynolds.hpp"
 #include "suffuse/flow/seepage.hpp"
@@ -19,6 +20,7 @@
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/record/samples.hpp"
+#include "suffuse/run/mobility_record.hpp"
 #include "suffuse/run/note_threshold.hpp"
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/stage_work.hpp"
@@ -28,6 +30,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace suffuse::run {
@@ -111,6 +114,10 @@ json pass_numbers(const erosion::PassResult& pass) {
         {"reached_target", pass.reached_target},
         {"probe", probe_numbers(pass.probe)},
     });
+    if (pass.mobility) {
+        numbers.erase("probe");
+        numbers.update(mobility_numbers(*pass.mobility));
+    }
     return numbers;
 }
 
@@ -202,6 +209,27 @@ void note_target(StageWork& work, const erosion::ErodeSpec& spec, const erosion:
             name_of(spec.until_eroded->of), result.passes.size(), result.passes.size() == 1 ? "pass" : "passes",
             100 * spec.until_eroded->share
         ));
+    }
+}
+
+/// Of the relaxation, of probe and twin, or of the fines under their weight.
+std::int64_t steps_of_probe(const erosion::PassResult& pass) {
+    return pass.mobility ? pass.mobility->rest_steps + pass.mobility->ramp_steps
+                         : pass.probe.relax_steps + 2 * (pass.probe.ramp + pass.probe.watch);
+}
+
+/// The soil of before is what an engineer asks about; grains that are left are told what the last pass found.
+void keep_mobility(StageWork& work, const erosion::ErosionResult& result) {
+    std::vector<const erosion::MobilityResult*> ramps;
+    for (const erosion::PassResult& pass : result.passes) {
+        if (pass.mobility) {
+            ramps.push_back(&*pass.mobility);
+        }
+    }
+    if (!ramps.empty()) {
+        work.numbers.update(mobility_numbers(*ramps.front()));
+        work.mobile_gradient = mobile_gradients(work.world, *ramps.back());
+        write_mobility(work.folder, ramps);
     }
 }
 
@@ -335,7 +363,31 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
     }
 }
 
+namespace {
+
+void detach_with_weight(StageWork& work, const erosion::DetachStageSpec& spec) {
+    const erosion::MobilityResult& mobility =
+        work.findings.mobility.emplace(erosion::probe_mobility(work.world, spec, work.surroundings()));
+    work.numbers.update(mobility_numbers(mobility));
+    work.numbers.update(source_numbers(mobility.flow));
+    note_network(
+        work, "of the sample", mobility.flow, dem::porosity(work.world), spec.probe.flow.solver == flow::Solver::Auto
+    );
+    note_mobility(work, "", mobility);
+    work.time_step = mobility.time_step;
+    work.numbers["steps"] = mobility.rest_steps + mobility.ramp_steps;
+    work.count_steps(work.numbers["steps"]);
+    work.mobile_gradient = mobile_gradients(work.world, mobility);
+    write_mobility(work.folder, std::array{&mobility});
+}
+
+} // namespace
+
 void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
+    work.numbers["model"] = model_name(spec.probe.gravity.has_value());
+    if (spec.probe.gravity) {
+        return detach_with_weight(work, spec);
+    }
     work.findings.probes = erosion::probe_gradients(work.world, spec, work.surroundings());
     json probes = json::array();
     for (const erosion::ProbeResult& probe : work.findings.probes) {
@@ -383,14 +435,19 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     work.grain_steps = 0;
     for (const erosion::PassResult& pass : result.passes) {
         passes.push_back(pass_numbers(pass));
-        const std::int64_t probe_steps = pass.probe.relax_steps + 2 * (pass.probe.ramp + pass.probe.watch);
+        const std::int64_t probe_steps = steps_of_probe(pass);
         steps += probe_steps + pass.steps;
         work.grain_steps += probe_steps * grains + pass.steps * (grains - pass.removed);
         grains -= pass.removed;
         work.time_step = pass.probe.time_step;
-        note_probe(work, spec.detached, pass.probe, !spec.forced);
-        if (!spec.forced) {
-            note_threshold(work, fmt::format("pass {}", pass.pass), spec.detached, pass.probe);
+        if (pass.mobility) {
+            note_mobility(work, fmt::format("pass {}: ", pass.pass), *pass.mobility);
+        } else {
+            const erosion::DetachSpec rule = erosion::at_pass(spec, pass.pass).detached;
+            note_probe(work, rule, pass.probe, !spec.forced);
+            if (!spec.forced) {
+                note_threshold(work, fmt::format("pass {}", pass.pass), rule, pass.probe);
+            }
         }
         const bool is_usual_end = pass.verdict == erosion::Ending{erosion::NothingLeaves{}} ||
                                   (pass.reached_target && !pass.failed && !erosion::doubt_skeleton(work.world));
@@ -409,9 +466,11 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         note_network(work, "before pass 1", first.probe.flow, first.porosity_before, would_resolve);
         note_network(work, when, last.flow_after, last.porosity_after, would_resolve);
         note_closed_voids(work, when + ": ", last.closed_voids);
-        note_fast_water(work, when, spec.gradient, last.reynolds_after, last.porosity_after);
+        note_fast_water(work, when, last.probe.gradient, last.reynolds_after, last.porosity_after);
     }
+    keep_mobility(work, result);
     work.numbers["passes"] = passes;
+    work.numbers["model"] = model_name(spec.probe.gravity && !spec.forced);
     for (const auto of : {erosion::ErodedTarget::Of::Fines, erosion::ErodedTarget::Of::Solids}) {
         work.numbers[fmt::format("eroded_share_of_{}", name_of(of))] =
             erosion::eroded_share(work.world, result.initial_mass, of);

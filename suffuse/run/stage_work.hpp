@@ -30,6 +30,7 @@ struct StageWork {
     StrainPictures pictures;
     nlohmann::json numbers = nlohmann::json::object(); ///< of stage.json, beyond those of every state
     record::StageFindings findings;
+    std::vector<double> mobile_gradient; ///< of the world's grains; empty where nobody asked [-]
     std::vector<std::string> warnings, flaws;
     double time_step = 0;         ///< of the last burst [s]
     std::int64_t grain_steps = 0; ///< grains x steps, for the rate

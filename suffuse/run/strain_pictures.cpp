@@ -23,11 +23,11 @@ std::string stem(int multiple) {
 
 void write_grain_pictures(
     const std::filesystem::path& folder, const std::string& stem, const dem::World& world,
-    const std::vector<std::string>& formats
+    const std::vector<std::string>& formats, const std::vector<io::VtkArray>& further
 ) {
     for (const std::string& format : formats) {
         if (format == "vtp") {
-            io::write_grains_vtp(folder / (stem + ".vtp"), world);
+            io::write_grains_vtp(folder / (stem + ".vtp"), world, further);
         } else if (format == "xyz") {
             io::export_extended_xyz(folder / (stem + ".xyz"), world.grains, world.cell);
         }

@@ -1,0 +1,54 @@
+#pragma once
+// Which fines a gradient moves against their weight. On a copy of the sample the coarse grains are held, and with them
+// the fines that carry the skeleton's forces; the other fines fall into place under their weight, and then bear a
+// gradient that rises step by step, each held until nothing new moves. The sample itself stays weightless: the soil
+// around a representative cell carries its skeleton, so that no floor is needed (docs/theory/weight.md).
+
+#include "suffuse/base/pulse.hpp"
+#include "suffuse/dem/world.hpp"
+#include "suffuse/erosion/mobility_result.hpp"
+#include "suffuse/erosion/spec.hpp"
+#include "suffuse/erosion/weight.hpp"
+#include "suffuse/flow/fluid.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// What is known of the water at one moment: the force on each grain at a hydraulic gradient of 1, without buoyancy.
+struct UnitSeepage {
+    std::vector<Vec3> force; ///< [N]
+    flow::FlowSource source;
+    double permeability = 0; ///< along the flow [m2]
+};
+
+/// Solves the flow through the copy as it is.
+using SolveFlow = std::function<UnitSeepage(const dem::World& world)>;
+
+struct MobilitySetting {
+    Gravity gravity;
+    flow::Fluid fluid;
+    Vec3 direction = {0, 0, 1};
+    std::vector<double> gradients; ///< rising, above 0
+    double softness = usual_softness;
+    std::optional<double> asked_gradient;
+};
+
+/// Gradients up to `up_to` in so many equal steps.
+std::vector<double> even_gradients(double up_to, std::int64_t steps);
+
+/// Gradients up to this one in steps that tell what moves early from what moves late: 0.05, from 0.4 on 0.1.
+std::vector<double> gradients_up_to(double last);
+
+/// @throws CaseError, StateError for a setting or sample that cannot be; and what `solve` throws
+MobilityResult find_mobility(
+    const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse = {}
+);
+
+/// Enters which of the mobile fines also leave. @param passes a row a fine grain of the result
+void tell_leaving(MobilityResult& mobility, std::span<const std::uint8_t> passes);
+
+} // namespace suffuse::erosion

@@ -1,0 +1,218 @@
+// One fine grain in the pocket between three that touch: the closed forms of docs/theory/weight.md.
+
+#include "suffuse/erosion/mobility.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::erosion {
+namespace {
+
+constexpr double coarse_radius = 0.5e-3; // [m]
+
+/// A fine grain above three coarse ones whose centers lie in a plane across z, one of them toward +x.
+struct Pocket {
+    dem::World world;
+    double level = 0;  ///< of the fine grain's center above the plane [m]
+    double center = 0; ///< from the middle of two coarse grains to the middle of all three [m]
+
+    explicit Pocket(double size_ratio, double friction = 0) {
+        const double R = coarse_radius, r = size_ratio * R, edge = 10 * R;
+        level =
+            std::sqrt(std::max((R + r) * (R + r) - 4 * R * R / 3, R * R / 4)); // or above a gap that it falls through
+        center = R / std::sqrt(3.0);
+        world.cell.h = diagonal({edge, edge, edge});
+        world.material.friction = friction;
+        world.material.rolling_stiffness = 0;
+        for (const double angle : {0.0, 2 * pi / 3, 4 * pi / 3}) {
+            const Vec3 outward{std::cos(angle), std::sin(angle), 0};
+            add_grain(world.grains, Vec3{5 * R, 5 * R, 5 * R} + 2 * center * outward, R, world.material.density);
+        }
+        add_grain(world.grains, {5 * R, 5 * R, 5 * R + 1.0005 * level}, r, world.material.density);
+        world.grains.fine = {0, 0, 0, 1};
+    }
+};
+
+/// In units of the fine grain's weight, of which a gradient of 1 pulls with `unit` along the flow.
+constexpr double unit = 100;
+
+SolveFlow pull_along(const Pocket& pocket, const Vec3& direction) {
+    const std::vector<Vec3> weight = buoyant_weights(pocket.world, {}, {});
+    return [=](const dem::World&) {
+        UnitSeepage water;
+        water.force.resize(weight.size());
+        water.force[3] = unit * norm(weight[3]) * direction;
+        return water;
+    };
+}
+
+/// Steps of a hundredth of what theory says, from a tenth below it on.
+std::vector<double> around(double theory) {
+    std::vector<double> gradients;
+    for (double share = 0.9; share < 1.1; share += 0.01) {
+        gradients.push_back(share * theory / unit);
+    }
+    return gradients;
+}
+
+/// The pull along `direction` that moves the grain out of its pocket, over its weight.
+double pull_that_moves(const Pocket& pocket, const Vec3& direction, std::vector<double> gradients) {
+    const MobilitySetting setting{.direction = direction, .gradients = std::move(gradients)};
+    return unit * find_mobility(pocket.world, setting, pull_along(pocket, direction)).mobile_gradient.front();
+}
+
+/// What is found is the first step above theory, or one or two later: a grain that hardly moves is taken to rest.
+void expect_just_above(double found, double theory) {
+    EXPECT_GT(found, 0.995 * theory); // overlaps of a thousandth of the radius
+    EXPECT_LT(found, 1.035 * theory);
+}
+
+TEST(Mobility, OfAGrainInAPocketNeedsItsWeightUpward) {
+    for (const double ratio : {1.0, 0.3}) {
+        expect_just_above(pull_that_moves(Pocket(ratio), {0, 0, 1}, around(1)), 1);
+    }
+}
+
+TEST(Mobility, OfAGrainInAPocketIsNotReachedDownward) {
+    EXPECT_TRUE(std::isnan(pull_that_moves(Pocket(1), {0, 0, -1}, {1 / unit, 2 / unit, 5 / unit, 10 / unit})));
+}
+
+TEST(Mobility, AcrossASaddleIsReachedAtTheSlopeOfTheWayToItWithAndWithoutFriction) {
+    for (const double ratio : {1.0, 0.3}) {
+        for (const double friction : {0.0, std::atan(0.5)}) {
+            const Pocket pocket(ratio, friction);
+            const double theory = pocket.center / pocket.level;
+            expect_just_above(pull_that_moves(pocket, {-1, 0, 0}, around(theory)), theory);
+        }
+    }
+}
+
+TEST(Mobility, OverTheThirdGrainIsReachedAtTwiceThatSlope) {
+    const Pocket pocket(1);
+    const double theory = 2 * pocket.center / pocket.level;
+    expect_just_above(pull_that_moves(pocket, {1, 0, 0}, around(theory)), theory);
+}
+
+TEST(Mobility, OverTheThirdGrainIsHeldBackByRollingFrictionAsAnAngle) {
+    Pocket pocket(1, std::atan(0.5));
+    pocket.world.material.rolling_stiffness = 7.5;
+    pocket.world.material.rolling_friction = 0.22;
+    const double theory = std::tan(std::atan(2 * pocket.center / pocket.level) + std::atan(0.22));
+    expect_just_above(pull_that_moves(pocket, {1, 0, 0}, around(theory)), theory);
+}
+
+TEST(Mobility, DoesNotDependOnHowFarForcesAreScaledUp) {
+    const Pocket pocket(1);
+    const double theory = pocket.center / pocket.level;
+    MobilitySetting setting{.direction = {-1, 0, 0}, .gradients = around(theory)};
+    for (const double softness : {usual_softness, usual_softness / 10}) {
+        setting.softness = softness;
+        const MobilityResult result = find_mobility(pocket.world, setting, pull_along(pocket, setting.direction));
+        expect_just_above(unit * result.mobile_gradient.front(), theory);
+    }
+}
+
+TEST(Mobility, OfAGrainWithoutAPocketIsSiftingUnderItsOwnWeight) {
+    const Pocket pocket(0.15); // three that touch let through what is 6.46 times smaller
+    const MobilityResult result =
+        find_mobility(pocket.world, {.direction = {0, 0, 1}, .gradients = {0.5 / unit}}, pull_along(pocket, {0, 0, 1}));
+    EXPECT_TRUE(result.sifts);
+    EXPECT_EQ(result.sifting_mass_share, 1);
+}
+
+TEST(Mobility, OfAGrainThatBearsTheSkeletonsLoadIsNotAsked) {
+    Pocket pocket(1);
+    pocket.world.grains.position[3].z -= 0.0006 * pocket.level; // pressed in, by far more than its weight
+    dem::StepCaches caches;
+    dem::step(pocket.world, caches, {.dt = 1e-12}); // finds the contacts
+    const MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {0.5 / unit, 2 / unit}};
+    const MobilityResult result = find_mobility(pocket.world, setting, pull_along(pocket, setting.direction));
+    EXPECT_EQ(result.load_bearing_mass_share, 1);
+    EXPECT_EQ(result.ramp.back().mobile_mass_share, 0);
+}
+
+TEST(Mobility, HasTheSameBitsForAnyNumberOfThreads) {
+    const Pocket pocket(1);
+    const MobilitySetting setting{.direction = {-1, 0, 0}, .gradients = {0.2 / unit, 0.5 / unit}};
+    std::vector<double> lifted;
+    for (const int threads : {1, 2, 3}) {
+        set_thread_count(threads);
+        const MobilityResult result = find_mobility(pocket.world, setting, pull_along(pocket, setting.direction));
+        lifted.push_back(static_cast<double>(result.ramp_steps) + result.mobile_gradient.front());
+    }
+    set_thread_count(1);
+    EXPECT_EQ(lifted[0], lifted[1]);
+    EXPECT_EQ(lifted[0], lifted[2]);
+}
+
+TEST(Mobility, NeedsFinesACoarseSkeletonAndARampThatRises) {
+    Pocket pocket(1);
+    const SolveFlow solve = pull_along(pocket, {0, 0, 1});
+    EXPECT_THROW((void)find_mobility(pocket.world, {.gradients = {}}, solve), CaseError);
+    EXPECT_THROW((void)find_mobility(pocket.world, {.gradients = {0.002, 0.001}}, solve), CaseError);
+    EXPECT_THROW((void)find_mobility(pocket.world, {.gradients = {0, 0.001}}, solve), CaseError);
+    EXPECT_THROW((void)find_mobility(pocket.world, {.direction = {0, 0, 0}, .gradients = {0.001}}, solve), CaseError);
+    EXPECT_THROW((void)find_mobility(pocket.world, {.gradients = {0.9}}, solve), StateError); // heave comes before
+    pocket.world.grains.fine = {0, 0, 0, 0};
+    EXPECT_THROW((void)find_mobility(pocket.world, {.gradients = {0.001}}, solve), StateError);
+    pocket.world.grains.fine = {1, 1, 1, 1};
+    EXPECT_THROW((void)find_mobility(pocket.world, {.gradients = {0.001}}, solve), StateError);
+}
+
+TEST(Mobility, StepsAreFineWhereMostIsDecided) {
+    EXPECT_EQ(gradients_up_to(0.03), std::vector<double>{0.03});
+    const std::vector<double> ramp = gradients_up_to(1.2);
+    ASSERT_EQ(ramp.size(), 16);
+    EXPECT_NEAR(ramp[0], 0.05, 1e-15);
+    EXPECT_NEAR(ramp[7], 0.4, 1e-15);
+    EXPECT_NEAR(ramp[8], 0.5, 1e-15);
+    EXPECT_EQ(ramp.back(), 1.2);
+    EXPECT_EQ(even_gradients(1.2, 24).size(), 24);
+    EXPECT_EQ(even_gradients(1.2, 24).back(), 1.2);
+}
+
+/// Half of the mass at 0.2, all of it at 0.4.
+MobilityResult two_steps() {
+    MobilityResult result;
+    result.ramp = {{.gradient = 0.2, .mobile_mass_share = 0.5}, {.gradient = 0.4, .mobile_mass_share = 1}};
+    result.mass = {1, 1};
+    result.mobile_gradient = {0.2, 0.4};
+    result.moves_1 = gradient_that_moves(result, 0.01);
+    return result;
+}
+
+TEST(Mobility, IsReadOffItsCurveBetweenSteps) {
+    const MobilityResult result = two_steps();
+    EXPECT_NEAR(*gradient_that_moves(result, 0.01), 0.2 / 50, 1e-15);
+    EXPECT_NEAR(*gradient_that_moves(result, 0.75), 0.3, 1e-15);
+    EXPECT_NEAR(*mobile_share_at(result, 0.1), 0.25, 1e-15);
+    EXPECT_NEAR(*mobile_share_at(result, 0.2), 0.5, 1e-15);
+    EXPECT_NEAR(*mobile_share_at(result, 0.3), 0.75, 1e-15);
+    EXPECT_FALSE(mobile_share_at(result, 0.5));
+}
+
+TEST(Mobility, LeavesWhatIsMobileAndFitsThrough) {
+    MobilityResult result = two_steps();
+    tell_leaving(result, std::vector<std::uint8_t>{0, 1});
+    EXPECT_EQ(result.ramp[0].leaving_mass_share, 0.0);
+    EXPECT_EQ(result.ramp[1].leaving_mass_share, 0.5);
+}
+
+TEST(Mobility, GivesAFactorOfSafetyOrWhatItIsAtLeast) {
+    MobilityResult result = two_steps();
+    EXPECT_FALSE(factor_of_safety(result)); // of which gradient?
+    result.asked_gradient = 0.002;
+    EXPECT_NEAR(*factor_of_safety(result)->factor, 2, 1e-12);
+    result.moves_1.reset(); // not reached by the ramp
+    result.asked_gradient = 0.1;
+    EXPECT_FALSE(factor_of_safety(result)->factor);
+    EXPECT_NEAR(factor_of_safety(result)->at_least, 4, 1e-12);
+}
+
+} // namespace
+} // namespace suffuse::erosion

@@ -1,0 +1,76 @@
+#pragma once
+// Which fines a gradient moves against their weight, as plain values.
+
+#include "suffuse/base/vec3.hpp"
+#include "suffuse/flow/known_error.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// The state that fines of weight reach under one gradient of the ramp. Shares are of the mass of all fines unless
+/// said.
+struct MobilityStep {
+    double gradient = 0;            ///< hydraulic [-]
+    double mobile_mass_share = 0;   ///< moved along the flow by half a diameter, at this gradient or a lower one
+    double mobile_number_share = 0; ///< of their number
+    std::optional<double> leaving_mass_share; ///< mobile, and smaller than the constriction; nothing where none decides
+    double lifted_mass_share = 0;             ///< moved along the flow by a tenth of a diameter
+    double displaced_mass_share = 0;          ///< moved half a diameter whatever the direction
+    double held_for = 0;                      ///< time that the gradient was held, in units of WeightScale::time [-]
+    double still_moving = 0; ///< of the number of free fines that are not mobile, in the last of it [-]
+    double permeability = 0; ///< along the flow, of the packing at the start of the step [m2]
+};
+
+/// Fines under their weight: laid to rest without flow, then under a gradient that rises step by step.
+struct MobilityResult {
+    Vec3 down, direction;    ///< unit vectors
+    double acceleration = 0; ///< of gravity [m/s2]
+    flow::FlowSource flow;   ///< that the forces are of, at the first step
+    std::vector<MobilityStep> ramp;
+
+    double critical_gradient = 0;         ///< i_c of Terzaghi [-]
+    std::optional<double> heave_gradient; ///< at which this flow lifts the whole soil; none where it never does
+    std::optional<double> alpha_fines;    ///< stress that the fines carry, stats/stress_by_fraction.hpp [-]
+    std::optional<double> skempton_brogan_gradient; ///< alpha x heave gradient [SkemptonBrogan1994]
+    std::optional<double> fines_heave_gradient;     ///< heave of the fines alone: heave gradient x FC/s
+    std::optional<double> single_grain_gradient; ///< 5 % of the fines weigh less than their own seepage force beyond it
+    double fines_content = 0;                    ///< by mass [-]
+    double drag_share = 0;                       ///< of the seepage force along the flow that acts on fines: s [-]
+    std::optional<double> moves_1, moves_10,
+        moves_50;                         ///< gradients that make so many percent of the fines' mass mobile
+    std::optional<double> asked_gradient; ///< that the soil has to bear
+
+    double load_bearing_mass_share = 0; ///< of the fines that carry the skeleton's forces, and were held
+    double sifting_mass_share = 0;      ///< of those that fall through the skeleton without flow
+    bool sifts = false;                 ///< whether that is notable, or never ended
+    double fallen_mass_share = 0;       ///< of those that fell half a diameter before they rested
+    double rested_for = 0;              ///< time of the rest, in units of WeightScale::time [-]
+    double weight_scale = 1;            ///< K [-]
+    double time_step = 0;               ///< [s]
+    std::int64_t rest_steps = 0, ramp_steps = 0;
+
+    std::vector<std::uint32_t> id;        ///< of the fines, as all that follows
+    std::vector<double> diameter, mass;   ///< [m], [kg]
+    std::vector<double> mobile_gradient;  ///< of the first step at which it was mobile; not a number: at none [-]
+    std::vector<std::uint8_t> bears_load; ///< 1: held
+};
+
+/// The gradient at which the mobile share of the mass reaches `share`, linear between steps; nothing beyond the ramp.
+std::optional<double> gradient_that_moves(const MobilityResult& mobility, double share);
+
+/// Of the mass at one gradient, linear between steps; nothing beyond the ramp.
+std::optional<double> mobile_share_at(const MobilityResult& mobility, double gradient);
+
+/// The gradient that moves 1 % of the fines over the asked one.
+struct FactorOfSafety {
+    std::optional<double> factor; ///< nothing where the ramp ends before
+    double at_least = 0;          ///< then it is at least this: the end of the ramp over the asked one
+};
+
+/// Nothing where no gradient is asked for.
+std::optional<FactorOfSafety> factor_of_safety(const MobilityResult& mobility);
+
+} // namespace suffuse::erosion

@@ -1,0 +1,63 @@
+#pragma once
+// A copy of a sample whose free fines have weight: coarse grains are held, and with them the fines that carry the
+// skeleton's forces. Weight and seepage are scaled up alike (weight.hpp).
+
+#include "suffuse/base/pulse.hpp"
+#include "suffuse/dem/stable_dt.hpp"
+#include "suffuse/dem/step.hpp"
+#include "suffuse/dem/world.hpp"
+#include "suffuse/erosion/weight.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// A contact that presses a fine grain with more than this times its weight is one of the skeleton.
+inline constexpr double load_of_skeleton = 100;
+
+class WeighedCopy {
+public:
+    /// @param weight of each grain, less buoyancy [N]; @param softness see scale_weight
+    WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, double softness);
+
+    /// Lets weight act, and `share` of the given force on each grain [N], if any, for a time in units of scale().time.
+    void hold(double time, std::span<const Vec3> force, double share, const Pulse& pulse, std::string_view part);
+
+    [[nodiscard]] const dem::World& world() const { return world_; }
+
+    [[nodiscard]] const WeightScale& scale() const { return scale_; }
+
+    [[nodiscard]] double time_step() const { return step_.time_step; }
+
+    [[nodiscard]] std::int64_t steps() const { return steps_; } ///< made so far
+
+    /// Of row `g` of the grain table [N].
+    [[nodiscard]] const Vec3& weight(std::uint32_t g) const { return weight_[g]; }
+
+    [[nodiscard]] const std::vector<std::uint32_t>& fines() const { return fines_; } ///< rows of the grain table
+
+    // Of the fines, by their number k in fines().
+    [[nodiscard]] bool bears_load(std::size_t k) const { return bears_load_[k] != 0; }
+
+    [[nodiscard]] const Vec3& position(std::size_t k) const { return world_.grains.position[fines_[k]]; }
+
+    [[nodiscard]] std::vector<Vec3> positions() const;
+
+    [[nodiscard]] std::int64_t free_count() const { return free_; }
+
+private:
+    dem::World world_;
+    std::vector<Vec3> weight_; ///< [N]
+    std::vector<std::uint32_t> fines_;
+    std::vector<std::uint8_t> bears_load_;
+    std::int64_t free_ = 0;
+    WeightScale scale_;
+    dem::StepCaches caches_;
+    dem::ComputedStep step_;
+    std::int64_t steps_ = 0;
+};
+
+} // namespace suffuse::erosion

@@ -1,0 +1,62 @@
+#include "suffuse/erosion/weight.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/quantile.hpp"
+#include "suffuse/contact/springs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace suffuse::erosion {
+
+std::vector<Vec3> buoyant_weights(const dem::World& world, const Gravity& gravity, const flow::Fluid& fluid) {
+    const double excess = world.material.density - fluid.density;
+    if (!(excess > 0)) {
+        throw CaseError(fmt::format(
+            "grain.density: found {:.6g} kg/m3 in a fluid of {:.6g} kg/m3, expected more than that: grains that do not "
+            "sink have no weight that holds them; give other densities, or leave [gravity] out",
+            world.material.density, fluid.density
+        ));
+    }
+    std::vector<Vec3> weight;
+    weight.reserve(world.grains.size());
+    for (const double r : world.grains.radius) {
+        weight.push_back((excess * gravity.acceleration * sphere_volume(r)) * gravity.down);
+    }
+    return weight;
+}
+
+double critical_gradient(double porosity, double grain_density, double fluid_density) {
+    return (1 - porosity) * (grain_density - fluid_density) / fluid_density;
+}
+
+std::optional<double> heave_gradient(double critical_gradient, const Gravity& gravity, const Vec3& direction) {
+    constexpr double level = 1e-6; // a direction that was meant to be so, and rounded
+    const double rise = -dot(gravity.down, direction) / norm(direction);
+    return rise > level ? std::optional(critical_gradient / rise) : std::nullopt;
+}
+
+WeightScale scale_weight(
+    const dem::World& world, std::span<const Vec3> weight, std::span<const std::uint32_t> fines, double softness
+) {
+    const grains::Grains& grains = world.grains;
+    const contact::Spring& spring = contact::spring_of(world.material);
+    WeightScale scale;
+    scale.factor = std::numeric_limits<double>::infinity();
+    std::vector<double> diameter;
+    for (const std::uint32_t g : fines) {
+        const double r = grains.radius[g];
+        scale.factor = std::min(scale.factor, spring.force(world.material, r, r, softness * r) / norm(weight[g]));
+        diameter.push_back(2 * r);
+    }
+    const double median = upper_quantile(std::move(diameter), 0.5);
+    scale.acceleration = scale.factor * norm(weight[fines.front()]) / grains.mass[fines.front()]; // the same for all
+    scale.time = std::sqrt(median / scale.acceleration);
+    scale.drag = std::sqrt(scale.acceleration / (0.5 * median));
+    return scale;
+}
+
+} // namespace suffuse::erosion

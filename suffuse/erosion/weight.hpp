@@ -1,0 +1,43 @@
+#pragma once
+// The weight of grains under water, the gradient that lifts a soil, and how much heavier grains may be made. Contacts
+// are stiff and weights small: grains fall into place in time only where all forces are scaled up alike. Where they
+// rest does not change with it as long as overlaps stay small (docs/theory/weight.md).
+
+#include "suffuse/dem/world.hpp"
+#include "suffuse/erosion/spec.hpp"
+#include "suffuse/flow/fluid.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// Weight less buoyancy of each grain [N]. @throws CaseError where grains would not sink.
+std::vector<Vec3> buoyant_weights(const dem::World& world, const Gravity& gravity, const flow::Fluid& fluid);
+
+/// The gradient of upward seepage at which it carries the whole soil: (1 - n)(rho_s - rho_f)/rho_f [Terzaghi1939].
+double critical_gradient(double porosity, double grain_density, double fluid_density);
+
+/// The same for seepage along `direction`, which lifts by its upward part; nothing where it does not rise.
+std::optional<double> heave_gradient(double critical_gradient, const Gravity& gravity, const Vec3& direction);
+
+/// How weights and seepage forces are scaled, and the clock of the motion under them.
+struct WeightScale {
+    double factor = 1;       ///< of all forces from outside the skeleton: K [-]
+    double acceleration = 0; ///< of a grain that falls freely, with it [m/s2]
+    double time = 0;         ///< in which the median fine grain falls half its diameter: T [s]
+    double drag = 0;         ///< viscous; falling grains get as fast as they are after a quarter of that diameter [1/s]
+};
+
+/// Overlap over radius by which weight presses two equal fines together, at most.
+inline constexpr double usual_softness = 1e-3;
+
+/// @param weight of each grain [N]; @param fines rows of the grain table, at least one
+WeightScale scale_weight(
+    const dem::World& world, std::span<const Vec3> weight, std::span<const std::uint32_t> fines,
+    double softness = usual_softness
+);
+
+} // namespace suffuse::erosion
