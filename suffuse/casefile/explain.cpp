@@ -99,7 +99,9 @@ constexpr std::array code_table = {
     Code{"W603", "large overlaps", "At this stress, grains overlap by more than 2 % of their radius."},
     Code{
         "W604", "above the critical gradient",
-        "Upward seepage at this gradient would lift the whole soil; gravity is not part of the model."},
+        "Upward seepage at this gradient would lift the whole soil; without [gravity] grains have no weight, and with "
+        "it "
+        "the coarse ones are held."},
     Code{"E605", "no fines", "Erosion needs to know which grains are fine."},
     Code{
         "W605", "nothing or everything is fine",
@@ -141,6 +143,17 @@ constexpr std::array code_table = {
         "Only with passes_constriction = { size = \"flow-path\" } do detached grains follow the water, and leave when "
         "they have come the `distance` along it. With any other size they leave at once or not at all, and `forced` "
         "takes them out in any case."},
+    Code{
+        "W614", "entries for passes that are not made",
+        "`gradient`, `hold` and `detached` of an erosion may be lists, one entry a pass; `passes` says how many are "
+        "made."},
+    Code{
+        "E617", "grains that do not sink",
+        "With [gravity] fines have weight less buoyancy: grains must be denser than the fluid."},
+    Code{
+        "E618", "a ramp that begins with heave",
+        "With [gravity] the fines bear a gradient that rises. Above (1 - n)(rho_s - rho_f)/rho_f upward seepage lifts "
+        "the whole soil: the ramp must begin below."},
 };
 
 /// A word or symbol with its sign and meaning; docs/notation.md has them all.

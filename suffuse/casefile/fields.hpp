@@ -235,6 +235,7 @@ void fields(V& v, erosion::DetachStageSpec& s) {
     v.direction(s.direction);
     v.field("asked_gradient", s.asked_gradient);
     v.choice("hold", s.probe.hold_coarse, names::hold);
+    check_hold(v, s.probe, s.probe.hold_coarse);
     weightless_fields(v, s.probe);
     solver_fields(v, s.probe.flow);
     if (V::reads || !s.probe.gravity) {

@@ -169,9 +169,12 @@ TEST(LoadCase, EveryKeyOfTheSchemaIsWrittenBack) {
         const std::string law = fmt::format("[contact]\nlaw = \"{}\"\nmodulus = \"70 GPa\"\n", spring.words.name);
         collect_keys(tree_of(load(good_case + law)), written);
     }
+    const std::string asks = "[[study.one.stage]]\nname = \"x\"\ndo = \"detach\"\nasked_gradient = 0.2\n";
+    collect_keys(tree_of(load(good_case + asks + "[gravity]\ndown = \"-z\"\n")), written);
     for (const Key& key : schema()) {
-        // `preset` was applied; `settle` writes its stresses per axis.
-        const bool is_input_only = key.table == "presets.*" || (key.table.empty() && key.name == "preset");
+        // `preset` was applied; `settle` writes its stresses per axis, `detach` all its gradients.
+        const bool is_input_only = key.table == "presets.*" || (key.table.empty() && key.name == "preset") ||
+                                   key.table == "stage.detach.gradients";
         if (!is_input_only) {
             EXPECT_TRUE(written.contains(key.name)) << key_place(key);
         }

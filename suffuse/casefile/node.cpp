@@ -54,9 +54,10 @@ void print_entries(const Node& table, const std::string& path, std::string& out)
         if (!is_list_of_tables(value)) {
             continue;
         }
+        const std::string inner = fmt::format("{}.{}", path, print_key(key));
         for (const Node& item : value.items) {
-            out += fmt::format("\n[[{}.{}]]\n", path, print_key(key));
-            print_entries(item, path, out);
+            out += fmt::format("\n[[{}]]\n", inner);
+            print_entries(item, inner, out);
         }
     }
 }

@@ -5,7 +5,7 @@
 #include "suffuse/casefile/stage_loading.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/contact/springs.hpp"
-#include "suffuse/erosion/weight.hpp"
+#include "suffuse/erosion/heave.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 

@@ -1,7 +1,7 @@
 #include "suffuse/casefile/weight_fields.hpp"
 
 #include "suffuse/casefile/names.hpp"
-#include "suffuse/erosion/mobility.hpp"
+#include "suffuse/erosion/ramp.hpp"
 
 #include <fmt/format.h>
 
@@ -93,19 +93,22 @@ void check_weightless(Reader& v, const erosion::ProbeSpec& probe) {
     constexpr std::array<std::string_view, 5> meaningless = {
         "detached", "ramp", "watch", "probe_unbalanced_force", "relax_limit"};
     for (const std::string_view key : meaningless) {
-        if (v.has(key)) {
+        if (const Node* node = v.take(key)) {
             v.error(
-                "E207", v.context().places[fmt::format("{}.{}", v.path(), key)],
+                "E207", node->place,
                 fmt::format("{} gives `{}`, which has no meaning where fines have weight", v.title(), key),
                 "take it out: with [gravity] what moves half a diameter against its weight is mobile; or leave "
                 "[gravity] out"
             );
         }
     }
-    if (!probe.hold_coarse) {
+}
+
+void check_hold(Reader& v, const erosion::ProbeSpec& probe, bool holds_coarse) {
+    const Node* node = v.take("hold");
+    if (probe.gravity && !holds_coarse && node != nullptr) {
         v.error(
-            "E207", v.context().places[v.path() + ".hold"],
-            fmt::format("{} holds no grain, and its fines have weight: all would fall", v.title()),
+            "E207", node->place, fmt::format("{} holds no grain, and its fines have weight: all would fall", v.title()),
             "leave `hold` out: the coarse grains are held; or leave [gravity] out"
         );
     }
@@ -179,9 +182,8 @@ void gradient_of_passes(Reader& v, erosion::ErodeSpec& s) {
     }
     s.gradient = first.gradient;
     s.detached = first.detached;
-    s.probe.hold_coarse = first.hold_coarse && std::ranges::all_of(s.later_passes, &erosion::PassSpec::hold_coarse);
-    check_weightless(v, s.probe);
     s.probe.hold_coarse = first.hold_coarse;
+    check_hold(v, s.probe, first.hold_coarse && std::ranges::all_of(s.later_passes, &erosion::PassSpec::hold_coarse));
     if (passes > 1 && !v.has("passes")) {
         s.passes = static_cast<int>(passes);
     } else if (passes > static_cast<std::size_t>(s.passes) && !v.context().is_resolved) {

@@ -25,6 +25,11 @@ void check_weightless(Reader& v, const erosion::ProbeSpec& probe);
 
 inline void check_weightless(Writer&, const erosion::ProbeSpec&) {}
 
+/// Where nothing is held all fines of weight fall. @param holds_coarse in every pass
+void check_hold(Reader& v, const erosion::ProbeSpec& probe, bool holds_coarse);
+
+inline void check_hold(Writer&, const erosion::ProbeSpec&, bool) {}
+
 /// A list, or { up_to = 1.2, steps = 24 }.
 void gradients_field(Reader& v, erosion::DetachStageSpec& s);
 void gradients_field(Writer& v, const erosion::DetachStageSpec& s);

@@ -230,12 +230,16 @@ void Neighborhood::make_table(
 ) {
     const std::vector<double>& radius = world.grains.radius;
     std::vector<std::uint8_t> near(pairs_.size());
+    const std::vector<grains::Motion>& motion = world.grains.motion;
+    const auto matters = [&](std::uint32_t i, std::uint32_t j) {
+        return !leaves_out_held_ || motion[i] == grains::Motion::Free || motion[j] == grains::Motion::Free;
+    };
     parallel_for(rows.size(), block, [&](std::size_t begin, std::size_t end) {
         pairs_.for_each_of(begin, end, [&](std::size_t k, const neighbors::Pair& pair) {
             const auto& [i, j, image] = pair;
             const double reach = (1 + stretch_) * (radius[i] + radius[j]) + allowance[i] + allowance[j];
             const Vec3 branch = xyz(rows[j].position) + cell::shift(world.cell.h, image) - xyz(rows[i].position);
-            near[k] = norm2(branch) <= reach * reach ? 1 : 0;
+            near[k] = norm2(branch) <= reach * reach && matters(i, j) ? 1 : 0;
         });
     });
     const auto carry_over = [&]<class Real>(contact::MemoryOf<Real>& memory) {

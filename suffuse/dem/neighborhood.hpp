@@ -33,6 +33,10 @@ public:
     /// Forgets everything: after grains were added, removed or moved by hand.
     void invalidate() { valid_ = false; }
 
+    /// Leaves pairs of two held grains out of the table, for whoever looks at what moves alone: neither the stress nor
+    /// the forces on held grains are then whole.
+    void leave_out_held_pairs() { leaves_out_held_ = true; }
+
     [[nodiscard]] const Watch& watch() const { return watch_; }
 
     /// Reckons anew until when the grains in no row of the table stay within their watch if nothing pushes them.
@@ -64,6 +68,7 @@ private:
     );
 
     bool valid_ = false;
+    bool leaves_out_held_ = false;
     double smallest_radius_ = 0, largest_radius_ = 0;
 
     // The wide list: all pairs with a gap up to the margin, when it was made.

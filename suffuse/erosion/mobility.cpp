@@ -193,30 +193,6 @@ MobilityStep bear(
 
 } // namespace
 
-std::vector<double> even_gradients(double up_to, std::int64_t steps) {
-    std::vector<double> gradients;
-    for (std::int64_t k = 1; k <= steps; ++k) {
-        gradients.push_back(up_to * static_cast<double>(k) / static_cast<double>(steps));
-    }
-    return gradients;
-}
-
-std::vector<double> gradients_up_to(double last) {
-    constexpr double early = 0.05, early_until = 0.4, late = 0.1;
-    std::vector<double> gradients;
-    const auto add_steps = [&](double from, double to, double most) {
-        const double count = std::ceil((to - from) / most * (1 - 1e-12));
-        for (double k = 1; k <= count; ++k) {
-            gradients.push_back(k < count ? from + k * (to - from) / count : to);
-        }
-    };
-    add_steps(0, std::min(last, early_until), early);
-    if (last > early_until) {
-        add_steps(early_until, last, late);
-    }
-    return gradients;
-}
-
 MobilityResult find_mobility(
     const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse
 ) {

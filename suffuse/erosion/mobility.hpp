@@ -7,6 +7,7 @@
 #include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/world.hpp"
 #include "suffuse/erosion/mobility_result.hpp"
+#include "suffuse/erosion/ramp.hpp"
 #include "suffuse/erosion/spec.hpp"
 #include "suffuse/erosion/weight.hpp"
 #include "suffuse/flow/fluid.hpp"
@@ -36,12 +37,6 @@ struct MobilitySetting {
     double softness = usual_softness;
     std::optional<double> asked_gradient;
 };
-
-/// Gradients up to `up_to` in so many equal steps.
-std::vector<double> even_gradients(double up_to, std::int64_t steps);
-
-/// Gradients up to this one in steps that tell what moves early from what moves late: 0.05, from 0.4 on 0.1.
-std::vector<double> gradients_up_to(double last);
 
 /// @throws CaseError, StateError for a setting or sample that cannot be; and what `solve` throws
 MobilityResult find_mobility(

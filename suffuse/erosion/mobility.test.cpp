@@ -4,6 +4,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/dem/step.hpp"
 
 #include <gtest/gtest.h>
 

@@ -54,6 +54,7 @@ WeighedCopy::WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, dou
             free_ += is_free ? 1 : 0;
         }
     }
+    caches_.neighborhood.leave_out_held_pairs();
     scale_ = scale_weight(world_, weight_, fines_, softness);
 }
 

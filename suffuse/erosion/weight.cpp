@@ -29,16 +29,6 @@ std::vector<Vec3> buoyant_weights(const dem::World& world, const Gravity& gravit
     return weight;
 }
 
-double critical_gradient(double porosity, double grain_density, double fluid_density) {
-    return (1 - porosity) * (grain_density - fluid_density) / fluid_density;
-}
-
-std::optional<double> heave_gradient(double critical_gradient, const Gravity& gravity, const Vec3& direction) {
-    constexpr double level = 1e-6; // a direction that was meant to be so, and rounded
-    const double rise = -dot(gravity.down, direction) / norm(direction);
-    return rise > level ? std::optional(critical_gradient / rise) : std::nullopt;
-}
-
 WeightScale scale_weight(
     const dem::World& world, std::span<const Vec3> weight, std::span<const std::uint32_t> fines, double softness
 ) {

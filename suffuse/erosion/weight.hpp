@@ -1,14 +1,14 @@
 #pragma once
-// The weight of grains under water, the gradient that lifts a soil, and how much heavier grains may be made. Contacts
+// The weight of grains under water, and how much heavier grains may be made. Contacts
 // are stiff and weights small: grains fall into place in time only where all forces are scaled up alike. Where they
 // rest does not change with it as long as overlaps stay small (docs/theory/weight.md).
 
 #include "suffuse/dem/world.hpp"
+#include "suffuse/erosion/heave.hpp"
 #include "suffuse/erosion/spec.hpp"
 #include "suffuse/flow/fluid.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,12 +16,6 @@ namespace suffuse::erosion {
 
 /// Weight less buoyancy of each grain [N]. @throws CaseError where grains would not sink.
 std::vector<Vec3> buoyant_weights(const dem::World& world, const Gravity& gravity, const flow::Fluid& fluid);
-
-/// The gradient of upward seepage at which it carries the whole soil: (1 - n)(rho_s - rho_f)/rho_f [Terzaghi1939].
-double critical_gradient(double porosity, double grain_density, double fluid_density);
-
-/// The same for seepage along `direction`, which lifts by its upward part; nothing where it does not rise.
-std::optional<double> heave_gradient(double critical_gradient, const Gravity& gravity, const Vec3& direction);
 
 /// How weights and seepage forces are scaled, and the clock of the motion under them.
 struct WeightScale {

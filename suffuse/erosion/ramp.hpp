@@ -1,0 +1,40 @@
+#pragma once
+// The gradients that fines of weight bear one after the other.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// Gradients up to `up_to` in so many equal steps.
+inline std::vector<double> even_gradients(double up_to, std::int64_t steps) {
+    constexpr double digits = 1e12; // 0.05, and not the next number below
+    std::vector<double> gradients;
+    for (std::int64_t k = 1; k < steps; ++k) {
+        const double share = static_cast<double>(k) / static_cast<double>(steps);
+        gradients.push_back(std::round(up_to * share * digits) / digits);
+    }
+    gradients.push_back(up_to);
+    return gradients;
+}
+
+/// Gradients up to this one in steps that tell what moves early from what moves late: 0.05, from 0.4 on 0.1.
+inline std::vector<double> gradients_up_to(double last) {
+    constexpr double early = 0.05, early_until = 0.4, late = 0.1;
+    std::vector<double> gradients;
+    const auto add_steps = [&](double from, double to, double most) {
+        const double count = std::ceil((to - from) / most * (1 - 1e-12));
+        for (double k = 1; k <= count; ++k) {
+            gradients.push_back(k < count ? from + k * (to - from) / count : to);
+        }
+    };
+    add_steps(0, std::min(last, early_until), early);
+    if (last > early_until) {
+        add_steps(early_until, last, late);
+    }
+    return gradients;
+}
+
+} // namespace suffuse::erosion
