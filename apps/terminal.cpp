@@ -114,6 +114,25 @@ std::string fitted(const std::string& line, std::size_t width) {
     return is_within && gap != std::string::npos && gap >= label_width ? text.substr(0, gap) : text;
 }
 
+/// "1 % of the fines move at i = 0.15, 10 % at 0.25; heave at 0.82": of a stage whose fines have weight.
+std::string mobility_text(const nlohmann::json& state) {
+    const auto moves = state.find("critical_gradient");
+    if (moves == state.end() || !moves->is_object()) {
+        return "";
+    }
+    const auto gradient = [](const nlohmann::json& value) { return digits_text(value.get<double>(), 2); };
+    const nlohmann::json &first = moves->at("1 %"), &tenth = moves->at("10 %");
+    std::string text = first.is_number() ? fmt::format("1 % of the fines move at i = {}", gradient(first))
+                                         : "less than 1 % of the fines move";
+    if (tenth.is_number()) {
+        text += fmt::format(", 10 % at {}", gradient(tenth));
+    }
+    if (const auto heave = state.find("heave_gradient"); heave != state.end() && heave->is_number()) {
+        text += fmt::format("; heave at {}", gradient(*heave));
+    }
+    return text;
+}
+
 } // namespace
 
 std::string state_text(const nlohmann::json& state) {
@@ -126,6 +145,9 @@ std::string state_text(const nlohmann::json& state) {
         const casefile::StageTraits* const traits = casefile::find_verb(state.value("verb", ""));
         const bool is_removal = traits != nullptr && !traits->has_water;
         text = fmt::format("{} {:.3g} % of the mass", is_removal ? "removed" : "eroded", eroded);
+    }
+    if (const std::string moves = mobility_text(state); !moves.empty()) {
+        text += (text.empty() ? "" : "  ") + moves;
     }
     for (const ShownNumber& number : shown_numbers) {
         if (!is_worth_showing(state, number)) {

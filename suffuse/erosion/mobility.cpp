@@ -24,7 +24,7 @@ constexpr double rest_share = 0.002;                 ///< of the number of free 
 // A step of the ramp, likewise.
 constexpr double hold_burst = 4, longest_hold = 20;
 constexpr double hold_motion = 0.01;
-constexpr double hold_share = 0.001;
+constexpr double hold_share = 0.001; ///< of the number of fines, on which the curve depends no further
 
 constexpr double mobile_motion = 0.5;    ///< along the flow, of a diameter: out of the place where it rested
 constexpr double lifted_motion = 0.1;    ///< likewise: against the roof of its cage
@@ -123,7 +123,7 @@ void rest(WeighedCopy& copy, const Vec3& down, const Pulse& pulse, MobilityResul
         mass_share(result, [&](std::size_t k) { return fall(k) > mobile_motion * result.diameter[k]; });
     result.sifting_mass_share =
         mass_share(result, [&](std::size_t k) { return fall(k) > cell_width || (!rests && moving[k] != 0); });
-    result.sifts = !rests || result.sifting_mass_share > notable_sifting;
+    result.sifts = result.sifting_mass_share > notable_sifting;
 }
 
 /// Shares of the seepage force, and the gradient that lifts single grains, of the fines where they rest.
@@ -176,7 +176,7 @@ MobilityStep bear(
             const bool moves = norm(copy.position(k) - before[k]) > hold_motion * result.diameter[k];
             moving += moves && !is_mobile(k) ? 1 : 0;
         }
-        step.still_moving = static_cast<double>(moving) / static_cast<double>(copy.free_count());
+        step.still_moving = static_cast<double>(moving) / static_cast<double>(rest.size());
         goes_on = step.still_moving > hold_share;
     }
     const auto mobile = std::count_if(result.mobile_gradient.begin(), result.mobile_gradient.end(), [](double i) {

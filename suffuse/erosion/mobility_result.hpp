@@ -20,7 +20,7 @@ struct MobilityStep {
     double lifted_mass_share = 0;             ///< moved along the flow by a tenth of a diameter
     double displaced_mass_share = 0;          ///< moved half a diameter whatever the direction
     double held_for = 0;                      ///< time that the gradient was held, in units of WeightScale::time [-]
-    double still_moving = 0; ///< of the number of free fines that are not mobile, in the last of it [-]
+    double still_moving = 0; ///< of the number of fines, in the last of it, mobile ones not counted [-]
     double permeability = 0; ///< along the flow, of the packing at the start of the step [m2]
 };
 
@@ -44,8 +44,8 @@ struct MobilityResult {
     std::optional<double> asked_gradient; ///< that the soil has to bear
 
     double load_bearing_mass_share = 0; ///< of the fines that carry the skeleton's forces, and were held
-    double sifting_mass_share = 0;      ///< of those that fall through the skeleton without flow
-    bool sifts = false;                 ///< whether that is notable, or never ended
+    double sifting_mass_share = 0;      ///< of those that fell over a cell without flow, or were falling still
+    bool sifts = false;                 ///< whether that is notable
     double fallen_mass_share = 0;       ///< of those that fell half a diameter before they rested
     double rested_for = 0;              ///< time of the rest, in units of WeightScale::time [-]
     double weight_scale = 1;            ///< K [-]

@@ -8,13 +8,17 @@
 
 namespace suffuse::erosion {
 
+/// 0.15, and not the next number above.
+inline double rounded_gradient(double gradient) {
+    constexpr double digits = 1e12;
+    return std::round(gradient * digits) / digits;
+}
+
 /// Gradients up to `up_to` in so many equal steps.
 inline std::vector<double> even_gradients(double up_to, std::int64_t steps) {
-    constexpr double digits = 1e12; // 0.05, and not the next number below
     std::vector<double> gradients;
     for (std::int64_t k = 1; k < steps; ++k) {
-        const double share = static_cast<double>(k) / static_cast<double>(steps);
-        gradients.push_back(std::round(up_to * share * digits) / digits);
+        gradients.push_back(rounded_gradient(up_to * static_cast<double>(k) / static_cast<double>(steps)));
     }
     gradients.push_back(up_to);
     return gradients;
@@ -27,7 +31,7 @@ inline std::vector<double> gradients_up_to(double last) {
     const auto add_steps = [&](double from, double to, double most) {
         const double count = std::ceil((to - from) / most * (1 - 1e-12));
         for (double k = 1; k <= count; ++k) {
-            gradients.push_back(k < count ? from + k * (to - from) / count : to);
+            gradients.push_back(k < count ? rounded_gradient(from + k * (to - from) / count) : to);
         }
     };
     add_steps(0, std::min(last, early_until), early);

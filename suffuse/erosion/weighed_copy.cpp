@@ -23,6 +23,24 @@ std::vector<std::uint8_t> find_load_bearing(const dem::World& world, const std::
     return bears;
 }
 
+/// Contacts between held grains push nothing that moves: they are taken not to touch, and the first table drops them.
+void part_held_grains(dem::World& world) {
+    contact::Contacts& contacts = world.contacts;
+    const std::vector<grains::Motion>& motion = world.grains.motion;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        if (motion[contacts.first[c]] == grains::Motion::Free || motion[contacts.second[c]] == grains::Motion::Free) {
+            continue;
+        }
+        contacts.overlap[c] = 0;
+        for (contact::VectorColumn* column :
+             {&contacts.shear_force, &contacts.bending, &contacts.normal, &contacts.twisting}) {
+            if (column->size() > 0) { // twisting memory need not be there
+                column->set(c, {});
+            }
+        }
+    }
+}
+
 /// The stable step of the grains that move. Those that are held do not swing: in its measure they are heavy.
 double time_step_of_free_grains(const dem::World& world) {
     constexpr double heavy = 1e6;
@@ -54,6 +72,7 @@ WeighedCopy::WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, dou
             free_ += is_free ? 1 : 0;
         }
     }
+    part_held_grains(world_);
     caches_.neighborhood.leave_out_held_pairs();
     scale_ = scale_weight(world_, weight_, fines_, softness);
 }

@@ -91,6 +91,14 @@ constexpr std::array guides = {
         "own-permeability", "permeability by pass", "Along the direction of the flow, before and after each pass.",
         "an `erode` stage"},
     Guide{
+        "own-mobility", "what a gradient moves",
+        "Share of the fines' mass that a rising gradient moves against its weight; vertical lines: the gradient asked "
+        "for, Skempton and Brogan's α i_c with the α of the sample, and heave.",
+        "[gravity], and a `detach` or `erode` stage"},
+    Guide{
+        "own-mobile-sizes", "which sizes move", "Mass of each size of the fines that moves, at some gradients.",
+        "[gravity], and a `detach` or `erode` stage"},
+    Guide{
         "own-throat-flux", "flux through a throat against its size",
         "Median and middle 80 % of the flux, over its mean, of throats of one size: before and after erosion, or of "
         "flow stages.",

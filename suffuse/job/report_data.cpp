@@ -3,6 +3,7 @@
 #include "suffuse/answer/answer_fines.hpp"
 #include "suffuse/answer/erosion_table.hpp"
 #include "suffuse/answer/headlines.hpp"
+#include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/readings_table.hpp"
 #include "suffuse/answer/removal_table.hpp"
 #include "suffuse/answer/report_answer.hpp"
@@ -12,6 +13,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/casefile/stage_loading.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
+#include "suffuse/figures/figures_mobility.hpp"
 #include "suffuse/io/text_file.hpp"
 #include "suffuse/job/assumed_values.hpp"
 #include "suffuse/job/erosion_figures.hpp"
@@ -170,8 +172,14 @@ report::ReportData describe_run(
     if (const std::string sentence = answer::thresholds_sentence(results.fines); !sentence.empty()) {
         data.answer.insert(data.answer.begin() + (data.answer.empty() ? 0 : 1), sentence); // after what was asked
     }
+    for (std::string& sentence : answer::answer_of_mobility(results.mobility)) {
+        data.answer.push_back(std::move(sentence));
+    }
     for (std::string& sentence : answer::answer_of_erosion(results)) {
         data.answer.push_back(std::move(sentence));
+    }
+    if (auto sentence = answer::what_weight_would_change(stages)) {
+        data.answer.push_back(std::move(*sentence));
     }
     data.paper = what.paper;
     if (!what.paper.empty()) { // another soil has nothing to meet
@@ -185,6 +193,11 @@ report::ReportData describe_run(
             data.tables.push_back(std::move(*table));
         }
         data.headlines = answer::fines_headlines(results.fines->thresholds);
+    }
+    if (const study::MobilityStory* const main = study::main_mobility(results.mobility)) {
+        for (answer::Headline& headline : answer::mobility_headlines(*main)) {
+            data.headlines.push_back(std::move(headline));
+        }
     }
     for (answer::Headline& headline : answer::erosion_headlines(story.erosion)) {
         data.headlines.push_back(std::move(headline));
@@ -205,14 +218,17 @@ report::ReportData describe_run(
     for (figures::Figure& figure : draw_erosion(what, folder, story)) {
         data.figures.push_back(std::move(figure));
     }
+    for (figures::Figure& figure : draw_mobility(results.mobility)) {
+        data.figures.push_back(std::move(figure));
+    }
     for (figures::Figure& figure : draw_fluxes(stages, story)) {
         data.figures.push_back(std::move(figure));
     }
     show_stability(what, story, data);
     for (std::optional<figures::PageTable> table :
-         {answer::tabulate_removals(stages), answer::tabulate_strength(results.strength),
-          answer::tabulate_tests(results), answer::tabulate_water(folder, stages, story, what.fluid),
-          answer::tabulate_erosions(stages)}) {
+         {figures::mobility_table(results.mobility), answer::tabulate_removals(stages),
+          answer::tabulate_strength(results.strength), answer::tabulate_tests(results),
+          answer::tabulate_water(folder, stages, story, what.fluid), answer::tabulate_erosions(stages)}) {
         if (table) {
             data.tables.push_back(std::move(*table));
         }

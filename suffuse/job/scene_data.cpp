@@ -108,6 +108,16 @@ void add_probe(const erosion::ProbeResult& probe, const RowOf& rows, SceneState&
     }
 }
 
+/// The gradient that first moved each fine grain of the state.
+void add_mobility(const erosion::MobilityResult& mobility, const RowOf& rows, SceneState& state) {
+    state.mobile_gradient.assign(state.position.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t k = 0; k < mobility.id.size(); ++k) {
+        if (const auto found = rows.find(mobility.id[k]); found != rows.end()) {
+            state.mobile_gradient[found->second] = mobility.mobile_gradient[k];
+        }
+    }
+}
+
 /// Keeps the page to a size that opens quickly, and says what was left out.
 void limit_size(Scene& scene) {
     if (scene.states.size() > 2 && scene.states.size() * scene.id.size() > most_rows) {
@@ -163,7 +173,11 @@ Scene scene_of_erosion(const std::filesystem::path& folder, const study::Erosion
         state.label = pass == 0 ? "before erosion" : fmt::format("after pass {}", pass);
         state.passes = pass;
         if (pass < passes) {
-            add_probe(erosion.passes[static_cast<std::size_t>(pass)].probe, rows, state);
+            const erosion::PassResult& next = erosion.passes[static_cast<std::size_t>(pass)];
+            add_probe(next.probe, rows, state);
+            if (next.mobility) {
+                add_mobility(*next.mobility, rows, state);
+            }
         }
         scene.states.push_back(std::move(state));
     }
@@ -230,6 +244,12 @@ Scene scene_of_stages(
         }
         SceneState state = describe_state(world, file, scene, rows);
         state.label = fmt::format("after {}", stage->name);
+        const auto of_stage = std::ranges::find_if(finished, [&](const record::FinishedStage& each) {
+            return each.variant == last.variant && each.stage == stage;
+        });
+        if (of_stage != finished.end() && of_stage->findings.mobility) {
+            add_mobility(*of_stage->findings.mobility, rows, state);
+        }
         scene.states.push_back(std::move(state));
     }
     scene.remark = fmt::format("The {} grains of {}.", grouped(std::ssize(scene.id)), study::in_words_of_sample(last));

@@ -1,6 +1,7 @@
 #include "suffuse/job/water_figures.hpp"
 
 #include "suffuse/figures/figures_flux.hpp"
+#include "suffuse/figures/figures_mobility.hpp"
 #include "suffuse/study/passes.hpp"
 
 namespace suffuse::job {
@@ -34,6 +35,17 @@ draw_fluxes(const std::vector<record::FinishedStage>& stages, const study::Erosi
     std::vector<figures::Figure> figures;
     for (auto draw : {figures::flux_by_size, figures::flux_shares}) {
         if (std::optional<figures::Figure> figure = draw(states)) {
+            figures.push_back(std::move(*figure));
+        }
+    }
+    return figures;
+}
+
+std::vector<figures::Figure> draw_mobility(const std::vector<study::MobilityStory>& stories) {
+    std::vector<figures::Figure> figures;
+    for (std::optional<figures::Figure> figure :
+         {figures::mobility_curves(stories), figures::mobile_sizes(study::main_mobility(stories))}) {
+        if (figure) {
             figures.push_back(std::move(*figure));
         }
     }

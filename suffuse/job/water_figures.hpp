@@ -3,6 +3,7 @@
 
 #include "suffuse/figures/figure.hpp"
 #include "suffuse/study/erosion_story.hpp"
+#include "suffuse/study/mobility_story.hpp"
 
 #include <vector>
 
@@ -11,5 +12,8 @@ namespace suffuse::job {
 /// Of the erosion that the report tells: before it, after its first and its last pass; and of the first `flow` stages.
 std::vector<figures::Figure>
 draw_fluxes(const std::vector<record::FinishedStage>& stages, const study::ErosionStory& story);
+
+/// Ours: what gradients move of fines that have weight.
+std::vector<figures::Figure> draw_mobility(const std::vector<study::MobilityStory>& stories);
 
 } // namespace suffuse::job

@@ -111,6 +111,9 @@ json scene_json(const Scene& scene) {
         if (!state.fluid_force.empty()) {
             one["fluid_force"] = singles(state.fluid_force);
         }
+        if (!state.mobile_gradient.empty()) {
+            one["mobile_gradient"] = singles(state.mobile_gradient);
+        }
         states.push_back(std::move(one));
     }
     return {

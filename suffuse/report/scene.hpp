@@ -30,6 +30,8 @@ struct SceneState {
     std::vector<int> coordination;          ///< contacts of the grain
     std::vector<double> speed, fluid_force; ///< in the probe of the next pass; not a number where it saw no such grain,
                                             ///< empty without a probe [m/s], [N]
+    std::vector<double> mobile_gradient;    ///< that moves it against its weight; not a number where none does, empty
+                                            ///< where nobody asked [-]
     std::vector<SceneContact> contacts;
 };
 

@@ -111,7 +111,7 @@ std::vector<double> mobile_gradients(const dem::World& world, const erosion::Mob
 }
 
 void note_mobility(StageWork& work, const std::string& when, const erosion::MobilityResult& mobility) {
-    constexpr double restless = 0.01; // of the number of fines: a step that was left before they rested
+    constexpr double restless = 0.05; // of the number of fines: a step that was left before they rested
     if (mobility.sifts) {
         work.warnings.push_back(fmt::format(
             "{}: {}{:.2g} % of the fines' mass sift through the skeleton under their own weight, without any flow: "

@@ -17,6 +17,7 @@ RunResults find_results(const casefile::Case& what, std::vector<record::Finished
     }
     results.story = find_story(results.stages);
     results.readings = judge_readings(results.stages);
+    results.mobility = gather_mobility(results.stages);
     results.strength = compare_strength(results.stages);
     results.probed_states = gather_probed_states(results.stages);
     results.findings = judge_fines_of(results.fines);

@@ -6,6 +6,7 @@
 #include "suffuse/study/findings_by_seed.hpp"
 #include "suffuse/study/fines_findings.hpp"
 #include "suffuse/study/fines_sweep.hpp"
+#include "suffuse/study/mobility_story.hpp"
 #include "suffuse/study/probed_states.hpp"
 #include "suffuse/study/strength_change.hpp"
 #include "suffuse/study/study_curves.hpp"
@@ -30,6 +31,7 @@ struct RunResults {
     std::optional<FinesResults> fines;
     ErosionStory story;
     std::vector<Reading> readings; ///< of its sample
+    std::vector<MobilityStory> mobility; ///< where fines have weight
     std::vector<StrengthChange> strength;
     std::vector<ProbedState> probed_states;
     std::vector<Finding> findings; ///< of the paper, whatever the case follows

@@ -117,6 +117,15 @@ export function colorModes(scene) {
       ...scale(scene, (state, row) => state.fluidForce?.[row] ?? NaN, { log: true, unit: `F [N], i = ${scene.gradient}`, missing: unprobed }),
     };
   }
+  if (scene.states.some((state) => state.mobileGradient)) {
+    modes.moves = {
+      label: "gradient that moves it",
+      ...scale(scene, (state, row) => state.mobileGradient?.[row] ?? NaN, {
+        unit: "hydraulic gradient i that first moves the grain [-]",
+        missing: "coarse, or stays",
+      }),
+    };
+  }
   const passes = [...new Set(scene.leftIn)].filter((pass) => pass > 0).sort((a, b) => a - b);
   if (passes.length > 0) {
     const list = [{ name: "stays", color: neutral }, ...passes.map((pass, k) => ({ name: `leaves in pass ${pass}`, color: passColors[k % passColors.length] }))];

@@ -32,6 +32,7 @@ function readState(raw, grains) {
   const state = { label: raw.label, passes: raw.passes, cell, position, coordination, present, ends, period, force, meanForce };
   state.speed = raw.speed ? column(raw.speed) : null;
   state.fluidForce = raw.fluid_force ? column(raw.fluid_force) : null;
+  state.mobileGradient = raw.mobile_gradient ? column(raw.mobile_gradient) : null;
   return state;
 }
 

@@ -1,0 +1,229 @@
+#include "suffuse/answer/mobility_words.hpp"
+
+#include "suffuse/base/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::answer {
+namespace {
+
+using study::MobilityStory;
+using study::Scatter;
+
+constexpr double as_good_as_equal = 1.3; // of two gradients: nearer than samples of one soil are
+
+std::string gradient_text(const Scatter& gradient) {
+    return gradient.standard_deviation > 0 ? fmt::format("{:.2f} ± {:.2f}", gradient.mean, gradient.standard_deviation)
+                                           : fmt::format("{:.2f}", gradient.mean);
+}
+
+std::string samples_text(const MobilityStory& story) {
+    return story.of_sample.size() == 1 ? "one sample" : fmt::format("{} samples", story.of_sample.size());
+}
+
+/// Whether more than half of the samples have it.
+bool is_met(const Scatter& gradient, const MobilityStory& story) {
+    return 2 * static_cast<std::size_t>(gradient.seeds) > story.of_sample.size();
+}
+
+double end_of_ramp(const MobilityStory& story) {
+    return story.one().ramp.back().gradient;
+}
+
+/// "moves 1 % of the fines at i = 0.30, a tenth at 0.51".
+std::string what_moves(const MobilityStory& story) {
+    const bool heaves = story.heave.seeds > 0;
+    if (!is_met(story.moves_1, story)) {
+        return heaves && end_of_ramp(story) >= story.heave.mean
+                   ? "moves less than 1 % of the fines below heave"
+                   : fmt::format("moves less than 1 % of the fines up to i = {:.2f}", end_of_ramp(story));
+    }
+    const bool too_late = heaves && story.moves_1.mean >= story.heave.mean;
+    std::string text = too_late ? "moves less than 1 % of the fines below heave"
+                                : fmt::format("moves 1 % of the fines at i = {}", gradient_text(story.moves_1));
+    if (!too_late && is_met(story.moves_10, story)) {
+        text += fmt::format(", a tenth at {}", gradient_text(story.moves_10));
+    } else if (!too_late) {
+        text += fmt::format(", less than a tenth up to {:.2f}", end_of_ramp(story));
+    }
+    return text;
+}
+
+std::string percent_of_fines(double share) {
+    const double percent = 100 * share;
+    return percent < 0.05 ? "less than 0.1 % of them" : fmt::format("{:.2g} %", percent);
+}
+
+std::string safety_text(const MobilityStory& story) {
+    if (is_met(story.safety, story)) {
+        return story.safety.standard_deviation > 0
+                   ? fmt::format("factor of safety {:.1f} ± {:.1f}", story.safety.mean, story.safety.standard_deviation)
+                   : fmt::format("factor of safety {:.1f}", story.safety.mean);
+    }
+    return fmt::format("factor of safety at least {:.1f}", story.safety_at_least.value_or(0));
+}
+
+/// Why the stress that fines carry tells another gradient than what moves them.
+std::string compare_with_alpha(const MobilityStory& story) {
+    if (story.skempton_brogan.seeds == 0) {
+        return "";
+    }
+    const std::string by_alpha = fmt::format(
+        "Skempton and Brogan's α i_c is {}, with the α = {:.2f} of {}", gradient_text(story.skempton_brogan),
+        story.alpha_fines.mean, story.of_sample.size() == 1 ? "this sample" : "these samples"
+    );
+    if (!is_met(story.moves_1, story)) {
+        return by_alpha + ".";
+    }
+    const double ratio = story.moves_1.mean / story.skempton_brogan.mean;
+    if (ratio > as_good_as_equal) {
+        return by_alpha + ": below what moves 1 % here, for fines that carry little still lie in pockets of the "
+                          "skeleton, and water must lift them out.";
+    }
+    if (ratio < 1 / as_good_as_equal) {
+        return by_alpha + ": above what moves 1 % here, for α is a mean, and the first fines to move carry nothing.";
+    }
+    return by_alpha + ": near what moves 1 % here.";
+}
+
+std::string compare_with_heave_of_fines(const MobilityStory& story) {
+    if (story.fines_heave.seeds == 0) {
+        return "";
+    }
+    return fmt::format(
+        "The seepage force on all fines outweighs them at {} (FC i_c/s, s = {:.2f}: the share of the force that acts "
+        "on "
+        "them).",
+        gradient_text(story.fines_heave), story.one().drag_share
+    );
+}
+
+/// Of the grains that move, those that the skeleton's constrictions hold back.
+std::string compare_with_passage(const MobilityStory& story) {
+    const erosion::MobilityStep& last = story.one().ramp.back();
+    if (!last.leaving_mass_share || *last.leaving_mass_share > 0.9 * last.mobile_mass_share ||
+        last.mobile_mass_share < 0.01) {
+        return "";
+    }
+    return fmt::format(
+        "Of what moves at i = {:.2f}, {:.0f} % of the mass is wider than the mean constriction of the skeleton and "
+        "does not leave.",
+        last.gradient, 100 * (1 - *last.leaving_mass_share / last.mobile_mass_share)
+    );
+}
+
+} // namespace
+
+std::string flow_in_words(const erosion::MobilityResult& mobility) {
+    constexpr double along = 0.9999; // within a degree
+    const double rise = -dot(mobility.down, mobility.direction);
+    return rise > along ? "Upward" : rise < -along ? "Downward" : std::abs(rise) < 1 - along ? "Level" : "Oblique";
+}
+
+std::string verdict(const MobilityStory& story) {
+    std::string text = fmt::format("{} flow {}", flow_in_words(story.one()), what_moves(story));
+    text += story.heave.seeds > 0 ? fmt::format("; the soil heaves at {}.", gradient_text(story.heave))
+                                  : "; it cannot lift the soil.";
+    if (!story.asked_gradient) {
+        return fmt::format("{} ({}).", text.substr(0, text.size() - 1), samples_text(story));
+    }
+    if (story.moved_at_asked.seeds == 0) {
+        return fmt::format(
+            "{} The asked {:.2f} lies beyond the ramp ({}).", text, *story.asked_gradient, samples_text(story)
+        );
+    }
+    return fmt::format(
+        "{} At the asked {:.2f} it moves {} ({}; {}).", text, *story.asked_gradient,
+        percent_of_fines(story.moved_at_asked.mean), safety_text(story), samples_text(story)
+    );
+}
+
+std::vector<std::string> remarks_on(const MobilityStory& story) {
+    std::vector<std::string> remarks;
+    for (std::string remark :
+         {compare_with_alpha(story), compare_with_heave_of_fines(story), compare_with_passage(story)}) {
+        if (!remark.empty()) {
+            remarks.push_back(std::move(remark));
+        }
+    }
+    if (story.sifts) {
+        remarks.push_back(fmt::format(
+            "{} of the fines' mass sift through the skeleton under their own weight, without flow: the soil segregates "
+            "when it is placed.",
+            percent_of_fines(story.one().sifting_mass_share)
+        ));
+    }
+    return remarks;
+}
+
+std::vector<std::string> answer_of_mobility(const std::vector<MobilityStory>& stories) {
+    constexpr std::size_t most_told = 6;
+    std::vector<std::string> sentences;
+    const MobilityStory* const main = study::main_mobility(stories);
+    if (main == nullptr) {
+        return sentences;
+    }
+    const auto named = [&](const MobilityStory& story, const std::string& text) {
+        return stories.size() == 1 ? text : fmt::format("{}: {}", as_sentence(story.name), text);
+    };
+    sentences.push_back(named(*main, verdict(*main)));
+    for (std::string& remark : remarks_on(*main)) {
+        sentences.push_back(std::move(remark));
+    }
+    if (stories.size() <= most_told) {
+        for (const MobilityStory& story : stories) {
+            if (&story != main) {
+                sentences.push_back(named(story, verdict(story)));
+            }
+        }
+    } else {
+        sentences.push_back(fmt::format("{} more are in the table “What gradients move”.", stories.size() - 1));
+    }
+    return sentences;
+}
+
+std::vector<Headline> mobility_headlines(const MobilityStory& story) {
+    std::vector<Headline> headlines;
+    if (story.asked_gradient && (is_met(story.safety, story) || story.safety_at_least)) {
+        const bool is_known = is_met(story.safety, story);
+        headlines.push_back(
+            {is_known ? fmt::format("{:.1f}", story.safety.mean)
+                      : fmt::format("≥ {:.1f}", story.safety_at_least.value_or(0)),
+             "factor of safety",
+             fmt::format(
+                 "of i = {:.2f} against moving 1 % of the fines; {}", *story.asked_gradient, samples_text(story)
+             )}
+        );
+    }
+    if (is_met(story.moves_1, story)) {
+        headlines.push_back({gradient_text(story.moves_1), "moves 1 % of the fines", samples_text(story)});
+    }
+    if (is_met(story.moves_10, story)) {
+        headlines.push_back({gradient_text(story.moves_10), "moves a tenth", samples_text(story)});
+    }
+    if (story.heave.seeds > 0) {
+        headlines.push_back({gradient_text(story.heave), "heave of the whole soil", "i_c of Terzaghi"});
+    }
+    return headlines;
+}
+
+std::optional<std::string> what_weight_would_change(const std::vector<record::FinishedStage>& stages) {
+    const bool asks = std::ranges::any_of(stages, [](const record::FinishedStage& stage) {
+        const std::string& verb = stage.numbers.value("verb", std::string());
+        return verb == "detach" || verb == "erode";
+    });
+    const bool weighs = std::ranges::any_of(stages, [](const record::FinishedStage& stage) {
+        return stage.numbers.value("model", std::string("weightless")) != "weightless";
+    });
+    if (!asks || weighs) {
+        return std::nullopt;
+    }
+    return "Grains have no weight in this case, as in the paper: with [gravity] loose fines stay in their pockets "
+           "until "
+           "a gradient lifts them, and the run tells which.";
+}
+
+} // namespace suffuse::answer

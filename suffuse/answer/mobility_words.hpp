@@ -1,0 +1,33 @@
+#pragma once
+// What gradients do to fines that have weight, in sentences: the verdict that an engineer asks for, and why two answers
+// may differ.
+
+#include "suffuse/answer/headlines.hpp"
+#include "suffuse/study/mobility_story.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::answer {
+
+/// "Upward", "Downward", "Level", "Oblique".
+std::string flow_in_words(const erosion::MobilityResult& mobility);
+
+/// "Upward flow moves 1 % of the fines at i = 0.30, a tenth at 0.51; the soil heaves at 1.05. At the asked 0.20 it
+/// moves 0.2 % (factor of safety 1.5; one sample)."
+std::string verdict(const study::MobilityStory& story);
+
+/// Skempton and Brogan's gradient beside the one found, and why they differ where they do; sifting.
+std::vector<std::string> remarks_on(const study::MobilityStory& story);
+
+/// Verdicts and remarks of all.
+std::vector<std::string> answer_of_mobility(const std::vector<study::MobilityStory>& stories);
+
+/// Factor of safety or the gradient that moves 1 %, and what is beside it.
+std::vector<Headline> mobility_headlines(const study::MobilityStory& story);
+
+/// One sentence for cases whose fines have no weight; nothing where nobody asks what moves.
+std::optional<std::string> what_weight_would_change(const std::vector<record::FinishedStage>& stages);
+
+} // namespace suffuse::answer

@@ -1,0 +1,259 @@
+// Ours: what a gradient moves of fines that have weight.
+#include "suffuse/figures/figures_mobility.hpp"
+
+#include "suffuse/base/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::figures {
+namespace {
+
+using erosion::MobilityResult;
+using nlohmann::json;
+using study::MobilityStory;
+
+constexpr std::size_t most_mobility_curves = 6; ///< as many as there are colors
+constexpr double least_mobile_percent = 0.1;    ///< of a logarithmic axis: less is drawn there
+
+/// Columns of the curves, one below the other.
+struct MobilityColumns {
+    std::vector<std::string> curve;
+    std::vector<double> gradient, mobile, leaving, drawn;
+
+    void add(const std::string& name, const MobilityResult& mobility) {
+        for (const erosion::MobilityStep& step : mobility.ramp) {
+            curve.push_back(name);
+            gradient.push_back(step.gradient);
+            mobile.push_back(100 * step.mobile_mass_share);
+            leaving.push_back(step.leaving_mass_share ? 100 * *step.leaving_mass_share : missing);
+            drawn.push_back(std::max(least_mobile_percent, mobile.back()));
+        }
+    }
+};
+
+/// A gradient that something else names: a vertical line with its label.
+json marked_gradients(const MobilityStory& story) {
+    json marks = json::array();
+    const auto mark = [&](double gradient, const char* label) {
+        marks.push_back({{"at", gradient}, {"label", label}});
+    };
+    if (story.asked_gradient) {
+        mark(*story.asked_gradient, "asked");
+    }
+    if (story.skempton_brogan.seeds > 0) {
+        mark(story.skempton_brogan.mean, "α i_c");
+    }
+    if (story.heave.seeds > 0) {
+        mark(story.heave.mean, "heave, i_c");
+    }
+    return marks;
+}
+
+json mobility_chart(const json& marks, double last) {
+    json chart = json::parse(R"json({
+        "width": 560, "height": 320,
+        "encoding": {"x": {"type": "quantitative", "title": "hydraulic gradient i [-]"}},
+        "layer": [
+            {"mark": {"type": "rule", "strokeDash": [4, 3], "color": "#56606c"},
+             "encoding": {"x": {"field": "at", "type": "quantitative"}}},
+            {"mark": {"type": "text", "align": "left", "dx": 4, "dy": 4, "baseline": "top"},
+             "encoding": {"x": {"field": "at", "type": "quantitative"}, "y": {"value": 0}, "text": {"field": "label"}}},
+            {"mark": {"type": "line", "strokeWidth": 2.4, "point": {"size": 28}},
+             "encoding": {
+                "x": {"field": "gradient", "type": "quantitative"},
+                "y": {"field": "drawn", "type": "quantitative", "title": "fines that move, by mass [%]",
+                      "scale": {"type": "log", "domain": [0.1, 100]}, "axis": {"values": [0.1, 1, 10, 100], "format": "~g"}},
+                "color": {"field": "curve", "type": "nominal", "title": null},
+                "tooltip": [{"field": "curve", "title": "sample"},
+                            {"field": "gradient", "title": "i", "format": ".3g"},
+                            {"field": "mobile", "title": "moves [%]", "format": ".3g"},
+                            {"field": "leaving", "title": "leaves [%]", "format": ".3g"}]}}
+        ]
+    })json");
+    chart["encoding"]["x"]["scale"] = {{"domain", {0, last}}};
+    for (std::size_t k : {0U, 1U}) {
+        chart["layer"][k]["data"] = {{"values", marks}};
+    }
+    return chart;
+}
+
+/// Where the fines' sizes are cut: equal parts of their logarithm.
+struct SizeClasses {
+    double least = 0, most = 0;
+    std::size_t count = 1;
+
+    explicit SizeClasses(const MobilityResult& mobility) {
+        constexpr double ratio = 1.2; // of a class, about
+        const auto [first, last] = std::minmax_element(mobility.diameter.begin(), mobility.diameter.end());
+        least = *first, most = *last;
+        count = std::clamp<std::size_t>(static_cast<std::size_t>(std::log(most / least) / std::log(ratio)), 1, 8);
+    }
+
+    [[nodiscard]] double edge(std::size_t k) const {
+        return least * std::pow(most / least, static_cast<double>(k) / static_cast<double>(count));
+    }
+
+    [[nodiscard]] std::size_t of(double diameter) const {
+        const double part = most > least ? std::log(diameter / least) / std::log(most / least) : 0;
+        return std::min(count - 1, static_cast<std::size_t>(part * static_cast<double>(count)));
+    }
+};
+
+std::string range_text(const SizeClasses& sizes, std::size_t k) {
+    return fmt::format("{} to {}", short_number(1e3 * sizes.edge(k)), short_number(1e3 * sizes.edge(k + 1)));
+}
+
+/// Gradients at which the shares by size are told: a few of the ramp, the asked one among them.
+std::vector<double> told_gradients(const MobilityResult& mobility) {
+    constexpr std::size_t most = 4;
+    std::vector<double> told;
+    const std::size_t steps = mobility.ramp.size();
+    for (std::size_t k = 1; k <= most; ++k) {
+        told.push_back(mobility.ramp[std::max<std::size_t>(1, k * steps / most) - 1].gradient);
+    }
+    told.erase(std::unique(told.begin(), told.end()), told.end());
+    return told;
+}
+
+} // namespace
+
+std::optional<Figure> mobility_curves(const std::vector<MobilityStory>& stories) {
+    const MobilityStory* const main = study::main_mobility(stories);
+    if (main == nullptr) {
+        return std::nullopt;
+    }
+    MobilityColumns curves;
+    double last = 0;
+    std::size_t drawn = 0;
+    for (const MobilityStory& story : stories) {
+        int sample = 0;
+        for (const MobilityResult* mobility : story.of_sample) {
+            ++sample;
+            const std::string name =
+                story.of_sample.size() == 1 ? story.name : fmt::format("{}, sample {}", story.name, sample);
+            if (drawn++ < most_mobility_curves) {
+                curves.add(name, *mobility);
+                last = std::max(last, mobility->ramp.back().gradient);
+            }
+        }
+    }
+    Figure figure;
+    figure.id = "own-mobility";
+    figure.section = "Water";
+    figure.title = "What a gradient moves of the fines";
+    figure.caption = fmt::format(
+        "Fines count as mobile once the water has moved them half a diameter along the flow, against their weight. 1 % "
+        "and 10 % of their mass decide; what is below 0.1 % is drawn there. Coarse grains and the {:.0f} % of the "
+        "fines "
+        "that carry the skeleton's forces are held.{}",
+        100 * main->one().load_bearing_mass_share,
+        drawn > most_mobility_curves ? fmt::format(" The first {} of {} samples.", most_mobility_curves, drawn) : ""
+    );
+    figure.table.add("curve", std::move(curves.curve));
+    figure.table.add("gradient", "-", std::move(curves.gradient));
+    figure.table.add("mobile", "%", std::move(curves.mobile));
+    figure.table.add("leaving", "%", std::move(curves.leaving));
+    figure.table.add("drawn", "%", std::move(curves.drawn));
+    const json marks = marked_gradients(*main);
+    for (const json& mark : marks) {
+        last = std::max(last, mark.at("at").get<double>());
+    }
+    figure.chart = mobility_chart(marks, last);
+    figure.chart["layer"][2]["encoding"]["color"]["scale"] = {{"range", color::sequence()}};
+    if (drawn == 1) {
+        figure.chart["layer"][2]["encoding"]["color"]["legend"] = nullptr;
+    }
+    return figure;
+}
+
+std::optional<Figure> mobile_sizes(const MobilityStory* story) {
+    if (story == nullptr) {
+        return std::nullopt;
+    }
+    const MobilityResult& mobility = story->one();
+    const SizeClasses sizes(mobility);
+    std::vector<std::string> size, at;
+    std::vector<double> share;
+    for (const double gradient : told_gradients(mobility)) {
+        std::vector<double> mobile(sizes.count, 0), all(sizes.count, 0);
+        for (std::size_t k = 0; k < mobility.id.size(); ++k) {
+            const std::size_t of = sizes.of(mobility.diameter[k]);
+            all[of] += mobility.mass[k];
+            mobile[of] += mobility.mobile_gradient[k] <= gradient ? mobility.mass[k] : 0;
+        }
+        for (std::size_t k = 0; k < sizes.count; ++k) {
+            if (all[k] > 0) {
+                size.push_back(range_text(sizes, k));
+                at.push_back(fmt::format("i = {:.2f}", gradient));
+                share.push_back(100 * mobile[k] / all[k]);
+            }
+        }
+    }
+    std::vector<std::string> order;
+    for (std::size_t k = 0; k < sizes.count; ++k) {
+        order.push_back(range_text(sizes, k));
+    }
+    Figure figure;
+    figure.id = "own-mobile-sizes";
+    figure.section = "Water";
+    figure.title = "Which sizes of the fines move";
+    figure.caption = fmt::format(
+        "Mass of each size that moves, at some gradients of {}{}. Small grains weigh less, and find more room between "
+        "the others.",
+        story->name, story->of_sample.size() > 1 ? ", sample 1" : ""
+    );
+    figure.table.add("size", std::move(size));
+    figure.table.add("at", std::move(at));
+    figure.table.add("share", "%", std::move(share));
+    figure.chart = json::parse(R"json({
+        "width": 560, "height": 280,
+        "mark": {"type": "bar"},
+        "encoding": {
+            "x": {"field": "size", "type": "nominal", "title": "diameter [mm]", "axis": {"labelAngle": 0}},
+            "xOffset": {"field": "at"},
+            "y": {"field": "share", "type": "quantitative", "title": "moves, by mass of the size [%]",
+                  "scale": {"domain": [0, 100]}},
+            "color": {"field": "at", "type": "nominal", "title": null},
+            "tooltip": [{"field": "size", "title": "d [mm]"}, {"field": "at", "title": "gradient"},
+                        {"field": "share", "title": "moves [%]", "format": ".3g"}]
+        }
+    })json");
+    figure.chart["encoding"]["x"]["sort"] = order;
+    figure.chart["encoding"]["color"]["scale"] = {{"range", color::sequence()}};
+    return figure;
+}
+
+std::optional<PageTable> mobility_table(const std::vector<MobilityStory>& stories) {
+    if (stories.empty()) {
+        return std::nullopt;
+    }
+    const auto text = [](const study::Scatter& value) { return study::with_scatter(value, 1, 3); };
+    PageTable table;
+    table.section = "Water";
+    table.title = "What gradients move";
+    table.note =
+        "Gradients that move 1, 10 and 50 % of the fines' mass half a diameter along the flow; a dash: not up "
+        "to the end of the ramp. Beside them Terzaghi's i_c along the flow, Skempton and Brogan's α i_c with the "
+        "sample's own α, and FC i_c/s, at which the seepage force on the fines outweighs all of them.";
+    table.header = {"stage", "samples", "i, 1 %",   "i, 10 %", "i, 50 %", "i_c",
+                    "α",     "α i_c",   "FC i_c/s", "safety",  "sifts"};
+    table.numeric.assign(table.header.size(), true);
+    table.numeric.front() = table.numeric.back() = false;
+    for (const MobilityStory& story : stories) {
+        std::string safety = text(story.safety);
+        if (story.safety.seeds == 0 && story.safety_at_least) {
+            safety = fmt::format("at least {:.2g}", *story.safety_at_least);
+        }
+        table.rows.push_back(
+            {story.name, fmt::format("{}", story.of_sample.size()), text(story.moves_1), text(story.moves_10),
+             text(story.moves_50), text(story.heave), text(story.alpha_fines), text(story.skempton_brogan),
+             text(story.fines_heave), safety, story.sifts ? "yes" : "no"}
+        );
+    }
+    return table;
+}
+
+} // namespace suffuse::figures

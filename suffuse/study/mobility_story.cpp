@@ -1,0 +1,96 @@
+#include "suffuse/study/mobility_story.hpp"
+
+#include "suffuse/study/trace_curves.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace suffuse::study {
+namespace {
+
+const erosion::MobilityResult* mobility_of(const record::FinishedStage& stage) {
+    if (stage.findings.mobility) {
+        return &*stage.findings.mobility;
+    }
+    if (!stage.findings.erosion || stage.findings.erosion->passes.empty()) {
+        return nullptr;
+    }
+    const std::optional<erosion::MobilityResult>& first = stage.findings.erosion->passes.front().mobility;
+    return first ? &*first : nullptr;
+}
+
+/// Of what the samples have, not a number where they do not.
+template <class Value>
+Scatter over_samples(const MobilityStory& story, Value value) {
+    std::vector<double> of_sample;
+    for (const erosion::MobilityResult* mobility : story.of_sample) {
+        const std::optional<double> has = value(*mobility);
+        of_sample.push_back(has.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    return scatter_of(std::move(of_sample));
+}
+
+void compare_samples(MobilityStory& story) {
+    using erosion::MobilityResult;
+    story.moves_1 = over_samples(story, [](const MobilityResult& m) { return m.moves_1; });
+    story.moves_10 = over_samples(story, [](const MobilityResult& m) { return m.moves_10; });
+    story.moves_50 = over_samples(story, [](const MobilityResult& m) { return m.moves_50; });
+    story.heave = over_samples(story, [](const MobilityResult& m) { return m.heave_gradient; });
+    story.skempton_brogan = over_samples(story, [](const MobilityResult& m) { return m.skempton_brogan_gradient; });
+    story.fines_heave = over_samples(story, [](const MobilityResult& m) { return m.fines_heave_gradient; });
+    story.alpha_fines = over_samples(story, [](const MobilityResult& m) { return m.alpha_fines; });
+    story.safety = over_samples(story, [](const MobilityResult& m) {
+        const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(m);
+        return safety ? safety->factor : std::nullopt;
+    });
+    story.asked_gradient = story.one().asked_gradient;
+    if (story.asked_gradient) {
+        story.moved_at_asked =
+            over_samples(story, [](const MobilityResult& m) { return mobile_share_at(m, *m.asked_gradient); });
+    }
+    for (const MobilityResult* mobility : story.of_sample) {
+        const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(*mobility);
+        if (safety && !safety->factor) {
+            story.safety_at_least =
+                std::min(story.safety_at_least.value_or(std::numeric_limits<double>::infinity()), safety->at_least);
+        }
+        story.sifts = story.sifts || mobility->sifts;
+    }
+}
+
+} // namespace
+
+std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedStage>& stages) {
+    std::vector<MobilityStory> stories;
+    for (const record::FinishedStage& stage : stages) {
+        const erosion::MobilityResult* const mobility = mobility_of(stage);
+        if (mobility == nullptr || mobility->id.empty()) {
+            continue;
+        }
+        const std::string name = in_words(stage);
+        auto story = std::ranges::find(stories, name, &MobilityStory::name);
+        if (story == stories.end()) {
+            story = stories.insert(stories.end(), MobilityStory{});
+            story->first = &stage;
+            story->name = name;
+        }
+        story->of_sample.push_back(mobility);
+    }
+    std::ranges::for_each(stories, compare_samples);
+    return stories;
+}
+
+const MobilityStory* main_mobility(const std::vector<MobilityStory>& stories) {
+    const auto asked = std::ranges::find_if(stories, [](const MobilityStory& story) {
+        return story.first->findings.mobility && story.asked_gradient;
+    });
+    if (asked != stories.end()) {
+        return &*asked;
+    }
+    const auto ramp = std::ranges::find_if(stories, [](const MobilityStory& story) {
+        return story.first->findings.mobility.has_value();
+    });
+    return ramp != stories.end() ? &*ramp : stories.empty() ? nullptr : &stories.front();
+}
+
+} // namespace suffuse::study

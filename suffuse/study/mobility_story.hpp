@@ -1,0 +1,38 @@
+#pragma once
+// What gradients move the fines of a run's samples against their weight: the samples of one stage that differ in their
+// seed alone, side by side.
+
+#include "suffuse/record/finished_stage.hpp"
+#include "suffuse/study/study_curves.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::study {
+
+/// One soil under one flow.
+struct MobilityStory {
+    const record::FinishedStage* first = nullptr;
+    std::string name;                                      ///< "mobility, FC 10 %": the same for all its samples
+    std::vector<const erosion::MobilityResult*> of_sample; ///< at least one
+    Scatter moves_1, moves_10, moves_50, heave;            ///< gradients; not a number where a sample has none [-]
+    Scatter skempton_brogan, fines_heave;                  ///< likewise
+    Scatter alpha_fines;                                   ///< [-]
+    Scatter safety;                                        ///< factor of safety against the asked gradient [-]
+    Scatter moved_at_asked;                                ///< share of the fines' mass [-]
+    std::optional<double> asked_gradient;                  ///< the same for all
+    std::optional<double> safety_at_least; ///< where a ramp ends before it moves 1 %: the least of the samples
+    bool sifts = false;                    ///< in one of them at least
+
+    [[nodiscard]] const erosion::MobilityResult& one() const { return *of_sample.front(); }
+};
+
+/// In the order of the stages. Of an erosion the first pass is told: the soil as it was.
+std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedStage>& stages);
+
+/// The one that the report tells first; null where fines have no weight.
+const MobilityStory* main_mobility(const std::vector<MobilityStory>& stories);
+
+} // namespace suffuse::study
