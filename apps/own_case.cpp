@@ -18,8 +18,8 @@ namespace {
 constexpr std::string_view case_form =
     R"(# Suffusion of {name}: a sample is packed from its grading, compacted, eroded, and sheared before and after.
 # `#~` marks what was assumed for you; the report lists all of it on its first page. Two of these values are those of your
-# site: the `pressure` on the soil and the `gradient` of the water. (Grains have no weight here: fines that carry no load
-# leave under any gradient.) What a key means: suffuse explain KEY.
+# site: the `pressure` on the soil and the `gradient` of the water. {weight_note}
+# What a key means: suffuse explain KEY.
 schema = 1
 title  = "Suffusion of {name}"
 seed   = 1
@@ -45,7 +45,7 @@ damping           = 0.2               #~ local, non-viscous
 [fluid]
 density   = "1000 kg/m^3"
 viscosity = "1 mPa*s"
-
+{gravity}
 [soil.{name}]
 psd   = "data/{name}.csv"             # d [mm], passing [%]
 {sizes}fines = {{ finer_than = "{limit:.4g} mm" }} #~ {content:.3g} % of the mass; {reason}
@@ -66,11 +66,11 @@ pressure = {pressure:<27}{pressure_mark} the effective stress at the depth that 
 prepare  = {{ friction = "10 deg" }}    #~ during compaction only: lower is denser
 measure  = ["void-ratios", "porosity", "permeability"]
 
-[[study.erosion.stage]]
+{mobility}[[study.erosion.stage]]
 name      = "erosion"
 do        = "erode"
 gradient  = {gradient:<26}{gradient_mark} the hydraulic gradient i of the seepage
-direction = "z"
+direction = {direction}
 passes    = 2                         #~ each takes out what is free to go, then lets the soil settle
 measure   = ["flow", "constrictions", "coordination-of-eroded", "stress", "volumetric-strain", "porosity", "grading"]
 
@@ -89,7 +89,51 @@ strain  = "10 %"                      #~
 measure = ["stress-strain"]
 )";
 
+constexpr std::string_view gravity_form = R"(
+[gravity]                             # fines have weight, less buoyancy; without this table they have none
+down = "-z"
+)";
+
+constexpr std::string_view mobility_form =
+    R"([[study.erosion.stage]]               # which gradient moves the fines against their weight; nothing is removed
+name           = "mobility"
+do             = "detach"
+gradients      = {{ up_to = {last:g}, steps = 24 }} #~ borne one after the other
+asked_gradient = {gradient:<21}{gradient_mark} what the soil has to bear: the factor of safety is against it
+direction      = {direction}
+
+)";
+
 constexpr double usual_modulus = 356e6; // [Pa]
+
+/// "\"z\"                       # upward", as wide as the values around it.
+std::string direction_text(const std::optional<FlowWay>& flow) {
+    if (!flow) {
+        return "\"z\"";
+    }
+    return *flow == FlowWay::Up     ? "\"z\"                       # upward, against the weight of the fines"
+           : *flow == FlowWay::Down ? "\"-z\"                      # downward, with the weight of the fines"
+                                    : "\"x\"                       # level, across the weight of the fines";
+}
+
+/// The stage that asks which gradient moves the fines; nothing where they have no weight.
+std::string mobility_stage(const OwnConditions& conditions, std::string_view gradient_mark) {
+    constexpr double usual_last = 1.2, beyond_asked = 1.5;
+    if (!conditions.flow) {
+        return "";
+    }
+    const double asked = conditions.gradient.value_or(assumed_gradient);
+    return fmt::format(
+        mobility_form, fmt::arg("last", std::max(usual_last, beyond_asked * asked)), fmt::arg("gradient", asked),
+        fmt::arg("gradient_mark", gradient_mark), fmt::arg("direction", direction_text(conditions.flow))
+    );
+}
+
+std::string_view weight_note(const std::optional<FlowWay>& flow) {
+    return flow ? "Fines have weight here: the report begins with the\n# gradient that moves them."
+                : "(Grains have no weight here: fines that carry no load\n# leave under any gradient; suffuse new "
+                  "--flow up gives them weight.)";
+}
 
 /// Stiff enough for the finest grains at this pressure [Pa], to two digits [Pa].
 double modulus_for(const grains::Grading& grading, double pressure) {
@@ -135,7 +179,10 @@ std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions) 
             "stiffer",
             modulus > usual_modulus ? "; so that the finest grains between the coarsest overlap by some 5 %" : ""
         ),
-        fmt::arg("sizes", sizes_line(soil))
+        fmt::arg("sizes", sizes_line(soil)), fmt::arg("weight_note", weight_note(conditions.flow)),
+        fmt::arg("gravity", conditions.flow ? gravity_form : std::string_view()),
+        fmt::arg("mobility", mobility_stage(conditions, mark(conditions.gradient))),
+        fmt::arg("direction", direction_text(conditions.flow))
     );
 }
 

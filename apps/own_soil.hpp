@@ -40,10 +40,14 @@ struct OwnSoilSpec {
 /// @throws CaseError where the sizes are too far apart for a sample, saying at which sizes to cut.
 OwnSoil model_own_soil(const grains::Grading& measured, const std::string& path, const OwnSoilSpec& spec);
 
+/// Which way the water goes through a soil that has weight.
+enum class FlowWay { Up, Down, Level };
+
 /// What the soil is under. Assumed where the user does not say.
 struct OwnConditions {
     std::optional<double> pressure = {}; ///< [Pa]
     std::optional<double> gradient = {}; ///< hydraulic [-]
+    std::optional<FlowWay> flow = {};    ///< nothing: fines have no weight
 };
 
 inline constexpr double assumed_pressure = 100e3; ///< [Pa]

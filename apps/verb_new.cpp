@@ -58,6 +58,7 @@ struct NewVerb final : Verb {
     std::optional<std::int64_t> particles; ///< of the quick preset
     std::string pressure;                  ///< on the soil, with its unit
     std::optional<double> gradient;
+    std::string flow; ///< which way the water goes through fines that have weight
 
     void add_to(Options& options) override {
         options.argument("DIR", given, "folder to write it to; the name of the template or of the curve unless given");
@@ -87,6 +88,15 @@ struct NewVerb final : Verb {
             )
             .type("I")
             .ratio(0)
+            .needs(curve);
+        options
+            .value(
+                "--flow", flow,
+                "with --psd: up, down or level; the fines then have weight, and the report says "
+                "which gradient moves them"
+            )
+            .type("WAY")
+            .one_of({"up", "down", "level"})
             .needs(curve);
     }
 
@@ -195,8 +205,15 @@ plan::RunPlan price_of(const fs::path& path) {
     return plan::plan_case(what, plan::samples_at_once(what));
 }
 
+std::optional<FlowWay> flow_of(const std::string& word) {
+    return word == "up"      ? std::optional(FlowWay::Up)
+           : word == "down"  ? std::optional(FlowWay::Down)
+           : word == "level" ? std::optional(FlowWay::Level)
+                             : std::nullopt;
+}
+
 OwnConditions conditions_of(const NewVerb& asked) {
-    OwnConditions conditions{{}, asked.gradient};
+    OwnConditions conditions{{}, asked.gradient, flow_of(asked.flow)};
     if (!asked.pressure.empty()) {
         conditions.pressure = quantity_of(asked.pressure, dimension::pressure, "--pressure", false);
     }

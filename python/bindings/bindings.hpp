@@ -14,6 +14,7 @@ void bind_steps(pybind11::module_& m);       ///< what moves a world; after bind
 void bind_preparation(pybind11::module_& m); ///< what makes a sample; after bind_world
 void bind_pores(pybind11::module_& m);       ///< pore networks and constrictions
 void bind_water(pybind11::module_& m);       ///< flow; after bind_pores
+void bind_mobility(pybind11::module_& m);    ///< which gradients move fines; after bind_world
 void bind_resolved(pybind11::module_& m);    ///< flow on a grid
 void bind_files(pybind11::module_& m);       ///< packings from and for other programs
 void bind_stability(pybind11::module_& m);   ///< what a grading says

@@ -34,6 +34,7 @@ PYBIND11_MODULE(_core, m) {
     python::bind_preparation(m);
     python::bind_pores(m);
     python::bind_water(m);
+    python::bind_mobility(m);
     python::bind_resolved(m);
     python::bind_files(m);
     python::bind_stability(m);

@@ -3,10 +3,12 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/dem/inertial_number.hpp"
+#include "suffuse/erosion/ramp.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/pace.hpp"
 #include "suffuse/plan/preparation_price.hpp"
+#include "suffuse/plan/weight_price.hpp"
 #include "suffuse/record/read_import.hpp"
 #include "suffuse/triaxial/run_path.hpp"
 
@@ -234,6 +236,15 @@ public:
 
     StagePrice operator()(const erosion::DetachStageSpec& spec) {
         const auto gradients = static_cast<double>(spec.gradients.size());
+        if (spec.probe.gravity) {
+            StagePrice price{
+                .reference_steps = work_of_free_fines * steps_with_weight(gradients),
+                .seconds = gradients * one_flow(),
+                .memory_a_grain = 3 * grain_memory + flow_memory,
+                .basis = fmt::format("rest under weight, then {} gradients with a flow each", spec.gradients.size())};
+            add_resolving(price, spec.probe.flow, gradients);
+            return price;
+        }
         StagePrice price{
             .reference_steps = first_relaxation + probe(spec.probe, gradients),
             .seconds = one_flow(),
@@ -252,16 +263,20 @@ public:
         const Range swept{carrying, 1 - swept_rattlers * (1 - carrying)};
         sample_.fines_left = {
             std::min(sample_.fines_left.least, swept.least), std::min(sample_.fines_left.most, swept.most)};
+        const bool weighs = spec.probe.gravity && !spec.forced;
+        const double ramp = weighs ? steps_of_ramps(spec) : 0;
         StagePrice price{
             .steps = 2 * passes * waited(balance_after_removal),
-            .reference_steps = passes * probe(spec.probe, 1) + first_relaxation + later * next_relaxation,
-            .seconds = (travels ? 3 : 2) * passes * one_flow(),
+            .reference_steps = weighs ? work_of_free_fines * (passes * steps_with_weight(ramp))
+                                      : passes * probe(spec.probe, 1) + first_relaxation + later * next_relaxation,
+            .seconds = ((travels ? 3 : 2) + ramp) * passes * one_flow(),
             .memory_a_grain = 4 * grain_memory + flow_memory,
             .basis = fmt::format(
-                "{} passes{}: relaxation, probe with its twin, two new equilibria; more where the skeleton gives way",
-                spec.passes, spec.until_nothing_leaves ? " and more, until nothing leaves" : ""
+                "{} passes{}: {}, two new equilibria; more where the skeleton gives way", spec.passes,
+                spec.until_nothing_leaves ? " and more, until nothing leaves" : "",
+                weighs ? "rest under weight and a ramp of gradients" : "relaxation, probe with its twin"
             )};
-        add_resolving(price, spec.probe.flow, 2 * passes.most);
+        add_resolving(price, spec.probe.flow, (2 + ramp) * passes.most);
         return price;
     }
 
@@ -358,6 +373,16 @@ private:
     [[nodiscard]] Range waited(const Range& steps) const {
         const auto patience = static_cast<double>(case_.balance.patience);
         return steps + Range{patience, 1.2 * patience};
+    }
+
+    /// Gradients of the ramp of a pass, in the mean.
+    [[nodiscard]] static double steps_of_ramps(const erosion::ErodeSpec& spec) {
+        const int passes = 1 + static_cast<int>(spec.later_passes.size());
+        double steps = 0;
+        for (int pass = 1; pass <= passes; ++pass) {
+            steps += static_cast<double>(erosion::gradients_up_to(erosion::at_pass(spec, pass).gradient).size());
+        }
+        return steps / passes;
     }
 
     /// Probes, and the one twin that they share.

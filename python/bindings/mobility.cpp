@@ -1,0 +1,147 @@
+// What gradients move of the fines of a World, against their weight.
+
+#include "suffuse/erosion/mobility.hpp"
+
+#include "suffuse/stokes/water.hpp"
+
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/convert.hpp"
+#include "python/bindings/key_value.hpp"
+#include "python/bindings/stage_work.hpp"
+#include "python/bindings/typed.hpp"
+#include "python/bindings/work.hpp"
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace suffuse::python {
+namespace {
+
+/// A column of the ramp.
+template <class Value>
+py::array_t<double> of_ramp(const erosion::MobilityResult& mobility, Value value) {
+    py::array_t<double> column(static_cast<py::ssize_t>(mobility.ramp.size()));
+    for (std::size_t k = 0; k < mobility.ramp.size(); ++k) {
+        column.mutable_at(static_cast<py::ssize_t>(k)) = value(mobility.ramp[k]);
+    }
+    return column;
+}
+
+/// A row a grain of the world, in its order; not a number where the grain is coarse or stays.
+py::array_t<double> by_grain(const erosion::MobilityResult& mobility, const dem::World& world) {
+    std::unordered_map<std::uint32_t, double> known;
+    for (std::size_t k = 0; k < mobility.id.size(); ++k) {
+        known[mobility.id[k]] = mobility.mobile_gradient[k];
+    }
+    py::array_t<double> column(static_cast<py::ssize_t>(world.grains.size()));
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        const auto found = known.find(world.grains.id[g]);
+        column.mutable_at(static_cast<py::ssize_t>(g)) =
+            found == known.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+    }
+    return column;
+}
+
+py::dict to_dict(const erosion::MobilityResult& mobility, const dem::World& world) {
+    using erosion::MobilityStep;
+    py::dict moves;
+    moves["1 %"] = mobility.moves_1;
+    moves["10 %"] = mobility.moves_10;
+    moves["50 %"] = mobility.moves_50;
+    py::dict dict;
+    dict["gradient"] = of_ramp(mobility, [](const MobilityStep& s) { return s.gradient; });
+    dict["mobile_mass_share"] = of_ramp(mobility, [](const MobilityStep& s) { return s.mobile_mass_share; });
+    dict["mobile_number_share"] = of_ramp(mobility, [](const MobilityStep& s) { return s.mobile_number_share; });
+    dict["lifted_mass_share"] = of_ramp(mobility, [](const MobilityStep& s) { return s.lifted_mass_share; });
+    dict["still_moving"] = of_ramp(mobility, [](const MobilityStep& s) { return s.still_moving; });
+    dict["permeability"] = of_ramp(mobility, [](const MobilityStep& s) { return s.permeability; });
+    dict["mobile_gradient"] = by_grain(mobility, world);
+    dict["critical_gradient"] = moves;
+    dict["terzaghi_gradient"] = mobility.critical_gradient;
+    dict["heave_gradient"] = mobility.heave_gradient;
+    dict["alpha_fines"] = mobility.alpha_fines;
+    dict["skempton_brogan_gradient"] = mobility.skempton_brogan_gradient;
+    dict["fines_heave_gradient"] = mobility.fines_heave_gradient;
+    dict["fines_drag_share"] = mobility.drag_share;
+    dict["load_bearing_mass_share"] = mobility.load_bearing_mass_share;
+    dict["sifting_mass_share"] = mobility.sifting_mass_share;
+    dict["weight_scale"] = mobility.weight_scale;
+    dict["steps"] = mobility.rest_steps + mobility.ramp_steps;
+    if (const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(mobility)) {
+        dict["factor_of_safety"] = safety->factor;
+        dict["factor_of_safety_at_least"] = safety->at_least;
+    }
+    return dict;
+}
+
+/// A list, or the ramp of a case that does not say.
+std::vector<double> gradients_of(const py::object& gradients) {
+    if (gradients.is_none()) {
+        return erosion::even_gradients(1.2, 24);
+    }
+    return numbers_of(gradients, "gradients");
+}
+
+py::dict mobility(
+    WorldHandle& w, const NumbersOrNone& gradients, const Direction& direction, const Direction& down,
+    const QuantityOrNone& asked_gradient, const Quantity& acceleration, const flow::Fluid& fluid,
+    const std::string& solver, double softness, const CallableOrNone& on_progress
+) {
+    erosion::MobilitySetting setting;
+    setting.gravity = {direction_of(down), value_of(key_of("gravity", "acceleration"), acceleration, "acceleration")};
+    setting.fluid = fluid;
+    setting.direction = direction_of(direction);
+    setting.gradients = gradients_of(gradients);
+    setting.asked_gradient =
+        optional_value_of(key_of("stage.detach", "asked_gradient"), asked_gradient, "asked_gradient");
+    setting.softness = softness;
+    if (!(softness > 0 && softness < 0.05)) {
+        throw CaseError(fmt::format("softness: found {}, expected it to be above 0 and below 0.05", softness));
+    }
+    flow::SolverChoice how{word_of(solver, casefile::names::solver, "solver")};
+    erosion::MobilityResult result;
+    Stepping call(w);
+    Attention attention(on_progress, call);
+    begin(call);
+    {
+        const Working working;
+        const Pulse pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };
+        const auto solve = [&](const dem::World& copy) {
+            const stokes::Water water = stokes::solve_water(
+                copy.cell, copy.grains.position, copy.grains.radius, copy.grains.fine, {1, setting.direction}, fluid,
+                how, pulse
+            );
+            return erosion::UnitSeepage{water.grain_force(), water.source, water.permeability()};
+        };
+        result = erosion::find_mobility(call.world(), setting, solve, pulse);
+    }
+    return to_dict(result, call.world());
+}
+
+} // namespace
+
+void bind_mobility(py::module_& m) {
+    auto type = py::reinterpret_borrow<py::class_<WorldHandle, Handle>>(m.attr("World"));
+    type.def(
+        "mobility", &mobility, py::arg("gradients") = py::none(), py::kw_only(), py::arg("direction") = "z",
+        py::arg("down") = "-z", py::arg("asked_gradient") = py::none(), py::arg("acceleration") = gravity,
+        py::arg_v("fluid", flow::Fluid{}, "Fluid()"), py::arg("solver") = "network",
+        py::arg("softness") = erosion::usual_softness, py::arg("on_progress") = py::none(),
+        with_keys(
+            "Which fines a rising gradient moves against their weight, as a stage that does \"detach\" in a case with "
+            "[gravity]; the world itself stays as it is. Returns a dictionary: for each gradient of the ramp arrays "
+            "`gradient`, `mobile_mass_share`, `mobile_number_share`, `lifted_mass_share`, `still_moving` and "
+            "`permeability`; for each grain `mobile_gradient`; and the numbers of stage.json.\n"
+            "softness: overlap over radius by which the scaled weight presses two equal fines together\n"
+            "on_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work",
+            {{"stage.detach", "gradients"},
+             {"stage.detach", "direction"},
+             {"gravity", "down"},
+             {"gravity", "acceleration"},
+             {"stage.detach", "asked_gradient"},
+             {"stage.flow", "solver"}}
+        ).c_str()
+    );
+}
+
+} // namespace suffuse::python
