@@ -18,9 +18,9 @@ ErosionResult erosion_of(int passes) {
     erosion.path.clear();
     erosion.passes.clear();
     for (int pass = 1; pass <= passes; ++pass) {
-        erosion.passes.push_back(test::sample_pass(1, 0.998e5, 2e-6, 0.001, 0));
+        erosion.passes.push_back(test::sample_pass(1, 0.998e5, 2e-6, 0.001, 2e-5));
         erosion.passes.back().pass = pass;
-        test::add_path(erosion, pass, 0.998e5, 2e-6, 0.001, 0);
+        test::add_path(erosion, pass, 0.998e5, 2e-6, 0.001, 2e-5);
     }
     return erosion;
 }
