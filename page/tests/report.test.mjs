@@ -209,7 +209,7 @@ test("the plain report has everything but the charts, and says how to get them",
   const { page, complaints, requests, context } = await open(browser, "plain");
   assert.ok(await page.getByText("This report is plain").isVisible());
   assert.equal(await page.locator("script").count(), 0);
-  assert.equal(await page.locator("figure.figure").count(), 22);
+  assert.equal(await page.locator("figure.figure").count(), 23);
   assert.equal(await page.locator("table.findings tbody tr").count(), 7);
   assert.deepEqual(complaints, []);
   assert.equal(requests.length, 1);
