@@ -242,6 +242,21 @@ const char* const porosity_panels = R"json({
     "spacing": 16
 })json";
 
+/// Whether a pass is so short beside all of them that its name is wider.
+bool has_short_pass(const ErosionResult& erosion) {
+    constexpr double name_width = 0.12; // of the drawing
+    std::int64_t before = 0;
+    bool is_short = false;
+    for (std::size_t k = 0; k + 1 < erosion.path.size(); ++k) {
+        if (erosion.path[k].pass != erosion.path[k + 1].pass) {
+            const auto steps = static_cast<double>(erosion.path[k].step - before);
+            is_short = is_short || steps < name_width * static_cast<double>(erosion.path.back().step);
+            before = erosion.path[k].step;
+        }
+    }
+    return is_short;
+}
+
 /// A pass that a drawing of stress and volume shows.
 bool changes_skeleton(const PassResult& pass) {
     return !is_noise(100 * erosion::stress_loss(pass).value_or(0)) || !is_noise(100 * pass.volumetric_strain);
@@ -273,6 +288,10 @@ std::optional<Figure> stress_path(const ErosionResult& erosion) {
     figure.table = path_table(thinned(with_starts(erosion)));
     figure.chart = stress_chart();
     figure.chart["vconcat"][0]["layer"][2]["transform"].push_back(only(few));
+    if (has_short_pass(erosion)) { // names beside each other would overlap
+        figure.chart["vconcat"][0]["layer"][2]["mark"]["dy"] = {
+            {"expr", "-3 - 13 * ((toNumber(replace(datum.pass, 'pass ', '')) - 1) % 2)"}};
+    }
     if (std::ranges::none_of(erosion.passes, changes_skeleton)) {
         figure.flat =
             "In no pass did the mean stress or the volume change by a hundredth of a percent: there is nothing "

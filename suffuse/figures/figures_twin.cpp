@@ -77,7 +77,8 @@ json twin_chart(const std::vector<std::string>& panels, double lowest, double hi
                  "encoding": {
                     "color": {"field": "group", "type": "nominal", "title": null,
                               "legend": {"symbolOpacity": 1, "orient": "bottom"}},
-                    "shape": {"field": "group", "type": "nominal"},
+                    "shape": {"field": "group", "type": "nominal", "title": null,
+                              "legend": {"symbolOpacity": 1, "orient": "bottom"}},
                     "tooltip": [{"field": "grain", "title": "grain"}, {"field": "group", "title": "group"},
                                 {"field": "speed", "title": "with water [m/s]", "format": ".3g"},
                                 {"field": "twin_speed", "title": "twin [m/s]", "format": ".3g"}]}}

@@ -30,7 +30,7 @@ struct RunResults {
     std::optional<FinesSweep> fines_sweep; ///< with its thresholds marked
     std::optional<FinesResults> fines;
     ErosionStory story;
-    std::vector<Reading> readings; ///< of its sample
+    std::vector<Reading> readings;       ///< of its sample
     std::vector<MobilityStory> mobility; ///< where fines have weight
     std::vector<StrengthChange> strength;
     std::vector<ProbedState> probed_states;
