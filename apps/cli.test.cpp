@@ -59,7 +59,7 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
              {{"rnu", "case.toml"}, "run"},
              {{"run", "case.toml", "--presett", "quick"}, "--preset"},
              {{"check", "case.toml", "--until", "initial"}, "run, resume, plan have it"},
-             {{"watch", "runs/a", "--sample", "b"}, "resume has it"},
+             {{"watch", "runs/a", "--sample", "b"}, "resume, new, assess have it"},
              {{"nonsense", "--help"}, "unknown verb nonsense"},
              {{"hlep"}, "help"},
              {{"help", "rnu"}, "run"},
@@ -144,11 +144,32 @@ TEST_F(Cli, HostileWordsAreAnsweredAndShownHarmless) {
     }
 }
 
-TEST_F(Cli, AFolderInPlaceOfItsCaseIsSaidToBeOne) {
+TEST_F(Cli, AFolderStandsForTheCaseInItAndOfARunItIsSaidToBeOne) {
     say({"new", "a", "--from", "replay"});
     const Said said = say({"check", "a"});
-    EXPECT_EQ(said.code, 74);
-    EXPECT_NE(said.error.find("it is a folder; its case is a/case.toml"), std::string::npos) << said.error;
+    EXPECT_EQ(said.code, 0) << said.error;
+    expect_in("a/case.toml: no errors", said.out);
+    write_to(folder / "a/run_options.json", "{}");
+    const Said run = say({"run", "a"});
+    EXPECT_EQ(run.code, 2);
+    expect_in("a is the folder of a run: suffuse resume", run.error);
+    std::filesystem::create_directory(folder / "empty");
+    expect_in("it is a folder", say({"check", "empty"}).error);
+}
+
+TEST_F(Cli, OpenShowsTheReportByTheDesktopsProgramOrSaysWhereItLies) {
+    write_to(folder / "run/report.html", "<p>");
+    write_to(folder / "bin/xdg-open", "#!/bin/sh\necho \"$1\" > " + (folder / "opened").string() + "\n");
+    std::filesystem::permissions(folder / "bin/xdg-open", std::filesystem::perms::owner_all);
+    const std::string path = "PATH=" + (folder / "bin").string() + ":/usr/bin:/bin";
+    const Said said = say({"open", "run"}, {path});
+    EXPECT_EQ(said.code, 0) << said.error;
+    expect_in("run/report.html", said.out);
+    expect_in("run/report.html", read_all(folder / "opened"));
+    const Said alone = say({"open", "run"}, {"PATH=" + (folder / "none").string()});
+    EXPECT_EQ(alone.code, 0);
+    expect_in("no browser could be opened", alone.error);
+    EXPECT_EQ(say({"open", "nothing"}).code, 74);
 }
 
 TEST_F(Cli, JsonIsOneDocumentInSuccessAndInFailure) {

@@ -26,7 +26,7 @@ def grading(number):
     sizes, shares = [], []
     for _ in range(draw.randint(3, 12)):
         sizes.append(size)
-        size *= 10 ** draw.uniform(0.1, 0.8)
+        size *= 10 ** draw.uniform(0.1, 0.45)
         shares.append(draw.choice([draw.uniform(0, 100), draw.uniform(0, 100), 0.1, 99.9]))
     shares.sort()
     if draw.random() < 0.6:

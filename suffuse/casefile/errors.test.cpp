@@ -123,7 +123,7 @@ const std::vector<Wrong> values = {
     {"E203", 15, 2, 8, "[contact]", good_case + "[contacts]\n"},
     {"E312", 18, 11, 10, "compression is positive",
      with_stage("do = \"settle\"\nstress = [\"-100 kPa\", \"1 kPa\", \"-\"]\n")},
-    {"E301", 14, 12, 9, "\"kPa\"", with_line(14, "pressure = \"100 KPa\"")},
+    {"E301", 14, 12, 9, "\"kPa\"", with_line(14, "pressure = \"100 kPq\"")},
     {"E301", 14, 12, 9, "decimal comma", with_line(14, "pressure = \"1,5 kPa\"")},
     {"E310", 14, 12, 3, "write \"100 kPa\" (or \"100 Pa\")", with_line(14, "pressure = 100")},
     {"E310", 14, 12, 5, "has no unit", with_line(14, "pressure = \"100\"")},

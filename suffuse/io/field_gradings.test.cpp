@@ -300,6 +300,13 @@ TEST(FieldGradings, SievesAndAHydrometerInTwoRunsAreJoined) {
     EXPECT_NE(render(parsed.told).find("a second run of sizes"), std::string::npos);
 }
 
+TEST(FieldGradings, NumbersMayHaveExponents) {
+    const ParsedSheet parsed =
+        parse_sheet("# d[mm] passing[%]\n1.000e-01 0.000e+00\n2.000e+00 5.000e+01\n4.000E+00 1.000e+02\n");
+    ASSERT_EQ(parsed.soils.size(), 1U) << render(parsed.told);
+    expect_soil({"", {{0.1, 0}, {2, 50}, {4, 100}}}, parsed.soils.front(), "exponents");
+}
+
 TEST(FieldGradings, RockfillInMetersIsNoForgottenUnit) {
     const ParsedSheet parsed = parse_sheet("d [m],passing [%]\n0.1,0\n0.3,40\n1,100\n");
     ASSERT_EQ(parsed.soils.size(), 1U) << render(parsed.told);

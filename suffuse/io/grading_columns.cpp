@@ -32,7 +32,7 @@ private:
     std::optional<GradingColumns> by_header(const SheetHeader& header) {
         header_ = &sheet_.rows[header.row];
         headings_ = header.headings;
-        found_.first_row = header.row + 1;
+        found_.first_row = header.row + header.lines;
         if (found_.first_row < sheet_.rows.size() && take_unit_row(sheet_.rows[found_.first_row], headings_)) {
             ++found_.first_row;
         }

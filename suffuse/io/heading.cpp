@@ -200,7 +200,8 @@ std::string cut_unit(std::string_view text, Heading& heading) {
         const std::string whole(trimmed(rest));
         const std::string last(trimmed(std::string_view(whole).substr(cut + 1)));
         const bool is_number_word = last == "No" || last == "no" || last == "No." || last == "Nr" || last == "#";
-        if (!is_number_word && take_unit(last, heading)) {
+        const bool is_name = last == "1" || last == "-"; // of a sample: units only in brackets
+        if (!is_number_word && !is_name && take_unit(last, heading)) {
             rest = whole.substr(0, cut);
         }
     }

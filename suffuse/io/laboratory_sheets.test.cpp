@@ -11,6 +11,24 @@ using namespace testing;
 
 TEST(LaboratorySheets, EachGivesItsCurve) {
     expect_sheets({
+        {"two-lines.tsv",
+         "Test: 123\nSieve\tSieve\tMass\tPercent\tPercent\nNo.\t(mm)\tRetained (g)\tRetained\tPassing\n"
+         "4\t4.75\t0\t0\t100\n10\t2\t50\t10\t90\n40\t0.425\t250\t50\t40\n200\t0.075\t150\t30\t10\nPan\t\t50\t10\t\n",
+         {{"", {{0.075, 10}, {0.425, 40}, {2, 90}, {4.75, 100}}}},
+         "not read: `Sieve`, `Mass`, `Percent`"},
+        {"numbered-samples.csv",
+         "size,sample 1,sample 2\n4.75,100,100\n0.6,40,60\n0.075,5,9\n",
+         {{"sample 1", {{0.075, 5}, {0.6, 40}, {4.75, 100}}}, {"sample 2", {{0.075, 9}, {0.6, 60}, {4.75, 100}}}},
+         "2 columns are read as cumulative shares"},
+        {"sieve-numbers-weighed.csv",
+         "Sieve No.;Mass Retained (g)\n4;0\n10;30.5\n40;120.2\n100;60\n200;20\nPan;9.3\n",
+         {{"", {{0.075, 3.875}, {0.15, 12.20833}, {0.425, 37.20833}, {2, 87.29167}, {4.75, 100}}}},
+         "read as retained on each sieve alone"},
+        {"german-pan.csv",
+         "Maschenweite (mm);Siebr\303\274ckstand (Gew.-%)\n8;0\n4;12\n2;20\n1;25\n0,5;22\n0,25;13\n0,125;5\n0,063;2\n< "
+         "0,063;1\n",
+         {{"", {{0.063, 1}, {0.125, 3}, {0.25, 8}, {0.5, 21}, {1, 43}, {2, 68}, {4, 88}, {8, 100}}}},
+         "`< 0,063` is what passed"},
         {"bom.csv",
          "\357\273\277Maschenweite in mm;Durchgang in %\n"
          "31,5;100\n"

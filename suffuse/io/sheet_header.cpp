@@ -15,7 +15,7 @@ bool has_kind(const std::vector<Heading>& headings, ColumnKind kind) {
 
 /// A row of headings: one says size, and no cell of it is one.
 std::optional<SheetHeader> read_header(const Sheet& sheet, std::size_t row) {
-    SheetHeader header{row, {}, false};
+    SheetHeader header{row, 1, {}, false};
     bool has_size = false;
     for (const SheetCell& cell : sheet.rows[row].cells) {
         header.headings.push_back(read_heading(cell.text));
@@ -26,9 +26,8 @@ std::optional<SheetHeader> read_header(const Sheet& sheet, std::size_t row) {
     return has_size && header.headings.size() > 1 ? std::optional(std::move(header)) : std::nullopt;
 }
 
-} // namespace
-
-std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
+/// The first complete row of headings, else the first with a size.
+std::optional<SheetHeader> find_first_line(const Sheet& sheet) {
     std::optional<SheetHeader> best;
     for (const bool in_comments : {false, true}) {
         const std::size_t end = std::min(sheet.rows.size(), most_titles);
@@ -51,6 +50,37 @@ std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
         }
     }
     return best;
+}
+
+/// Whether a row goes on with the headings above it: words in most columns, and no number.
+bool goes_on(const Sheet& sheet, std::size_t row, std::size_t columns) {
+    if (row >= sheet.rows.size() || sheet.rows[row].is_comment || 2 * sheet.rows[row].cells.size() < columns) {
+        return false;
+    }
+    return std::ranges::none_of(sheet.rows[row].cells, [](const SheetCell& cell) {
+        return cell.text.find_first_of("0123456789") != std::string::npos || read_row_word(cell.text) != RowWord::None;
+    });
+}
+
+} // namespace
+
+std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
+    auto header = find_first_line(sheet);
+    if (!header || !goes_on(sheet, header->row + 1, header->headings.size())) {
+        return header;
+    }
+    const SheetRow &first = sheet.rows[header->row], &second = sheet.rows[header->row + 1];
+    std::vector<Heading> units = header->headings;
+    if (take_unit_row(second, units)) {
+        return header; // told apart by who reads the values
+    }
+    header->lines = 2;
+    for (std::size_t k = 0; k < header->headings.size(); ++k) {
+        header->headings[k] = read_heading(text_at(first, k) + " " + text_at(second, k));
+    }
+    header->is_complete =
+        has_kind(header->headings, ColumnKind::Share) || has_kind(header->headings, ColumnKind::Gross);
+    return header;
 }
 
 bool take_unit_row(const SheetRow& row, std::vector<Heading>& headings) {

@@ -12,6 +12,7 @@ namespace suffuse::io {
 
 struct SheetHeader {
     std::size_t row = 0;
+    std::size_t lines = 1; ///< headings may go on in the next row: "Sieve" above "(mm)"
     std::vector<Heading> headings;
     bool is_complete = false; ///< a size and a share
 };

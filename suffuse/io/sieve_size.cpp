@@ -122,7 +122,8 @@ std::size_t end_of_number(std::string_view text) {
     ) {
         ++k;
     }
-    if (k > 0 && k + 1 < text.size() && text[k] == 'e' && (is_digit(text[k + 1]) || text[k + 1] == '-')) {
+    const char after = k + 1 < text.size() ? text[k + 1] : ' ';
+    if (k > 0 && k + 1 < text.size() && text[k] == 'e' && (is_digit(after) || after == '-' || after == '+')) {
         k += 2;
         while (k < text.size() && is_digit(text[k])) {
             ++k;
