@@ -57,6 +57,24 @@ TEST_F(NewSoil, ItRuns) {
     EXPECT_NEAR(cloud.at("fines_content").get<double>(), 0.2, 0.02); // the tolerance of a grading
 }
 
+TEST_F(NewSoil, ACurveThatNoComputerHoldsIsToldSoAndAssessSpeaksForTheWhole) {
+    write_to(folder / "till.csv", "d [mm],passing [%]\n0.002,0\n0.063,12\n0.3,20\n2,40\n20,75\n100,100\n");
+    const Said said = say({"new", "till", "--psd", "till.csv"});
+    EXPECT_EQ(said.code, 3);
+    expect_in("No computer holds so many: a run can model a part of this soil only", said.error);
+    expect_in("For the whole curve speaks suffuse assess till.csv alone", said.error);
+}
+
+TEST_F(NewSoil, OfATableOfSeveralSamplesOneIsChosen) {
+    write_to(folder / "wide.csv", "d [mm],TP-1,TP-2\n0.5,0,0\n1,40,60\n2,100,100\n");
+    const Said many = say({"new", "x", "--psd", "wide.csv"});
+    EXPECT_EQ(many.code, 3);
+    expect_in("wide.csv holds 2 samples, and one is needed: TP-1, TP-2; choose it by --sample NAME", many.error);
+    EXPECT_EQ(say({"new", "x", "--psd", "wide.csv", "--sample", "tp-2"}).code, 0);
+    expect_in("1,60", read_all(folder / "x/data/TP-2.csv"));
+    expect_in("psd", read_all(folder / "x/case.toml"));
+}
+
 TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
     const Said refused = say({"new", "gravel", "--psd", "wide gravel.csv"});
     EXPECT_EQ(refused.code, 3);
