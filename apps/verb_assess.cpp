@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/alpha_of_run.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/grading_input.hpp"
 #include "apps/json_text.hpp"
@@ -38,6 +39,10 @@ namespace fs = std::filesystem;
 
 using nlohmann::json;
 
+bool is_folder(const std::string& file) {
+    return fs::is_directory(file);
+}
+
 struct AssessVerb final : Verb {
     AssessVerb()
         : Verb(
@@ -53,11 +58,18 @@ struct AssessVerb final : Verb {
     std::optional<double> seepage_gradient, relative_density, porosity;
     std::string density; ///< of the grains, with its unit
     std::optional<double> stress_share;
+    std::string alpha_from;         ///< folder of a run whose samples say it
     bool has_coarse_fabric = false; ///< uniformity of the coarse part alone
     std::string output;
 
     void add_to(Options& options) override {
-        options.arguments("FILE", files, std::string(grading_text) + "; or a case, for all its soils").required();
+        options
+            .arguments(
+                "FILE", files,
+                std::string(grading_text) + "; or a case, for all its soils; or the folder of a run, with the alpha "
+                                            "of its samples"
+            )
+            .required();
         options.value("--sample", sample, "of a table of several samples this one alone").type("NAME");
         options.value("--filter", filter, "another grading: is it a filter for these soils?").type("FILE");
         options.flag("--page", wants_page, "write one HTML file in which curves and sliders can be moved");
@@ -74,6 +86,8 @@ struct AssessVerb final : Verb {
         options.value("--alpha", stress_share, "with -i: mean effective stress in the fines over that of the soil")
             .type("A")
             .ratio(0, 1);
+        options.value("--alpha-from", alpha_from, "folder of a run: its samples say alpha, porosity and density")
+            .type("RUN");
         options.flag("--coarse-fabric", has_coarse_fabric, "D60/D10 of the coarse part decides how far to look at F");
         options
             .value(
@@ -94,11 +108,27 @@ struct AssessVerb final : Verb {
         }
         return fmt::format(
             "a simulation tells how many grains are free to go: suffuse {} {}{}",
-            files.front().ends_with(".toml") ? "run" : "new --psd", shell_word(files.front()),
-            sample.empty() ? "" : " --sample " + shell_word(sample)
+            files.front().ends_with(".toml") || is_folder(files.front()) ? "run" : "new --psd",
+            shell_word(case_of_run(files.front())), sample.empty() ? "" : " --sample " + shell_word(sample)
         );
     }
 };
+
+/// With the alpha of the run that was named, or of the one that is assessed.
+stability::AssessSpec with_alpha(
+    const AssessVerb& asked, const std::string& file, const stability::AssessSpec& spec, const std::string& soil,
+    const Console& console
+) {
+    const AskedAlpha alpha{
+        !asked.alpha_from.empty() ? asked.alpha_from
+        : is_folder(file)         ? file
+                                  : "",
+        asked.seepage_gradient, asked.porosity,
+        asked.density.empty() ? std::nullopt
+                              : std::optional(quantity_of(asked.density, dimension::density, "--density", false)),
+        asked.stress_share};
+    return with_alpha_of_run(alpha, spec, soil, console);
+}
 
 stability::AssessSpec spec_of(const AssessVerb& asked) {
     stability::AssessSpec spec;
@@ -108,7 +138,8 @@ stability::AssessSpec spec_of(const AssessVerb& asked) {
     spec.relative_density = asked.relative_density;
     spec.fabric = asked.has_coarse_fabric ? stability::PrimaryFabric::Coarse : stability::PrimaryFabric::Soil;
     const bool asks_more = asked.porosity || asked.stress_share || !asked.density.empty();
-    if (asks_more && !asked.seepage_gradient) {
+    const bool has_run = !asked.alpha_from.empty() || std::ranges::any_of(asked.files, is_folder);
+    if (asks_more && !asked.seepage_gradient && !has_run) {
         throw UsageError("--porosity, --density and --alpha go with a gradient: add -i I");
     }
     if (asked.seepage_gradient) {
@@ -133,11 +164,13 @@ struct AskedSoil {
 };
 
 void add_case_soils(
-    const std::string& file, const stability::AssessSpec& spec, const Console& console, std::vector<AskedSoil>& soils
+    const AssessVerb& asked, const std::string& file, const stability::AssessSpec& spec, const Console& console,
+    std::vector<AskedSoil>& soils
 ) {
-    const casefile::Case what = load_asked_case(file, {}, console);
+    const casefile::Case what = load_asked_case(case_of_run(file), {}, console);
+    const bool of_other_case = !asked.alpha_from.empty(); // whose soils have names of their own
     for (const auto& [name, soil] : what.soils) {
-        stability::AssessSpec own = spec;
+        stability::AssessSpec own = with_alpha(asked, file, spec, of_other_case ? "" : name, console);
         own.finer_than = spec.finer_than ? spec.finer_than : soil.finer_than;
         soils.push_back(
             {file + ", soil " + name, what.soils.size() > 1 ? name : "",
@@ -154,8 +187,8 @@ std::vector<AskedSoil>
 read_all(const AssessVerb& asked, const stability::AssessSpec& spec, const Console& console, json& remarks) {
     std::vector<AskedSoil> soils;
     for (const std::string& file : asked.files) {
-        if (file.ends_with(".toml")) {
-            add_case_soils(file, spec, console, soils);
+        if (file.ends_with(".toml") || is_folder(file)) {
+            add_case_soils(asked, file, spec, console, soils);
             continue;
         }
         io::GradingFile read = read_gradings_of(file, asked.sample);
@@ -165,7 +198,7 @@ read_all(const AssessVerb& asked, const stability::AssessSpec& spec, const Conso
         }
         for (io::NamedGrading& soil : read.soils) {
             const std::string name = soil.name.empty() ? file : fmt::format("{}, {}", file, soil.name);
-            soils.push_back({name, soil.name, std::move(soil.grading), spec});
+            soils.push_back({name, soil.name, std::move(soil.grading), with_alpha(asked, file, spec, "", console)});
         }
     }
     return soils;
@@ -231,7 +264,8 @@ std::string write_playground(
 int AssessVerb::act(const CommandLine& line, const Console& console) const {
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();
-    const std::vector<job::AssessedSoil> soils = assess_all(read_all(*this, spec, console, remarks));
+    const std::vector<AskedSoil> asked = read_all(*this, spec, console, remarks);
+    const std::vector<job::AssessedSoil> soils = assess_all(asked);
     const bool are_many = soils.size() > 1, is_picture = !wants_page && names_picture(output);
     const bool has_folder = !output.empty() && !wants_page && !is_picture;
     std::optional<grains::Grading> filter_curve;
@@ -240,9 +274,9 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         tell_remarks(read, console);
         filter_curve = read.soils.front().grading;
     }
-    std::string text = are_many ? job::matrix_text(soils) : job::text_of(soils.front(), spec, terminal_width());
+    std::string text = are_many ? job::matrix_text(soils) : job::text_of(soils.front(), asked.front().spec, terminal_width());
     for (std::size_t k = 0; k < soils.size(); ++k) {
-        list.push_back(job::soil_json(soils[k], spec));
+        list.push_back(job::soil_json(soils[k], asked[k].spec));
         if (filter_curve) {
             const auto criteria = stability::filter_criteria(soils[k].measured, *filter_curve);
             list.back()["filter"] = job::filter_json(criteria, filter);
@@ -250,7 +284,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         }
         if (has_folder) {
             const fs::path folder = are_many ? fs::path(output) / folder_of(soils[k], k) : fs::path(output);
-            const std::string page = write_soil_page(soils[k], spec, list.back(), folder, line.typed).string();
+            const std::string page = write_soil_page(soils[k], asked[k].spec, list.back(), folder, line.typed).string();
             list.back()["written"] = page;
             text += are_many ? "" : "\n" + page;
         }
@@ -268,7 +302,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         text += "\n" + output;
     }
     if (wants_page) {
-        document["page"] = write_playground(*this, spec, soils);
+        document["page"] = write_playground(*this, asked.front().spec, soils);
         text += "\n" + document["page"].get<std::string>();
     }
     console.result(text);

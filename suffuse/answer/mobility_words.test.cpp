@@ -1,0 +1,102 @@
+#include "suffuse/answer/mobility_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace suffuse::answer {
+namespace {
+
+using study::MobilityStory;
+
+erosion::MobilityResult upward() {
+    erosion::MobilityResult mobility;
+    mobility.down = {0, 0, -1};
+    mobility.direction = {0, 0, 1};
+    mobility.heave_gradient = 1.05;
+    mobility.alpha_fines = 0.2;
+    mobility.skempton_brogan_gradient = 0.21;
+    mobility.fines_heave_gradient = 0.8;
+    mobility.ramp = {
+        {.gradient = 0.2, .mobile_mass_share = 0.002, .leaving_mass_share = 0.001},
+        {.gradient = 1.2, .mobile_mass_share = 0.2, .leaving_mass_share = 0.1}};
+    mobility.moves_1 = 0.3, mobility.moves_10 = 0.51;
+    mobility.asked_gradient = 0.2;
+    mobility.id = {1}, mobility.mass = {1}, mobility.diameter = {1}, mobility.mobile_gradient = {0.3};
+    mobility.bears_load = {0};
+    return mobility;
+}
+
+/// Two stages of a study, of the given mobilities.
+std::vector<MobilityStory> story_of(const std::vector<erosion::MobilityResult>& samples) {
+    static casefile::Study study;
+    study.name = "dam", study.replicates = static_cast<int>(samples.size());
+    static const casefile::Variant variant;
+    static const casefile::Stage stage{.name = "mobility", .spec = erosion::DetachStageSpec{}};
+    static std::vector<record::FinishedStage> stages;
+    stages.clear();
+    for (const erosion::MobilityResult& mobility : samples) {
+        stages.push_back({&study, &variant, &stage, nlohmann::json::object(), {}});
+        stages.back().findings.mobility = mobility;
+    }
+    return study::gather_mobility(stages);
+}
+
+TEST(MobilityWords, GiveTheVerdictThatAnEngineerAsksFor) {
+    EXPECT_EQ(
+        verdict(story_of({upward()}).front()), "Upward flow moves 1 % of the fines at i = 0.30, a tenth at 0.51; the "
+                                               "soil heaves at 1.05. At the asked 0.20 it "
+                                               "moves 0.2 % (factor of safety 1.5; one sample)."
+    );
+}
+
+TEST(MobilityWords, SayWhatIsKnownWhereTheRampEndsBefore) {
+    erosion::MobilityResult still = upward();
+    still.moves_1.reset(), still.moves_10.reset();
+    still.ramp.back().mobile_mass_share = 0.004;
+    const std::string told = verdict(story_of({still}).front());
+    EXPECT_NE(told.find("moves less than 1 % of the fines below heave"), std::string::npos) << told;
+    EXPECT_NE(told.find("factor of safety at least 6.0"), std::string::npos) << told;
+}
+
+TEST(MobilityWords, OfSeveralSamplesGiveMeanAndDeviation) {
+    erosion::MobilityResult other = upward();
+    other.moves_1 = 0.4;
+    const std::string told = verdict(story_of({upward(), other}).front());
+    EXPECT_NE(told.find("i = 0.35 ± 0.07"), std::string::npos) << told;
+    EXPECT_NE(told.find("2 samples"), std::string::npos) << told;
+}
+
+TEST(MobilityWords, KnowTheWayOfTheFlow) {
+    erosion::MobilityResult mobility = upward();
+    for (const auto& [direction, word] :
+         {std::pair{Vec3{0, 0, -1}, "Downward"}, {Vec3{0, 1, 0}, "Level"}, {Vec3{0.6, 0, 0.8}, "Oblique"}}) {
+        mobility.direction = direction;
+        EXPECT_EQ(flow_in_words(mobility), word);
+    }
+    mobility.direction = {1, 0, 0};
+    mobility.heave_gradient.reset();
+    const std::string told = verdict(story_of({mobility}).front());
+    EXPECT_NE(told.find("it cannot lift the soil"), std::string::npos) << told;
+}
+
+TEST(MobilityWords, SayWhyStressAndMotionDiffer) {
+    const auto first = [](const erosion::MobilityResult& mobility) {
+        return remarks_on(story_of({mobility}).front()).front();
+    };
+    EXPECT_NE(first(upward()).find("below what moves 1 %"), std::string::npos) << first(upward());
+    erosion::MobilityResult carried = upward();
+    carried.alpha_fines = 0.9, carried.skempton_brogan_gradient = 0.95;
+    EXPECT_NE(first(carried).find("above what moves 1 %"), std::string::npos) << first(carried);
+    carried.skempton_brogan_gradient = 0.31;
+    EXPECT_NE(first(carried).find("near what moves 1 %"), std::string::npos) << first(carried);
+}
+
+TEST(MobilityWords, TellOfFinesThatSift) {
+    erosion::MobilityResult sifting = upward();
+    sifting.sifts = true, sifting.sifting_mass_share = 0.05;
+    EXPECT_NE(remarks_on(story_of({sifting}).front()).back().find("5 % of the fines' mass sift"), std::string::npos);
+}
+
+} // namespace
+} // namespace suffuse::answer

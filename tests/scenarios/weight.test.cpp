@@ -1,0 +1,109 @@
+// Fines that have weight, through the whole program: what a rising gradient moves, and what an erosion takes of it.
+
+#include "suffuse/io/checkpoint.hpp"
+#include "suffuse/stats/stress_by_fraction.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_text.hpp"
+#include <fstream>
+#include <sstream>
+
+namespace suffuse::test {
+namespace {
+
+using nlohmann::json;
+using std::filesystem::path;
+
+const std::string up = "[gravity]\ndown = \"-z\"\n";
+
+std::string stage(const std::string& name, const std::string& keys) {
+    return "[[study.s.stage]]\nname = \"" + name + "\"\nfrom = \"settled\"\n" + keys;
+}
+
+std::string start(const std::string& gravity) {
+    return reference_constants + gravity + reference_soil() + study_of_packing("packing500");
+}
+
+std::string text_of(const path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+TEST(Weight, TellsTheGradientsOfASandThatHardlyMovesAndLeavesItAsItWas) {
+    const TempFolder folder;
+    run_text(
+        start(up) + stage("upward", "do = \"detach\"\ngradients = [0.2, 0.6, 1.2]\nasked_gradient = 0.2\n"),
+        folder.path()
+    );
+    const json told = stage_of(folder.path(), "upward"), settled = stage_of(folder.path(), "settled");
+    EXPECT_EQ(told.at("model"), "with weight");
+    EXPECT_EQ(told.at("state_hash"), settled.at("state_hash"));
+    EXPECT_EQ(told.at("alpha_fines"), settled.at("alpha_fines"));
+    const double heave = (1 - settled.at("porosity").get<double>()) * (2600 - 1000) / 1000;
+    EXPECT_NEAR(told.at("heave_gradient").get<double>(), heave, 1e-12);
+    EXPECT_NEAR(told.at("skempton_brogan_gradient").get<double>(), heave * told.at("alpha_fines").get<double>(), 1e-12);
+    double before = 0;
+    for (const json& step : told.at("mobility")) {
+        const double mobile = step.at("mobile_mass_share"), leaving = step.at("leaving_mass_share");
+        EXPECT_GE(mobile, before);
+        EXPECT_LE(leaving, mobile);
+        EXPECT_EQ(step.at("floats"), step.at("gradient").get<double>() >= heave);
+        before = mobile;
+    }
+    EXPECT_LT(told.at("mobility").at(1).at("mobile_mass_share").get<double>(), 0.05) << "its fines carry";
+    EXPECT_NE(
+        text_of(folder.path() / "run/studies/s/upward/mobility.csv").find("leaving_mass_share\n0.2,"), std::string::npos
+    );
+    EXPECT_NE(text_of(folder.path() / "run/studies/s/upward/grains.csv").find(",mobile_gradient\n"), std::string::npos);
+    const std::string page = text_of(folder.path() / "run/report.html");
+    EXPECT_NE(page.find("Upward flow moves"), std::string::npos);
+    EXPECT_NE(page.find("own-mobility"), std::string::npos);
+}
+
+TEST(Weight, DecidesWhatAnErosionTakesWhoseGradientRisesFromPassToPass) {
+    const TempFolder folder;
+    run_text(
+        start(up) + stage(
+                        "rising", "do = \"erode\"\ngradient = [0.05, 1.2, 1.2]\ndirection = \"x\"\n"
+                                  "passes_constriction = { size = \"none\" }\n"
+                    ),
+        folder.path()
+    );
+    const json told = stage_of(folder.path(), "rising"), passes = told.at("passes");
+    ASSERT_GE(passes.size(), 2U) << "a pass from which nothing leaves is not the last where the gradient rises";
+    EXPECT_LT(passes.at(0).at("removed").get<int>(), passes.at(1).at("removed").get<int>());
+    for (const json& pass : passes) {
+        EXPECT_EQ(pass.at("removed"), pass.at("detachable")) << "nothing holds a mobile grain back here";
+        EXPECT_FALSE(pass.contains("probe"));
+        EXPECT_TRUE(pass.at("heave_gradient").is_null()) << "level flow lifts nothing";
+    }
+    const std::string left = text_of(folder.path() / "run/studies/s/rising/eroded.csv");
+    EXPECT_NE(left.find(",mobile\n"), std::string::npos) << left.substr(0, 200);
+    EXPECT_NE(text_of(folder.path() / "run/studies/s/rising/mobility.csv").find(",pass\n"), std::string::npos);
+}
+
+TEST(Weight, ChangesNoBitWhereNoStageAsksWhatMoves) {
+    const TempFolder with, without;
+    const std::string test = stage("flow", "do = \"flow\"\ngradient = 0.1\n");
+    run_text(start(up) + test, with.path());
+    run_text(start("") + test, without.path());
+    for (const char* name : {"settled", "flow"}) {
+        EXPECT_EQ(stage_of(with.path(), name).at("state_hash"), stage_of(without.path(), name).at("state_hash"));
+    }
+    EXPECT_EQ(stage_of(with.path(), "flow").at("permeability"), stage_of(without.path(), "flow").at("permeability"));
+}
+
+TEST(Weight, IsMissedInOneSentenceWhereFinesHaveNone) {
+    const TempFolder folder;
+    run_text(
+        start("") + stage("probe", "do = \"detach\"\ngradients = [0.1]\nramp = 50\nwatch = 50\nrelax_limit = 100\n"),
+        folder.path()
+    );
+    EXPECT_EQ(stage_of(folder.path(), "probe").at("model"), "weightless");
+    EXPECT_NE(text_of(folder.path() / "run/report.html").find("Grains have no weight in this case"), std::string::npos);
+}
+
+} // namespace
+} // namespace suffuse::test
