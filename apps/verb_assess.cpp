@@ -274,7 +274,8 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         tell_remarks(read, console);
         filter_curve = read.soils.front().grading;
     }
-    std::string text = are_many ? job::matrix_text(soils) : job::text_of(soils.front(), asked.front().spec, terminal_width());
+    std::string text =
+        are_many ? job::matrix_text(soils) : job::text_of(soils.front(), asked.front().spec, terminal_width());
     for (std::size_t k = 0; k < soils.size(); ++k) {
         list.push_back(job::soil_json(soils[k], asked[k].spec));
         if (filter_curve) {

@@ -36,9 +36,11 @@ struct MobilityColumns {
 
 /// A gradient that something else names: a vertical line with its label.
 json marked_gradients(const MobilityStory& story) {
+    constexpr int line_height = 14; // [px]: a row each, as they may lie close together
     json marks = json::array();
     const auto mark = [&](double gradient, const char* label) {
-        marks.push_back({{"at", gradient}, {"label", label}});
+        const auto row = static_cast<int>(marks.size());
+        marks.push_back({{"at", gradient}, {"label", label}, {"level", row * line_height}});
     };
     if (story.asked_gradient) {
         mark(*story.asked_gradient, "asked");
@@ -60,7 +62,8 @@ json mobility_chart(const json& marks, double last) {
             {"mark": {"type": "rule", "strokeDash": [4, 3], "color": "#56606c"},
              "encoding": {"x": {"field": "at", "type": "quantitative"}}},
             {"mark": {"type": "text", "align": "left", "dx": 4, "dy": 4, "baseline": "top"},
-             "encoding": {"x": {"field": "at", "type": "quantitative"}, "y": {"value": 0}, "text": {"field": "label"}}},
+             "encoding": {"x": {"field": "at", "type": "quantitative"}, "text": {"field": "label"},
+                          "y": {"field": "level", "type": "quantitative", "scale": null, "axis": null}}},
             {"mark": {"type": "line", "strokeWidth": 2.4, "point": {"size": 28}},
              "encoding": {
                 "x": {"field": "gradient", "type": "quantitative"},

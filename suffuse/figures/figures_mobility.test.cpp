@@ -1,0 +1,68 @@
+#include "suffuse/figures/figures_mobility.hpp"
+
+#include "suffuse/figures/figure_guide.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace suffuse::figures {
+namespace {
+
+/// Small fines move at 0.2, large ones never.
+erosion::MobilityResult small_move() {
+    erosion::MobilityResult mobility;
+    mobility.down = {0, 0, -1}, mobility.direction = {0, 0, 1};
+    mobility.heave_gradient = 1;
+    mobility.ramp = {{.gradient = 0.2, .mobile_mass_share = 0.25}, {.gradient = 0.4, .mobile_mass_share = 0.25}};
+    mobility.id = {1, 2}, mobility.mass = {1, 3}, mobility.diameter = {1e-4, 2e-4};
+    mobility.mobile_gradient = {0.2, std::numeric_limits<double>::quiet_NaN()};
+    mobility.bears_load = {0, 0};
+    mobility.asked_gradient = 0.1;
+    return mobility;
+}
+
+std::vector<study::MobilityStory> stories_of(const erosion::MobilityResult& mobility) {
+    static casefile::Study study;
+    static const casefile::Variant variant;
+    static const casefile::Stage stage{.name = "mobility", .spec = erosion::DetachStageSpec{}};
+    static std::vector<record::FinishedStage> stages;
+    stages = {{&study, &variant, &stage, nlohmann::json::object(), {}}};
+    stages.back().findings.mobility = mobility;
+    return study::gather_mobility(stages);
+}
+
+TEST(MobilityFigures, DrawTheCurveWithWhatOtherAnswersSay) {
+    const std::optional<Figure> figure = mobility_curves(stories_of(small_move()));
+    ASSERT_TRUE(figure);
+    EXPECT_EQ(figure->table.numbers("mobile"), (std::vector<double>{25, 25}));
+    const std::string chart = figure->chart.dump();
+    EXPECT_NE(chart.find("\"asked\""), std::string::npos);
+    EXPECT_NE(chart.find("heave, i_c"), std::string::npos);
+    EXPECT_TRUE(explain_figure(figure->id));
+    EXPECT_FALSE(mobility_curves({}));
+}
+
+TEST(MobilityFigures, TellWhichSizesMove) {
+    const auto stories = stories_of(small_move());
+    const std::optional<Figure> figure = mobile_sizes(study::main_mobility(stories));
+    ASSERT_TRUE(figure);
+    const std::vector<double>& share = figure->table.numbers("share");
+    ASSERT_EQ(share.size(), 4U) << "two sizes at two gradients";
+    EXPECT_EQ(share, (std::vector<double>{100, 0, 100, 0}));
+    EXPECT_TRUE(explain_figure(figure->id));
+    EXPECT_FALSE(mobile_sizes(nullptr));
+}
+
+TEST(MobilityFigures, TabulateEverySoilWithADashWhereTheRampEndsBefore) {
+    const std::optional<PageTable> table = mobility_table(stories_of(small_move()));
+    ASSERT_TRUE(table);
+    ASSERT_EQ(table->rows.size(), 1U);
+    EXPECT_EQ(table->rows.front().size(), table->header.size());
+    EXPECT_EQ(table->rows.front()[4], "–");
+    EXPECT_FALSE(mobility_table({}));
+}
+
+} // namespace
+} // namespace suffuse::figures
