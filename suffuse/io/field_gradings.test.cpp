@@ -307,6 +307,12 @@ TEST(FieldGradings, NumbersMayHaveExponents) {
     expect_soil({"", {{0.1, 0}, {2, 50}, {4, 100}}}, parsed.soils.front(), "exponents");
 }
 
+TEST(FieldGradings, ALineOfWordsBelowTheHeadingsIsNoSecondLineOfThem) { // found by the fuzz test
+    const ParsedSheet parsed = parse_sheet("Sieve Non,Percent Finer\nent Finer\n4,95\n10,81\n");
+    EXPECT_TRUE(parsed.soils.empty());
+    EXPECT_NE(render(parsed.told).find("\"ent Finer\" is not a number"), std::string::npos) << render(parsed.told);
+}
+
 TEST(FieldGradings, RockfillInMetersIsNoForgottenUnit) {
     const ParsedSheet parsed = parse_sheet("d [m],passing [%]\n0.1,0\n0.3,40\n1,100\n");
     ASSERT_EQ(parsed.soils.size(), 1U) << render(parsed.told);

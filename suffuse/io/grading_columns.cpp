@@ -132,6 +132,14 @@ private:
                 best = k, best_rank = rank;
             }
         }
+        if (best_rank == 0) {
+            problems_.error(
+                "E506", header_->place,
+                "a grading curve needs a column of sizes and one of percent passing, and `d` is missing",
+                expected_header
+            );
+            return false;
+        }
         found_.size = {best, headings_[best].scale};
         return true;
     }

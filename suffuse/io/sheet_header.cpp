@@ -74,10 +74,15 @@ std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
     if (take_unit_row(second, units)) {
         return header; // told apart by who reads the values
     }
-    header->lines = 2;
+    std::vector<Heading> joined;
     for (std::size_t k = 0; k < header->headings.size(); ++k) {
-        header->headings[k] = read_heading(text_at(first, k) + " " + text_at(second, k));
+        joined.push_back(read_heading(text_at(first, k) + " " + text_at(second, k)));
     }
+    if (!has_kind(joined, ColumnKind::Size)) {
+        return header; // the second line is none of theirs
+    }
+    header->lines = 2;
+    header->headings = std::move(joined);
     header->is_complete =
         has_kind(header->headings, ColumnKind::Share) || has_kind(header->headings, ColumnKind::Gross);
     return header;

@@ -47,7 +47,7 @@ bool leaves_tables(const casefile::Case& what, const casefile::Variant& variant,
     while (origin->parent >= 0) {
         origin = &variant.stages[static_cast<std::size_t>(origin->parent)];
     }
-    return &stage == &variant.stages.back() || casefile::traits_of(*origin).origin == casefile::Origin::File ||
+    return stage.name == variant.stages.back().name || casefile::traits_of(*origin).origin == casefile::Origin::File ||
            writes(what.output, "csv");
 }
 
