@@ -102,9 +102,12 @@ py::dict mobility(
     erosion::MobilityResult result;
     Stepping call(w);
     Attention attention(on_progress, call);
-    begin(call);
     {
         const Working working;
+        dem::World sample = call.world(); // whose rows stay in their order, and which stays as it is
+        if (dem::awaits_first_step(sample)) {
+            dem::add_first_contacts(sample);
+        }
         const Pulse pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };
         const auto solve = [&](const dem::World& copy) {
             const stokes::Water water = stokes::solve_water(
@@ -113,7 +116,7 @@ py::dict mobility(
             );
             return erosion::UnitSeepage{water.grain_force(), water.source, water.permeability()};
         };
-        result = erosion::find_mobility(call.world(), setting, solve, pulse);
+        result = erosion::find_mobility(sample, setting, solve, pulse);
     }
     return to_dict(result, call.world());
 }
