@@ -13,7 +13,7 @@ namespace {
 World two_held_and_one_free() {
     World world = test::two_grains(1e-3, 1e-3, 1e-5, {});
     const Vec3 middle = 0.5 * (world.grains.position[0] + world.grains.position[1]);
-    test::add(world, middle + Vec3{0, 0, 1.2e-3}, 0.5e-3);
+    test::add(world, middle + Vec3{0, 0, 1.15e-3}, 0.5e-3);
     world.grains.motion[0] = world.grains.motion[1] = grains::Motion::Held;
     world.grains.velocity[2] = {0.01, 0, -0.1};
     return world;
