@@ -48,6 +48,26 @@ TEST_F(NewSoil, TheCaseIsCheckedAndPlannedAsItStands) {
     EXPECT_EQ(say({"new", "--psd", "gap.csv"}).code, 2); // nothing is overwritten
 }
 
+TEST_F(NewSoil, WithAFlowItsFinesHaveWeight) {
+    for (const auto& [way, direction] : {std::pair{"up", "\"z\""}, {"down", "\"-z\""}, {"level", "\"x\""}}) {
+        const std::string path = std::string(way) + "/case.toml";
+        ASSERT_EQ(say({"new", way, "--psd", "gap.csv", "-i", "0.2", "--flow", way}).code, 0);
+        const std::string text = read_all(folder / path);
+        expect_in("[gravity]", text);
+        expect_in("asked_gradient = 0.2", text);
+        expect_in("direction      = " + std::string(direction), text);
+        EXPECT_EQ(say({"check", path, "--preset", "standard"}).code, 0);
+        const Said plan = say({"plan", path, "--json"});
+        ASSERT_EQ(plan.code, 0) << plan.error;
+        expect_in("rest under weight, then 24 gradients", plan.json().dump());
+    }
+    EXPECT_EQ(read_all(folder / "up/case.toml").find("(Grains have no weight here"), std::string::npos);
+    EXPECT_EQ(say({"new", "aside", "--psd", "gap.csv", "--flow", "aside"}).code, 2);
+    const Said no_run = say({"assess", "gap.csv", "--alpha-from", "up"});
+    EXPECT_NE(no_run.code, 0);
+    expect_in("holds no run", no_run.error);
+}
+
 TEST_F(NewSoil, ItRuns) {
     ASSERT_EQ(say({"new", "dyke", "--psd", "gap.csv"}).code, 0);
     const Said ran = say({"run", "dyke/case.toml", "-o", "runs/dyke", "--until", "cloud", "-q"});
