@@ -157,7 +157,8 @@ private:
 
     void try_beside() {
         for (int k = 1; static_cast<int>(trials_.size()) < most_trials && !is_met(); ++k) {
-            const double away = beside * ((k + 1) / 2);
+            const int pair = (k + 1) / 2; // one to each side
+            const double away = beside * pair;
             try_one(std::clamp(likeliest() + (k % 2 == 0 ? away : -away), 0.0, 2.0));
         }
     }
