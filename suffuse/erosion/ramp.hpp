@@ -29,10 +29,13 @@ inline std::vector<double> gradients_up_to(double last) {
     constexpr double early = 0.05, early_until = 0.4, late = 0.1;
     std::vector<double> gradients;
     const auto add_steps = [&](double from, double to, double most) {
-        const double count = std::ceil((to - from) / most * (1 - 1e-12));
-        for (double k = 1; k <= count; ++k) {
-            gradients.push_back(k < count ? rounded_gradient(from + k * (to - from) / count) : to);
+        const auto count = static_cast<std::int64_t>(std::ceil((to - from) / most * (1 - 1e-12)));
+        for (std::int64_t k = 1; k < count; ++k) {
+            gradients.push_back(
+                rounded_gradient(from + static_cast<double>(k) * (to - from) / static_cast<double>(count))
+            );
         }
+        gradients.push_back(to);
     };
     add_steps(0, std::min(last, early_until), early);
     if (last > early_until) {

@@ -3,6 +3,8 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/io/sheet.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -193,7 +195,7 @@ std::string cut_unit(std::string_view text, Heading& heading) {
         const std::string within = rest.substr(open + 1, close - open - 1);
         const bool is_unit = take_unit(within, heading);
         heading.own_unit = is_unit || within.empty() ? heading.own_unit : within;
-        rest = rest.substr(0, open) + (is_unit ? " " : " " + within + " ") + rest.substr(close + 1);
+        rest.replace(open, close + 1 - open, is_unit ? " " : fmt::format(" {} ", within));
     }
     const std::size_t cut = trimmed(rest).find_last_of(" _,");
     if (cut != std::string_view::npos && heading.scale == SizeScale::Unknown) {
@@ -206,6 +208,82 @@ std::string cut_unit(std::string_view text, Heading& heading) {
         }
     }
     return rest;
+}
+
+/// Which roles the words of a heading have.
+class Roles {
+public:
+    void add(Role role) { is_there_[static_cast<std::size_t>(role)] = true; }
+
+    [[nodiscard]] bool has(Role role) const { return is_there_[static_cast<std::size_t>(role)]; }
+
+private:
+    std::array<bool, static_cast<std::size_t>(Role::Filler) + 1> is_there_{};
+};
+
+/// What has none is the heading's rest.
+Roles read_roles(const std::string& named, Heading& heading) {
+    Roles roles;
+    for (const Word& word : split_words(named)) {
+        if (const auto role = role_of(word.text)) {
+            roles.add(*role);
+        } else {
+            heading.rest += heading.rest.empty() ? "" : " ";
+            heading.rest += word.as_written;
+        }
+    }
+    return roles;
+}
+
+/// Masses of sieves, with soil or empty.
+bool take_mass(const Roles& roles, bool weighed, Heading& heading) {
+    const bool says_sieve = roles.has(Role::Sieve);
+    const bool says_share = roles.has(Role::Passing) || roles.has(Role::Retained) || roles.has(Role::Coarser);
+    if (weighed && says_sieve && roles.has(Role::And) && (roles.has(Role::Soil) || roles.has(Role::Retained))) {
+        heading.kind = ColumnKind::Gross;
+        return true;
+    }
+    if (weighed && !says_share && (roles.has(Role::Tare) || says_sieve)) {
+        heading.kind = ColumnKind::Tare;
+        return true;
+    }
+    return false;
+}
+
+bool take_share(const Roles& roles, Heading& heading) {
+    const bool has_unit = heading.unit != ShareUnit::Mass && heading.unit != ShareUnit::Unknown;
+    if (roles.has(Role::Passing)) {
+        heading.meaning = ShareMeaning::Passing;
+    } else if (roles.has(Role::Coarser)) {
+        heading.meaning = ShareMeaning::CumulativeRetained;
+    } else if (roles.has(Role::Retained)) {
+        heading.meaning = roles.has(Role::Cumulative) ? ShareMeaning::CumulativeRetained
+                          : roles.has(Role::OnOne)    ? ShareMeaning::OnSieve
+                                                      : ShareMeaning::Retained;
+    } else if (roles.has(Role::Cumulative) && has_unit) {
+        heading.meaning = ShareMeaning::Cumulative;
+    } else {
+        return false;
+    }
+    heading.kind = ColumnKind::Share;
+    return true;
+}
+
+/// Names of samples, depths and sizes. @param words of the whole heading
+void take_other_kind(const Roles& roles, const std::string& words, Heading& heading) {
+    const bool says_mesh = roles.has(Role::Number) && words.find("mesh") != std::string::npos;
+    if (roles.has(Role::Sample)) {
+        heading.kind = ColumnKind::Sample;
+    } else if (roles.has(Role::Depth)) {
+        heading.kind = ColumnKind::Sample, heading.names_depth = true;
+    } else if (roles.has(Role::Size) || roles.has(Role::Sieve) || roles.has(Role::Phi) || says_mesh) {
+        heading.kind = ColumnKind::Size;
+        if (roles.has(Role::Phi)) {
+            heading.scale = SizeScale::Phi;
+        } else if (roles.has(Role::Number) && heading.scale == SizeScale::Unknown) {
+            heading.scale = SizeScale::SieveNumber;
+        }
+    }
 }
 
 } // namespace
@@ -234,51 +312,16 @@ std::string plain_words(std::string_view text) {
 Heading read_heading(std::string_view text) {
     Heading heading;
     const std::string named = cut_unit(text, heading);
-    std::array<bool, static_cast<std::size_t>(Role::Filler) + 1> has_role{};
-    const auto has = [&has_role](Role role) { return has_role[static_cast<std::size_t>(role)]; };
-    for (const Word& word : split_words(named)) {
-        if (const auto role = role_of(word.text)) {
-            has_role[static_cast<std::size_t>(*role)] = true;
-        } else {
-            heading.rest += heading.rest.empty() ? "" : " ";
-            heading.rest += word.as_written;
-        }
-    }
-    if (has(Role::Percent)) {
+    const Roles roles = read_roles(named, heading);
+    if (roles.has(Role::Percent)) {
         heading.unit = ShareUnit::Percent;
-    } else if (has(Role::Fraction) && heading.unit == ShareUnit::Unknown) {
+    } else if (roles.has(Role::Fraction) && heading.unit == ShareUnit::Unknown) {
         heading.unit = ShareUnit::Fraction;
     }
-    const bool weighed =
-        heading.unit == ShareUnit::Mass || (has(Role::Mass) && heading.unit == ShareUnit::Unknown && !has(Role::By));
-    const bool says_sieve = has(Role::Sieve),
-               says_share = has(Role::Passing) || has(Role::Retained) || has(Role::Coarser);
-    if (weighed && says_sieve && has(Role::And) && (has(Role::Soil) || has(Role::Retained))) {
-        heading.kind = ColumnKind::Gross;
-    } else if (weighed && !says_share && (has(Role::Tare) || says_sieve)) {
-        heading.kind = ColumnKind::Tare;
-    } else if (has(Role::Passing)) {
-        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Passing;
-    } else if (has(Role::Coarser)) {
-        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::CumulativeRetained;
-    } else if (has(Role::Retained)) {
-        heading.kind = ColumnKind::Share;
-        heading.meaning = has(Role::Cumulative) ? ShareMeaning::CumulativeRetained
-                          : has(Role::OnOne)    ? ShareMeaning::OnSieve
-                                                : ShareMeaning::Retained;
-    } else if (has(Role::Cumulative) && heading.unit != ShareUnit::Mass && heading.unit != ShareUnit::Unknown) {
-        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Cumulative;
-    } else if (has(Role::Sample)) {
-        heading.kind = ColumnKind::Sample;
-    } else if (has(Role::Depth)) {
-        heading.kind = ColumnKind::Sample, heading.names_depth = true;
-    } else if (has(Role::Size) || says_sieve || has(Role::Phi) || (has(Role::Number) && plain_words(text).find("mesh") != std::string::npos)) {
-        heading.kind = ColumnKind::Size;
-        if (has(Role::Phi)) {
-            heading.scale = SizeScale::Phi;
-        } else if (has(Role::Number) && heading.scale == SizeScale::Unknown) {
-            heading.scale = SizeScale::SieveNumber;
-        }
+    const bool weighed = heading.unit == ShareUnit::Mass ||
+                         (roles.has(Role::Mass) && heading.unit == ShareUnit::Unknown && !roles.has(Role::By));
+    if (!take_mass(roles, weighed, heading) && !take_share(roles, heading)) {
+        take_other_kind(roles, plain_words(text), heading);
     }
     if (heading.kind == ColumnKind::Other && heading.scale != SizeScale::Unknown) { // a unit alone
         heading.kind = ColumnKind::Size;
