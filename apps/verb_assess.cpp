@@ -173,7 +173,7 @@ void add_case_soils(
         stability::AssessSpec own = with_alpha(asked, file, spec, of_other_case ? "" : name, console);
         own.finer_than = spec.finer_than ? spec.finer_than : soil.finer_than;
         soils.push_back(
-            {file + ", soil " + name, what.soils.size() > 1 ? name : "",
+            {fmt::format("{}, soil {}", file, name), what.soils.size() > 1 ? name : "",
              soil.measured ? *soil.measured : grains::asked_grading(soil), own}
         );
     }
@@ -244,6 +244,7 @@ std::string write_playground(
     const AssessVerb& asked, const stability::AssessSpec& spec, const std::vector<job::AssessedSoil>& soils
 ) {
     std::vector<report::PageSoil> shown_soils;
+    shown_soils.reserve(soils.size());
     for (const job::AssessedSoil& soil : soils) {
         shown_soils.push_back({soil.name, soil.measured.diameter, soil.measured.passing});
     }

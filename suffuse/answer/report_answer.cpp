@@ -215,6 +215,7 @@ std::vector<std::string> answers_to_removals(const std::vector<record::FinishedS
         removal->second.push_back(&stage.numbers);
     }
     std::vector<std::string> sentences;
+    sentences.reserve(removals.size());
     for (const auto& [name, numbers] : removals) {
         sentences.push_back(answer_to_removal(name, numbers));
     }

@@ -95,7 +95,7 @@ private:
     }
 
     /// How sure a column is to hold the sizes; 0: it holds none.
-    int rank_of_size(std::size_t column) const {
+    [[nodiscard]] int rank_of_size(std::size_t column) const {
         const Heading& heading = headings_[column];
         if (heading.kind != ColumnKind::Size) {
             return 0;

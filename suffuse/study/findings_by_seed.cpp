@@ -69,6 +69,7 @@ std::vector<Reading> judge_readings(const std::vector<record::FinishedStage>& st
         }
     }
     std::vector<Reading> readings;
+    readings.reserve(by_seed.size());
     for (const auto& [name, findings] : by_seed) {
         readings.push_back({name, combine_seeds(findings)});
     }
