@@ -97,6 +97,10 @@ TEST(Units, ARatioMayBeAQuotient) {
 
 TEST(Units, ErrorsSayWhatIsWrongAndWhatToDo) {
     EXPECT_EQ(message_of("100 kpq*", dimension::pressure).substr(0, 12), "unknown unit");
+    EXPECT_EQ(
+        message_of("100 kPaa", dimension::pressure),
+        "unknown unit \"kPaa\" | a unit with a similar name exists: \"kPa\""
+    );
     EXPECT_EQ(parse_quantity("100 kpa", dimension::pressure), 1e5); // no other unit differs by capitals alone
     EXPECT_EQ(parse_quantity("100 KPa", dimension::pressure), 1e5);
     EXPECT_EQ(
