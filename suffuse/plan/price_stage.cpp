@@ -5,9 +5,7 @@
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/erosion/ramp.hpp"
 #include "suffuse/grains/sampling.hpp"
-#include "suffuse/packing/compact.hpp"
-#include "suffuse/packing/pace.hpp"
-#include "suffuse/plan/preparation_price.hpp"
+#include "suffuse/plan/price_preparation.hpp"
 #include "suffuse/plan/weight_price.hpp"
 #include "suffuse/record/read_import.hpp"
 #include "suffuse/triaxial/run_path.hpp"
@@ -23,17 +21,15 @@ namespace suffuse::plan {
 namespace {
 
 // Steps, beside the `patience` that comes on top where a balance is waited for.
-constexpr Range settling{250, 6'000};                                 // a packing from elsewhere
-constexpr Range swift_start{2'500, 9'000}, swift_density{300, 1'500}; // from near touching; from an asked density
+constexpr Range settling{250, 6'000}; // a packing from elsewhere
 constexpr Range first_relaxation{600, 4'500}, next_relaxation{50, 1'200};
 constexpr Range rest_under_load{150, 4'500};      // after the ramp of a stress probe
 constexpr Range rest_after_removal{1'500, 8'000}; // after many grains were taken at once
 constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
-constexpr Range trials_for_a_density{2, 6}; // compactions until an asked void ratio is met
-constexpr int endless = 5;                  // passes that "until nothing leaves" may add to those asked ...
-constexpr int endless_travel = 30;          // ... where fines travel: 19 to 26 seen
-constexpr Range slow_collapse{0.55, 1.1};   // of the steps in which the largest rate would close what removal opened
-constexpr double swept_rattlers = 0.65;     // of the fines without load, at least this share leaves with an erosion
+constexpr int endless = 5;                // passes that "until nothing leaves" may add to those asked ...
+constexpr int endless_travel = 30;        // ... where fines travel: 19 to 26 seen
+constexpr Range slow_collapse{0.55, 1.1}; // of the steps in which the largest rate would close what removal opened
+constexpr double swept_rattlers = 0.65;   // of the fines without load, at least this share leaves with an erosion
 
 // Axial strain until a stress: of samples that carry it elastically, deviator stress over strain, over the contact
 // modulus; of loose ones, that yield, strain = this x eta/(limit - eta) with eta = q/p [-].
@@ -47,15 +43,13 @@ constexpr Range time_step_error{0.85, 1.2}, liquefied{0.5, 1.1};
 
 // What the made-up packing of measure_speed leaves out: recording, files, other work of the machine.
 constexpr Range price_error{0.75, 1.35};
-constexpr Range searching{0.25, 0.55};        // work of a step, a grain, while grains fly
-constexpr Range cloud_seconds{1e-6, 1.5e-5};  // a grain
-constexpr Range geometry_seconds{1e-5, 6e-5}; // a grain: pushing a cloud together
-constexpr Range flow_seconds{1e-5, 6e-5};     // a grain, one direction
+constexpr Range cloud_seconds{1e-6, 1.5e-5}; // a grain
+constexpr Range flow_seconds{1e-5, 6e-5};    // a grain, one direction
 
 // Grains that a plan draws of a sample: more of the same curve say no more of their shares.
 constexpr std::int64_t most_drawn = 300'000;
 
-constexpr double grain_memory = 1000, flow_memory = 5000; // [B], a grain
+constexpr double flow_memory = 5000; // [B], a grain
 
 constexpr Range resolved_seconds{5e-6, 2e-5}; // a box, one direction
 constexpr double box_memory = 150;            // [B]
@@ -68,15 +62,6 @@ double resolving_boxes(const PricedSample& sample, const grains::Material& mater
     }
     const double solid = (sample.coarse.mass + sample.fines.mass) / material.density;
     return solid / sample.solid_fraction * std::pow(across * inverse_diameter, 3);
-}
-
-const Range& preparation_steps(std::string_view kind) {
-    for (const PreparationPrice& price : preparation_prices) {
-        if (price.kind == kind) {
-            return price.steps;
-        }
-    }
-    throw Bug(fmt::format("no price of the preparation {}", kind));
 }
 
 /// Makes of a sample of some grains of `soil` one of so many. Of two curves the coarse grains may be very few of those
@@ -138,46 +123,7 @@ public:
             )};
     }
 
-    StagePrice operator()(const packing::CompactSpec& spec) {
-        const bool asks = (spec.void_ratio || spec.intergranular_void_ratio) && !takes_preparation(spec);
-        const double cloud = 1 - sample_.solid_fraction;
-        const double start =
-            spec.start_porosity.value_or(leaves_out_gas(spec) ? std::min(cloud, packing::open_porosity) : cloud);
-        const Range pushing = start < cloud ? count(sample_) * geometry_seconds : Range{};
-        const double gas_time_step = compaction_time_step(spec, loose_time_step(sample_, variant_.material));
-        const packing::EqualGrains state = asks ? state_at(sample_, solid_fraction_asked(spec))
-                                                : packing::equal_grains(friction_of(spec), adheres(spec));
-        take_state(sample_, state);
-        sample_.pressure = spec.pressure;
-        const Range searches = count(sample_) * searching;
-        if (spec.protocol == packing::Protocol::Swift) {
-            const Range trials = asks ? Range{1, 3} : Range{1, 1};
-            return {
-                .steps = trials * ((asks ? swift_density : swift_start) + waited({})),
-                .seconds = trials * (count(sample_) * geometry_seconds),
-                .memory_a_grain = grain_memory,
-                .basis = "swift: pushed together, then pressed; contacts per grain some 0.6 above faithful's",
-                .more_work = searches};
-        }
-        const Range trials = asks ? trials_for_a_density : Range{1, 1};
-        const double end = 1 - sample_.solid_fraction;
-        const double open = adheres(spec) ? start : std::min(start, packing::open_porosity);
-        const double time_step =
-            compaction_time_step(spec, settled_time_step(sample_, variant_.material, {.mass = true}));
-        const double rate = packing::largest_rate(spec, variant_.material.density, sample_.median);
-        const double gas = strain_between(start, open) / (rate * gas_time_step);
-        const double loaded = strain_between(open, end) / (rate * time_step);
-        return {
-            .steps =
-                trials * (Range{gas, gas} + loaded * creep(spec) * preparation_steps(kind_of(spec)) + 2 * waited({})),
-            .seconds = trials * pushing,
-            .memory_a_grain = grain_memory,
-            .basis = fmt::format(
-                "{}: from a porosity of {:.2f} to some {:.2f} at {:.3g} 1/s and slower, then settling", kind_of(spec),
-                start, end, rate
-            ),
-            .more_work = searches};
-    }
+    StagePrice operator()(const packing::CompactSpec& spec) { return price_compaction(case_, variant_, spec, sample_); }
 
     StagePrice operator()(const dem::SettleSpec& spec) {
         for (const cell::AxisControl& axis : spec.loading.axis) {
@@ -185,7 +131,7 @@ public:
                 sample_.pressure = axis.value;
             }
         }
-        return {.steps = waited(settling), .memory_a_grain = grain_memory, .basis = "until balanced"};
+        return {.steps = waited(case_, settling), .memory_a_grain = grain_memory, .basis = "until balanced"};
     }
 
     StagePrice operator()(const dem::AdvanceSpec& spec) {
@@ -204,7 +150,7 @@ public:
             const Range strain = strain_until(spec, is_loose);
             sample_.pressure /= 1 - std::min(stress_ratio_asked(spec), 2.0) / 3; // the lateral stress is held
             return {
-                .steps = a_strain * strain + waited(balance_at_stress),
+                .steps = a_strain * strain + waited(case_, balance_at_stress),
                 .memory_a_grain = grain_memory,
                 .basis = fmt::format("until a stress, at most {:.3g} % {}, then settling", 100 * spec.strain, pace)};
         }
@@ -266,7 +212,7 @@ public:
         const bool weighs = spec.probe.gravity && !spec.forced;
         const double ramp = weighs ? steps_of_ramps(spec) : 0;
         StagePrice price{
-            .steps = 2 * passes * waited(balance_after_removal),
+            .steps = 2 * passes * waited(case_, balance_after_removal),
             .reference_steps = weighs ? work_of_free_fines * (passes * steps_with_weight(ramp))
                                       : passes * probe(spec.probe, 1) + first_relaxation + later * next_relaxation,
             .seconds = ((travels ? 3 : 2) + ramp) * passes * one_flow(),
@@ -302,7 +248,7 @@ public:
         const double a_strain = 1 / (rate * settled_time_step(sample_, variant_.material));
         return {
             .steps = closing * a_strain * slow_collapse +
-                     static_cast<double>(spec.passes) * (rest_after_removal + 2 * waited({})),
+                     static_cast<double>(spec.passes) * (rest_after_removal + 2 * waited(case_, {})),
             .memory_a_grain = 2 * grain_memory,
             .basis = spec.passes == 1 ? "two new equilibria, after all asked have gone"
                                       : fmt::format("two new equilibria after each of {} passes", spec.passes)};
@@ -312,67 +258,6 @@ private:
     [[nodiscard]] double triaxial_time_step(const triaxial::TriaxialSpec& spec) const {
         const dem::Lent lent = triaxial::lent_during(spec, variant_.material);
         return spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, variant_.material, lent);
-    }
-
-    /// Whether another sample has searched for this one.
-    [[nodiscard]] bool takes_preparation(const packing::CompactSpec& spec) const {
-        return spec.prepared_as && variant_.soil && variant_.soil->fines_content > *spec.prepared_as;
-    }
-
-    [[nodiscard]] double friction_of(const packing::CompactSpec& spec) const {
-        return spec.prepare.friction.value_or(variant_.material.friction);
-    }
-
-    [[nodiscard]] bool adheres(const packing::CompactSpec& spec) const {
-        return spec.prepare.adhesion_normal.value_or(variant_.material.adhesion_normal) > 0 ||
-               spec.prepare.adhesion_shear.value_or(variant_.material.adhesion_shear) > 0;
-    }
-
-    [[nodiscard]] bool leaves_out_gas(const packing::CompactSpec& spec) const {
-        return spec.protocol == packing::Protocol::Faithful && !adheres(spec);
-    }
-
-    /// Grains without friction creep until the slowest modes of the sample are at rest: for steps that grow as the root
-    /// of its solid in median grains, to which smaller ones are slowed; 250 to 43,000 of them were seen [-].
-    [[nodiscard]] double creep(const packing::CompactSpec& spec) const {
-        constexpr double priced_for = 2'000; // median grains
-        const bool creeps = !adheres(spec) && !(friction_of(spec) > 0);
-        const double solid = (sample_.coarse.mass + sample_.fines.mass) / case_.material.density;
-        return creeps ? std::sqrt(solid / sphere_volume(0.5 * sample_.median) / priced_for) : 1;
-    }
-
-    /// A row of preparation_prices.
-    [[nodiscard]] std::string kind_of(const packing::CompactSpec& spec) const {
-        const std::string_view met = adheres(spec) ? "adhesive" : friction_of(spec) > 0 ? "frictional" : "frictionless";
-        const bool first = spec.prepare.skeleton_first;
-        return fmt::format("{}, {}", first ? "skeleton first" : packing::name_of(spec.protocol), met);
-    }
-
-    [[nodiscard]] double solid_fraction_asked(const packing::CompactSpec& spec) const {
-        const double content = fines_content(sample_);
-        const double e = spec.void_ratio ? *spec.void_ratio : *spec.intergranular_void_ratio * (1 - content) - content;
-        return 1 / (1 + std::max(e, 0.05)); // the run refuses less
-    }
-
-    [[nodiscard]] double compaction_time_step(const packing::CompactSpec& spec, double stable) const {
-        if (spec.time_step > 0) {
-            return spec.time_step;
-        }
-        return spec.protocol == packing::Protocol::Slow
-                   ? packing::slow_time_step(0.5 * smallest_diameter(sample_), variant_.material)
-                   : stable;
-    }
-
-    /// Strain of each axis from one porosity to another, at least a little [-].
-    [[nodiscard]] static double strain_between(double start, double end) {
-        constexpr double least = 0.007;
-        return std::max(start > end ? least : 0, std::log((1 - end) / (1 - start)) / 3);
-    }
-
-    /// Steps until balanced, and then the patience.
-    [[nodiscard]] Range waited(const Range& steps) const {
-        const auto patience = static_cast<double>(case_.balance.patience);
-        return steps + Range{patience, 1.2 * patience};
     }
 
     /// Gradients of the ramp of a pass, in the mean.
@@ -433,6 +318,16 @@ private:
 };
 
 } // namespace
+
+Range waited(const casefile::Case& what, const Range& steps) {
+    const auto patience = static_cast<double>(what.balance.patience);
+    return steps + Range{patience, 1.2 * patience};
+}
+
+double strain_between(double start, double end) {
+    constexpr double least = 0.007;
+    return std::max(start > end ? least : 0, std::log((1 - end) / (1 - start)) / 3);
+}
 
 StagePrice price_stage(
     const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage, PricedSample& sample

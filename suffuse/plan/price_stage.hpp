@@ -12,6 +12,8 @@
 
 namespace suffuse::plan {
 
+inline constexpr double grain_memory = 1000; // [B]
+
 struct StagePrice {
     Range steps = {};
     Range reference_steps = {}; ///< more of them, in reference mode whatever the mode of the case
@@ -27,6 +29,12 @@ struct StagePrice {
 StagePrice price_stage(
     const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage, PricedSample& sample
 );
+
+/// Steps until balanced, and then the patience of the case.
+Range waited(const casefile::Case& what, const Range& steps);
+
+/// Strain of each axis from one porosity to another, at least a little [-].
+double strain_between(double start, double end);
 
 /// Wall time of a stage on a machine [s].
 Range seconds_of(const StagePrice& price, const MachineSpeed& speed);

@@ -7,9 +7,10 @@
 
 namespace suffuse::plan {
 
-/// Steps of the rest and of one gradient of the ramp, seen on gap-graded soils and sands of 2,000 to 10,000 grains: 30
-/// to 200 and 4 to 20 units of time, each of 500 to 700 steps.
-inline constexpr Range rest_under_weight{15'000, 120'000}, gradient_borne{2'000, 12'000};
+/// Steps of the rest and of one gradient of the ramp: so that all 29 ramps of validation/critical_gradient.toml and
+/// examples/critical-gradient, of 12, 16 and 24 gradients, lie within; dense soils of size ratio 3.5 are at the lower
+/// end, ratio 10 at the upper.
+inline constexpr Range rest_under_weight{20'000, 80'000}, gradient_borne{4'500, 16'000};
 
 /// Work of such a step, over that of a step of the whole sample: only what is free moves.
 inline constexpr Range work_of_free_fines{0.4, 1.2};
