@@ -3,6 +3,7 @@
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/render_within.hpp"
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/casefile/weight_words.hpp"
 #include "suffuse/record/read_import.hpp"
 
 #include <fmt/format.h>
@@ -57,6 +58,10 @@ int CheckVerb::act(const CommandLine&, const Console& console) const {
         loaded.warnings.empty() ? "" : fmt::format(", {}", plural(std::ssize(loaded.warnings), "warning")),
         loaded.value.preset, plural(variants, "sample"), plural(stages, "stage")
     ));
+    const std::string weight = casefile::weight_sentence(loaded.value);
+    if (!weight.empty()) {
+        console.talk(weight);
+    }
     console.document(json_text(
         {{"case", file},
          {"preset", loaded.value.preset},

@@ -3,6 +3,7 @@
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/case_for_tests.hpp"
 #include "suffuse/casefile/dependencies.hpp"
+#include "suffuse/casefile/weight_words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +47,13 @@ TEST(Gravity, ReachesEveryStageThatProbesFinesAndComesBackFromTheResolvedCase) {
     }
     EXPECT_EQ(resolved_toml(c), resolved_toml(back));
     EXPECT_EQ(resolved_toml(c).find("ramp ="), std::string::npos); // of a probe without weight
+}
+
+TEST(Gravity, IsSpokenOfOnceWhereAStageAsksWhatWaterTakes) {
+    EXPECT_EQ(weight_sentence(load(good_case)), "");
+    EXPECT_EQ(weight_sentence(load(weighed(""))), "");
+    EXPECT_NE(weight_sentence(load(good_case + erode_stage)).find("nothing has weight"), std::string::npos);
+    EXPECT_NE(weight_sentence(load(weighed(erode_stage))).find("all other stages are weightless"), std::string::npos);
 }
 
 TEST(Gravity, MayPointAnywhereAndPullAsHardAsOneLikes) {

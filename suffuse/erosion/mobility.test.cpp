@@ -107,6 +107,20 @@ TEST(Mobility, OverTheThirdGrainIsHeldBackByRollingFrictionAsAnAngle) {
     expect_just_above(pull_that_moves(pocket, {1, 0, 0}, around(theory)), theory);
 }
 
+// The grain rolls in the wedge of the two that it passes between: half the angle of the wedge, and the shear springs
+// that its rolling winds up there, raise what the rolling moments hold.
+TEST(Mobility, AcrossASaddleIsHeldBackByRollingFrictionAsTheWedgesAngleRaisesIt) {
+    Pocket pocket(1, radians(37));
+    grains::Material& material = pocket.world.material;
+    material.rolling_stiffness = 7.5;
+    material.rolling_friction = 0.22;
+    const double half_angle = std::asin(0.5); // R/(R + r)
+    const double springs = material.shear_ratio * std::tan(half_angle) * std::sin(half_angle);
+    const double held = std::atan(material.rolling_friction / (std::cos(half_angle) + springs));
+    const double theory = std::tan(std::atan(pocket.center / pocket.level) + held);
+    expect_just_above(pull_that_moves(pocket, {-1, 0, 0}, around(theory)), theory);
+}
+
 TEST(Mobility, DoesNotDependOnHowFarForcesAreScaledUp) {
     const Pocket pocket(1);
     const double theory = pocket.center / pocket.level;

@@ -1,0 +1,24 @@
+#include "suffuse/casefile/weight_words.hpp"
+
+#include "suffuse/casefile/stage_traits.hpp"
+
+#include <algorithm>
+
+namespace suffuse::casefile {
+
+std::string weight_sentence(const Case& what) {
+    const auto probes = [](const Stage& stage) { return traits_of(stage).probes_fines(); };
+    const bool asks = std::ranges::any_of(what.studies, [&](const Study& study) {
+        return std::ranges::any_of(study.variants, [&](const Variant& variant) {
+            return std::ranges::any_of(variant.stages, probes);
+        });
+    });
+    if (!asks) {
+        return "";
+    }
+    return what.gravity ? "fines have weight where water asks for them (detach, erode); all other stages are weightless"
+                        : "nothing has weight, as in the paper: any gradient takes the same grains; with a table "
+                          "[gravity] it takes those whose weight it lifts";
+}
+
+} // namespace suffuse::casefile

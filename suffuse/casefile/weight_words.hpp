@@ -1,0 +1,13 @@
+#pragma once
+// What a case says of weight, in a sentence for who is about to run it.
+
+#include "suffuse/casefile/case.hpp"
+
+#include <string>
+
+namespace suffuse::casefile {
+
+/// Which stages know weight, or what it would change; empty where no stage asks what water takes.
+std::string weight_sentence(const Case& what);
+
+} // namespace suffuse::casefile
