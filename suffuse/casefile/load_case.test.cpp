@@ -224,10 +224,12 @@ TEST(LoadCase, ExamplesLoadWithEveryPreset) {
                 resolved_toml(loaded.value)
             );
             for (const Diagnostic& warning : loaded.warnings) {
-                // A narrow cell: quick presets are small. And the study of the second erosion goes far beyond the
-                // critical gradient, to see whether active grains ever move.
-                const bool expected =
-                    warning.code == "W602" || (warning.code == "W604" && folder.path().filename() == "second-erosion");
+                // A narrow cell: quick presets are small. The study of the second erosion goes far beyond the critical
+                // gradient, to see whether active grains ever move. The silty sand's fines are squeezed, as its README
+                // says: its stiffness is that of the example's other readings.
+                const std::filesystem::path name = folder.path().filename();
+                const bool expected = warning.code == "W602" || (warning.code == "W604" && name == "second-erosion") ||
+                                      (warning.code == "W609" && name == "silty-sand-2016");
                 EXPECT_TRUE(expected) << render({warning});
             }
         }

@@ -117,7 +117,7 @@ TEST(Plan, WithoutFrictionASampleCreepsTheLongerTheMoreMedianGrainsWideItIs) {
     const auto steps = [](const std::string& fines_content) {
         const casefile::Case what =
             casefile::load_case(
-                test::in_checkout("examples/silty-sand-2016/case.toml"),
+                test::in_checkout("examples/silty-sand-2016/as-it-falls.toml"),
                 {"standard", {"study.fines.sweep.fines_content=[\"" + fines_content + "\"]"}, {"fines"}}
             ).value;
         return stage_named(plan::plan_run(what, a_machine), "dense").steps;
@@ -137,7 +137,7 @@ TEST(Plan, SamplesThatRefineAddsAreCountedFromTheCheapestToTheDearest) {
         if (!refine.empty()) {
             overrides.push_back("study.fines.refine=" + refine);
         }
-        const std::string file = test::in_checkout("examples/silty-sand-2016/case.toml");
+        const std::string file = test::in_checkout("examples/silty-sand-2016/as-it-falls.toml");
         return plan::plan_run(casefile::load_case(file, {"quick", overrides, {"fines"}}).value, a_machine);
     };
     const plan::RunPlan listed = plan("");

@@ -52,7 +52,7 @@ PAPER = (step("compare-paper", "compare", "run", "--paper", "--json", codes=(0, 
 EXAMPLES = (
     of_case("fontainebleau-2016", "fontainebleau-2016/case.toml", "--preset", "quick", then=PAPER),
     of_case("fontainebleau-fines-0.18", "fontainebleau-fines-0.18/case.toml", "--preset", "quick"),
-    of_case("silty-sand-2016", "silty-sand-2016/case.toml", "--preset", "quick",  # fewer fines contents: 80 % take minutes
+    of_case("silty-sand-2016", "silty-sand-2016/as-it-falls.toml", "--preset", "quick",  # fewer fines contents: 80 % take minutes
             "--set", 'study.fines.sweep={fines_content=["0 %","10 %","25 %","40 %"]}',
             "--set", 'study.removal.sweep={fines_content=["10 %","30 %"]}', codes=(0, 4), then=PAPER),
     of_case("silty-sand-fc20", "silty-sand-fc20/case.toml", "--preset", "quick"),
