@@ -1,5 +1,6 @@
 // suffuse._core: see bindings.hpp.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/version.hpp"
 
@@ -20,6 +21,11 @@ PYBIND11_MODULE(_core, m) {
     m.def(
         "set_threads",
         [](int threads) {
+            if (threads < 0) {
+                throw CaseError(
+                    "threads: found " + std::to_string(threads) + ", expected 1 or more, or 0: one for each core"
+                );
+            }
             const py::gil_scoped_release released;
             const int cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
             set_thread_count(threads > 0 ? threads : cores);

@@ -4,6 +4,7 @@
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/target_density.hpp"
+#include "suffuse/run/measure.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "python/bindings/stage_work.hpp"
 #include "python/bindings/typed.hpp"
 #include "python/bindings/views.hpp"
+#include "python/bindings/warn_caller.hpp"
 #include "python/bindings/work.hpp"
 #include <algorithm>
 
@@ -127,6 +129,7 @@ py::dict compact(
         dict["trials"] = found.trials;
         dict["preparation_friction"] = found.spec.prepare.friction.value_or(call.world().material.friction);
     }
+    warn_caller(run::words_on_overlap(state.balance.equilibrium.max_overlap_ratio));
     dict["steps"] = state.steps;
     dict["void_ratio_compacted"] = state.void_ratio_compacted;
     return dict;

@@ -190,7 +190,13 @@ void take_axes(const py::object& given, cell::Control control, cell::Loading& lo
                     a + 1
                 ));
             }
-            loading.axis[a] = {control, quantity_of(parts[a], dimension, what)};
+            const double value = quantity_of(parts[a], dimension, what);
+            if (is_stress && value < 0) {
+                throw CaseError(fmt::format(
+                    "stress: found {:.6g} Pa on axis {}, expected none below 0: compression is positive", value, a + 1
+                ));
+            }
+            loading.axis[a] = {control, value};
         }
     }
 }

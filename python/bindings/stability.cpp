@@ -6,6 +6,8 @@
 #include "suffuse/job/assessed_soil.hpp"
 #include "suffuse/stability/open_curve.hpp"
 
+#include <fmt/format.h>
+
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
 #include "python/bindings/work.hpp"
@@ -46,7 +48,9 @@ grains::Grading grading_of(const grains::Grains& grains) {
     return grading;
 }
 
-/// A World, a file, or (sizes, shares finer).
+constexpr std::string_view gradings = "a file, a World, or a pair (sizes in meters, shares finer by mass)";
+
+/// One of these.
 job::AssessedSoil soil_of(const py::object& what) {
     job::AssessedSoil soil;
     if (py::isinstance<WorldHandle>(what)) {
@@ -55,12 +59,15 @@ job::AssessedSoil soil_of(const py::object& what) {
     } else if (py::isinstance<py::tuple>(what) || py::isinstance<py::list>(what)) {
         const auto pair = what.cast<py::sequence>();
         if (py::len(pair) != 2) {
-            throw CaseError("a grading is a file, a World, or a pair (sizes in meters, shares finer by mass)");
+            throw CaseError(fmt::format("a grading is {}", gradings));
         }
         soil.name = "a grading";
         soil.assessment.grading.diameter = numbers_of(pair[0], "sizes");
         soil.assessment.grading.passing = numbers_of(pair[1], "shares finer", soil.assessment.grading.diameter.size());
     } else {
+        if (!py::isinstance<py::str>(what) && !py::hasattr(what, "__fspath__")) {
+            throw CaseError(fmt::format("a grading is {}, found {}", gradings, py::repr(what).cast<std::string>()));
+        }
         const auto path = what.cast<std::filesystem::path>();
         soil.name = path.string();
         soil.assessment.grading = io::read_grading(path.string(), io::CurveEnds::MayBeOpen);

@@ -7,6 +7,7 @@
 #include "suffuse/dem/relax.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/record/result_json.hpp"
+#include "suffuse/run/measure.hpp"
 #include "suffuse/triaxial/response.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
 
@@ -18,6 +19,7 @@
 #include "python/bindings/stage_work.hpp"
 #include "python/bindings/typed.hpp"
 #include "python/bindings/views.hpp"
+#include "python/bindings/warn_caller.hpp"
 #include "python/bindings/work.hpp"
 #include "python/bindings/world_handle.hpp"
 #include <cstdint>
@@ -126,6 +128,7 @@ py::dict settle(
             }
         );
     }
+    warn_caller(run::words_on_overlap(settling.balance.equilibrium.max_overlap_ratio));
     nlohmann::json reached(settling.balance);
     reached["collapsed"] = settling.collapsed;
     return to_python(reached);

@@ -15,6 +15,7 @@
 #include "python/bindings/key_value.hpp"
 #include "python/bindings/packing.hpp"
 #include "python/bindings/typed.hpp"
+#include "python/bindings/warn_caller.hpp"
 #include "python/bindings/work.hpp"
 
 namespace suffuse::python {
@@ -55,11 +56,9 @@ Water solve(Packing packing, const flow::FlowSpec& spec, const flow::Fluid& flui
         std::move(seepage), spec, fluid, water.source, std::move(packed)});
 }
 
-/// As a warning of Python's. @throws error_already_set where the caller makes warnings errors
-void warn_caller(const std::string& words) {
-    if (!words.empty() && PyErr_WarnEx(PyExc_UserWarning, ("flow: " + words).c_str(), 2) != 0) {
-        throw py::error_already_set();
-    }
+/// At the line that called the wrapper of `seep`.
+void warn_of_flow(const std::string& words) {
+    warn_caller(words.empty() ? "" : "flow: " + words, 2);
 }
 
 Water seep(
@@ -82,8 +81,8 @@ Water seep(
         fluid.conductance = word_of(*conductance, casefile::names::conductance, "conductance");
     }
     Water water = solve(packing_of(first, position, radius), spec, fluid);
-    warn_caller(flow::words_of(water->source, "of the packing"));
-    warn_caller(flow::words_of(water->closed_voids, [](std::uint32_t g) { return fmt::format("in row {}", g); }));
+    warn_of_flow(flow::words_of(water->source, "of the packing"));
+    warn_of_flow(flow::words_of(water->closed_voids, [](std::uint32_t g) { return fmt::format("in row {}", g); }));
     return water;
 }
 

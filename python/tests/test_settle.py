@@ -55,3 +55,27 @@ def test_grains_keep_their_rows_where_a_force_names_them(settled):
     hash_before = settled.hash
     settled.sort()
     assert settled.hash == hash_before and not (settled.grains.id == before).all()
+
+
+def test_a_stress_that_pulls_is_refused_as_in_a_case():
+    for stress in (-1e5, (1e5, "-1 Pa", None)):
+        with pytest.raises(suffuse.CaseError, match="compression is positive"):
+            suffuse.Loading(stress=stress)
+
+
+def small_cloud():
+    return suffuse.make_cloud(numpy.linspace(0.5, 1.5, 200) * 1e-4, 0.55, seed=1)
+
+
+def test_a_rate_that_no_step_can_follow_is_refused():
+    world = small_cloud()
+    for rate in (1e9, -1e9):
+        with pytest.raises(suffuse.StateError, match="in one step"):
+            world.step(1000, suffuse.Loading(strain_rate=rate))
+
+
+def test_squeezed_grains_are_warned_of_as_a_case_is():
+    world = small_cloud()
+    world.compact("100 kPa", friction="20 deg", protocol="swift")
+    with pytest.warns(UserWarning, match="the largest overlap is"):
+        world.settle(suffuse.Loading(stress="30 MPa"))

@@ -59,7 +59,8 @@ def test_an_open_curve_is_judged_where_it_can_be(dyke):
 def test_wrong_use_is_named(dyke):
     with pytest.raises(suffuse.CaseError, match="gradient"):
         suffuse.assess(dyke, porosity=0.4)
-    with pytest.raises(suffuse.CaseError, match="pair"):
-        suffuse.assess(([1], [2], [3]))
+    for wrong in (([1], [2], [3]), None, 3):
+        with pytest.raises(suffuse.CaseError, match="pair"):
+            suffuse.assess(wrong)
     with pytest.raises(suffuse.Error):
         suffuse.assess((numpy.array([1e-3, 2e-3]), numpy.array([0.5, 0.2])))

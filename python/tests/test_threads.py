@@ -46,6 +46,11 @@ def clones(settled_once):
     return world
 
 
+def test_fewer_than_no_threads_are_refused():
+    with pytest.raises(suffuse.CaseError, match="threads: found -1"):
+        suffuse.set_threads(-1)
+
+
 def test_a_world_is_read_while_another_one_steps(clones, two_threads):
     stepped, straight = clones.copy(), clones.copy()
     straight.step(300, time_step=4e-8)

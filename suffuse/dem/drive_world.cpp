@@ -2,6 +2,7 @@
 
 #include "suffuse/cell/drive.hpp"
 #include "suffuse/cell/hold_stress.hpp"
+#include "suffuse/dem/bounds.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/relax.hpp"
 #include "suffuse/dem/stable_dt.hpp"
@@ -56,7 +57,9 @@ void settle_world(
         }
         plan.dt = settling.time_step;
         plan.drag = slowest_mode_drag(world.grains.size(), plan.dt);
+        check_strain_of_step(plan.loading, plan.dt);
         const bool is_settled = settle_burst(world, caches, plan, spec, state);
+        check_room(world);
         settling.collapsed = !is_settled && carries_nothing(plan.loading, spec, state, settling.stress_before);
         is_over = is_settled || settling.collapsed;
         on_burst(is_over);
@@ -86,8 +89,10 @@ Mat3 advance_world(
             {steps - advancing.done, most_at_once(), burst_steps,
              time_step_interval - advancing.done % time_step_interval}
         );
+        check_strain_of_step(plan.loading, plan.dt);
         report = advance(world, caches, plan, burst);
         advancing.done += burst;
+        check_room(world);
         on_burst(burst);
     }
     return report.stress;

@@ -27,7 +27,7 @@ Settling begin_settling(const World& world);
 /// of its 7,210 active grains without it, and none with it).
 /// @param plan loading, damping, mode, load; its time step where one is asked for, 0: computed
 /// @param on_burst called after each burst, with whether it was the last
-/// @throws StateError when that takes more than `max_steps`, with what is still missing
+/// @throws StateError when that takes more than `max_steps`, with what is still missing; and as bounds.hpp says
 void settle_world(
     World& world, StepCaches& caches, StepPlan plan, const BalanceSpec& spec, std::int64_t max_steps,
     Settling& settling, const std::function<void(bool is_over)>& on_burst
@@ -45,6 +45,7 @@ struct Advancing {
 /// @param most_at_once steps to the next one after which somebody wants to look
 /// @param on_burst called after each burst, with its steps
 /// @return the stress of the last step [Pa]
+/// @throws StateError as bounds.hpp says
 Mat3 advance_world(
     World& world, StepCaches& caches, StepPlan plan, std::int64_t steps, Advancing& advancing,
     const std::function<std::int64_t()>& most_at_once, const std::function<void(std::int64_t steps)>& on_burst

@@ -10,6 +10,7 @@
 
 #include "tests/support/worlds.hpp"
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace suffuse::dem {
@@ -103,6 +104,36 @@ TEST(DriveWorld, WhatDoesNotSettleInTimeSaysWhatIsMissingAfterItsLastBurst) {
     Settling settling = begin_settling(world);
     EXPECT_THROW(settle_world(world, caches, plan_with(1e-8), spec, 200, settling, [](bool) {}), StateError);
     EXPECT_EQ(settling.balance.steps, 200);
+}
+
+/// Why a lattice cannot be advanced by so many steps at a rate.
+std::string refusal(double rate, std::int64_t steps, double time_step = 1e-7) {
+    World world = lattice();
+    StepCaches caches;
+    Advancing advancing;
+    StepPlan plan = plan_with(time_step);
+    for (cell::AxisControl& axis : plan.loading.axis) {
+        axis = {cell::Control::StrainRate, rate};
+    }
+    try {
+        advance_world(
+            world, caches, plan, steps, advancing, [] { return endless; }, [](std::int64_t) {}
+        );
+    } catch (const StateError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(DriveWorld, ARateIsRefusedThatStrainsTheCellByMoreThanAHundredthInAStep) {
+    EXPECT_EQ(refusal(0.99e5, 1), "");
+    EXPECT_NE(refusal(1.01e5, 1).find("take 1e+05 1/s at most"), std::string::npos) << refusal(1.01e5, 1);
+    EXPECT_NE(refusal(-1e6, 1000).find("strains the cell by 0.1"), std::string::npos);
+}
+
+TEST(DriveWorld, ACellIsNotDrivenToWhereItsGrainsHaveNoRoomOrNoNeighbors) {
+    EXPECT_NE(refusal(9e4, 10'000).find("overlap beyond any meaning"), std::string::npos);
+    EXPECT_NE(refusal(-9e4, 10'000).find("touch nowhere any more"), std::string::npos);
 }
 
 } // namespace

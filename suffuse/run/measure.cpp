@@ -69,6 +69,16 @@ void add_network(const dem::World& world, json& numbers) {
 
 } // namespace
 
+std::string words_on_overlap(double ratio) {
+    return ratio > notable_overlap ? fmt::format(
+                                         "the largest overlap is {:.1f} % of the smaller radius; a higher "
+                                         "contact.modulus or a lower pressure "
+                                         "makes it smaller",
+                                         100 * ratio
+                                     )
+                                   : "";
+}
+
 json measure_state(const dem::World& world, bool has_fractions) {
     const dem::Equilibrium balance = dem::measure_equilibrium(world);
     const Mat3 stress = dem::mean_stress_tensor(world);

@@ -5,12 +5,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace suffuse::run {
 
 /// Overlap over the smaller radius [-] from which a stage is warned of, and beyond which its results are marked. Hard
 /// shearing presses single fines far into their neighbors at the usual stiffness; beyond a fifth the linear law is no
 /// model of a contact any more.
 inline constexpr double notable_overlap = 0.1, largest_good_overlap = 0.2;
+
+/// What is to be said of a largest overlap over the smaller radius; empty where it is a small one.
+std::string words_on_overlap(double ratio);
 
 /// Grains, contacts, cell, stress, density, coordination, fabric, forces, balance, hash; with fines in the sample also
 /// what they do.

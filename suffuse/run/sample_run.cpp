@@ -107,13 +107,9 @@ json describe_stage(StageWork& work) {
     numbers["wall_seconds"] = seconds;
     numbers["particle_steps_per_second"] = seconds > 0 ? static_cast<double>(work.grain_steps) / seconds : 0.0;
     numbers["inertial_number_max"] = work.history.largest_inertial_number();
-    if (const double overlap = numbers["max_overlap_ratio"]; overlap > notable_overlap) {
-        (overlap > largest_good_overlap ? work.flaws : work.warnings)
-            .push_back(fmt::format(
-                "{}: the largest overlap is {:.1f} % of the smaller radius; a higher contact.modulus or a lower "
-                "pressure makes it smaller",
-                work.place(), 100 * overlap
-            ));
+    const double overlap = numbers["max_overlap_ratio"];
+    if (const std::string words = words_on_overlap(overlap); !words.empty()) {
+        (overlap > largest_good_overlap ? work.flaws : work.warnings).push_back(work.place() + ": " + words);
     }
     numbers["end_state"] = record::describe_state(work.world);
     numbers["warnings"] = work.warnings;
