@@ -14,6 +14,8 @@ namespace {
 constexpr double to_mm = 1e3;
 constexpr double to_percent = 100;
 
+constexpr double finest = 1e-10, coarsest = 1e3; // an atom, a mountain [m]
+
 std::string name_of(const Grading& grading) {
     return grading.origin.empty() ? std::string("grading curve") : "grading curve " + grading.origin;
 }
@@ -59,6 +61,15 @@ void check(const Grading& grading) {
         const double d = grading.diameter[k], f = grading.passing[k];
         if (!(std::isfinite(d) && d > 0)) {
             throw CaseError(fmt::format("{}: {}: a size must be positive", name, point(grading, k)), grading.origin);
+        }
+        if (d < finest || d > coarsest) {
+            throw CaseError(
+                fmt::format(
+                    "{}: {}: expected a size from {:.0e} to {:.0e} mm; check the unit of the column", name,
+                    point(grading, k), finest * to_mm, coarsest * to_mm
+                ),
+                grading.origin
+            );
         }
         if (!(f >= 0 && f <= 1)) {
             throw CaseError(

@@ -104,6 +104,9 @@ TEST(Grading, BadCurvesAreRefusedWithThePointNamed) {
     );
     EXPECT_NE(complaint({{1e-3, 2e-3, 3e-3}, {0, 0.5, 0.4}, "a.csv"}).find("must not fall"), std::string::npos);
     EXPECT_NE(complaint({{-1e-3, 2e-3}, {0, 1}, "a.csv"}).find("must be positive"), std::string::npos);
+    EXPECT_EQ(complaint({{1.01e-10, 0.99e3}, {0, 1}, "a.csv"}), "");
+    EXPECT_NE(complaint({{0.99e-10, 2e-3}, {0, 1}, "a.csv"}).find("check the unit"), std::string::npos);
+    EXPECT_NE(complaint({{1e-3, 1.01e3}, {0, 1}, "a.csv"}).find("from 1e-07 to 1e+06 mm"), std::string::npos);
     EXPECT_NE(complaint({{std::nan(""), 2e-3}, {0, 1}, "a.csv"}).find("point 1"), std::string::npos);
     EXPECT_NE(complaint({{1e-3, 2e-3}, {0.1, 1}, "a.csv"}).find("from 10 to 100 %"), std::string::npos);
     EXPECT_NE(complaint({{1e-3, 2e-3}, {0, 55}, "a.csv"}).find("between 0 and 100"), std::string::npos);

@@ -133,6 +133,16 @@ bool is_partial(std::string_view name) {
 }
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
+    buffer_.reserve(buffer_size);
+    std::error_code error;
+    const std::filesystem::file_status there = std::filesystem::status(path_, error);
+    if (std::filesystem::exists(there) && std::filesystem::is_other(there)) {
+        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor_ < 0) {
+            fail(errno);
+        }
+        return;
+    }
     remove_leftovers(path_);
     do {
         partial_ = next_partial(path_);
@@ -141,14 +151,15 @@ AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
     if (descriptor_ < 0) {
         fail(errno);
     }
-    buffer_.reserve(buffer_size);
 }
 
 AtomicFile::~AtomicFile() {
     if (descriptor_ < 0) {
         return;
     }
-    ::unlink(partial_.c_str());
+    if (!partial_.empty()) {
+        ::unlink(partial_.c_str());
+    }
     ::close(descriptor_);
 }
 
@@ -163,16 +174,22 @@ void AtomicFile::write(std::string_view bytes) {
     }
 }
 
-void AtomicFile::commit() {
+void AtomicFile::finish(bool to_disk) {
     flush();
-    if (::fsync(descriptor_) != 0) {
+    if (partial_.empty()) {
+        ::close(std::exchange(descriptor_, -1));
+        return;
+    }
+    if (to_disk && ::fsync(descriptor_) != 0) {
         fail(errno);
     }
     if (std::rename(partial_.c_str(), path_.c_str()) != 0) {
         fail(errno);
     }
     ::close(std::exchange(descriptor_, -1)); // only now: let go before, it would pass for a leftover
-    sync_folder(path_);
+    if (to_disk) {
+        sync_folder(path_);
+    }
 }
 
 void AtomicFile::flush() {
@@ -218,6 +235,17 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
     AtomicFile file(path);
     file.write(bytes);
     file.commit();
+}
+
+bool show_file(const std::filesystem::path& path, std::string_view bytes) {
+    try {
+        AtomicFile file(path);
+        file.write(bytes);
+        file.show();
+        return true;
+    } catch (const IoError&) {
+        return false;
+    }
 }
 
 } // namespace suffuse::io

@@ -1,6 +1,7 @@
 #pragma once
 // A file that is either complete or not there: it is written under another name, brought to the disk and then renamed.
 // A full disk, a killed program or a power cut leaves what was there before. Of several writers, the last one's stays.
+// What is there and is no file (/dev/full, a pipe) is written to as it is.
 
 #include <filesystem>
 #include <string>
@@ -20,14 +21,18 @@ public:
     void write(std::string_view bytes);
 
     /// Brings everything to the disk and gives the file its name.
-    void commit();
+    void commit() { finish(true); }
+
+    /// Gives the file its name; a power cut may lose it.
+    void show() { finish(false); }
 
 private:
+    void finish(bool to_disk);
     void flush();
     void write_out(std::string_view bytes);
     [[noreturn]] void fail(int error) const;
 
-    std::filesystem::path path_, partial_;
+    std::filesystem::path path_, partial_; ///< the latter is empty where `path_` is no file
     std::string buffer_;
     int descriptor_ = -1;
 };
@@ -40,5 +45,8 @@ void sync_file(const std::filesystem::path& path);
 
 /// Writes a whole file at once.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same for what is made anew every other second and need not outlive a power cut. @return whether it was written
+bool show_file(const std::filesystem::path& path, std::string_view bytes);
 
 } // namespace suffuse::io

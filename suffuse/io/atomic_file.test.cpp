@@ -166,6 +166,25 @@ TEST(AtomicFile, AFullDiskIsAnErrorThatSaysWhatHelpsAndTheOldFileRemains) {
     EXPECT_EQ(WEXITSTATUS(status), AsItShould);
 }
 
+TEST(AtomicFile, ALinkUnderTheNameOfAHalfWrittenFileIsNotFollowed) {
+    const TempFolder folder;
+    write_file(folder.path() / "precious", "precious");
+    for (const std::string name : {"shown.partial", "shown.partial-1-1"}) {
+        std::filesystem::create_symlink(folder.path() / "precious", folder.path() / name);
+    }
+    EXPECT_TRUE(show_file(folder.path() / "shown", "shown"));
+    EXPECT_EQ(read_all(folder.path() / "shown"), "shown");
+    EXPECT_EQ(read_all(folder.path() / "precious"), "precious");
+    EXPECT_FALSE(show_file(folder.path() / "not there/shown", "shown"));
+}
+
+TEST(AtomicFile, WhatIsNoFileIsWrittenToAndNotReplaced) {
+    write_file("/dev/null", "gone");
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+    EXPECT_THROW(write_file("/dev/full", "no room"), IoError);
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
 TEST(AtomicFile, FolderThatIsNotThereIsAnErrorThatSaysSo) {
     const TempFolder folder;
     try {

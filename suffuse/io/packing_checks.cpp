@@ -17,6 +17,8 @@ namespace {
 constexpr double widest_void_ratio = 20; // of a cloud that is still to be compacted [-]
 constexpr double densest = 2;            // volume of grains over that of their cell, beyond which no overlap is meant
 
+constexpr int most_images = 100; // of a grain along one direction, in a cell that is sheared
+
 constexpr double most_overlap = 2; // two like grains in one place [-]
 
 struct WorstPair {
@@ -40,6 +42,18 @@ void check_sizes(const grains::Grains& grains, const Mat3& h, const std::string&
                         "in m: check its unit, and that of the cell",
                         largest, narrowest
                     )
+        );
+    }
+    const Vec3 width = cell::widths(h);
+    const double thinnest = std::min({width.x, width.y, width.z});
+    if (!(largest <= most_images * thinnest)) {
+        refuse(
+            origin,
+            fmt::format(
+                "the cell is sheared until two of its faces are {:.3g} m apart, and grains of {:.3g} m would meet "
+                "their images more than {} times over; check its tilt",
+                thinnest, largest, most_images
+            )
         );
     }
     if (const double share = grains::solid_volume(grains) / std::abs(determinant(h)); !(share <= densest)) {

@@ -166,6 +166,25 @@ TEST(PackingChecks, OverlapBeyondTheShareNamesTheWorstPair) {
     }
 }
 
+TEST(PackingChecks, ACellThatIsShearedToNothingIsRefusedBeforeGrainsAreSoughtInItsImages) {
+    const auto found = [](double tilt) {
+        grains::Grains grains;
+        grains::add_grain(grains, {0, 0, 0}, 0.1, 2600);
+        cell::Cell cell;
+        cell.h(0, 1) = tilt;
+        try {
+            check_overlaps(grains, cell, 2, "p.data");
+        } catch (const CaseError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(found(1), "");
+    for (const double tilt : {1e4, 1e34}) {
+        EXPECT_NE(found(tilt).find("p.data: the cell is sheared until"), std::string::npos) << found(tilt);
+    }
+}
+
 TEST(PackingChecks, APositionFarFromTheCellIsAMistakeOfTheFile) {
     for (const double x : {1e300, 1e5, -1e5}) {
         grains::Grains grains;
