@@ -20,6 +20,7 @@
 #include "apps/page_folder.hpp"
 #include "apps/progress_file.hpp"
 #include "apps/run_ending.hpp"
+#include "apps/shortages.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/terminal.hpp"
 #include "apps/test_gate.hpp"
@@ -170,6 +171,9 @@ void tell_plan(const Job& job, const std::string& preposition, const Console& co
         job.plan.speed.at_once > 1 ? fmt::format("   {} samples at once", job.plan.speed.at_once) : ""
     ));
     console.talk(fmt::format("plan  {}", plan::plan_sentence(asked)));
+    for (const std::string& shortage : shortages(asked, job.folder)) {
+        console.talk("warning: " + shortage);
+    }
     console.talk(fmt::format("{:5} {}   report.html there shows how far it is", preposition, job.folder.string()));
     const auto cached =
         std::count_if(asked.stages.begin(), asked.stages.end(), [](const auto& stage) { return stage.is_cached; });

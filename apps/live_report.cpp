@@ -1,6 +1,7 @@
 #include "apps/live_report.hpp"
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/io/atomic_file.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include "apps/wording.hpp"
 #include <algorithm>
 #include <ctime>
-#include <fstream>
 
 namespace suffuse::apps {
 namespace {
@@ -99,13 +99,7 @@ void LiveReport::write(const std::string& ending) const {
             page.rows.push_back({stage.study + "/" + stage.stage, stage.verb, stage.status, stage.time, stage.state});
         }
     }
-    const fs::path path = folder_ / "report.html", part = folder_ / "report.html.partial";
-    std::error_code error;
-    if (std::ofstream file(part); !(file << report::render_live_page(page)).flush()) {
-        fs::remove(part, error);
-        return;
-    }
-    fs::rename(part, path, error);
+    io::show_file(folder_ / "report.html", report::render_live_page(page)); // what cannot be shown stops no run
 }
 
 } // namespace suffuse::apps

@@ -1,5 +1,7 @@
 #include "apps/progress_file.hpp"
 
+#include "suffuse/io/atomic_file.hpp"
+
 #include <fstream>
 #include <string>
 
@@ -72,14 +74,7 @@ void ProgressFile::write(const run::Progress& latest) const {
         running.push_back(describe(progress));
     }
     const json all{{"latest", describe(latest)}, {"running", running}, {"seconds_left", {left.least, left.most}}};
-    std::filesystem::path partial = path_;
-    partial += ".partial";
-    std::error_code error;
-    if (std::ofstream file(partial); !(file << all.dump() << '\n').flush()) {
-        std::filesystem::remove(partial, error);
-        return;
-    }
-    std::filesystem::rename(partial, path_, error);
+    io::show_file(path_, all.dump() + '\n'); // what cannot be shown stops no run
 }
 
 std::optional<Published> read_progress(const std::filesystem::path& folder) {

@@ -12,6 +12,7 @@
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
 #include "apps/shared_options.hpp"
+#include "apps/shortages.hpp"
 #include "apps/verb.hpp"
 #include "apps/verbs.hpp"
 #include "apps/wording.hpp"
@@ -20,7 +21,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <unistd.h>
 #include <vector>
 
 namespace suffuse::apps {
@@ -49,28 +49,6 @@ struct PlanVerb final : Verb {
 
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
-
-/// What this machine may lack.
-std::vector<std::string> shortages(const plan::RunPlan& plan) {
-    std::vector<std::string> found;
-    const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    if (plan.memory > memory) {
-        found.push_back(fmt::format(
-            "the run needs up to {} of memory and this machine has {}: lower `particles`", size_text(plan.memory),
-            size_text(memory)
-        ));
-    }
-    std::error_code error;
-    const auto space = std::filesystem::space(".", error);
-    if (!error && plan.disk > static_cast<double>(space.available)) {
-        found.push_back(fmt::format(
-            "the run leaves about {} and the disk here has {} free: drop \"csv\" from [output] formats, or run "
-            "elsewhere",
-            size_text(plan.disk), size_text(static_cast<double>(space.available))
-        ));
-    }
-    return found;
-}
 
 std::string source_of(const plan::StageEstimate& stage) {
     return stage.is_cached ? "in the cache" : stage.basis;
@@ -224,7 +202,7 @@ int PlanVerb::act(const CommandLine&, const Console& console) const {
     plan::leave_out_done(plan, what, {}, record::StageCache(folder)); // sums up, too
     const std::vector<SampleRow> rows = rows_of(what, plan, until);
     plan::keep_asked_alone(plan, what, until);
-    const std::vector<std::string> warnings = shortages(plan);
+    const std::vector<std::string> warnings = shortages(plan, ".");
     for (const std::string& warning : warnings) {
         console.talk("warning: " + warning);
     }

@@ -1,0 +1,32 @@
+#include "apps/shortages.hpp"
+
+#include "suffuse/base/amounts.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+namespace suffuse::apps {
+
+std::vector<std::string> shortages(const plan::RunPlan& plan, const std::filesystem::path& folder) {
+    std::vector<std::string> found;
+    const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (plan.memory > memory) {
+        found.push_back(fmt::format(
+            "the run needs up to {} of memory and this machine has {}: lower `particles`", size_text(plan.memory),
+            size_text(memory)
+        ));
+    }
+    std::error_code error;
+    const auto space = std::filesystem::space(folder, error);
+    if (!error && plan.disk > static_cast<double>(space.available)) {
+        found.push_back(fmt::format(
+            "the run leaves about {} and the disk there has {} free: drop \"csv\" from [output] formats, or run "
+            "elsewhere",
+            size_text(plan.disk), size_text(static_cast<double>(space.available))
+        ));
+    }
+    return found;
+}
+
+} // namespace suffuse::apps

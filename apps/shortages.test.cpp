@@ -1,0 +1,22 @@
+// What a machine lacks for a run.
+
+#include "apps/shortages.hpp"
+
+#include <gtest/gtest.h>
+
+namespace suffuse::apps {
+namespace {
+
+TEST(Shortages, AreToldOfMemoryAndOfDiskBeforeARunIsStarted) {
+    plan::RunPlan plan;
+    EXPECT_TRUE(shortages(plan, ".").empty());
+    plan.memory = 1e18;
+    ASSERT_EQ(shortages(plan, ".").size(), 1U);
+    EXPECT_NE(shortages(plan, ".").front().find("of memory and this machine has"), std::string::npos);
+    plan.disk = 1e24;
+    ASSERT_EQ(shortages(plan, ".").size(), 2U);
+    EXPECT_NE(shortages(plan, ".").back().find("the disk there has"), std::string::npos);
+}
+
+} // namespace
+} // namespace suffuse::apps
