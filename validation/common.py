@@ -74,6 +74,20 @@ class Samples:
         return sum(row["seconds"] for row in self.rows)
 
 
+def conduct(given, name, studies=(), changes=None, until=""):
+    """The run of the case validation/NAME.toml, gone on with where it was stopped."""
+    case = suffuse.Case(ROOT / "validation" / f"{name}.toml", changes=changes, studies=list(studies))
+    return case.run(given.output / name, until=until, threads=given.threads)
+
+
+def keep(given, name, rows):
+    """Writes the table NAME.csv of rows, dictionaries of the same keys."""
+    with open(given.output / f"{name}.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows({key: _text(value) for key, value in row.items()} for row in rows)
+
+
 def _text(value):
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
