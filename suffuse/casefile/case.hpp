@@ -100,6 +100,7 @@ struct ReportSpec {
     std::vector<std::string> figures = {"paper", "own"};
     bool reversed_size_axis = false;            ///< large grains on the left
     bool dilation_up = false;                   ///< how volumetric strain is drawn; its sign does not change
+    std::string project, author;                ///< on the title page in print; may be empty
     std::map<std::string, std::string> overlay; ///< figure -> CSV of measured points
 };
 

@@ -70,8 +70,18 @@ void fields(V& v, OutputSpec& s) {
     v.table("histories", [&](auto& h) { h.field("every", s.histories_every); });
 }
 
+/// Written only where the case gives them: runs of before these keys stay those of their cases.
+template <class V>
+void text_field(V& v, const char* key, std::string& text) {
+    if (V::reads || !text.empty()) {
+        v.field(key, text);
+    }
+}
+
 template <class V>
 void fields(V& v, ReportSpec& s) {
+    text_field(v, "project", s.project);
+    text_field(v, "author", s.author);
     v.field("figures", s.figures);
     v.choice("psd_axis", s.reversed_size_axis, names::size_axis);
     v.choice("dilation", s.dilation_up, names::dilation);

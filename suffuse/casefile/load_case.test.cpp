@@ -1,6 +1,7 @@
 #include "suffuse/casefile/load_case.hpp"
 
 #include "suffuse/base/constants.hpp"
+#include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/case_for_tests.hpp"
 #include "suffuse/casefile/schema.hpp"
 #include "suffuse/contact/springs.hpp"
@@ -106,6 +107,17 @@ TEST(LoadCase, EveryValueReachesItsSpecInSi) {
     EXPECT_TRUE(c.report.reversed_size_axis);
     EXPECT_TRUE(c.report.dilation_up);
     EXPECT_EQ(c.report.overlay.size(), 1U);
+}
+
+TEST(LoadCase, TheTitlePageNamesProjectAndAuthorOnlyWhereTheCaseDoes) {
+    const Case without = load_case_text(good_case, "case.toml", data_folder()).value;
+    EXPECT_EQ(resolved_toml(without).find("project"), std::string::npos) << "runs of before stay those of their cases";
+    const Case with =
+        load_case_text(good_case + "[report]\nproject = \"Dyke\"\nauthor = \"A. E.\"\n", "case.toml", data_folder())
+            .value;
+    EXPECT_EQ(with.report.project, "Dyke");
+    const Case again = load_case_text(resolved_toml(with), "case.toml", data_folder()).value;
+    EXPECT_EQ(again.report.author, "A. E.");
 }
 
 TEST(LoadCase, AKeyOfEarlierVersionsIsAWarningSoThatOldRunsAreStillRead) {

@@ -269,6 +269,8 @@ std::vector<Key> output_rows() {
         quantity("output", "checkpoint", dimension::time, above_zero, "Wall-clock time between checkpoints."),
         table("output", "histories", "How often histories are sampled."),
         count("output.histories", "every", from_one, "Steps between two rows, where a stage's `record` does not say."),
+        text("report", "project", "On the title page of the report in print: what it is about."),
+        text("report", "author", "On the title page of the report in print: who answers for it."),
         list_of(
             text("report", "figures", "Figures of the report: \"paper\", \"own\", or single ones such as \"figure-9\".")
         ),

@@ -20,6 +20,7 @@ RunResults find_results(const casefile::Case& what, std::vector<record::Finished
     results.mobility = gather_mobility(results.stages);
     results.strength = compare_strength(results.stages);
     results.probed_states = gather_probed_states(results.stages);
+    results.outcomes = gather_outcomes(what, results.stages);
     results.findings = judge_fines_of(results.fines);
     for (Finding& finding : judge_erosion_by_seed(results.stages)) {
         results.findings.push_back(std::move(finding));

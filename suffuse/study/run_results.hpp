@@ -10,6 +10,7 @@
 #include "suffuse/study/probed_states.hpp"
 #include "suffuse/study/strength_change.hpp"
 #include "suffuse/study/study_curves.hpp"
+#include "suffuse/study/study_outcome.hpp"
 
 #include <optional>
 #include <vector>
@@ -34,7 +35,8 @@ struct RunResults {
     std::vector<MobilityStory> mobility; ///< where fines have weight
     std::vector<StrengthChange> strength;
     std::vector<ProbedState> probed_states;
-    std::vector<Finding> findings; ///< of the paper, whatever the case follows
+    std::vector<StudyOutcome> outcomes; ///< of each study with a finished stage
+    std::vector<Finding> findings;      ///< of the paper, whatever the case follows
 };
 
 /// @param stages of the case, as record::read_stages gives them

@@ -49,33 +49,6 @@ SweepPoint summed_up(Gathered gathered) {
     return std::move(gathered.point);
 }
 
-bool comes_before(const SweepPoint& a, const SweepPoint& b) {
-    for (std::size_t k = 0; k < a.value.size(); ++k) {
-        const bool is_word_a = std::isnan(a.value[k]), is_word_b = std::isnan(b.value[k]);
-        if (is_word_a != is_word_b) {
-            return is_word_b;
-        }
-        if (!is_word_a && a.value[k] != b.value[k]) {
-            return a.value[k] < b.value[k];
-        }
-        if (is_word_a && a.written[k] != b.written[k]) {
-            return a.written[k] < b.written[k];
-        }
-    }
-    return false;
-}
-
-SweepPoint point_of(const casefile::Study& study, const casefile::Variant& variant) {
-    SweepPoint point;
-    for (const casefile::Sweep& sweep : study.sweep) {
-        const casefile::Scalar& value = variant.values.at(sweep.key);
-        const std::optional<Quantity> quantity = casefile::quantity_of(value);
-        point.value.push_back(quantity ? quantity->value : std::nan(""));
-        point.written.push_back(casefile::written(value));
-    }
-    return point;
-}
-
 StageCurve
 trace_stage(const casefile::Study& study, const std::string& name, const std::vector<record::FinishedStage>& stages) {
     std::vector<Gathered> gathered;
@@ -128,6 +101,33 @@ json point_json(const StudyCurves& study, const SweepPoint& point) {
 }
 
 } // namespace
+
+bool comes_before(const SweepPoint& a, const SweepPoint& b) {
+    for (std::size_t k = 0; k < a.value.size(); ++k) {
+        const bool is_word_a = std::isnan(a.value[k]), is_word_b = std::isnan(b.value[k]);
+        if (is_word_a != is_word_b) {
+            return is_word_b;
+        }
+        if (!is_word_a && a.value[k] != b.value[k]) {
+            return a.value[k] < b.value[k];
+        }
+        if (is_word_a && a.written[k] != b.written[k]) {
+            return a.written[k] < b.written[k];
+        }
+    }
+    return false;
+}
+
+SweepPoint point_of(const casefile::Study& study, const casefile::Variant& variant) {
+    SweepPoint point;
+    for (const casefile::Sweep& sweep : study.sweep) {
+        const casefile::Scalar& value = variant.values.at(sweep.key);
+        const std::optional<Quantity> quantity = casefile::quantity_of(value);
+        point.value.push_back(quantity ? quantity->value : std::nan(""));
+        point.written.push_back(casefile::written(value));
+    }
+    return point;
+}
 
 std::vector<StudyCurves> trace_curves(const casefile::Case& what, const std::vector<record::FinishedStage>& stages) {
     std::vector<StudyCurves> studies;

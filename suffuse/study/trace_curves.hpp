@@ -9,6 +9,12 @@ namespace suffuse::study {
 /// One for each study, over all its samples that are there; points in the order of their values, numbers before words.
 std::vector<StudyCurves> trace_curves(const casefile::Case& what, const std::vector<record::FinishedStage>& stages);
 
+/// Of a sample: its values of the study's swept keys.
+SweepPoint point_of(const casefile::Study& study, const casefile::Variant& variant);
+
+/// In the order of the values, numbers before words.
+bool comes_before(const SweepPoint& a, const SweepPoint& b);
+
 /// Values of the study's swept keys, as written in the case.
 std::vector<std::string> sweep_values(const casefile::Study& study, const casefile::Variant& variant);
 

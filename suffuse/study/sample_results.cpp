@@ -1,0 +1,135 @@
+#include "suffuse/study/sample_results.hpp"
+
+#include "suffuse/erosion/mobility_result.hpp"
+#include "suffuse/study/erosion_story.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::study {
+namespace {
+
+using Stages = std::vector<record::FinishedStage>;
+using Results = std::map<Result, double>;
+
+void add_mobility(const record::FinishedStage& stage, Results& to) {
+    const erosion::MobilityResult* mobility = stage.findings.mobility ? &*stage.findings.mobility : nullptr;
+    if (const auto& erosion = stage.findings.erosion;
+        mobility == nullptr && erosion && !erosion->passes.empty() && erosion->passes.front().mobility) {
+        mobility = &*erosion->passes.front().mobility;
+    }
+    if (mobility == nullptr) {
+        return;
+    }
+    if (mobility->moves_1) {
+        to.emplace(Result::FirstMovement, *mobility->moves_1);
+    }
+    if (const auto safety = erosion::factor_of_safety(*mobility); safety && safety->factor) {
+        to.emplace(Result::Safety, *safety->factor);
+    }
+}
+
+void add_erosion(const Stages& stages, const casefile::Variant& sample, Results& to) {
+    const record::FinishedStage* const eroded =
+        find_eroded(stages, [&](const record::FinishedStage& stage) { return stage.variant == &sample; });
+    const erosion::ErosionResult erosion = passes_of(find_chain(stages, eroded));
+    if (erosion.passes.empty()) {
+        return;
+    }
+    double percent = 0, loss = 0;
+    bool has_loss = false;
+    for (const erosion::PassResult& pass : erosion.passes) {
+        percent += pass.eroded_mass_percent_of_initial;
+        if (const auto of_pass = erosion::stress_loss(pass)) {
+            has_loss = true;
+            loss = std::max(loss, *of_pass);
+        }
+    }
+    to.emplace(Result::ErodedMass, percent / 100);
+    if (has_loss) {
+        to.emplace(Result::StressChange, -loss);
+    }
+    const double before = erosion.passes.front().permeability_before, after = erosion.passes.back().permeability_after;
+    if (before > 0 && after > 0) {
+        to.emplace(Result::PermeabilityChange, after / before);
+    }
+}
+
+void add_removal(const record::FinishedStage& stage, Results& to) {
+    const nlohmann::json& n = stage.numbers;
+    if (std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec) && n.contains("passes") && n.at("removed") > 0) {
+        to.emplace(Result::RemovedMass, n.at("removed_mass_share").get<double>());
+        to.emplace(Result::RemovalStrain, n.at("volumetric_strain").get<double>());
+    }
+}
+
+void add_test(const record::FinishedStage& stage, Results& to) {
+    const auto* test = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
+    if (test != nullptr && !test->stops_at_stress() && test->path != triaxial::Path::ConstantDeviator &&
+        stage.numbers.contains("response")) {
+        to.emplace(Result::Strength, stage.numbers.at("response").at("peak_deviator").get<double>());
+    }
+}
+
+void add_flow(const record::FinishedStage& stage, Results& to) {
+    if (!std::holds_alternative<flow::FlowSpec>(stage.stage->spec)) {
+        return;
+    }
+    const nlohmann::json along =
+        stage.numbers.value("permeability_along", stage.numbers.value("permeability", nlohmann::json()));
+    if (along.is_number()) {
+        to.emplace(Result::Permeability, along.get<double>());
+    }
+}
+
+/// The last state that was brought to rest before anything was asked of the sample.
+void add_state(const record::FinishedStage& stage, bool& is_prepared, Results& to) {
+    const casefile::StageSpec& spec = stage.stage->spec;
+    const bool prepares = std::holds_alternative<packing::CompactSpec>(spec) ||
+                          std::holds_alternative<dem::SettleSpec>(spec) ||
+                          std::holds_alternative<casefile::ImportSpec>(spec);
+    const bool has_stress = stage.numbers.at("mean_stress").is_number() && stage.numbers.at("mean_stress") > 0;
+    if (prepares && !is_prepared && has_stress && stage.numbers.at("void_ratio").is_number()) {
+        to[Result::VoidRatio] = stage.numbers.at("void_ratio").get<double>();
+    }
+    is_prepared = is_prepared || !(prepares || std::holds_alternative<packing::PackSpec>(spec));
+}
+
+} // namespace
+
+std::optional<PermeabilityAfter>
+permeability_after(const erosion::ErosionResult& erosion, flow::Conductance conductance) {
+    constexpr double open_packing = 0.55; // validation/permeability.md: Yade's law is too permeable below
+    if (erosion.passes.empty()) {
+        return std::nullopt;
+    }
+    const erosion::PassResult& last = erosion.passes.back();
+    PermeabilityAfter found{erosion.passes.front().permeability_before, last.permeability_after, {}, false};
+    if (!(found.before > 0 && found.after > 0)) {
+        return std::nullopt;
+    }
+    const flow::FlowSource& source = last.flow_after;
+    found.known_error = source.known_error.permeability;
+    const bool is_open = conductance == flow::Conductance::Yade && 1 - last.porosity_after < open_packing;
+    found.is_too_high =
+        source.solver == flow::Solver::Network && (source.raised_by_fines.value_or(0) > flow::most_raised || is_open);
+    return found;
+}
+
+Results results_of_sample(const Stages& stages, const casefile::Variant& sample) {
+    Results found;
+    bool is_prepared = false;
+    for (const record::FinishedStage& stage : stages) {
+        if (stage.variant == &sample) {
+            add_state(stage, is_prepared, found);
+            add_mobility(stage, found);
+            add_removal(stage, found);
+            add_test(stage, found);
+            add_flow(stage, found);
+        }
+    }
+    add_erosion(stages, sample, found);
+    return found;
+}
+
+} // namespace suffuse::study

@@ -1,0 +1,164 @@
+#include "suffuse/study/study_outcome.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/study/sample_results.hpp"
+#include "suffuse/study/trace_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::study {
+namespace {
+
+using Stages = std::vector<record::FinishedStage>;
+
+OutcomePoint summed_up(OutcomePoint point, const Stages& stages) {
+    std::vector<std::map<Result, double>> of_sample;
+    for (const casefile::Variant* sample : point.samples) {
+        of_sample.push_back(results_of_sample(stages, *sample));
+    }
+    for (int k = 0; k < results; ++k) {
+        std::vector<double> values;
+        for (const auto& numbers : of_sample) {
+            const auto found = numbers.find(static_cast<Result>(k));
+            values.push_back(found == numbers.end() ? std::nan("") : found->second);
+        }
+        if (Scatter scatter = scatter_of(std::move(values)); scatter.seeds > 0) {
+            point.result[static_cast<Result>(k)] = std::move(scatter);
+        }
+    }
+    return point;
+}
+
+} // namespace
+
+ResultScale scale_of(Result which) {
+    constexpr double percent = 100, kilo = 1e-3, pico = 1e12, per_mille = 1e-3;
+    switch (which) {
+    case Result::Safety:
+        return {"Factor of safety against first movement", "", 1, 0.05};
+    case Result::FirstMovement:
+        return {"Gradient that moves 1 % of the fines", "", 1, 0.005};
+    case Result::ErodedMass:
+        return {"Mass carried out", "%", percent, per_mille};
+    case Result::RemovedMass:
+        return {"Mass taken out", "%", percent, per_mille};
+    case Result::PermeabilityChange:
+        return {"Permeability after the loss", "× before", 1, 0.01};
+    case Result::StressChange:
+        return {"Mean stress at constant volume", "% of change", percent, per_mille};
+    case Result::RemovalStrain:
+        return {"Volume that the loss costs", "%", percent, per_mille};
+    case Result::Strength:
+        return {"Peak strength", "kPa", kilo, 500};
+    case Result::Permeability:
+        return {"Permeability", "10⁻¹² m²", pico, 0};
+    case Result::VoidRatio:
+        return {"Void ratio at rest", "", 1, per_mille};
+    }
+    throw Bug("a result without a scale");
+}
+
+std::string key_in_words(const std::string& key) {
+    std::string word = key.substr(key.rfind('.') + 1);
+    std::ranges::replace(word, '_', ' ');
+    return word;
+}
+
+const Scatter* OutcomePoint::find(Result which) const {
+    const auto found = result.find(which);
+    return found == result.end() ? nullptr : &found->second;
+}
+
+std::size_t StudyOutcome::samples() const {
+    std::size_t count = 0;
+    for (const OutcomePoint& point : points) {
+        count += point.samples.size();
+    }
+    return count;
+}
+
+std::size_t StudyOutcome::seeds() const {
+    std::size_t most = 0;
+    for (const OutcomePoint& point : points) {
+        most = std::max(most, point.samples.size());
+    }
+    return most;
+}
+
+bool StudyOutcome::has(Result which) const {
+    const auto count =
+        std::ranges::count_if(points, [&](const OutcomePoint& point) { return point.find(which) != nullptr; });
+    return 2 * count > std::ssize(points);
+}
+
+std::vector<StudyOutcome> gather_outcomes(const casefile::Case& what, const Stages& stages) {
+    std::vector<StudyOutcome> outcomes;
+    for (const casefile::Study& study : what.studies) {
+        StudyOutcome outcome{&study, {}, {}};
+        for (const casefile::Sweep& sweep : study.sweep) {
+            outcome.keys.push_back(sweep.key);
+        }
+        for (const record::FinishedStage& stage : stages) {
+            if (stage.study != &study) {
+                continue;
+            }
+            SweepPoint at = point_of(study, *stage.variant);
+            auto point = std::ranges::find_if(outcome.points, [&](const OutcomePoint& other) {
+                return other.at.written == at.written;
+            });
+            if (point == outcome.points.end()) {
+                point = outcome.points.insert(outcome.points.end(), {std::move(at), {}, {}});
+            }
+            if (std::ranges::count(point->samples, stage.variant) == 0) {
+                point->samples.push_back(stage.variant);
+                point->at.seed.push_back(stage.variant->seed);
+            }
+        }
+        for (OutcomePoint& point : outcome.points) {
+            point = summed_up(std::move(point), stages);
+        }
+        std::ranges::stable_sort(outcome.points, comes_before, &OutcomePoint::at);
+        if (!outcome.points.empty()) {
+            outcomes.push_back(std::move(outcome));
+        }
+    }
+    return outcomes;
+}
+
+const StudyOutcome* main_outcome(const std::vector<StudyOutcome>& outcomes) {
+    const auto main = std::ranges::max_element(outcomes, {}, [](const StudyOutcome& outcome) {
+        return std::pair(outcome.samples(), outcome.points.size());
+    });
+    return main == outcomes.end() ? nullptr : &*main;
+}
+
+bool depends_on_sweep(const StudyOutcome& outcome, Result which) {
+    constexpr double notable = 0.02, deviations = 2;
+    double least = INFINITY, most = -INFINITY, largest_deviation = 0, size = 0;
+    for (const OutcomePoint& point : outcome.points) {
+        if (const Scatter* const value = point.find(which)) {
+            least = std::min(least, value->mean), most = std::max(most, value->mean);
+            largest_deviation = std::max(largest_deviation, value->standard_deviation);
+            size = std::max(size, std::abs(value->mean));
+        }
+    }
+    return most - least > std::max({deviations * largest_deviation, notable * size, scale_of(which).least});
+}
+
+std::optional<Result> main_result(const StudyOutcome& outcome) {
+    std::optional<Result> first;
+    for (int k = 0; k < results; ++k) {
+        const auto which = static_cast<Result>(k);
+        if (!outcome.has(which)) {
+            continue;
+        }
+        if (outcome.points.size() < 2 || depends_on_sweep(outcome, which)) {
+            return which;
+        }
+        first = first ? first : which;
+    }
+    return first;
+}
+
+} // namespace suffuse::study

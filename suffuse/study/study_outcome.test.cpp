@@ -1,0 +1,112 @@
+#include "suffuse/study/study_outcome.hpp"
+
+#include "suffuse/study/sample_results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace suffuse::study {
+namespace {
+
+/// A study of two values and two seeds each, every sample eroded.
+struct SweptStudy {
+    casefile::Case what;
+    std::vector<record::FinishedStage> stages;
+
+    SweptStudy() {
+        casefile::Study& study = what.studies.emplace_back();
+        study.name = "dam";
+        study.sweep = {{"gradient", {0.2, 0.1}}};
+        study.stages = {
+            {.name = "initial", .spec = packing::CompactSpec{}}, {.name = "erosion", .spec = erosion::ErodeSpec{}}};
+        for (const double gradient : {0.2, 0.1}) {
+            for (const int replicate : {1, 2}) {
+                casefile::Variant variant;
+                variant.folder = "dam/x";
+                variant.values = {{"gradient", gradient}};
+                variant.replicate = replicate;
+                variant.seed = static_cast<std::uint64_t>(replicate);
+                variant.stages = study.stages;
+                variant.stages[1].parent = 0;
+                study.variants.push_back(std::move(variant));
+            }
+        }
+        for (const casefile::Variant& variant : study.variants) {
+            const double gradient = std::get<double>(variant.values.at("gradient"));
+            stages.push_back(
+                {&study, &variant, &variant.stages[0], {{"mean_stress", 1e5}, {"void_ratio", 0.6}, {"grains", 10}}, {}}
+            );
+            erosion::ErosionResult erosion;
+            for (const int pass : {1, 2}) {
+                erosion::PassResult& result = erosion.passes.emplace_back();
+                result.pass = pass;
+                result.eroded_mass_percent_of_initial = 50 * gradient + variant.replicate;
+                result.permeability_before = 1e-11, result.permeability_after = 3e-11;
+            }
+            stages.push_back(
+                {&study, &variant, &variant.stages[1], {{"mean_stress", 1e5}, {"void_ratio", 0.8}, {"grains", 9}}, {}}
+            );
+            stages.back().findings.erosion = std::move(erosion);
+        }
+    }
+};
+
+TEST(StudyOutcome, IsMeanAndDeviationOverTheSeedsAtEachValueInItsOrder) {
+    const SweptStudy swept;
+    const std::vector<StudyOutcome> outcomes = gather_outcomes(swept.what, swept.stages);
+    ASSERT_EQ(outcomes.size(), 1U);
+    const StudyOutcome& outcome = outcomes.front();
+    ASSERT_EQ(outcome.points.size(), 2U);
+    EXPECT_EQ(outcome.samples(), 4U);
+    EXPECT_EQ(outcome.seeds(), 2U);
+    EXPECT_EQ(outcome.points[0].at.value, std::vector<double>{0.1});
+    const Scatter& eroded = *outcome.points[0].find(Result::ErodedMass);
+    EXPECT_NEAR(eroded.mean, 0.13, 1e-15);                          // two passes of 5 + 1 % and 5 + 2 %, rounding
+    EXPECT_NEAR(eroded.standard_deviation, std::sqrt(2e-4), 1e-15); // of 12 and 14 %
+    EXPECT_NEAR(outcome.points[1].find(Result::ErodedMass)->mean, 0.23, 1e-15);
+    EXPECT_NEAR(outcome.points[0].find(Result::PermeabilityChange)->mean, 3, 1e-15);
+    EXPECT_EQ(outcome.points[0].find(Result::VoidRatio)->mean, 0.6) << "before water, not after";
+    EXPECT_EQ(outcome.points[0].find(Result::Safety), nullptr);
+    EXPECT_EQ(main_outcome(outcomes), &outcome);
+    EXPECT_EQ(main_result(outcome), Result::ErodedMass);
+    EXPECT_TRUE(depends_on_sweep(outcome, Result::ErodedMass));
+    EXPECT_FALSE(depends_on_sweep(outcome, Result::VoidRatio));
+}
+
+TEST(StudyOutcome, TellsAResultThatTheSweepChangesBeforeOneThatItDoesNot) {
+    StudyOutcome outcome;
+    outcome.keys = {"gradient"};
+    for (const double value : {1.0, 2.0}) {
+        OutcomePoint& point = outcome.points.emplace_back();
+        point.at.value = {value};
+        point.result[Result::ErodedMass] = scatter_of({0.1});
+        point.result[Result::Strength] = scatter_of({1e5 * value});
+    }
+    EXPECT_EQ(main_result(outcome), Result::Strength);
+    outcome.points[1].result[Result::Strength] = scatter_of({1e5});
+    EXPECT_EQ(main_result(outcome), Result::ErodedMass) << "none changes: the one that answers most";
+    EXPECT_FALSE(main_result(StudyOutcome{}));
+}
+
+TEST(StudyOutcome, EveryResultHasAScale) {
+    for (int k = 0; k < results; ++k) {
+        EXPECT_GT(scale_of(static_cast<Result>(k)).factor, 0);
+    }
+    EXPECT_EQ(key_in_words("stage.initial.prepare_friction"), "prepare friction");
+}
+
+TEST(PermeabilityAfter, IsKnownToBeTooHighWhereTheNetworkFails) {
+    erosion::ErosionResult erosion;
+    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Bounded));
+    erosion::PassResult& pass = erosion.passes.emplace_back();
+    pass.permeability_before = 1e-11, pass.permeability_after = 3e-11;
+    pass.porosity_after = 0.5; // a solid fraction of 0.5, below the 0.55 from which Yade's law is too permeable
+    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Bounded)->is_too_high);
+    EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
+    pass.flow_after.solver = flow::Solver::Resolved;
+    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
+}
+
+} // namespace
+} // namespace suffuse::study
