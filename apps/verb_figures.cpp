@@ -1,6 +1,9 @@
 // figures: the figures of a run as files for a manuscript.
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/base/units.hpp"
 #include "suffuse/figures/figure_options.hpp"
 #include "suffuse/job/draw_figures.hpp"
 #include "suffuse/record/checksums.hpp"
@@ -11,11 +14,13 @@
 #include "apps/json_text.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/shared_options.hpp"
+#include "apps/typed_value.hpp"
 #include "apps/verb.hpp"
 #include "apps/verbs.hpp"
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -33,7 +38,7 @@ struct FiguresVerb final : Verb {
     std::string run;
     std::string format = "svg";
     std::vector<std::string> figures; ///< numbers or names
-    std::string output;
+    std::string output, width, font;
 
     void add_to(Options& options) override {
         options.argument("DIR", run, folder_text).required();
@@ -41,6 +46,8 @@ struct FiguresVerb final : Verb {
             .type("NAME")
             .one_of({"svg", "png", "pdf"});
         options.values("--figure", figures, "only these, as in 9 or 9,10,own-rules; may be repeated").type("N");
+        options.value("--width", width, "of each figure, as in 85mm; its own width unless given").type("LENGTH");
+        options.value("--font", font, "of all words, as the manuscript has it; the report's unless given").type("NAME");
         options.value("-o,--output", output, "folder for the files; the run's figures/ unless given").type("DIR");
     }
 
@@ -72,8 +79,16 @@ int FiguresVerb::act(const CommandLine&, const Console& console) const {
         output.empty() ? std::filesystem::path(run) / "figures" : std::filesystem::path(output);
     const std::vector<std::string> wanted = at_commas(figures);
     record::require_same_figures(run, ids_of(wanted), {".vl.json", ".svg"});
+    job::DrawStyle style{.format = format, .width = std::nullopt, .font = font};
+    if (!width.empty()) {
+        constexpr double least = 0.03, most = 1; // [m]
+        style.width = quantity_of(width, dimension::length, "--width", false);
+        if (!(*style.width >= least && *style.width <= most)) {
+            throw UsageError(fmt::format("--width {}: from 30 mm to 1 m, as in 85mm", shown(width)));
+        }
+    }
     std::vector<std::string> written;
-    for (const std::filesystem::path& file : job::draw_figures(run, wanted, format, folder, page_folder())) {
+    for (const std::filesystem::path& file : job::draw_figures(run, wanted, style, folder, page_folder())) {
         written.push_back(file.string());
         console.result(file.string());
     }

@@ -1,5 +1,6 @@
 // report: the report of a run once more, without computing.
 
+#include "suffuse/job/print_report.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/finished_stages.hpp"
@@ -24,8 +25,12 @@ struct ReportVerb final : Verb {
         : Verb("report", "write the report of a run again, without computing", "suffuse report runs/dyke-0001") {}
 
     std::string run;
+    bool prints = false;
 
-    void add_to(Options& options) override { options.argument("DIR", run, folder_text).required(); }
+    void add_to(Options& options) override {
+        options.argument("DIR", run, folder_text).required();
+        options.flag("--pdf", prints, "print it too, to report.pdf beside it; needs Chromium");
+    }
 
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 };
@@ -40,12 +45,18 @@ int ReportVerb::act(const CommandLine& line, const Console& console) const {
     }
     const job::RunReport report = job::rebuild_report(folder, page_folder(), line.typed);
     tell_results(report, "written", console);
-    console.document(json_text(
-        {{"report", report.report.string()},
-         {"warnings", report.warnings},
-         {"flaws", report.flaws},
-         {"findings", report.findings}}
-    ));
+    nlohmann::json document = {
+        {"report", report.report.string()},
+        {"warnings", report.warnings},
+        {"flaws", report.flaws},
+        {"findings", report.findings}};
+    if (prints) {
+        const fs::path pdf = fs::path(report.report).replace_extension(".pdf");
+        job::print_report(report.report, pdf);
+        console.result(pdf.string());
+        document["pdf"] = pdf.string();
+    }
+    console.document(json_text(document));
     return exit_code_of(report);
 }
 

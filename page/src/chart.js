@@ -5,6 +5,7 @@ import { parse, View, Warn } from "vega";
 import { expressionInterpreter } from "vega-interpreter";
 import { compile } from "vega-lite";
 import { Handler } from "vega-tooltip";
+import { fitted } from "./fit.js";
 import { lowerIndices } from "./indices.js";
 
 const tooltip = new Handler({ disableDefaultStyle: true });
@@ -20,49 +21,6 @@ export function readTable(csv) {
 }
 
 const narrow = 480; // below it, legends stand one under the other
-const axisRoom = 74; // for the vertical axis with its title
-const panelGap = 24;
-
-/** Columns, at most `most`, that leave no gap in the last row where there is such a number. */
-function fullRows(panels, most) {
-  for (let columns = most; 2 * columns > most; --columns) if (panels % columns === 0) return columns;
-  return most;
-}
-
-/** Legends whose names would not stand in the rows asked for get fewer columns; three that do not fit a row, one: the
-    third alone in a second row looks like an accident. */
-function fitLegends(part, width) {
-  if (Array.isArray(part)) part.forEach((each) => fitLegends(each, width));
-  else if (part && typeof part === "object") {
-    const names = part.scale?.domain;
-    if (part.legend && Array.isArray(names) && names.every((name) => typeof name === "string")) {
-      const symbol = 26 + Math.sqrt(part.legend.symbolSize ?? 100);
-      const most = Math.max(1, Math.floor(width / (6.2 * Math.max(...names.map((name) => name.length)) + symbol)));
-      if (names.length > most) part.legend.columns = names.length === 3 ? 1 : most;
-      else delete part.legend.columns;
-    }
-    Object.values(part).forEach((each) => fitLegends(each, width));
-  }
-}
-
-/** The specification with widths that fill `width` pixels: panels in a row are dropped before they get too narrow. */
-export function fitted(chart, width) {
-  const copy = structuredClone(chart);
-  fitLegends(copy, width - axisRoom);
-  if (copy.facet) {
-    const least = Math.min(copy.spec.width, 260);
-    const fitting = Math.min(copy.columns, Math.floor((width - axisRoom) / (least + panelGap)));
-    const columns = fullRows(copy.facet.sort.length, Math.max(1, fitting));
-    copy.columns = columns;
-    const room = (width - axisRoom - (columns - 1) * panelGap) / columns - 8;
-    copy.spec.width = Math.floor(Math.min(copy.spec.width * 1.8, Math.max(120, room)));
-  } else {
-    for (const part of copy.vconcat ?? [copy]) {
-      part.width = Math.floor(Math.max(160, Math.min(part.width * 1.15, width - axisRoom - 12)));
-    }
-  }
-  return copy;
-}
 
 export class Chart {
   constructor(figure, look, place) {
@@ -88,6 +46,7 @@ export class Chart {
     try {
       const stacked = width < narrow ? { columns: 2, layout: { top: { direction: "vertical", anchor: "start" } } } : {};
       const config = { ...this.look, background: null, aria: false, legend: { ...this.look.legend, ...stacked } };
+      this.place.replaceChildren(); // what was drawn once, for pages without a script
       this.shown = this.view(fitted(this.figure.chart, width), config, {
         renderer: "svg",
         container: this.place,

@@ -1,11 +1,16 @@
-// node figures.js OUT_DIR FILE.vl.json...: draws each specification as OUT_DIR/FILE.svg, without a browser. Its numbers
-// and its look are in the specification; title and caption go inside the SVG, for readers that cannot see it.
+// node figures.js [--in-page] [--width PX] [--font NAME] OUT_DIR FILE.vl.json...: draws each specification as
+// OUT_DIR/FILE.svg, without a browser. Its numbers and its look are in the specification; title and caption go inside the
+// SVG, for readers that cannot see it. --in-page: for a page that has them beside it, on its own ground. --width: in CSS
+// pixels, which are 1/96 of an inch.
 import { readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
+import { parseArgs } from "node:util";
 import { parse, View, Warn } from "vega";
 import { compile } from "vega-lite";
+import { fitted } from "./fit.js";
 import { lowerIndicesOf } from "./indices.js";
 
+const pageWidth = 640; // of a figure in its column
 const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
 
 // A specification holds its data. One that a stranger wrote could name a file of this machine, or an address: nothing is loaded.
@@ -14,16 +19,40 @@ const refuse = async (place) => {
 };
 const loader = { load: refuse, sanitize: refuse, http: refuse, file: refuse };
 
+/** Coordinates to a tenth of a pixel: what the eye cannot see need not be carried. */
+const shortened = (svg) => svg.replace(/(\.\d)\d+/g, "$1");
+
+const { values: asked, positionals } = parseArgs({
+  allowPositionals: true,
+  options: { "in-page": { type: "boolean" }, width: { type: "string" }, font: { type: "string" } },
+});
+
 async function draw(file, folder) {
-  const specification = JSON.parse(readFileSync(file, "utf8"));
-  const view = new View(parse(compile(specification).spec), { renderer: "none", logLevel: Warn, loader });
-  const svg = lowerIndicesOf(await view.toSVG());
+  const whole = JSON.parse(readFileSync(file, "utf8"));
+  const width = asked.width ? Number(asked.width) : asked["in-page"] ? pageWidth : undefined;
+  const specification = width ? fitted(whole, width) : whole;
+  const config = { ...specification.config };
+  if (asked.font) config.font = asked.font;
+  if (asked["in-page"]) Object.assign(config, { background: null, aria: false });
+  const view = new View(parse(compile({ ...specification, config }).spec), { renderer: "none", logLevel: Warn, loader });
+  let svg = lowerIndicesOf(await view.toSVG());
   view.finalize();
-  const described = svg.replace(/^<svg[^>]*>/, (opening) => `${opening}<desc>${escaped(specification.description ?? "")}</desc>`);
-  writeFileSync(join(folder, basename(file).replace(/\.vl\.json$/, ".svg")), described + "\n");
+  if (asked["in-page"]) {
+    svg = shortened(svg);
+  } else {
+    svg = svg.replace(/^<svg[^>]*>/, (opening) => `${opening}<desc>${escaped(specification.description ?? "")}</desc>`);
+  }
+  if (asked.width) {
+    // To the width asked for, whatever labels and titles took: the drawing is scaled as a whole.
+    const [, drawn, height] = /viewBox="0 0 ([\d.]+) ([\d.]+)"/.exec(svg).map(Number);
+    svg = svg.replace(/^<svg[^>]*>/, (opening) =>
+      opening.replace(/ width="[^"]*"/, ` width="${width}"`).replace(/ height="[^"]*"/, ` height="${(height * width) / drawn}"`),
+    );
+  }
+  writeFileSync(join(folder, basename(file).replace(/\.vl\.json$/, ".svg")), svg + "\n");
 }
 
-const [folder, ...files] = process.argv.slice(2);
+const [folder, ...files] = positionals;
 for (const file of files) {
   try {
     await draw(file, folder);

@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, readFileSync, renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -58,6 +59,13 @@ test("each figure is drawn, with titled axes and marks", async () => {
   }
 });
 
+/** A number as the page writes it: "−1.37 × 10⁻⁵". */
+function read(shown) {
+  const [, leading, power] = /^([^×]*?)(?:\u00a0×\u00a010([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?$/.exec(shown) ?? [];
+  const exponent = [...(power ?? "")].map((c) => (c === "⁻" ? "-" : "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c))).join("");
+  return Number((leading ?? "").replace("−", "-") + (exponent ? `e${exponent}` : ""));
+}
+
 test("the numbers behind a chart and in its table are those of its CSV file", async () => {
   for (const name of files("sample", ".csv")) {
     const id = name.replace(".csv", "");
@@ -73,7 +81,7 @@ test("the numbers behind a chart and in its table are those of its CSV file", as
     assert.equal(page.rows.length, Math.min(60, rows.length), id);
     const same = (shown, exact) =>
       shown === exact.replace(/\b(e|FC)_(?=[a-z]+\b)/, "$1") || // an index set low
-      Math.abs(Number(shown) - Number(exact)) <= 5.1e-6 * Math.abs(Number(exact)); // six digits
+      Math.abs(read(shown) - Number(exact)) <= 5.1e-6 * Math.abs(Number(exact)); // six digits
     page.rows.forEach((row, r) =>
       row.forEach((cell, c) => assert.ok(same(cell, rows[r][c]), `${id}: ${cell} for ${rows[r][c]}`)),
     );
@@ -149,6 +157,75 @@ test("indices of symbols are set low in charts, tables and captions", async () =
   for (const index of ["min", "g", "eq", "threshold"]) assert.ok(words.low.includes(index), index);
   assert.ok(words.caption.includes("min"));
   assert.equal(words.raw, 0);
+});
+
+test("the answer is in one look: verdict, confidence, cards and the deciding picture begin in the first screen", async () => {
+  const { page, context } = await open(browser, "sample", { viewport: { width: 1440, height: 900 } });
+  for (const part of [".verdict", ".conf", ".cards", ".g .figure"]) {
+    const box = await page.locator(`#answer ${part}`).first().boundingBox();
+    assert.ok(box.y < 700, `${part} begins at ${box.y}`);
+  }
+  const folds = await page.$$eval("#answer details.fold", (all) => all.map((each) => each.open));
+  assert.ok(folds.length >= 2 && folds.every((open) => !open), "the rest is folded");
+  const caution = page.locator(".cards .w");
+  assert.match(await caution.textContent(), /▲/);
+  const card = await page.locator(".cards .item").nth(1).boundingBox(), warned = await caution.boundingBox();
+  assert.ok(warned.x >= card.x - 1 && warned.y > card.y && warned.y < card.y + card.height, "it stands at its number");
+  await page.screenshot({ path: join(samples, "first-screen.png") });
+  await context.close();
+});
+
+test("on a phone the cards are rows, and the numbers stand at the right edge", async () => {
+  const { page, context } = await open(browser, "sample", { viewport: { width: 390, height: 844 } });
+  const cards = await page.$$eval(".cards .item", (all) =>
+    all.map((card) => ({ card: card.getBoundingClientRect(), value: card.querySelector(".v").getBoundingClientRect() })),
+  );
+  for (const { card, value } of cards) {
+    assert.ok(card.width > 340 && Math.abs(value.right - card.right) < 2, `${value.right} of ${card.right}`);
+  }
+  await context.close();
+});
+
+test("figures and tables are numbered in the order of the page, and the works that it names are listed", async () => {
+  const numbers = (kind, selector) =>
+    sample.page.$$eval(selector, (all, name) => all.map((each) => each.textContent).filter((text) => text.startsWith(name)), kind);
+  for (const [kind, selector] of [["Figure", "figcaption > b"], ["Table", "caption > b"]]) {
+    const found = (await numbers(kind, selector)).map((text) => Number(/\d+/.exec(text)[0]));
+    assert.deepEqual(found, found.map((_, k) => k + 1));
+  }
+});
+
+test("Node draws every chart for the page, on the page's own ground and no wider than its column", async () => {
+  const folder = join(samples, "in-page");
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder);
+  const names = files("sample", ".vl.json");
+  const specifications = names.map((name) => join(samples, "sample", "figures", name));
+  execFileSync("node", [join(process.env.SUFFUSE_PAGE, "figures.mjs"), "--in-page", folder, ...specifications]);
+  for (const name of names) {
+    const svg = readFileSync(join(folder, name.replace(".vl.json", ".svg")), "utf8");
+    const [, width] = /viewBox="0 0 ([\d.]+)/.exec(svg).map(Number);
+    assert.ok(width <= 680, `${name} is ${width} wide`);
+    assert.doesNotMatch(svg, /fill="white"/);
+    assert.doesNotMatch(svg, /\d\.\d{3}/, `${name} carries digits that nobody sees`);
+  }
+  execFileSync("node", [join(process.env.SUFFUSE_PAGE, "figures.mjs"), "--width=321.26", "--font=Times", folder, specifications[0]]);
+  const narrow = readFileSync(join(folder, names[0].replace(".vl.json", ".svg")), "utf8");
+  assert.match(narrow, /^<svg[^>]* width="321.26"/);
+  assert.match(narrow, /Times/);
+});
+
+test("printed, it begins with a title page whose contents lead to the sections", async () => {
+  const { page, context } = await open(browser, "sample");
+  assert.ok(!(await page.locator(".cover").isVisible()));
+  await page.emulateMedia({ media: "print" });
+  assert.ok(await page.locator(".cover .big").isVisible());
+  const targets = await page.$$eval(".cover .toc a", (all) => all.map((each) => each.getAttribute("href")));
+  assert.ok(targets.length >= 5);
+  for (const target of targets) assert.equal(await page.locator(target).count(), 1, target);
+  assert.ok(!(await page.locator("header.top").isVisible()));
+  assert.ok(await page.locator("#answer details.fold p, #answer details.fold li").first().isVisible(), "folds are open on paper");
+  await context.close();
 });
 
 test("figures can be saved as SVG, PNG and CSV", async () => {

@@ -72,11 +72,11 @@ bool is_told_alone(const record::FinishedStage& stage, const std::vector<study::
     });
 }
 
-/// "shear", "shear with order random".
+/// "“shear”", "“shear” with order random".
 std::string name_of_test(const record::FinishedStage& stage) {
     return stage.study->sweep.empty()
-               ? stage.stage->name
-               : fmt::format("{} with {}", stage.stage->name, study::values_name(*stage.study, *stage.variant));
+               ? fmt::format("“{}”", stage.stage->name)
+               : fmt::format("“{}” with {}", stage.stage->name, study::values_name(*stage.study, *stage.variant));
 }
 
 /// Those of a sweep are told as long as they are few; over fines contents they are told as a curve.

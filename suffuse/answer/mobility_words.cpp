@@ -1,5 +1,6 @@
 #include "suffuse/answer/mobility_words.hpp"
 
+#include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/words.hpp"
 
 #include <fmt/format.h>
@@ -64,6 +65,83 @@ std::string safety_text(const MobilityStory& story) {
                    : fmt::format("factor of safety {:.1f}", story.safety.mean);
     }
     return fmt::format("factor of safety at least {:.1f}", story.safety_at_least.value_or(0));
+}
+
+/// "moves 1 % of the fines at i = 0.30, a tenth at 0.51": means alone.
+std::string what_moves_in_short(const MobilityStory& story) {
+    MobilityStory means = story;
+    means.moves_1.standard_deviation = means.moves_10.standard_deviation = 0;
+    return what_moves(means);
+}
+
+/// Half the step of the ramp within which a gradient was found: between two levels nobody looked.
+double within_step(const MobilityStory& story, double gradient) {
+    double before = 0;
+    for (const erosion::MobilityStep& step : story.one().ramp) {
+        if (step.gradient >= gradient) {
+            return (step.gradient - before) / 2;
+        }
+        before = step.gradient;
+    }
+    return 0;
+}
+
+/// What Skempton and Brogan's rule makes of the asked gradient; nothing where it does not apply.
+std::optional<double> safety_by_rule(const MobilityStory& story) {
+    if (!story.asked_gradient || !(*story.asked_gradient > 0) || story.skempton_brogan.seeds == 0) {
+        return std::nullopt;
+    }
+    return story.skempton_brogan.mean / *story.asked_gradient;
+}
+
+/// Whether rule and motion call the asked gradient safe alike.
+bool do_disagree(const MobilityStory& story) {
+    const std::optional<double> by_rule = safety_by_rule(story);
+    if (!by_rule || !(is_met(story.safety, story) || story.safety_at_least)) {
+        return false;
+    }
+    const double moved = is_met(story.safety, story) ? story.safety.mean : *story.safety_at_least;
+    return (moved >= 1) != (*by_rule >= 1);
+}
+
+Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, std::string label) {
+    if (gradient.seeds > 1) {
+        return with_certainty(
+            {fixed(gradient.mean, 2), std::move(label), fmt::format("{} samples", gradient.seeds),
+             spread_text(gradient, 1, 2)},
+            static_cast<std::size_t>(gradient.seeds)
+        );
+    }
+    return {
+        fixed(gradient.mean, 2), std::move(label), "within a step of the ramp; no replicate",
+        "± " + fixed(within_step(story, gradient.mean), 2)};
+}
+
+Headline safety_headline(const MobilityStory& story) {
+    Headline headline{"", "Factor of safety against first movement", ""};
+    const double asked = *story.asked_gradient;
+    if (!is_met(story.safety, story)) {
+        headline.value = "≥ " + fixed(*story.safety_at_least, 1);
+        headline.detail = fmt::format("the ramp ends before 1 % of the fines move; asked {:.2f}", asked);
+        headline = with_certainty(std::move(headline), story.of_sample.size());
+    } else if (story.safety.seeds > 1) {
+        headline.value = fixed(story.safety.mean, 1);
+        headline.spread = spread_text(story.safety, 1, 1);
+        headline.detail = fmt::format("{} samples; asked {:.2f}", story.safety.seeds, asked);
+        headline = with_certainty(std::move(headline), static_cast<std::size_t>(story.safety.seeds));
+    } else {
+        const double half = within_step(story, story.moves_1.mean) / asked;
+        headline.value = fixed(story.safety.mean, 1);
+        headline.detail = fmt::format(
+            "{} to {} within a step of the ramp; no replicate", fixed(story.safety.mean - half, 1),
+            fixed(story.safety.mean + half, 1)
+        );
+    }
+    if (do_disagree(story)) {
+        headline.caution =
+            fmt::format("Skempton and Brogan's rule gives {}. Why: below.", fixed(*safety_by_rule(story), 1));
+    }
+    return headline;
 }
 
 /// Why the stress that fines carry tells another gradient than what moves them.
@@ -185,27 +263,55 @@ std::vector<std::string> answer_of_mobility(const std::vector<MobilityStory>& st
     return sentences;
 }
 
+std::vector<std::string> short_verdict(const MobilityStory& story) {
+    const std::string flow = flow_in_words(story.one());
+    std::vector<std::string> lines = {fmt::format("{} flow {}", flow, what_moves_in_short(story))};
+    lines.front() += story.heave.seeds > 0 ? fmt::format("; the soil heaves at {:.2f}.", story.heave.mean)
+                                           : "; it cannot lift the soil.";
+    if (!story.asked_gradient) {
+        return lines;
+    }
+    if (story.moved_at_asked.seeds == 0) {
+        lines.push_back(fmt::format("The asked {:.2f} lies beyond the ramp.", *story.asked_gradient));
+        return lines;
+    }
+    MobilityStory means = story;
+    means.safety.standard_deviation = 0;
+    lines.push_back(fmt::format(
+        "At the asked {:.2f} it moves {}: {}.", *story.asked_gradient, percent_of_fines(story.moved_at_asked.mean),
+        safety_text(means)
+    ));
+    return lines;
+}
+
+std::optional<std::string> disagreement(const MobilityStory& story) {
+    if (!do_disagree(story)) {
+        return std::nullopt;
+    }
+    const bool rule_warns = *safety_by_rule(story) < 1;
+    return fmt::format(
+        "Skempton and Brogan's α i_c = {:.2f} lies {} the asked {:.2f} and calls it {}. {}", story.skempton_brogan.mean,
+        rule_warns ? "below" : "above", *story.asked_gradient, rule_warns ? "unstable" : "stable",
+        rule_warns ? "The rule asks what stress the fines carry. The ramp also feels the coarse grains that cage them."
+                   : "The rule takes a mean over all fines. The ramp finds the first that carry nothing."
+    );
+}
+
 std::vector<Headline> mobility_headlines(const MobilityStory& story) {
     std::vector<Headline> headlines;
     if (story.asked_gradient && (is_met(story.safety, story) || story.safety_at_least)) {
-        const bool is_known = is_met(story.safety, story);
-        headlines.push_back(
-            {is_known ? fmt::format("{:.1f}", story.safety.mean)
-                      : fmt::format("≥ {:.1f}", story.safety_at_least.value_or(0)),
-             "factor of safety",
-             fmt::format(
-                 "of i = {:.2f} against moving 1 % of the fines; {}", *story.asked_gradient, samples_text(story)
-             )}
-        );
+        headlines.push_back(safety_headline(story));
     }
     if (is_met(story.moves_1, story)) {
-        headlines.push_back({gradient_text(story.moves_1), "moves 1 % of the fines", samples_text(story)});
+        headlines.push_back(gradient_headline(story, story.moves_1, "Gradient that moves 1 % of the fines"));
     }
     if (is_met(story.moves_10, story)) {
-        headlines.push_back({gradient_text(story.moves_10), "moves a tenth", samples_text(story)});
+        headlines.push_back(gradient_headline(story, story.moves_10, "Gradient that moves 10 %"));
     }
     if (story.heave.seeds > 0) {
-        headlines.push_back({gradient_text(story.heave), "heave of the whole soil", "i_c of Terzaghi"});
+        Headline heave = {fixed(story.heave.mean, 2), "Gradient of heave, i_c", "by the weight of the soil (Terzaghi)"};
+        heave.spread = spread_text(story.heave, 1, 2);
+        headlines.push_back(with_certainty(std::move(heave), static_cast<std::size_t>(story.heave.seeds)));
     }
     return headlines;
 }

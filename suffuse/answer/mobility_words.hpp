@@ -18,13 +18,19 @@ std::string flow_in_words(const erosion::MobilityResult& mobility);
 /// moves 0.2 % (factor of safety 1.5; one sample)."
 std::string verdict(const study::MobilityStory& story);
 
+/// The same in at most two sentences of at most 20 words, without deviations: what the page opens with.
+std::vector<std::string> short_verdict(const study::MobilityStory& story);
+
+/// Where Skempton and Brogan's rule and the motion of the fines disagree on the asked gradient: both, and why.
+std::optional<std::string> disagreement(const study::MobilityStory& story);
+
 /// Skempton and Brogan's gradient beside the one found, and why they differ where they do; sifting.
 std::vector<std::string> remarks_on(const study::MobilityStory& story);
 
 /// Verdicts and remarks of all.
 std::vector<std::string> answer_of_mobility(const std::vector<study::MobilityStory>& stories);
 
-/// Factor of safety or the gradient that moves 1 %, and what is beside it.
+/// Factor of safety, the gradients that move 1 and 10 %, heave; each with what is known of its uncertainty.
 std::vector<Headline> mobility_headlines(const study::MobilityStory& story);
 
 /// One sentence for cases whose fines have no weight; nothing where nobody asks what moves.

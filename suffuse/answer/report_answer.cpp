@@ -332,14 +332,14 @@ tell_range(const study::ErosionStory& story, const std::vector<record::FinishedS
     );
 }
 
-/// "first, then second: " where stages follow each other; nothing where one stage is all that eroded.
+/// "“first”, then “second”: " where stages follow each other; nothing where one stage is all that eroded.
 std::string name_chain(const study::ErosionStory& story) {
     if (story.others.empty() && story.chain.size() == 1) {
         return {};
     }
     std::vector<std::string> names;
     for (const record::FinishedStage* stage : story.chain) {
-        names.push_back(stage->stage->name);
+        names.push_back(fmt::format("“{}”", stage->stage->name));
     }
     return fmt::format("{}: ", fmt::join(names, ", then "));
 }
@@ -381,7 +381,7 @@ std::vector<std::string> answer_of_erosion(const study::RunResults& results) {
     if (!are_too_many(story)) {
         for (const record::FinishedStage* other : story.others) {
             sentences.push_back(fmt::format(
-                "{}, from the state {}: {}", other->stage->name, start_of(*other).name,
+                "“{}”, from the state “{}”: {}", other->stage->name, start_of(*other).name,
                 answer_to_erosion(*other->findings.erosion)
             ));
         }

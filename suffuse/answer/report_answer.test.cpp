@@ -32,7 +32,7 @@ TEST(ReportAnswer, TellsTestsOfStrengthAndNotThoseThatLeadToAState) {
     EXPECT_EQ(
         answer_of_erosion(results_of(stages)),
         std::vector<std::string>{
-            "Highest deviator stress in triaxial compression: 320 kPa at 2 % axial strain in shear."}
+            "Highest deviator stress in triaxial compression: 320 kPa at 2 % axial strain in “shear”."}
     );
 }
 
@@ -53,8 +53,8 @@ TEST(ReportAnswer, TellsTheTestsOfASweepWhereTheyAreFew) {
     EXPECT_EQ(
         answer_of_erosion(results_of(stages)),
         std::vector<std::string>{
-            "Highest deviator stress in triaxial compression: 100 kPa at 2 % axial strain in shear "
-            "with order random, 200 kPa at 2 % axial strain in shear with order smallest."}
+            "Highest deviator stress in triaxial compression: 100 kPa at 2 % axial strain in “shear” "
+            "with order random, 200 kPa at 2 % axial strain in “shear” with order smallest."}
     );
     study.sweep.front().key = "fines_content"; // a curve
     EXPECT_TRUE(answer_of_erosion(results_of(stages)).empty());
@@ -71,7 +71,7 @@ TEST(ReportAnswer, TellsATestOnceWhereItIsComparedWithAnother) {
         {&study, nullptr, &before, response(400e3, 0.02), {}}, {&study, nullptr, &after, response(300e3, 0.02), {}}};
     const std::vector<std::string> answer = answer_of_erosion(results_of(stages, {change}));
     ASSERT_EQ(answer.size(), 1U);
-    EXPECT_TRUE(answer.front().starts_with("Strength, after against before")) << answer.front();
+    EXPECT_TRUE(answer.front().starts_with("Strength, “after” against “before”")) << answer.front();
 }
 
 /// An erosion of one pass.
@@ -181,7 +181,7 @@ TEST(ReportAnswer, TellsOneErosionOfManyAndTheRangeOfAll) {
     EXPECT_EQ(
         answer[0], "4 erosions took 1.00 to 4.00 % of the mass (table “All erosions”); what follows is of second, base."
     );
-    EXPECT_TRUE(answer[1].starts_with("base: Pass 1: 1 of 39 detachable fines was carried out, 1.00 % of"))
+    EXPECT_TRUE(answer[1].starts_with("“base”: Pass 1: 1 of 39 detachable fines was carried out, 1.00 % of"))
         << answer[1];
 }
 

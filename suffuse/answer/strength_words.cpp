@@ -1,5 +1,6 @@
 #include "suffuse/answer/strength_words.hpp"
 
+#include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/study/trace_curves.hpp"
@@ -47,7 +48,7 @@ std::string values_of(const study::StrengthChange& change) {
 }
 
 std::string tests_of(const study::StrengthChange& change) {
-    return fmt::format("{} against {}{}", change.after->name, change.before->name, values_of(change));
+    return fmt::format("“{}” against “{}”{}", change.after->name, change.before->name, values_of(change));
 }
 
 std::string verdict_of(const study::StrengthChange& change) {
@@ -214,10 +215,15 @@ std::optional<Headline> strength_headline(const std::vector<study::StrengthChang
     if (told == changes.end() || changes.size() > most_told) {
         return std::nullopt;
     }
-    return Headline{
-        change_in_percent(told->borne()),
-        told->holds_deviator() ? "excess pore pressure borne" : "highest deviator stress",
-        fmt::format("{} to {}: {}", told->before->name, told->after->name, from_to(told->borne(), kilo, 3, " kPa"))};
+    const study::BeforeAfter& borne = told->borne();
+    Headline headline{
+        change_text(borne.change.mean), told->holds_deviator() ? "Pore pressure borne" : "Peak strength",
+        fmt::format("{} to {} kPa", fixed(borne.before.mean / kilo, 0), fixed(borne.after.mean / kilo, 0)),
+        spread_text(borne.change, percent, std::min(1, decimals_for(percent * borne.change.mean, 2)))};
+    if (borne.change.seeds < 2) {
+        headline.detail += fmt::format("; samples differ by some {} %", told->holds_deviator() ? 50 : 10);
+    }
+    return with_certainty(std::move(headline), static_cast<std::size_t>(borne.change.seeds));
 }
 
 std::optional<figures::PageTable> tabulate_strength(const std::vector<study::StrengthChange>& changes) {

@@ -78,7 +78,8 @@ TEST(StrengthChange, IsThatOfTheSameTestOnTheSameSample) {
     EXPECT_EQ(
         tell_strength(changes),
         (std::vector<std::string>{
-            "Strength, after against before: the soil without 12 % of its mass is weaker. Its highest deviator stress "
+            "Strength, “after” against “before”: the soil without 12 % of its mass is weaker. Its highest deviator "
+            "stress "
             "goes from 400 to 300 kPa (−25 %), the friction angle there from 40 to 30°, the deviator stress at 10 % "
             "axial strain from 320 to 240 kPa (−25 %), the void ratio from 0.7 to 0.9. Too short to see the "
             "critical state, and what strength is left there: at 10 % axial strain volume or stress still change. One "
@@ -148,7 +149,9 @@ TEST(StrengthChange, OfSeveralSamplesIsJudgedByTheirScatter) {
     study.add_sample(400e3, 380e3); // -5 %
     study.add_sample(400e3, 372e3); // -7 %
     EXPECT_EQ(study::compare_strength(study.stages).front().is_weaker(), true);
-    EXPECT_EQ(strength_headline(study::compare_strength(study.stages)).value().value, "−6 ± 1.4 %"); // sqrt(2)
+    const Headline headline = strength_headline(study::compare_strength(study.stages)).value();
+    EXPECT_EQ(headline.value, "−6.0 %");
+    EXPECT_EQ(headline.spread, "± 1.4"); // sqrt(2), with the digits of the mean
     const auto told = [&] { return tell_strength(study::compare_strength(study.stages)).front(); };
     // Student's t is 6: with one degree of freedom it is exceeded in 1 - 2 atan(6)/pi of all cases.
     EXPECT_TRUE(told().ends_with("of so few, scatter alone gives as clear a change in 11 % of the cases.")) << told();
@@ -170,7 +173,7 @@ TEST(StrengthChange, LeavesOutTestsThatAreNoneAndSaysSo) {
     EXPECT_FALSE(strength_headline(lost).has_value());
     EXPECT_EQ(
         tell_strength(lost).front(),
-        "Strength, after against before: the soil without 12 % of its mass cannot be compared; the void ratio goes "
+        "Strength, “after” against “before”: the soil without 12 % of its mass cannot be compared; the void ratio goes "
         "from 0.7 to 0.9. Not compared, for after collapsed at 1.1 % axial strain."
     );
     study.at(3).numbers["response"]["lost_at"] = nullptr;
@@ -219,12 +222,13 @@ TEST(StrengthChange, WhereTheDeviatorStressIsHeldIsThatOfThePorePressureBorne) {
     EXPECT_EQ(changes.front().is_weaker(), true);
     EXPECT_EQ(
         tell_strength(changes).front(),
-        "Strength, after against before: the soil without 12 % of its mass is weaker. With the deviator stress held, "
+        "Strength, “after” against “before”: the soil without 12 % of its mass is weaker. With the deviator stress "
+        "held, "
         "the excess pore pressure that it bears goes from 45 to 17.5 kPa (−60 ± 14 %), the void ratio from 0.7 to 0.9. "
         "Means of 2 samples, ± one standard deviation; of so few, scatter alone gives as clear a change in 11 % of the "
         "cases."
     );
-    EXPECT_EQ(strength_headline(changes).value().label, "excess pore pressure borne");
+    EXPECT_EQ(strength_headline(changes).value().label, "Pore pressure borne");
     const figures::PageTable table = tabulate_strength(changes).value();
     EXPECT_EQ(table.header[4], "excess pore pressure borne [kPa]");
     EXPECT_EQ(table.rows.front()[4], "45 → 17.5");

@@ -20,7 +20,8 @@ struct Figure {
     Table table;              ///< what is drawn
     nlohmann::json chart;     ///< Vega-Lite without `data`; null where there is a drawing
     std::string drawing = {}; ///< SVG text instead of a chart
-    std::string flat = {};    ///< that nothing changed: the page says so in the place of a chart of rounding and noise
+    std::string still = {}; ///< the chart drawn once as SVG, for a page that runs no script; empty: the script draws it
+    std::string flat = {};  ///< that nothing changed: the page says so in the place of a chart of rounding and noise
 };
 
 /// 9 of "fig09"; nothing for a figure of our own.

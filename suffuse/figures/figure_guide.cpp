@@ -109,6 +109,15 @@ constexpr std::array guides = {
         "distribution of the fluxes.",
         "an `erode` or a `flow` stage"},
     Guide{
+        "own-strength", "strength before and after", "The same test before fines went and after, laid over each other.",
+        "a test before an erosion and the same after"},
+    Guide{
+        "own-sweep", "what a study came to over what it sweeps",
+        "Mean of the samples, a band of one standard deviation, and every sample as a dot.", "a study with a `sweep`"},
+    Guide{
+        "own-sweep-multiples", "the other results of a study over what it sweeps",
+        "As own-sweep, a small panel for each result.", "a study with a `sweep`"},
+    Guide{
         "own-triaxial", "triaxial tests before and after erosion",
         "Deviator stress and volumetric strain against axial strain.", "`triaxial` stages"},
     Guide{

@@ -4,6 +4,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/figures/figure_options.hpp"
+#include "suffuse/io/text_file.hpp"
 #include "suffuse/job/other_program.hpp"
 #include "suffuse/job/scratch_folder.hpp"
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <unistd.h>
 
 namespace suffuse::job {
@@ -52,6 +54,18 @@ std::vector<Source> sources_in(const fs::path& run) {
     return sources;
 }
 
+/// Which case draws a figure of the paper that a run has not; empty for other names.
+std::string tell_case_of(const std::string& id) {
+    constexpr int last_of_mixtures = 6, last = 14; // the paper's section 3 is of mixtures, its section 4 of one soil
+    const std::optional<int> number = figures::figure_of_paper(id);
+    if (!number || *number < 1 || *number > last) {
+        return "";
+    }
+    return *number <= last_of_mixtures
+               ? ": a study over the fines content draws it, as examples/silty-sand-2016/constant-skeleton.toml"
+               : ": an erosion with tests before and after draws it, as examples/fontainebleau-2016/case.toml";
+}
+
 std::vector<Source> chosen(const std::vector<Source>& all, const std::vector<std::string>& wanted) {
     if (wanted.empty()) {
         return all;
@@ -65,9 +79,10 @@ std::vector<Source> chosen(const std::vector<Source>& all, const std::vector<std
     for (const std::string& word : wanted) {
         const auto found = std::find(ids.begin(), ids.end(), figures::figure_id(word));
         if (found == ids.end()) {
+            const std::string elsewhere = tell_case_of(figures::figure_id(word));
             throw UsageError(fmt::format(
                 "--figure {}: this run has no such figure{}; it has {}", shown(word),
-                near_hint(figures::figure_id(word), ids), fmt::join(ids, ", ")
+                elsewhere.empty() ? near_hint(figures::figure_id(word), ids) : elsewhere, fmt::join(ids, ", ")
             ));
         }
         some.push_back(all[static_cast<std::size_t>(found - ids.begin())]);
@@ -87,9 +102,26 @@ fs::path drawing_program(const fs::path& page) {
     return page / "figures.mjs";
 }
 
+std::vector<std::string> style_words(const DrawStyle& style) {
+    constexpr double pixel = 0.0254 / 96; // of CSS [m]
+    std::vector<std::string> words;
+    if (style.width) {
+        words.push_back(fmt::format("--width={:.2f}", *style.width / pixel));
+    }
+    if (!style.font.empty()) {
+        words.push_back("--font=" + style.font);
+    }
+    return words;
+}
+
 /// Every figure as SVG in `folder`, by the built page's program.
-void draw_svg(const std::vector<Source>& sources, const fs::path& folder, const fs::path& page) {
-    std::vector<std::string> words = {"node", "", folder.string()};
+void draw_svg(
+    const std::vector<Source>& sources, const DrawStyle& style, const fs::path& folder, const fs::path& page
+) {
+    std::vector<std::string> words = {"node", ""};
+    std::ranges::move(style_words(style), std::back_inserter(words));
+    words.push_back(folder.string());
+    const std::size_t without_files = words.size();
     for (const Source& source : sources) {
         if (!source.is_drawing) {
             words.push_back(source.file.string());
@@ -101,7 +133,7 @@ void draw_svg(const std::vector<Source>& sources, const fs::path& folder, const 
             }
         }
     }
-    if (words.size() == 3) {
+    if (words.size() == without_files) {
         return;
     }
     words[1] = drawing_program(page).string();
@@ -124,9 +156,10 @@ void convert(const fs::path& svg, const fs::path& to, const std::string& format)
 } // namespace
 
 std::vector<fs::path> draw_figures(
-    const fs::path& run, const std::vector<std::string>& wanted, const std::string& format, const fs::path& folder,
+    const fs::path& run, const std::vector<std::string>& wanted, const DrawStyle& style, const fs::path& folder,
     const fs::path& page
 ) {
+    const std::string& format = style.format;
     const std::vector<Source> sources = chosen(sources_in(run), wanted);
     if (format != "svg" && !is_installed("rsvg-convert")) {
         throw IoError(fmt::format(
@@ -142,7 +175,7 @@ std::vector<fs::path> draw_figures(
     }
     const ScratchFolder scratch;
     const fs::path drawn = format == "svg" ? folder : scratch.path();
-    draw_svg(sources, drawn, page);
+    draw_svg(sources, style, drawn, page);
     std::vector<fs::path> written;
     for (const Source& source : sources) {
         const fs::path file = folder / (source.id + "." + format);
@@ -154,13 +187,39 @@ std::vector<fs::path> draw_figures(
     return written;
 }
 
+void draw_in_page(std::vector<figures::Figure>& figures, const fs::path& run, const fs::path& page) {
+    constexpr std::uintmax_t largest = 400'000; // of a drawing [bytes]: one of many thousand dots is the script's
+    if (page.empty() || !fs::exists(page / "figures.mjs") || !is_installed("node")) {
+        return;
+    }
+    const ScratchFolder scratch;
+    std::vector<std::string> words = {"node", (page / "figures.mjs").string(), "--in-page", scratch.path().string()};
+    const std::size_t without_files = words.size();
+    for (const figures::Figure& figure : figures) {
+        if (figure.drawing.empty() && figure.flat.empty()) {
+            words.push_back((run / "figures" / (figure.id + specification_ending)).string());
+        }
+    }
+    if (words.size() == without_files) {
+        return;
+    }
+    run_program(words); // what it could not draw is not there
+    for (figures::Figure& figure : figures) {
+        const fs::path file = scratch.path() / (figure.id + ".svg");
+        std::error_code error;
+        if (const auto bytes = fs::file_size(file, error); !error && bytes <= largest) {
+            figure.still = io::read_text(file);
+        }
+    }
+}
+
 void draw_figure(const fs::path& run, const std::string& which, const fs::path& file, const fs::path& page) {
     const std::string ending = file.extension().string();
     if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
         throw UsageError(fmt::format("{}: a figure is drawn as .svg, .png or .pdf", shown(file.string())));
     }
     const ScratchFolder scratch;
-    const std::vector<fs::path> drawn = draw_figures(run, {which}, ending.substr(1), scratch.path(), page);
+    const std::vector<fs::path> drawn = draw_figures(run, {which}, {.format = ending.substr(1)}, scratch.path(), page);
     std::error_code error;
     fs::copy_file(drawn.front(), file, fs::copy_options::overwrite_existing, error);
     if (error) {

@@ -2,11 +2,12 @@
 
 #include "suffuse/answer/answer_fines.hpp"
 #include "suffuse/answer/erosion_table.hpp"
-#include "suffuse/answer/headlines.hpp"
 #include "suffuse/answer/mobility_words.hpp"
+#include "suffuse/answer/opening.hpp"
 #include "suffuse/answer/readings_table.hpp"
 #include "suffuse/answer/removal_table.hpp"
 #include "suffuse/answer/report_answer.hpp"
+#include "suffuse/answer/samples_table.hpp"
 #include "suffuse/answer/section_tables.hpp"
 #include "suffuse/answer/strength_words.hpp"
 #include "suffuse/answer/triaxial_table.hpp"
@@ -149,12 +150,20 @@ std::vector<report::AssumedValue> all_assumed(const std::filesystem::path& folde
     return values;
 }
 
-/// Of a value of the provenance; of its calls, how many there were.
 std::string provenance_text(const json& value) {
-    if (value.is_array()) {
-        return std::to_string(value.size());
-    }
     return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+/// The calls that made the run, oldest first; those of a version that kept no list are one.
+std::vector<report::Call> calls_in(const json& provenance) {
+    std::vector<report::Call> calls;
+    for (const json& call : provenance.value("calls", json::array({provenance}))) {
+        calls.push_back(
+            {call.value("command", ""), call.value("finished", ""),
+             fmt::format("{} {}", call.value("version", ""), call.value("commit", "")), call.value("wall_seconds", 0.0)}
+        );
+    }
+    return calls;
 }
 
 } // namespace
@@ -167,6 +176,8 @@ report::ReportData describe_run(
     const study::ErosionStory& story = results.story;
     report::ReportData data;
     data.title = what.title;
+    data.project = what.report.project;
+    data.author = what.report.author;
     data.run = folder.filename().string();
     data.answer = results.fines_sweep ? answer::answer_of_fines(*results.fines_sweep) : std::vector<std::string>{};
     if (const std::string sentence = answer::thresholds_sentence(results.fines); !sentence.empty()) {
@@ -192,28 +203,19 @@ report::ReportData describe_run(
         if (auto table = answer::removal_table(results.fines->removals)) {
             data.tables.push_back(std::move(*table));
         }
-        data.headlines = answer::fines_headlines(results.fines->thresholds);
     }
-    if (const study::MobilityStory* const main = study::main_mobility(results.mobility)) {
-        for (answer::Headline& headline : answer::mobility_headlines(*main)) {
-            data.headlines.push_back(std::move(headline));
-        }
-    }
-    for (answer::Headline& headline : answer::erosion_headlines(story.erosion)) {
-        data.headlines.push_back(std::move(headline));
-    }
-    if (auto headline = answer::strength_headline(results.strength)) {
-        data.headlines.push_back(std::move(*headline));
-    }
-    if (auto headline = answer::findings_headline(data.findings)) {
-        data.headlines.push_back(std::move(*headline));
-    }
-    data.warnings = std::move(remarks.flaws);
-    data.warnings.insert(data.warnings.end(), remarks.warnings.begin(), remarks.warnings.end());
-    data.warnings = report::merged_warnings(data.warnings);
+    data.opening = answer::open_answer(results, data.findings);
+    data.flaws = report::merged_warnings(remarks.flaws);
+    data.warnings = report::merged_warnings(remarks.warnings);
     data.case_warnings = std::move(remarks.case_warnings);
     data.unfinished = std::move(remarks.unfinished);
     data.assumed = all_assumed(folder, what);
+    for (const study::StudyOutcome& outcome : results.outcomes) {
+        if (auto table =
+                answer::tabulate_samples(outcome, what.fluid, results.fines_sweep ? &*results.fines_sweep : nullptr)) {
+            data.tables.push_back(std::move(*table));
+        }
+    }
     data.figures = draw_study(results, folder);
     for (figures::Figure& figure : draw_erosion(what, folder, story)) {
         data.figures.push_back(std::move(figure));
@@ -242,8 +244,11 @@ report::ReportData describe_run(
         data.stages.push_back(stage_row(what, stage));
     }
     for (const auto& [key, value] : provenance.items()) {
-        data.provenance.emplace_back(key, provenance_text(value));
+        if (key != "calls") { // a table of their own
+            data.provenance.emplace_back(key, provenance_text(value));
+        }
     }
+    data.calls = calls_in(provenance);
     data.cited = {provenance_text(provenance.at("version")), provenance_text(provenance.at("commit")), true};
     data.redraw = "suffuse report " + shell_word(folder.string());
     return data;

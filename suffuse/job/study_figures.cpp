@@ -2,6 +2,8 @@
 
 #include "suffuse/figures/figures_energy.hpp"
 #include "suffuse/figures/figures_fines.hpp"
+#include "suffuse/figures/figures_strength.hpp"
+#include "suffuse/figures/figures_sweep.hpp"
 #include "suffuse/figures/stress_probes.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/job/erosion_figures.hpp"
@@ -244,6 +246,10 @@ std::vector<study::Mixture> describe_mixtures(
 std::vector<figures::Figure> draw_study(const study::RunResults& results, const std::filesystem::path& folder) {
     std::vector<figures::Figure> figures;
     const casefile::Case& what = *results.what;
+    if (const study::StudyOutcome* const outcome = study::main_outcome(results.outcomes)) {
+        add(figures::sweep_result(*outcome), figures);
+        add(figures::sweep_multiples(*outcome), figures);
+    }
     const std::vector<Test> tests = gather_tests(results);
     const casefile::Stage* shown = nullptr;
     if (const auto& sweep = results.fines_sweep) {
@@ -263,6 +269,7 @@ std::vector<figures::Figure> draw_study(const study::RunResults& results, const 
         add(figures::contact_classes(sweep->curves), figures);
         add(figures::strong_contacts(sweep->curves), figures);
     }
+    add(figures::strength_before_and_after(results.strength, results.stages), figures);
     draw_tests(what, tests, shown, figures);
     draw_energy(what, tests, figures);
     add(figures::stability_in_directions(results.probed_states), figures);

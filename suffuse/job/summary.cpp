@@ -5,6 +5,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/job/draw_figures.hpp"
 #include "suffuse/job/report_data.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/missing_stages.hpp"
@@ -66,6 +67,20 @@ json readings_json(const std::vector<study::Reading>& readings) {
     json list = json::array();
     for (const study::Reading& reading : readings) {
         list.push_back({{"reading", reading.name}, {"findings", findings_json(reading.findings)}});
+    }
+    return list;
+}
+
+json cards_json(const std::vector<answer::Headline>& cards) {
+    json list = json::array();
+    for (const answer::Headline& card : cards) {
+        list.push_back(
+            {{"label", card.label},
+             {"value", (card.lead.empty() ? "" : card.lead + " ") + card.value},
+             {"spread", card.spread},
+             {"detail", card.detail},
+             {"caution", card.caution}}
+        );
     }
     return list;
 }
@@ -144,7 +159,7 @@ summarize(const casefile::Case& what, const std::filesystem::path& folder, const
     summary.failures = record::read_failures(folder, what);
     const record::MissingStages missing = record::find_missing_stages(what, folder);
     const std::vector<Diagnostic> of_case = check_again(folder);
-    const report::ReportData data = describe_run(
+    report::ReportData data = describe_run(
         results, folder, provenance,
         {summary.warnings,
          with_failures(summary.flaws, summary.failures),
@@ -163,6 +178,10 @@ summarize(const casefile::Case& what, const std::filesystem::path& folder, const
                                   {"preparation", provenance.at("preparation")},
                                   {"case_warnings", diagnostics_json(of_case)},
                                   {"missing_stages", missing.names},
+                                  {"answer",
+                                   {{"verdict", data.opening.verdict},
+                                    {"confidence", data.opening.confidence},
+                                    {"cards", cards_json(data.opening.cards)}}},
                                   {"warnings", summary.warnings},
                                   {"flaws", summary.flaws},
                                   {"findings", findings_json(results.findings)},
@@ -174,9 +193,9 @@ summarize(const casefile::Case& what, const std::filesystem::path& folder, const
                                   {"stages", by_name},
                                   {"studies", study::curves_json(results.curves)}}
     );
-    report::WrittenReport written = report::write_report(folder, data, page_folder);
-    summary.report = std::move(written.file);
-    summary.figures = std::move(written.figures);
+    summary.figures = report::write_figures(folder, data);
+    draw_in_page(data.figures, folder, page_folder);
+    summary.report = report::write_page(folder, data, page_folder).file;
     remove_old_figures(folder / "figures", summary.figures);
     return summary;
 }

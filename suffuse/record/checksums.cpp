@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> changing = {"events.jsonl", "progress.json", "plan.json", partial_file};
+constexpr std::array<std::string_view, 5> changing = {
+    "events.jsonl", "progress.json", "plan.json", "report.pdf", partial_file};
 
 /// What says what to compute, and by what it was computed.
 constexpr std::array<std::string_view, 5> inputs = {

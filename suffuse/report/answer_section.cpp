@@ -1,160 +1,194 @@
 #include "suffuse/report/answer_section.hpp"
 
+#include "suffuse/base/base64.hpp"
+#include "suffuse/base/grouped.hpp"
+#include "suffuse/report/figure_block.hpp"
 #include "suffuse/report/html.hpp"
-#include "suffuse/study/finding_guide.hpp"
+#include "suffuse/report/scene_section.hpp"
+#include "suffuse/report/still.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace suffuse::report {
 
 namespace {
 
-/// Colour never speaks alone: the sign says the same.
-struct Mark {
-    const char* css_class;
-    const char* sign;
-};
+using answer::Headline;
 
-Mark mark_of(study::Standing standing) {
-    switch (standing) {
-    case study::Standing::Met:
-        return {"met", "✓"};
-    case study::Standing::MetByNoise:
-        return {"by-number", "✓"};
-    case study::Standing::NotMet:
-        return {"not-met", "✗"};
-    case study::Standing::NotMetByOurNumber:
-        return {"by-number", "✗"};
-    case study::Standing::SeedsDisagree:
-    case study::Standing::CannotTell:
-        break;
+std::string verdict_lines(const std::vector<std::string>& lines) {
+    std::string out = "<p class=\"verdict\">";
+    for (const std::string& line : lines) {
+        out += "<span>" + typeset(line) + "</span> ";
     }
-    return {"unknown", "?"};
+    return out + "</p>\n";
 }
 
-/// The criterion with the numbers that are ours marked in it.
-std::string criterion(const study::Finding& finding) {
-    std::string html = typeset(finding.claim);
-    std::size_t from = 0;
-    for (const std::string& number : finding.our_numbers) {
-        const std::string text = typeset(number);
-        if (const std::size_t at = html.find(text, from); at != std::string::npos) {
-            const std::string marked = "<span class=\"our-number\">" + text + "</span>";
-            html.replace(at, text.size(), marked);
-            from = at + marked.size();
-        }
-    }
-    return html;
+std::string small(const std::string& text) {
+    return text.empty() ? "" : "<small>" + typeset(text) + "</small>";
 }
 
-std::string findings_table(const std::vector<study::Finding>& findings) {
-    std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"findings\"><thead><tr><th></th><th>The paper"
-                      "</th><th>Our criterion</th><th>This run</th><th>Verdict</th><th>Why</th></tr></thead><tbody>\n";
-    for (std::size_t k = 0; k < findings.size(); ++k) {
-        const study::Finding& finding = findings[k];
-        const std::string why = study::why_in_row(findings, k);
-        const study::Standing standing = study::standing_of(finding);
-        const Mark mark = mark_of(standing);
-        out += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td data-label=\"Criterion\">{}</td><td data-label=\"This "
-            "run\">{}</td><td class=\"verdict {}\">{} {}</td>",
-            escaped(finding.id), typeset(finding.paper), criterion(finding), typeset(finding.ours), mark.css_class,
-            mark.sign, study::name_of(standing)
-        );
-        out += why.empty() ? "<td></td></tr>\n" : "<td data-label=\"Why\">" + typeset(why) + "</td></tr>\n";
-    }
-    return out +
-           "</tbody></table></div>\n<p class=\"quiet\">Numbers <span class=\"our-number\">marked</span> in a criterion "
-           "are ours: the paper gives words there. <b>Not met by our number</b>: the words hold, the number does "
-           "not.</p>\n";
-}
-
-/// What decides the findings that are not plainly met; those of one explanation together.
-std::string explanations(const std::vector<study::Finding>& findings) {
-    std::vector<std::pair<std::string, std::string_view>> told; // ids, text
-    for (const study::Finding& finding : findings) {
-        const std::string_view text = study::background_of(finding.id);
-        if (study::standing_of(finding) == study::Standing::Met || text.empty()) {
-            continue;
-        }
-        const auto same = std::ranges::find(told, text, &std::pair<std::string, std::string_view>::second);
-        if (same == told.end()) {
-            told.emplace_back(finding.id, text);
-        } else {
-            same->first += ", " + finding.id;
-        }
-    }
-    std::string out;
-    for (const auto& [ids, text] : told) {
-        out += fmt::format("<p><b>{}.</b> {}</p>\n", ids, typeset(std::string(text)));
-    }
-    return out.empty() ? out
-                       : "<details><summary>What decides the findings that are not plainly met</summary>\n" + out +
-                             "</details>\n";
-}
-
-std::string headline_list(const std::vector<answer::Headline>& headlines) {
-    std::string out = "<dl class=\"headlines\">\n";
-    for (const answer::Headline& headline : headlines) {
-        out += fmt::format(
-            "<div><dt>{}</dt><dd class=\"value\">{}</dd><dd class=\"quiet\">{}</dd></div>\n", typeset(headline.label),
-            typeset(headline.value), typeset(headline.detail)
-        );
-    }
-    return out + "</dl>\n";
-}
-
-std::string warnings_box(const ReportData& report) {
-    if (report.warnings.empty() && report.case_warnings.empty()) {
-        return "";
-    }
-    std::string out = "<div class=\"warnings\" role=\"note\"><h3>Warnings</h3>\n";
-    if (!report.warnings.empty()) {
-        out += html_list(report.warnings, "plain");
-    }
-    if (!report.case_warnings.empty()) {
-        out += fmt::format(
-            "<p>The check of the case warned of {} before the run: <a href=\"#quality\">Quality</a>.</p>\n",
-            report.case_warnings.size() == 1 ? "1 thing" : fmt::format("{} things", report.case_warnings.size())
-        );
+std::string card(const Headline& headline, bool is_first) {
+    const std::string lead = headline.lead.empty() ? "" : small(headline.lead) + " ";
+    const std::string spread = headline.spread.empty() ? "" : " " + small(headline.spread);
+    const bool is_long = headline.value.size() + headline.spread.size() + headline.lead.size() > 16;
+    std::string out = fmt::format(
+        "<div class=\"item{}{}\"><dt class=\"l\">{}</dt><dd class=\"v\">{}{}{}</dd><dd class=\"u\">{}</dd>",
+        is_first ? " key" : "", is_long ? " long" : "", typeset(headline.label), lead, typeset(headline.value), spread,
+        typeset(headline.detail)
+    );
+    if (!headline.caution.empty()) {
+        out += "<dd class=\"w\">▲ " + typeset(headline.caution) + "</dd>";
     }
     return out + "</div>\n";
 }
 
+std::string cards(const std::vector<Headline>& headlines) {
+    if (headlines.empty()) {
+        return "";
+    }
+    std::string out = fmt::format("<dl class=\"cards of{}\">\n", headlines.size());
+    for (std::size_t k = 0; k < headlines.size(); ++k) {
+        out += card(headlines[k], k == 0);
+    }
+    return out + "</dl>\n";
+}
+
+/// The sample as it was and as it is, side by side.
+std::string grains_figure(const Scene& scene, Numbering& numbering) {
+    std::vector<std::size_t> shown = still_states(scene);
+    if (shown.size() == 2 &&
+        count_scene(scene, scene.states[shown[0]]).grains == count_scene(scene, scene.states[shown[1]]).grains) {
+        shown.erase(shown.begin()); // none has left: one picture says all
+    }
+    std::string pictures;
+    std::vector<std::string> labels;
+    for (const std::size_t k : shown) {
+        const SceneState& state = scene.states[k];
+        const std::string count = grouped(count_scene(scene, state).grains);
+        pictures += fmt::format(
+            "<div><img alt=\"{0} grains in their cell, {1}; fines in red, coarse grains in sand\" width=\"450\" "
+            "height=\"450\" src=\"data:image/png;base64,{2}\"><p>{1}: <b>{0} grains</b></p></div>\n",
+            count, escaped(state.label), base64(still_picture(scene, state))
+        );
+        labels.push_back(state.label);
+    }
+    return fmt::format(
+        "<figure class=\"figure grains\"><h3>{}</h3>\n<div class=\"pair\">{}</div>\n<figcaption><b>{}</b> "
+        "Fines in red, coarse grains in sand, to one scale. <span class=\"scr\">To turn it: <a href=\"#in-3d\">In "
+        "3D</a>.</span></figcaption></figure>\n",
+        typeset(labels.size() < 2 ? "The sample" : fmt::format("The sample, {}", fmt::join(labels, " and "))), pictures,
+        numbering.next_figure()
+    );
+}
+
+/// The deciding picture and the one beside it.
+std::string pictures_of(const ReportData& report, Numbering& numbering) {
+    std::vector<std::string> cells;
+    if (shows_grains(report)) {
+        cells.push_back(grains_figure(report.scene, numbering));
+    }
+    for (const figures::Figure* figure : opening_figures(report)) {
+        cells.push_back(figure_block(*figure, report, numbering));
+    }
+    if (cells.empty()) {
+        return "";
+    }
+    std::string out = "<div class=\"g\">\n";
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const char* const width = cells.size() == 1 ? "c12" : cells.size() == 3 ? "c4" : k == 0 ? "c8" : "c4";
+        out += fmt::format("<div class=\"{}\">\n{}</div>\n", width, cells[k]);
+    }
+    return out + "</div>\n";
+}
+
+std::string fold(const std::string& title, const std::string& about, const std::string& content) {
+    return fmt::format(
+        "<details class=\"fold\"><summary>{} <span>{}</span></summary>\n<div>{}</div></details>\n", title, about,
+        content
+    );
+}
+
+std::string in_full(const std::vector<std::string>& sentences) {
+    std::string text;
+    for (const std::string& line : sentences) {
+        text += "<p>" + typeset(line) + "</p>\n";
+    }
+    return fold("In full", fmt::format("What was asked and found, in {} sentences", sentences.size()), text);
+}
+
+std::string assumed_fold(const ReportData& report, Numbering& numbering) {
+    std::vector<std::vector<std::string>> rows;
+    for (const AssumedValue& value : report.assumed) {
+        rows.push_back({value.key, value.value, value.note});
+    }
+    const std::string many =
+        fmt::format("{} {}", report.assumed.size(), report.assumed.size() == 1 ? "value" : "values");
+    const std::string whose =
+        report.paper.empty() ? "that the case marks as assumed" : "that the paper does not give: our choice";
+    return fold(
+        "What was assumed", many + " " + whose,
+        html_table(
+            {"key", "value", "remark"}, rows, {}, "assumed",
+            fmt::format("<b>{} Values {}.</b>", numbering.next_table(), whose)
+        )
+    );
+}
+
+std::string warnings_fold(const ReportData& report) {
+    std::string content = report.warnings.empty() ? "" : html_list(report.warnings, "plain");
+    if (!report.case_warnings.empty()) {
+        content += fmt::format(
+            "<p>The check of the case warned of {} before the run: <a href=\"#quality\">Quality</a>.</p>\n",
+            report.case_warnings.size() == 1 ? "1 thing" : fmt::format("{} things", report.case_warnings.size())
+        );
+    }
+    const std::size_t all = report.warnings.size() + (report.case_warnings.empty() ? 0 : 1);
+    return content.empty() ? "" : fold(fmt::format("▲ Warnings: {}", all), "of stages, and of the case", content);
+}
+
+std::string note(const char* title, const std::string& text) {
+    return fmt::format("<p class=\"note\" role=\"note\">▲ <b>{}</b> {}</p>\n", title, typeset(text));
+}
+
 } // namespace
 
-std::string answer_content(const ReportData& report) {
-    std::string out = "<div class=\"opening\">\n<div>\n";
-    for (const std::string& line : report.answer) {
-        out += "<p class=\"answer\">" + typeset(line) + "</p>\n";
-    }
-    if (report.answer.empty()) {
-        out += "<p class=\"answer\">In what was run there is no erosion, removal or test to sum up; its numbers are in "
-               "the "
-               "sections below.</p>\n";
-    }
-    out += "</div>\n" + (report.headlines.empty() ? "" : headline_list(report.headlines)) + "</div>\n";
-    out += warnings_box(report);
-    if (!report.findings.empty()) {
-        out += fmt::format("<h3>The paper's findings: {}</h3>\n", study::count_standings(report.findings));
-        out += findings_table(report.findings) + explanations(report.findings);
-    }
-    if (!report.assumed.empty()) {
-        std::vector<std::vector<std::string>> rows;
-        for (const AssumedValue& value : report.assumed) {
-            rows.push_back({value.key, value.value, value.note});
+bool shows_grains(const ReportData& report) {
+    return report.opening.shows_grains && !report.scene.states.empty();
+}
+
+std::vector<const figures::Figure*> opening_figures(const ReportData& report) {
+    const std::size_t most = shows_grains(report) ? 1 : 2;
+    std::vector<const figures::Figure*> shown;
+    for (const std::string& id : report.opening.pictures) {
+        const auto found = std::ranges::find(report.figures, id, &figures::Figure::id);
+        if (found != report.figures.end() && shown.size() < most) {
+            shown.push_back(&*found);
         }
-        out += fmt::format(
-            "<details><summary>{} {}</summary>\n",
-            report.assumed.size() == 1 ? "1 value" : fmt::format("{} values", report.assumed.size()),
-            report.paper.empty() ? "that the case marks as assumed" : "that the paper does not give: our choice"
-        );
-        out += html_table({"key", "value", "remark"}, rows, {}, "assumed") + "</details>\n";
     }
-    return out;
+    return shown;
+}
+
+std::string answer_content(const ReportData& report, Numbering& numbering) {
+    std::string out = verdict_lines(report.opening.verdict);
+    if (!report.opening.confidence.empty()) {
+        out += fmt::format(
+            "<p class=\"conf\"><b>{}</b> <span>{}</span></p>\n", typeset(report.opening.confidence),
+            typeset(report.opening.about_confidence)
+        );
+    }
+    for (const std::string& flaw : report.flaws) {
+        out += note("Flaw.", flaw);
+    }
+    out += cards(report.opening.cards) + pictures_of(report, numbering);
+    for (const std::string& text : report.opening.disagreement) {
+        out += note("Two answers disagree.", text);
+    }
+    out += report.answer.empty() ? "" : in_full(report.answer);
+    out += report.assumed.empty() ? "" : assumed_fold(report, numbering);
+    return out + warnings_fold(report);
 }
 
 std::string unfinished_banner(const Unfinished& unfinished) {

@@ -5,9 +5,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
 namespace suffuse::report {
+
+namespace {
+
+/// "5.6 × 10⁻¹¹" for "5.6·10⁻¹¹" and for the "5.6e-11" of a text that a program wrote.
+std::string with_powers(std::string text) {
+    static const std::regex written(R"((^|[^\w.])(\d+(?:\.\d+)?)e([-+])0*(\d{1,3})\b)");
+    const bool may_have = text.find("e-") != std::string::npos || text.find("e+") != std::string::npos;
+    for (std::smatch found; may_have && std::regex_search(text, found, written);) {
+        const int exponent = std::stoi(found.str(4)) * (found.str(3) == "-" ? -1 : 1);
+        text = found.prefix().str() + found.str(1) + found.str(2) + "·" + power_of_ten(exponent) + found.suffix().str();
+    }
+    const std::string dot = "·10", times = "\u00a0×\u00a010";
+    for (std::size_t at = text.find(dot); at != std::string::npos; at = text.find(dot, at + times.size())) {
+        text.replace(at, dot.size(), times);
+    }
+    return text;
+}
+
+} // namespace
 
 std::string with_indices(std::string html) {
     static const std::regex indexed(R"(\b(e|FC)_(min|g|eq|active|threshold)\b)");
@@ -16,16 +36,21 @@ std::string with_indices(std::string html) {
 
 std::string html_table(
     const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
-    const std::vector<bool>& numeric, std::string_view css_class
+    const std::vector<bool>& numeric, std::string_view css_class, std::string_view caption
 ) {
     constexpr std::size_t long_text = 40; // on a narrow screen, of a word a line, it would make its row tall
+    constexpr std::size_t rows_of_a_page = 25, columns_of_a_page = 8;
     const auto cell = [&numeric](const char* tag, std::size_t column, const std::string& text) {
         const bool right = column < numeric.size() && numeric[column];
         const char* const kind = right ? " class=\"number\"" : text.size() > long_text ? " class=\"long\"" : "";
-        return fmt::format("<{0}{1}>{2}</{0}>", tag, kind, with_indices(escaped(text)));
+        return fmt::format("<{0}{1}>{2}</{0}>", tag, kind, with_powers(with_indices(escaped(text))));
     };
     // Wide tables scroll inside their own frame, which the keyboard must be able to reach.
-    std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"" + escaped(css_class) + "\"><thead><tr>";
+    std::string out = fmt::format(
+        "<div class=\"scroll{}{}\" tabindex=\"0\"><table class=\"{}\">{}<thead><tr>",
+        rows.size() > rows_of_a_page ? " long" : "", header.size() > columns_of_a_page ? " broad" : "",
+        escaped(std::string(css_class)), caption.empty() ? "" : fmt::format("<caption>{}</caption>", caption)
+    );
     for (std::size_t column = 0; column < header.size(); ++column) {
         out += cell("th", column, header[column]);
     }
@@ -40,6 +65,17 @@ std::string html_table(
     return out + "</tbody></table></div>\n";
 }
 
+std::string in_figures(double value, int digits) {
+    constexpr double longest = 1e9;
+    if (!std::isfinite(value)) {
+        return "";
+    }
+    if (value == std::round(value) && std::abs(value) < longest) { // counts and steps, to the last
+        return fmt::format("{}{:.0f}", value < 0 ? "−" : "", std::abs(value));
+    }
+    return with_powers(short_number(value, digits));
+}
+
 std::string html_table(const figures::Table& table, std::size_t most_rows) {
     constexpr int digits = 6;
     std::vector<std::string> header;
@@ -52,7 +88,8 @@ std::string html_table(const figures::Table& table, std::size_t most_rows) {
     for (std::size_t row = 0; row < std::min(table.rows(), most_rows); ++row) {
         std::vector<std::string> cells;
         for (std::size_t column = 0; column < header.size(); ++column) {
-            cells.push_back(table.cell(row, column, digits));
+            const auto* numbers = std::get_if<std::vector<double>>(&table.columns()[column].values);
+            cells.push_back(numbers == nullptr ? table.cell(row, column) : in_figures((*numbers)[row], digits));
         }
         rows.push_back(std::move(cells));
     }
@@ -61,7 +98,8 @@ std::string html_table(const figures::Table& table, std::size_t most_rows) {
 
 std::string typeset(const std::string& text) {
     static const std::regex quoted("`([^`]+)`");
-    return std::regex_replace(with_indices(escaped(kept_together(text))), quoted, "<code>$1</code>");
+    const std::string set = with_powers(with_indices(escaped(kept_together(text))));
+    return std::regex_replace(set, quoted, "<code>$1</code>");
 }
 
 std::string html_list(const std::vector<std::string>& lines, std::string_view css_class) {

@@ -21,10 +21,14 @@ std::string typeset(const std::string& text);
 /// An unordered list of such texts.
 std::string html_list(const std::vector<std::string>& lines, std::string_view css_class);
 
-/// A table whose first row is the header; `numeric[c]` says which columns are set flush right.
+/// A number as people write it: "5.6 × 10⁻¹¹" for what C++ writes as 5.6e-11, a true minus, and no -0.
+std::string in_figures(double value, int digits);
+
+/// A table whose first row is the header; `numeric[c]` says which columns are set flush right. Long ones may break
+/// over pages of paper. @param caption HTML
 std::string html_table(
     const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
-    const std::vector<bool>& numeric, std::string_view css_class
+    const std::vector<bool>& numeric, std::string_view css_class, std::string_view caption = {}
 );
 
 /// The numbers of a figure, at most `most_rows` of them, to six digits.

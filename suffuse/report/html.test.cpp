@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace suffuse::report {
 namespace {
 
@@ -19,6 +21,26 @@ TEST(Html, IndicesOfOurSymbolsAreSetLowAndNamesOfTheUserStay) {
     EXPECT_EQ(with_indices(names), names);
     EXPECT_EQ(html_table({"e_eq"}, {{"<b>e_min"}}, {}, "c").find("<b>"), std::string::npos);
     EXPECT_NE(html_table({"e_eq"}, {{"<b>e_min"}}, {}, "c").find("&lt;b&gt;e<sub>min</sub>"), std::string::npos);
+}
+
+TEST(Html, NumbersAreWrittenAsPeopleDo) {
+    EXPECT_EQ(in_figures(1.11022e-14, 6), "1.11022\u00a0×\u00a010⁻¹⁴");
+    EXPECT_EQ(in_figures(-0.25, 6), "−0.25");
+    EXPECT_EQ(in_figures(-0.0, 6), "0");
+    EXPECT_EQ(in_figures(123456, 3), "123456") << "a count, to the last";
+    EXPECT_EQ(in_figures(std::nan(""), 6), "");
+    EXPECT_EQ(typeset("error 1.5e-16 of 2·10⁵"), "error 1.5\u00a0×\u00a010⁻¹⁶ of 2\u00a0×\u00a010⁵");
+    EXPECT_EQ(typeset("commit 471e85, run-2e5"), "commit 471e85, run-2e5") << "names stay as they are";
+}
+
+TEST(Html, ATableOfManyColumnsOrRowsIsMarkedForPaper) {
+    const std::vector<std::string> many(9, "x");
+    EXPECT_NE(html_table(many, {many}, {}, "t").find("class=\"scroll broad\""), std::string::npos);
+    EXPECT_NE(
+        html_table({"a"}, std::vector<std::vector<std::string>>(26, {"1"}), {}, "t").find("scroll long"),
+        std::string::npos
+    );
+    EXPECT_NE(html_table({"a"}, {{"1"}}, {}, "t", "<b>T</b>").find("<caption><b>T</b></caption>"), std::string::npos);
 }
 
 TEST(Html, ALongTextOfATableIsGivenRoom) {

@@ -4,8 +4,13 @@
 #include "suffuse/base/words.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/report/answer_section.hpp"
+#include "suffuse/report/figure_block.hpp"
+#include "suffuse/report/findings_section.hpp"
 #include "suffuse/report/html.hpp"
+#include "suffuse/report/numbering.hpp"
 #include "suffuse/report/packed.hpp"
+#include "suffuse/report/provenance_section.hpp"
+#include "suffuse/report/references.hpp"
 #include "suffuse/report/scene_section.hpp"
 #include "suffuse/report/still.hpp"
 #include "suffuse/report/style.hpp"
@@ -24,10 +29,9 @@ namespace suffuse::report {
 namespace {
 
 using nlohmann::json;
-using Remarks = std::vector<std::pair<std::string, std::string>>;
 
-constexpr std::size_t most_rows_shown = 60; ///< of a figure's numbers; its CSV has them all
-const std::array<const char*, 5> figure_sections = {"Soils", "Fines and structure", "Tests", "Water", "Erosion"};
+const std::array<const char*, 6> figure_sections = {"Samples", "Soils", "Fines and structure",
+                                                    "Tests",   "Water", "Erosion"};
 
 /// What page/build.sh leaves: the script, its hash for the content policy, the notices of what is bundled in it.
 struct PageScript {
@@ -78,122 +82,47 @@ std::string anchor(const std::string& name) {
     return id;
 }
 
-std::string section(const std::string& name, const std::string& content) {
-    return fmt::format(
-        "<section id=\"{0}\" aria-labelledby=\"{0}-heading\">\n<h2 id=\"{0}-heading\">{1}</h2>\n{2}</section>\n",
-        anchor(name), escaped(name), content
-    );
-}
-
-Remarks csv_remarks(const figures::Figure& figure, const ReportData& report) {
-    Remarks remarks = {{"figure", figure.id}, {"title", figure.title}, {"case", report.title}, {"run", report.run}};
-    remarks.insert(remarks.end(), report.provenance.begin(), report.provenance.end());
-    return remarks;
-}
-
-/// The drawing as a file of its own, which says where it comes from as the CSV of its numbers does.
-std::string with_metadata(const figures::Figure& figure, const ReportData& report) {
-    std::string lines;
-    for (const auto& [key, value] : csv_remarks(figure, report)) {
-        lines += escaped(key + ": " + value) + "\n";
-    }
-    std::string drawing = figure.drawing;
-    return drawing.insert(drawing.find('>') + 1, "<metadata>\n" + lines + "</metadata>");
-}
-
-/// The drawing with the page's title and caption as its own.
-std::string described_by_page(std::string drawing, const std::string& id) {
-    const std::string opening = "<svg";
-    if (const std::size_t at = drawing.find(opening); at != std::string::npos) {
-        drawing.insert(
-            at + opening.size(), fmt::format(" aria-labelledby=\"{0}-title\" aria-describedby=\"{0}-caption\"", id)
+/// The sections of the page, and what leads to them.
+class Sections {
+public:
+    void add(const std::string& name, const std::string& content) {
+        html_ += fmt::format(
+            "<section id=\"{0}\" aria-labelledby=\"{0}-heading\">\n<h2 id=\"{0}-heading\">{1}</h2>\n{2}</section>\n",
+            anchor(name), escaped(name), content
         );
+        names_.emplace_back(anchor(name), name);
     }
-    return drawing;
-}
 
-std::string figure_block(const figures::Figure& figure, const ReportData& report) {
-    const std::string id = escaped(figure.id);
-    std::string out = fmt::format(
-        "<figure id=\"{0}\" class=\"figure{2}\" data-figure=\"{0}\">\n<h3 id=\"{0}-title\">{1}</h3>\n", id,
-        escaped(figure.title),
-        figure.chart.contains("facet") ? " wide"
-        : figure.drawing.empty()       ? ""
-                                       : " wide drawn"
-    );
-    if (!figure.flat.empty()) {
-        out += "<p class=\"flat\">" + typeset(figure.flat) + "</p>\n";
-    } else if (figure.drawing.empty()) {
-        out += fmt::format("<div class=\"chart\" data-chart=\"{}\"></div>\n", id);
-    } else {
-        out += "<div class=\"drawing\">" + described_by_page(figure.drawing, id) + "</div>\n";
-    }
-    const std::optional<int> of_paper = figures::figure_of_paper(figure.id);
-    const std::string number =
-        of_paper && !report.paper.empty() ? fmt::format("Like Figure {} of the paper. ", *of_paper) : "";
-    out += fmt::format(
-        "<div class=\"about\">\n<figcaption id=\"{}-caption\"><b>{}</b>{}</figcaption>\n", id, number,
-        typeset(figure.caption)
-    );
-    out += fmt::format(
-        "<div class=\"tools\"><span class=\"buttons\" data-buttons=\"{0}\"></span><a "
-        "href=\"figures/{0}.csv\">{0}.csv</a></div>\n",
-        id
-    );
-    const std::size_t rows = figure.table.rows();
-    out += fmt::format(
-        "<details class=\"numbers-of\"><summary>Numbers ({}{})</summary>\n",
-        rows > most_rows_shown ? "the first " + std::to_string(most_rows_shown) + " of " : "",
-        rows == 1 ? "1 row" : grouped(static_cast<long long>(rows)) + " rows"
-    );
-    out += html_table(figure.table, most_rows_shown);
-    if (!report.redraw.empty()) {
-        out += "<p class=\"quiet\">Redraw: <code>" + escaped(report.redraw) + "</code></p>\n";
-    }
-    return out + "</details>\n</div>\n</figure>\n";
-}
-
-std::string section_tables(const ReportData& report, const std::string& name) {
-    std::string out;
-    for (const figures::PageTable& table : report.tables) {
-        if (table.section == name) {
-            out += "<h3>" + escaped(table.title) + "</h3>\n";
-            out += table.note.empty() ? "" : "<p>" + typeset(table.note) + "</p>\n";
-            out += html_table(table.header, table.rows, table.numeric, "page-table");
+    /// The works that the sections name, resolved to a section of their own.
+    void add_references() {
+        CitedWorks cited = resolve_citations(std::move(html_), read_works(bibliography()));
+        html_ = std::move(cited.html);
+        if (!cited.works.empty()) {
+            add("References", references_content(cited.works));
         }
     }
-    return out;
-}
 
-/// Keys of provenance.json that say little to a reader, in words.
-std::string in_words(const std::string& key) {
-    if (key == "case_hash") {
-        return "hash of the case";
-    }
-    return key == "wall_seconds" ? "wall time of all calls" : key;
-}
+    [[nodiscard]] const std::string& html() const { return html_; }
 
-std::string provenance_section(const ReportData& report, const std::optional<PageScript>& script) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& [key, value] : report.provenance) {
-        const bool is_time = key == "wall_seconds";
-        rows.push_back({in_words(key), is_time ? short_number(std::atof(value.c_str()), 4) + " s" : value});
+    [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& names() const { return names_; }
+
+private:
+    std::string html_;
+    std::vector<std::pair<std::string, std::string>> names_; ///< anchor, name
+};
+
+/// Tables and figures of one of the sections that a case may fill; empty where it has none.
+std::string content_of(const std::string& name, const ReportData& report, Numbering& numbering) {
+    const std::vector<const figures::Figure*> shown = opening_figures(report);
+    std::string tables, figures;
+    for (const figures::PageTable& table : report.tables) {
+        tables += table.section == name ? table_block(table, numbering) : "";
     }
-    std::sort(rows.begin(), rows.end());
-    std::string out = html_table({"what", "value"}, rows, {}, "provenance");
-    out +=
-        "<h3>How to cite</h3>\n<p>" +
-        typeset(fmt::format(
-            "The program: suffuse {}, commit {}; CITATION.cff in its source holds the entry.{}{}", report.cited.version,
-            report.cited.commit, report.cited.names_run ? " Seed and hash of the case identify the run." : "",
-            report.paper.empty() ? "" : " The work that it follows: " + report.paper + "."
-        )) +
-        "</p>\n";
-    if (script && !script->notices.empty()) {
-        out += "<details><summary>Notices of the software in this page</summary><pre>" + escaped(script->notices) +
-               "</pre></details>\n";
+    for (const figures::Figure& figure : report.figures) {
+        const bool is_shown = std::ranges::count(shown, &figure) > 0;
+        figures += figure.section == name && !is_shown ? figure_block(figure, report, numbering) : "";
     }
-    return section("Provenance", out);
+    return tables + (figures.empty() ? "" : "<div class=\"figures\">\n" + figures + "</div>\n");
 }
 
 /// Specification and numbers of each chart, for the page's script.
@@ -226,7 +155,8 @@ std::string head(const ReportData& report, const std::optional<PageScript>& scri
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<meta name=\"color-scheme\" content=\"light dark\">\n"
            "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-           escaped(report.title) + "</title>\n<style>" + std::string(page_style()) + "</style>\n</head>\n";
+           escaped(report.title) + "</title>\n<style>" + std::string(page_style()) + print_margins(report) +
+           "</style>\n</head>\n";
 }
 
 const char* const plain_sentence = "<p class=\"missing\" role=\"note\">This report is plain: all numbers and verdicts "
@@ -242,41 +172,55 @@ const char* const no_script_sentence =
     "<p class=\"missing late\" id=\"no-script\" role=\"note\">The charts need JavaScript, which did not run here. All "
     "numbers are in the tables: open “Numbers” below each figure.</p>\n";
 
-std::string render(const ReportData& report, const std::optional<PageScript>& script) {
-    std::string sections = section("Answer", answer_content(report)), links = "<a href=\"#answer\">Answer</a>\n";
+Sections sections_of(const ReportData& report, const std::optional<PageScript>& script) {
+    Numbering numbering;
+    Sections sections;
+    sections.add("Answer", answer_content(report, numbering));
     for (const char* name : figure_sections) {
-        const std::string tables = section_tables(report, name);
-        std::string figures;
-        for (const figures::Figure& figure : report.figures) {
-            if (figure.section == name) {
-                figures += figure_block(figure, report);
-            }
+        if (const std::string content = content_of(name, report, numbering); !content.empty()) {
+            sections.add(name, content);
         }
-        if (figures.empty() && tables.empty()) {
-            continue;
-        }
-        sections += section(name, tables + "<div class=\"figures\">\n" + figures + "</div>\n");
-        links += fmt::format("<a href=\"#{}\">{}</a>\n", anchor(name), name);
     }
     if (!report.scene.states.empty()) {
-        sections += section("In 3D", scene_section(report.scene, script.has_value()));
-        links += "<a href=\"#in-3d\">In 3D</a>\n";
+        sections.add("In 3D", scene_section(report.scene, script.has_value(), shows_grains(report), numbering));
+    }
+    if (!report.findings.empty()) {
+        sections.add("Findings", findings_content(report.findings, numbering));
     }
     if (!report.stages.empty() || !report.case_warnings.empty()) {
         const std::string of_case = report.case_warnings.empty() ? ""
                                                                  : "<h3>What the check of the case warns of</h3>\n" +
                                                                        html_list(report.case_warnings, "plain");
-        sections += section("Quality", of_case + (report.stages.empty() ? "" : quality_section(report.stages)));
-        links += "<a href=\"#quality\">Quality</a>\n";
+        sections.add("Quality", of_case + (report.stages.empty() ? "" : quality_section(report.stages, numbering)));
     }
-    sections += provenance_section(report, script);
-    links += "<a href=\"#provenance\">Provenance</a>\n";
+    sections.add("Provenance", provenance_content(report, script ? script->notices : "", numbering));
+    sections.add_references();
+    return sections;
+}
+
+/// Whether some chart is not there before the script has drawn it.
+bool needs_script(const ReportData& report) {
+    return std::ranges::any_of(report.figures, [](const figures::Figure& figure) {
+        return figure.drawing.empty() && figure.flat.empty() && figure.still.empty();
+    });
+}
+
+std::string render(const ReportData& report, const std::optional<PageScript>& script) {
+    const Sections sections = sections_of(report, script);
+    std::string links;
+    for (const auto& [anchor, name] : sections.names()) {
+        links += fmt::format("<a href=\"#{}\">{}</a>\n", anchor, name);
+    }
     std::string page = head(report, script);
-    page +=
-        "<body>\n<a class=\"skip\" href=\"#answer\">Skip to the answer</a>\n<header>\n<p class=\"quiet\">suffuse · " +
-        escaped(report.run) + "</p>\n<h1>" + escaped(report.title) + "</h1>\n<nav aria-label=\"Sections\">\n" + links +
-        "</nav>\n</header>\n<main>\n" + unfinished_banner(report.unfinished) +
-        (script ? no_script_sentence : plain_sentence) + sections + "</main>\n";
+    page += "<body>\n<a class=\"skip\" href=\"#answer\">Skip to the answer</a>\n" +
+            print_cover(report, sections.names()) + "<header class=\"top\">\n<p class=\"kick\">suffuse · " +
+            escaped(run_and_day(report)) + "</p>\n<h1>" + escaped(report.title) +
+            "</h1>\n<nav aria-label=\"Sections\">\n" + links + "</nav>\n</header>\n<main>\n" +
+            unfinished_banner(report.unfinished) +
+            (!script                ? plain_sentence
+             : needs_script(report) ? no_script_sentence
+                                    : "") +
+            sections.html() + "</main>\n";
     if (script) {
         page += data_element("report-data", charts_json(report));
         if (!report.scene.states.empty()) {
@@ -302,9 +246,7 @@ void check_figures(const ReportData& report) {
 
 } // namespace
 
-WrittenReport write_report(
-    const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder
-) {
+std::vector<std::string> write_figures(const std::filesystem::path& run_folder, const ReportData& report) {
     check_figures(report);
     const std::filesystem::path figures = run_folder / "figures";
     std::error_code failure;
@@ -312,10 +254,10 @@ WrittenReport write_report(
     if (failure) {
         throw IoError("cannot make the folder " + figures.string() + ": " + failure.message());
     }
-    WrittenReport written;
+    std::vector<std::string> written;
     const auto write = [&](const std::string& name, std::string_view bytes) {
         io::write_file(figures / name, bytes);
-        written.figures.push_back(name);
+        written.push_back(name);
     };
     for (const figures::Figure& figure : report.figures) {
         write(figure.id + ".csv", figures::to_csv(figure.table, csv_remarks(figure, report)));
@@ -329,10 +271,26 @@ WrittenReport write_report(
     for (const std::size_t k : still_states(report.scene)) {
         write(fmt::format("own-grains-{}.png", k), still_picture(report.scene, report.scene.states[k]));
     }
+    return written;
+}
+
+WrittenReport write_page(
+    const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder
+) {
     const std::optional<PageScript> script = read_page_script(page_folder);
+    WrittenReport written;
     written.file = run_folder / "report.html";
     written.has_charts = script.has_value();
     io::write_file(written.file, render(report, script));
+    return written;
+}
+
+WrittenReport write_report(
+    const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder
+) {
+    std::vector<std::string> figures = write_figures(run_folder, report);
+    WrittenReport written = write_page(run_folder, report, page_folder);
+    written.figures = std::move(figures);
     return written;
 }
 

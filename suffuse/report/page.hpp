@@ -3,7 +3,7 @@
 // (built from the report/ folder by npm) its figures are charts; without it the report is plain and says what is
 // missing. Beside it, `figures/` holds each figure's numbers as CSV and its chart as a Vega-Lite specification.
 
-#include "suffuse/answer/headlines.hpp"
+#include "suffuse/answer/opening.hpp"
 #include "suffuse/figures/figure.hpp"
 #include "suffuse/figures/page_table.hpp"
 #include "suffuse/report/quality.hpp"
@@ -34,14 +34,22 @@ struct CitedProgram {
     bool names_run = false; ///< seed and hash of a case stand in the provenance
 };
 
+/// One call of the program that computed something for the run, or wrote its report.
+struct Call {
+    std::string command, finished, program; ///< program: version and commit
+    double seconds = 0;
+};
+
 struct ReportData {
-    std::string title; ///< of the case
-    std::string run;   ///< name of the run folder
-    std::string paper; ///< that the case follows; empty: none, and the page speaks of none
+    std::string title;           ///< of the case
+    std::string project, author; ///< as the case gives them; may be empty
+    std::string run;             ///< name of the run folder
+    std::string paper;           ///< that the case follows; empty: none, and the page speaks of none
     Unfinished unfinished;
-    std::vector<std::string> answer;         ///< about five sentences with numbers
-    std::vector<answer::Headline> headlines; ///< about four
+    answer::Opening opening;         ///< the answer in one look
+    std::vector<std::string> answer; ///< in sentences with all numbers, folded
     std::vector<study::Finding> findings;
+    std::vector<std::string> flaws; ///< what makes a result worth less: told in the open
     std::vector<std::string> warnings;
     std::vector<std::string> case_warnings; ///< of the check of the case, before anything ran
     std::vector<AssumedValue> assumed;
@@ -51,6 +59,7 @@ struct ReportData {
     Scene scene;                          ///< without states: no section "In 3D"
     std::vector<StageRow> stages;
     std::vector<std::pair<std::string, std::string>> provenance; ///< version, commit, seed, threads, hashes, times
+    std::vector<Call> calls;                                     ///< oldest first
     CitedProgram cited;
     std::string redraw; ///< the command that builds this report again
 };
@@ -61,9 +70,17 @@ struct WrittenReport {
     std::vector<std::string> figures; ///< names of the files in figures/
 };
 
-/// Writes `run_folder/report.html`, `figures/ID.csv` and `figures/ID.vl.json` (or `ID.svg`), and the scene's still
-/// pictures, `figures/own-grains-K.png`. `page_folder` is where page/build.sh left the page's script; empty or
-/// without it, the report is plain. Throws IoError, naming the file.
+/// Writes `figures/ID.csv` and `figures/ID.vl.json` (or `ID.svg`), and the scene's still pictures,
+/// `figures/own-grains-K.png`. @return their names. Throws IoError, naming the file.
+std::vector<std::string> write_figures(const std::filesystem::path& run_folder, const ReportData& report);
+
+/// Writes `run_folder/report.html`. `page_folder` is where page/build.sh left the page's script; empty or without it,
+/// the report is plain. Throws IoError, naming the file.
+WrittenReport write_page(
+    const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder = {}
+);
+
+/// Both.
 WrittenReport write_report(
     const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder = {}
 );

@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/report/live_page.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/sample_report.hpp"
@@ -101,12 +102,79 @@ TEST_F(Page, OfARunThatIsNotCompleteSaysSoBeforeAnythingElse) {
     EXPECT_NE(text.find("<code>suffuse resume runs/a-0001</code>"), std::string::npos);
 }
 
-TEST_F(Page, OfARunWithNothingToSumUpSaysWhereItsNumbersAre) {
+TEST_F(Page, OpensWithVerdictConfidenceCardsAndPictureBeforeAnythingThatIsFolded) {
+    const std::string text =
+        read_all(write_report(folder.path(), test::sample_report("Sand"), folder / "nowhere").file);
+    const std::string page = text.substr(text.find("<main>"));
+    std::size_t last = 0;
+    for (const char* part :
+         {"<p class=\"verdict\"><span>Water at", "<p class=\"conf\"><b>One sample</b>", "<dl class=\"cards of4\">",
+          "<div class=\"item key\">", "<small>up to</small>", "▲ Known to be too high.", "data-figure=\"own-triaxial\"",
+          "Two answers disagree.", "<summary>In full", "▲ Warnings: 1"}) {
+        const std::size_t at = page.find(part);
+        ASSERT_NE(at, std::string::npos) << part;
+        EXPECT_GT(at, last) << part;
+        last = at;
+    }
+    EXPECT_EQ(
+        page.find("data-figure=\"own-triaxial\"", page.find("data-figure=\"own-triaxial\"") + 1), std::string::npos
+    ) << "a figure stands in the page once";
+}
+
+TEST_F(Page, NumbersItsFiguresAndTablesItselfAndNamesThePapersInBrackets) {
+    const std::string page =
+        read_all(write_report(folder.path(), test::sample_report("Sand"), folder / "nowhere").file);
+    std::size_t at = 0;
+    for (int number = 1; number <= 23; ++number) {
+        const std::size_t next = page.find("<figcaption", at);
+        ASSERT_NE(next, std::string::npos) << number;
+        at = page.find("<b>Figure ", next);
+        EXPECT_EQ(
+            page.compare(at, fmt::format("<b>Figure {}.</b>", number).size(), fmt::format("<b>Figure {}.</b>", number)),
+            0
+        );
+    }
+    EXPECT_NE(page.find("(Paper: Figure 9.)"), std::string::npos);
+    EXPECT_NE(page.find("<caption><b>Table 1."), std::string::npos);
+}
+
+TEST_F(Page, InPrintHasATitlePageWithContentsAndNumbersInItsMargins) {
+    ReportData report = test::sample_report("A \"sand\" \\ of </style> Example");
+    report.project = "Dyke <1>", report.author = "A. Engineer";
+    const std::string page = read_all(write_report(folder.path(), report, folder / "nowhere").file);
+    EXPECT_NE(
+        page.find("<dt>Project</dt><dd>Dyke &lt;1&gt;</dd><dt>Author</dt><dd>A. Engineer</dd>"), std::string::npos
+    );
+    EXPECT_NE(page.find("<li><a href=\"#provenance\">Provenance</a></li>"), std::string::npos);
+    EXPECT_NE(page.find("counter(pages)"), std::string::npos);
+    // The title cannot leave its quotation marks, nor the style element.
+    EXPECT_NE(page.find("content: \"A \\22 sand\\22  \\5c  of \\3c /style> Example\""), std::string::npos);
+    EXPECT_EQ(page.find("</style>"), page.rfind("</style>"));
+}
+
+TEST_F(Page, ShowsChartsThatWereDrawnForItWithoutAnyScript) {
+    write_script("1");
     ReportData report = test::sample_report("Sand");
-    const auto page = [&] { return read_all(write_report(folder.path(), report, folder / "nowhere").file); };
-    EXPECT_EQ(page().find("its numbers are in the sections below"), std::string::npos);
-    report.answer.clear();
-    EXPECT_NE(page().find("its numbers are in the sections below"), std::string::npos);
+    const auto page = [&] { return read_all(write_report(folder.path(), report, folder / "page").file); };
+    EXPECT_NE(page().find("The charts need JavaScript"), std::string::npos);
+    for (figures::Figure& figure : report.figures) {
+        figure.still = "<svg class=\"marks\"><path/></svg>";
+    }
+    const std::string text = page();
+    EXPECT_EQ(text.find("The charts need JavaScript"), std::string::npos);
+    EXPECT_NE(
+        text.find("data-chart=\"fig11\"><svg aria-labelledby=\"fig11-title\" aria-describedby=\"fig11-caption\" "
+                  "class=\"marks\">"),
+        std::string::npos
+    );
+}
+
+TEST_F(Page, ListsTheCallsThatMadeTheRun) {
+    ReportData report = test::sample_report("Sand");
+    report.calls.push_back({"suffuse resume runs/a-0001", "2026-01-02T12:00:00Z", "0.1.0 0000000", 3725});
+    const std::string page = read_all(write_report(folder.path(), report, folder / "nowhere").file);
+    EXPECT_LT(page.find("<td>suffuse run case.toml</td>"), page.find("<td>suffuse resume runs/a-0001</td>"));
+    EXPECT_NE(page.find("<td class=\"number\">1 h 2 min</td>"), std::string::npos);
 }
 
 TEST_F(Page, WarningsOfTheCheckOfTheCaseStandUnderQuality) {
@@ -124,7 +192,7 @@ TEST_F(Page, OfACaseThatFollowsNoPaperSpeaksOfNone) {
     );
     report.paper.clear();
     report.findings.clear();
-    report.headlines = answer::erosion_headlines({});
+    report.opening.cards.clear();
     const std::string text = read_all(write_report(folder.path(), report, folder / "nowhere").file);
     EXPECT_EQ(text.find("the paper"), std::string::npos) << text.substr(text.find("the paper") - 100, 200);
     EXPECT_EQ(text.find("The paper"), std::string::npos);
@@ -149,7 +217,10 @@ TEST_F(Page, HostileTextStaysText) {
     report.run = report.warnings[0] = report.answer[0] = report.findings[0].ours = report.stages[0].name = hostile;
     report.provenance.emplace_back(hostile, hostile);
     report.figures[0].caption = report.figures[0].title = hostile;
-    report.headlines[0] = {hostile, hostile, hostile};
+    report.opening.cards[0] = {hostile, hostile, hostile, hostile, hostile, hostile};
+    report.opening.verdict[0] = report.opening.confidence = report.opening.about_confidence = hostile;
+    report.calls[0] = {hostile, hostile, hostile, 1};
+    report.project = report.author = report.flaws.emplace_back(hostile);
     report.assumed[0] = {hostile, hostile, hostile};
     report.redraw = report.scene.remark = report.scene.states[0].label = hostile;
     const std::string page = read_all(write_report(folder.path(), report, folder / "page").file);

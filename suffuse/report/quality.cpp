@@ -20,11 +20,13 @@ std::string number(double value, const char* format) {
 
 /// The value, and the limit where it is beyond it.
 std::string against_limit(const Measured& measured) {
-    const std::string value = short_number(measured.value, 2);
+    constexpr double rounding = 1e-12;
+    const std::string value =
+        measured.value >= 0 && measured.value < rounding ? "exact" : short_number(measured.value, 2);
     return measured.is_beyond() ? "▲ " + value + " (at most " + short_number(measured.limit, 2) + ")" : value;
 }
 
-std::string state_table(const std::vector<StageRow>& stages) {
+std::string state_table(const std::vector<StageRow>& stages, Numbering& numbering) {
     std::vector<std::vector<std::string>> rows;
     for (const StageRow& stage : stages) {
         rows.push_back(
@@ -38,11 +40,11 @@ std::string state_table(const std::vector<StageRow>& stages) {
     return html_table(
         {"stage", "grains", "void ratio e [-]", "porosity n [-]", "coordination Z [-]", "mean stress p [kPa]",
          "deviator q [kPa]", "steps", "time [s]"},
-        rows, numeric, "stages"
+        rows, numeric, "stages", fmt::format("<b>{} State at the end of each stage.</b>", numbering.next_table())
     );
 }
 
-std::string quality_table(const std::vector<StageRow>& stages) {
+std::string quality_table(const std::vector<StageRow>& stages, Numbering& numbering) {
     std::vector<std::vector<std::string>> rows;
     for (const StageRow& stage : stages) {
         rows.push_back(
@@ -56,7 +58,7 @@ std::string quality_table(const std::vector<StageRow>& stages) {
     return html_table(
         {"stage", "unbalanced force [-]", "error of the stress [-]", "largest overlap / r [-]",
          "largest inertial number [-]", "kinetic energy / (p V) [-]", "time step [s]"},
-        rows, numeric, "stages quality"
+        rows, numeric, "stages quality", fmt::format("<b>{} How quiet each stage is.</b>", numbering.next_table())
     );
 }
 
@@ -117,9 +119,9 @@ const char* const conventions =
 
 } // namespace
 
-std::string quality_section(const std::vector<StageRow>& stages) {
-    const std::string tables = "<h3>How quiet each stage is</h3>\n" + quality_table(stages) +
-                               "<h3>State at the end of each stage</h3>\n" + state_table(stages);
+std::string quality_section(const std::vector<StageRow>& stages, Numbering& numbering) {
+    std::string tables = quality_table(stages, numbering);
+    tables += state_table(stages, numbering);
     if (stages.size() <= most_shown) {
         return verdict(stages) + tables + conventions;
     }

@@ -1,6 +1,8 @@
 #pragma once
 // How good the mechanics of each stage is: what reviewers ask for first, against the limits in force.
 
+#include "suffuse/report/numbering.hpp"
+
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -34,6 +36,6 @@ struct StageRow {
 };
 
 /// Two tables, state and quality, with a sentence on the limits and on conventions: HTML.
-std::string quality_section(const std::vector<StageRow>& stages);
+std::string quality_section(const std::vector<StageRow>& stages, Numbering& numbering);
 
 } // namespace suffuse::report

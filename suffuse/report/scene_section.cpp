@@ -11,7 +11,7 @@ namespace suffuse::report {
 
 namespace {
 
-std::string count_table(const Scene& scene) {
+std::string count_table(const Scene& scene, Numbering& numbering) {
     std::vector<std::vector<std::string>> rows;
     for (const SceneState& state : scene.states) {
         const SceneCount count = count_scene(scene, state);
@@ -27,7 +27,8 @@ std::string count_table(const Scene& scene) {
     return html_table(
         {"state", "grains", "fines", "with fewer than 2 contacts", "contacts", "coordination Z [-]",
          "mean normal force [N]", "largest [N]", "contacts above the mean"},
-        rows, numeric, "scene-counts"
+        rows, numeric, "scene-counts",
+        fmt::format("<b>{} Grains and contacts of each state.</b>", numbering.next_table())
     );
 }
 
@@ -70,13 +71,13 @@ std::vector<std::size_t> still_states(const Scene& scene) {
                                     : std::vector<std::size_t>{0, scene.states.size() - 1};
 }
 
-std::string scene_section(const Scene& scene, bool has_script) {
+std::string scene_section(const Scene& scene, bool has_script, bool has_stills, Numbering& numbering) {
     std::string out;
     if (!scene.remark.empty()) {
         out += "<p>" + escaped(kept_together(scene.remark)) + "</p>\n";
     }
     out += has_script ? view_places : plain_scene_sentence;
-    return out + stills(scene) + count_table(scene);
+    return out + (has_stills ? "" : stills(scene)) + count_table(scene, numbering);
 }
 
 } // namespace suffuse::report

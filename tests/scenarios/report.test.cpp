@@ -257,11 +257,13 @@ directions = 4
     EXPECT_NEAR(std::stod(rows[1].at("normalized_work")), work, 1e-12); // rounding
     const std::string page = read_all(folder / "run/report.html");
     EXPECT_NE(page.find("probed: stable in all 4 directions of load"), std::string::npos);
-    EXPECT_NE(page.find("pressed: with the deviator stress held, an excess pore pressure of"), std::string::npos);
+    EXPECT_NE(
+        page.find("Test “pressed”: with the deviator stress held, an excess pore pressure of"), std::string::npos
+    );
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "run/figures/own-pore-pressure.csv"));
     std::sort(peak.begin(), peak.end());
     const std::size_t begin = page.find("triaxial compression: "),
-                      end = page.find("\u00a0kPa (2 samples) in shear.", begin);
+                      end = page.find("\u00a0kPa (2 samples) in “shear”.", begin);
     ASSERT_NE(end, std::string::npos);
     std::istringstream told(page.substr(begin, end - begin));
     double lowest = 0, highest = 0;

@@ -29,8 +29,17 @@ inline report::ReportData sample_report(const std::string& title) {
         "Permeability rose from 5.4e-11 to 1.9e-10 m²; the peak deviator stress fell from 340 to 260 kPa."};
     report.findings = study::judge_erosion(probes, erosion);
     report.findings.back().met = std::nullopt;
-    report.headlines = answer::erosion_headlines(erosion);
-    report.headlines.push_back(answer::findings_headline(report.findings).value());
+    report.opening.verdict = {
+        "Water at i = 0.05 carries out 15 % of the mass, in two passes.",
+        "The peak strength falls by 24 %, from 340 to 260 kPa."};
+    report.opening.confidence = "One sample";
+    report.opening.about_confidence = "1,000 grains. No replicate: `--set study.erosion.replicates=3` tells.";
+    report.opening.cards = answer::erosion_headlines(erosion, {}, nullptr);
+    report.opening.cards[1].lead = "up to";
+    report.opening.cards[1].caution = "Known to be too high.";
+    report.opening.cards.push_back(answer::findings_headline(report.findings).value());
+    report.opening.disagreement = {"One rule calls the soil stable, the other does not."};
+    report.opening.pictures = {"own-triaxial", "own-permeability"};
     report.warnings = {
         "The cell is 9.7 times as wide as the largest grain; ten is the least for a representative sample."};
     report.assumed = {
@@ -74,6 +83,7 @@ inline report::ReportData sample_report(const std::string& title) {
         {"seed", "2016"},
         {"threads", "2"},
         {"state hash", "0123456789abcdef"}};
+    report.calls = {{"suffuse run case.toml", "2026-01-01T12:00:00Z", "0.1.0 0000000", 60.3}};
     report.cited = {"0.1.0", "0000000, synthetic", true};
     report.scene = sample_scene();
     report.redraw = "suffuse report runs/synthetic-0001";

@@ -1,0 +1,80 @@
+// How each result of a sample is called and written.
+#include "suffuse/answer/headlines.hpp"
+#include "suffuse/answer/plain_numbers.hpp"
+#include "suffuse/base/error.hpp"
+#include "suffuse/study/fines_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::answer {
+using study::Result;
+
+std::string result_label(Result which) {
+    return study::scale_of(which).label;
+}
+
+std::string result_text(Result which, double value, const flow::Fluid& fluid) {
+    switch (which) {
+    case Result::Safety:
+        return fixed(value, 1);
+    case Result::FirstMovement:
+        return fixed(value, 2);
+    case Result::ErodedMass:
+    case Result::RemovedMass:
+    case Result::RemovalStrain:
+        return percent_text(value);
+    case Result::PermeabilityChange:
+        return "× " + fixed(value, std::min(2, decimals_for(value, 2)));
+    case Result::StressChange:
+        return change_text(value);
+    case Result::Strength:
+        return fixed(study::scale_of(which).factor * value, 0) + " kPa";
+    case Result::Permeability:
+        return conductivity_text(value, fluid);
+    case Result::VoidRatio:
+        return fixed(value, 3);
+    }
+    throw Bug("a result without a text");
+}
+
+std::string result_spread(Result which, const study::Scatter& value, const flow::Fluid& fluid) {
+    const auto of_percent = [&] {
+        constexpr double in_percent = 100;
+        return spread_text(value, in_percent, std::min(1, decimals_for(in_percent * value.mean, 2)));
+    };
+    switch (which) {
+    case Result::Safety:
+        return spread_text(value, 1, 1);
+    case Result::FirstMovement:
+        return spread_text(value, 1, 2);
+    case Result::ErodedMass:
+    case Result::RemovedMass:
+    case Result::RemovalStrain:
+    case Result::StressChange:
+        return of_percent();
+    case Result::PermeabilityChange:
+        return spread_text(value, 1, std::min(2, decimals_for(value.mean, 2)));
+    case Result::Strength:
+        return spread_text(value, study::scale_of(which).factor, 0);
+    case Result::Permeability: {
+        const std::string deviation = conductivity_text(value.standard_deviation, fluid);
+        return value.seeds > 1 && deviation != "none" ? "± " + deviation : "";
+    }
+    case Result::VoidRatio:
+        return spread_text(value, 1, 3);
+    }
+    throw Bug("a result without a deviation");
+}
+
+std::string value_in_words(const study::SweepPoint& at, std::size_t key) {
+    std::string written = at.written.at(key);
+    if (const std::string degrees = " deg"; written.ends_with(degrees)) {
+        written.replace(written.size() - degrees.size(), degrees.size(), "°");
+    }
+    return written;
+}
+
+} // namespace suffuse::answer

@@ -1,0 +1,311 @@
+#include "suffuse/answer/verdict.hpp"
+
+#include "suffuse/answer/headlines.hpp"
+#include "suffuse/answer/mobility_words.hpp"
+#include "suffuse/answer/plain_numbers.hpp"
+#include "suffuse/base/grouped.hpp"
+#include "suffuse/base/words.hpp"
+#include "suffuse/erosion/detachment.hpp"
+#include "suffuse/study/sample_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::answer {
+namespace {
+
+using study::OutcomePoint;
+using study::Result;
+using study::RunResults;
+using study::Scatter;
+using study::StudyOutcome;
+
+constexpr std::size_t most_lines = 3;
+
+bool has_thresholds(const RunResults& results) {
+    return results.fines && !fines_headlines(results.fines->thresholds).empty();
+}
+
+/// "The void ratio is lowest at 37 % fines."
+std::vector<std::string> tell_fines(const RunResults& results) {
+    std::vector<std::string> lines;
+    using enum study::ThresholdKind;
+    for (const auto& [kind, words] :
+         {std::pair{LowestLoose, "The void ratio is lowest at {} fines."},
+          std::pair{ActiveFines, "From {} on the fines begin to carry load."},
+          std::pair{LowestDense, "The densest packing has the least void ratio at {} fines."}}) {
+        const study::ContentThreshold* const found = study::find_threshold(results.fines->thresholds, kind);
+        if (found != nullptr && 2 * found->at.seeds > std::ssize(found->at.of_seed)) {
+            lines.push_back(fmt::format(fmt::runtime(words), fixed(100 * found->at.mean, 0) + " %"));
+        }
+    }
+    return lines;
+}
+
+/// "the mass carried out", "the peak strength": within a sentence.
+std::string in_a_sentence(Result which) {
+    std::string words = result_label(which);
+    words[0] = static_cast<char>(words[0] - 'A' + 'a');
+    return "the " + words;
+}
+
+bool has_numbers(const StudyOutcome& outcome) {
+    return outcome.keys.size() == 1 && std::ranges::none_of(outcome.points, [](const OutcomePoint& point) {
+               return std::isnan(point.at.value.front());
+           });
+}
+
+/// "From gradient 0.05 to 0.5 the mass carried out rises from 3 to 14 %."
+std::string tell_result(const StudyOutcome& outcome, Result which, const flow::Fluid& fluid) {
+    const OutcomePoint *first = nullptr, *last = nullptr, *least = nullptr, *most = nullptr;
+    for (const OutcomePoint& point : outcome.points) {
+        if (const Scatter* const value = point.find(which)) {
+            first = first == nullptr ? &point : first;
+            last = &point;
+            least = least == nullptr || value->mean < least->find(which)->mean ? &point : least;
+            most = most == nullptr || value->mean > most->find(which)->mean ? &point : most;
+        }
+    }
+    const auto text = [&](const OutcomePoint* point) { return result_text(which, point->find(which)->mean, fluid); };
+    const std::string key = study::key_in_words(outcome.keys.front());
+    if (!study::depends_on_sweep(outcome, which)) {
+        return fmt::format(
+            "{} hardly depends on {}: {} to {}.", as_sentence(in_a_sentence(which)),
+            outcome.keys.size() > 1 ? "what is swept" : "the " + key, text(least), text(most)
+        );
+    }
+    const bool runs_through =
+        has_numbers(outcome) && ((least == first && most == last) || (least == last && most == first));
+    if (runs_through) {
+        return fmt::format(
+            "From {} {} to {} {} {} from {} to {}.", key, value_in_words(first->at, 0), value_in_words(last->at, 0),
+            in_a_sentence(which), most == last ? "rises" : "falls", text(first), text(last)
+        );
+    }
+    return fmt::format(
+        "{} is least at {} {} ({}) and most at {} ({}).", as_sentence(in_a_sentence(which)), key,
+        value_in_words(least->at, 0), text(least), value_in_words(most->at, 0), text(most)
+    );
+}
+
+std::vector<std::string> tell_sweep(const StudyOutcome& outcome, const flow::Fluid& fluid) {
+    std::vector<std::string> lines;
+    const std::optional<Result> main = study::main_result(outcome);
+    if (!main) {
+        return {"No sample has come far enough for a result."};
+    }
+    lines.push_back(tell_result(outcome, *main, fluid));
+    constexpr std::size_t most_told = 2; // each sentence is long, and the cards tell the rest
+    for (int k = 0; k < study::results && lines.size() < most_told; ++k) {
+        const auto which = static_cast<Result>(k);
+        if (which != *main && outcome.has(which) && study::depends_on_sweep(outcome, which)) {
+            lines.push_back(tell_result(outcome, which, fluid));
+        }
+    }
+    return lines;
+}
+
+std::string tell_eroded(const RunResults& results, const OutcomePoint* point) {
+    const erosion::ErosionResult& erosion = results.story.erosion;
+    double share = 0;
+    for (const erosion::PassResult& pass : erosion.passes) {
+        share += pass.eroded_mass_percent_of_initial / 100;
+    }
+    if (const Scatter* const all = point == nullptr ? nullptr : point->find(Result::ErodedMass)) {
+        share = all->mean;
+    }
+    const std::string turns =
+        fmt::format("in {} {}", count_in_words(erosion.passes.size()), erosion.passes.size() == 1 ? "pass" : "passes");
+    if (erosion::is_forced(erosion)) {
+        return fmt::format("Fines taken out by force are {} of the mass, {}.", percent_text(share), turns);
+    }
+    const double gradient = erosion.passes.front().probe.gradient;
+    return share > 0
+               ? fmt::format("Water at i = {:g} carries out {} of the mass, {}.", gradient, percent_text(share), turns)
+               : fmt::format("Water at i = {:g} carries out none of the fines.", gradient);
+}
+
+std::optional<std::string> tell_permeability(const RunResults& results, const OutcomePoint* point) {
+    const auto found = study::permeability_after(results.story.erosion, results.what->fluid.conductance);
+    const Scatter* const all = point == nullptr ? nullptr : point->find(Result::PermeabilityChange);
+    if (!found && all == nullptr) {
+        return std::nullopt;
+    }
+    const double change = all != nullptr ? all->mean : found->after / found->before;
+    if (std::abs(change - 1) < 0.005) {
+        return "The permeability stays as it was.";
+    }
+    const std::string times = fixed(change, std::min(2, decimals_for(change, 2)));
+    return change > 1
+               ? fmt::format("The permeability rises {}{} times.", found && found->is_too_high ? "up to " : "", times)
+               : fmt::format("The permeability falls to {} of what it was.", percent_text(change));
+}
+
+std::optional<std::string> tell_change_of_strength(const std::vector<study::StrengthChange>& changes) {
+    constexpr std::size_t most_told = 3; // of more, none stands for all
+    const auto told = std::ranges::find_if(changes, [](const study::StrengthChange& change) {
+        return change.borne().change.seeds > 0;
+    });
+    if (told == changes.end()) {
+        return std::nullopt;
+    }
+    if (changes.size() > most_told) {
+        const auto weaker =
+            std::ranges::count_if(changes, [](const study::StrengthChange& c) { return c.is_weaker() == true; });
+        return fmt::format("{} of {} tests after the loss find the soil weaker.", weaker, changes.size());
+    }
+    const std::string what = told->holds_deviator() ? "pore pressure that it bears" : "peak strength";
+    const study::BeforeAfter& borne = told->borne();
+    if (!told->is_weaker()) {
+        return fmt::format("The {} changes no more than samples differ.", what);
+    }
+    return fmt::format(
+        "The {} {} by {}, from {} to {} kPa.", what, *told->is_weaker() ? "falls" : "rises",
+        percent_text(std::abs(borne.change.mean)), fixed(borne.before.mean / 1e3, 0), fixed(borne.after.mean / 1e3, 0)
+    );
+}
+
+std::vector<std::string> tell_erosion(const RunResults& results, const OutcomePoint* point) {
+    std::vector<std::string> lines = {tell_eroded(results, point)};
+    for (std::optional<std::string> line :
+         {tell_permeability(results, point), tell_change_of_strength(results.strength)}) {
+        if (line) {
+            lines.push_back(std::move(*line));
+        }
+    }
+    return lines;
+}
+
+std::vector<std::string> tell_probe(const RunResults& results) {
+    const erosion::ProbeResult* most = &results.story.probes.front();
+    for (const erosion::ProbeResult& probe : results.story.probes) {
+        most = probe.gradient > most->gradient ? &probe : most;
+    }
+    const auto count = std::ranges::count(erosion::verdicts(results.story.probed_by, *most), std::uint8_t{1});
+    return {
+        fmt::format(
+            "Water at i = {:g} detaches {} of {} fines.", most->gradient, count == 0 ? "none" : grouped(count),
+            grouped(std::ssize(most->id))
+        ),
+        "Grains have no weight here: this gradient is not a critical one."};
+}
+
+std::vector<std::string> tell_removal(const OutcomePoint& point, const std::vector<study::StrengthChange>& strength) {
+    const double strain = point.find(Result::RemovalStrain)->mean;
+    std::vector<std::string> lines = {fmt::format(
+        "Fines of {} of the mass are taken out without water.", percent_text(point.find(Result::RemovedMass)->mean)
+    )};
+    lines.push_back(
+        std::abs(strain) < 5e-4
+            ? "The soil keeps its volume."
+            : fmt::format("The soil {} by {}.", strain > 0 ? "contracts" : "dilates", percent_text(std::abs(strain)))
+    );
+    if (auto line = tell_change_of_strength(strength)) {
+        lines.push_back(std::move(*line));
+    }
+    return lines;
+}
+
+std::vector<std::string> tell_state(const OutcomePoint& point, const flow::Fluid& fluid) {
+    std::vector<std::string> lines;
+    if (const Scatter* const strength = point.find(Result::Strength)) {
+        lines.push_back(fmt::format("The soil bears a deviator stress of {} kPa.", fixed(strength->mean / 1e3, 0)));
+    }
+    if (const Scatter* const permeability = point.find(Result::Permeability)) {
+        lines.push_back(
+            fmt::format("Under a gradient of one, water seeps at {}.", conductivity_text(permeability->mean, fluid))
+        );
+    }
+    if (const Scatter* const ratio = point.find(Result::VoidRatio)) {
+        lines.push_back(fmt::format("The grains rest at void ratio {}.", fixed(ratio->mean, 3)));
+    }
+    if (lines.empty()) {
+        lines.emplace_back("The run has come to no result yet: its states are under Quality.");
+    }
+    return lines;
+}
+
+} // namespace
+
+const StudyOutcome* told_outcome(const RunResults& results) {
+    const casefile::Study* study = nullptr;
+    if (results.fines_sweep && has_thresholds(results)) {
+        study = results.fines_sweep->study;
+    } else if (const study::MobilityStory* const main = study::main_mobility(results.mobility)) {
+        study = main->first->study;
+    } else if (results.story.eroded != nullptr) {
+        study = results.story.eroded->study;
+    }
+    const auto found = std::ranges::find(results.outcomes, study, &StudyOutcome::study);
+    return found == results.outcomes.end() ? study::main_outcome(results.outcomes) : &*found;
+}
+
+const OutcomePoint* told_point(const RunResults& results) {
+    const StudyOutcome* const outcome = told_outcome(results);
+    if (outcome == nullptr || outcome->points.empty()) {
+        return nullptr;
+    }
+    if (results.story.eroded != nullptr) {
+        const auto found = std::ranges::find_if(outcome->points, [&](const OutcomePoint& point) {
+            return std::ranges::count(point.samples, results.story.eroded->variant) > 0;
+        });
+        return found == outcome->points.end() ? &outcome->points.front() : &*found;
+    }
+    return &outcome->points.front();
+}
+
+Question question_of(const RunResults& results) {
+    const StudyOutcome* const outcome = told_outcome(results);
+    const OutcomePoint* const point = told_point(results);
+    if (has_thresholds(results)) {
+        return Question::Fines;
+    }
+    if (outcome != nullptr && outcome->points.size() > 1) {
+        return Question::Sweep;
+    }
+    if (study::main_mobility(results.mobility) != nullptr) {
+        return Question::Weight;
+    }
+    if (!results.story.erosion.passes.empty()) {
+        return Question::Erosion;
+    }
+    if (!results.story.probes.empty()) {
+        return Question::Probe;
+    }
+    return point != nullptr && point->find(Result::RemovedMass) != nullptr ? Question::Removal : Question::State;
+}
+
+std::vector<std::string> verdict_of_run(const RunResults& results) {
+    const OutcomePoint* const point = told_point(results);
+    std::vector<std::string> lines;
+    switch (question_of(results)) {
+    case Question::Fines:
+        lines = tell_fines(results);
+        break;
+    case Question::Sweep:
+        lines = tell_sweep(*told_outcome(results), results.what->fluid);
+        break;
+    case Question::Weight:
+        lines = short_verdict(*study::main_mobility(results.mobility));
+        break;
+    case Question::Erosion:
+        lines = tell_erosion(results, point);
+        break;
+    case Question::Probe:
+        lines = tell_probe(results);
+        break;
+    case Question::Removal:
+        lines = tell_removal(*point, results.strength);
+        break;
+    case Question::State:
+        lines = point == nullptr ? std::vector<std::string>{"No stage is finished yet."}
+                                 : tell_state(*point, results.what->fluid);
+        break;
+    }
+    lines.resize(std::min(lines.size(), most_lines));
+    return lines;
+}
+
+} // namespace suffuse::answer

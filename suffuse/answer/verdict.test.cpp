@@ -1,0 +1,163 @@
+#include "suffuse/answer/verdict.hpp"
+
+#include "suffuse/answer/opening.hpp"
+#include "suffuse/answer/samples_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/sample_results.hpp"
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <deque>
+#include <sstream>
+
+namespace suffuse::answer {
+namespace {
+
+using study::Result;
+
+/// Words as a reader counts them: what has a letter or a digit in it.
+std::size_t count_words(const std::string& sentence) {
+    std::istringstream rest(sentence);
+    std::size_t count = 0;
+    for (std::string word; rest >> word;) {
+        count += std::ranges::any_of(word, [](unsigned char c) { return std::isalnum(c) != 0; }) ? 1U : 0U;
+    }
+    return count;
+}
+
+/// One to three sentences of at most 20 words, each a line.
+void expect_short(const std::vector<std::string>& verdict) {
+    EXPECT_GE(verdict.size(), 1U);
+    EXPECT_LE(verdict.size(), 3U);
+    for (const std::string& line : verdict) {
+        EXPECT_LE(count_words(line), 20U) << line;
+        EXPECT_TRUE(line.ends_with('.')) << line;
+    }
+}
+
+class Verdict : public testing::Test {
+protected:
+    Verdict() {
+        study.name = "dam";
+        results.what = &what;
+    }
+
+    /// A point of the study for each list of seeds, over the values of one key.
+    void sweep(Result which, const std::vector<std::pair<std::string, std::vector<double>>>& points) {
+        study::StudyOutcome outcome{&study, {"stage.erosion.gradient"}, {}};
+        for (const auto& [written, of_seed] : points) {
+            study::OutcomePoint point;
+            char* end = nullptr;
+            const double value = std::strtod(written.c_str(), &end);
+            point.at.value = {end == written.c_str() ? std::nan("") : value};
+            point.at.written = {written};
+            for (std::size_t k = 0; k < of_seed.size(); ++k) {
+                variants.push_back({.folder = "dam/" + written + "/rep=" + std::to_string(k + 1)});
+                point.samples.push_back(&variants.back());
+            }
+            point.result[which] = study::scatter_of(of_seed);
+            outcome.points.push_back(std::move(point));
+        }
+        results.outcomes = {std::move(outcome)};
+    }
+
+    [[nodiscard]] std::vector<std::string> verdict() const {
+        std::vector<std::string> lines = verdict_of_run(results);
+        expect_short(lines);
+        return lines;
+    }
+
+    casefile::Case what;
+    casefile::Study study;
+    std::deque<casefile::Variant> variants; ///< stay where they are
+    study::RunResults results;
+};
+
+TEST_F(Verdict, OfAnErosionSaysWhatLeftAndWhatThatDid) {
+    results.story.erosion = test::sample_erosion();
+    results.story.erosion.passes.front().probe.gradient = 0.05;
+    EXPECT_EQ(
+        verdict(),
+        (std::vector<std::string>{
+            "Water at i = 0.05 carries out 15 % of the mass, in two passes.", "The permeability rises 3.5 times."})
+    );
+    results.story.erosion.passes.back().flow_after.raised_by_fines = 1.5;
+    EXPECT_EQ(verdict().at(1), "The permeability rises up to 3.5 times.") << "known to be too high";
+    for (erosion::PassResult& pass : results.story.erosion.passes) {
+        pass.eroded_mass_percent_of_initial = 0;
+    }
+    EXPECT_EQ(verdict().front(), "Water at i = 0.05 carries out none of the fines.");
+}
+
+TEST_F(Verdict, OfARunWithoutErosionIsItsStrengthPermeabilityAndVoidRatio) {
+    sweep(Result::Strength, {{"0.05", {338e3}}});
+    results.outcomes.front().points.front().result[Result::Permeability] = study::scatter_of({5.6e-11});
+    results.outcomes.front().points.front().result[Result::VoidRatio] = study::scatter_of({0.5294});
+    EXPECT_EQ(
+        verdict(), (std::vector<std::string>{
+                       "The soil bears a deviator stress of 338 kPa.",
+                       "Under a gradient of one, water seeps at 0.55 mm/s.", "The grains rest at void ratio 0.529."})
+    );
+    const Opening opening = open_answer(results, {});
+    EXPECT_EQ(opening.confidence, "One sample");
+    EXPECT_NE(opening.about_confidence.find("`--set study.dam.replicates=3`"), std::string::npos);
+    for (const Headline& card : opening.cards) {
+        EXPECT_NE(card.detail.find("no replicate"), std::string::npos) << card.label;
+    }
+}
+
+TEST_F(Verdict, OfASweepSaysHowItsResultDependsOnTheKey) {
+    sweep(Result::ErodedMass, {{"0.05", {0.02, 0.04}}, {"0.1", {0.08, 0.09}}, {"0.2", {0.18, 0.22}}});
+    EXPECT_EQ(verdict().front(), "From gradient 0.05 to 0.2 the mass carried out rises from 3.0 % to 20 %.");
+    const Opening opening = open_answer(results, {});
+    EXPECT_EQ(opening.confidence, "Two seeds each");
+    EXPECT_EQ(opening.pictures.front(), "own-sweep");
+}
+
+TEST_F(Verdict, OfASweepWithinTheScatterOfItsSamplesIsThatItHardlyMatters) {
+    sweep(Result::ErodedMass, {{"0.05", {0.10, 0.14}}, {"0.1", {0.11, 0.15}}});
+    EXPECT_EQ(verdict().front(), "The mass carried out hardly depends on the gradient: 12 % to 13 %.");
+}
+
+TEST_F(Verdict, OfASweepOverWordsNamesTheLowestAndTheHighest) {
+    sweep(Result::ErodedMass, {{"random", {0.02}}, {"smallest", {0.2}}, {"largest", {0.1}}});
+    EXPECT_EQ(
+        verdict().front(), "The mass carried out is least at gradient random (2.0 %) and most at smallest (20 %)."
+    );
+}
+
+TEST_F(Verdict, OfNothingYetSaysSo) {
+    EXPECT_EQ(verdict(), std::vector<std::string>{"No stage is finished yet."});
+    EXPECT_EQ(open_answer(results, {}).confidence, "No result yet");
+}
+
+TEST_F(Verdict, HasAtMostSixCardsAndTheFindingsAmongThem) {
+    sweep(Result::ErodedMass, {{"0.05", {0.02}}, {"0.1", {0.2}}});
+    for (study::OutcomePoint& point : results.outcomes.front().points) {
+        for (int k = 0; k < study::results; ++k) {
+            point.result.emplace(static_cast<Result>(k), study::scatter_of({0.5}));
+        }
+    }
+    const Opening opening = open_answer(results, std::vector<study::Finding>(7));
+    ASSERT_EQ(opening.cards.size(), 6U);
+    EXPECT_EQ(opening.cards.back().label, "Findings of the paper met");
+    EXPECT_EQ(opening.cards.front().label, "Mass carried out") << "the first answers the question";
+}
+
+TEST_F(Verdict, ItsTableOfSamplesSaysWhichToLookAt) {
+    sweep(Result::ErodedMass, {{"0.05", {0.02, 0.04}}, {"0.1", {0.08, 0.14}}, {"0.2", {0.30, 0.31}}});
+    const figures::PageTable table = tabulate_samples(results.outcomes.front(), what.fluid).value();
+    EXPECT_EQ(table.header, (std::vector<std::string>{"gradient", "seeds", "Mass carried out", "which to look at"}));
+    EXPECT_EQ(
+        table.rows[1], (std::vector<std::string>{
+                           "0.1", "2", "11 % ± 4",
+                           "its samples differ most: see studies/dam/0.1/rep=1; largest step, to the next value"})
+    );
+    EXPECT_EQ(table.rows[0].back(), "");
+}
+
+} // namespace
+} // namespace suffuse::answer

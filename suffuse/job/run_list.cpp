@@ -1,0 +1,201 @@
+#include "suffuse/job/run_list.hpp"
+
+#include "suffuse/base/amounts.hpp"
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/casefile/load_case.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/record/folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace suffuse::job {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A file of a run that was interrupted may be missing, or damaged: the list tells of the others all the same.
+json read_or_empty(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+        return json::object();
+    }
+    try {
+        const json read = record::read_json(file);
+        return read.is_object() ? read : json::object();
+    } catch (const Error&) {
+        return json::object();
+    }
+}
+
+template <class Value>
+Value value_or(const json& from, const char* key, Value otherwise) {
+    const auto found = from.find(key);
+    if (found == from.end() || found->is_null()) {
+        return otherwise;
+    }
+    try {
+        return found->get<Value>();
+    } catch (const json::exception&) {
+        return otherwise;
+    }
+}
+
+std::string state_of(const fs::path& run, const json& summary) {
+    if (is_at_work(run)) {
+        return "at work";
+    }
+    const json nothing = json::array();
+    if (!value_or(summary, "failures", nothing).empty()) {
+        return "failed in part";
+    }
+    if (summary.empty() || !value_or(summary, "missing_stages", nothing).empty()) {
+        return "not complete";
+    }
+    return value_or(summary, "flaws", nothing).empty() ? "done" : "flaws";
+}
+
+/// Of a run that has no summary yet.
+std::string title_in_case(const fs::path& run) {
+    try {
+        return casefile::load_case((run / record::resolved_case_file).string()).value.title;
+    } catch (const Error&) {
+        return "";
+    }
+}
+
+ListedRun describe(const fs::path& run) {
+    const json summary = read_or_empty(run / "summary.json"), provenance = read_or_empty(run / record::provenance_file);
+    const json samples = value_or(summary, "samples", json::object());
+    ListedRun listed;
+    listed.name = run.filename().string();
+    listed.title = summary.contains("title") ? value_or(summary, "title", std::string()) : title_in_case(run);
+    listed.state = state_of(run, summary);
+    listed.samples = value_or(samples, "total", 0);
+    listed.done = value_or(samples, "done", 0);
+    listed.seconds = value_or(provenance, "wall_seconds", 0.0);
+    listed.finished = value_or(provenance, "finished", std::string());
+    listed.commit = value_or(provenance, "commit", std::string());
+    listed.verdict = value_or(value_or(summary, "answer", json::object()), "verdict", std::vector<std::string>());
+    return listed;
+}
+
+/// Whether `a` stands before `b`.
+bool comes_before(const ListedRun& a, const ListedRun& b, RunOrder order) {
+    switch (order) {
+    case RunOrder::Finished:
+        return std::tie(b.finished, a.name) < std::tie(a.finished, b.name);
+    case RunOrder::Name:
+        return a.name < b.name;
+    case RunOrder::Time:
+        return std::tie(b.seconds, a.name) < std::tie(a.seconds, b.name);
+    case RunOrder::Samples:
+        return std::tie(b.samples, a.name) < std::tie(a.samples, b.name);
+    case RunOrder::Title:
+        return std::tie(a.title, a.name) < std::tie(b.title, b.name);
+    }
+    throw Bug("an order of runs without its rule");
+}
+
+/// Characters as a terminal counts them; those of several bytes are one.
+std::size_t width_of(const std::string& text) {
+    return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+    }));
+}
+
+std::string cut(const std::string& text, std::size_t width) {
+    if (width_of(text) <= width) {
+        return text;
+    }
+    std::string out;
+    std::size_t count = 0;
+    for (const char c : text) {
+        count += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1U : 0U;
+        if (count >= width) {
+            break;
+        }
+        out += c;
+    }
+    return out + "…";
+}
+
+} // namespace
+
+std::vector<ListedRun> list_runs(const fs::path& folder, RunOrder order) {
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) {
+        throw UsageError(fmt::format(
+            "{} is no folder; suffuse run makes runs/NAME-0001 where it is called, or -o DIR", shown(folder.string())
+        ));
+    }
+    std::vector<ListedRun> runs;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        if (entry.is_directory(error) && fs::exists(entry.path() / record::resolved_case_file, error)) {
+            runs.push_back(describe(entry.path()));
+        }
+    }
+    std::ranges::sort(runs, [&](const ListedRun& a, const ListedRun& b) { return comes_before(a, b, order); });
+    return runs;
+}
+
+std::string text_of(const std::vector<ListedRun>& runs, std::size_t width) {
+    constexpr std::size_t columns = 5, gap = 2, least_verdict = 20;
+    using Row = std::array<std::string, columns>;
+    std::vector<Row> rows = {{"run", "state", "samples", "took", "ended (UTC)"}};
+    for (const ListedRun& run : runs) {
+        std::string ended = run.finished.substr(0, 16);
+        std::ranges::replace(ended, 'T', ' ');
+        rows.push_back(
+            {run.name, run.state, fmt::format("{}/{}", run.done, run.samples),
+             run.seconds > 0 ? duration_text(run.seconds) : "", ended}
+        );
+    }
+    std::array<std::size_t, columns> widths{};
+    for (const Row& row : rows) {
+        for (std::size_t c = 0; c < columns; ++c) {
+            widths[c] = std::max(widths[c], width_of(row[c]));
+        }
+    }
+    std::size_t used = 0;
+    for (const std::size_t each : widths) {
+        used += each + gap;
+    }
+    std::string text;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        for (std::size_t c = 0; c < columns; ++c) {
+            text += rows[r][c] + std::string(widths[c] + gap - width_of(rows[r][c]), ' ');
+        }
+        const ListedRun* const run = r == 0 ? nullptr : &runs[r - 1];
+        const std::string found = run == nullptr         ? "what it found"
+                                  : run->verdict.empty() ? run->title
+                                                         : run->verdict.front();
+        text +=
+            cut(found, std::max(width > used ? width - used : 0, least_verdict)) + (r + 1 < rows.size() ? "\n" : "");
+    }
+    return text;
+}
+
+json json_of(const std::vector<ListedRun>& runs) {
+    json list = json::array();
+    for (const ListedRun& run : runs) {
+        list.push_back(
+            {{"name", run.name},
+             {"title", run.title},
+             {"state", run.state},
+             {"samples", {{"total", run.samples}, {"done", run.done}}},
+             {"wall_seconds", run.seconds},
+             {"finished", run.finished},
+             {"commit", run.commit},
+             {"verdict", run.verdict}}
+        );
+    }
+    return list;
+}
+
+} // namespace suffuse::job
