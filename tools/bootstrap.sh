@@ -6,7 +6,8 @@
 build=$root/build/release
 logs=$root/build/logs
 build_packages="g++ cmake ninja-build git libcgal-dev libgmp-dev libmpfr-dev libhdf5-dev libtomlplusplus-dev
-    libcli11-dev nlohmann-json3-dev libfmt-dev libfftw3-dev zlib1g-dev libssl-dev pybind11-dev python3-dev python3-numpy"
+    libcli11-dev nlohmann-json3-dev libfmt-dev libfftw3-dev zlib1g-dev libssl-dev pybind11-dev python3-dev python3-numpy
+    librsvg2-bin"
 test_packages="libeigen3-dev libgtest-dev librapidcheck-dev clang clang-format clang-tidy chromium fonts-dejavu-core python3-pytest"
 fuzz_packages="libclang-rt-14-dev"
 
@@ -129,7 +130,7 @@ build_report_page() {
     [ -x "$root/page/build.sh" ] || return 0
     page_stamp=$root/build/report-page.stamp
     if [ -e "$page_stamp" ]; then
-        newer=$(find "$root/report" -name node_modules -prune -o -type f -newer "$page_stamp" -print | head -n 1)
+        newer=$(find "$root/page" -name node_modules -prune -o -type f -newer "$page_stamp" -print | head -n 1)
         [ -n "$newer" ] || { cat "$page_stamp" >&2 && return 0; }
     fi
     if ! { have npm && have node && [ "$(node -p 'parseInt(process.versions.node)')" -ge 18 ]; }; then
