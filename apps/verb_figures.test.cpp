@@ -33,6 +33,12 @@ TEST_F(Cli, FiguresAreAskedForByNumberOrNameAndAnUnknownOneIsCodeTwo) {
     const Said unknown = say({"figures", "run", "--figure", "12"});
     EXPECT_EQ(unknown.code, 2);
     EXPECT_NE(unknown.error.find("it has fig07, fig11"), std::string::npos) << unknown.error;
+    for (const auto& [number, file] :
+         {std::pair{"1", "constant-skeleton.toml"},
+          {"2", "silty-sand-2016/case.toml"},
+          {"9", "fontainebleau-2016/case.toml"}}) {
+        EXPECT_NE(say({"figures", "run", "--figure", number}).error.find(file), std::string::npos) << number;
+    }
     const Said nothing = say({"figures", "nowhere"});
     EXPECT_EQ(nothing.code, 74);
     EXPECT_NE(nothing.error.find("suffuse report nowhere"), std::string::npos) << nothing.error;

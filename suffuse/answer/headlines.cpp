@@ -34,11 +34,9 @@ Headline range_headline(const study::StudyOutcome& outcome, Result which, const 
         const std::string spread = result_spread(which, *point.find(which), fluid);
         std::string values;
         for (std::size_t k = 0; k < outcome.keys.size(); ++k) {
-            values += fmt::format(
-                "{}{} {}", k == 0 ? "" : ", ", study::key_in_words(outcome.keys[k]), value_in_words(point.at, k)
-            );
+            values += (k == 0 ? "" : ", ") + value_in_words(point.at, k);
         }
-        return (spread.empty() ? "" : spread + " ") + "at " + values;
+        return values + (spread.empty() ? "" : " (" + spread + ")");
     };
     if (!study::depends_on_sweep(outcome, which)) {
         return {
@@ -46,7 +44,8 @@ Headline range_headline(const study::StudyOutcome& outcome, Result which, const 
             fmt::format("the same within scatter at all {} points", outcome.points.size())};
     }
     return {
-        text(*least) + " to " + text(*most), result_label(which), fmt::format("{}; {}", where(*least), where(*most))};
+        text(*least) + " to " + text(*most), result_label(which),
+        fmt::format("at {} {} and {}", study::key_in_words(outcome.keys.front()), where(*least), where(*most))};
 }
 
 /// Of seeds where there are several, else of the one sample.

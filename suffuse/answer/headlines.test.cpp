@@ -103,7 +103,7 @@ TEST(Headlines, OfASweepGoFromTheLeastToTheMostWithTheirDeviations) {
     const auto headlines = sweep_headlines(swept(Result::ErodedMass, {{0.03, 0.05}, {0.1, 0.1}, {0.18, 0.22}}), {});
     ASSERT_EQ(headlines.size(), 1U);
     EXPECT_EQ(headlines[0].value, "4.0 % to 20 %");
-    EXPECT_EQ(headlines[0].detail, "± 1.4 at gradient 1; ± 3 at gradient 3"); // 2/sqrt(2), 4/sqrt(2)
+    EXPECT_EQ(headlines[0].detail, "at gradient 1 (± 1.4) and 3 (± 3)"); // 2/sqrt(2), 4/sqrt(2)
 }
 
 TEST(Headlines, OfASweepWhoseEndsDifferNoMoreThanSeedsSayThatItIsTheSame) {

@@ -137,6 +137,11 @@ Headline safety_headline(const MobilityStory& story) {
             fixed(story.safety.mean + half, 1)
         );
     }
+    if (story.heave.seeds > 0 && story.heave.mean < story.moves_1.mean) { // what fails first decides
+        headline.caution = fmt::format(
+            "The whole soil heaves before, at {} times the asked gradient.", fixed(story.heave.mean / asked, 1)
+        );
+    }
     if (do_disagree(story)) {
         headline.caution =
             fmt::format("Skempton and Brogan's rule gives {}. Why: below.", fixed(*safety_by_rule(story), 1));

@@ -50,6 +50,43 @@ TEST(MobilityWords, GiveTheVerdictThatAnEngineerAsksFor) {
     );
 }
 
+TEST(MobilityWords, OpenWithTwoShortLinesAndCardsThatKnowTheirStep) {
+    const MobilityStory story = story_of({upward()}).front();
+    EXPECT_EQ(
+        short_verdict(story),
+        (std::vector<std::string>{
+            "Upward flow moves 1 % of the fines at i = 0.30, a tenth at 0.51; the soil heaves at 1.05.",
+            "At the asked 0.20 it moves 0.2 %: factor of safety 1.5."})
+    );
+    const std::vector<Headline> cards = mobility_headlines(story);
+    ASSERT_EQ(cards.size(), 4U);
+    EXPECT_EQ(cards[0].value, "1.5");
+    EXPECT_EQ(cards[1].value, "0.30");
+    EXPECT_EQ(cards[1].spread, "± 0.50") << "half of the ramp's step from 0.2 to 1.2";
+    EXPECT_NE(cards[3].detail.find("no replicate"), std::string::npos);
+    EXPECT_TRUE(cards[0].caution.empty()) << cards[0].caution;
+}
+
+TEST(MobilityWords, TellADisagreementOfRuleAndMotionInTheOpenAndAtTheNumber) {
+    erosion::MobilityResult carried = upward();
+    carried.skempton_brogan_gradient = 0.14; // below the asked 0.20, while 1 % moves at 0.30
+    const MobilityStory story = story_of({carried}).front();
+    EXPECT_NE(
+        disagreement(story).value_or("").find("lies below the asked 0.20 and calls it unstable"), std::string::npos
+    );
+    EXPECT_NE(mobility_headlines(story).front().caution.find("gives 0.7"), std::string::npos);
+    EXPECT_FALSE(disagreement(story_of({upward()}).front()));
+}
+
+TEST(MobilityWords, SayAtTheFactorOfSafetyThatTheSoilHeavesBefore) {
+    erosion::MobilityResult late = upward();
+    late.moves_1 = 1.1;
+    EXPECT_NE(
+        mobility_headlines(story_of({late}).front()).front().caution.find("heaves before, at 5.2 times"),
+        std::string::npos
+    );
+}
+
 TEST(MobilityWords, SayWhatIsKnownWhereTheRampEndsBefore) {
     erosion::MobilityResult still = upward();
     still.moves_1.reset(), still.moves_10.reset();

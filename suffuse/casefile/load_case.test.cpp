@@ -182,7 +182,8 @@ TEST(LoadCase, EveryKeyOfTheSchemaIsWrittenBack) {
         collect_keys(tree_of(load(good_case + law)), written);
     }
     const std::string asks = "[[study.one.stage]]\nname = \"x\"\ndo = \"detach\"\nasked_gradient = 0.2\n";
-    collect_keys(tree_of(load(good_case + asks + "[gravity]\ndown = \"-z\"\n")), written);
+    const std::string title_page = "[report]\nproject = \"Dyke\"\nauthor = \"A. E.\"\n";
+    collect_keys(tree_of(load(good_case + asks + "[gravity]\ndown = \"-z\"\n" + title_page)), written);
     for (const Key& key : schema()) {
         // `preset` was applied; `settle` writes its stresses per axis, `detach` all its gradients.
         const bool is_input_only = key.table == "presets.*" || (key.table.empty() && key.name == "preset") ||

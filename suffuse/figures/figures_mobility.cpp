@@ -146,7 +146,9 @@ std::optional<Figure> mobility_curves(const std::vector<MobilityStory>& stories)
     Figure figure;
     figure.id = "own-mobility";
     figure.section = "Water";
-    figure.title = "What a gradient moves of the fines";
+    figure.title = main->asked_gradient && 2 * static_cast<std::size_t>(main->safety.seeds) > main->of_sample.size()
+                       ? fmt::format("First movement lies at {:.1f} times the asked gradient", main->safety.mean)
+                       : "What a gradient moves of the fines";
     figure.caption = fmt::format(
         "Fines count as mobile once the water has moved them half a diameter along the flow, against their weight. 1 % "
         "and 10 % of their mass decide; what is below 0.1 % is drawn there. Coarse grains and the {:.0f} % of the "

@@ -56,10 +56,13 @@ std::vector<Source> sources_in(const fs::path& run) {
 
 /// Which case draws a figure of the paper that a run has not; empty for other names.
 std::string tell_case_of(const std::string& id) {
-    constexpr int last_of_mixtures = 6, last = 14; // the paper's section 3 is of mixtures, its section 4 of one soil
+    constexpr int tests = 2, last_of_mixtures = 6, last = 14; // section 3 of the paper is of mixtures, 4 of one soil
     const std::optional<int> number = figures::figure_of_paper(id);
     if (!number || *number < 1 || *number > last) {
         return "";
+    }
+    if (*number == tests) {
+        return ": tests of loose samples over the fines content draw it, as examples/silty-sand-2016/case.toml";
     }
     return *number <= last_of_mixtures
                ? ": a study over the fines content draws it, as examples/silty-sand-2016/constant-skeleton.toml"

@@ -30,7 +30,7 @@ std::string with_powers(std::string text) {
 } // namespace
 
 std::string with_indices(std::string html) {
-    static const std::regex indexed(R"(\b(e|FC)_(min|g|eq|active|threshold)\b)");
+    static const std::regex indexed(R"(\b(e|FC|i)_(min|g|eq|active|threshold|c)\b)");
     return html.find('_') == std::string::npos ? html : std::regex_replace(html, indexed, "$1<sub>$2</sub>");
 }
 

@@ -11,7 +11,7 @@
 namespace suffuse::report {
 
 /// Escaped text with the indices of the symbols in this report's words set low: e_min, e_g, e_eq, FC_active,
-/// FC_threshold. A name of the user's with an underscore stays as it is.
+/// FC_threshold, i_c. A name of the user's with an underscore stays as it is.
 std::string with_indices(std::string html);
 
 /// Text of ours or of the run, set for reading: escaped, numbers kept with their units, indices low, what stands in

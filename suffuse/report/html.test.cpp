@@ -14,8 +14,8 @@ TEST(Html, WhatStandsInBackticksIsCodeAndStaysEscaped) {
 
 TEST(Html, IndicesOfOurSymbolsAreSetLowAndNamesOfTheUserStay) {
     EXPECT_EQ(
-        with_indices("FC_active, e_min = 0.4 and (e_g)"),
-        "FC<sub>active</sub>, e<sub>min</sub> = 0.4 and (e<sub>g</sub>)"
+        with_indices("FC_active, e_min = 0.4, i_c and (e_g)"),
+        "FC<sub>active</sub>, e<sub>min</sub> = 0.4, i<sub>c</sub> and (e<sub>g</sub>)"
     );
     const std::string names = "fines_content, some_name_min, e_mine, FC_active_2";
     EXPECT_EQ(with_indices(names), names);
