@@ -40,7 +40,9 @@ struct Written {
         if (end == text.c_str()) {
             number = std::nan("");
         } else {
-            unit = std::string(end).substr(std::min<std::size_t>(std::string(end).find_first_not_of(' '), text.size()));
+            const std::string rest = end;
+            const std::size_t at = rest.find_first_not_of(' ');
+            unit = at == std::string::npos ? "" : rest.substr(at);
         }
     }
 };

@@ -38,6 +38,12 @@ TEST(SweepFigure, HasMeanBandAndEverySampleOverTheValuesAsWritten) {
     EXPECT_TRUE(explain_figure(figure.id));
 }
 
+TEST(SweepFigure, OverNumbersWithoutAUnitHasNoneInItsTitle) {
+    const Figure figure = sweep_result(swept({{"0.05", {0.01}}, {"2", {0.10}}})).value();
+    EXPECT_EQ(figure.table.numbers("value"), (std::vector<double>{0.05, 2}));
+    EXPECT_EQ(figure.chart["layer"][0]["encoding"]["x"]["title"], "friction");
+}
+
 TEST(SweepFigure, OverWordsHasBarsInsteadOfALineBetweenThem) {
     const Figure figure = sweep_result(swept({{"random", {0.01}}, {"smallest", {0.10}}})).value();
     EXPECT_EQ(figure.chart["layer"][0]["mark"]["type"], "rule");
