@@ -194,6 +194,14 @@ bool is_many_lined(const StudyOutcome& outcome) {
     return outcome.keys.size() > 1;
 }
 
+/// Whether a result is more than noise at one value at least.
+bool is_told(const StudyOutcome& outcome, Result which) {
+    return std::ranges::any_of(outcome.points, [&](const OutcomePoint& point) {
+        const Scatter* const value = point.find(which);
+        return value != nullptr && std::abs(value->mean) >= study::scale_of(which).least;
+    });
+}
+
 std::size_t count_lines(const StudyOutcome& outcome) {
     std::vector<std::string> names;
     for (const OutcomePoint& point : outcome.points) {
@@ -237,7 +245,7 @@ std::optional<Figure> sweep_multiples(const StudyOutcome& outcome) {
     json panels = json::array();
     for (int k = 0; k < study::results; ++k) {
         const auto which = static_cast<Result>(k);
-        if (which != *main && outcome.has(which)) {
+        if (which != *main && outcome.has(which) && is_told(outcome, which)) {
             columns.add(outcome, which);
             panels.push_back(SweepColumns::title_of(study::scale_of(which)));
         }

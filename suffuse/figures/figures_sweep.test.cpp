@@ -66,6 +66,7 @@ TEST(SweepFigure, ShowsItsOtherResultsSideBySide) {
     for (study::OutcomePoint& point : outcome.points) {
         point.result[Result::VoidRatio] = study::scatter_of({0.7});
         point.result[Result::Strength] = study::scatter_of({3e5});
+        point.result[Result::StressChange] = study::scatter_of({-2e-6}); // noise of the balance: no panel
     }
     const Figure figure = sweep_multiples(outcome).value();
     EXPECT_EQ(figure.chart["facet"]["sort"].size(), 2U);

@@ -24,7 +24,7 @@ std::string row_of(const LiveRow& row) {
         "<tr class=\"{}\"><th scope=\"row\">{}</th><td>{}</td><td "
         "class=\"status\">{}</td><td>{}</td><td>{}</td></tr>\n",
         escaped(row.status), escaped(row.stage), escaped(row.verb), escaped(row.status), escaped(row.time),
-        escaped(row.state)
+        typeset(row.state)
     );
 }
 

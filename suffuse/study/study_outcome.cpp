@@ -134,7 +134,7 @@ const StudyOutcome* main_outcome(const std::vector<StudyOutcome>& outcomes) {
 }
 
 bool depends_on_sweep(const StudyOutcome& outcome, Result which) {
-    constexpr double notable = 0.02, deviations = 2;
+    constexpr double notable = 0.05, deviations = 2;
     double least = INFINITY, most = -INFINITY, largest_deviation = 0, size = 0;
     for (const OutcomePoint& point : outcome.points) {
         if (const Scatter* const value = point.find(which)) {

@@ -71,7 +71,7 @@ const StudyOutcome* main_outcome(const std::vector<StudyOutcome>& outcomes);
 /// The first of the results that the study has over its points, at best one that its sweep changes.
 std::optional<Result> main_result(const StudyOutcome& outcome);
 
-/// Whether the means differ by more than the seeds do: twice the largest deviation, a fiftieth of the mean, and the
+/// Whether the means differ by more than the seeds do: twice the largest deviation, a twentieth of the mean, and the
 /// least change that is told.
 bool depends_on_sweep(const StudyOutcome& outcome, Result which);
 
