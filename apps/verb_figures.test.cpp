@@ -34,7 +34,7 @@ TEST_F(Cli, FiguresAreAskedForByNumberOrNameAndAnUnknownOneIsCodeTwo) {
     EXPECT_EQ(unknown.code, 2);
     EXPECT_NE(unknown.error.find("it has fig07, fig11"), std::string::npos) << unknown.error;
     for (const auto& [number, file] :
-         {std::pair{"1", "constant-skeleton.toml"},
+         {std::pair{"1", "silty-sand-2016/case.toml"},
           {"2", "silty-sand-2016/case.toml"},
           {"9", "fontainebleau-2016/case.toml"}}) {
         EXPECT_NE(say({"figures", "run", "--figure", number}).error.find(file), std::string::npos) << number;

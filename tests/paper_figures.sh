@@ -24,14 +24,14 @@ chmod +x "$folder/program"
 CALLS=$folder/calls "$script" "$folder/program" /root-of-it --preset quick -o "$folder/out" >"$folder/said" 2>"$folder/talk"
 [ "$(cat "$folder/said")" = "$folder/out/index.html" ] || fail "it said $(cat "$folder/said")"
 cut -d ' ' -f 1 "$folder/calls" | tr '\n' ' ' >"$folder/order"
-[ "$(cat "$folder/order")" = "plan plan plan run run run figures figures figures " ] || fail "called in the order $(cat "$folder/order")"
-grep -q "^run /root-of-it/examples/silty-sand-2016/constant-skeleton.toml -o $folder/out/mixtures --preset quick$" "$folder/calls" ||
+[ "$(cat "$folder/order")" = "plan plan run run figures figures " ] || fail "called in the order $(cat "$folder/order")"
+grep -q "^run /root-of-it/examples/silty-sand-2016/case.toml -o $folder/out/mixtures --preset quick$" "$folder/calls" ||
     fail "the mixtures were not run as asked"
 for number in 01 02 03 04 05 06 07 08 09 10 11 12 13 14; do
     [ -e "$folder/out/fig$number.svg" ] || fail "no figure $number"
     grep -q "src=\"fig$number.svg\"" "$folder/out/index.html" || fail "figure $number is not on the page"
 done
-[ "$(grep -c mixtures/report.html "$folder/out/index.html")" -eq 5 ] || fail "five figures are of the mixtures"
+[ "$(grep -c mixtures/report.html "$folder/out/index.html")" -eq 6 ] || fail "six figures are of the mixtures"
 
 status=0
 CALLS=$folder/calls RUN_ENDS=130 "$script" "$folder/program" /root-of-it -o "$folder/stopped" >/dev/null 2>&1 || status=$?

@@ -1,10 +1,10 @@
 #!/bin/sh
 # tools/paper_figures.sh PROGRAM ROOT [--preset NAME] [-o DIR]: Figures 1 to 14 of the paper in one folder, DIR (paper):
-# 1 and 3 to 6 from examples/silty-sand-2016/constant-skeleton.toml, 2 from the tests of case.toml beside it, 7 to 14 from
-# examples/fontainebleau-2016/case.toml, and index.html, which shows them in the paper's order. What the runs cost is told
-# first. A second call goes on where the first one stopped. ./run --paper calls it.
+# 1 to 6 from examples/silty-sand-2016/case.toml, 7 to 14 from examples/fontainebleau-2016/case.toml, and index.html, which
+# shows them in the paper's order. What the runs cost is told first. A second call goes on where the first one stopped.
+# ./run --paper calls it.
 set -eu
-[ $# -ge 2 ] || { sed -n '2,6s/^# //p' "$0" >&2; exit 2; }
+[ $# -ge 2 ] || { sed -n '2,5s/^# //p' "$0" >&2; exit 2; }
 program=$1 root=$2 folder=paper preset=
 shift 2
 while [ $# -gt 0 ]; do
@@ -14,15 +14,13 @@ while [ $# -gt 0 ]; do
     *) echo "run --paper: $1 is not known; --preset NAME and -o DIR are" >&2 && exit 2 ;;
     esac
 done
-mixtures=$root/examples/silty-sand-2016/constant-skeleton.toml tests=$root/examples/silty-sand-2016/case.toml
+mixtures=$root/examples/silty-sand-2016/case.toml
 erosion=$root/examples/fontainebleau-2016/case.toml
 set -- ${preset:+--preset "$preset"}
 mkdir -p "$folder"
 
-echo "== what Figures 1 and 3 to 6 cost" >&2
+echo "== what Figures 1 to 6 cost" >&2
 "$program" plan "$mixtures" "$@" >&2
-echo "== what Figure 2 costs" >&2
-"$program" plan "$tests" --study fines "$@" >&2
 echo "== what Figures 7 to 14 cost" >&2
 "$program" plan "$erosion" "$@" >&2
 
@@ -34,11 +32,9 @@ run_of() { # CASE FOLDER WORDS...
     [ "$status" -eq 0 ] || [ "$status" -eq 4 ] || exit "$status"
 }
 run_of "$mixtures" "$folder/mixtures" "$@"
-run_of "$tests" "$folder/tests" --study fines "$@"
 run_of "$erosion" "$folder/erosion" "$@"
 
-"$program" figures "$folder/mixtures" --figure 1,3,4,5,6 -o "$folder" >/dev/null
-"$program" figures "$folder/tests" --figure 2 -o "$folder" >/dev/null
+"$program" figures "$folder/mixtures" --figure 1,2,3,4,5,6 -o "$folder" >/dev/null
 "$program" figures "$folder/erosion" --figure 7,8,9,10,11,12,13,14 -o "$folder" >/dev/null
 
 {
@@ -48,7 +44,6 @@ run_of "$erosion" "$folder/erosion" "$@"
     for number in 01 02 03 04 05 06 07 08 09 10 11 12 13 14; do
         run=erosion
         [ "$number" -gt 6 ] || run=mixtures
-        [ "$number" -ne 2 ] || run=tests
         printf '<figure><img src="fig%s.svg" alt="Figure %s"><figcaption>Figure %d. <a href="%s/report.html">Report</a>, ' \
             "$number" "$number" "$((1$number - 100))" "$run"
         printf '<a href="%s/figures/fig%s.csv">numbers</a></figcaption></figure>\n' "$run" "$number"

@@ -65,7 +65,7 @@ std::string tell_case_of(const std::string& id) {
         return ": tests of loose samples over the fines content draw it, as examples/silty-sand-2016/case.toml";
     }
     return *number <= last_of_mixtures
-               ? ": a study over the fines content draws it, as examples/silty-sand-2016/constant-skeleton.toml"
+               ? ": a study over the fines content draws it, as examples/silty-sand-2016/case.toml"
                : ": an erosion with tests before and after draws it, as examples/fontainebleau-2016/case.toml";
 }
 
