@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 namespace suffuse::io {
@@ -31,17 +30,27 @@ public:
 private:
     std::optional<GradingColumns> by_header(const SheetHeader& header) {
         header_ = &sheet_.rows[header.row];
+        second_ = header.lines > 1 ? &sheet_.rows[header.row + 1] : nullptr;
         headings_ = header.headings;
         found_.first_row = header.row + header.lines;
         if (found_.first_row < sheet_.rows.size() && take_unit_row(sheet_.rows[found_.first_row], headings_)) {
             ++found_.first_row;
         }
+        pass_over_bare_masses();
         tell_titles(header.row);
         if (!check_units() || !choose_size() || !choose_shares()) {
             return std::nullopt;
         }
         tell_unread();
         return found_;
+    }
+
+    /// "Mass (g)" beside the masses of empty sieves is no mass retained.
+    void pass_over_bare_masses() {
+        const bool are_weighed = !columns_of(ColumnKind::Tare).empty() || !columns_of(ColumnKind::Gross).empty();
+        for (Heading& heading : headings_) {
+            heading.kind = heading.is_bare_mass && are_weighed ? ColumnKind::Other : heading.kind;
+        }
     }
 
     /// Titles and notes above the headings.
@@ -170,8 +179,19 @@ private:
         return take_unnamed();
     }
 
+    /// A form has columns that nobody filled in.
+    [[nodiscard]] bool has_number(std::size_t column) const {
+        return std::any_of(
+            sheet_.rows.begin() + static_cast<std::ptrdiff_t>(std::min(found_.first_row, sheet_.rows.size())),
+            sheet_.rows.end(), [&](const SheetRow& row) { return number_at(sheet_, row, column).has_value(); }
+        );
+    }
+
     /// One column, or one for each soil; of percents rather than of masses.
     bool take_shares(std::vector<std::size_t> columns) {
+        if (std::ranges::any_of(columns, [this](std::size_t k) { return has_number(k); })) {
+            std::erase_if(columns, [this](std::size_t k) { return !has_number(k); });
+        }
         const auto is_percent = [this](std::size_t k) { return headings_[k].unit != ShareUnit::Mass; };
         if (columns.size() > 1 && std::ranges::count_if(columns, is_percent) == 1) {
             columns = {*std::ranges::find_if(columns, is_percent)};
@@ -193,7 +213,13 @@ private:
                 return false;
             }
             found_.shares.push_back(
-                {k, {}, columns.size() > 1 ? name : "", headings_[k].meaning, headings_[k].unit, true}
+                {k,
+                 {},
+                 columns.size() > 1 ? name : "",
+                 headings_[k].meaning,
+                 headings_[k].unit,
+                 true,
+                 headings_[k].mass_unit}
             );
         }
         find_sample_key();
@@ -209,17 +235,32 @@ private:
             );
             return false;
         }
-        found_.shares.push_back({gross.front(), tare.front(), "", ShareMeaning::OnSieve, ShareUnit::Mass, true});
+        found_.shares.push_back(
+            {gross.front(), tare.front(), "", ShareMeaning::OnSieve, ShareUnit::Mass, true,
+             headings_[gross.front()].mass_unit}
+        );
         find_sample_key();
         return true;
     }
 
     void find_sample_key() {
         for (std::size_t k = 0; k < headings_.size(); ++k) {
-            if (headings_[k].kind == ColumnKind::Sample) {
+            if (headings_[k].kind == ColumnKind::Sample && !differs_everywhere(k)) {
                 found_.sample_key.push_back(k);
             }
         }
+    }
+
+    /// Rows that are a sample each make no curve: such a column counts or measures something else.
+    [[nodiscard]] bool differs_everywhere(std::size_t column) const {
+        std::set<std::string_view> values;
+        std::size_t rows = 0;
+        for (std::size_t k = found_.first_row; k < sheet_.rows.size(); ++k) {
+            if (!sheet_.rows[k].is_comment) {
+                values.insert(text_at(sheet_.rows[k], column)), ++rows;
+            }
+        }
+        return rows > 1 && values.size() == rows;
     }
 
     /// Columns whose headings say neither: soils, where their numbers rise or fall with the size throughout.
@@ -244,7 +285,7 @@ private:
         for (std::size_t k = 0; k < headings_.size(); ++k) {
             const bool is_share =
                 std::ranges::any_of(found_.shares, [k](const auto& share) { return share.index == k; });
-            if (headings_[k].kind == ColumnKind::Sample && !is_share) {
+            if (headings_[k].kind == ColumnKind::Sample && !is_share && !differs_everywhere(k)) {
                 found_.sample_key.push_back(k);
             }
         }
@@ -278,63 +319,38 @@ private:
                 return share.index == k || share.tare == k;
             });
             const bool is_key = std::ranges::find(found_.sample_key, k) != found_.sample_key.end();
-            if (!is_share && !is_key && k != found_.size.index && !header_->cells[k].text.empty()) {
-                unread.push_back(fmt::format("`{}`", header_->cells[k].text));
+            if (!is_share && !is_key && k != found_.size.index && !name_of(k).empty()) {
+                unread.push_back(fmt::format("`{}`", name_of(k)));
             }
         }
         if (!unread.empty()) {
             problems_.warning(
                 sheet_remark, header_->place,
                 fmt::format(
-                    "sizes are read from `{}`, shares from `{}`; not read: {}", header_->cells[found_.size.index].text,
-                    header_->cells[found_.shares.front().index].text, fmt::join(unread, ", ")
+                    "sizes are read from `{}`, shares from `{}`; not read: {}", name_of(found_.size.index),
+                    name_of(found_.shares.front().index), fmt::join(unread, ", ")
                 )
             );
         }
     }
 
+    /// A heading as written, in one line or two.
+    [[nodiscard]] std::string name_of(std::size_t column) const {
+        const std::string& above = text_at(*header_, column);
+        const bool goes_on = second_ != nullptr && !text_at(*second_, column).empty();
+        return goes_on ? fmt::format("{}{}{}", above, above.empty() ? "" : " ", text_at(*second_, column)) : above;
+    }
+
     const Sheet& sheet_;
     Problems& problems_;
-    const SheetRow* header_ = nullptr;
+    const SheetRow *header_ = nullptr, *second_ = nullptr; ///< lines of the headings
     std::vector<Heading> headings_;
     GradingColumns found_;
 };
 
 } // namespace
 
-bool commas_are_decimal(const Sheet& sheet) {
-    return sheet.mark != ',';
-}
-
-bool is_size(const Sheet& sheet, const SheetRow& row, std::size_t column) {
-    return read_sieve_size(text_at(row, column), SizeScale::Unknown, commas_are_decimal(sheet)).has_value();
-}
-
-const std::string& text_at(const SheetRow& row, std::size_t column) {
-    static const std::string none;
-    return column < row.cells.size() ? row.cells[column].text : none;
-}
-
-Place place_at(const SheetRow& row, std::size_t column) {
-    return column < row.cells.size() ? row.cells[column].place : row.place;
-}
-
-bool is_blank(std::string_view text) {
-    const std::string_view plain = trimmed(text);
-    return plain.empty() || plain == "-" || plain == "--" || plain == "\u2013" || plain == "\u2014" || plain == "n/a" ||
-           plain == "N/A";
-}
-
-std::optional<double> number_at(const Sheet& sheet, const SheetRow& row, std::size_t column) {
-    std::string_view text = trimmed(text_at(row, column));
-    while (!text.empty() && (text.back() == '%' || std::isalpha(static_cast<unsigned char>(text.back())) != 0)) {
-        text = trimmed(text.substr(0, text.size() - 1));
-    }
-    const bool is_quoted = column < row.cells.size() && row.cells[column].is_quoted;
-    return plain_number(text, commas_are_decimal(sheet) || is_quoted);
-}
-
-std::optional<GradingColumns> find_grading_columns(const Sheet& sheet, Problems& problems) {
+bool is_too_wide(const Sheet& sheet, Problems& problems) {
     for (std::size_t k = 0; k < sheet.rows.size() && k < most_titles; ++k) {
         if (sheet.rows[k].cells.size() > most_columns) {
             problems.error(
@@ -344,9 +360,13 @@ std::optional<GradingColumns> find_grading_columns(const Sheet& sheet, Problems&
                 ),
                 "is this the file that you meant? Write a line for each sieve"
             );
-            return std::nullopt;
+            return true;
         }
     }
+    return false;
+}
+
+std::optional<GradingColumns> find_grading_columns(const Sheet& sheet, Problems& problems) {
     return ColumnFinder(sheet, problems).find();
 }
 

@@ -5,6 +5,7 @@
 #include "suffuse/base/diagnostics.hpp"
 #include "suffuse/io/heading.hpp"
 #include "suffuse/io/sheet.hpp"
+#include "suffuse/io/sheet_values.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -25,6 +26,7 @@ struct ShareColumn {
     ShareMeaning meaning = ShareMeaning::Passing;
     ShareUnit unit = ShareUnit::Unknown;
     bool is_named = true; ///< false: what it means was found in its numbers
+    const char* mass_unit = "g";
 };
 
 struct GradingColumns {
@@ -41,23 +43,8 @@ constexpr const char* expected_header =
 /// Empty where a column is missing or two mean the same, which is reported.
 std::optional<GradingColumns> find_grading_columns(const Sheet& sheet, Problems& problems);
 
-/// The text of a cell; empty where the row is shorter.
-const std::string& text_at(const SheetRow& row, std::size_t column);
-
-/// Its place; that of the row where it is shorter.
-Place place_at(const SheetRow& row, std::size_t column);
-
-/// Whether a cell says that nothing was measured: empty, or a dash.
-bool is_blank(std::string_view text);
-
-/// Whether a comma in a number is a decimal one: where none separates columns.
-bool commas_are_decimal(const Sheet& sheet);
-
-/// A size in the cell, of a notation that needs no scale or as a plain number.
-bool is_size(const Sheet& sheet, const SheetRow& row, std::size_t column);
-
-/// The number of a share or mass, without % or unit.
-std::optional<double> number_at(const Sheet& sheet, const SheetRow& row, std::size_t column);
+/// More columns than a table of gradings has, which is reported.
+bool is_too_wide(const Sheet& sheet, Problems& problems);
 
 /// Code of the remarks on how a sheet was read.
 constexpr const char* sheet_remark = "W508";

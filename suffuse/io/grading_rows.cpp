@@ -1,47 +1,33 @@
 #include "suffuse/io/grading_rows.hpp"
 
 #include "suffuse/base/spelling.hpp"
-#include "suffuse/base/units.hpp"
 #include "suffuse/io/plain_sizes.hpp"
+#include "suffuse/io/table_cells.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cmath>
 #include <map>
 
 namespace suffuse::io {
 
 namespace {
 
-/// "1,000" between quotes may be a thousand or one.
-bool may_be_thousands(std::string_view text) {
-    const std::size_t comma = text.find(',');
-    return comma != std::string_view::npos && comma > 0 && comma < 4 && text[0] != '0' && text.size() == comma + 4;
+bool keeps(ShareMeaning meaning) {
+    return meaning == ShareMeaning::OnSieve || meaning == ShareMeaning::Retained ||
+           meaning == ShareMeaning::CumulativeRetained;
 }
 
 class RowReader {
 public:
-    RowReader(const Sheet& sheet, GradingColumns columns, Problems& problems)
-        : sheet_(sheet), columns_(std::move(columns)), problems_(problems) {
-        const PlainSizes sizes = judge_plain_sizes(sheet, columns_);
-        const SizeScale found = sizes.scale;
-        mixes_units_ = sizes.mix_units;
-        if (found != columns_.size.scale) {
-            tell(
-                sheet_.rows[columns_.first_row].place,
-                found == SizeScale::SieveNumber
-                    ? "plain sizes are read as sieve numbers of ASTM E11, for only so do they go with the shares"
-                    : "plain sizes are read in mm, for no sieve has a broken number",
-                "name the column `d [mm]` or `sieve no.` to say so"
-            );
-            columns_.size.scale = found;
-        }
-        has_points_ = std::ranges::any_of(sheet_.rows, [this](const SheetRow& row) { return has_point(row); });
+    RowReader(const Sheet& sheet, GradingColumns& columns, bool mixes_units, Problems& problems)
+        : sheet_(sheet), columns_(columns), problems_(problems), cells_(sheet, columns, mixes_units, problems) {
         for (ShareColumn& share : columns_.shares) {
-            decide_unit(share);
+            share.unit = cells_.decide_unit(share);
         }
+        take_classes();
     }
 
     std::optional<std::vector<SievedSoil>> read() {
@@ -53,56 +39,33 @@ public:
             }
         }
         tell_skipped();
-        return is_good_ ? std::optional(std::move(soils_)) : std::nullopt;
+        if (columns_.sample_key.empty()) { // in the order of their columns, whichever has the coarsest sieve
+            std::ranges::stable_sort(soils_, {}, &SievedSoil::column);
+        }
+        return cells_.has_failed() ? std::nullopt : std::optional(std::move(soils_));
     }
 
 private:
+    /// "63 - 31.5": what lies between two sieves is each one's own.
+    void take_classes() {
+        const auto is_class = [this](const SheetRow& row) {
+            return !row.is_comment && split_size_text(text_at(row, columns_.size.index)).sense == SizeSense::Class;
+        };
+        const auto begin = sheet_.rows.begin() + static_cast<std::ptrdiff_t>(columns_.first_row);
+        const auto row = std::find_if(begin, sheet_.rows.end(), is_class);
+        for (ShareColumn& share : columns_.shares) {
+            const bool is_open = share.meaning == ShareMeaning::Retained || share.meaning == ShareMeaning::Cumulative;
+            if (row != sheet_.rows.end() && is_open) {
+                share.meaning = ShareMeaning::OnSieve;
+                tell(
+                    place_at(*row, columns_.size.index), "read as what lies between two sieves: the finer one keeps it"
+                );
+            }
+        }
+    }
+
     void tell(const Place& place, const std::string& what, const std::string& advice = {}) {
         problems_.warning(sheet_remark, place, what, advice);
-    }
-
-    void complain(const Place& place, const std::string& what, const std::string& advice) {
-        problems_.error("E502", place, what, advice);
-        is_good_ = false;
-    }
-
-    [[nodiscard]] bool has_point(const SheetRow& row) const {
-        const auto has = [&](std::size_t column) {
-            const std::string& text = text_at(row, column);
-            const std::size_t at = text.find('.');
-            return at != std::string::npos && at + 1 < text.size() && is_digit(text[at + 1]) &&
-                   (at == 0 || is_digit(text[at - 1]));
-        };
-        return !row.is_comment && (has(columns_.size.index) || has(columns_.shares.front().index));
-    }
-
-    /// Shares without a unit are fractions where none is above 1.
-    void decide_unit(ShareColumn& share) {
-        if (share.unit != ShareUnit::Unknown) {
-            return;
-        }
-        share.unit = ShareUnit::Percent;
-        constexpr double least_end = 0.5; // a curve of percents that ends below is refused later on
-        double most = 0;
-        const SheetRow* at = nullptr;
-        for (std::size_t k = columns_.first_row; k < sheet_.rows.size(); ++k) {
-            const auto value = number_at(sheet_, sheet_.rows[k], share.index);
-            const bool has_percent = text_at(sheet_.rows[k], share.index).find('%') != std::string::npos;
-            if (has_percent || (value && *value > 1.0000001)) {
-                return;
-            }
-            if (value && *value > most) {
-                most = *value, at = &sheet_.rows[k];
-            }
-        }
-        if (most > least_end && at != nullptr) {
-            share.unit = ShareUnit::Fraction;
-            tell(
-                place_at(*at, share.index),
-                fmt::format("shares are read as fractions of 1, for none is above {:.4g}", most),
-                "name the column `passing [-]` to say so"
-            );
-        }
     }
 
     /// `# 4`, with a blank, is a comment, and may have been meant as a sieve.
@@ -118,7 +81,7 @@ private:
 
     void read_row(const SheetRow& row) {
         if (row.cells.size() > width()) {
-            return complain(
+            return cells_.complain(
                 row.place, fmt::format("{} values where the header names {} columns", row.cells.size(), width()),
                 sheet_.mark == ','
                     ? "one value for each column; where numbers have a decimal comma, columns are separated by ; as "
@@ -138,24 +101,26 @@ private:
         case RowWord::None:
             break;
         }
-        if (is_blank(text_at(row, columns_.size.index)) && is_empty) {
-            return tell(row.place, "passed over: it has no size and no share");
+        if (is_blank(text_at(row, columns_.size.index)) && (is_empty || is_sum(row))) {
+            return tell(
+                row.place, is_empty ? "passed over: it has no size and no share"
+                                    : "passed over: it has no size, and is what the rows above add up to"
+            );
         }
-        const auto diameter = read_size(row);
-        if (!diameter) {
+        const auto size = cells_.read_size(row);
+        if (!size) {
             return;
         }
         if (is_empty) {
-            skipped_.push_back(trimmed_text(word));
+            skipped_.emplace_back(trimmed(word));
             skipped_place_ = skipped_.size() == 1 ? row.place : skipped_place_;
             return;
         }
-        if (*diameter == 0 && take_zero(row)) {
-            return;
-        }
-        for (const ShareColumn& share : columns_.shares) {
-            if (!is_blank(text_at(row, share.index))) {
-                take(row, share, *diameter);
+        if (!take_bound(row, *size) && (size->diameter != 0 || !take_zero(row))) {
+            for (const ShareColumn& share : columns_.shares) {
+                if (!is_blank(text_at(row, share.index))) {
+                    take(row, share, *size);
+                }
             }
         }
     }
@@ -168,8 +133,6 @@ private:
         return is_elsewhere ? first->text : own;
     }
 
-    static std::string trimmed_text(const std::string& text) { return std::string(trimmed(text)); }
-
     /// Columns of the header, or of the first row where there is none.
     [[nodiscard]] std::size_t width() const {
         std::size_t most = columns_.first_row > 0 ? 0 : sheet_.rows.front().cells.size();
@@ -179,84 +142,45 @@ private:
         return std::max(most, columns_.size.index + 1);
     }
 
-    std::optional<double> read_size(const SheetRow& row) {
-        const std::size_t column = columns_.size.index;
-        const std::string& text = text_at(row, column);
-        const bool is_quoted = column < row.cells.size() && row.cells[column].is_quoted;
-        const bool comma = sheet_.mark != ',' || is_quoted;
-        if (text.find(',') != std::string::npos && !check_comma(row, column)) {
-            return std::nullopt;
-        }
-        const auto size = read_sieve_size(text, columns_.size.scale, comma);
-        if (!size) {
-            complain(
-                place_at(row, column), no_size(text),
-                "a size is a number in mm, or as in 75 um, 3/8\", No. 200; a comment begins with # and a blank"
-            );
-            return std::nullopt;
-        }
-        if (size->notation == SizeNotation::WithUnit && mixes_units_) {
-            complain(
-                place_at(row, column), fmt::format("\"{}\" has its own unit, and other sizes have none", text),
-                "write a unit at every size, or name it in the heading: `d [mm]`"
-            );
-            return std::nullopt;
-        }
-        if (size->notation == SizeNotation::SieveNumber && !size->is_on_scale) {
-            complain(
-                place_at(row, column), fmt::format("\"{}\" is no sieve number of ASTM E11", text),
-                "write its opening with a unit, as in 4.75 mm; a comment begins with # and a blank"
-            );
-            return std::nullopt;
-        }
-        if (size->notation == SizeNotation::Inches && !size->is_on_scale) {
-            tell(
-                place_at(row, column),
-                fmt::format("\"{}\" is no sieve of ASTM E11: read as {:.4g} mm", text, 1e3 * size->diameter)
-            );
-        }
-        has_unit_ = columns_.size.scale != SizeScale::Unknown || size->notation != SizeNotation::Plain;
-        return size->diameter;
-    }
-
-    static std::string no_size(const std::string& text) {
-        if (is_blank(text)) {
-            return "a value is missing";
-        }
-        std::string_view unit = text;
-        unit.remove_prefix(std::min(unit.find_first_not_of("0123456789.,eE+- "), unit.size()));
-        try {
-            parse_quantity(fmt::format("1 {}", unit), dimension::length);
-        } catch (const UnitError& problem) {
-            if (is_digit(text[0]) && std::string_view(problem.what()).find(" is a") != std::string_view::npos &&
-                std::string_view(problem.what()).find("not a unit") == std::string_view::npos) {
-                return fmt::format("\"{}\": {}", text, problem.what());
+    /// Whether a row without a size is a total that nobody named: it says what stands above, added up.
+    [[nodiscard]] bool is_sum(const SheetRow& row) const {
+        constexpr double rounding = 0.002;
+        return std::ranges::all_of(columns_.shares, [&](const ShareColumn& share) {
+            const auto value = number_at(sheet_, row, share.index);
+            double sum = 0;
+            for (std::size_t k = columns_.first_row; &sheet_.rows[k] != &row; ++k) {
+                sum += sheet_.rows[k].is_comment ? 0 : number_at(sheet_, sheet_.rows[k], share.index).value_or(0);
             }
-        }
-        return fmt::format("\"{}\" is not a number", text);
+            const bool is_own_sum = value && *value > 0 && std::abs(*value - sum) <= rounding * *value;
+            return is_blank(text_at(row, share.index)) || (keeps(share.meaning) && is_own_sum);
+        });
     }
 
-    /// A decimal comma where commas separate, or beside decimal points.
-    bool check_comma(const SheetRow& row, std::size_t column) {
-        const std::string& text = row.cells[column].text;
-        const bool is_ambiguous = has_points_ || (sheet_.mark == ',' && may_be_thousands(text));
-        if (!is_ambiguous || text.find('/') != std::string::npos) {
+    /// "< 0.063" keeps what passed the finest sieve where masses or shares are retained, and is a size where they pass;
+    /// what passes "> 63" is no question. @return whether the row is done with.
+    bool take_bound(const SheetRow& row, const CellSize& size) {
+        const bool is_retained = keeps(columns_.shares.front().meaning);
+        const bool is_pan = is_retained || std::ranges::all_of(columns_.shares, [&](const ShareColumn& share) {
+                                return number_at(sheet_, row, share.index).value_or(0) == 0;
+                            });
+        const std::string& word = text_at(row, columns_.size.index);
+        if (size.sense == SizeSense::Finer && is_pan) {
+            read_pan(row, word);
             return true;
         }
-        complain(
-            row.cells[column].place, fmt::format("\"{}\" has a comma", text),
-            sheet_.mark == ',' ? "commas separate the columns here: write a decimal point"
-                               : "other numbers have a decimal point: write the same mark everywhere, and none between "
-                                 "thousands"
+        if (is_retained || size.sense == SizeSense::At || size.sense == SizeSense::Finer) {
+            return false;
+        }
+        cells_.complain(
+            place_at(row, columns_.size.index), fmt::format("\"{}\" in a table of what passes", word),
+            "write the size alone; a column of what is kept is named `retained on sieve [%]` or [g]"
         );
-        return false;
+        return true;
     }
 
     /// A size 0 keeps what passed all sieves. @return whether it is passed over.
     bool take_zero(const SheetRow& row) {
-        const ShareMeaning meaning = columns_.shares.front().meaning;
-        if (meaning == ShareMeaning::OnSieve || meaning == ShareMeaning::Retained ||
-            meaning == ShareMeaning::CumulativeRetained) {
+        if (keeps(columns_.shares.front().meaning)) {
             read_pan(row, text_at(row, columns_.size.index));
             return true;
         }
@@ -275,14 +199,17 @@ private:
             if (is_blank(text_at(row, share.index))) {
                 continue;
             }
-            const auto amount = read_amount(row, share);
+            const auto amount = cells_.read_amount(row, share);
             if (!amount) {
                 continue;
             }
             SievedSoil& soil = soil_of(row, share);
-            soil.pan = *amount, soil.end = row.place;
+            // what was washed away and what lies in the pan are two parts of one
+            const bool is_own = share.meaning == ShareMeaning::OnSieve || share.meaning == ShareMeaning::Retained;
+            soil.pan = is_own ? soil.pan.value_or(0) + *amount : std::max(soil.pan.value_or(0), *amount);
+            soil.end = row.place;
             if (share.meaning == ShareMeaning::Passing && *amount != 0) {
-                complain(
+                cells_.complain(
                     place_at(row, share.index), fmt::format("{:.4g} % passes the pan", 100 * *amount),
                     "nothing passes it: what it holds belongs into a column `retained on sieve [%]`"
                 );
@@ -294,7 +221,7 @@ private:
     void read_total(const SheetRow& row, const std::string& word) {
         for (const ShareColumn& share : columns_.shares) {
             if (!is_blank(text_at(row, share.index)) && number_at(sheet_, row, share.index)) {
-                if (const auto amount = read_amount(row, share)) {
+                if (const auto amount = cells_.read_amount(row, share)) {
                     soil_of(row, share).total = *amount;
                 }
             }
@@ -302,60 +229,13 @@ private:
         tell(row.place, fmt::format("`{}` is passed over: it is no sieve", word));
     }
 
-    void take(const SheetRow& row, const ShareColumn& share, double diameter) {
-        if (const auto amount = read_amount(row, share)) {
+    void take(const SheetRow& row, const ShareColumn& share, const CellSize& size) {
+        if (const auto amount = cells_.read_amount(row, share)) {
             SievedSoil& soil = soil_of(row, share);
             soil.end = row.place;
             soil.sieves.push_back(
-                {diameter, *amount, place_at(row, columns_.size.index), place_at(row, share.index), has_unit_}
+                {size.diameter, *amount, place_at(row, columns_.size.index), place_at(row, share.index), size.has_unit}
             );
-        }
-    }
-
-    /// A share, or a mass without that of the sieve.
-    std::optional<double> read_amount(const SheetRow& row, const ShareColumn& share) {
-        const auto amount = read_value(row, share.index, share.unit);
-        if (!amount || !share.tare) {
-            return amount;
-        }
-        const auto tare = read_value(row, *share.tare, share.unit);
-        if (tare && *tare > *amount) {
-            complain(
-                place_at(row, share.index),
-                fmt::format("a sieve with soil of {:.6g} g, and empty of {:.6g} g", 1e3 * *amount, 1e3 * *tare),
-                "the sieve with what it keeps is the heavier one: are the columns exchanged?"
-            );
-        }
-        return tare ? std::optional(*amount - *tare) : std::nullopt;
-    }
-
-    std::optional<double> read_value(const SheetRow& row, std::size_t column, ShareUnit unit) {
-        std::string text = trimmed_text(text_at(row, column));
-        const bool is_quoted = column < row.cells.size() && row.cells[column].is_quoted;
-        if (text.find(',') != std::string::npos) {
-            if (!check_comma(row, column)) {
-                return std::nullopt;
-            }
-            if (sheet_.mark != ',' || is_quoted) {
-                std::replace(text.begin(), text.end(), ',', '.');
-            }
-        }
-        const char* const own = unit == ShareUnit::Percent ? "%" : unit == ShareUnit::Mass ? "g" : "1";
-        const Dimension dimension = unit == ShareUnit::Mass ? dimension::mass : dimension::none;
-        const std::string advice =
-            fmt::format("write a plain number; it is read in {}", unit == ShareUnit::Fraction ? "shares of 1" : own);
-        try {
-            const bool has_unit = parse_quantity(text).has_unit;
-            if (has_unit && unit == ShareUnit::Fraction) {
-                complain(place_at(row, column), fmt::format("\"{}\" has its own unit", text), advice);
-                return std::nullopt;
-            }
-            return parse_quantity(has_unit ? text : fmt::format("{} {}", text, own), dimension);
-        } catch (const UnitError& problem) {
-            const std::string what = text.empty() ? "a value is missing" : problem.what();
-            const bool is_no_number = what.find("start with a number") != std::string::npos;
-            complain(place_at(row, column), is_no_number ? fmt::format("\"{}\" is not a number", text) : what, advice);
-            return std::nullopt;
         }
     }
 
@@ -369,7 +249,7 @@ private:
         const auto [found, is_new] = index_.try_emplace(name, soils_.size());
         if (is_new) {
             SievedSoil soil;
-            soil.name = name, soil.meaning = share.meaning, soil.unit = share.unit;
+            soil.name = name, soil.meaning = share.meaning, soil.unit = share.unit, soil.column = share.index;
             soil.heading_place =
                 columns_.first_row > 0 ? place_at(sheet_.rows[columns_.first_row - 1], share.index) : row.place;
             soil.end = row.place;
@@ -390,19 +270,36 @@ private:
     }
 
     const Sheet& sheet_;
-    GradingColumns columns_;
+    GradingColumns& columns_;
     Problems& problems_;
-    bool has_points_ = false, is_good_ = true, mixes_units_ = false, has_unit_ = false;
+    TableCells cells_;
     std::vector<SievedSoil> soils_;
     std::map<std::string, std::size_t> index_;
     std::vector<std::string> skipped_;
     Place skipped_place_;
 };
 
+/// The scale of sizes without a unit, told where it was found in the numbers. @return whether some have a unit
+bool settle_scale(const Sheet& sheet, GradingColumns& columns, Problems& problems) {
+    const PlainSizes sizes = judge_plain_sizes(sheet, columns);
+    if (sizes.scale != columns.size.scale) {
+        problems.warning(
+            sheet_remark, sheet.rows[columns.first_row].place,
+            sizes.scale == SizeScale::SieveNumber
+                ? "plain sizes are read as sieve numbers of ASTM E11, for only so do they go with the shares"
+                : "plain sizes are read in mm, for no sieve has a broken number",
+            "name the column `d [mm]` or `sieve no.` to say so"
+        );
+        columns.size.scale = sizes.scale;
+    }
+    return sizes.mix_units;
+}
+
 } // namespace
 
 std::optional<std::vector<SievedSoil>> read_sieve_rows(const Sheet& sheet, GradingColumns columns, Problems& problems) {
-    return RowReader(sheet, std::move(columns), problems).read();
+    const bool mixes_units = settle_scale(sheet, columns, problems);
+    return RowReader(sheet, columns, mixes_units, problems).read();
 }
 
 } // namespace suffuse::io

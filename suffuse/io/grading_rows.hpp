@@ -1,5 +1,5 @@
 #pragma once
-// The values of a sheet, soil by soil: which rows are sieves, which the pan, a total or a sieve that was not used. What
+// The values of a table, soil by soil: which rows are sieves, which the pan, a total or a sieve that was not used. What
 // is passed over is told; what cannot be read is an error.
 
 #include "suffuse/io/grading_columns.hpp"
@@ -26,6 +26,8 @@ struct SievedSoil {
     std::optional<double> pan, total; ///< as the sieves' amounts
     std::string heading;              ///< of its column
     Place heading_place, end;
+    std::size_t column = 0;    ///< of the sheet, from 0
+    std::optional<double> dry; ///< mass of the whole sample, stated above the table [kg]
 };
 
 /// Empty where something is wrong, all of which is reported.

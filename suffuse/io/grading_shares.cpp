@@ -102,10 +102,62 @@ void check_total(const SievedSoil& soil, double sum, Problems& problems) {
     }
 }
 
-/// From masses to shares of the whole sample, which only the pan or a total completes. @return whether they can be.
+/// The mass of the whole sample by what is written in the table: sieves and pan, or a total.
+std::optional<double> mass_in_table(const SievedSoil& soil, double sum, double last) {
+    if (soil.meaning != ShareMeaning::CumulativeRetained) {
+        return soil.pan ? std::optional(sum + *soil.pan) : soil.total;
+    }
+    if (!soil.pan) {
+        return soil.total;
+    }
+    return *soil.pan < last ? last + *soil.pan : *soil.pan; // its own mass, or that of all
+}
+
+/// The mass that the shares are of: the stated dry mass where nothing tells the pan, or where the finest grains were
+/// washed away before the sieving. Empty where it could be two things, which is reported.
+std::optional<double> whole_mass(const SievedSoil& soil, double sum, double last, Problems& problems) {
+    constexpr double lost = 0.01; // as above
+    constexpr double split = 1.9; // halves and quarters of a sample are sieved, too
+    const auto held = mass_in_table(soil, sum, last);
+    if (!soil.dry || (held && std::abs(*soil.dry - *held) <= lost * *held)) {
+        return held.value_or(0);
+    }
+    const double least = held.value_or(soil.meaning == ShareMeaning::CumulativeRetained ? last : sum);
+    if (*soil.dry < least) {
+        problems.warning(
+            sheet_remark, soil.end,
+            fmt::format("a dry mass of {:.6g} g is stated, and the sieves hold {:.6g} g", 1e3 * *soil.dry, 1e3 * least),
+            "what the sieves hold is taken"
+        );
+        return held.value_or(0);
+    }
+    if (held && *soil.dry > split * *held) {
+        problems.error(
+            "E504", soil.end,
+            fmt::format(
+                "sieves and pan hold {:.6g} g of a stated dry mass of {:.6g} g: was the rest washed away, or the "
+                "sample "
+                "split?",
+                1e3 * *held, 1e3 * *soil.dry
+            ),
+            "add a line `loss by washing` with its mass, or leave the stated mass out"
+        );
+        return std::nullopt;
+    }
+    problems.warning(
+        sheet_remark, soil.end,
+        fmt::format(
+            "shares are of the stated dry mass of {:.6g} g: the {:.4g} g that are not held passed the finest sieve",
+            1e3 * *soil.dry, 1e3 * (*soil.dry - least)
+        )
+    );
+    return *soil.dry;
+}
+
+/// From masses to shares of the whole sample, which only the pan, a total or a stated dry mass completes. @return
+/// whether they can be.
 bool divide_by_total(SievedSoil& soil, Problems& problems) {
-    const bool is_cumulative = soil.meaning == ShareMeaning::CumulativeRetained;
-    if (!soil.pan && !soil.total) {
+    if (!soil.pan && !soil.total && !soil.dry) {
         problems.error(
             "E504", soil.end, "masses retained, and no line `pan`: of what mass are they a share?",
             "add `pan` and the mass that passed the finest sieve, 0 where nothing did; in a cumulative column the mass "
@@ -119,21 +171,21 @@ bool divide_by_total(SievedSoil& soil, Problems& problems) {
         sum += sieve.amount, most = std::max(most, sieve.amount);
         is_good = is_good && sieve.amount >= 0;
     }
-    // A pan of a cumulative column that is below the last sieve's is the pan's own mass.
-    const double pan = soil.pan.value_or(0);
-    double total = is_cumulative ? (soil.pan ? pan : *soil.total) : soil.pan ? sum + pan : *soil.total;
-    is_good = is_good && total > 0 && std::isfinite(total);
-    if (!is_good) {
+    const auto total = is_good ? whole_mass(soil, sum, most, problems) : 0;
+    if (!total) {
+        return false;
+    }
+    if (!(*total > 0 && std::isfinite(*total))) {
         problems.error(
             "E504", soil.end, "the masses retained are no part of a mass", "masses are 0 or more, and not all 0"
         );
         return false;
     }
-    if (soil.pan && !is_cumulative) {
-        check_total(soil, total, problems);
+    if (soil.pan && soil.meaning != ShareMeaning::CumulativeRetained) {
+        check_total(soil, sum + *soil.pan, problems);
     }
     for (SieveRow& sieve : soil.sieves) {
-        sieve.amount /= total;
+        sieve.amount /= *total;
     }
     return true;
 }

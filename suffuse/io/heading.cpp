@@ -52,7 +52,7 @@ constexpr std::array stems{
     Stem{"ref", Role::Filler}, Stem{"nos", Role::Number},
     Stem{"designation", Role::Number}, Stem{"passing", Role::Passing}, Stem{"passed", Role::Passing},
     Stem{"passes", Role::Passing}, Stem{"pass", Role::Passing}, Stem{"finer", Role::Passing},
-    Stem{"undersize", Role::Passing}, Stem{"smaller", Role::Passing}, Stem{"retained", Role::Retained},
+    Stem{"undersize", Role::Passing}, Stem{"under", Role::Passing}, Stem{"smaller", Role::Passing}, Stem{"retained", Role::Retained},
     Stem{"retaining", Role::Retained}, Stem{"ret", Role::Retained}, Stem{"coarser", Role::Coarser},
     Stem{"oversize", Role::Coarser}, Stem{"larger", Role::Coarser}, Stem{"cum", Role::Cumulative},
     Stem{"cumul", Role::Cumulative}, Stem{"total", Role::Cumulative}, Stem{"accumulated", Role::Cumulative},
@@ -65,6 +65,7 @@ constexpr std::array stems{
     Stem{"tare", Role::Tare}, Stem{"empty", Role::Tare}, Stem{"plus", Role::And}, Stem{"and", Role::And},
     Stem{"with", Role::And}, Stem{"gross", Role::And}, Stem{"soil", Role::Soil}, Stem{"sample", Role::Sample},
     Stem{"specimen", Role::Sample}, Stem{"borehole", Role::Sample}, Stem{"bh", Role::Sample},
+    Stem{"boring", Role::Sample}, Stem{"point", Role::Sample}, Stem{"pointid", Role::Sample},
     Stem{"hole", Role::Sample}, Stem{"location", Role::Sample}, Stem{"test", Role::Sample}, Stem{"pit", Role::Sample},
     Stem{"depth", Role::Depth}, Stem{"top", Role::Depth}, Stem{"bottom", Role::Depth}, Stem{"phi", Role::Phi},
     Stem{"particle", Role::Filler}, Stem{"grain", Role::Filler}, Stem{"standard", Role::Filler},
@@ -147,6 +148,7 @@ bool take_unit(std::string_view text, Heading& heading) {
     }
     if (plain == "g" || plain == "kg" || plain == "gr" || plain == "grams" || plain == "gm" || plain == "mg") {
         heading.unit = ShareUnit::Mass;
+        heading.mass_unit = plain == "kg" ? "kg" : plain == "mg" ? "mg" : "g";
         return true;
     }
     if (const SizeScale scale = size_scale_of(trimmed(text)); scale != SizeScale::Unknown) {
@@ -275,7 +277,9 @@ void take_other_kind(const Roles& roles, const std::string& words, Heading& head
     if (roles.has(Role::Sample)) {
         heading.kind = ColumnKind::Sample;
     } else if (roles.has(Role::Depth)) {
-        heading.kind = ColumnKind::Sample, heading.names_depth = true;
+        const bool is_of_hydrometer = words.find("effective") != std::string::npos; // how deep its bulb hangs
+        heading.kind = is_of_hydrometer ? ColumnKind::Other : ColumnKind::Sample, heading.names_depth = true;
+        heading.scale = is_of_hydrometer ? SizeScale::Unknown : heading.scale;
     } else if (roles.has(Role::Size) || roles.has(Role::Sieve) || roles.has(Role::Phi) || says_mesh) {
         heading.kind = ColumnKind::Size;
         if (roles.has(Role::Phi)) {
@@ -327,26 +331,13 @@ Heading read_heading(std::string_view text) {
         heading.kind = ColumnKind::Size;
     } else if (heading.kind == ColumnKind::Other && heading.unit == ShareUnit::Percent && heading.rest.empty()) {
         heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Cumulative;
+    } else if (heading.kind == ColumnKind::Other && weighed && heading.rest.empty() && !roles.has(Role::Cumulative)) {
+        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Retained, heading.is_bare_mass = true;
     }
     if (heading.kind == ColumnKind::Share && weighed) {
         heading.unit = ShareUnit::Mass;
     }
     return heading;
-}
-
-RowWord read_row_word(std::string_view text) {
-    const std::string plain = plain_words(text);
-    const std::string_view words = trimmed(plain);
-    const std::string_view word = words.substr(0, words.find(' '));
-    constexpr std::array pans{"pan",         "receiver",      "bottom",  "fond",  "fondo",   "schale", "boden",
-                              "bodenschale", "auffangschale", "bandeja", "ciego", "cazuela", "rest",   "base"};
-    constexpr std::array totals{"total", "totals", "sum",    "summe", "somme",
-                                "suma",  "totale", "gesamt", "somma", "gesamtmasse"};
-    if (std::find(pans.begin(), pans.end(), word) != pans.end() || trimmed(text).starts_with('<')) {
-        return RowWord::Pan;
-    }
-    const bool is_sum = trimmed(text) == "\u03a3" || trimmed(text) == "\u2211";
-    return is_sum || std::find(totals.begin(), totals.end(), word) != totals.end() ? RowWord::Total : RowWord::None;
 }
 
 } // namespace suffuse::io

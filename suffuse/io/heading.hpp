@@ -35,16 +35,13 @@ struct Heading {
     ShareUnit unit = ShareUnit::Unknown;
     SizeScale scale = SizeScale::Unknown;
     bool names_depth = false;
+    bool is_bare_mass = false; ///< "Mass (g)": of what the sieve keeps, unless sieves were weighed
+    const char* mass_unit = "g";
     std::string own_unit; ///< in brackets, as written
     std::string rest;     ///< the words that say none of this: the name of a sample, as written
 };
 
 Heading read_heading(std::string_view text);
-
-/// What a row is that is no sieve, by the words in place of its size.
-enum class RowWord { None, Pan, Total };
-
-RowWord read_row_word(std::string_view text);
 
 /// Small letters of the Latin alphabet alone: accents dropped, everything else a blank.
 std::string plain_words(std::string_view text);

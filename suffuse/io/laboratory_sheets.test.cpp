@@ -15,7 +15,7 @@ TEST(LaboratorySheets, EachGivesItsCurve) {
          "Test: 123\nSieve\tSieve\tMass\tPercent\tPercent\nNo.\t(mm)\tRetained (g)\tRetained\tPassing\n"
          "4\t4.75\t0\t0\t100\n10\t2\t50\t10\t90\n40\t0.425\t250\t50\t40\n200\t0.075\t150\t30\t10\nPan\t\t50\t10\t\n",
          {{"", {{0.075, 10}, {0.425, 40}, {2, 90}, {4.75, 100}}}},
-         "not read: `Sieve`, `Mass`, `Percent`"},
+         "not read: `Sieve No.`, `Mass Retained (g)`, `Percent Retained`"},
         {"numbered-samples.csv",
          "size,sample 1,sample 2\n4.75,100,100\n0.6,40,60\n0.075,5,9\n",
          {{"sample 1", {{0.075, 5}, {0.6, 40}, {4.75, 100}}}, {"sample 2", {{0.075, 9}, {0.6, 60}, {4.75, 100}}}},

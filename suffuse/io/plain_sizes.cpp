@@ -35,7 +35,7 @@ public:
 private:
     void read_cells() {
         for (std::size_t k = columns_.first_row; k < sheet_.rows.size(); ++k) {
-            const std::string& text = text_at(sheet_.rows[k], columns_.size.index);
+            const std::string text = split_size_text(text_at(sheet_.rows[k], columns_.size.index)).text;
             const auto size = read_sieve_size(text, SizeScale::Millimeters, sheet_.mark != ',');
             if (sheet_.rows[k].is_comment || !size) {
                 continue;
@@ -56,7 +56,8 @@ private:
         const ShareColumn& share = columns_.shares.front();
         std::vector<double> sizes, shares;
         for (const std::size_t k : rows_) {
-            const auto size = read_sieve_size(text_at(sheet_.rows[k], columns_.size.index), scale, sheet_.mark != ',');
+            const std::string text = split_size_text(text_at(sheet_.rows[k], columns_.size.index)).text;
+            const auto size = read_sieve_size(text, scale, sheet_.mark != ',');
             const auto value = number_at(sheet_, sheet_.rows[k], share.index);
             if (size && value) {
                 sizes.push_back(size->diameter), shares.push_back(*value);

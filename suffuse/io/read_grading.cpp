@@ -3,7 +3,7 @@
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/io/ags_grading.hpp"
-#include "suffuse/io/grading_shares.hpp"
+#include "suffuse/io/grading_tables.hpp"
 #include "suffuse/io/sheet_text.hpp"
 
 #include <fmt/format.h>
@@ -15,17 +15,28 @@ namespace suffuse::io {
 
 namespace {
 
-/// What a table says when its columns stand between one mark.
+/// What a sheet says when its columns stand between one mark.
 struct Reading {
     Sheet sheet;
-    std::optional<GradingColumns> columns;
+    std::vector<SheetTable> tables; ///< of the sheet, with their columns; empty where one has none
     Problems problems;
 };
 
 Reading try_mark(const std::shared_ptr<const Source>& source, char mark) {
     Reading reading{split_sheet(source, mark), {}, {}};
-    if (!reading.sheet.rows.empty()) {
-        reading.columns = find_grading_columns(reading.sheet, reading.problems);
+    if (reading.sheet.rows.empty() || is_too_wide(reading.sheet, reading.problems)) {
+        return reading;
+    }
+    auto tables = cut_tables(reading.sheet, reading.problems);
+    bool have_columns = true;
+    for (SheetTable& table : tables) {
+        if (!table.columns) {
+            table.columns = find_grading_columns(table.sheet, reading.problems);
+        }
+        have_columns = have_columns && table.columns;
+    }
+    if (have_columns) {
+        reading.tables = std::move(tables);
     }
     return reading;
 }
@@ -35,7 +46,7 @@ Reading choose_mark(const std::shared_ptr<const Source>& source) {
     std::optional<Reading> first;
     for (const char mark : possible_marks(source->text)) {
         Reading reading = try_mark(source, mark);
-        if (reading.columns) {
+        if (!reading.tables.empty()) {
             return reading;
         }
         if (!first) {
@@ -45,7 +56,7 @@ Reading choose_mark(const std::shared_ptr<const Source>& source) {
     return std::move(*first);
 }
 
-std::optional<std::vector<SievedSoil>> read_table(const std::shared_ptr<const Source>& source, Problems& problems) {
+std::optional<std::vector<SoilPoints>> read_sheet(const std::shared_ptr<const Source>& source, Problems& problems) {
     Reading reading = choose_mark(source);
     const bool has_values =
         std::ranges::any_of(reading.sheet.rows, [](const SheetRow& row) { return !row.is_comment; });
@@ -54,17 +65,24 @@ std::optional<std::vector<SievedSoil>> read_table(const std::shared_ptr<const So
         return std::nullopt;
     }
     problems.take_over(reading.problems);
-    if (!reading.columns) {
+    if (reading.tables.empty()) {
         return std::nullopt;
     }
-    if (reading.columns->first_row >= reading.sheet.rows.size()) {
+    if (std::ranges::any_of(reading.tables, [](const SheetTable& table) {
+            return table.columns->first_row >= table.sheet.rows.size();
+        })) {
         problems.error(
             "E505", {source, 0, 0, 1}, "the file has headings and no values",
             "a line for each sieve: its size and the percent passing"
         );
         return std::nullopt;
     }
-    return read_sieve_rows(reading.sheet, std::move(*reading.columns), problems);
+    return read_tables(reading.tables, problems);
+}
+
+std::optional<std::vector<SoilPoints>> read_ags_soils(const std::shared_ptr<const Source>& source, Problems& problems) {
+    auto soils = read_ags(source, problems);
+    return soils ? points_of(std::move(*soils), problems) : std::nullopt;
 }
 
 std::string names_of(const std::vector<NamedGrading>& soils) {
@@ -100,17 +118,16 @@ parse_gradings(const std::shared_ptr<const Source>& source, Problems& problems, 
     if (!text) {
         return {};
     }
-    auto soils = looks_like_ags(text->text) ? read_ags(text, problems) : read_table(text, problems);
+    auto soils = looks_like_ags(text->text) ? read_ags_soils(text, problems) : read_sheet(text, problems);
     std::vector<NamedGrading> gradings;
     bool is_good = soils.has_value();
     const std::size_t count = soils ? soils->size() : 0;
-    for (SievedSoil& soil : soils ? *soils : std::vector<SievedSoil>{}) {
+    for (SoilPoints& soil : soils ? *soils : std::vector<SoilPoints>{}) {
         const std::string name = count > 1 ? soil.name : "";
-        Place whole{text, 0, 0, 1};
-        auto points = find_passing(std::move(soil), problems);
-        auto grading = points ? make_grading(std::move(*points), source->name, whole, problems, ends) : std::nullopt;
+        auto grading = make_grading(std::move(soil.points), source->name, {text, 0, 0, 1}, problems, ends);
         is_good = is_good && grading;
         if (grading) {
+            check_derived(soil.derived, *grading, name, problems);
             gradings.push_back({name, std::move(*grading)});
         }
     }

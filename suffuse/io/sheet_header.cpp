@@ -14,10 +14,10 @@ bool has_kind(const std::vector<Heading>& headings, ColumnKind kind) {
 }
 
 /// A row of headings: one says size, and no cell of it is one.
-std::optional<SheetHeader> read_header(const Sheet& sheet, std::size_t row) {
+std::optional<SheetHeader> read_header(const SheetRow& cells, std::size_t row) {
     SheetHeader header{row, 1, {}, false};
     bool has_size = false;
-    for (const SheetCell& cell : sheet.rows[row].cells) {
+    for (const SheetCell& cell : cells.cells) {
         header.headings.push_back(read_heading(cell.text));
         has_size = has_size || header.headings.back().kind == ColumnKind::Size;
     }
@@ -37,7 +37,7 @@ std::optional<SheetHeader> find_first_line(const Sheet& sheet) {
             }
             const bool is_value = !in_comments && sheet.rows[k].cells.size() > 1 && is_size(sheet, sheet.rows[k], 0) &&
                                   number_at(sheet, sheet.rows[k], 1);
-            auto header = is_value ? std::nullopt : read_header(sheet, k);
+            auto header = is_value ? std::nullopt : read_header(sheet.rows[k], k);
             if (header && header->is_complete) {
                 return header;
             }
@@ -86,6 +86,11 @@ std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
     header->is_complete =
         has_kind(header->headings, ColumnKind::Share) || has_kind(header->headings, ColumnKind::Gross);
     return header;
+}
+
+bool is_complete_header(const SheetRow& row) {
+    const auto header = read_header(row, 0);
+    return header && header->is_complete;
 }
 
 bool take_unit_row(const SheetRow& row, std::vector<Heading>& headings) {

@@ -20,6 +20,9 @@ struct SheetHeader {
 /// The first complete row of headings, else the first with a size; a comment counts where no other line does.
 std::optional<SheetHeader> find_sheet_header(const Sheet& sheet);
 
+/// Whether a row names a size and a share.
+bool is_complete_header(const SheetRow& row);
+
 /// "mm,%": a row without a number, in which every cell is a unit. @return whether it is one, and was taken
 bool take_unit_row(const SheetRow& row, std::vector<Heading>& headings);
 

@@ -109,13 +109,20 @@ private:
 
 bool is_cumulative(const Sheet& sheet, std::size_t first_row, const SizeColumn& size, std::size_t share) {
     std::vector<std::pair<double, double>> points;
+    const bool has_pan = std::ranges::count_if(sheet.rows, [&size](const SheetRow& row) {
+                             return split_size_text(text_at(row, size.index)).sense == SizeSense::Finer;
+                         }) == 1;
     for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
         const SheetRow& row = sheet.rows[k];
         if (row.is_comment || is_blank(text_at(row, share)) ||
             read_row_word(text_at(row, size.index)) != RowWord::None) {
             continue;
         }
-        const auto d = read_sieve_size(text_at(row, size.index), size.scale, commas_are_decimal(sheet));
+        const SizeText text = split_size_text(text_at(row, size.index));
+        if (has_pan && text.sense == SizeSense::Finer) {
+            continue;
+        }
+        const auto d = read_sieve_size(text.text, size.scale, commas_are_decimal(sheet));
         const auto value = number_at(sheet, row, share);
         if (!d || !value || !(*value >= 0 && *value <= 100.5)) {
             return false;

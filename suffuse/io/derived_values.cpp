@@ -1,0 +1,288 @@
+#include "suffuse/io/derived_values.hpp"
+
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/io/grading_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace suffuse::io {
+
+namespace {
+
+using Kind = DerivedValue::Kind;
+
+struct KnownWord {
+    std::string_view word;
+    Kind kind;
+};
+
+// English, French, German, Spanish, Italian; whole words without accents.
+constexpr std::array known_words{
+    KnownWord{"cu", Kind::Uniformity},
+    KnownWord{"u", Kind::Uniformity},
+    KnownWord{"uniformity", Kind::Uniformity},
+    KnownWord{"uniformite", Kind::Uniformity},
+    KnownWord{"ungleichformigkeitszahl", Kind::Uniformity},
+    KnownWord{"ungleichformigkeit", Kind::Uniformity},
+    KnownWord{"uniformidad", Kind::Uniformity},
+    KnownWord{"uniformita", Kind::Uniformity},
+    KnownWord{"hazen", Kind::Uniformity},
+    KnownWord{"cc", Kind::Curvature},
+    KnownWord{"cz", Kind::Curvature},
+    KnownWord{"c", Kind::Curvature},
+    KnownWord{"curvature", Kind::Curvature},
+    KnownWord{"courbure", Kind::Curvature},
+    KnownWord{"krummungszahl", Kind::Curvature},
+    KnownWord{"curvatura", Kind::Curvature},
+    KnownWord{"cobbles", Kind::Cobbles},
+    KnownWord{"boulders", Kind::Cobbles},
+    KnownWord{"cailloux", Kind::Cobbles},
+    KnownWord{"steine", Kind::Cobbles},
+    KnownWord{"bolos", Kind::Cobbles},
+    KnownWord{"ciottoli", Kind::Cobbles},
+    KnownWord{"gravel", Kind::Gravel},
+    KnownWord{"gravier", Kind::Gravel},
+    KnownWord{"graviers", Kind::Gravel},
+    KnownWord{"kies", Kind::Gravel},
+    KnownWord{"grava", Kind::Gravel},
+    KnownWord{"gravas", Kind::Gravel},
+    KnownWord{"ghiaia", Kind::Gravel},
+    KnownWord{"sand", Kind::Sand},
+    KnownWord{"sable", Kind::Sand},
+    KnownWord{"sables", Kind::Sand},
+    KnownWord{"arena", Kind::Sand},
+    KnownWord{"arenas", Kind::Sand},
+    KnownWord{"sabbia", Kind::Sand},
+    KnownWord{"fines", Kind::Fines},
+    KnownWord{"finos", Kind::Fines},
+    KnownWord{"fini", Kind::Fines},
+    KnownWord{"feinanteil", Kind::Fines},
+    KnownWord{"silt", Kind::Silt},
+    KnownWord{"limon", Kind::Silt},
+    KnownWord{"limons", Kind::Silt},
+    KnownWord{"schluff", Kind::Silt},
+    KnownWord{"limo", Kind::Silt},
+    KnownWord{"clay", Kind::Clay},
+    KnownWord{"argile", Kind::Clay},
+    KnownWord{"argiles", Kind::Clay},
+    KnownWord{"ton", Kind::Clay},
+    KnownWord{"arcilla", Kind::Clay},
+    KnownWord{"argilla", Kind::Clay},
+    KnownWord{"dmax", Kind::Largest},
+    KnownWord{"maximum", Kind::Largest},
+    KnownWord{"coarse", Kind::Other},
+    KnownWord{"medium", Kind::Other},
+    KnownWord{"fine", Kind::Other},
+    KnownWord{"fm", Kind::Other},
+    KnownWord{"fineness", Kind::Other},
+    KnownWord{"modulus", Kind::Other},
+    KnownWord{"finura", Kind::Other},
+    KnownWord{"finesse", Kind::Other},
+    KnownWord{"ll", Kind::Other},
+    KnownWord{"pl", Kind::Other},
+    KnownWord{"pi", Kind::Other},
+    KnownWord{"ip", Kind::Other},
+    KnownWord{"liquid", Kind::Other},
+    KnownWord{"plastic", Kind::Other},
+    KnownWord{"plasticity", Kind::Other},
+    KnownWord{"gs", Kind::Other},
+    KnownWord{"gravity", Kind::Other},
+    KnownWord{"uscs", Kind::Other},
+    KnownWord{"aashto", Kind::Other},
+    KnownWord{"classification", Kind::Other},
+    KnownWord{"moisture", Kind::Other},
+    KnownWord{"water", Kind::Other},
+    KnownWord{"dmin", Kind::Other},
+    KnownWord{"siebverlust", Kind::Other},
+    KnownWord{"loss", Kind::Other},
+    KnownWord{"mean", Kind::Other},
+    KnownWord{"median", Kind::Other},
+    KnownWord{"sorting", Kind::Other},
+    KnownWord{"skewness", Kind::Other},
+    KnownWord{"kurtosis", Kind::Other}};
+
+constexpr std::array<std::string_view, 33> fillers{
+    "coefficient", "coeff", "coef",  "coefficiente", "of", "de",  "di",   "d",      "der",      "content", "percent",
+    "percentage",  "pct",   "total", "size",         "mm", "um",  "m",    "value",  "the",      "index",   "number",
+    "particle",    "grain", "limit", "specific",     "by", "dry", "mass", "weight", "fraction", "f",       "and"};
+
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words;
+    const std::string plain = plain_words(text);
+    for (std::size_t begin = 0; begin < plain.size();) {
+        const std::size_t end = std::min(plain.find(' ', begin), plain.size());
+        if (end > begin) {
+            words.push_back(plain.substr(begin, end - begin));
+        }
+        begin = end + 1;
+    }
+    return words;
+}
+
+/// "d10", "d 10", "D(0.1)": the share passing.
+std::optional<double> read_percentile(std::string_view text) {
+    std::string plain;
+    for (const char c : text) {
+        plain += c == ',' ? '.' : c;
+    }
+    std::string_view rest = trimmed(plain);
+    if (rest.empty() || (rest.front() != 'd' && rest.front() != 'D')) {
+        return std::nullopt;
+    }
+    rest.remove_prefix(1);
+    while (!rest.empty() && std::string_view(" _([v").find(rest.front()) != std::string_view::npos) {
+        rest.remove_prefix(1);
+    }
+    const std::size_t end = std::min(rest.find_first_not_of("0123456789."), rest.size());
+    const auto number = plain_number(rest.substr(0, end), false);
+    rest.remove_prefix(end);
+    const std::string after = plain_words(rest);
+    const std::string_view unit = trimmed(after);
+    const bool is_alone = unit.empty() || size_scale_of(unit) != SizeScale::Unknown || unit == "size";
+    if (!number || !is_alone || !(*number > 0) || *number > 100) {
+        return std::nullopt;
+    }
+    return *number < 1 ? *number : *number / 100;
+}
+
+std::optional<Kind> kind_of(const std::vector<std::string>& words) {
+    if (words == std::vector<std::string>{"f", "m"}) { // F.M., the fineness modulus
+        return Kind::Other;
+    }
+    std::optional<Kind> found;
+    for (const std::string& word : words) {
+        const auto known = std::ranges::find(known_words, std::string_view(word), &KnownWord::word);
+        if (known == known_words.end()) {
+            if (std::ranges::find(fillers, std::string_view(word)) == fillers.end()) {
+                return std::nullopt;
+            }
+            continue;
+        }
+        const bool are_fines = found && ((*found == Kind::Silt && known->kind == Kind::Clay) ||
+                                         (*found == Kind::Clay && known->kind == Kind::Silt) ||
+                                         (*found == Kind::Fines && known->kind != Kind::Other));
+        const bool agree = !found || *found == known->kind;
+        found = are_fines ? Kind::Fines : agree ? known->kind : Kind::Other;
+    }
+    return found;
+}
+
+SizeScale scale_in(std::string_view name) {
+    const std::size_t open = name.find_first_of("([");
+    const std::size_t close = name.find_first_of(")]", std::min(open, name.size()));
+    if (open != std::string_view::npos && close != std::string_view::npos) {
+        return size_scale_of(trimmed(name.substr(open + 1, close - open - 1)));
+    }
+    const std::size_t last = name.find_last_of(' ');
+    return last == std::string_view::npos ? SizeScale::Unknown : size_scale_of(name.substr(last + 1));
+}
+
+bool is_size_kind(Kind kind) {
+    return kind == Kind::SizeAt || kind == Kind::Largest;
+}
+
+/// What a cell says of a named value, in SI.
+std::optional<double> value_in(const DerivedValue& named, std::string_view text, SizeScale scale, bool comma) {
+    if (is_size_kind(named.kind)) {
+        const auto size = read_sieve_size(text, scale == SizeScale::Unknown ? SizeScale::Millimeters : scale, comma);
+        return size ? std::optional(size->diameter) : std::nullopt;
+    }
+    text = trimmed(text);
+    const bool is_percent = text.ends_with('%');
+    const auto number = plain_number(is_percent ? text.substr(0, text.size() - 1) : text, comma);
+    const bool is_ratio = named.kind == Kind::Uniformity || named.kind == Kind::Curvature || named.kind == Kind::Other;
+    return number ? std::optional(is_ratio ? *number : *number / 100) : std::nullopt;
+}
+
+/// "Passant \u00e0 80 \u00b5m", "% passing No. 200": the sieve.
+std::optional<double> sieve_in(std::string_view name) {
+    const Heading heading = read_heading(name);
+    if (heading.kind != ColumnKind::Share || heading.meaning != ShareMeaning::Passing) {
+        return std::nullopt;
+    }
+    for (std::size_t at = name.find_first_of("0123456789#Nn<("); at < name.size();
+         at = name.find_first_of("0123456789#Nn<(", at + 1)) {
+        const bool is_start = at == 0 || name[at - 1] == ' ' || name[at - 1] == '<' || name[at - 1] == '(';
+        const auto size =
+            is_start ? read_sieve_size(split_size_text(name.substr(at)).text, SizeScale::Unknown) : std::nullopt;
+        if (size && size->is_on_scale && size->notation != SizeNotation::Plain) {
+            return size->diameter;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<DerivedValue> read_derived_name(std::string_view text) {
+    const std::size_t cut = std::min(text.find_first_of("=:"), text.size());
+    const std::string_view name = trimmed(text.substr(0, cut));
+    DerivedValue found;
+    found.name = std::string(name);
+    if (const auto share = read_percentile(name)) {
+        found.kind = Kind::SizeAt, found.at = *share;
+    } else if (name.starts_with('%') && plain_words(name).find(" 3 ") != std::string::npos && name.find('+') != std::string_view::npos) { // % +3"
+        found.kind = Kind::Cobbles;
+    } else if (const auto size = sieve_in(name)) {
+        found.kind = Kind::Passing, found.at = *size;
+    } else if (const auto kind = kind_of(words_of(name))) {
+        found.kind = *kind;
+    } else {
+        return std::nullopt;
+    }
+    return found;
+}
+
+std::vector<DerivedValue> read_derived(const Sheet& sheet, const SheetRow& row) {
+    std::vector<DerivedValue> found; // the last one may still be without its value
+    SizeScale scale = SizeScale::Unknown;
+    const auto take = [&](std::string_view text, std::size_t column) {
+        const bool comma = commas_are_decimal(sheet) || row.cells[column].is_quoted;
+        if (const auto value = value_in(found.back(), text, scale, comma)) {
+            if (found.back().value) { // a value more: of the next column's soil
+                found.push_back(found.back());
+            }
+            found.back().value = value, found.back().column = column;
+        }
+    };
+    for (std::size_t k = 0; k < row.cells.size(); ++k) {
+        const SheetCell& cell = row.cells[k];
+        if (auto name = read_derived_name(cell.text)) {
+            name->place = cell.place, scale = scale_in(name->name);
+            found.push_back(std::move(*name));
+            const std::size_t cut = cell.text.find_first_of("=:");
+            if (cut != std::string::npos) {
+                take(std::string_view(cell.text).substr(cut + 1), k);
+            }
+        } else if (!found.empty() && size_scale_of(cell.text) != SizeScale::Unknown) {
+            scale = size_scale_of(cell.text);
+        } else if (!found.empty() && !is_blank(cell.text)) {
+            take(cell.text, k);
+        } else if (k == 0 && !is_blank(cell.text)) {
+            return {};
+        }
+    }
+    return found;
+}
+
+std::vector<DerivedValue> read_derived_below(const Sheet& sheet, const SheetRow& names, const SheetRow& values) {
+    std::vector<DerivedValue> found;
+    for (std::size_t k = 0; k < names.cells.size(); ++k) {
+        auto named = read_derived_name(names.cells[k].text);
+        if (named) {
+            named->place = place_at(values, k), named->column = k;
+            named->value = value_in(
+                *named, text_at(values, k), scale_in(named->name),
+                commas_are_decimal(sheet) || (k < values.cells.size() && values.cells[k].is_quoted)
+            );
+            found.push_back(std::move(*named));
+        }
+    }
+    return found;
+}
+
+} // namespace suffuse::io

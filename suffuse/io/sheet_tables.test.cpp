@@ -1,0 +1,134 @@
+// Several tables in a sheet, notes around them, and sieves that stand across.
+
+#include "suffuse/io/sheets_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+namespace suffuse::io {
+namespace {
+
+using namespace testing;
+
+std::string told_by(const ParsedSheet& parsed) {
+    std::string told;
+    for (const Diagnostic& remark : parsed.told) {
+        told += remark.message + "\n";
+    }
+    return told;
+}
+
+TEST(SheetTables, ALastSieveThatCannotBeReadIsAnErrorAndNoNote) {
+    for (const char* row : {"O.075,8", "fine sieve,8", "No.2OO,8"}) {
+        const ParsedSheet parsed =
+            parse_sheet(std::string("d [mm],passing [%]\n4.75,100\n2,60\n0.4,30\n") + row + "\n");
+        EXPECT_TRUE(parsed.soils.empty()) << row;
+        EXPECT_NE(told_by(parsed).find("is not a number"), std::string::npos) << row << told_by(parsed);
+    }
+}
+
+TEST(SheetTables, NotesApartFromTheTableAreToldAndPassedOver) {
+    const ParsedSheet parsed =
+        parse_sheet("d [mm],passing [%]\n4.75,100\n2,60\n0.4,30\nRemarks: washed\n\nTested at,25\nOperator,J. K.\n");
+    ASSERT_EQ(parsed.soils.size(), 1U) << told_by(parsed);
+    EXPECT_EQ(parsed.soils.front().grading.diameter.size(), 3U);
+    EXPECT_NE(
+        told_by(parsed).find("passed over as notes, for they are no sieves: `Remarks: washed`, `Tested at`, `Operator`"
+        ),
+        std::string::npos
+    ) << told_by(parsed);
+}
+
+TEST(SheetTables, AWordBetweenSievesIsATitleAndAnUnreadableSieveThereAnError) {
+    const ParsedSheet parsed = parse_sheet("d [mm],passing [%]\n2,100\n0.4,30\nHYDROMETER,\n0.05,9\n0.02,4\n");
+    ASSERT_EQ(parsed.soils.size(), 1U) << told_by(parsed);
+    EXPECT_NE(told_by(parsed).find("`HYDROMETER`"), std::string::npos) << told_by(parsed);
+    EXPECT_TRUE(parse_sheet("d [mm],passing [%]\n2,100\nO.4,30\n0.05,9\n").soils.empty());
+}
+
+TEST(SheetTables, TablesWithoutNamesThatDoNotGoOnAreTwoSoils) {
+    const ParsedSheet parsed =
+        parse_sheet("d [mm],passing [%]\n2,100\n0.4,30\n0.1,3\n\nd [mm],passing [%]\n4,100\n0.4,50\n0.1,7\n");
+    ASSERT_EQ(parsed.soils.size(), 2U) << told_by(parsed);
+    EXPECT_EQ(parsed.soils[0].name, "table 1");
+    EXPECT_EQ(parsed.soils[1].name, "table 2");
+}
+
+TEST(SheetTables, TwoSamplesSideBySideHaveTheNamesAboveThem) {
+    const ParsedSheet parsed =
+        parse_sheet("TP1,,TP2,\nd [mm],passing [%],d [mm],passing [%]\n4,100,8,100\n1,50,2,40\n0.1,5,0.5,10\n,,0.1,2\n"
+        );
+    ASSERT_EQ(parsed.soils.size(), 2U) << told_by(parsed);
+    expect_soil({"TP1", {{0.1, 5}, {1, 50}, {4, 100}}}, parsed.soils[0], "beside");
+    expect_soil({"TP2", {{0.1, 2}, {0.5, 10}, {2, 40}, {8, 100}}}, parsed.soils[1], "beside");
+}
+
+TEST(SheetTables, SievesMayStandAcrossInManyWays) {
+    expect_sheets({
+        {"one-sample.csv",
+         "Sieve (mm),4.75,2,0.425,0.075\nPassing (%),100,70,30,6\nRetained (%),0,30,40,24\n",
+         {{"", {{0.075, 6}, {0.425, 30}, {2, 70}, {4.75, 100}}}},
+         "the sieves stand across"},
+        {"words-at-sizes.csv",
+         "ID,% Passing #4,% Passing #40,% Passing #200\nA,100,40,8\nB,90,35,5\n",
+         {{"A", {{0.075, 8}, {0.425, 40}, {4.75, 100}}}, {"B", {{0.075, 5}, {0.425, 35}, {4.75, 90}}}},
+         "3 sieves, 2 samples"},
+        {"numbers-alone.csv",
+         "#4,#10,#40,#200\n100,85,60,18.4\n",
+         {{"", {{0.075, 18.4}, {0.425, 60}, {2, 85}, {4.75, 100}}}},
+         "4 sieves, 1 sample"},
+        {"plain-sizes.csv",
+         "Sample;Depth (m);20;6,3;2;0,2;0,063\nBK1;1,5;100;80;55;20;8,5\nBK1;3,0;;100;90;33;12\n",
+         {{"BK1 1,5", {{0.063, 8.5}, {0.2, 20}, {2, 55}, {6.3, 80}, {20, 100}}},
+          {"BK1 3,0", {{0.063, 12}, {0.2, 33}, {2, 90}, {6.3, 100}}}},
+         "the sieves stand across"},
+        {"with-results.csv",
+         "Sample,19 mm,4.75 mm,0.425 mm,0.075 mm,Gravel %,D60\nS1,100,80,30,5,20,2\nS2,100,70,40,9,12,2\n",
+         {{"S1", {{0.075, 5}, {0.425, 30}, {4.75, 80}, {19, 100}}},
+          {"S2", {{0.075, 9}, {0.425, 40}, {4.75, 70}, {19, 100}}}},
+         "S2: Gravel % is given as 12 %"},
+    });
+}
+
+TEST(SheetTables, NumberedSamplesOverSizesAreNotSievesAcross) {
+    const ParsedSheet parsed = parse_sheet("size,1,2,3\n4.75,100,100,100\n0.6,40,60,70\n0.075,5,9,12\n");
+    ASSERT_EQ(parsed.soils.size(), 3U) << told_by(parsed);
+    expect_soil({"2", {{0.075, 9}, {0.6, 60}, {4.75, 100}}}, parsed.soils[1], "numbered");
+}
+
+TEST(SheetTables, AStatedDryMassTellsWhatWasWashedAway) {
+    const std::string rows = "Sieve (mm),Retained (g)\n4.75,0\n2,100\n0.4,200\n0.075,60\nPan,10\n";
+    const ParsedSheet washed = parse_sheet("Total dry mass (g):,500\n" + rows);
+    ASSERT_EQ(washed.soils.size(), 1U) << told_by(washed);
+    expect_soil({"", {{0.075, 28}, {0.4, 40}, {2, 80}, {4.75, 100}}}, washed.soils.front(), "washed");
+    EXPECT_NE(told_by(washed).find("the 130 g that are not held passed the finest sieve"), std::string::npos);
+    const ParsedSheet split = parse_sheet("Total dry mass (g):,5000\n" + rows);
+    EXPECT_TRUE(split.soils.empty());
+    EXPECT_NE(told_by(split).find("was the rest washed away, or the sample split?"), std::string::npos)
+        << told_by(split);
+    const ParsedSheet after = parse_sheet("Dry mass after washing (g):,370\n" + rows);
+    ASSERT_EQ(after.soils.size(), 1U) << told_by(after);
+    EXPECT_NEAR(after.soils.front().grading.passing.front(), 10.0 / 370, 1e-12);
+    const ParsedSheet kilograms =
+        parse_sheet("Total dry mass: 0.5 kg\nSieve (mm),Cumulative retained (g)\n4.75,0\n2,100\n0.4,300\n0.075,450\n");
+    ASSERT_EQ(kilograms.soils.size(), 1U) << told_by(kilograms);
+    expect_soil({"", {{0.075, 10}, {0.4, 40}, {2, 80}, {4.75, 100}}}, kilograms.soils.front(), "kilograms");
+}
+
+TEST(SheetTables, WhatIsBoundedByASignIsReadByWhatItsColumnHolds) {
+    expect_sheets({
+        {"coarser-than.csv",
+         "Size (mm),Retained (g)\n> 20,50\n20-2,100\n2-0.2,150\n0-0.2,200\n",
+         {{"", {{0.2, 40}, {2, 70}, {20, 90}}}},
+         "read as what lies between two sieves"},
+        {"cumulative-and-pan.csv",
+         "Sieve (mm),Cumulative retained (g)\n4,0\n1,250\n0.1,450\nPan,50\n",
+         {{"", {{0.1, 10}, {1, 50}, {4, 100}}}},
+         "`Pan`"},
+    });
+    const ParsedSheet parsed = parse_sheet("Size (mm),Passing (%)\n> 20,5\n20,95\n2,40\n");
+    EXPECT_TRUE(parsed.soils.empty());
+    EXPECT_NE(told_by(parsed).find("\"> 20\" in a table of what passes"), std::string::npos) << told_by(parsed);
+}
+
+} // namespace
+} // namespace suffuse::io

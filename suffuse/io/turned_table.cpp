@@ -1,0 +1,291 @@
+#include "suffuse/io/turned_table.hpp"
+
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/io/sheet_header.hpp"
+#include "suffuse/io/sheet_titles.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace suffuse::io {
+
+namespace {
+
+constexpr std::size_t least_sieves = 3; // two sizes in a row may be a number and its opening
+
+/// A size that stands in a heading among words of what passes it: "% passing #4", "Passing 0.075 mm (%)". The longest
+/// part that is one.
+std::string size_among_words(std::string_view text) {
+    if (text.find_first_of("0123456789") == std::string_view::npos || read_heading(text).kind != ColumnKind::Share) {
+        return {};
+    }
+    constexpr std::string_view marks = " <>_()";
+    for (std::size_t begin = 0; begin < text.size(); ++begin) {
+        if (begin > 0 && marks.find(text[begin - 1]) == std::string_view::npos) {
+            continue;
+        }
+        for (std::size_t end = text.size(); end > begin; --end) {
+            const bool is_end = end == text.size() || marks.find(text[end]) != std::string_view::npos;
+            const std::string_view part = trimmed(text.substr(begin, end - begin));
+            if (is_end && read_sieve_size(part, SizeScale::Unknown)) {
+                return std::string(part);
+            }
+        }
+    }
+    return {};
+}
+
+/// The size that a heading is or holds; empty where it has none.
+std::string size_in_heading(std::string_view text, bool may_be_plain) {
+    const bool is_plain = plain_number(text, true).has_value();
+    if (is_plain || read_sieve_size(text, SizeScale::Unknown)) {
+        return !is_plain || may_be_plain ? std::string(trimmed(text)) : "";
+    }
+    return size_among_words(text);
+}
+
+/// The row in which the sieves stand, their columns, and what its first cell says of them.
+struct SieveRowAcross {
+    std::size_t row = 0;
+    std::vector<std::size_t> columns;
+    std::vector<std::string> sizes;
+    Heading label;
+};
+
+class TableTurner {
+public:
+    TableTurner(const Sheet& sheet, Problems& problems) : sheet_(sheet), problems_(problems) {}
+
+    std::optional<SheetTable> turn() {
+        for (std::size_t k = 0; k < std::min(sheet_.rows.size(), most_titles); ++k) {
+            if (!sheet_.rows[k].is_comment && read_sieves(k) && has_samples()) {
+                return build();
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// Sizes in the cells of a row: with units, or plain under a word for sieves or samples, of falling or rising size.
+    bool read_sieves(std::size_t row_number) {
+        const SheetRow& row = sheet_.rows[row_number];
+        const bool has_label = !row.cells.empty() && !is_size(sheet_, row, 0); // "4.75 mm" names its unit, too
+        across_ = {row_number, {}, {}, has_label ? read_heading(row.cells.front().text) : Heading{}};
+        std::size_t with_unit = 0;
+        std::vector<double> diameters;
+        const bool is_labeled = across_.label.kind == ColumnKind::Size || across_.label.kind == ColumnKind::Sample;
+        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+            const std::string text = size_in_heading(row.cells[k].text, is_labeled);
+            const auto size = read_sieve_size(text, across_.label.scale, commas_are_decimal(sheet_));
+            if (!size) {
+                continue;
+            }
+            const bool is_named = text != row.cells[k].text; // passing 0.075
+            with_unit += size->notation == SizeNotation::Plain && !is_named ? 0U : 1U;
+            across_.columns.push_back(k), across_.sizes.push_back(text);
+            diameters.push_back(size->diameter);
+        }
+        is_plain_ = with_unit == 0;
+        const bool falls = std::ranges::is_sorted(diameters, std::greater_equal{});
+        const bool rises = std::ranges::is_sorted(diameters, std::less_equal{});
+        return diameters.size() >= least_sieves && (falls || rises);
+    }
+
+    [[nodiscard]] bool is_sample(const SheetRow& row) const {
+        const auto numbers = std::ranges::count_if(across_.columns, [&](std::size_t k) {
+            return number_at(sheet_, row, k).has_value();
+        });
+        return !row.is_comment && numbers > 1;
+    }
+
+    /// Rows of numbers below. Plain numbers in the heading of a table whose rows begin with sizes are names of samples.
+    bool has_samples() {
+        samples_.clear(), others_.clear();
+        bool begin_with_sizes = true;
+        for (std::size_t k = across_.row + 1; k < sheet_.rows.size(); ++k) {
+            const SheetRow& row = sheet_.rows[k];
+            if (is_sample(row)) {
+                samples_.push_back(&row);
+                begin_with_sizes = begin_with_sizes && across_.columns.front() > 0 && is_size(sheet_, row, 0);
+            } else if (!row.is_comment) {
+                others_.push_back(&row);
+            }
+        }
+        const bool are_names = is_plain_ && begin_with_sizes && across_.label.kind == ColumnKind::Size;
+        return !samples_.empty() && !are_names;
+    }
+
+    /// What the shares are: by the words of the rows, of the sieves' headings, or of the titles.
+    [[nodiscard]] Heading find_meaning() const {
+        Heading heading = read_heading(sheet_.rows[across_.row].cells[across_.columns.front()].text);
+        if (heading.kind == ColumnKind::Share && heading.meaning != ShareMeaning::Cumulative) {
+            heading.scale = SizeScale::Unknown;
+            return heading;
+        }
+        for (std::size_t k = 0; k <= across_.row; ++k) {
+            for (const SheetCell& cell : sheet_.rows[k].cells) {
+                heading = read_heading(cell.text);
+                const bool says = heading.kind == ColumnKind::Share && heading.meaning != ShareMeaning::Cumulative;
+                if (says && heading.unit != ShareUnit::Unknown && !read_derived_name(cell.text)) {
+                    return heading;
+                }
+            }
+        }
+        Heading unknown;
+        unknown.kind = ColumnKind::Share, unknown.meaning = ShareMeaning::Cumulative;
+        return unknown;
+    }
+
+    /// Columns of names, boreholes and depths; else the first that is no sieve's.
+    std::vector<std::size_t> find_keys() const {
+        const SheetRow& row = sheet_.rows[across_.row];
+        std::vector<std::size_t> keys, others;
+        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+            if (std::ranges::find(across_.columns, k) != across_.columns.end()) {
+                continue;
+            }
+            (read_heading(row.cells[k].text).kind == ColumnKind::Sample ? keys : others).push_back(k);
+        }
+        return !keys.empty() || others.empty() ? keys : std::vector<std::size_t>{others.front()};
+    }
+
+    std::string name_of(const SheetRow& row, const std::vector<std::size_t>& keys) {
+        std::string name;
+        for (const std::size_t k : keys) {
+            const std::string& part = text_at(row, k);
+            name += fmt::format("{}{}", name.empty() || part.empty() ? "" : " ", part);
+        }
+        name = name.empty() ? fmt::format("line {}", row.place.line) : name;
+        if (!names_.insert(name).second) {
+            name += fmt::format(" (line {})", row.place.line);
+        }
+        return name;
+    }
+
+    /// Rows of one sample that are named as passing and retained: "Passing (%),100,98". Those of the surest meaning.
+    std::vector<std::pair<const SheetRow*, Heading>> rows_by_meaning() const {
+        std::vector<std::pair<const SheetRow*, Heading>> rows;
+        for (const ShareMeaning meaning :
+             {ShareMeaning::Passing, ShareMeaning::CumulativeRetained, ShareMeaning::OnSieve, ShareMeaning::Retained}) {
+            for (const SheetRow* row : samples_) {
+                const Heading heading = read_heading(text_at(*row, 0));
+                const bool is_share = across_.columns.front() > 0 && heading.kind == ColumnKind::Share;
+                if (is_share && heading.meaning == meaning) {
+                    rows.emplace_back(row, heading);
+                }
+            }
+            if (!rows.empty()) {
+                return rows;
+            }
+        }
+        return rows;
+    }
+
+    SheetTable build() {
+        SheetTable table;
+        table.sheet.mark = sheet_.mark;
+        GradingColumns columns;
+        columns.first_row = 1, columns.size.scale = across_.label.scale;
+        const Heading meaning = find_meaning();
+        const auto named = rows_by_meaning();
+        const auto keys = named.empty() ? find_keys() : std::vector<std::size_t>{};
+        const SheetRow& heads = sheet_.rows[across_.row];
+        SheetRow first{{heads.cells.front()}, heads.place, false};
+        std::vector<const SheetRow*> taken;
+        for (const SheetRow* row : samples_) {
+            const auto own = std::ranges::find(named, row, &std::pair<const SheetRow*, Heading>::first);
+            if (!named.empty() && own == named.end()) {
+                table.notes.others.push_back(row);
+                continue;
+            }
+            const Heading& heading = own == named.end() ? meaning : own->second;
+            const std::string name = own == named.end() ? name_of(*row, keys) : heading.rest;
+            columns.shares.push_back(
+                {first.cells.size(),
+                 {},
+                 name,
+                 heading.meaning,
+                 heading.unit,
+                 heading.meaning != ShareMeaning::Cumulative,
+                 heading.mass_unit}
+            );
+            first.cells.push_back({name, row->place, false});
+            taken.push_back(row);
+        }
+        table.sheet.rows.push_back(std::move(first));
+        for (std::size_t k = 0; k < across_.columns.size(); ++k) {
+            SheetRow line{{}, heads.cells[across_.columns[k]].place, false};
+            line.cells.push_back(heads.cells[across_.columns[k]]);
+            line.cells.back().text = across_.sizes[k];
+            for (const SheetRow* row : taken) {
+                const std::size_t c = across_.columns[k];
+                line.cells.push_back(c < row->cells.size() ? row->cells[c] : SheetCell{{}, row->place, false});
+            }
+            table.sheet.rows.push_back(std::move(line));
+        }
+        add_derived(taken, table);
+        for (std::size_t k = 0; k < across_.row; ++k) {
+            if (!sheet_.rows[k].is_comment) {
+                table.notes.others.push_back(&sheet_.rows[k]);
+            }
+        }
+        table.notes.others.insert(table.notes.others.end(), others_.begin(), others_.end());
+        table.columns = std::move(columns);
+        tell(taken.size(), keys);
+        return table;
+    }
+
+    /// "D10", "Gravel %" beside the sieves: of the sample of the row.
+    void add_derived(const std::vector<const SheetRow*>& rows, SheetTable& table) {
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            for (DerivedValue value : read_derived_below(sheet_, sheet_.rows[across_.row], *rows[k])) {
+                const bool is_sieve = std::ranges::find(across_.columns, value.column) != across_.columns.end();
+                if (!is_sieve && value.value && value.kind != DerivedValue::Kind::Other) {
+                    value.column = k + 1;
+                    table.notes.derived.push_back(std::move(value));
+                }
+            }
+        }
+    }
+
+    void tell(std::size_t samples, const std::vector<std::size_t>& keys) {
+        std::vector<std::string> unread;
+        const SheetRow& row = sheet_.rows[across_.row];
+        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+            const bool is_read = std::ranges::find(across_.columns, k) != across_.columns.end() ||
+                                 std::ranges::find(keys, k) != keys.end() || (keys.empty() && k == 0);
+            const auto derived = read_derived_name(row.cells[k].text);
+            const bool is_compared = derived && derived->kind != DerivedValue::Kind::Other;
+            if (!is_read && !is_blank(row.cells[k].text) && !is_compared) {
+                unread.push_back(fmt::format("`{}`", row.cells[k].text));
+            }
+        }
+        problems_.warning(
+            sheet_remark, row.place,
+            fmt::format(
+                "the sieves stand across, and a line is a sample: {} sieves, {} {}{}{}", across_.columns.size(),
+                samples, samples == 1 ? "sample" : "samples",
+                unread.empty() ? "" : "; not read: ", fmt::join(unread, ", ")
+            )
+        );
+    }
+
+    const Sheet& sheet_;
+    Problems& problems_;
+    SieveRowAcross across_;
+    bool is_plain_ = false;
+    std::vector<const SheetRow*> samples_, others_;
+    std::set<std::string> names_;
+};
+
+} // namespace
+
+std::optional<SheetTable> turn_table(const Sheet& sheet, Problems& problems) {
+    return TableTurner(sheet, problems).turn();
+}
+
+} // namespace suffuse::io
