@@ -2,7 +2,8 @@
 """page/check_assess.py PROGRAM: the page of `suffuse assess --page` computes what the program does.
 
 Makes 200 random gradings, closed and open, writes the page for them, opens it in Chromium and compares every number
-and verdict of every criterion with `suffuse assess --json`. Exit code 77 without Chromium."""
+and verdict of every criterion with `suffuse assess --json`. Then what the page shows of an α that is known or not, and
+that one soil prints on one sheet. Exit code 77 without Chromium."""
 
 import html
 import json
@@ -46,6 +47,30 @@ def same(ours, theirs):
     return abs(ours - theirs) <= TOLERANCE * max(1, abs(ours))
 
 
+def check_view(program, browser, folder):
+    """What is wrong with the page of one soil: a slider that claims to know α, or a print of several sheets."""
+    Path(folder, "dyke.csv").write_text("d [mm],passing [%]\n0.002,0\n0.063,14\n0.63,27\n2,33\n20,76\n63,100\n")
+    wrong = []
+    opened = [browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/chromium"]
+    for alpha in [None, "0.2"]:
+        asked = ["-i", "0.3"] + (["--alpha", alpha] if alpha else [])
+        subprocess.run([program, "assess", "dyke.csv", *asked, "--page", "-o", "one.html"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        page = Path(folder, "one.html").as_uri()
+        dom = subprocess.run([*opened, "--dump-dom", page], check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=300, text=True).stdout
+        row = re.search(r'<label class="([^"]*)" id="alpha-row">', dom)
+        if row is None or ("unset" in row.group(1)) != (alpha is None):
+            wrong.append(f"α {alpha}: its slider is {'not ' if alpha is None else ''}shown as not set")
+        if bool(re.search(r'<button id="unknown"[^>]* hidden', dom)) != (alpha is None):
+            wrong.append(f"α {alpha}: the button that forgets it is {'shown' if alpha is None else 'hidden'}")
+        if "asked 0.30" not in dom or "heave 0.99" not in dom:
+            wrong.append("the gradients are not drawn on their line")
+    subprocess.run([*opened, f"--print-to-pdf={folder}/one.pdf", page], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
+    sheets = len(re.findall(rb"/Type\s*/Page\b", Path(folder, "one.pdf").read_bytes()))
+    if sheets != 1:
+        wrong.append(f"one soil prints on {sheets} sheets")
+    return wrong
+
+
 def main():
     program = str(Path(sys.argv[1]).resolve())
     browser = os.environ.get("SUFFUSE_CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
@@ -68,7 +93,8 @@ def main():
             print("the page did not compute its numbers", file=sys.stderr)
             return 1
         theirs = json.loads(html.unescape(found.group(1)))
-    compared, wrong = 0, []
+        wrong = check_view(program, browser, folder)
+    compared = 0
     for soil, page_soil in zip(ours, theirs, strict=True):
         for criterion, other in zip(soil["criteria"], page_soil["criteria"]):
             compared += 1

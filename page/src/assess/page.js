@@ -21,8 +21,8 @@ const numberText = (c) =>
 /** The chart, drawn for a desk or for a phone. */
 let plot;
 const shapes = {
-  wide: { width: 720, height: 380, left: 52, right: 12, top: 26, bottom: 44 },
-  narrow: { width: 358, height: 320, left: 48, right: 8, top: 26, bottom: 44 },
+  wide: { width: 720, height: 398, left: 52, right: 12, top: 44, bottom: 44 },
+  narrow: { width: 358, height: 330, left: 48, right: 8, top: 44, bottom: 44 },
 };
 
 /** Where the chart has a size [m] and a share. */
@@ -62,6 +62,7 @@ function drawChart() {
       parts.push(`<path class="ax" d="M${s.x(d)} ${height - bottom}v5"/><text class="m" x="${s.x(d)}" y="${height - bottom + 20}">${Number((1e3 * d).toPrecision(1))}</text>`);
     }
   }
+  parts.push(`<text class="s" x="2" y="12">finer than, by mass</text>`);
   parts.push(`<path class="ax" d="M${left} ${height - bottom}H${width - right}"/><text class="e s" x="${width - right}" y="${height - 6}">grain diameter in mm</text>`);
   state.soils.forEach((soil, k) => {
     if (k === state.which) return;
@@ -72,6 +73,28 @@ function drawChart() {
   soil.d.forEach((d, j) => parts.push(
     `<circle class="knob" data-point="${j}" tabindex="0" role="slider" aria-label="${mm(d)} mm" aria-valuenow="${three(100 * soil.f[j])}" cx="${s.x(d)}" cy="${s.y(soil.f[j])}" r="6"/>`));
   $("chart").innerHTML = parts.join("");
+  const ends = [soil.f[0] > 0 ? `${three(100 * soil.f[0])} % is finer than the last size` : "", soil.f[soil.f.length - 1] < 1 ? `${three(100 * (1 - soil.f[soil.f.length - 1]))} % is coarser than the first` : ""].filter(Boolean);
+  $("chart-note").textContent = `Grey band: sand, 0.063 to 2 mm (ISO 14688).${ends.length ? ` The curve is open: ${ends.join(", ")}.` : ""}`;
+  $("printed-points").textContent = `Passing: ${soil.d.map((d, k) => `${Number((1e3 * d).toPrecision(6))} mm ${Number((100 * soil.f[k]).toPrecision(4))} %`).join(", ")}.`;
+}
+
+/** The asked gradient on one line with those that lift the fines and the soil. */
+function drawGradients(found) {
+  const width = 330, height = 62, left = 14, right = 12, line = 34, i = state.gradient;
+  const most = Math.max(found.heave, i, found.fines ?? 0) * 1.12, x = (g) => left + (g / most) * (width - left - right);
+  const parts = [`<rect class="fail" x="${x(found.heave)}" y="${line - 5}" width="${width - right - x(found.heave)}" height="10"/>`,
+    `<path class="ax" d="M${left} ${line}H${width - right}"/>`];
+  const step = most > 2 ? 1 : most > 1 ? 0.5 : 0.2;
+  for (let g = 0; g <= most; g += step) parts.push(`<path class="ax" d="M${x(g)} ${line}v5"/><text class="m s" x="${x(g)}" y="${line + 19}">${g.toFixed(1)}</text>`);
+  const mark = (g, kind, text, row) => {
+    const isRight = x(g) > width * 0.6;
+    parts.push(`<path class="${kind}" stroke-width="2.5" d="M${x(g)} ${line - 9}v18"/><text class="${kind}${isRight ? " e" : ""}" x="${x(g) + (isRight ? 3 : -3)}" y="${row}">${text}</text>`);
+  };
+  mark(found.heave, "heave", `heave ${found.heave.toFixed(2)}`, 22);
+  if (i > 0) mark(i, "asked", `asked ${i.toFixed(2)}`, Math.abs(x(i) - x(found.heave)) < 170 && x(i) > width * 0.35 ? 10 : 22);
+  if (found.fines !== undefined) parts.push(`<path class="ax" stroke-dasharray="3 2" d="M${x(found.fines)} ${line - 9}v18"/>`);
+  $("gradients").setAttribute("viewBox", `0 0 ${width} ${height}`);
+  $("gradients").innerHTML = parts.join("");
 }
 
 function words(criteria, found) {
@@ -95,7 +118,7 @@ function drawSafety(found) {
 
 function drawTable(criteria) {
   $("criteria").innerHTML = criteria.map((c) =>
-    `<tr><td>${c.name}${c.verified ? "" : " <small>unverified</small>"}${c.why ? `<small>${c.why}</small>` : ""}</td><td>${c.measure}</td><td class="n">${numberText(c)}</td><td class="n">${limitText(c)}</td><td class="${sign[c.verdict][0]}">${sign[c.verdict][1]}</td></tr>`).join("");
+    `<tr><td>${c.name}${c.verified ? "" : " <small>unverified</small>"}${c.why ? `<small>${c.why}</small>` : ""}</td><td>${c.measure}</td><td class="n">${numberText(c)}${limitText(c) ? `<small class="lim-small">${limitText(c)}</small>` : ""}</td><td class="n lim">${limitText(c)}</td><td class="${sign[c.verdict][0]}">${sign[c.verdict][1]}</td></tr>`).join("");
 }
 
 function drawMatrix() {
@@ -119,13 +142,18 @@ function draw(keepText) {
   drawChart();
   drawTable(criteria);
   drawSafety(found);
+  drawGradients(found);
   drawMatrix();
   if (!keepText) $("points").value = here().d.map((d, k) => `${Number((1e3 * d).toPrecision(6))}\t${Number((100 * here().f[k]).toPrecision(6))}`).join("\n");
   for (const name of ["alpha", "porosity", "density", "gradient"]) {
     const value = state[name];
-    $(`${name}-text`).textContent = value === null || value === undefined ? "not known" : three(value);
+    $(`${name}-text`).textContent = value === null || value === undefined ? "not known" : name === "density" || name === "alpha" ? three(value) : value.toFixed(2);
     if (value !== null && value !== undefined) $(name).value = value;
   }
+  const isKnown = state.alpha !== null && state.alpha !== undefined; // a slider stands somewhere all the same
+  $("alpha-row").classList.toggle("unset", !isKnown);
+  $("alpha-note").textContent = isKnown ? "given" : "drag to set";
+  $("unknown").hidden = !isKnown;
 }
 
 /** A pasted or typed table: two numbers a line, the size in mm, percent passing; headings and comments are no lines. */
