@@ -2,6 +2,7 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/io/grading_columns.hpp"
+#include "suffuse/io/size_among_words.hpp"
 
 #include <fmt/format.h>
 
@@ -198,22 +199,12 @@ std::optional<double> value_in(const DerivedValue& named, std::string_view text,
     return number ? std::optional(is_ratio ? *number : *number / 100) : std::nullopt;
 }
 
-/// "Passant \u00e0 80 \u00b5m", "% passing No. 200": the sieve.
+/// "% passing No. 200": the sieve.
 std::optional<double> sieve_in(std::string_view name) {
     const Heading heading = read_heading(name);
-    if (heading.kind != ColumnKind::Share || heading.meaning != ShareMeaning::Passing) {
-        return std::nullopt;
-    }
-    for (std::size_t at = name.find_first_of("0123456789#Nn<("); at < name.size();
-         at = name.find_first_of("0123456789#Nn<(", at + 1)) {
-        const bool is_start = at == 0 || name[at - 1] == ' ' || name[at - 1] == '<' || name[at - 1] == '(';
-        const auto size =
-            is_start ? read_sieve_size(split_size_text(name.substr(at)).text, SizeScale::Unknown) : std::nullopt;
-        if (size && size->is_on_scale && size->notation != SizeNotation::Plain) {
-            return size->diameter;
-        }
-    }
-    return std::nullopt;
+    const auto size = read_sieve_size(size_among_words(name), SizeScale::Unknown);
+    const bool is_named = size && size->is_on_scale && size->notation != SizeNotation::Plain;
+    return is_named && heading.meaning == ShareMeaning::Passing ? std::optional(size->diameter) : std::nullopt;
 }
 
 } // namespace

@@ -54,6 +54,11 @@ TEST(DerivedValues, RatiosAndSharesAreComparedWithAllWaysToDrawTheCurve) {
             .find("Gravel is given as 55 %, and the curve has 20 % by ASTM D2487 and 40 % by ISO 14688"),
         std::string::npos
     );
+    EXPECT_NE(
+        told_below("Passing No. 200 sieve (%),20\n")
+            .find("Passing No. 200 sieve (%) is given as 20 %, and the curve has 6 to 10 %"),
+        std::string::npos
+    );
     EXPECT_NE(told_below("Silt and clay,0.3\n").find("is given as 0.3 %"), std::string::npos);
 }
 

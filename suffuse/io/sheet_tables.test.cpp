@@ -93,6 +93,13 @@ TEST(SheetTables, NumberedSamplesOverSizesAreNotSievesAcross) {
     const ParsedSheet parsed = parse_sheet("size,1,2,3\n4.75,100,100,100\n0.6,40,60,70\n0.075,5,9,12\n");
     ASSERT_EQ(parsed.soils.size(), 3U) << told_by(parsed);
     expect_soil({"2", {{0.075, 9}, {0.6, 60}, {4.75, 100}}}, parsed.soils[1], "numbered");
+    for (const char* names : {"0.5 m,1.0 m,2.0 m", "TP1 (0.5 m),TP2 (1 m),TP3 (2 m)"}) { // depths
+        const ParsedSheet deep =
+            parse_sheet(std::string("d [mm],") + names + "\n4.75,100,100,100\n0.6,40,60,70\n0.075,5,9,12\n");
+        ASSERT_EQ(deep.soils.size(), 3U) << told_by(deep);
+        EXPECT_EQ(deep.soils[2].grading.diameter.size(), 3U);
+        EXPECT_NEAR(deep.soils[2].grading.passing[1], 0.7, 1e-12) << names;
+    }
 }
 
 TEST(SheetTables, AStatedDryMassTellsWhatWasWashedAway) {

@@ -2,7 +2,7 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/io/sheet_header.hpp"
-#include "suffuse/io/sheet_titles.hpp"
+#include "suffuse/io/size_among_words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,33 +17,15 @@ namespace {
 
 constexpr std::size_t least_sieves = 3; // two sizes in a row may be a number and its opening
 
-/// A size that stands in a heading among words of what passes it: "% passing #4", "Passing 0.075 mm (%)". The longest
-/// part that is one.
-std::string size_among_words(std::string_view text) {
-    if (text.find_first_of("0123456789") == std::string_view::npos || read_heading(text).kind != ColumnKind::Share) {
-        return {};
-    }
-    constexpr std::string_view marks = " <>_()";
-    for (std::size_t begin = 0; begin < text.size(); ++begin) {
-        if (begin > 0 && marks.find(text[begin - 1]) == std::string_view::npos) {
-            continue;
-        }
-        for (std::size_t end = text.size(); end > begin; --end) {
-            const bool is_end = end == text.size() || marks.find(text[end]) != std::string_view::npos;
-            const std::string_view part = trimmed(text.substr(begin, end - begin));
-            if (is_end && read_sieve_size(part, SizeScale::Unknown)) {
-                return std::string(part);
-            }
-        }
-    }
-    return {};
-}
-
 /// The size that a heading is or holds; empty where it has none.
 std::string size_in_heading(std::string_view text, bool may_be_plain) {
-    const bool is_plain = plain_number(text, true).has_value();
-    if (is_plain || read_sieve_size(text, SizeScale::Unknown)) {
-        return !is_plain || may_be_plain ? std::string(trimmed(text)) : "";
+    if (plain_number(text, true)) {
+        return may_be_plain ? std::string(trimmed(text)) : "";
+    }
+    const std::size_t open = text.find_first_of("([");
+    const bool is_name = open != std::string_view::npos && !read_sieve_size(text.substr(0, open), SizeScale::Unknown);
+    if (!is_name && read_sieve_size(text, SizeScale::Unknown)) { // "TP2 (0.5 m)" is a sample
+        return std::string(trimmed(text));
     }
     return size_among_words(text);
 }
@@ -75,7 +57,6 @@ private:
         const SheetRow& row = sheet_.rows[row_number];
         const bool has_label = !row.cells.empty() && !is_size(sheet_, row, 0); // "4.75 mm" names its unit, too
         across_ = {row_number, {}, {}, has_label ? read_heading(row.cells.front().text) : Heading{}};
-        std::size_t with_unit = 0;
         std::vector<double> diameters;
         const bool is_labeled = across_.label.kind == ColumnKind::Size || across_.label.kind == ColumnKind::Sample;
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
@@ -84,12 +65,9 @@ private:
             if (!size) {
                 continue;
             }
-            const bool is_named = text != row.cells[k].text; // passing 0.075
-            with_unit += size->notation == SizeNotation::Plain && !is_named ? 0U : 1U;
             across_.columns.push_back(k), across_.sizes.push_back(text);
             diameters.push_back(size->diameter);
         }
-        is_plain_ = with_unit == 0;
         const bool falls = std::ranges::is_sorted(diameters, std::greater_equal{});
         const bool rises = std::ranges::is_sorted(diameters, std::less_equal{});
         return diameters.size() >= least_sieves && (falls || rises);
@@ -102,7 +80,8 @@ private:
         return !row.is_comment && numbers > 1;
     }
 
-    /// Rows of numbers below. Plain numbers in the heading of a table whose rows begin with sizes are names of samples.
+    /// Rows of numbers below. Where these begin with sizes, as their heading says, what stands above the others are
+    /// names of samples, 1, 2, 3 or depths.
     bool has_samples() {
         samples_.clear(), others_.clear();
         bool begin_with_sizes = true;
@@ -115,7 +94,8 @@ private:
                 others_.push_back(&row);
             }
         }
-        const bool are_names = is_plain_ && begin_with_sizes && across_.label.kind == ColumnKind::Size;
+        const bool has_no_label = across_.columns.front() > 0 && is_blank(text_at(sheet_.rows[across_.row], 0));
+        const bool are_names = begin_with_sizes && (across_.label.kind == ColumnKind::Size || has_no_label);
         return !samples_.empty() && !are_names;
     }
 
@@ -277,7 +257,6 @@ private:
     const Sheet& sheet_;
     Problems& problems_;
     SieveRowAcross across_;
-    bool is_plain_ = false;
     std::vector<const SheetRow*> samples_, others_;
     std::set<std::string> names_;
 };

@@ -24,7 +24,7 @@ public:
             }
         }
         const bool has_rows = found_.first_row < sheet_.rows.size();
-        const auto all_of_two = [this](const SheetRow& row) { return row.is_comment || row.cells.size() == 2; };
+        const auto all_of_two = [](const SheetRow& row) { return row.is_comment || row.cells.size() == 2; };
         const bool are_two = has_rows && std::all_of(
                                              sheet_.rows.begin() + static_cast<std::ptrdiff_t>(found_.first_row),
                                              sheet_.rows.end(), all_of_two
