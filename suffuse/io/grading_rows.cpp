@@ -79,7 +79,23 @@ private:
         }
     }
 
+    /// What says which soil a row is of. Where cells were merged, only the first row of a soil says it.
+    void read_key(const SheetRow& row) {
+        std::vector<std::string> key;
+        for (const std::size_t column : columns_.sample_key) {
+            key.push_back(text_at(row, column));
+        }
+        const bool is_left_out =
+            !key.empty() && std::ranges::all_of(key, [](const std::string& part) { return is_blank(part); });
+        if (is_left_out && !key_.empty() && !has_told_merged_) {
+            tell(row.place, "a row that names no sample is of the one above", "name it in every row to say so");
+            has_told_merged_ = true;
+        }
+        key_ = is_left_out ? key_ : key;
+    }
+
     void read_row(const SheetRow& row) {
+        read_key(row);
         if (row.cells.size() > width()) {
             return cells_.complain(
                 row.place, fmt::format("{} values where the header names {} columns", row.cells.size(), width()),
@@ -242,9 +258,9 @@ private:
     /// The soil that a row and a column speak of.
     SievedSoil& soil_of(const SheetRow& row, const ShareColumn& share) {
         std::string name = share.name;
-        for (const std::size_t key : columns_.sample_key) {
-            name += name.empty() ? "" : " ";
-            name += text_at(row, key);
+        for (const std::string& part : key_) {
+            name += name.empty() || part.empty() ? "" : " ";
+            name += part;
         }
         const auto [found, is_new] = index_.try_emplace(name, soils_.size());
         if (is_new) {
@@ -275,8 +291,9 @@ private:
     TableCells cells_;
     std::vector<SievedSoil> soils_;
     std::map<std::string, std::size_t> index_;
-    std::vector<std::string> skipped_;
+    std::vector<std::string> skipped_, key_;
     Place skipped_place_;
+    bool has_told_merged_ = false;
 };
 
 /// The scale of sizes without a unit, told where it was found in the numbers. @return whether some have a unit

@@ -327,7 +327,7 @@ Heading read_heading(std::string_view text) {
     if (!take_mass(roles, weighed, heading) && !take_share(roles, heading)) {
         take_other_kind(roles, plain_words(text), heading);
     }
-    const bool has_digit = heading.rest.find_first_of("0123456789") != std::string::npos; // a name: TP2 (0.5 m)
+    const bool has_digit = heading.rest.find_first_of("0123456789") != std::string::npos;         // a name: TP2 (0.5 m)
     if (heading.kind == ColumnKind::Other && heading.scale != SizeScale::Unknown && !has_digit) { // a unit alone
         heading.kind = ColumnKind::Size;
     } else if (heading.kind == ColumnKind::Other && heading.unit == ShareUnit::Percent && heading.rest.empty()) {

@@ -81,12 +81,27 @@ TEST(SheetTables, SievesMayStandAcrossInManyWays) {
          {{"BK1 1,5", {{0.063, 8.5}, {0.2, 20}, {2, 55}, {6.3, 80}, {20, 100}}},
           {"BK1 3,0", {{0.063, 12}, {0.2, 33}, {2, 90}, {6.3, 100}}}},
          "the sieves stand across"},
+        {"masses.csv",
+         "Mass retained (g),,,,\nSample,#4,#10,#40,#200,Pan\nA,0,100,200,150,50\nB,0,60,60,60,20\n",
+         {{"A", {{0.075, 10}, {0.425, 40}, {2, 80}, {4.75, 100}}},
+          {"B", {{0.075, 10}, {0.425, 40}, {2, 70}, {4.75, 100}}}},
+         "`Pan` is what passed the finest sieve"},
         {"with-results.csv",
          "Sample,19 mm,4.75 mm,0.425 mm,0.075 mm,Gravel %,D60\nS1,100,80,30,5,20,2\nS2,100,70,40,9,12,2\n",
          {{"S1", {{0.075, 5}, {0.425, 30}, {4.75, 80}, {19, 100}}},
           {"S2", {{0.075, 9}, {0.425, 40}, {4.75, 70}, {19, 100}}}},
          "S2: Gravel % is given as 12 %"},
     });
+}
+
+TEST(SheetTables, MergedCellsLeaveTheSampleToItsFirstRow) {
+    const ParsedSheet parsed =
+        parse_sheet("Sample,Depth (m),Sieve (mm),Passing "
+                    "(%)\nTP1,1.5,19,100\n,,4.75,80\n,,0.1,6\nTP2,2,19,100\n,,4.75,90\n,,0.1,7\n");
+    ASSERT_EQ(parsed.soils.size(), 2U) << told_by(parsed);
+    expect_soil({"TP1 1.5", {{0.1, 6}, {4.75, 80}, {19, 100}}}, parsed.soils[0], "merged");
+    expect_soil({"TP2 2", {{0.1, 7}, {4.75, 90}, {19, 100}}}, parsed.soils[1], "merged");
+    EXPECT_NE(told_by(parsed).find("a row that names no sample is of the one above"), std::string::npos);
 }
 
 TEST(SheetTables, NumberedSamplesOverSizesAreNotSievesAcross) {

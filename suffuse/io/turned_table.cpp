@@ -60,7 +60,12 @@ private:
         std::vector<double> diameters;
         const bool is_labeled = across_.label.kind == ColumnKind::Size || across_.label.kind == ColumnKind::Sample;
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
-            const std::string text = size_in_heading(row.cells[k].text, is_labeled);
+            const std::string& cell = row.cells[k].text;
+            if (read_row_word(cell) != RowWord::None || split_size_text(cell).sense == SizeSense::Finer) {
+                across_.columns.push_back(k), across_.sizes.push_back(cell); // the pan stands among them
+                continue;
+            }
+            const std::string text = size_in_heading(cell, is_labeled);
             const auto size = read_sieve_size(text, across_.label.scale, commas_are_decimal(sheet_));
             if (!size) {
                 continue;
@@ -101,7 +106,8 @@ private:
 
     /// What the shares are: by the words of the rows, of the sieves' headings, or of the titles.
     [[nodiscard]] Heading find_meaning() const {
-        Heading heading = read_heading(sheet_.rows[across_.row].cells[across_.columns.front()].text);
+        const SheetRow& sieves = sheet_.rows[across_.row];
+        Heading heading = read_heading(sieves.cells[across_.columns.front()].text);
         if (heading.kind == ColumnKind::Share && heading.meaning != ShareMeaning::Cumulative) {
             heading.scale = SizeScale::Unknown;
             return heading;
