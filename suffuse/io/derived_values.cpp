@@ -207,11 +207,7 @@ std::optional<double> sieve_in(std::string_view name) {
     return is_named && heading.meaning == ShareMeaning::Passing ? std::optional(size->diameter) : std::nullopt;
 }
 
-} // namespace
-
-std::optional<DerivedValue> read_derived_name(std::string_view text) {
-    const std::size_t cut = std::min(text.find_first_of("=:"), text.size());
-    const std::string_view name = trimmed(text.substr(0, cut));
+std::optional<DerivedValue> read_name(std::string_view name) {
     DerivedValue found;
     found.name = std::string(name);
     if (const auto share = read_percentile(name)) {
@@ -226,6 +222,40 @@ std::optional<DerivedValue> read_derived_name(std::string_view text) {
         return std::nullopt;
     }
     return found;
+}
+
+/// Where the value begins in a cell that has it, too: "D10= 0.09", "Cu: 50", "D60 2.0 mm".
+std::size_t find_value(std::string_view text) {
+    const std::size_t mark = text.find_first_of("=:");
+    if (mark != std::string_view::npos) {
+        return mark + 1;
+    }
+    for (std::size_t at = text.find(' '); at < text.size(); at = text.find(' ', at + 1)) {
+        std::string_view value = trimmed(text.substr(at));
+        value = value.ends_with('%') ? trimmed(value.substr(0, value.size() - 1)) : value;
+        const bool is_value = plain_number(value, true) || read_sieve_size(value, SizeScale::Millimeters);
+        if (is_value && read_name(trimmed(text.substr(0, at)))) {
+            return at;
+        }
+    }
+    return text.size();
+}
+
+} // namespace
+
+std::optional<DerivedValue> read_derived_name(std::string_view text) {
+    constexpr std::size_t longest = 80; // of a name
+    if (text.size() > longest) {
+        return std::nullopt;
+    }
+    if (auto whole = read_name(trimmed(text))) { // D 10, % passing No. 200
+        return whole;
+    }
+    std::string_view name = text.substr(0, find_value(text));
+    while (name.ends_with('=') || name.ends_with(':') || name.ends_with(' ')) {
+        name.remove_suffix(1);
+    }
+    return read_name(trimmed(name));
 }
 
 std::vector<DerivedValue> read_derived(const Sheet& sheet, const SheetRow& row) {
@@ -245,9 +275,8 @@ std::vector<DerivedValue> read_derived(const Sheet& sheet, const SheetRow& row) 
         if (auto name = read_derived_name(cell.text)) {
             name->place = cell.place, scale = scale_in(name->name);
             found.push_back(std::move(*name));
-            const std::size_t cut = cell.text.find_first_of("=:");
-            if (cut != std::string::npos) {
-                take(std::string_view(cell.text).substr(cut + 1), k);
+            if (found.back().name != trimmed(cell.text)) { // its value stands beside it
+                take(std::string_view(cell.text).substr(find_value(cell.text)), k);
             }
         } else if (!found.empty() && size_scale_of(cell.text) != SizeScale::Unknown) {
             scale = size_scale_of(cell.text);

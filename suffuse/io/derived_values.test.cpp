@@ -64,6 +64,8 @@ TEST(DerivedValues, RatiosAndSharesAreComparedWithAllWaysToDrawTheCurve) {
 
 TEST(DerivedValues, NamesMayStandAboveTheirValuesOrBesideThem) {
     EXPECT_NE(told_below("\"Gravel %\",\"Sand %\"\n20,30\n").find("Sand % is given as 30 %"), std::string::npos);
+    EXPECT_NE(told_below("D60 0.2 mm\nCu = 20\n").find("D60 is given as 0.2 mm"), std::string::npos);
+    EXPECT_NE(told_below("Gravel 70 %\n").find("Gravel is given as 70 %"), std::string::npos);
     EXPECT_NE(told_below("D60= 0.2,D10= 0.1\n").find("D60 is given as 0.2 mm"), std::string::npos);
 }
 

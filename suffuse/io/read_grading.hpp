@@ -1,8 +1,9 @@
 #pragma once
 // Grading curves out of what laboratories and site investigations keep: docs/gradings.md lists what is understood. The
-// text (sheet_text) is cut into cells (sheet), the columns are found (grading_columns), the rows read (grading_rows),
-// turned into percent passing (grading_shares) and checked (grading_curve). How a sheet was understood is told in
-// remarks; what could mean two things is refused.
+// text (sheet_text) is cut into cells (sheet) and these into tables (sheet_tables, turned_table); the columns of each
+// are found (grading_columns), its rows read (grading_rows), turned into percent passing (grading_shares), joined
+// (grading_tables) and checked (grading_curve, check_derived). How a sheet was understood is told in remarks; what
+// could mean two things is refused.
 
 #include "suffuse/grains/soil.hpp"
 #include "suffuse/io/grading_curve.hpp"

@@ -146,6 +146,10 @@ SizeText split_size_text(std::string_view text) {
             return {std::string(trimmed(text.substr(skipped))), prefix.sense};
         }
     }
+    constexpr double least_number = 20; // "-200" is what passes No. 200; phi does not go as low
+    if (text.starts_with('-') && plain_number(text.substr(1), true).value_or(0) > least_number) {
+        return {std::string(trimmed(text.substr(1))), SizeSense::Finer};
+    }
     if (text.find('/') == std::string_view::npos && !text.empty() && (is_digit(text[0]) || text[0] == '.')) {
         if (auto found = split_class(text)) {
             return *found;
