@@ -111,7 +111,7 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
         {"E504", 3, 1, "no line `pan`", "sieve [mm],retained on sieve [g]\n0.2,0\n0.1,30\n"},
         {"E504", 4, 1, "0 or more", "sieve [mm],retained on sieve [g]\n0.2,-1\n0.1,30\npan,0\n"},
         {"E504", 4, 1, "not all 0", "sieve [mm],retained on sieve [g]\n0.2,0\n0.1,0\npan,0\n"},
-        {"E504", 3, 5, "-50 % passing",
+        {"E504", 3, 5, "starts at 40 % passing",
          "sieve [mm],cumulative retained [g]\n0.2,0\n0.1,30\npan,20\n"}, // of its own mass
         {"E504", 3, 5, "starts at 40 % passing", "sieve [mm],retained on sieve [g]\n0.2,0\n0.1,60\npan,40\n"},
         {"E506", 1, 3, "`d` and `size` mean the same", "d,size,passing\n0.1,1,0\n"},

@@ -118,6 +118,11 @@ std::optional<double> mass_in_table(const SievedSoil& soil, double sum, double l
 std::optional<double> whole_mass(const SievedSoil& soil, double sum, double last, Problems& problems) {
     constexpr double lost = 0.01; // as above
     constexpr double split = 1.9; // halves and quarters of a sample are sieved, too
+    if (soil.meaning == ShareMeaning::CumulativeRetained && soil.pan.value_or(last) < last) {
+        problems.warning(
+            sheet_remark, soil.end, "the pan holds less than all sieves: read as its own mass, not a cumulative one"
+        );
+    }
     const auto held = mass_in_table(soil, sum, last);
     if (!soil.dry || (held && std::abs(*soil.dry - *held) <= lost * *held)) {
         return held.value_or(0);

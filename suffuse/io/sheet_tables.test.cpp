@@ -149,7 +149,7 @@ TEST(SheetTables, WhatIsBoundedByASignIsReadByWhatItsColumnHolds) {
         {"cumulative-and-pan.csv",
          "Sieve (mm),Cumulative retained (g)\n4,0\n1,250\n0.1,450\nPan,50\n",
          {{"", {{0.1, 10}, {1, 50}, {4, 100}}}},
-         "`Pan`"},
+         "read as its own mass"},
     });
     const ParsedSheet parsed = parse_sheet("Size (mm),Passing (%)\n> 20,5\n20,95\n2,40\n");
     EXPECT_TRUE(parsed.soils.empty());
