@@ -30,9 +30,14 @@ TEST_F(Cli, FiguresAreAskedForByNumberOrNameAndAnUnknownOneIsCodeTwo) {
     for (const char* name : {"fig7", "fig07", "figure-7"}) {
         EXPECT_EQ(say({"figures", "run", "--figure", name, "-o", "drawn"}).code, 0) << name;
     }
-    const Said both = say({"figures", "run", "--figure", "7,11", "-o", "both"});
+    for (const char* figure : {"fig07", "fig09", "fig10"}) {
+        write_to(
+            folder / "three/figures" / (std::string(figure) + ".svg"), "<svg xmlns=\"http://www.w3.org/2000/svg\"/>"
+        );
+    }
+    const Said both = say({"figures", "three", "--figure", "9,10", "-o", "both"});
     EXPECT_EQ(both.code, 0) << both.error;
-    EXPECT_EQ(both.out, "both/fig07.svg\nboth/fig11.svg\n");
+    EXPECT_EQ(both.out, "both/fig09.svg\nboth/fig10.svg\n");
     const Said unknown = say({"figures", "run", "--figure", "12"});
     EXPECT_EQ(unknown.code, 2);
     EXPECT_NE(unknown.error.find("it has fig07, fig11"), std::string::npos) << unknown.error;
