@@ -35,7 +35,7 @@ Reading try_mark(const std::shared_ptr<const Source>& source, char mark) {
         }
         have_columns = have_columns && table.columns;
     }
-    if (have_columns) {
+    if (have_columns && !reading.problems.has_errors()) {
         reading.tables = std::move(tables);
     }
     return reading;

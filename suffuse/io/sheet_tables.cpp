@@ -273,7 +273,7 @@ std::vector<SheetTable> cut_beside(SheetTable table) {
     }
     std::vector<SheetTable> parts;
     for (std::size_t k = 0; k < begins.size(); ++k) {
-        const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : header->headings.size();
+        const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : std::string::npos; // no cell is lost
         SheetTable part;
         part.sheet = take_columns(table.sheet, begins[k], end, header->row);
         part.dry = table.dry;

@@ -94,6 +94,24 @@ TEST(SheetTables, SievesMayStandAcrossInManyWays) {
     });
 }
 
+TEST(SheetTables, ARowWithMoreValuesThanHeadingsIsAnErrorInEveryKindOfTable) {
+    for (const char* text :
+         {"Sample,4.75 mm,0.4 mm,0.1 mm\nA,100,40,8\nB,90,35,0,5\n",
+          "d [mm],passing [%],d [mm],passing [%]\n4,100,8,100\n1,50,2,40\n0.1,5,0.5,10,7\n"}) {
+        const ParsedSheet parsed = parse_sheet(text);
+        EXPECT_TRUE(parsed.soils.empty()) << text;
+        EXPECT_NE(told_by(parsed).find("values where the header names"), std::string::npos) << told_by(parsed);
+    }
+}
+
+TEST(SheetTables, OtherSievesAcrossFurtherDownAreRefusedAndTheSameAreNot) {
+    const std::string first = "Sample,4.75 mm,0.4 mm,0.1 mm\nA,100,40,8\n";
+    const ParsedSheet other = parse_sheet(first + "Sample,19 mm,2 mm,0.06 mm\nB,100,35,5\n");
+    EXPECT_TRUE(other.soils.empty());
+    EXPECT_NE(told_by(other).find("a second row of sieves across"), std::string::npos) << told_by(other);
+    EXPECT_EQ(parse_sheet(first + "Sample,4.75 mm,0.4 mm,0.1 mm\nB,100,35,5\n").soils.size(), 2U);
+}
+
 TEST(SheetTables, MergedCellsLeaveTheSampleToItsFirstRow) {
     const ParsedSheet parsed =
         parse_sheet("Sample,Depth (m),Sieve (mm),Passing "

@@ -152,6 +152,39 @@ private:
         return name;
     }
 
+    /// What stands beyond the last heading is of no sieve, and no row may lose it.
+    void check_widths() {
+        const std::size_t width = sheet_.rows[across_.row].cells.size();
+        for (const SheetRow* row : samples_) {
+            if (row->cells.size() > width) {
+                problems_.error(
+                    "E502", row->place,
+                    fmt::format("{} values where the header names {} columns", row->cells.size(), width),
+                    "one value for each column; where numbers have a decimal comma, columns are separated by ;"
+                );
+            }
+        }
+    }
+
+    /// A page may repeat the sieves; other sieves would be those of the samples below them.
+    void check_second_heads() {
+        const SheetRow& heads = sheet_.rows[across_.row];
+        for (const SheetRow* row : others_) {
+            const auto sizes = std::ranges::count_if(row->cells, [](const SheetCell& cell) {
+                return !size_in_heading(cell.text, false).empty();
+            });
+            const bool is_repeated = std::ranges::all_of(across_.columns, [&](std::size_t k) {
+                return text_at(*row, k) == heads.cells[k].text;
+            });
+            if (sizes >= static_cast<std::ptrdiff_t>(least_sieves) && !is_repeated) {
+                problems_.error(
+                    "E502", row->place, "a second row of sieves across, other than the first",
+                    "keep each table with its sieves in a file of its own"
+                );
+            }
+        }
+    }
+
     /// Rows of one sample that are named as passing and retained: "Passing (%),100,98". Those of the surest meaning.
     std::vector<std::pair<const SheetRow*, Heading>> rows_by_meaning() const {
         std::vector<std::pair<const SheetRow*, Heading>> rows;
@@ -180,6 +213,8 @@ private:
         const auto named = rows_by_meaning();
         const auto keys = named.empty() ? find_keys() : std::vector<std::size_t>{};
         const SheetRow& heads = sheet_.rows[across_.row];
+        check_widths();
+        check_second_heads();
         SheetRow first{{heads.cells.front()}, heads.place, false};
         std::vector<const SheetRow*> taken;
         for (const SheetRow* row : samples_) {
