@@ -80,7 +80,7 @@ private:
 
     [[nodiscard]] bool is_sample(const SheetRow& row) const {
         const auto numbers = std::ranges::count_if(across_.columns, [&](std::size_t k) {
-            return number_at(sheet_, row, k).has_value();
+            return number_at(sheet_, row, k).has_value() && size_in_heading(text_at(row, k), false).empty();
         });
         return !row.is_comment && numbers > 1;
     }
