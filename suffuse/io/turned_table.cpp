@@ -127,7 +127,7 @@ private:
     }
 
     /// Columns of names, boreholes and depths; else the first that is no sieve's.
-    std::vector<std::size_t> find_keys() const {
+    [[nodiscard]] std::vector<std::size_t> find_keys() const {
         const SheetRow& row = sheet_.rows[across_.row];
         std::vector<std::size_t> keys, others;
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
@@ -186,7 +186,7 @@ private:
     }
 
     /// Rows of one sample that are named as passing and retained: "Passing (%),100,98". Those of the surest meaning.
-    std::vector<std::pair<const SheetRow*, Heading>> rows_by_meaning() const {
+    [[nodiscard]] std::vector<std::pair<const SheetRow*, Heading>> rows_by_meaning() const {
         std::vector<std::pair<const SheetRow*, Heading>> rows;
         for (const ShareMeaning meaning :
              {ShareMeaning::Passing, ShareMeaning::CumulativeRetained, ShareMeaning::OnSieve, ShareMeaning::Retained}) {
