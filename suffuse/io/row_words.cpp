@@ -67,6 +67,23 @@ std::optional<Bound> read_bound(std::string_view text) {
     return Bound{*number, text.substr(0, end), unit};
 }
 
+/// Two bounds of one unit: the finer one with it, or what lies below the coarser where the finer is 0.
+SizeText finer_of(const Bound& first, const Bound& second) {
+    const std::string_view unit = first.unit.empty() ? second.unit : first.unit;
+    const Bound &finer = first.number < second.number ? first : second,
+                &coarser = first.number < second.number ? second : first;
+    const bool is_pan = finer.number == 0;
+    return {
+        fmt::format("{}{}{}", is_pan ? coarser.digits : finer.digits, unit.empty() ? "" : " ", unit),
+        is_pan ? SizeSense::Finer : SizeSense::Class};
+}
+
+/// 2 mm - 850 um: the units say which is the finer one.
+SizeText finer_by_unit(std::string_view first, std::string_view second) {
+    const auto a = read_sieve_size(first, SizeScale::Unknown), b = read_sieve_size(second, SizeScale::Unknown);
+    return {std::string(trimmed(a && b && a->diameter < b->diameter ? first : second)), SizeSense::Class};
+}
+
 /// "63 - 31.5", "2 to 0.85 mm": the finer bound with its unit.
 std::optional<SizeText> split_class(std::string_view text) {
     constexpr std::array<std::string_view, 7> marks{" to ", " bis ", " \u00e0 ", " a ", "\u2013", "\u2014", "-"};
@@ -75,26 +92,13 @@ std::optional<SizeText> split_class(std::string_view text) {
         if (at == std::string_view::npos || at == 0) {
             continue;
         }
-        const auto first = read_bound(text.substr(0, at)), second = read_bound(text.substr(at + mark.size()));
+        const std::string_view before = text.substr(0, at), after = text.substr(at + mark.size());
+        const auto first = read_bound(before), second = read_bound(after);
         if (!first || !second || first->number == second->number) {
             return std::nullopt;
         }
         const bool have_units = !first->unit.empty() && !second->unit.empty() && first->unit != second->unit;
-        if (have_units) { // 2 mm - 850 um: the unit says which is the finer one
-            const auto a = read_sieve_size(text.substr(0, at), SizeScale::Unknown);
-            const auto b = read_sieve_size(text.substr(at + mark.size()), SizeScale::Unknown);
-            const bool first_is_finer = a && b && a->diameter < b->diameter;
-            return SizeText{
-                std::string(trimmed(first_is_finer ? text.substr(0, at) : text.substr(at + mark.size()))),
-                SizeSense::Class};
-        }
-        const std::string_view unit = first->unit.empty() ? second->unit : first->unit;
-        const Bound &finer = first->number < second->number ? *first : *second,
-                    &coarser = first->number < second->number ? *second : *first;
-        const bool is_pan = finer.number == 0;
-        return SizeText{
-            fmt::format("{}{}{}", is_pan ? coarser.digits : finer.digits, unit.empty() ? "" : " ", unit),
-            is_pan ? SizeSense::Finer : SizeSense::Class};
+        return have_units ? finer_by_unit(before, after) : finer_of(*first, *second);
     }
     return std::nullopt;
 }
