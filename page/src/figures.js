@@ -19,8 +19,8 @@ const refuse = async (place) => {
 };
 const loader = { load: refuse, sanitize: refuse, http: refuse, file: refuse };
 
-/** Coordinates to a tenth of a pixel: what the eye cannot see need not be carried. */
-const shortened = (svg) => svg.replace(/(\.\d)\d+/g, "$1");
+/** Coordinates, which stand within tags, to a tenth of a pixel: what the eye cannot see need not be carried. */
+const shortened = (svg) => svg.replace(/<[^>]*>/g, (tag) => tag.replace(/(\.\d)\d+/g, "$1"));
 
 const { values: asked, positionals } = parseArgs({
   allowPositionals: true,

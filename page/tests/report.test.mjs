@@ -199,7 +199,7 @@ test("Node draws every chart for the page, on the page's own ground and no wider
   const folder = join(samples, "in-page");
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder);
-  const names = files("sample", ".vl.json");
+  const names = files("sample", ".vl.json"), labels = [];
   const specifications = names.map((name) => join(samples, "sample", "figures", name));
   execFileSync("node", [join(process.env.SUFFUSE_PAGE, "figures.mjs"), "--in-page", folder, ...specifications]);
   for (const name of names) {
@@ -207,8 +207,10 @@ test("Node draws every chart for the page, on the page's own ground and no wider
     const [, width] = /viewBox="0 0 ([\d.]+)/.exec(svg).map(Number);
     assert.ok(width <= 680, `${name} is ${width} wide`);
     assert.doesNotMatch(svg, /fill="white"/);
-    assert.doesNotMatch(svg, /\d\.\d{3}/, `${name} carries digits that nobody sees`);
+    assert.doesNotMatch(svg.replace(/>[^<]*</g, "><"), /\d\.\d{3}/, `${name} carries digits that nobody sees`);
+    labels.push(...[...svg.matchAll(/>([^<]+)<\/text>/g)].map((found) => found[1]));
   }
+  assert.ok(labels.some((label) => /^\d\.\d\d$/.test(label)), "labels keep their digits");
   execFileSync("node", [join(process.env.SUFFUSE_PAGE, "figures.mjs"), "--width=321.26", "--font=Times", folder, specifications[0]]);
   const narrow = readFileSync(join(folder, names[0].replace(".vl.json", ".svg")), "utf8");
   assert.match(narrow, /^<svg[^>]* width="321.26"/);
