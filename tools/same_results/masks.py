@@ -24,7 +24,7 @@ MASKS = (
     Mask("bench-*", "steps_per_second contact_steps_per_second ns_per_contact", VALUE, "speed"),
     Mask("bench-*", "bytes_per_grain peak_bytes_per_grain", VALUE, "memory that the system gave"),
     Mask("*", "at finished", VALUE, "when it was"),
-    Mask("*.html", "wall_time provenance", VALUE, "a column of the table of stages; the table of the build and the machine"),
+    Mask("*.html", "wall_time provenance", VALUE, "a column of the table of stages; the tables of the build, the machine and the calls"),
     Mask("plan*.json", "error", GONE, "of stages that took more than 0.2 s"),
     Mask("*", "@program @commit version commit compiler processor", VALUE, "the build and the machine"),
     Mask("*.h5", "sha256/values", VALUE, "of the whole file, which names version and commit; its columns are compared"),
