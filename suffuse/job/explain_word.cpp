@@ -1,5 +1,6 @@
 #include "suffuse/job/explain_word.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/casefile/explain.hpp"
 #include "suffuse/figures/figure_guide.hpp"

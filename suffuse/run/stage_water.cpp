@@ -10,6 +10,7 @@
 #include "suffuse/flow/throat_flux.hpp"
 #include "suffuse/io/flow_tables.hpp"
 #include "suffuse/io/tables.hpp"
+#include "suffuse/record/result_json.hpp"
 #include "suffuse/record/samples.hpp"
 #include "suffuse/run/mobility_record.hpp"
 #include "suffuse/run/note_threshold.hpp"

@@ -6,26 +6,26 @@
 namespace suffuse::study {
 
 RunResults find_results(const casefile::Case& what, std::vector<record::FinishedStage> stages) {
-    RunResults results;
-    results.what = &what;
-    results.stages = std::move(stages);
-    results.curves = trace_curves(what, results.stages);
-    results.fines_sweep = find_fines_sweep(what, results.curves);
-    results.fines = gather_fines(results.fines_sweep, results.stages);
-    if (results.fines_sweep && results.fines) {
-        mark_thresholds(results.fines->thresholds, results.fines_sweep->curves);
+    RunResults found;
+    found.what = &what;
+    found.stages = std::move(stages);
+    found.curves = trace_curves(what, found.stages);
+    found.fines_sweep = find_fines_sweep(what, found.curves);
+    found.fines = gather_fines(found.fines_sweep, found.stages);
+    if (found.fines_sweep && found.fines) {
+        mark_thresholds(found.fines->thresholds, found.fines_sweep->curves);
     }
-    results.story = find_story(results.stages);
-    results.readings = judge_readings(results.stages);
-    results.mobility = gather_mobility(results.stages);
-    results.strength = compare_strength(results.stages);
-    results.probed_states = gather_probed_states(results.stages);
-    results.outcomes = gather_outcomes(what, results.stages);
-    results.findings = judge_fines_of(results.fines);
-    for (Finding& finding : judge_erosion_by_seed(results.stages)) {
-        results.findings.push_back(std::move(finding));
+    found.story = find_story(found.stages);
+    found.readings = judge_readings(found.stages);
+    found.mobility = gather_mobility(found.stages);
+    found.strength = compare_strength(found.stages);
+    found.probed_states = gather_probed_states(found.stages);
+    found.outcomes = gather_outcomes(what, found.stages);
+    found.findings = judge_fines_of(found.fines);
+    for (Finding& finding : judge_erosion_by_seed(found.stages)) {
+        found.findings.push_back(std::move(finding));
     }
-    return results;
+    return found;
 }
 
 } // namespace suffuse::study
