@@ -1,0 +1,115 @@
+#!/usr/bin/python3
+"""Find sentences that are hard to read: `tools/prose.py`.
+
+In every tracked Markdown file, a sentence has at most 25 words. Code blocks, tables, headings and HTML do not count, an item
+of a list is a text of its own, code in a line is one word, and a link is its words. A sentence ends at one of . ! ? : ;
+before a blank. Documents, and comments of sources, also do without the words of WORDS. Prints each place and how it starts;
+exit code 1 if there is one.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+MOST_WORDS = 25
+WORDS = re.compile(r"\b(?:is|are)[\s/#*]+told\b(?![\s/#*]+apart)|\breckon\w*|\bheed\w*|\bwhoever\b", re.IGNORECASE)
+GENERATED = {"docs/case-reference.md"}  # by `suffuse schema`; its tables say what the schema says
+OURS = {"tools/prose.py", "python/tests/test_prose.py"}  # name the words, to find them
+
+CODE = re.compile(r"(`+).*?\1", re.DOTALL)
+LINK = re.compile(r"\[([^\]]*)\]\([^)]*\)")
+OTHER = re.compile(r"\||#|<(?:[a-z/!]|$)")  # how a line of a table, a heading or HTML starts
+ITEM = re.compile(r"(?:[-*+]|\d{1,2}\.)\s+(?:\[[ x]\]\s+)?")
+END = re.compile(r"(?<=[.!?:;])[)\"'*_]*\s+")
+
+# Comments, and what stands beside them: text in quotes may hold their signs.
+QUOTED = r'"(?:\\.|[^"\\\n])*"' + r"|'(?:\\.|[^'\\\n])*'"
+SLASHES = re.compile(rf'R"(\w*)\(.*?\)\1"|{QUOTED}|(?P<lines>(?://[^\n]*\n?\s*)+)|(?P<block>/\*.*?\*/)', re.DOTALL)
+HASHES = re.compile(rf'(?P<docstring>"""(?:\\.|[^\\])*?""")|{QUOTED}|(?P<lines>(?<!\S)(?:\#[^\n]*\n?\s*)+)')
+COMMENTS = {**dict.fromkeys((".c", ".cpp", ".hpp", ".css", ".js", ".mjs"), SLASHES),
+            **dict.fromkeys((".py", ".sh", ".cmake", ".toml", ".txt", ""), HASHES)}
+
+
+def without_code(text):
+    """The text with one word in place of each piece of code."""
+    return CODE.sub(lambda code: "code" + "\n" * code.group().count("\n"), text)
+
+
+def blocks(text):
+    """Number of the first line and text of each paragraph and each item of a list; code blocks are left out."""
+    start, block, fence, listed, blank = 0, [], False, False, True
+    for number, line in enumerate([*text.splitlines(), ""], 1):
+        bare = line.strip()
+        opens = bare.startswith(("```", "~~~"))
+        item = ITEM.match(bare)
+        indented = blank and line.startswith("    ") and not listed
+        skipped = fence or opens or indented or not bare or OTHER.match(bare)
+        if block and (skipped or item):
+            yield start, "\n".join(block)
+            block = []
+        if not skipped:
+            start, block = (start, block) if block else (number, [])
+            block.append(line[len(line) - len(line.lstrip()) + item.end():] if item else bare.removeprefix("> "))
+            listed = bool(item) or (listed and (not blank or line.startswith("  ")))
+        fence ^= opens
+        blank = not bare or indented
+    assert not fence, "a code block does not end"
+
+
+def long_sentences(text):
+    """Number of the line and text of each sentence of a Markdown text that has too many words."""
+    for start, block in blocks(text):
+        plain = LINK.sub(r"\1", without_code(block))
+        place = 0
+        for end in [*END.finditer(plain), None]:
+            sentence = plain[place:end.end() if end else len(plain)]
+            if sum(any(c.isalnum() for c in word) for word in sentence.split()) > MOST_WORDS:
+                yield start + plain.count("\n", 0, place), sentence
+            place = end.end() if end else place
+
+
+def listed_words(text):
+    """Number of the line of each listed word, and the text from there on."""
+    for word in WORDS.finditer(text):
+        yield text.count("\n", 0, word.start()) + 1, text[word.start():]
+
+
+def only_comments(text, suffix):
+    """The comments of a source, each on the line where it stands."""
+    lines = [""] * (text.count("\n") + 1)
+    for match in COMMENTS[suffix].finditer(text):
+        if match.lastgroup:
+            first = text.count("\n", 0, match.start())
+            for row, line in enumerate(match.group().splitlines()):
+                lines[first + row] += line
+    return "\n".join(lines)
+
+
+def findings(name, text):
+    """What is hard to read in the file of this name: number of the line, what it is, how it starts."""
+    suffix = pathlib.Path(name).suffix
+    if suffix == ".md":
+        if name not in GENERATED:
+            yield from ((line, "long", start) for line, start in long_sentences(text))
+        yield from ((line, "word", start) for line, start in listed_words(without_code(text)))
+    elif suffix in COMMENTS and name not in OURS:
+        yield from ((line, "word", start) for line, start in listed_words(only_comments(text, suffix)))
+
+
+def main():
+    names = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines()
+    count = 0
+    for name in names:
+        try:
+            text = (ROOT / name).read_text()
+        except UnicodeDecodeError:
+            continue  # no text
+        for line, kind, start in sorted(findings(name, text)):
+            count += 1
+            print(f"{name}:{line}: {kind}: {' '.join(start.split()[:8])} ...")
+    return count > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
