@@ -147,7 +147,7 @@ void add_everywhere(CLI::App& app, CommandLine& line, std::string& color) {
     everywhere.flag("-q,--quiet", line.quiet, "say nothing but results and errors");
     everywhere.flag("-v,--verbose", line.verbose, "say more");
     everywhere.flag("--json", line.json, "one JSON document on standard output");
-    everywhere.value("--color", color, "auto, always or never; NO_COLOR is heeded")
+    everywhere.value("--color", color, "auto, always or never; NO_COLOR is obeyed")
         .type("WHEN")
         .suggest({"auto", "always", "never"});
 }

@@ -29,7 +29,7 @@ struct Job {
 /// samples than the one asked for alone.
 plan::RunPlan plan_rest(const Job& job);
 
-/// The code of a run that needs nothing. What is damaged is told before anything is written.
+/// The code of a run that needs nothing. Damage is reported before anything is written.
 std::optional<int> look_before(const Job& job, const Console& console);
 
 /// @param preposition before the folder: "into" a new one, or "in" the one that is there

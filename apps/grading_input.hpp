@@ -1,6 +1,6 @@
 #pragma once
-// Gradings that a user names on the command line: files, or - for what stands on standard input; how they were
-// understood is told.
+// Gradings that a user names on the command line: files, or - for standard input. Remarks say how they were
+// understood.
 
 #include "suffuse/io/read_grading.hpp"
 

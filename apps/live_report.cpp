@@ -57,7 +57,7 @@ void LiveReport::learn(const run::Progress& progress) {
     left_.see(progress);
     done_ = progress.stages_done;
     all_ = progress.stages;
-    const bool tells_no_stage = progress.sample_ended && progress.failure.empty(); // they have told of themselves
+    const bool tells_no_stage = progress.sample_ended && progress.failure.empty(); // they have reported themselves
     if (progress.stage.empty() || tells_no_stage) {
         return;
     }

@@ -26,7 +26,7 @@ struct CaseChanges : casefile::LoadOptions {
 /// The case file that is meant: of a folder its case.toml. @throws UsageError for the folder of a run.
 std::string case_in(const std::string& given);
 
-/// The case, its changes made; its warnings are told.
+/// The case with its changes made; prints its warnings.
 casefile::Case load_asked_case(const std::string& file, const CaseChanges& changes, const Console& console);
 
 struct ThreadOption {

@@ -45,7 +45,7 @@ struct ExportVerb final : Verb {
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
-/// Whoever names a run instead of a stage is told the stages that it has.
+/// Where the user names a run instead of a stage, the error lists the stages that it has.
 void check_is_no_run(const fs::path& given) {
     if (!fs::is_directory(given / "studies")) {
         return;

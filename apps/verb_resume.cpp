@@ -73,7 +73,7 @@ std::optional<fs::path> check_sample(const casefile::Case& what, const fs::path&
 int ResumeVerb::act(const CommandLine& line, const Console& console) const {
     Job job{
         .until = limits.until,
-        .time_limit = limits.seconds(), // wrong use is told before anything is made
+        .time_limit = limits.seconds(), // wrong use is an error before anything is made
         .sample = sample,
         .command = line.typed,
         .folder = folder};

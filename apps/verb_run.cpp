@@ -76,7 +76,7 @@ std::string larger_hint(const RunVerb& asked, const Job& job) {
 int RunVerb::act(const CommandLine& line, const Console& console) const {
     Job job{
         .until = limits.until,
-        .time_limit = limits.seconds(), // wrong use is told before anything is made
+        .time_limit = limits.seconds(), // wrong use is an error before anything is made
         .command = line.typed};
     heed_signals();
     const std::string file = case_in(given);
@@ -99,7 +99,7 @@ int RunVerb::act(const CommandLine& line, const Console& console) const {
                          cache.is_asked() ? std::optional(job.cache.string()) : std::nullopt}
         );
     }
-    record::open_folder(job.folder, job.what, job.case_text); // another case's is refused before the plan is told
+    record::open_folder(job.folder, job.what, job.case_text); // another case's is refused before the plan is shown
     if (const std::optional<int> code = look_before(job, console)) {
         return *code;
     }

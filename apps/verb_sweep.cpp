@@ -195,7 +195,7 @@ int emit(const SweepVerb& asked, const Console& console) {
     if (!asked.time_limit.empty()) {
         quantity_of(
             asked.time_limit, dimension::time, "--time-limit", false
-        ); // wrong use is told before anything is made
+        ); // wrong use is an error before anything is made
     }
     Emitted emitted;
     const fs::path folder = prepare_folder(asked, console, emitted.what);

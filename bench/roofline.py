@@ -73,8 +73,8 @@ def hot_loops(rows, least):
 
 
 def items_of(body):
-    """Items an iteration works on: the lanes of the widest register, of floats where the loop reckons with them or turns a
-    column of them into doubles or back. A loop that turns whole rows (four lanes of one item) does neither."""
+    """Items an iteration works on: the lanes of the widest register, of floats where the loop computes with them or turns
+    a column of them into doubles or back. A loop that turns whole rows (four lanes of one item) does neither."""
     doubles = 8 if any("%zmm" in text for text in body) else 4
     all_of_it = "\n".join(body)
     reckons = re.search(r"v(add|sub|mul|div|sqrt|fn?m\w+)ps\s.*%[yz]mm", all_of_it)

@@ -32,13 +32,13 @@ if(SUFFUSE_FUZZ)
 endif()
 find_program(SUFFUSE_CCACHE ccache)
 if(SUFFUSE_CCACHE)
-    # Compiled headers are found again only where the cache is told that they hold no dates.
+    # The cache finds compiled headers again only where this says that they hold no dates.
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${SUFFUSE_CCACHE})
     if(SUFFUSE_QUICK_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
         add_compile_options(-fpch-preprocess)
     endif()
 endif()
-# Two ways to build everything in less time (SUFFUSE_QUICK_BUILD); whoever works on a file has it built alone, with all that it
+# Two ways to build everything in less time (SUFFUSE_QUICK_BUILD); without it, each file is built alone, with all that it
 # includes. First: what sources of one kind include most is compiled once for all of them, which must have the same options
 # and definitions.
 set(suffuse_common_headers algorithm array cmath cstdint filesystem functional limits map numeric optional span string

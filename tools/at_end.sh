@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# Shared by scripts that must leave nothing behind. A signal kills sh without its trap on EXIT, and is not heeded before the
+# Shared by scripts that must leave nothing behind. A signal kills sh without its trap on EXIT, and has no effect before the
 # command in the foreground has ended. So signals end the script with 128 and their number, and what takes long is attended:
 #     trap 'end_attended; rm -rf "$folder"' EXIT
 

@@ -34,7 +34,7 @@ jobs=${SUFFUSE_JOBS:-$(count_jobs)}
 export CMAKE_BUILD_PARALLEL_LEVEL="$jobs" CTEST_PARALLEL_LEVEL="$jobs"
 
 # watch TEXT LOG: while a command writes LOG, tell that it is under way and how far it is: in place on a terminal, else in a
-# line every half minute. A command of less than a second is not told of.
+# line every half minute. A command of less than a second is not shown.
 watch() {
     watch_begin=$(date +%s) told=-30
     while sleep 1 >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do

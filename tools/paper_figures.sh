@@ -1,7 +1,7 @@
 #!/bin/sh
 # tools/paper_figures.sh PROGRAM ROOT [--preset NAME] [-o DIR]: Figures 1 to 14 of the paper in one folder, DIR (paper):
 # 1 to 6 from examples/silty-sand-2016/case.toml, 7 to 14 from examples/fontainebleau-2016/case.toml, and index.html, which
-# shows them in the paper's order. What the runs cost is told first. A second call goes on where the first one stopped.
+# shows them in the paper's order. It first says what the runs cost. A second call goes on where the first one stopped.
 # ./run --paper calls it.
 set -eu
 [ $# -ge 2 ] || { sed -n '2,5s/^# //p' "$0" >&2; exit 2; }

@@ -2,7 +2,7 @@
 """Find sentences that are hard to read: `tools/prose.py`.
 
 In every tracked Markdown file, a sentence has at most 25 words. Code blocks, tables, headings and HTML do not count, an item
-of a list is a text of its own, code in a line is one word, and a link is its words. A sentence ends at one of . ! ? : ;
+of a list is a text of its own, code in a line is one word, and a link is its words. A sentence ends at one of . ! ? : ; ·
 before a blank. Documents, and comments of sources, also do without the words of WORDS. Prints each place and how it starts;
 exit code 1 if there is one.
 """
@@ -21,7 +21,7 @@ CODE = re.compile(r"(`+).*?\1", re.DOTALL)
 LINK = re.compile(r"\[([^\]]*)\]\([^)]*\)")
 OTHER = re.compile(r"\||#|<(?:[a-z/!]|$)")  # how a line of a table, a heading or HTML starts
 ITEM = re.compile(r"(?:[-*+]|\d{1,2}\.)\s+(?:\[[ x]\]\s+)?")
-END = re.compile(r"(?<=[.!?:;])[)\"'*_]*\s+")
+END = re.compile(r"(?<=[.!?:;·])[)\"'*_]*\s+")
 
 # Comments, and what stands beside them: text in quotes may hold their signs.
 QUOTED = r'"(?:\\.|[^"\\\n])*"' + r"|'(?:\\.|[^'\\\n])*'"
@@ -98,7 +98,7 @@ def findings(name, text):
 
 
 def main():
-    names = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines()
+    names = subprocess.run(["git", "-c", "safe.directory=*", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines()
     count = 0
     for name in names:
         try:

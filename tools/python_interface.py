@@ -47,7 +47,7 @@ def member(name, one):
 
 
 def is_inner(base):
-    """Whether a base class is no public name: what it has belongs to whoever inherits it."""
+    """Whether a base class is no public name: what it has belongs to the classes that inherit it."""
     return base.__module__.startswith("suffuse.") and base.__module__ != "suffuse._core" and base.__name__ not in suffuse.__all__
 
 

@@ -24,7 +24,7 @@ const narrow = 480; // below it, legends stand one under the other
 
 export class Chart {
   constructor(figure, look, place) {
-    place.chart = this; // for whoever asks the page for its numbers: tests, and the curious in the console
+    place.chart = this; // for tests that ask the page for its numbers, and for the curious in the console
     this.figure = figure;
     this.look = look;
     this.place = place;

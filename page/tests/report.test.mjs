@@ -420,7 +420,7 @@ test("the file stays small, and its charts come one by one before the view in 3D
   await page.addInitScript(() => {
     window.seen = [];
     let turns = 0;
-    const channel = new MessageChannel(); // a turn of the event loop each: whoever else waits has had its turn
+    const channel = new MessageChannel(); // a turn of the event loop each: everything else that waits has had its turn
     channel.port1.onmessage = () => {
       ++turns;
       if (!document.documentElement?.dataset.drawn) channel.port2.postMessage(0);

@@ -225,7 +225,7 @@ cell::Loading make_loading(
     return loading;
 }
 
-/// What the axes of this control are told, None at the others; None where there is no such axis.
+/// The targets of the axes of this control, None at the others; None where there is no such axis.
 py::object axes_of(const cell::Loading& loading, cell::Control control) {
     py::list values;
     bool any = false;

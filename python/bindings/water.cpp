@@ -23,7 +23,7 @@ namespace {
 
 using flow::Seepage;
 
-/// A flow, what it was solved of and in which packing. The network is beside it, for whoever keeps that alone. Where
+/// A flow, what it was solved of and in which packing. The network is beside it, for callers that keep it alone. Where
 /// the flow is resolved, what it does as a whole and to grains is of that, and pressures and fluxes of the network.
 struct SolvedSeepage : Seepage {
     flow::FlowSpec spec;
@@ -208,7 +208,7 @@ void bind_seepage(py::module_& m) {
             const auto velocity = std::make_shared<std::vector<Vec3>>(pore_velocities_of(water));
             return look_at(*velocity, hold(velocity));
         },
-        "pores x 3: mean velocity of the water in each pore, reckoned anew at each look [m/s]."
+        "pores x 3: mean velocity of the water in each pore, computed anew at each access [m/s]."
     );
     type.def_property_readonly(
         "tortuosity",

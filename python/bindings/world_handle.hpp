@@ -106,7 +106,7 @@ public:
     /// After steps: what the caches belong to.
     void remember_place();
 
-    /// Between two bursts, while the caller is told of them: the world may be looked at.
+    /// Between two bursts, while the caller's function runs: the world may be read.
     class Pause {
     public:
         explicit Pause(Stepping& call) : handle_(call.handle_) { handle_.pauses_ = true; }

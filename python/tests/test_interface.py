@@ -1,4 +1,4 @@
-"""The public interface changes on purpose, and the version is told alike wherever it stands."""
+"""The public interface changes on purpose, and the version is the same everywhere."""
 
 import importlib.util
 import os

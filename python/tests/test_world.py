@@ -246,7 +246,7 @@ def has_its_own_masses(world):
 
 @pytest.mark.parametrize("adhesion", [None, "100 kPa"])
 def test_an_interrupted_compaction_leaves_nothing_that_it_lent(adhesion):
-    radius = numpy.random.default_rng(1).uniform(0.2e-3, 0.6e-3, 2000)  # takes seconds: progress is told ten times in one
+    radius = numpy.random.default_rng(1).uniform(0.2e-3, 0.6e-3, 2000)  # takes seconds: progress comes ten times in one
     cloud = suffuse.make_cloud(radius, porosity=0.65)
     before = repr(cloud.material)
     lent = []

@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 
 /// "75.17 kPa at 1.8 % axial strain", or between which values those of samples lie that differ in their seed only.
-/// @param pressure, strain which of a response are told
+/// @param pressure, strain keys of a response that stand in the sentence
 std::string tell_peaks(const std::vector<json>& responses, const char* pressure, const char* strain) {
     const auto kilopascals = [&](const json& response) { return response.at(pressure).get<double>() / 1e3; };
     if (responses.size() == 1) {
@@ -62,7 +62,7 @@ struct ToldTest {
     std::vector<json> responses;
 };
 
-/// Tests that were compared are told already; those that stop at a stress lead to a state, and show no strength.
+/// Tests that were compared have their sentence already; those that stop at a stress lead to a state, not a strength.
 bool is_told_alone(const record::FinishedStage& stage, const std::vector<study::StrengthChange>& strength) {
     const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
     const bool stops = spec != nullptr && spec->stops_at_stress();
@@ -79,7 +79,7 @@ std::string name_of_test(const record::FinishedStage& stage) {
                : fmt::format("“{}” with {}", stage.stage->name, study::values_name(*stage.study, *stage.variant));
 }
 
-/// Those of a sweep are told as long as they are few; over fines contents they are told as a curve.
+/// Those of a sweep get sentences as long as they are few; over fines contents a curve shows them.
 bool too_many_to_tell(const std::vector<ToldTest>& tests, const casefile::Study& study) {
     constexpr auto most_told = 4;
     return !study.sweep.empty() &&

@@ -21,7 +21,7 @@ std::string percent_text(double share);
 /// The same with its sign, of a change: "−19 %", "+9 %", "none" where nothing changed to a thousandth.
 std::string change_text(double change);
 
-/// "± 0.03"; empty for a single sample, and where samples agree to the last digit that is told.
+/// "± 0.03"; empty for a single sample, and where samples agree to the last digit shown.
 std::string spread_text(const study::Scatter& value, double factor, int decimals);
 
 /// "0.55 mm/s", "56 µm/s", "3 m/s": how fast water of this fluid seeps under a gradient of one.

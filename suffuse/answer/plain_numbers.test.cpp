@@ -21,7 +21,7 @@ TEST(PlainNumbers, AreNeverMinusNothingNorPowersOfTen) {
 TEST(PlainNumbers, ADeviationHasTheDigitsOfItsMean) {
     EXPECT_EQ(spread_text(study::scatter_of({0.28, 0.32}), 1, 2), "± 0.03");
     EXPECT_EQ(spread_text(study::scatter_of({0.3}), 1, 2), "");
-    EXPECT_EQ(spread_text(study::scatter_of({0.3, 0.3001}), 1, 2), "") << "they agree to the last digit that is told";
+    EXPECT_EQ(spread_text(study::scatter_of({0.3, 0.3001}), 1, 2), "") << "they agree to the last digit shown";
     EXPECT_EQ(decimals_for(0.0123, 2), 3);
     EXPECT_EQ(decimals_for(123, 2), 0);
     EXPECT_EQ(decimals_for(0, 2), 0);

@@ -306,13 +306,13 @@ tell_start(const study::ErosionStory& story, const std::vector<record::FinishedS
     );
 }
 
-/// Whether one sample was eroded from so many states, or in so many ways, that one is told for all.
+/// Whether one sample was eroded from so many states, or in so many ways, that one stands for all.
 bool are_too_many(const study::ErosionStory& story) {
     constexpr std::size_t most_told = 3;
     return story.others.size() >= most_told;
 }
 
-/// Where several samples were eroded: which is told, and how far apart they lie.
+/// Where several samples were eroded: which one the answer describes, and how far apart they lie.
 std::optional<std::string>
 tell_range(const study::ErosionStory& story, const std::vector<record::FinishedStage>& stages) {
     std::vector<double> percent;

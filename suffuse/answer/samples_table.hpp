@@ -10,8 +10,8 @@
 
 namespace suffuse::answer {
 
-/// A row for each set of values; nothing for a study of one. @param fines of the same run: of its study the structure
-/// that fines make is told beside the results; may be null
+/// A row for each set of values; nothing for a study of one. @param fines of the same run: its study adds the structure
+/// that fines make to the results; may be null
 std::optional<figures::PageTable> tabulate_samples(
     const study::StudyOutcome& outcome, const flow::Fluid& fluid, const study::FinesSweep* fines = nullptr
 );

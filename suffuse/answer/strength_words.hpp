@@ -14,7 +14,7 @@ namespace suffuse::answer {
 /// One for each change while these are few, else one for all.
 std::vector<std::string> tell_strength(const std::vector<study::StrengthChange>& changes);
 
-/// Of the first change that can be told in a number; nothing where there is none, or where there are too many for one
+/// Of the first change that a number can express; nothing where there is none, or where there are too many for one
 /// of them to stand for all.
 std::optional<Headline> strength_headline(const std::vector<study::StrengthChange>& changes);
 

@@ -17,7 +17,7 @@ using nlohmann::json;
 /// A study whose samples are compressed as they are, and after an erosion: initial, erosion, before, after.
 struct ErodedStudy {
     casefile::Study study;
-    std::list<casefile::Variant> variants; ///< stages are told by their address
+    std::list<casefile::Variant> variants; ///< stages are known by their address
     std::vector<record::FinishedStage> stages;
 
     static json state(double void_ratio, double pressure = 100e3) {

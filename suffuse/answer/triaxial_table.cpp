@@ -16,7 +16,7 @@ using study::SweepPoint;
 using triaxial::Path;
 using triaxial::TriaxialSpec;
 
-constexpr double least_strain = 0.02; // of a test whose dilatancy, a slope over one percent, is told [-]
+constexpr double least_strain = 0.02; // of a test whose dilatancy, a slope over one percent, is shown [-]
 const char* const empty = "–";
 const char* const liquefied = "liquefied"; // name of a column
 

@@ -225,7 +225,7 @@ std::string render(const std::vector<Diagnostic>& list, bool color) {
 std::string render_within(const std::vector<Diagnostic>& list, bool color, std::size_t columns) {
     const Palette paint = color ? Palette{"\x1b[1;31m", "\x1b[1;33m", "\x1b[34m", "\x1b[1m", "\x1b[0m"} : Palette{};
     std::string out;
-    constexpr std::ptrdiff_t most_errors = 3; // of one kind that are told in full
+    constexpr std::ptrdiff_t most_errors = 3; // of one kind that are shown in full
     bool has_errors = false;
     for (auto d = list.begin(); d != list.end(); ++d) {
         has_errors = has_errors || !d->is_warning;

@@ -255,7 +255,7 @@ void run_in(Pool* threads, std::size_t blocks, Help help, const std::function<vo
     threads->run(blocks, help, body);
 }
 
-/// The tasks of one `run_side_by_side`: whoever is free takes the next.
+/// The tasks of one `run_side_by_side`: a free thread takes the next.
 class TaskQueue {
 public:
     TaskQueue(std::size_t tasks, const std::function<void(std::size_t)>& task) : tasks_(tasks), task_(task) {}

@@ -1,6 +1,6 @@
 #pragma once
-// How long work tells how far it is, and learns that it should stop. The one call back of the library: whoever drives a
-// run shows progress or saves the state, and throws Interrupted to end the work between two bursts of steps.
+// How long work reports its progress, and learns that it should stop. The one callback of the library: the caller
+// shows progress or saves the state, and throws Interrupted to end the work between two bursts of steps.
 
 #include <functional>
 #include <string_view>

@@ -13,7 +13,7 @@ std::int64_t resident_bytes();
 std::int64_t peak_resident_bytes();
 void forget_peak();
 
-/// Gives back to the system what the allocator keeps of memory that was freed, where it can.
+/// Returns freed memory that the allocator keeps to the system, where possible.
 void trim_heap();
 
 } // namespace suffuse

@@ -136,7 +136,7 @@ constexpr std::array code_table = {
     Code{
         "W611", "a lowered friction that a search replaces",
         "Where a void ratio is asked for, the protocols faithful and slow find the friction during compaction that "
-        "leads to it, and do not heed the one given. Leave either out; or take the protocol swift, which keeps the "
+        "leads to it, and ignore the one given. Leave either out; or take the protocol swift, which keeps the "
         "friction and searches the porosity at its start."},
     Code{
         "W613", "a way to travel where grains do not travel",

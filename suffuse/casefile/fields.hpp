@@ -226,7 +226,7 @@ void fields(V& v, erosion::Gravity& s) {
     v.field("acceleration", s.acceleration);
 }
 
-/// What a probe of fines without weight is told; with weight none of it has a meaning.
+/// Settings of a probe of fines without weight; with weight none of them has a meaning.
 template <class V>
 void weightless_fields(V& v, erosion::ProbeSpec& probe) {
     if (V::reads || !probe.gravity) {

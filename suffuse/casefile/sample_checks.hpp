@@ -12,7 +12,7 @@ inline constexpr double settled_porosity = 0.4; ///< of sands at some 100 kPa
 /// variants.
 void check_sample_sizes(ReadContext& context, const Study& study);
 
-/// Width of a settled cubic cell / largest grain, for `particles` grains of `soil` [-]; 0 where it cannot be told.
+/// Width of a settled cubic cell / largest grain, for `particles` grains of `soil` [-]; 0 where it is unknown.
 double width_in_grains(const grains::Soil& soil, std::int64_t particles);
 
 /// The curve of all grains; nothing where the soil lacks a part of it.

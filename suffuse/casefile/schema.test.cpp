@@ -119,7 +119,7 @@ TEST(Explain, KnowsKeysCodesAndConventions) {
     EXPECT_NE(explain("modulus")->find("default  \"356 MPa\""), std::string::npos);
     EXPECT_NE(explain("contact.modulus")->find("[contact] modulus"), std::string::npos);
     EXPECT_NE(explain("detached.over")->find("[study.NAME.stage.erode.detached] over"), std::string::npos);
-    EXPECT_EQ(explain("soil")->find("*"), std::string::npos); // its table stands for any name, and is told once
+    EXPECT_EQ(explain("soil")->find("*"), std::string::npos); // its table stands for any name, and appears once
     EXPECT_NE(explain("e310")->find("unit"), std::string::npos);
     EXPECT_NE(explain("conventions")->find("compression positive"), std::string::npos);
     const auto adhesion = explain("study.x.stage.y.prepare.adhesion.normal");

@@ -228,8 +228,8 @@ std::vector<Key> preparation_rows() {
             table("stage.compact", "prepare", "How contacts behave during compaction only."),
             quantity(
                 "stage.compact.prepare", "friction", dimension::angle, friction_range,
-                "Lowered contact friction: a dense sample. For a void ratio faithful and slow search it, and do not "
-                "heed the one given."
+                "Lowered contact friction: a dense sample. For a void ratio faithful and slow search it, and ignore "
+                "the one given."
             ),
             table(
                 "stage.compact.prepare", "adhesion",

@@ -83,7 +83,7 @@ std::vector<Key> probe_rows(const std::string& stage) {
         ),
         ratio(
             detached, "noise_quantile", open_share,
-            "Quantile of the speeds of the twin without fluid that is told as its noise; no grain is judged by it."
+            "Quantile of the speeds of the twin without fluid that is reported as its noise; no grain is judged by it."
         ),
     };
     append(

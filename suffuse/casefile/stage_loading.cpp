@@ -21,7 +21,7 @@ struct LoadingAtEnd {
 
     Named operator()(const dem::SettleSpec& spec) const { return spec.loading; }
 
-    Named operator()(const triaxial::TriaxialSpec&) const { return {}; } // its own rows tell of errors
+    Named operator()(const triaxial::TriaxialSpec&) const { return {}; } // its own rows report errors
 
     Named operator()(const triaxial::StressProbeSpec&) const { return {}; }
 

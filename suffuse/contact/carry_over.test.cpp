@@ -14,7 +14,7 @@ namespace {
 
 using neighbors::Pair;
 
-/// Adds a contact whose memory is told by one number.
+/// Adds a contact whose memory is given by one number.
 void add(Contacts& contacts, const Pair& pair, double mark, bool touching = true) {
     contacts.first.push_back(pair.first);
     contacts.second.push_back(pair.second);

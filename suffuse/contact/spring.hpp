@@ -1,6 +1,6 @@
 #pragma once
-// What the house asks of a normal spring: one row of the table in springs.hpp. A spring is a power of the overlap, so
-// that its tangent d(force)/d(overlap) is the same multiple of force/overlap everywhere; the hot loop counts on it.
+// What the program needs from a normal spring: one row of the table in springs.hpp. A spring is a power of the overlap,
+// so that its tangent d(force)/d(overlap) is the same multiple of force/overlap everywhere; the hot loop counts on it.
 
 #include "suffuse/grains/material.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 // A world driven until it is balanced, or for a number of steps: what a stage of a case and a call from Python do
-// alike. The time step is computed again as contacts come. Whoever drives records, saves and stops between two bursts.
+// alike. The time step is computed again as contacts come. The caller records, saves and stops between two bursts.
 
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/step.hpp"

@@ -1,4 +1,4 @@
-// Pairs of held grains may be left out of the contact table by whoever looks at what moves alone.
+// Pairs of held grains may be left out of the contact table where only moving grains matter.
 
 #include "suffuse/dem/step.hpp"
 

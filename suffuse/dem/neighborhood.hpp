@@ -33,13 +33,13 @@ public:
     /// Forgets everything: after grains were added, removed or moved by hand.
     void invalidate() { valid_ = false; }
 
-    /// Leaves pairs of two held grains out of the table, for whoever looks at what moves alone: neither the stress nor
+    /// Leaves pairs of two held grains out of the table, where only moving grains matter: neither the stress nor
     /// the forces on held grains are then whole.
     void leave_out_held_pairs() { leaves_out_held_ = true; }
 
     [[nodiscard]] const Watch& watch() const { return watch_; }
 
-    /// Reckons anew until when the grains in no row of the table stay within their watch if nothing pushes them.
+    /// Computes anew how long the grains in no row of the table stay within their watch if nothing pushes them.
     void look_at_sleepers(const World& world, const MovingRows& rows);
 
     /// Time of the world until which they do [s].

@@ -1,6 +1,5 @@
 #pragma once
-// Steps until a state is balanced. A burst at a time, so that whoever drives a stage can record, save and stop between
-// two.
+// Steps until a state is balanced. A burst at a time, so that a stage can record, save and stop between two.
 
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/spec.hpp"

@@ -59,7 +59,7 @@ TEST(HighestFrequency, OfElasticSpheresIsThatOfTheirStiffnessAtTheOverlap) {
     const double kn = 1.5 * contact::hertz_modulus(world.material) * std::sqrt(radius / 2 * overlap);
     const double ks = kn * 2 * 0.7 / 1.7, expected = std::sqrt(7 * ks / world.grains.mass[0]); // slip is the stiffest
     EXPECT_NEAR(highest_frequency(world, 400) / expected, 1, 1e-6);
-    // The step reckons with twice that overlap: the frequency grows with its fourth root. Or with that of a pressure.
+    // The step allows for twice that overlap: the frequency grows with its fourth root. Or with that of a pressure.
     EXPECT_NEAR(stable_time_step(world, 1) * expected / 2, std::pow(2, -0.25), 1e-3);
     const double pressed = contact::mean_overlap_at(world.material, 1e6) * radius;
     ASSERT_GT(pressed, overlap);

@@ -15,7 +15,7 @@ struct NothingLeaves {
     bool operator==(const NothingLeaves&) const = default;
 };
 
-/// What leaves cannot be told from the noise of the probe's twin.
+/// What leaves cannot be distinguished from the noise of the probe's twin.
 struct NoiseDecides {
     bool operator==(const NoiseDecides&) const = default;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// What a case may ask of its figures: which to show, which way dilation is drawn, measured points laid over them.
+// Options of a case for its figures: which to show, which way dilation is drawn, measured points laid over them.
 
 #include "suffuse/figures/figure.hpp"
 

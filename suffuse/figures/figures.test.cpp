@@ -298,7 +298,7 @@ TEST(PathFigures, WhereNothingChangesWordsStandInThePlaceOfNoise) {
         pass.porosity_after = pass.porosity_after_removal + 1e-7;
     }
     EXPECT_NE(stress_path(erosion)->flat.find("a hundredth of a percent"), std::string::npos);
-    EXPECT_FALSE(stress_path(erosion)->chart.is_null()) << "its numbers are there for whoever wants them";
+    EXPECT_FALSE(stress_path(erosion)->chart.is_null()) << "its numbers are there on request";
     EXPECT_EQ(porosity_path(erosion)->chart["vconcat"].size(), 1U) << "the panel of resettling alone";
     EXPECT_NE(porosity_path(erosion)->caption.find("In no pass did resettling"), std::string::npos);
 }

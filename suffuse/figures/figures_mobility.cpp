@@ -109,7 +109,7 @@ std::string range_text(const SizeClasses& sizes, std::size_t k) {
     return fmt::format("{} to {}", short_number(1e3 * sizes.edge(k)), short_number(1e3 * sizes.edge(k + 1)));
 }
 
-/// Gradients at which the shares by size are told: a few of the ramp, the asked one among them.
+/// Gradients at which the shares by size are shown: a few of the ramp, the asked one among them.
 std::vector<double> told_gradients(const MobilityResult& mobility) {
     constexpr std::size_t most = 4;
     std::vector<double> told;

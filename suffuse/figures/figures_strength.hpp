@@ -9,7 +9,7 @@
 
 namespace suffuse::figures {
 
-/// The first change that can be told in a number; nothing where there is none, or where their curves were not kept.
+/// The first change that a number can express; nothing where there is none, or where their curves were not kept.
 std::optional<Figure> strength_before_and_after(
     const std::vector<study::StrengthChange>& changes, const std::vector<record::FinishedStage>& stages
 );

@@ -1,4 +1,4 @@
-// An erosion of many passes, and of fines that travel: what is drawn and told of it.
+// An erosion of many passes, and of fines that travel: what figures and captions show.
 #include "suffuse/figures/figures.hpp"
 #include "suffuse/study/passes.hpp"
 

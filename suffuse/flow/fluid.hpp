@@ -52,7 +52,7 @@ struct FlowSpec {
     double gradient = 0;        ///< hydraulic gradient i [-]
     Vec3 direction = {0, 0, 1}; ///< where the water goes: grad p = -i rho_w g direction
     bool tensor = false;        ///< solve three directions and report the permeability tensor
-    SolverChoice how = {};      ///< for whoever has more than the network to choose from
+    SolverChoice how = {};      ///< for callers that have more than the network to choose from
 };
 
 } // namespace suffuse::flow

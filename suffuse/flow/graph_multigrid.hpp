@@ -28,7 +28,7 @@ public:
     /// imbalance is at most `wanted` or the limit of iterations is reached; the caller judges `imbalance`.
     [[nodiscard]] Result solve(std::span<const double> b, double wanted, int iteration_limit) const;
 
-    /// Size of a source as the change of potential that it asks of each node: stiff couplings do not drown the others.
+    /// Size of a source as the change of potential that it needs at each node: stiff couplings do not drown the others.
     [[nodiscard]] double size(std::span<const double> b) const;
 
     /// The graph solved, with its ground.

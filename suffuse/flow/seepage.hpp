@@ -32,10 +32,10 @@ struct ClosedVoids {
 /// The same with ids of grains in place of their rows. @param id a number a row
 ClosedVoids named_by_id(ClosedVoids closed, std::span<const std::uint32_t> id);
 
-/// Beyond this share the closed voids are told of: far above rounding, and above packings under stress (validation).
+/// Beyond this share a warning names closed voids: far above rounding, and above packings under stress (validation).
 inline constexpr double many_closed_voids = 1e-3;
 
-/// What a flow with more closed voids than that is told, its grains named as `grains` names their rows; else empty.
+/// The warning of a flow with more closed voids than that, grains named as `grains` names their rows; else empty.
 std::string words_of(const ClosedVoids& closed, const std::function<std::string(std::uint32_t)>& grain);
 
 struct Seepage {

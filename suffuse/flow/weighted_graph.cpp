@@ -12,7 +12,7 @@ namespace suffuse::flow {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-// Share of its strongest coupling that a node asks of a free partner. Measured on packings of sand: 0.25 takes a third
+// Share of its strongest coupling that a node needs to a free partner. Measured on packings of sand: 0.25 takes a third
 // more iterations, 1 needs larger graphs.
 constexpr double worth_joining = 0.8;
 

@@ -1,7 +1,7 @@
 #pragma once
 // A file that is either complete or not there: it is written under another name, brought to the disk and then renamed.
 // A full disk, a killed program or a power cut leaves what was there before. Of several writers, the last one's stays.
-// What is there and is no file (/dev/full, a pipe) is written to as it is.
+// A path that exists and is no regular file (/dev/full, a pipe) is written to directly.
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 // What sheets write below a curve that was read off it: D10, D30, D60, Cu, Cc, shares of gravel, sand and fines.
-// Nothing is taken from them; where they contradict the curve that is told.
+// Nothing is taken from them; a remark says where they contradict the curve.
 
 #include "suffuse/base/diagnostics.hpp"
 #include "suffuse/grains/soil.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-// The values of a table, soil by soil: which rows are sieves, which the pan, a total or a sieve that was not used. What
-// is passed over is told; what cannot be read is an error.
+// The values of a table, soil by soil: which rows are sieves, which the pan, a total or a sieve that was not used. A
+// remark names what is skipped; what cannot be read is an error.
 
 #include "suffuse/io/grading_columns.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A packing from elsewhere as it is taken by whoever asks for one (a case, `suffuse import`, a benchmark, Python):
+// A packing from elsewhere as all callers take it (a case, `suffuse import`, a benchmark, Python):
 // read, put into the cell that is asked for, and checked: sizes, positions, overlaps, lengths that cannot be meant.
 
 #include "suffuse/io/packing_file.hpp"

@@ -1,4 +1,4 @@
-// The checks that every packing from elsewhere meets, whoever asks for it.
+// The checks that every packing from elsewhere meets, for every caller.
 
 #include "suffuse/io/packing_checks.hpp"
 

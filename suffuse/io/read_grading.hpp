@@ -2,7 +2,7 @@
 // Grading curves out of what laboratories and site investigations keep: docs/gradings.md lists what is understood. The
 // text (sheet_text) is cut into cells (sheet) and these into tables (sheet_tables, turned_table); the columns of each
 // are found (grading_columns), its rows read (grading_rows), turned into percent passing (grading_shares), joined
-// (grading_tables) and checked (grading_curve, check_derived). How a sheet was understood is told in remarks; what
+// (grading_tables) and checked (grading_curve, check_derived). Remarks say how a sheet was understood; what
 // could mean two things is refused.
 
 #include "suffuse/grains/soil.hpp"

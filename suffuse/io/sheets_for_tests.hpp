@@ -21,7 +21,7 @@ struct SheetSoil {
 struct SheetSample {
     std::string file, text;
     std::vector<SheetSoil> soils;
-    std::string remark; ///< part of what is told; empty: nothing is
+    std::string remark; ///< part of the expected remark; empty: none
 };
 
 struct ParsedSheet {

@@ -8,7 +8,7 @@
 
 namespace suffuse::io {
 
-/// Empty where the sieves stand below each other. That they are turned is told.
+/// Empty where the sieves stand below each other. A remark says that they are turned.
 std::optional<SheetTable> turn_table(const Sheet& sheet, Problems& problems);
 
 } // namespace suffuse::io

@@ -1,5 +1,5 @@
 #pragma once
-// What [report] of a case asks of the figures: which to show, which way dilation points, measured points laid over
+// What [report] of a case sets for the figures: which to show, which way dilation points, measured points laid over
 // them.
 
 #include "suffuse/casefile/case.hpp"

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// A file of a run that was interrupted may be missing, or damaged: the list tells of the others all the same.
+/// A file of a run that was interrupted may be missing, or damaged: the list still shows the others.
 json read_or_empty(const fs::path& file) {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) {

@@ -35,7 +35,7 @@ TEST(Overlaps, ACloudComesNearTouchingAndNoFurther) {
     dem::World world = test::sand_cloud(400);
     const double reached = bring_near_touching(world);
     EXPECT_EQ(overlaps_in(world), 0U);
-    EXPECT_EQ(reached, dem::porosity(world)); // what is reported is what is there
+    EXPECT_EQ(reached, dem::porosity(world)); // the reported porosity is that of the world
     EXPECT_GT(reached, 0.34);                 // random spheres of this grading do not pack denser
     EXPECT_LT(reached, 0.46);                 // nor do overlaps resist before grains get into each other's way
 }

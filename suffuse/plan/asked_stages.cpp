@@ -54,7 +54,7 @@ void price_asked_alone(RunPlan& plan, const casefile::Case& what, const std::str
             stage.memory = stage.disk = 0;
         }
     }
-    plan.refined = only.empty() ? price_refined(plan, what) : RefinedEstimate{}; // whoever gathers refines
+    plan.refined = only.empty() ? price_refined(plan, what) : RefinedEstimate{}; // the run that gathers refines
 }
 
 void keep_asked_alone(RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only) {

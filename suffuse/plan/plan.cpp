@@ -93,8 +93,7 @@ Range side_by_side(const std::vector<StageEstimate>& stages, int at_once) {
 }
 
 std::int64_t largest_sample(const casefile::Case& what) {
-    std::int64_t most =
-        record::check_imports(what).largest; // what is wrong with a packing is told before anything runs
+    std::int64_t most = record::check_imports(what).largest; // errors of a packing are reported before anything runs
     for (const casefile::Study& study : what.studies) {
         for (const casefile::Variant& variant : study.variants) {
             most = std::max(most, variant.particles);

@@ -107,7 +107,7 @@ void check_own(const fs::path& run, const std::string& name, const std::string& 
     throw IoError(fmt::format("{} {} since the run ended; {}", (run / name).string(), what, advice));
 }
 
-/// What the stages tell of their files; the run tells the same, unless somebody wrote its checksums anew.
+/// What the stages say about their files. The run says the same, unless somebody wrote its checksums anew.
 void check_against_stages(const fs::path& run, const ChecksumOf& now, Verification& found) {
     const StagesCheck stages = check_stages(run, "", now);
     found.stages = stages.stages;

@@ -68,7 +68,7 @@ class Comparer {
 public:
     Comparer(double tolerance, Comparison& found) : tolerance_(tolerance), found_(found) {}
 
-    /// @param least_scale what a difference is told against where both numbers are smaller
+    /// @param least_scale what a difference is relative to where both numbers are smaller
     void compare(const std::string& where, double a, double b, Relevance about, double least_scale = 0) {
         ++found_.numbers;
         const double scale = std::max({std::abs(a), std::abs(b), least_scale});

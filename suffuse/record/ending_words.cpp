@@ -86,7 +86,7 @@ std::vector<double> numbers_in(const std::string& words) {
     return numbers;
 }
 
-/// All that might be told in words with these numbers; those that lack some get zeros.
+/// All endings that may have these numbers in words; those that lack some get zeros.
 std::vector<Ending> endings_with(std::vector<double> numbers) {
     numbers.resize(4);
     const auto whole = [&](std::size_t k) { return static_cast<std::int64_t>(numbers[k]); };
@@ -115,7 +115,7 @@ std::string words_of(const Ending& ending) {
     return std::visit(Words{}, ending.why);
 }
 
-// Numbers were rounded when they were told, so the words, not the numbers, say whether it is this ending.
+// The words have rounded numbers, so the words, not the numbers, say whether it is this ending.
 Ending ending_told(const std::string& words) {
     for (Ending& ending : endings_with(numbers_in(words))) {
         if (words_of(ending) == words) {

@@ -10,7 +10,7 @@ namespace suffuse::record {
 /// "nothing leaves any more"; empty where the procedure goes on.
 std::string words_of(const erosion::Ending& ending);
 
-/// The ending that is told in these words: words_of gives them back.
+/// The ending that these words describe: the inverse of words_of.
 erosion::Ending ending_told(const std::string& words);
 
 } // namespace suffuse::record

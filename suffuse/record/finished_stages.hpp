@@ -1,6 +1,6 @@
 #pragma once
-// Whether the stages that a run has finished are as they ended: nothing goes on from a damaged one, and nothing is told
-// from it.
+// Whether the stages that a run has finished are as they ended: nothing goes on from a damaged one, and nothing is
+// reported from it.
 
 #include "suffuse/record/sums.hpp"
 

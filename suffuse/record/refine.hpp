@@ -1,6 +1,6 @@
 #pragma once
 // The samples that `refine` adds to a study when the values of its sweep have been run. They are worked out from the
-// results that lie in the run folder and kept in refinement.json, so that whoever reads the folder knows them.
+// results that lie in the run folder and kept in refinement.json, so that every reader of the folder knows them.
 
 #include "suffuse/casefile/case.hpp"
 

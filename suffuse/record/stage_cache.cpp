@@ -169,7 +169,7 @@ CacheAnswer StageCache::take(
         }
         drop(place);
         return {false, damage.what()};
-    } catch (const fs::filesystem_error&) { // the stage's folder cannot take it; whoever computes the stage says so
+    } catch (const fs::filesystem_error&) { // the stage's folder cannot take it; computing the stage says so
         remove_files(stage_folder, sums);
     } catch (const IoError&) {
         remove_files(stage_folder, sums);
@@ -183,7 +183,7 @@ fs::path StageCache::place_to_work() const {
     return folder_ / fmt::format("new-{}-{}", getpid(), ++count);
 }
 
-/// At once for whoever reads it now: an entry is whole, or gone.
+/// At once for its readers: an entry is whole, or gone.
 void StageCache::drop(const fs::path& entry) const {
     const fs::path apart = place_to_work();
     std::error_code error;

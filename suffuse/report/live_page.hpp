@@ -1,6 +1,6 @@
 #pragma once
 // The page that stands in place of the report while a run is under way: where it is, what is done, how long it may
-// take. A file that loads itself anew, without script and without server; whoever opens it early ends up at the report.
+// take. A file that loads itself anew, without script and without server; who opens it early ends up at the report.
 
 #include <string>
 #include <vector>
@@ -23,7 +23,7 @@ struct LivePage {
     std::vector<LiveRow> rows;
     std::string ending;      ///< why nothing more comes, in a sentence; empty while the run is under way
     std::string command;     ///< with which it goes on after a stop; may be empty
-    int refresh_seconds = 3; ///< heeded while the run is under way
+    int refresh_seconds = 3; ///< used while the run is under way
 };
 
 /// HTML, whole.

@@ -1,7 +1,7 @@
 #pragma once
 // A still picture of a scene, drawn without a browser: spheres in parallel projection, lit from the upper left, coarse
 // grains in sand, fines in red, inside the outline of the cell. For print, for pages whose 3D view cannot run, and for
-// whoever wants a PNG.
+// readers who want a PNG.
 
 #include "suffuse/report/scene.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 // What the samples of a run share while they run side by side: when the run began, whether it should stop, how many
-// stages are done, and the one line to whoever watches. Every function may be called by any thread.
+// stages are done, and the one line that shows progress. Every function may be called by any thread.
 
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/run/run_options.hpp"
@@ -17,7 +17,7 @@ public:
     /// Hands `progress` on with the counts of the whole run; one call at a time.
     void show(Progress progress);
 
-    /// Whether somebody wants to know how far a stage is, so long after having been told [s].
+    /// Whether progress of a stage is due, so long after the last report [s].
     [[nodiscard]] bool wants_to_know(double seconds) const {
         return options_.on_progress && seconds > options_.progress_interval;
     }
@@ -25,7 +25,7 @@ public:
     /// Appends to the events of the run; a sample that is run alone has its own.
     void tell(nlohmann::json event) const;
 
-    /// What whoever runs the case is told at its end.
+    /// A remark for the user at the end of the run.
     void remark(std::string text);
 
     [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }

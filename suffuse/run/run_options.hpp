@@ -41,12 +41,12 @@ struct RunOptions {
         std::numeric_limits<double>::infinity();      ///< wall seconds after which the state is saved and the run stops
     const std::atomic<bool>* stop = nullptr;          ///< set by a signal handler: save and stop at the next burst
     std::function<void(const Progress&)> on_progress; ///< called by the threads of the samples, one at a time
-    double progress_interval = 0.1; ///< wall seconds between two bursts of a stage that are told of; 0: every burst is
+    double progress_interval = 0.1; ///< wall seconds between two bursts of a stage that are reported; 0: every burst is
     std::filesystem::path cache;    ///< of finished stages (stage_cache.hpp); empty: none
     std::filesystem::path page_folder; ///< the built page of the report; empty: plain report
     std::string case_text;             ///< the case file as given, copied into the folder
     std::string command;               ///< as typed, for the provenance
-    bool is_checked = false;           ///< whoever calls has seen that the folder is whole, and has not ended
+    bool is_checked = false;           ///< the caller has seen that the folder is whole, and has not ended
 };
 
 } // namespace suffuse::run

@@ -47,7 +47,7 @@ std::int64_t steps_of_probe(const erosion::PassResult& pass) {
                          : pass.probe.relax_steps + 2 * (pass.probe.ramp + pass.probe.watch);
 }
 
-/// The soil of before is what an engineer asks about; grains that are left are told what the last pass found.
+/// Engineers ask about the soil before erosion; the grains that are left get what the last pass found.
 void keep_mobility(StageWork& work, const erosion::ErosionResult& result) {
     std::vector<const erosion::MobilityResult*> ramps;
     for (const erosion::PassResult& pass : result.passes) {

@@ -21,7 +21,7 @@ struct ResolvedSpec {
     int iteration_limit = 2000;
 };
 
-/// Values are extrapolated from two grids; what tells of the grid is that of the finer one.
+/// Values are extrapolated from two grids; what describes the grid is that of the finer one.
 struct ResolvedFlow {
     Vec3 pressure_gradient;        ///< mean: -i rho g direction [Pa/m]
     Vec3 mean_velocity;            ///< superficial [m/s]

@@ -7,7 +7,7 @@
 namespace suffuse::study {
 namespace {
 
-/// An erosion of which something can be told: of a sample that has fines, or that lost some by force.
+/// An erosion with something to report: of a sample that has fines, or that lost some by force.
 bool has_fines(const record::FinishedStage& stage) {
     return std::ranges::any_of(stage.findings.erosion->passes, [](const erosion::PassResult& pass) {
         return !pass.probe.id.empty() || pass.mobility || pass.removed > 0;

@@ -1,5 +1,5 @@
 #pragma once
-// What the report tells of an erosion: the first stage that eroded a sample with fines and those that follow it, with
+// What the report says about an erosion: the first stage that eroded a sample with fines and those that follow it, with
 // the probes of its study, and the other erosions of that sample.
 
 #include "suffuse/record/finished_stage.hpp"

@@ -34,7 +34,7 @@ struct Finding {
     std::string why = {};            ///< the reason, a sentence or two; empty where it is plainly met
 };
 
-/// What a reader is told of a finding.
+/// How a finding stands, for the reader.
 enum class Standing { Met, MetByNoise, NotMet, NotMetByOurNumber, SeedsDisagree, CannotTell };
 
 Standing standing_of(const Finding& finding);
@@ -51,7 +51,7 @@ std::string count_standings(const std::vector<Finding>& findings);
 /// The reason as told in a row of findings: "As E4." where one before has the same.
 std::string why_in_row(const std::vector<Finding>& findings, std::size_t at);
 
-/// One finding for the same case run with several seeds: where they disagree, the criterion cannot be told.
+/// One finding for the same case run with several seeds: where they disagree, the criterion cannot be decided.
 std::vector<Finding> combine_seeds(const std::vector<std::vector<Finding>>& by_seed);
 
 } // namespace suffuse::study

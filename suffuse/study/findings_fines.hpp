@@ -25,7 +25,7 @@ struct Removal {
 };
 
 /// M1 to M8 from the loose and the dense stage of a study over the fines content (`dense` may be null), M9 from
-/// removals. Without loose curves nothing is judged but M9. `size_ratio`, D50 over d50, is told with the reasons.
+/// removals. Without loose curves nothing is judged but M9. `size_ratio`, D50 over d50, stands in the reasons.
 std::vector<Finding> judge_fines(
     const StageCurve* loose, const StageCurve* dense, const std::vector<Removal>& removals,
     std::optional<double> size_ratio = std::nullopt

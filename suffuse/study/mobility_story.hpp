@@ -29,7 +29,7 @@ struct MobilityStory {
     [[nodiscard]] const erosion::MobilityResult& one() const { return *of_sample.front(); }
 };
 
-/// In the order of the stages. Of an erosion the first pass is told: the soil as it was.
+/// In the order of the stages. An erosion gives its first pass: the soil as it was.
 std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedStage>& stages);
 
 /// The one that the report tells first; null where fines have no weight.

@@ -23,7 +23,7 @@ inline std::vector<std::string> pass_names(const erosion::ErosionResult& erosion
 
 using SomePasses = std::vector<const erosion::PassResult*>;
 
-/// Those that a figure draws, and a caption tells of, where there are many: the first, the last and others evenly
+/// Those that a figure draws, and a caption names, where there are many: the first, the last and others evenly
 /// between, `most` in all.
 inline SomePasses few_of(const SomePasses& passes, std::size_t most) {
     const std::size_t shown = std::min(passes.size(), most);
@@ -50,7 +50,7 @@ inline std::vector<std::string> pass_names(const SomePasses& passes) {
     return names;
 }
 
-/// " (4 of 22 passes)" where not all are told of.
+/// " (4 of 22 passes)" where not all are shown.
 inline std::string told_of(const SomePasses& few, std::size_t all) {
     return few.size() == all ? "" : " (" + std::to_string(few.size()) + " of " + std::to_string(all) + " passes)";
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the stages of a run say together, each found once: whoever tells, tabulates or draws it is handed this.
+// What the stages of a run say together, each found once. Texts, tables and figures take it from here.
 
 #include "suffuse/record/finished_stage.hpp"
 #include "suffuse/study/erosion_story.hpp"

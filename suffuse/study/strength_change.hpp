@@ -1,7 +1,7 @@
 #pragma once
 // What erosion did to the strength: a test before fines went and the same test after, on one sample, sample by sample
-// (strength_pairs.hpp says what same means); what a test could not show is told instead of compared. Compression is
-// told by its deviator stress, a test that holds it by the pore pressure that is borne.
+// (strength_pairs.hpp says what same means); what a test could not show is a remark instead. Compression is
+// compared by its deviator stress, a test that holds it by the pore pressure that is borne.
 
 #include "suffuse/record/finished_stage.hpp"
 #include "suffuse/study/study_curves.hpp"

@@ -33,7 +33,7 @@ struct ResultScale {
     const char* label;
     const char* unit; ///< "" where it has none
     double factor;    ///< from SI to that unit
-    double least;     ///< change that is told: less is the balance's noise, or rounding [SI]
+    double least;     ///< change that counts: less is the balance's noise, or rounding [SI]
 };
 
 ResultScale scale_of(Result which);
@@ -72,7 +72,7 @@ const StudyOutcome* main_outcome(const std::vector<StudyOutcome>& outcomes);
 std::optional<Result> main_result(const StudyOutcome& outcome);
 
 /// Whether the means differ by more than the seeds do: twice the largest deviation, a twentieth of the mean, and the
-/// least change that is told.
+/// least change that counts.
 bool depends_on_sweep(const StudyOutcome& outcome, Result which);
 
 } // namespace suffuse::study

@@ -269,7 +269,7 @@ directions = 4
     double lowest = 0, highest = 0;
     std::string word;
     told >> word >> word >> lowest >> word >> highest;
-    EXPECT_NEAR(lowest, peak[0], 0.1) << told.str(); // four digits are told
+    EXPECT_NEAR(lowest, peak[0], 0.1) << told.str(); // the text has four digits
     EXPECT_NEAR(highest, peak[1], 0.1) << told.str();
 }
 

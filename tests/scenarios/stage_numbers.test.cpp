@@ -1,4 +1,4 @@
-// What a stage tells of itself in its files, where it is put together from several trials, passes or directions.
+// What a stage writes about itself in its files, where it is put together from several trials, passes or directions.
 
 #include <gtest/gtest.h>
 

@@ -56,7 +56,7 @@ class Side:
         return [PYTHON, *words] if words[0].endswith(".py") else [str(self.program), *words]
 
     def do_step(self, step, folder):
-        """The exit code. Standard output is kept for comparison, standard error for whoever looks for a cause."""
+        """The exit code. Standard output is kept for comparison, standard error to find a cause."""
         ending = "json" if "--json" in step.words or step.name == "numbers" else "txt"
         with open(folder / f"{step.name}.{ending}", "wb") as out, open(folder / f"{step.name}.err", "wb") as errors:
             with self.lock:

@@ -95,7 +95,7 @@ def blanked(tree):
 
 
 def differences(before, after, masks, path=()):
-    """All places where the trees differ, in their order. `masks` tells of a place whether it is "gone", which is not
+    """All places where the trees differ, in their order. `masks` says whether a place is "gone", which is not
     looked at, or "blank", of which the form alone is compared."""
     if type(before) is type(after) and before == after:
         return []

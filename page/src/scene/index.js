@@ -43,7 +43,7 @@ export function showScene(run, data) {
   place.hidden = false;
   try {
     const view = new SceneView(readScene(data), stage.querySelector(".picture"));
-    place.view = view; // for whoever asks the page for its numbers: tests, and the curious in the console
+    place.view = view; // for tests that ask the page for its numbers, and for the curious in the console
     addPanel(view, place.querySelector(".panel"), stage, run);
     addKeys(view, stage.querySelector(".picture"));
     addClicks(view, view.canvas);

@@ -1,0 +1,40 @@
+"""Documents and comments read well: tools/prose.py finds no sentence that is too long, and no word that is odd."""
+
+import importlib
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(os.environ["SUFFUSE_SOURCE_DIR"])
+
+
+@pytest.fixture(scope="module")
+def prose():
+    sys.path.insert(0, str(ROOT / "tools"))
+    yield importlib.import_module("prose")
+    sys.path.pop(0)
+
+
+@pytest.mark.skipif(not (ROOT / ".git").exists(), reason="only a clone knows which files are tracked")
+def test_the_tree_has_no_long_sentence_and_no_listed_word():
+    done = subprocess.run([sys.executable, ROOT / "tools" / "prose.py"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_a_long_sentence_is_found_and_code_counts_as_one_word(prose):
+    most = "word " * 24 + "`code of five words here`"
+    longer = f"One {most}"
+    assert not list(prose.findings("page.md", f"{most}. {most}; [{most}](a b c): {most}.\n\n| {longer} |\n\n    {longer}\n"))
+    text = f"# Title\n\nShort.\n{longer}.\n\n* {most}\n* {most}\n  and more.\n\n```\n{longer}\n```\n"
+    assert [(line, kind) for line, kind, _ in prose.findings("page.md", text)] == [(4, "long"), (7, "long")]
+
+
+def test_a_listed_word_is_found_in_documents_and_in_comments_alone(prose):
+    assert [line for line, _, _ in prose.findings("page.md", "One.\nThe user is\ntold, `is told`.\n")] == [2]
+    source = 'int heed(); // heeds\nauto text = "// whoever"; /* it is told */\n// Pairs are told apart by what is\n// told.\n'
+    assert [line for line, _, _ in prose.findings("file.cpp", source)] == [1, 2, 3]
+    script = '"""Reckons."""\nheed = "# whoever"  # are told\n'
+    assert [line for line, _, _ in prose.findings("file.py", script)] == [1, 2]
