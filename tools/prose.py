@@ -98,9 +98,10 @@ def findings(name, text):
 
 
 def main():
-    names = subprocess.run(["git", "-c", "safe.directory=*", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines()
+    tracked = ["git", "-c", "safe.directory=*", "ls-files"]
+    names = subprocess.run(tracked, cwd=ROOT, check=True, capture_output=True, text=True).stdout
     count = 0
-    for name in names:
+    for name in names.splitlines():
         try:
             text = (ROOT / name).read_text()
         except UnicodeDecodeError:
