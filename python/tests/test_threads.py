@@ -64,9 +64,12 @@ def test_a_world_is_read_while_another_one_steps(clones, two_threads):
 
     thread = threading.Thread(target=step)
     thread.start()
+    read = 0
     while not over.is_set():
         assert what_it_says(clones) == truth
+        read += 1
     thread.join()
+    assert read > 0, "it was over before anything was read"
     assert stepped.hash == straight.hash
 
 

@@ -143,14 +143,15 @@ TEST_F(Parallel, TheNumberOfThreadsMayChangeWhileAnotherThreadLoops) {
     set_thread_count(1);
     const double alone = sum_of_roots(20000);
     std::atomic<bool> over{false};
-    std::atomic<int> wrong{0};
+    std::atomic<int> wrong{0}, loops{0};
     {
         const std::jthread caller([&] {
             while (!over) {
                 wrong += sum_of_roots(20000) != alone ? 1 : 0;
+                ++loops;
             }
         });
-        for (int repeat = 0; repeat < 200; ++repeat) {
+        for (int repeat = 0; repeat < 200 || loops < 20; ++repeat) {
             set_thread_count(1 + repeat % 3);
         }
         over = true;

@@ -91,7 +91,6 @@ bool settle_burst(
 bool carries_nothing(
     const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state, double stress_before
 ) {
-    constexpr double lost_stress = 1e-6; // share of the stress before
     const auto stands = [](const cell::AxisControl& axis) {
         return axis.control == cell::Control::StrainRate && axis.value == 0;
     };

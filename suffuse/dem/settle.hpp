@@ -10,6 +10,7 @@
 namespace suffuse::dem {
 
 inline constexpr std::int64_t burst_steps = 50; ///< steps between two looks at the balance
+inline constexpr double lost_stress = 1e-6;     ///< share of the stress before: a skeleton carries nothing any more
 
 /// How long the state has been balanced; part of what a checkpoint saves.
 struct BalanceState {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace suffuse::erosion {
@@ -39,6 +40,15 @@ TEST(Detachment, AGrainThatFliesFreeIsDetachableAndOneThatFluctuatesIsNot) {
     ProbeResult probe = probe_of({rising_to(1), fluctuating, rising_to(0.4)});
     judge_detachment({}, probe);
     EXPECT_EQ(probe.by_velocity, (std::vector<std::uint8_t>{1, 0, 0})); // the last is too slow for half of free flight
+}
+
+TEST(Detachment, ASpeedThatStaysTheSameOverATenthOfTheWatchDoesNotRise) {
+    std::array<double, probe_samples + 1> level = rising_to(1), barely = level;
+    level[6] = level[5];
+    barely[6] = std::nextafter(barely[5], 2);
+    ProbeResult probe = probe_of({level, barely});
+    judge_detachment({}, probe);
+    EXPECT_EQ(probe.by_velocity, (std::vector<std::uint8_t>{0, 1}));
 }
 
 TEST(Detachment, AGrainThatMovesWithoutFluidAsWellIsNotDetachableAndHidesNoOther) {

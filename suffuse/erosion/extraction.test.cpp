@@ -52,6 +52,14 @@ TEST(Extraction, ALedgerThatMissesOrRepeatsAGrainIsADefect) {
     EXPECT_THROW(check_ledger(world, repeated, mass), Bug);
 }
 
+TEST(Extraction, ALedgerBalancesToATenthOfABillionth) {
+    const dem::World world = four_grains();
+    const double mass = total_mass(world.grains);
+    EXPECT_NO_THROW(check_ledger(world, {}, mass * (1 + 0.5e-10)));
+    EXPECT_THROW(check_ledger(world, {}, mass * (1 + 2e-10)), Bug);
+    EXPECT_THROW(check_ledger(world, {}, mass * (1 - 2e-10)), Bug);
+}
+
 TEST(Extraction, FinesContentIsByMass) {
     const double fine = 1 + 8, all = 1 + 8 + 27 + 64;
     EXPECT_NEAR(fines_content(four_grains().grains), fine / all, 1e-14);

@@ -20,7 +20,6 @@ constexpr std::int64_t most_steps_adrift = 400'000; // without a tenth of its st
 constexpr double adrift_below = 0.1;                // of the stress held
 constexpr std::int64_t bursts_a_row = 4;            // of the recorded path, beyond its dense beginning
 constexpr std::int64_t dense_bursts = 20;
-constexpr double lost_stress = 1e-6; // share of the stress before: the skeleton carries nothing any more
 
 /// Appends rows to the path of one pass.
 class PathRecorder {
@@ -64,7 +63,7 @@ cell::Loading held_loading(const dem::World& world, const Mat3& stress_before) {
 
 bool rests(const dem::BalanceState& state, const dem::BalanceSpec& balance, double stress_before) {
     return state.balanced_steps >= balance.patience ||
-           std::abs(dem::mean_stress(state.stress)) <= lost_stress * stress_before;
+           std::abs(dem::mean_stress(state.stress)) <= dem::lost_stress * stress_before;
 }
 
 /// A skeleton on its way to a new equilibrium.

@@ -56,6 +56,13 @@ void add_row(const grains::Grains& grains, const Journey& journey, Fate fate, do
 
 } // namespace
 
+Fate fate_of(bool leaves, const std::optional<Vec3>& place, const Vec3& position, double radius) {
+    if (leaves) {
+        return Fate::Left;
+    }
+    return place && norm(*place - position) > same_place * radius ? Fate::Lodged : Fate::Stayed;
+}
+
 std::vector<std::uint32_t> transport_fines(
     dem::World& world, std::span<const std::uint32_t> detached, const ErodeSpec& spec, const flow::Fluid& fluid,
     const ErosionResult& so_far, PassResult& pass
@@ -74,16 +81,17 @@ std::vector<std::uint32_t> transport_fines(
     for (std::size_t j = 0; j < journeys.size(); ++j) {
         const std::uint32_t g = journeys[j].row;
         const double before = progress[world.grains.id[g]];
-        if (!journeys[j].constriction) {
+        const Fate fate =
+            fate_of(!journeys[j].constriction, places[j], world.grains.position[g], world.grains.radius[g]);
+        double moved = 0;
+        if (fate == Fate::Left) {
+            moved = journeys[j].travel;
             left.push_back(g);
-            add_row(world.grains, journeys[j], Fate::Left, before + journeys[j].travel, pass.transport);
-        } else if (places[j] && norm(*places[j] - world.grains.position[g]) > same_place * world.grains.radius[g]) {
-            const double moved = dot(*places[j] - world.grains.position[g], along);
+        } else if (fate == Fate::Lodged) {
+            moved = dot(*places[j] - world.grains.position[g], along);
             lodged.push_back(g), lodged_at.push_back(*places[j]);
-            add_row(world.grains, journeys[j], Fate::Lodged, before + moved, pass.transport);
-        } else {
-            add_row(world.grains, journeys[j], Fate::Stayed, before, pass.transport);
         }
+        add_row(world.grains, journeys[j], fate, before + moved, pass.transport);
     }
     dem::relocate_grains(world, lodged, lodged_at);
     return left;

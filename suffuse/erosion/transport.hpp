@@ -8,10 +8,16 @@
 #include "suffuse/flow/fluid.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace suffuse::erosion {
+
+/// What became of a grain that the water took along. @param leaves nothing held it  @param place where it finds room,
+/// if it was held  @param position where it lay before, [m]  @param radius its own, [m]: a place within a thousandth of
+/// it is where it lay before
+Fate fate_of(bool leaves, const std::optional<Vec3>& place, const Vec3& position, double radius);
 
 /// Lets the grains of `detached` travel through the pores between all others, and puts those that are held where they
 /// are held. How far each has come counts from the first pass on; how each fared is in `pass.transport`.

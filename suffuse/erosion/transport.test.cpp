@@ -48,6 +48,15 @@ TEST(FilterCoefficient, IsThatOfAnExponentialLawWhereverItIsCut) {
     }
 }
 
+TEST(Fate, OfAGrainThatFindsRoomWithinAThousandthOfItsRadiusIsToStay) {
+    const Vec3 position{1, 2, 3};
+    const auto held = [&](double shift) { return fate_of(false, position + Vec3{0, shift, 0}, position, 0.5); };
+    EXPECT_EQ(held(0.9e-3 * 0.5), Fate::Stayed);
+    EXPECT_EQ(held(1.1e-3 * 0.5), Fate::Lodged);
+    EXPECT_EQ(fate_of(false, std::nullopt, position, 0.5), Fate::Stayed) << "no room";
+    EXPECT_EQ(fate_of(true, std::nullopt, position, 0.5), Fate::Left);
+}
+
 /// The smaller half of the reference's packing are fines, shrunk to half, so that some pass and some do not.
 dem::World packing_with_small_fines() {
     dem::World world = test::reference_packing("packing2000");

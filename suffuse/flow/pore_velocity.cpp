@@ -3,7 +3,6 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace suffuse::flow {
@@ -11,7 +10,8 @@ namespace {
 
 constexpr double least_void = 0.01; // share of a facet below which it counts as closed: its own centroid will do
 
-/// Centroid of what the sections of the three grains leave of their triangle.
+} // namespace
+
 Vec3 void_centroid(const std::array<Vec3, 3>& x, const std::array<double, 3>& r) {
     const double area = 0.5 * norm(cross(x[1] - x[0], x[2] - x[0]));
     const Vec3 middle = (1.0 / 3) * (x[0] + x[1] + x[2]);
@@ -28,6 +28,8 @@ Vec3 void_centroid(const std::array<Vec3, 3>& x, const std::array<double, 3>& r)
     }
     return void_area > least_void * area ? moment / void_area : middle;
 }
+
+namespace {
 
 /// Of every throat, in the place that it has beside its side 0.
 std::vector<Vec3>

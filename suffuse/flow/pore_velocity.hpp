@@ -4,10 +4,15 @@
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/pores/network.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
 namespace suffuse::flow {
+
+/// Centroid of what three grains leave of the triangle of their centers [m]; that of the triangle where they leave less
+/// than a hundredth of it. @param x their centers, r their radii [m]
+Vec3 void_centroid(const std::array<Vec3, 3>& x, const std::array<double, 3>& r);
 
 /// Mean velocity of the water in each pore [m/s]. Where as much flows in as out, the integral of the velocity is the
 /// sum of what leaves through each throat times the place where it leaves (divergence theorem); that is taken to be the

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/packings.hpp"
+#include <array>
 #include <cmath>
 
 namespace suffuse::flow {
@@ -30,6 +31,35 @@ Flow flow_through(const Packing& packing, const Vec3& gradient) {
 
 Packing sheared_packing() {
     return test::random_packing(from_columns({1, 0, 0}, {0.5, 1, 0.1}, {-0.2, 0.3, 0.9}), 120, 0.04, 0.1, 5);
+}
+
+/// By counting points of a fine grid that lie in the triangle and in none of the three circles.
+Vec3 counted_centroid(const std::array<Vec3, 3>& x, const std::array<double, 3>& r) {
+    constexpr int steps = 2000;
+    Vec3 sum;
+    double count = 0;
+    for (int i = 0; i < steps; ++i) {
+        for (int j = 0; i + j < steps; ++j) {
+            const double a = (i + 1.0 / 3) / steps, b = (j + 1.0 / 3) / steps;
+            const Vec3 point = x[0] + a * (x[1] - x[0]) + b * (x[2] - x[0]);
+            if (norm(point - x[0]) > r[0] && norm(point - x[1]) > r[1] && norm(point - x[2]) > r[2]) {
+                sum += point;
+                count += 1;
+            }
+        }
+    }
+    return sum / count;
+}
+
+TEST(VoidCentroid, IsThatOfWhatIsLeftUnlessHardlyAnythingIs) {
+    // Two grains of radius 1 that touch, and a small one between them: it closes 93 % of the triangle, or nearly all.
+    const auto centers = [](double height) { return std::array<Vec3, 3>{Vec3{}, Vec3{2, 0, 0}, Vec3{1, height, 0}}; };
+    const std::array<double, 3> radius{1, 1, 0.3};
+    const std::array<Vec3, 3> open = centers(0.83);
+    EXPECT_LE(norm(void_centroid(open, radius) - counted_centroid(open, radius)), 2e-3);
+    EXPECT_GT(norm(void_centroid(open, radius) - (1.0 / 3) * (open[0] + open[1] + open[2])), 0.02);
+    const std::array<Vec3, 3> closed = centers(0.70);
+    EXPECT_EQ(void_centroid(closed, radius), (1.0 / 3) * (closed[0] + closed[1] + closed[2]));
 }
 
 TEST(PoreVelocity, AddsUpToTheMeanVelocityInACellOfAnyShape) {

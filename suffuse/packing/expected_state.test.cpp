@@ -66,6 +66,7 @@ TEST(ExpectedState, FinesCarryOnceTheyFillTheRoomLeft) {
     EXPECT_NEAR(carrying_share(dense, dense.filling), 0.5 * (1 - dense.rattlers), 1e-12);
     EXPECT_LT(carrying_share(dense, 0.6), 0.1);
     EXPECT_NEAR(carrying_share(dense, 2), 1 - dense.rattlers, 1e-6);
+    EXPECT_DOUBLE_EQ(carrying_share(dense, 0.1), 0.06 * (1 - dense.rattlers)) << "some touch two, however much room";
 }
 
 } // namespace

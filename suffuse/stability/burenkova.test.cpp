@@ -49,6 +49,14 @@ TEST(WanFell, GivesTheLogisticFormOfASiltSandGravel) {
     EXPECT_EQ(wan_fell(grading, FineFraction{1e-4, 0.16, ""}).verdict, Verdict::Stable);
 }
 
+TEST(WanFell, TakesTheFitOfSiltsWhereMoreThanATenthIsFinerThanSieve200) {
+    const auto fit = [](double tenth_at) { // 10 % are finer than this
+        return wan_fell({{0.01e-3, tenth_at, 1e-3, 10e-3}, {0, 0.1, 0.5, 1}, ""}, std::nullopt).remark;
+    };
+    EXPECT_NE(fit(0.074e-3).find("fit for silt-sand-gravel"), std::string::npos) << fit(0.074e-3);
+    EXPECT_NE(fit(0.076e-3).find("fit for sand-gravel"), std::string::npos) << fit(0.076e-3);
+}
+
 TEST(WanFell, CannotSayWhereItWasNotFitted) {
     EXPECT_NE(wan_fell(box(0.2e-3, 0.4e-3), std::nullopt).remark.find("gravel"), std::string::npos);
     EXPECT_NE(wan_fell(power_law(0.2), std::nullopt).remark.find("of clay"), std::string::npos);

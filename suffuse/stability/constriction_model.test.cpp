@@ -136,6 +136,9 @@ TEST(Indraratna, SpeaksOfAllDensitiesOrNamesTheOneThatDecides) {
 TEST(ConstrictionsAndFines, ShareThatPassesComesFromTheFinesGrading) {
     const grains::Grading grading = two_boxes(0.25);
     const auto sizes = compare_with_constrictions(grading, FineFraction{0.30e-3, 0.25, ""}, 0);
+    const ConstrictionSizes model = model_constrictions(coarse_part(grading, 0.30e-3));
+    EXPECT_DOUBLE_EQ(sizes.densest_d35, model.at(0.35, 1)) << "the controlling size is that of 35 %";
+    EXPECT_DOUBLE_EQ(sizes.loosest_d35, model.at(0.35, 0));
     EXPECT_LT(sizes.densest_d35, sizes.loosest_d35);
     EXPECT_NEAR(sizes.densest_passes, std::clamp(std::log2(sizes.densest_d35 / 0.15e-3), 0.0, 1.0), 1e-9);
     EXPECT_NEAR(sizes.fines_d85, 0.15e-3 / (1 - 0.85 / 2), 1e-9);
