@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { drawnAfter, launch, open, pixels, samples, settled } from "./browser.mjs";
 import { colorModes } from "../src/scene/colors.js";
+import { readScene } from "../src/scene/data.js";
 import { grainAt } from "../src/scene/pick.js";
 import { roundLength } from "../src/scene/overlay.js";
 import { isSoftware, softwareLimit, thinned } from "../src/scene/thin.js";
@@ -257,4 +258,18 @@ test("picking meets the closed form: the nearest sphere, and the flat face of a 
 
 test("scale bars are 1, 2 or 5 times a power of ten", () => {
   assert.deepEqual([0.7, 1, 1.99, 4.9, 12, 0.034].map(roundLength), [0.5, 1, 1, 2, 10, 0.02]);
+});
+
+test("states before the one that was probed show ahead which gradient moves each grain", () => {
+  const packed = (type, Values, ...list) => ({ type, data: Buffer.from(new Values(list).buffer).toString("base64") });
+  const contacts = { ends: packed("u32", Uint32Array), period: packed("u8", Uint8Array), normal_force: packed("f32", Float32Array) };
+  const state = (label, more) => ({
+    label, passes: 0, cell: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], contacts, ...more,
+    place: packed("u16", Uint16Array, 0, 0, 0, 9, 9, 9), coordination: packed("u8", Uint8Array, 0, 0),
+  });
+  const scene = readScene({
+    id: packed("u32", Uint32Array, 1, 2), radius: packed("f32", Float32Array, 1, 1), fine: packed("u8", Uint8Array, 1, 1), left_in: packed("u8", Uint8Array, 0, 0),
+    states: [state("loose"), state("probed", { mobile_gradient: packed("f32", Float32Array, 0.25, NaN) }), state("after")],
+  });
+  assert.deepEqual(scene.states.map((each) => each.mobileGradient && [...each.mobileGradient]), [[0.25, NaN], [0.25, NaN], undefined]);
 });

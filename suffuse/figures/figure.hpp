@@ -1,6 +1,6 @@
 #pragma once
 // A figure as a value: its data, and either a Vega-Lite specification or a ready drawing. The same specification feeds
-// the report's page, exports to SVG and PNG, and notebooks. Caption = claim; axis titles carry symbol and unit.
+// the report's page, exports to SVG and PNG, and notebooks. Axis titles carry symbol and unit.
 
 #include "suffuse/figures/table.hpp"
 
@@ -15,7 +15,8 @@ namespace suffuse::figures {
 struct Figure {
     std::string id;           ///< "fig09", "own-rules": also the stem of its files
     std::string title;        ///< a few words: what is drawn
-    std::string caption;      ///< the claim, with this run's numbers
+    std::string claim;        ///< what it shows, in a short sentence: its heading in the report; empty: the title
+    std::string caption;      ///< this run's numbers, how to read it, and what limits it
     std::string section;      ///< of the report: "Soils", "Tests", "Water", "Erosion"
     Table table;              ///< what is drawn
     nlohmann::json chart;     ///< Vega-Lite without `data`; null where there is a drawing

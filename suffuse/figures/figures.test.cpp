@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/sample_results.hpp"
+#include <algorithm>
 #include <set>
 
 namespace suffuse::figures {
@@ -70,6 +71,45 @@ TEST(Figures, EachChartReadsOnlyColumnsOfItsOwnTable) {
         EXPECT_FALSE(figure.caption.empty()) << figure.id;
         EXPECT_NE(figure.chart.is_null(), figure.drawing.empty()) << figure.id;
     }
+}
+
+TEST(Figures, ClaimsAreShortAndMostFiguresOfARunMakeOne) {
+    std::vector<std::string> silent;
+    for (const Figure& figure : test::sample_figures()) {
+        if (figure.claim.empty()) {
+            silent.push_back(figure.id);
+        }
+        EXPECT_LE(std::ranges::count(figure.claim, ' '), 17) << figure.claim;
+        EXPECT_FALSE(figure.claim.ends_with('.')) << figure.claim;
+        EXPECT_EQ(figure.claim.find("nan"), std::string::npos) << figure.claim;
+    }
+    EXPECT_EQ(silent, (std::vector<std::string>{"fig01", "own-paths", "fig07"}))
+        << "what was asked for, ways, the loop";
+}
+
+TEST(Figures, ClaimsSayWhatTheRunFound) {
+    ErosionResult erosion = test::sample_erosion();
+    erosion.passes.resize(1);
+    erosion::PassResult& pass = erosion.passes.front();
+    pass.eroded_mass_percent_of_initial = 4.26;
+    pass.coordination_histogram = {{0, 1}, {1, 1}, {2, 1}, {3, 1}};
+    pass.porosity_before = 0.3;
+    pass.porosity_after = 0.31;
+    pass.permeability_before = 1e-10;
+    pass.permeability_after = 2.5e-10;
+    pass.stress_before = diagonal({1e5, 1e5, 1e5});
+    pass.stress_constant_volume = diagonal({9e4, 9e4, 9e4});
+    EXPECT_EQ(eroded_mass(erosion)->claim, "One pass carried out 4.3 % of the mass");
+    EXPECT_EQ(eroded_coordination(erosion)->claim, "50 % of the removed grains had at least two contacts");
+    EXPECT_EQ(porosity_path(erosion)->claim, "The porosity rises from 0.3000 to 0.3100");
+    EXPECT_EQ(stress_path(erosion)->claim, "Pass 1 costs 10 % of the mean stress at constant volume");
+    EXPECT_EQ(permeability_by_pass(erosion)->claim, "The pore network's permeability is 2.5 times what it was");
+    pass.eroded_mass_percent_of_initial = 0;
+    pass.porosity_after = pass.porosity_before;
+    pass.stress_constant_volume = pass.stress_before;
+    EXPECT_EQ(eroded_mass(erosion)->claim, "No grain was carried out");
+    EXPECT_EQ(porosity_path(erosion)->claim, "The porosity stays as it was");
+    EXPECT_EQ(stress_path(erosion)->claim, "") << "nothing to draw but rounding";
 }
 
 TEST(Figures, TheSampleRunHasTheFiguresOfThePaperAndOurs) {

@@ -110,10 +110,10 @@ std::optional<Figure> contact_classes(const study::FinesStudy& study) {
     figure.id = "fig05";
     figure.section = "Fines and structure";
     figure.title = "Contacts of large and small grains";
-    figure.caption = fmt::format(
-        "Shares of the contacts by class, loose state; large-small contacts are most frequent at FC = {} ({} %).",
-        study::percent_name(at), short_number(100 * most)
+    figure.claim = fmt::format(
+        "Large-small contacts are most frequent at FC = {} ({} %)", study::percent_name(at), short_number(100 * most)
     );
+    figure.caption = "Shares of the contacts by class, loose state.";
     figure.caption += about_bars(numbers.most_samples());
     figure.chart = fines_panel(study, lines, "share_of_contacts", "share of all contacts [%]", study.activity);
     set_domain(figure.chart, 100);
@@ -133,11 +133,12 @@ std::optional<Figure> strong_contacts(const study::FinesStudy& study) {
     figure.id = "fig06";
     figure.section = "Fines and structure";
     figure.title = "Large-small contacts among the strong ones";
-    figure.caption = fmt::format(
-        "Share of large-small contacts among those whose force exceeds the mean over all contacts, loose state: "
-        "highest at FC = {} ({} %).",
-        study::percent_name(at), short_number(100 * most)
+    figure.claim = fmt::format(
+        "Strong large-small contacts are most frequent at FC = {} ({} %)", study::percent_name(at),
+        short_number(100 * most)
     );
+    figure.caption =
+        "Share of large-small contacts among those whose force exceeds the mean over all contacts, loose state.";
     figure.caption += " Inset: active fines part large grains and pass strong forces between them.";
     figure.caption += about_bars(numbers.most_samples());
     figure.chart = fines_panel(study, {line}, "strong_share", "LS among the strong contacts [%]", study.activity);

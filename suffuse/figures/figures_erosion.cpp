@@ -32,6 +32,16 @@ RemovedGrains count_contacts(const PassResult& pass) {
     return removed;
 }
 
+double share_of_active(const study::SomePasses& passes) {
+    double all = 0, active = 0;
+    for (const PassResult* pass : passes) {
+        const auto counts = count_contacts(*pass);
+        all += static_cast<double>(counts.all);
+        active += static_cast<double>(counts.active);
+    }
+    return 100 * active / all;
+}
+
 } // namespace
 
 std::optional<Figure> eroded_mass(const ErosionResult& erosion) {
@@ -57,6 +67,13 @@ std::optional<Figure> eroded_mass(const ErosionResult& erosion) {
     figure.id = "fig11";
     figure.section = "Erosion";
     figure.title = "Eroded mass of each pass";
+    figure.claim = total > 0
+                       ? fmt::format(
+                             "{} carried out {} % of the mass",
+                             erosion.passes.size() == 1 ? "One pass" : fmt::format("{} passes", erosion.passes.size()),
+                             short_number(total, 2)
+                         )
+                       : "No grain was carried out";
     figure.caption = fmt::format(
         "Of the mass before the pass: {}{}; {} % of the initial mass in all.", claim,
         study::told_of(few, erosion.passes.size()), short_number(total)
@@ -129,6 +146,9 @@ std::optional<Figure> eroded_coordination(const ErosionResult& erosion) {
     figure.id = "fig12";
     figure.section = "Erosion";
     figure.title = "Contacts that the removed grains had";
+    figure.claim = fmt::format(
+        "{} % of the removed grains had at least two contacts", short_number(share_of_active(that_took), 2)
+    );
     figure.caption = as_sentence(claim) + study::told_of(few, that_took.size()) + ".";
     figure.table.add("pass", std::move(name));
     figure.table.add("coordination", "", std::move(contacts));

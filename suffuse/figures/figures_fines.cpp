@@ -16,18 +16,23 @@ namespace {
 
 using nlohmann::json;
 
-/// "FC = 40 % (0.513)": where a curve is lowest; empty without points.
-std::string lowest(const study::FinesStudy& study, const FinesLine& line) {
-    double least = std::numeric_limits<double>::infinity(), at = 0;
+/// "FC = 40 % (0.513)": where a curve is lowest or highest; empty without points.
+template <class Before>
+std::string extreme(const study::FinesStudy& study, const FinesLine& line, Before before) {
+    double found = std::numeric_limits<double>::quiet_NaN(), at = 0;
     for (std::size_t k = 0; k < line.curve->points.size(); ++k) {
         const study::Scatter value = study::number_of(line.curve->points[k], study.fines_content[k], line.number);
-        if (value.seeds > 0 && value.mean < least) {
-            least = value.mean;
+        if (value.seeds > 0 && (std::isnan(found) || before(value.mean, found))) {
+            found = value.mean;
             at = study.fines_content[k];
         }
     }
-    return std::isfinite(least) ? fmt::format("FC = {} ({})", study::percent_name(at), short_number(least))
+    return std::isfinite(found) ? fmt::format("FC = {} ({})", study::percent_name(at), short_number(found))
                                 : std::string{};
+}
+
+std::string lowest(const study::FinesStudy& study, const FinesLine& line) {
+    return extreme(study, line, std::less<>{});
 }
 
 /// e_g grows without bound toward fines alone: the panel ends where what is said of it ends.
@@ -69,9 +74,10 @@ std::optional<Figure> void_ratios(const study::FinesStudy& study) {
     figure.id = "fig03";
     figure.section = "Fines and structure";
     figure.title = "Void ratios over the fines content";
-    figure.caption = fmt::format("The loose state has its lowest e at {}", lowest(study, e));
-    figure.caption +=
-        study.dense.points.empty() ? "." : fmt::format(", the densest its lowest e_min at {}.", lowest(study, e_min));
+    figure.claim = fmt::format("The loose state has its lowest void ratio at {}", lowest(study, e));
+    if (!study.dense.points.empty()) {
+        figure.caption = fmt::format("The densest state has its lowest e_min at {}.", lowest(study, e_min));
+    }
     const double top = top_of_loose_panel(study);
     for (std::size_t k = 0; k < study.loose.points.size(); ++k) {
         const study::Scatter value = study::number_of(study.loose.points[k], study.fines_content[k], e_g.number);
@@ -115,6 +121,7 @@ std::optional<Figure> active_fines(const study::FinesStudy& study) {
     figure.id = "fig04";
     figure.section = "Fines and structure";
     figure.title = "Active share of the fines";
+    figure.claim = fmt::format("The active share of the fines is highest at {}", extreme(study, b, std::greater<>{}));
     figure.caption = "b: volume of the fines with at least two contacts over the volume of all fines, loose state.";
     figure.caption += about_bars(numbers.most_samples());
     figure.chart = fines_panel(study, {b}, "active_fines", "active share of the fines b [-]", study.activity);

@@ -51,11 +51,18 @@ double growth(const ThroatFlux& flux) {
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
+/// "2.9 to 3.1", or "3" where all round alike.
+std::string range_of(const std::vector<double>& values) {
+    const auto [least, most] = std::ranges::minmax(values);
+    const std::string from = short_number(least, 2), to = short_number(most, 2);
+    return from == to ? from : from + " to " + to;
+}
+
 } // namespace
 
 std::optional<Figure> flux_by_size(const std::vector<FluxState>& states) {
     std::vector<std::string> state;
-    std::vector<double> diameter, low, median, high;
+    std::vector<double> diameter, low, median, high, exponents;
     std::string claim;
     for (const FluxState& each : states) {
         const ThroatFlux& flux = each.flux;
@@ -67,6 +74,7 @@ std::optional<Figure> flux_by_size(const std::vector<FluxState>& states) {
             high.push_back(flux.flux_90[k]);
         }
         if (const double exponent = growth(flux); std::isfinite(exponent)) {
+            exponents.push_back(exponent);
             claim += fmt::format(
                 "{}{}: the median flux grows as the power {} of the size, the mean flux is {} m³/s at i = 1",
                 claim.empty() ? "" : "; ", each.name, short_number(exponent, 2), short_number(flux.mean)
@@ -80,6 +88,9 @@ std::optional<Figure> flux_by_size(const std::vector<FluxState>& states) {
     figure.id = "own-throat-flux";
     figure.section = "Water";
     figure.title = "Flux through a throat against its size";
+    if (!exponents.empty()) {
+        figure.claim = fmt::format("The flux grows as the power {} of a throat's size", range_of(exponents));
+    }
     figure.caption = as_sentence(claim) + (claim.empty() ? "" : ". ") +
                      "Lines: medians of classes of equally many throats; bands: their middle 80 %.";
     figure.table.add("state", std::move(state));
@@ -122,7 +133,7 @@ std::optional<Figure> flux_by_size(const std::vector<FluxState>& states) {
 
 std::optional<Figure> flux_shares(const std::vector<FluxState>& states) {
     std::vector<std::string> state;
-    std::vector<double> share, ratio, carried;
+    std::vector<double> share, ratio, carried, half;
     std::string claim;
     for (const FluxState& each : states) {
         const ThroatFlux& flux = each.flux;
@@ -136,6 +147,7 @@ std::optional<Figure> flux_shares(const std::vector<FluxState>& states) {
             ratio.push_back(flux.quantile[k]);
             carried.push_back(100 * flux.carried[k]);
         }
+        half.push_back(100 * flux.half_carried_by);
         claim += fmt::format(
             "{}{}: half of the flow goes through {} % of the {} throats, {} % of it through the tenth with most",
             claim.empty() ? "" : "; ", each.name, short_number(100 * flux.half_carried_by), grouped(flux.throats),
@@ -149,6 +161,7 @@ std::optional<Figure> flux_shares(const std::vector<FluxState>& states) {
     figure.id = "own-flux-shares";
     figure.section = "Water";
     figure.title = "How few throats carry the flow";
+    figure.claim = fmt::format("Half of the flow goes through {} % of the throats", range_of(half));
     figure.caption = as_sentence(claim) + ". Flow: the sum of the sizes of all fluxes; thin line: all throats alike.";
     figure.table.add("state", std::move(state));
     figure.table.add("share_of_throats", "%", std::move(share));

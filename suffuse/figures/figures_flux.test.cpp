@@ -32,6 +32,7 @@ TEST(FluxFigures, SizesAreInMillimetersAndTheCaptionHasTheExponent) {
     EXPECT_EQ(figure->table.rows(), 20U);
     EXPECT_DOUBLE_EQ(figure->table.numbers("diameter")[2], 0.03);
     EXPECT_DOUBLE_EQ(figure->table.numbers("flux_over_mean")[2], 0.027);
+    EXPECT_EQ(figure->claim, "The flux grows as the power 3 of a throat's size");
     EXPECT_NE(
         figure->caption.find("Before erosion: the median flux grows as the power 3 of the size"), std::string::npos
     ) << figure->caption;
@@ -44,6 +45,7 @@ TEST(FluxFigures, SharesAreInPercentAndTheCaptionSaysHowFewCarryTheFlow) {
     EXPECT_EQ(figure->table.rows(), 101U);
     EXPECT_DOUBLE_EQ(figure->table.numbers("share_of_throats")[25], 25);
     EXPECT_DOUBLE_EQ(figure->table.numbers("share_of_flow")[25], 50);
+    EXPECT_EQ(figure->claim, "Half of the flow goes through 12 % of the throats");
     EXPECT_NE(
         figure->caption.find(
             "half of the flow goes through 12.5 % of the 12,000 throats, 31.6 % of it through the tenth"

@@ -262,6 +262,31 @@ bool changes_skeleton(const PassResult& pass) {
     return !is_noise(100 * erosion::stress_loss(pass).value_or(0)) || !is_noise(100 * pass.volumetric_strain);
 }
 
+/// Of the pass that costs most; empty without passes that changed the skeleton.
+std::string loss_claim(const ErosionResult& erosion) {
+    const PassResult* worst = nullptr;
+    for (const PassResult& pass : erosion.passes) {
+        if (erosion::stress_loss(pass) &&
+            (worst == nullptr || *erosion::stress_loss(pass) > *erosion::stress_loss(*worst))) {
+            worst = &pass;
+        }
+    }
+    if (worst == nullptr || is_noise(100 * *erosion::stress_loss(*worst))) {
+        return {};
+    }
+    return fmt::format(
+        "Pass {} costs {} % of the mean stress at constant volume", worst->pass,
+        short_number(100 * *erosion::stress_loss(*worst), 2)
+    );
+}
+
+std::string porosity_claim(double before, double after) {
+    if (std::abs(after - before) <= study::porosity_resolution) {
+        return "The porosity stays as it was";
+    }
+    return fmt::format("The porosity {} from {:.4f} to {:.4f}", after > before ? "rises" : "falls", before, after);
+}
+
 } // namespace
 
 std::optional<Figure> stress_path(const ErosionResult& erosion) {
@@ -284,6 +309,7 @@ std::optional<Figure> stress_path(const ErosionResult& erosion) {
     figure.id = "fig13";
     figure.section = "Erosion";
     figure.title = "Stress and volumetric strain along the erosion passes";
+    figure.claim = loss_claim(erosion);
     figure.caption = claim + (claim.empty() ? "" : ". ") + "Compression and contraction positive.";
     figure.table = path_table(thinned(with_starts(erosion)));
     figure.chart = stress_chart();
@@ -320,6 +346,9 @@ std::optional<Figure> porosity_path(const ErosionResult& erosion) {
     figure.id = "fig14";
     figure.section = "Erosion";
     figure.title = "Porosity against eroded mass";
+    if (!erosion.passes.empty()) {
+        figure.claim = porosity_claim(erosion.passes.front().porosity_before, erosion.passes.back().porosity_after);
+    }
     figure.caption = claim + (claim.empty() ? "" : ". ") +
                      "A removal moves the sample right and up, resettling straight down" +
                      (settles ? "; the lower panel shows resettling alone."

@@ -64,6 +64,10 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
     figure.id = "own-permeability";
     figure.section = "Water";
     figure.title = "Permeability before and after erosion";
+    const double times = permeability.back() / permeability.front();
+    figure.claim = std::abs(times - 1) < 0.005
+                       ? "The pore network is as permeable as before"
+                       : fmt::format("The pore network's permeability is {} times what it was", short_number(times, 2));
     figure.caption = fmt::format(
         "The loss of {} % of the mass changes the permeability along the flow from {} to {} m², {} times.",
         short_number(eroded.back()), short_number(permeability.front()), short_number(permeability.back()),

@@ -162,9 +162,12 @@ grading_curves(const Grading& asked, const Grading& sampled, std::optional<doubl
     figure.id = "fig08";
     figure.section = "Soils";
     figure.title = "Grading of the soil";
+    figure.claim = fmt::format(
+        "The sample follows the grading asked for within {} % of the mass",
+        short_number(largest_difference(asked, sampled), 2)
+    );
     figure.caption = fmt::format(
-        "The sample follows the grading asked for within {} % of the mass; D50 = {} mm, D60/D10 = {}.",
-        short_number(largest_difference(asked, sampled), 2), short_number(1e3 * grains::size_at(sampled, 0.5)),
+        "D50 = {} mm, D60/D10 = {}.", short_number(1e3 * grains::size_at(sampled, 0.5)),
         short_number(grains::uniformity(sampled))
     );
     if (finer_than) {
@@ -202,6 +205,10 @@ std::optional<Figure> eroded_grading(const Grading& sampled, const ErosionResult
     figure.id = "own-eroded-grading";
     figure.section = "Erosion";
     figure.title = "Grading before erosion, of what left and of what remains";
+    figure.claim = fmt::format(
+        "D50 of what left: {} mm; of what remains: {} mm", short_number(1e3 * grains::size_at(left, 0.5), 2),
+        short_number(1e3 * grains::size_at(remains, 0.5), 2)
+    );
     figure.caption = fmt::format(
         "{} grains with {} % of the mass were carried out; D50 moves from {} to {} mm.",
         grouped(std::ssize(erosion.ledger)), short_number(100 * eroded / erosion.initial_mass),
@@ -215,7 +222,7 @@ std::optional<Figure> eroded_grading(const Grading& sampled, const ErosionResult
 std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
     std::vector<std::string> curve, order;
     std::vector<double> size, share;
-    std::string claim;
+    std::string claim, told;
     constexpr std::size_t most_curves = 4;
     const study::SomePasses few = study::few_passes(erosion, most_curves);
     for (const PassResult* pass : few) {
@@ -225,9 +232,9 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
         const std::string name = fmt::format("constrictions of pass {}", pass->pass);
         order.push_back(name);
         add_distribution(name, pass->constrictions.diameter, curve, size, share);
-        claim += fmt::format(
+        told += fmt::format(
             "{}pass {}: mean {}, median {}, D35 {} mm",
-            claim.empty() ? "Constrictions of the coarse skeleton in " : "; ", pass->pass,
+            told.empty() ? "Constrictions of the coarse skeleton in " : "; ", pass->pass,
             short_number(1e3 * pass->constrictions.mean), short_number(1e3 * pass->constrictions.median),
             short_number(1e3 * pass->constrictions.d35)
         );
@@ -240,8 +247,9 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
         order.insert(order.begin(), "fine grains");
         add_distribution("fine grains", first.probe.diameter, curve, size, share);
         const double largest = *std::max_element(first.probe.diameter.begin(), first.probe.diameter.end());
-        claim += fmt::format(
-            "; the largest fine grain, {} mm, is {} than the mean constriction of pass {}", short_number(1e3 * largest),
+        told += fmt::format("; the largest fine grain: {} mm", short_number(1e3 * largest));
+        claim = fmt::format(
+            "The largest fine grain is {} than the mean constriction of pass {}",
             largest < first.constrictions.mean ? "smaller" : "larger", first.pass
         );
     }
@@ -249,7 +257,8 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
     figure.id = "own-constrictions";
     figure.section = "Water";
     figure.title = "Constriction sizes of the coarse skeleton, and sizes of the fines";
-    figure.caption = claim + study::told_of(few, erosion.passes.size()) +
+    figure.claim = claim;
+    figure.caption = told + study::told_of(few, erosion.passes.size()) +
                      ". Shares by number of facets and of grains; the upper hundredth is left out of the drawing." +
                      means_by_merge(first);
     figure.table.add("curve", std::move(curve));

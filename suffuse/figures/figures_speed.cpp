@@ -255,6 +255,19 @@ const char* const how_drawn =
     "slowest and fastest among them. A band down to the axis: a tenth of the group or more is slower than any speed "
     "shown.";
 
+/// "12 % of the fines are detachable at i = 0.1, 98 % at i = 10": of the first and the last panel.
+std::string detached_claim(const std::vector<Panel>& panels) {
+    const auto share = [](const Panel& panel) {
+        const study::Detached detached = study::count_detached(*panel.probe);
+        return 100.0 * static_cast<double>(detached.yes) / static_cast<double>(detached.yes + detached.no);
+    };
+    const Panel& first = panels.front();
+    const Panel& last = panels.back();
+    const auto place = [](const Panel& panel) { return (panel.name.starts_with("pass") ? "in " : "at ") + panel.name; };
+    std::string claim = fmt::format("{} % of the fines are detachable {}", short_number(share(first), 2), place(first));
+    return panels.size() < 2 ? claim : claim + fmt::format(", {} % {}", short_number(share(last), 2), place(last));
+}
+
 } // namespace
 
 std::optional<Figure> speed_by_gradient(const std::vector<ProbeResult>& probes) {
@@ -276,6 +289,7 @@ std::optional<Figure> speed_by_gradient(const std::vector<ProbeResult>& probes) 
     Figure figure = speed_figure(panels);
     figure.id = "fig09";
     figure.title = "Speed of the fines under the fluid force, by hydraulic gradient";
+    figure.claim = detached_claim(panels);
     figure.caption = "Detachable fines by the velocity rule: " + counts + "." + how_drawn;
     return figure;
 }
@@ -299,6 +313,7 @@ std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
     Figure figure = speed_figure(panels);
     figure.id = "fig10";
     figure.title = fmt::format("Speed of the fines in each erosion pass, i = {}", panels.front().probe->gradient);
+    figure.claim = detached_claim(panels);
     figure.caption = "Detachable fines by the velocity rule: " + counts + study::told_of(few, erosion.passes.size()) +
                      "." + how_drawn;
     return figure;
@@ -350,6 +365,10 @@ rules_compared(const std::vector<ProbeResult>& probes, const std::vector<NamedEr
     figure.caption = fmt::format(
         "The two rules agree on {} of {} verdicts ({} %); the diagonal from top left holds the agreement.",
         grouped(agreed), grouped(all), short_number(100.0 * static_cast<double>(agreed) / static_cast<double>(all), 4)
+    );
+    figure.claim = fmt::format(
+        "The two rules agree on {} % of the verdicts",
+        short_number(100.0 * static_cast<double>(agreed) / static_cast<double>(all), 3)
     );
     figure.table.add("probe", std::move(probe_name));
     figure.table.add("velocity_rule", std::move(velocity));

@@ -62,10 +62,17 @@ std::optional<Figure> strength_before_and_after(
     figure.section = "Tests";
     figure.title = told->holds_deviator() ? "Pore pressure that is borne, before and after the loss"
                                           : "The same test before and after the loss";
+    const double before = std::round(borne.before.mean / 1e3), after = std::round(borne.after.mean / 1e3);
+    figure.claim = fmt::format(
+        "{} {} from {} to {} kPa", told->holds_deviator() ? "The pore pressure that is borne" : "Peak strength",
+        after < before   ? "falls"
+        : after > before ? "rises"
+                         : "stays",
+        short_number(before, 4), short_number(after, 4)
+    );
     figure.caption = fmt::format(
         "{} {} kPa before, {} kPa after{}.",
-        told->holds_deviator() ? "Most that is borne:" : "Peak:", short_number(std::round(borne.before.mean / 1e3), 4),
-        short_number(std::round(borne.after.mean / 1e3), 4),
+        told->holds_deviator() ? "Most that is borne:" : "Peak:", short_number(before, 4), short_number(after, 4),
         borne.change.seeds > 1 ? fmt::format(", means of {} samples, a line each", borne.change.seeds) : "; one sample"
     );
     figure.table.add("state", std::move(rows.state));

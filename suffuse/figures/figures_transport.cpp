@@ -75,6 +75,7 @@ std::optional<Figure> transport_by_pass(const ErosionResult& erosion) {
     figure.id = "own-transport";
     figure.section = "Erosion";
     figure.title = "How far the detached fines get with the water";
+    figure.claim = fmt::format("{} % of the detached mass left", fmt::join(left, ", "));
     figure.caption = fmt::format(
         "{} % of the mass detached in {} {}{} left, having come {} mm along the flow since the erosion began; filter "
         "coefficient {} per mm. A throat no wider than themselves held the others, which lodge there where they find "

@@ -135,6 +135,7 @@ std::pair<double, double> twin_decades(const TwinColumns& columns) {
 std::optional<Figure> beside_twin(const erosion::ErosionResult& erosion) {
     TwinColumns columns;
     std::vector<std::string> panels, told;
+    std::int64_t beyond = 0, detachable = 0;
     for (const PassResult* pass : study::few_passes(erosion, most_twin_panels)) {
         const ProbeResult& probe = pass->probe;
         if (probe.twin_speed.size() != probe.id.size() || probe.id.empty()) {
@@ -143,6 +144,8 @@ std::optional<Figure> beside_twin(const erosion::ErosionResult& erosion) {
         panels.push_back(study::pass_name(pass->pass));
         add_twins(panels.back(), probe, columns);
         const auto [refused, accepted] = probe.agreement[1];
+        beyond += accepted;
+        detachable += refused + accepted;
         told.push_back(fmt::format(
             "in {} {} of {} detachable fines go beyond their twin, and the median of all fines is {} times that of the "
             "twin",
@@ -157,6 +160,12 @@ std::optional<Figure> beside_twin(const erosion::ErosionResult& erosion) {
     figure.id = "own-twin";
     figure.section = "Erosion";
     figure.title = "Each fine grain with water, and its twin without";
+    figure.claim = detachable > 0
+                       ? fmt::format(
+                             "{} % of the detachable fines go beyond their twin",
+                             short_number(100.0 * static_cast<double>(beyond) / static_cast<double>(detachable), 2)
+                         )
+                       : "No fine grain is detachable";
     figure.caption = fmt::format(
         "{}. On the dashed diagonal a grain moves as it would without water: what is left of unbalance moves it. At "
         "most "

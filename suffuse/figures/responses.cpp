@@ -140,6 +140,24 @@ Figure response_figure(const std::vector<study::ResponseCurve>& tests) {
     return figure;
 }
 
+/// "Peak q: 36 kPa at FC = 0 %, 207 kPa at FC = 40 %": of one or two tests, or the lowest and highest of more.
+std::string peaks_claim(const std::vector<study::ResponseCurve>& tests) {
+    std::vector<std::pair<double, std::string>> peaks;
+    for (const study::ResponseCurve& test : tests) {
+        peaks.emplace_back(std::round(peak_of(test).deviator_stress / 1e3), test.name);
+    }
+    if (peaks.size() > 2) {
+        std::ranges::sort(peaks);
+    }
+    const auto told = [](const auto& peak) {
+        return fmt::format("{} kPa ({})", short_number(peak.first, 4), peak.second);
+    };
+    if (peaks.size() < 2) {
+        return "Highest q: " + told(peaks.front());
+    }
+    return "Highest q: " + told(peaks.front()) + (peaks.size() > 2 ? " to " : ", ") + told(peaks.back());
+}
+
 } // namespace
 
 std::optional<Figure> loose_compression(const std::vector<study::ResponseCurve>& all) {
@@ -150,6 +168,7 @@ std::optional<Figure> loose_compression(const std::vector<study::ResponseCurve>&
     Figure figure = response_figure(tests);
     figure.id = "fig02";
     figure.title = "Drained compression of the loose samples";
+    figure.claim = peaks_claim(tests);
     std::string claim;
     for (const study::ResponseCurve& test : tests) {
         const study::StressStrainRow& peak = peak_of(test);
@@ -170,6 +189,7 @@ triaxial_response(const std::vector<study::ResponseCurve>& all, const std::strin
     Figure figure = response_figure(tests);
     figure.id = id;
     figure.title = title;
+    figure.claim = peaks_claim(tests);
     std::string claim;
     for (const study::ResponseCurve& test : tests) {
         claim += claim.empty() ? "" : "; ";

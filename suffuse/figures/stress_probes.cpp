@@ -115,6 +115,19 @@ std::string least_work(const study::ProbedState& state) {
     return fmt::format("{} at {:.0f}°", short_number(least.normalized_work, 2), degrees(least.angle));
 }
 
+std::string stability_claim(const std::vector<study::ProbedState>& states) {
+    const auto is_unstable = [](const study::ProbedState& state) {
+        return std::ranges::any_of(state.directions, [](const auto& direction) { return direction.unstable > 0; });
+    };
+    const auto unstable = std::ranges::count_if(states, is_unstable);
+    if (unstable == 0) {
+        return "No direction of load is unstable";
+    }
+    return states.size() == 1
+               ? "Some directions of load are unstable"
+               : fmt::format("{} of {} states are unstable in some directions of load", unstable, states.size());
+}
+
 } // namespace
 
 std::string tell_stability(const study::ProbedState& state) {
@@ -148,6 +161,7 @@ std::optional<Figure> stability_in_directions(const std::vector<study::ProbedSta
     figure.id = "own-stress-probes";
     figure.section = "Tests";
     figure.title = "Stability against small loads in all directions";
+    figure.claim = stability_claim(states);
     std::string least;
     int most = 1;
     for (const study::ProbedState& state : states) {

@@ -69,7 +69,7 @@ std::string figure_block(const figures::Figure& figure, const ReportData& report
     const bool is_wide = figure.chart.contains("facet");
     std::string out = fmt::format(
         "<figure id=\"{0}\" class=\"figure{2}\" data-figure=\"{0}\">\n<h3 id=\"{0}-title\">{1}</h3>\n", id,
-        typeset(figure.title),
+        typeset(figure.claim.empty() ? figure.title : figure.claim),
         is_wide                  ? " wide"
         : figure.drawing.empty() ? ""
                                  : " wide drawn"

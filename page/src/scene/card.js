@@ -41,6 +41,8 @@ export function showCard(place, scene, state, grain, choose) {
   if (Number.isFinite(force)) row(list, `fluid force, i = ${scene.gradient}`, `${short(force)} N`);
   const speed = state.speed?.[grain];
   if (Number.isFinite(speed)) row(list, "speed in the probe", `${short(speed)} m/s`);
+  const moves = state.mobileGradient?.[grain];
+  if (Number.isFinite(moves)) row(list, "moves at gradient", short(moves, 2));
   if (contacts.length === 0) return;
   const links = document.createElement("p");
   links.className = "neighbors";
