@@ -19,8 +19,10 @@ bool noise_decides(const DetachSpec& spec, const ProbeResult& result);
 /// at what a grain does beyond its own twin: they move for another reason than the water.
 bool takes_unaccepted(const ProbeResult& result);
 
-/// Fines that move this many times as fast as their twin, in the median, move with the water.
-inline constexpr double clear_signal = 10;
+/// Whether the fines move with the water: ten times as fast as their twin in the median, or faster.
+inline bool has_clear_signal(const ProbeResult& result) {
+    return result.signal_over_twin >= 10;
+}
 
 /// Whether an absolute speed, which knows no twin, decides by grains that the displacement rule does not accept.
 bool threshold_takes_noise(const DetachSpec& spec, const ProbeResult& result);

@@ -89,6 +89,14 @@ TEST(Detachment, CannotBeToldWhereMoreThanATwentiethOfTheFinesWouldMoveWithoutFl
     }
 }
 
+TEST(Detachment, TheSignalIsClearFromTenTimesTheTwinOn) {
+    ProbeResult probe;
+    probe.signal_over_twin = 9.9;
+    EXPECT_FALSE(has_clear_signal(probe));
+    probe.signal_over_twin = 10;
+    EXPECT_TRUE(has_clear_signal(probe));
+}
+
 TEST(Detachment, WithoutFluidForceNoRuleReturnsAGrain) {
     for (const VelocityRule rule : {VelocityRule::StillAccelerating, VelocityRule::Rising, VelocityRule::Above}) {
         ProbeResult probe = probe_of({rising_to(1)});

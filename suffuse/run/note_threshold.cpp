@@ -19,9 +19,9 @@ void note_threshold(
         "{} times as fast as the twin's in the median: {}",
         work.place(), when, grouped(refused + accepted), short_number(rule.over_speed.value_or(0)), grouped(accepted),
         short_number(probe.signal_over_twin),
-        probe.signal_over_twin < erosion::clear_signal
-            ? "what is left of unbalance decides, not the water; lower `probe_unbalanced_force`"
-            : "their contacts give way elastically; raise `over`"
+        erosion::has_clear_signal(probe)
+            ? "their contacts give way elastically; raise `over`"
+            : "what is left of unbalance decides, not the water; lower `probe_unbalanced_force`"
     ));
 }
 

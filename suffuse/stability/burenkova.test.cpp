@@ -60,6 +60,11 @@ TEST(WanFell, TakesTheFitOfSiltsWhereMoreThanATenthIsFinerThanSieve200) {
 TEST(WanFell, CannotSayWhereItWasNotFitted) {
     EXPECT_NE(wan_fell(box(0.2e-3, 0.4e-3), std::nullopt).remark.find("gravel"), std::string::npos);
     EXPECT_NE(wan_fell(power_law(0.2), std::nullopt).remark.find("of clay"), std::string::npos);
+    const auto with_clay = [](double share) {
+        return wan_fell({{0.001e-3, 0.002e-3, 1e-3, 10e-3}, {0, share, 0.5, 1}, ""}, std::nullopt).remark;
+    };
+    EXPECT_NE(with_clay(0.101).find("of clay"), std::string::npos) << with_clay(0.101);
+    EXPECT_EQ(with_clay(0.099).find("of clay"), std::string::npos) << with_clay(0.099);
     // Nearly all of the curve between d15 and d60, a long coarse tail: h' above 1.86 log h'' + 1.
     const grains::Grading concave_down{{0.9e-3, 1e-3, 1.1e-3, 40e-3}, {0, 0.1, 0.65, 1}, ""};
     EXPECT_NE(wan_fell(concave_down, std::nullopt).remark.find("above Burenkova's band"), std::string::npos);

@@ -46,9 +46,8 @@ std::string tell_noise(const PassResult* pass) {
         "times as fast as the twin's in the median, at an unbalance of {}: {}.",
         grouped(refused + accepted), pass->pass, grouped(accepted), short_number(pass->probe.signal_over_twin),
         short_number(pass->probe.unbalanced_force, 2),
-        pass->probe.signal_over_twin < erosion::clear_signal
-            ? "what is left of unbalance picks them, not the water"
-            : "their contacts give way elastically, and they go nowhere"
+        erosion::has_clear_signal(pass->probe) ? "their contacts give way elastically, and they go nowhere"
+                                               : "what is left of unbalance picks them, not the water"
     );
 }
 
