@@ -129,5 +129,21 @@ TEST(Passage, TooFewOrTooLargeCoarseGrainsAreACause) {
     EXPECT_TRUE(doubt_skeleton(lattice_with_fines(3)).has_value()); // 27 grains
 }
 
+TEST(Passage, ASkeletonIsDoubtedBelowFiftyGrainsAndBelowFiveOfItsDiameters) {
+    const auto is_doubted = [](int grains, double diameters) {
+        dem::World world;
+        world.cell.h = diagonal({2 * diameters, 20, 20}); // of grains of radius 1
+        for (int g = 0; g < grains; ++g) {
+            add_grain(world.grains, {0, 0, 0}, 1, 2600);
+        }
+        world.grains.fine.assign(world.grains.size(), 0);
+        return doubt_skeleton(world).has_value();
+    };
+    EXPECT_TRUE(is_doubted(49, 6));
+    EXPECT_FALSE(is_doubted(50, 6));
+    EXPECT_TRUE(is_doubted(50, 4.9));
+    EXPECT_FALSE(is_doubted(50, 5.1));
+}
+
 } // namespace
 } // namespace suffuse::erosion

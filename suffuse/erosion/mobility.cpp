@@ -26,9 +26,8 @@ constexpr double hold_burst = 4, longest_hold = 20;
 constexpr double hold_motion = 0.01;
 constexpr double hold_share = 0.001; ///< of the number of fines, on which the curve depends no further
 
-constexpr double mobile_motion = 0.5;    ///< along the flow, of a diameter: out of the place where it rested
-constexpr double lifted_motion = 0.1;    ///< likewise: against the roof of its cage
-constexpr double notable_sifting = 0.01; ///< of the fines' mass
+constexpr double mobile_motion = 0.5; ///< along the flow, of a diameter: out of the place where it rested
+constexpr double lifted_motion = 0.1; ///< likewise: against the roof of its cage
 
 /// Masses of the fines of the result, those for which `counts` holds over all.
 template <class Counts>
@@ -123,7 +122,7 @@ void rest(WeighedCopy& copy, const Vec3& down, const Pulse& pulse, MobilityResul
         mass_share(result, [&](std::size_t k) { return fall(k) > mobile_motion * result.diameter[k]; });
     result.sifting_mass_share =
         mass_share(result, [&](std::size_t k) { return fall(k) > cell_width || (!rests && moving[k] != 0); });
-    result.sifts = result.sifting_mass_share > notable_sifting;
+    result.sifts = is_notable_sifting(result.sifting_mass_share);
 }
 
 /// Shares of the seepage force, and the gradient that lifts single grains, of the fines where they rest.

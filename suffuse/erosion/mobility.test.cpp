@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace suffuse::erosion {
 namespace {
@@ -81,6 +82,24 @@ TEST(Mobility, OfAGrainInAPocketNeedsItsWeightUpward) {
 
 TEST(Mobility, OfAGrainInAPocketIsNotReachedDownward) {
     EXPECT_TRUE(std::isnan(pull_that_moves(Pocket(1), {0, 0, -1}, {1 / unit, 2 / unit, 5 / unit, 10 / unit})));
+}
+
+TEST(Mobility, SiftingIsNotableAboveAHundredthOfTheFines) {
+    EXPECT_FALSE(is_notable_sifting(0.0099));
+    EXPECT_TRUE(is_notable_sifting(0.0101));
+}
+
+TEST(Mobility, IsNotReachedUnderARoofThatLeavesLessThanHalfADiameter) {
+    for (const auto& [room, moves] : {std::pair{0.45, false}, std::pair{0.55, true}}) { // in diameters
+        Pocket pocket(1);
+        const double R = coarse_radius, roof = 5 * R + 2 * pocket.level + room * 2 * R;
+        for (const double angle : {0.0, 2 * pi / 3, 4 * pi / 3}) {
+            const Vec3 outward{std::cos(angle), std::sin(angle), 0};
+            const Vec3 place = Vec3{5 * R, 5 * R, roof} + 2 * pocket.center * outward;
+            add_grain(pocket.world.grains, place, R, pocket.world.material.density);
+        }
+        EXPECT_EQ(std::isnan(pull_that_moves(pocket, {0, 0, 1}, {2 / unit})), !moves) << room;
+    }
 }
 
 TEST(Mobility, AcrossASaddleIsReachedAtTheSlopeOfTheWayToItWithAndWithoutFriction) {

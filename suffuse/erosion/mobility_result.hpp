@@ -24,6 +24,11 @@ struct MobilityStep {
     double permeability = 0; ///< along the flow, of the packing at the start of the step [m2]
 };
 
+/// Whether so large a share of the fines' mass falls through the skeleton that it must be said.
+constexpr bool is_notable_sifting(double mass_share) {
+    return mass_share > 0.01;
+}
+
 /// Fines under their weight: laid to rest without flow, then under a gradient that rises step by step.
 struct MobilityResult {
     Vec3 down, direction;    ///< unit vectors
