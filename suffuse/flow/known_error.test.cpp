@@ -54,6 +54,22 @@ TEST(KnownErrors, AreWiderWhereFinesAreFewOrGrainsDoNotTouch) {
     EXPECT_EQ(permeability(mixture_of(50, 0, 0.2, 0.6)), 0.15);
 }
 
+TEST(KnownErrors, AreThoseOfAMixtureFromSizesOfOneAndAHalfAndAHundredthOfFinesOn) {
+    const auto permeability = [](double ratio, double fines_content) {
+        return known_error(Conductance::Bounded, {0.6, ratio, fines_content, 50, 500}).permeability.value();
+    };
+    EXPECT_EQ(permeability(1.45, 0.005), 0.15);
+    EXPECT_EQ(permeability(1.55, 0.005), 0.20);
+    EXPECT_EQ(permeability(5, 0.0099), 0.20);
+    EXPECT_EQ(permeability(5, 0.0101), 0.15);
+}
+
+TEST(Doubts, OfFinesThatRaiseThePermeabilityBeginAboveTwoHundredths) {
+    const Mixture mixture{0.6, 5, 0.2, 500, 500};
+    EXPECT_EQ(doubt_network(mixture, 1.019), Doubt::None);
+    EXPECT_EQ(doubt_network(mixture, 1.021), Doubt::RaisedByFines);
+}
+
 TEST(KnownErrors, OfYadesLawGrowWithTheRatioUntilNoneIsKnown) {
     const auto permeability = [](const Mixture& mixture) {
         return known_error(Conductance::Yade, mixture).permeability;
