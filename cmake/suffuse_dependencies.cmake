@@ -9,12 +9,7 @@ set(HDF5_PREFER_PARALLEL FALSE)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C)
 find_package(ZLIB REQUIRED)
 find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)
-find_path(FFTW_INCLUDE fftw3.h REQUIRED) # 3.3; Debian's package brings no configuration
-find_library(FFTW_LIBRARY fftw3 REQUIRED)
-find_library(FFTW_SINGLE_LIBRARY fftw3f REQUIRED)
-add_library(suffuse_fftw INTERFACE)
-target_include_directories(suffuse_fftw SYSTEM INTERFACE ${FFTW_INCLUDE})
-target_link_libraries(suffuse_fftw INTERFACE ${FFTW_LIBRARY} ${FFTW_SINGLE_LIBRARY})
+include(suffuse_fftw)
 # Debian's Python where there is one: another one in the path may lack NumPy, or be a wrapper that needs a home.
 find_program(SUFFUSE_PYTHON_PROGRAM python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(SUFFUSE_PYTHON_PROGRAM python3)
