@@ -14,10 +14,16 @@ install(CODE "
     if(NOT EXISTS \"${SUFFUSE_REPORT_PAGE}/page.js\")
         message(WARNING \"No page in ${SUFFUSE_REPORT_PAGE}: reports of what is installed are plain. page/build.sh makes it.\")
     endif()" COMPONENT program)
-install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${documents} COMPONENT program)
+install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${documents} COMPONENT program)
 install(DIRECTORY docs examples validation DESTINATION ${documents} COMPONENT program
     FILES_MATCHING PATTERN "*.md" PATTERN "*.toml" PATTERN "*.csv" PATTERN "*.txt" PATTERN "*.py" PATTERN "*.png" PATTERN "*.svg" PATTERN "*.bib"
     PATTERN "__pycache__" EXCLUDE)
+foreach(package "suffuse|program" "python3-suffuse|python" "libsuffuse-dev|development")
+    string(REPLACE "|" ";" package ${package})
+    list(GET package 0 name)
+    list(GET package 1 component)
+    install(FILES packaging/copyright DESTINATION share/doc/${name} COMPONENT ${component})
+endforeach()
 # The program writes its manual page and what shells complete with.
 foreach(written "man|share/man/man1|suffuse.1" "completions bash|share/bash-completion/completions|suffuse"
         "completions zsh|share/zsh/vendor-completions|_suffuse" "completions fish|share/fish/vendor_completions.d|suffuse.fish")
