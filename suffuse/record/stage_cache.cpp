@@ -44,8 +44,9 @@ const std::string& program() {
         const bool is_found = dladdr(reinterpret_cast<const void*>(&StageCache::key_of), &object) != 0;
         std::error_code error;
         fs::path file = is_found && object.dli_fname != nullptr ? object.dli_fname : "";
-        if (!fs::exists(file, error)) {
-            file = "/proc/self/exe"; // a program that was found through PATH is known by its bare name
+        // A program that was found through PATH is known by its bare name, which may be another file's here.
+        if (!file.has_parent_path() || !fs::is_regular_file(file, error)) {
+            file = "/proc/self/exe";
         }
         return fmt::format("{} {}, {}", version(), commit(), hash_of_file(file));
     }();
