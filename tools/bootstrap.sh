@@ -8,7 +8,8 @@ logs=$root/build/logs
 build_packages="g++ cmake ninja-build git libcgal-dev libgmp-dev libmpfr-dev libhdf5-dev libtomlplusplus-dev
     libcli11-dev nlohmann-json3-dev libfmt-dev libfftw3-dev zlib1g-dev libssl-dev pybind11-dev python3-dev python3-numpy
     librsvg2-bin"
-test_packages="libeigen3-dev libgtest-dev librapidcheck-dev clang clang-format clang-tidy chromium fonts-dejavu-core python3-pytest"
+test_packages="libeigen3-dev libgtest-dev librapidcheck-dev clang clang-format clang-tidy chromium fonts-dejavu-core python3-pytest python3-venv"
+site_packages="python3-sphinx python3-myst-parser"
 fuzz_packages="libclang-rt-14-dev"
 
 mkdir -p "$logs"
