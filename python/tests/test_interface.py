@@ -37,3 +37,15 @@ def test_the_version_is_one():
     cited = re.search(r"^version: (\S+)$", (ROOT / "CITATION.cff").read_text(), re.M).group(1)
     newest = re.search(r"^## (\S+)", (ROOT / "CHANGELOG.md").read_text(), re.M).group(1)
     assert suffuse.__version__ == cited == newest
+
+
+def test_the_citation_has_what_journals_ask_for():
+    citation = (ROOT / "CITATION.cff").read_text()
+    fields = dict(re.findall(r"^([a-z-]+): *(.*)$", citation, re.M))
+    assert fields["cff-version"] == "1.2.0"
+    for field in ("message", "title", "abstract", "license"):
+        assert fields[field], f"CITATION.cff has no {field}"
+    assert re.search(r"^authors:\n  - ", citation, re.M) and re.search(r"^keywords:\n  - ", citation, re.M)
+    assert not [name for name in fields if name.startswith("repository")]
+    released = re.search(r"^## \S+ - (\d{4}-\d\d-\d\d)$", (ROOT / "CHANGELOG.md").read_text(), re.M).group(1)
+    assert fields["date-released"] == released
