@@ -1,4 +1,4 @@
-// bench: the speed on a packing brought from elsewhere.
+// bench: the speed on a packing made on the spot, or brought from elsewhere.
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
@@ -21,7 +21,7 @@ namespace suffuse::apps {
 namespace {
 
 struct BenchVerb final : Verb {
-    BenchVerb() : Verb("bench", "measure the speed on a packing of yours", "") {}
+    BenchVerb() : Verb("bench", "measure the speed of a step and of a flow", "") {}
 
     std::string what; ///< "step" or "flow"
     std::string packing;
@@ -35,10 +35,8 @@ struct BenchVerb final : Verb {
     std::string conductance = "bounded";
 
     void add_to(Options& options) override {
-        Options step = options.below(
-            "step", "settle a packing at 100 kPa, then time slow shear",
-            "suffuse bench step --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3 --json"
-        );
+        Options step =
+            options.below("step", "settle a packing at 100 kPa, then time slow shear", "suffuse bench step --json");
         step.value("--steps", steps, "steps that are timed, 2000 unless given")
             .type("N")
             .whole_number(1, 1'000'000'000);
@@ -59,7 +57,8 @@ struct BenchVerb final : Verb {
     }
 
     void add_common_to(Options& options) {
-        options.value("--packing", packing, packing_text).type("FILE").required();
+        options.value("--packing", packing, "a packing of yours; 10,000 grains of a sand are made unless given")
+            .type("FILE");
         cell.add_to(options);
         threads.add_to(options);
         options.value("--replicate", replicate, "copies of the packing along each axis").type("N").whole_number(1, 30);

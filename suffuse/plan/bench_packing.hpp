@@ -1,5 +1,6 @@
 #pragma once
-// The packing that a benchmark works on: read from a file, and repeated along the axes for larger samples.
+// The packing that a benchmark works on: made on the spot or read from a file, and repeated along the axes for larger
+// samples.
 
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/dem/world.hpp"
@@ -9,9 +10,9 @@
 namespace suffuse::plan {
 
 struct BenchPacking {
-    std::filesystem::path file;
-    Mat3 cell{};       ///< columns are the cell vectors [m]; zeros: the file's own
-    int replicate = 1; ///< copies along each axis: n^3 times the grains
+    std::filesystem::path file; ///< empty: 10,000 grains of the example's sand are made, always the same
+    Mat3 cell{};                ///< columns are the cell vectors [m]; zeros: the file's own
+    int replicate = 1;          ///< copies along each axis: n^3 times the grains
 };
 
 /// The packing at rest, with the contact law of the example (the defaults of Material) and without contact memory.

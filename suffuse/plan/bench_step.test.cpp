@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/reference.hpp"
+#include <algorithm>
 
 namespace suffuse::plan {
 namespace {
@@ -45,6 +46,19 @@ TEST(BenchStep, SaysTheSpeedWithThePhysicsItWasReachedAt) {
     EXPECT_GT(r.stress(2, 2), r.stress(0, 0));
     EXPECT_NEAR(r.void_ratio, 0.674, 0.005); // of the packing as it came; settling hardly changes it
     EXPECT_GT(r.coordination, 2.5);
+}
+
+TEST(BenchPacking, IsMadeOfTheExamplesSandWhereNoneIsGiven) {
+    const dem::World made = load_bench_packing({});
+    EXPECT_EQ(made.grains.size(), 10'000);
+    EXPECT_NEAR(*std::max_element(made.grains.radius.begin(), made.grains.radius.end()), 0.2e-3, 0.02e-3);
+    double solid = 0;
+    for (const double radius : made.grains.radius) {
+        solid += sphere_volume(radius);
+    }
+    EXPECT_NEAR(cell::volume(made.cell) / solid - 1, 0.69, 0.03); // void ratio of a medium dense sand
+    const dem::World again = load_bench_packing({});
+    EXPECT_TRUE(made.grains.position[123] == again.grains.position[123]);
 }
 
 TEST(BenchStep, EndsInTheSameStateForAnyNumberOfThreads) {
