@@ -3,7 +3,7 @@
 
 A comment before a block of the page, indented or fenced, says what the block is:
 
-    <!-- file: dyke.csv -->   the content of a file
+    <!-- file: dyke.csv -->   the content of a file; `<!-- file: dyke.csv, as PATH -->` copies one of the checkout
     <!-- run -->              commands; where lines begin with `$ `, those are the commands and the others what they say
     <!-- run: long -->        commands for ./test --long alone; `<!-- run: adding WORDS -->` adds words to `suffuse run`
 
@@ -23,10 +23,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MARK = re.compile(r"<!-- (file|run)(?:: (.*?))? -->$")
 RUN = """#!/bin/sh
 case ${1:-} in
-*.toml) exec suffuse run "$@" ;;
 *.py) exec python3 "$@" ;;
+*.toml) set -- run "$@" ;;
 esac
-exec suffuse "$@"
+suffuse "$@" || [ $? -eq 4 ]
 """  # what ./run does when all is built
 SHELL = "set -e; suffuse() { command suffuse \"$@\" || [ $? -eq 4 ]; }\n"
 
@@ -37,6 +37,10 @@ def blocks(text):
     for number, line in enumerate(lines):
         mark = MARK.match(line)
         if not mark:
+            continue
+        name, _, origin = (mark[2] or "").partition(", as ")
+        if mark[1] == "file" and origin:
+            yield "file", name, number + 1, (ROOT / origin).read_text()
             continue
         first = number + 1
         while not lines[first].strip():
