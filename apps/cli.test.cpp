@@ -66,6 +66,7 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
              {{"bench", "stpe"}, "step"},
              {{"bench", "stpe", "--help"}, "step"},
              {{"bench"}, "bench what?"},
+             {{"bench", "flow", "--cell", "1,2,3"}, "--cell is that of a --packing"},
              {{"bench", "step", "--packing", "p.csv", "--mode", "quick"}, "reference"},
              {{"run"}, "CASE"},
              {{"run", "a.toml", "b.toml"}, "b.toml"},

@@ -69,6 +69,9 @@ struct BenchVerb final : Verb {
         if (what.empty()) {
             throw UsageError("bench what? suffuse bench step, or suffuse bench flow; suffuse bench --help says more");
         }
+        if (packing.empty() && cell.matrix()) {
+            throw UsageError("--cell is that of a --packing; the packing that is made has its own");
+        }
     }
 
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
