@@ -1,5 +1,5 @@
-# FFTW 3.3 in double and single precision as one target; Debian's package brings no configuration. Whoever uses an installed
-# suffuse finds it by this file, too.
+# FFTW 3.3 in double and single precision as one target; Debian's package brings no configuration. An installed suffuse
+# finds it by this file, too.
 find_path(FFTW_INCLUDE fftw3.h REQUIRED)
 find_library(FFTW_LIBRARY fftw3 REQUIRED)
 find_library(FFTW_SINGLE_LIBRARY fftw3f REQUIRED)

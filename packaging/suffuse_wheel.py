@@ -1,7 +1,7 @@
 """Wheels of suffuse [PEP 517, PEP 427]: CMake builds and installs the Python module and the program, this packs them.
 
 The wheel holds the package, the program, its manual page and completions, and the report's page. Our libraries are linked in; what
-is left to the system is told in the wheel's METADATA (Requires-External) and printed.
+is left to the system stands in the wheel's METADATA (Requires-External) and printed.
 
     pip wheel . --no-build-isolation --config-settings build-dir=DIR     # elsewhere than in build/wheel, which is kept
 """

@@ -53,7 +53,7 @@ def blocks(text):
             block.append(line[len(line) - len(line.lstrip()) + item.end():] if item else bare.removeprefix("> "))
             listed = bool(item) or (listed and (not blank or line.startswith("  ")))
         fence ^= opens
-        blank = not bare or indented
+        blank = not bare or indented or bare.endswith("-->")
     assert not fence, "a code block does not end"
 
 

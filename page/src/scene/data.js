@@ -46,7 +46,7 @@ export function readScene(raw) {
     gradient: raw.gradient,
   };
   scene.states = raw.states.map((state) => readState(state, scene));
-  // What moves a grain is told of the packing that was probed; the states before it show it ahead, by the same rows.
+  // What moves a grain belongs to the packing that was probed. The states before it show it ahead, by the same rows.
   for (let k = scene.states.length - 2; k >= 0; --k) scene.states[k].mobileGradient ??= scene.states[k + 1].mobileGradient;
   scene.rowOf = new Map([...scene.id].map((id, row) => [id, row]));
   return scene;
