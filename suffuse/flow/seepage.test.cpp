@@ -350,6 +350,11 @@ TEST(Seepage, OverlapsWithoutVoidAreToldOrRefused) {
     two.position[0] += Vec3{1.2, 0, 0};
     const Seepage s = seep(two, along({1, 0, 0}, 0.1));
     EXPECT_GT(s.closed_voids.share, many_closed_voids);
+    ClosedVoids closed = s.closed_voids;
+    closed.share = 0.9e-3;
+    EXPECT_EQ(words_of(closed, row), "") << "up to a thousandth";
+    closed.share = 1.1e-3;
+    EXPECT_NE(words_of(closed, row), "");
     EXPECT_NE(words_of(s.closed_voids, row).find("negative voids"), std::string::npos);
     for (const char* const name : {"packing500", "packing2000"}) {
         EXPECT_EQ(seep(test::reference_spheres(name), along({1, 0, 0}, 0.1)).closed_voids.share, 0);
