@@ -21,6 +21,8 @@
 #include "suffuse/grains/gradation.hpp"
 #include "suffuse/stokes/water.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -119,14 +121,27 @@ void weigh(
     pass.probe.time_step = pass.mobility->time_step;
 }
 
+/// The verdict on each fine grain of the rule that counts.
+std::vector<std::uint8_t>
+judge(const dem::World& world, const ErodeSpec& spec, const ProbeResult& probe, const OwnRule* own) {
+    if (own == nullptr) {
+        return verdicts(spec.detached, probe);
+    }
+    std::vector<std::uint8_t> detached = own->judge(world, probe);
+    expects(detached.size() == probe.id.size(), "a rule judges each fine grain of the probe");
+    return detached;
+}
+
 /// The fines that the probe moved, or those that are taken out by force.
 std::vector<std::uint32_t> find_detachable(
-    const dem::World& world, const ErodeSpec& spec, const PassResult& pass, const std::vector<int>& contacts
+    const dem::World& world, const ErodeSpec& spec, const PassResult& pass, const std::vector<int>& contacts,
+    const OwnRule* own
 ) {
     if (pass.mobility) {
         return mobile_rows(world, *pass.mobility);
     }
-    const std::vector<std::uint8_t>& detached = verdicts(spec.detached, pass.probe);
+    const std::vector<std::uint8_t> detached =
+        spec.forced ? std::vector<std::uint8_t>{} : judge(world, spec, pass.probe, own);
     std::vector<std::uint32_t> rows;
     for (std::uint32_t g = 0, fine = 0; g < world.grains.size(); ++g) {
         if (world.grains.fine[g] == 0) {
@@ -143,12 +158,12 @@ std::vector<std::uint32_t> find_detachable(
 /// Step 5: of the detachable fines those that leave. Those that travel and are held lodge where they are held.
 std::vector<std::uint32_t> let_through(
     dem::World& world, const std::vector<int>& contacts, const CoarseSkeleton& skeleton, const ErodeSpec& spec,
-    const flow::Fluid& fluid, const ErosionResult& so_far, PassResult& pass
+    const Surroundings& around, const ErosionResult& so_far, PassResult& pass
 ) {
-    std::vector<std::uint32_t> rows = find_detachable(world, spec, pass, contacts);
+    std::vector<std::uint32_t> rows = find_detachable(world, spec, pass, contacts, around.rule);
     pass.detachable = std::ssize(rows);
     if (travels(spec)) {
-        rows = transport_fines(world, rows, spec, fluid, so_far, pass);
+        rows = transport_fines(world, rows, spec, around.fluid, so_far, pass);
     } else if (!spec.forced) {
         std::erase_if(rows, [&](std::uint32_t g) {
             return !passes(skeleton, spec.passes_constriction, g, 2 * world.grains.radius[g]);
@@ -158,7 +173,10 @@ std::vector<std::uint32_t> let_through(
     return rows;
 }
 
-Reason reason_of(const ErodeSpec& spec) {
+Reason reason_of(const ErodeSpec& spec, const OwnRule* own) {
+    if (own != nullptr) {
+        return Reason::OwnRule;
+    }
     if (spec.forced) {
         return Reason::Forced;
     }
@@ -186,7 +204,9 @@ bool is_exhausted(const ErodeSpec& spec, const ErosionResult& so_far, const Pass
 }
 
 /// Whether this pass is the last, and why.
-void judge_end(const dem::World& world, const ErodeSpec& spec, const ErosionResult& so_far, PassResult& pass) {
+void judge_end(
+    const dem::World& world, const ErodeSpec& spec, const OwnRule* own, const ErosionResult& so_far, PassResult& pass
+) {
     const std::optional<ErodedTarget>& target = spec.until_eroded;
     const double share = target ? eroded_share(world, so_far.initial_mass, target->of) : 0;
     pass.reached_target = target && share >= target->share;
@@ -194,7 +214,7 @@ void judge_end(const dem::World& world, const ErodeSpec& spec, const ErosionResu
     if (pass.failed) {
         return; // its verdict stands
     }
-    if (!spec.forced && noise_decides(spec.detached, pass.probe)) {
+    if (!spec.forced && own == nullptr && noise_decides(spec.detached, pass.probe)) {
         pass.verdict = {NoiseDecides{}};
     } else if (pass.reached_target) {
         pass.verdict = {TargetReached{share, target->share, target->of, doubt}};
@@ -206,6 +226,16 @@ void judge_end(const dem::World& world, const ErodeSpec& spec, const ErosionResu
 }
 
 } // namespace
+
+void check_own_rule(const ErodeSpec& spec, const OwnRule& rule) {
+    if (spec.forced || spec.probe.gravity) {
+        throw UsageError(fmt::format(
+            "the rule {} judges what a probe without weight measures, and here {}; leave out the rule, or {}",
+            rule.name, spec.forced ? "`forced` takes fines out without one" : "[gravity] gives the fines weight",
+            spec.forced ? "`forced`" : "[gravity]"
+        ));
+    }
+}
 
 ErosionResult begin_erosion(const dem::World& world) {
     dem::require_pressure(dem::mean_stress_tensor(world), "an erosion needs a skeleton");
@@ -221,6 +251,9 @@ bool erode_once(dem::World& world, const ErodeSpec& every, const Surroundings& a
     PassResult pass;
     pass.pass = static_cast<int>(result.passes.size()) + 1;
     const ErodeSpec spec = at_pass(every, pass.pass);
+    if (around.rule != nullptr) {
+        check_own_rule(spec, *around.rule);
+    }
     Stopwatch watch;
     dem::World next = world; // the caller's world changes only when the pass is complete
     dem::sort_along_curve(next);
@@ -261,8 +294,8 @@ bool erode_once(dem::World& world, const ErodeSpec& every, const Surroundings& a
 
     // 5 extraction
     const std::vector<int> contacts = dem::coordination(next); // before grains that lodge leave theirs
-    const std::vector<std::uint32_t> leaving = let_through(next, contacts, skeleton, spec, around.fluid, result, pass);
-    std::vector<LedgerRow> ledger = extract(next, leaving, contacts, reason_of(spec), result, pass);
+    const std::vector<std::uint32_t> leaving = let_through(next, contacts, skeleton, spec, around, result, pass);
+    std::vector<LedgerRow> ledger = extract(next, leaving, contacts, reason_of(spec, around.rule), result, pass);
     pass.wall_seconds["extraction"] = watch.lap();
 
     // 6 new equilibrium
@@ -277,7 +310,7 @@ bool erode_once(dem::World& world, const ErodeSpec& every, const Surroundings& a
     pass.throat_flux_after = after.throat_flux;
     pass.wall_seconds["flow"] += watch.lap();
 
-    judge_end(next, spec, result, pass);
+    judge_end(next, spec, around.rule, result, pass);
     world = std::move(next);
     result.ledger = std::move(ledger);
     result.path.insert(result.path.end(), path.begin(), path.end());

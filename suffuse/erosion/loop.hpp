@@ -6,6 +6,7 @@
 #include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/spec.hpp"
 #include "suffuse/dem/world.hpp"
+#include "suffuse/erosion/own_rule.hpp"
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/erosion/spec.hpp"
 #include "suffuse/flow/fluid.hpp"
@@ -20,8 +21,9 @@ struct Surroundings {
     dem::BalanceSpec balance;
     double damping = dem::usual_damping; ///< local [-]
     dem::Mode mode =
-        dem::Mode::Reference; ///< of the new equilibrium; relaxation and probe are always of reference mode
-    Pulse pulse;              ///< may throw Interrupted: the world is then as it was before the pass
+        dem::Mode::Reference;      ///< of the new equilibrium; relaxation and probe are always of reference mode
+    Pulse pulse;                   ///< may throw Interrupted: the world is then as it was before the pass
+    const OwnRule* rule = nullptr; ///< judges in place of the settings'; it may throw, too
 };
 
 /// All grains are fines: nothing holds or carries.
@@ -30,8 +32,11 @@ struct NoSkeleton : StateError {
 };
 
 /// One pass from an equilibrium; appends to `result` and returns whether the procedure should go on.
-/// @throws SolverError, GeometryError, NoSkeleton, StateError; the world is then as before.
+/// @throws SolverError, GeometryError, NoSkeleton, StateError, UsageError; the world is then as before.
 bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result);
+
+/// @throws UsageError where an erosion of this kind asks no rule.
+void check_own_rule(const ErodeSpec& spec, const OwnRule& rule);
 
 /// Begins a result at the equilibrium `world`. @throws StateError where that carries no stress.
 ErosionResult begin_erosion(const dem::World& world);

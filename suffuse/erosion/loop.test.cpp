@@ -25,5 +25,17 @@ TEST(ErosionLoop, OfFinesAloneIsRefusedForThereIsNoSkeleton) {
     EXPECT_TRUE(result.passes.empty());
 }
 
+TEST(ErosionLoop, ARuleOfTheCallersOwnIsRefusedWhereNoProbeAsksOne) {
+    const OwnRule rule{"mine", "", [](const dem::World& /*world*/, const ProbeResult& probe) {
+                           return std::vector<std::uint8_t>(probe.id.size(), 1);
+                       }};
+    ErodeSpec forced, weighed;
+    forced.forced.emplace();
+    weighed.probe.gravity.emplace();
+    EXPECT_THROW(check_own_rule(forced, rule), UsageError);
+    EXPECT_THROW(check_own_rule(weighed, rule), UsageError);
+    EXPECT_NO_THROW(check_own_rule(ErodeSpec{}, rule));
+}
+
 } // namespace
 } // namespace suffuse::erosion

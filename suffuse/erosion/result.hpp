@@ -115,9 +115,9 @@ constexpr std::string_view name_of(Phase phase) {
     return phase == Phase::Removal ? "removal" : phase == Phase::ConstantVolume ? "constant volume" : "servo";
 }
 
-/// Why a grain left: the rule that found it detachable, that the water moves it against its weight, or that its class
-/// was taken out.
-enum class Reason { Velocity, Displacement, Mobile, Forced, Removed, RemovedActive, RemovedInactive };
+/// Why a grain left: the rule that found it detachable (OwnRule: the caller's), that the water moves it against its
+/// weight, or that its class was taken out.
+enum class Reason { Velocity, Displacement, Mobile, Forced, Removed, RemovedActive, RemovedInactive, OwnRule };
 
 /// The state of the sample at one point of the history of an erosion pass (Figures 13 and 14).
 struct PathRow {

@@ -8,6 +8,7 @@
 #include "suffuse/record/missing_stages.hpp"
 #include "suffuse/record/refine.hpp"
 #include "suffuse/record/stored.hpp"
+#include "suffuse/run/own_rules.hpp"
 #include "suffuse/run/runner.hpp"
 
 #include <algorithm>
@@ -107,6 +108,7 @@ double longest_sample(const casefile::Case& what, const std::filesystem::path& f
 
 RunReport run_case(const casefile::Case& what, const run::RunOptions& options) {
     record::open_folder(options.folder, what, options.case_text);
+    run::take_own_rules(what, options);
     run::Overview overview(options);
     if (!options.is_checked) {
         const std::vector<std::string> unchecked = record::require_whole_run(options.folder, options.sample);

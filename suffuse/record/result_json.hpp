@@ -167,6 +167,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(
              {Reason::Displacement, "displacement"},
              {Reason::Mobile, "mobile"},
              {Reason::Forced, "forced"},
+             {Reason::OwnRule, "own rule"},
              {Reason::Removed, "removed"},
              {Reason::RemovedActive, "removed active"},
              {Reason::RemovedInactive, "removed inactive"},

@@ -1,12 +1,15 @@
 #pragma once
 // What is asked of a run, and what it says of itself while it goes.
 
+#include "suffuse/erosion/own_rule.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <atomic>
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 
 namespace suffuse::run {
@@ -43,10 +46,11 @@ struct RunOptions {
     std::function<void(const Progress&)> on_progress; ///< called by the threads of the samples, one at a time
     double progress_interval = 0.1; ///< wall seconds between two bursts of a stage that are reported; 0: every burst is
     std::filesystem::path cache;    ///< of finished stages (stage_cache.hpp); empty: none
-    std::filesystem::path page_folder; ///< the built page of the report; empty: plain report
-    std::string case_text;             ///< the case file as given, copied into the folder
-    std::string command;               ///< as typed, for the provenance
-    bool is_checked = false;           ///< the caller has seen that the folder is whole, and has not ended
+    std::map<std::string, erosion::OwnRule> rules; ///< of detachment, by "STUDY/STAGE"; such stages know no cache
+    std::filesystem::path page_folder;             ///< the built page of the report; empty: plain report
+    std::string case_text;                         ///< the case file as given, copied into the folder
+    std::string command;                           ///< as typed, for the provenance
+    bool is_checked = false;                       ///< the caller has seen that the folder is whole, and has not ended
 };
 
 } // namespace suffuse::run

@@ -186,13 +186,15 @@ void SampleRun::run_stage(const casefile::Stage& asked) {
     dem::World start = start_of(stage);
     const std::string state = stage.parent >= 0 ? record::describe_state(start) : "";
     std::string key;
-    if (!options_.cache.empty() && record::StageCache::keeps(stage)) {
+    const erosion::OwnRule* const own_rule = own_rule_of(stage);
+    if (!options_.cache.empty() && record::StageCache::keeps(stage) && own_rule == nullptr) {
         key = record::StageCache::key_of(what_, *sample_.variant, stage, state);
         if (take_from_cache(stage, folder, key)) {
             return;
         }
     }
     StageWork work = begin_work(stage, folder, std::move(start), state);
+    work.own_rule = own_rule;
     if (casefile::is_prepared_as_another(*sample_.variant, asked)) {
         work.numbers["prepared_as"] = casefile::sample_to_prepare_by(*sample_.study, *sample_.variant, asked)->folder;
     }
@@ -210,6 +212,11 @@ void SampleRun::run_stage(const casefile::Stage& asked) {
     if (!work.has_two_makers) {
         keep_in_cache(stage, folder, key);
     }
+}
+
+const erosion::OwnRule* SampleRun::own_rule_of(const casefile::Stage& stage) const {
+    const auto rule = options_.rules.find(sample_.study->name + "/" + stage.name);
+    return rule == options_.rules.end() ? nullptr : &rule->second;
 }
 
 bool SampleRun::take_from_cache(

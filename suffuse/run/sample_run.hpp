@@ -29,6 +29,8 @@ public:
 
 private:
     void run_stage(const casefile::Stage& asked);
+    /// That a stage was asked for with; null: none.
+    [[nodiscard]] const erosion::OwnRule* own_rule_of(const casefile::Stage& stage) const;
     bool take_from_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
     void keep_in_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
     [[nodiscard]] StageWork begin_work(

@@ -12,6 +12,7 @@
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/mobility_record.hpp"
 #include "suffuse/run/note_threshold.hpp"
+#include "suffuse/run/own_rules.hpp"
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/run/take_pass.hpp"
@@ -37,6 +38,38 @@ void note_target(StageWork& work, const erosion::ErodeSpec& spec, const erosion:
             "{}: {:.3g} % of the {} left in {} {}, less than the {:.3g} % of `until_eroded`", work.place(), 100 * share,
             name_of(spec.until_eroded->of), result.passes.size(), result.passes.size() == 1 ? "pass" : "passes",
             100 * spec.until_eroded->share
+        ));
+    }
+}
+
+json rule_of(const StageWork& work) {
+    return work.own_rule == nullptr ? json() : own_rule_numbers(*work.own_rule);
+}
+
+/// Passes of two rules are results of neither.
+void require_same_rule(const StageWork& work) {
+    if (work.resumed.value("own_rule", json()) != rule_of(work)) {
+        throw UsageError(fmt::format(
+            "{0}: its first passes were computed with another detachment rule, or one of another text; go on with "
+            "that, or remove {1} and resume: the stage then begins anew",
+            work.place(), (work.folder / record::partial_file).string()
+        ));
+    }
+}
+
+void note_own_rule(StageWork& work) {
+    if (work.own_rule == nullptr) {
+        return;
+    }
+    work.numbers["own_rule"] = rule_of(work);
+    work.warnings.push_back(fmt::format(
+        "{}: a rule of the caller's own, {}, decided which fines are detachable; `detached` of the case did not count",
+        work.place(), work.own_rule->name
+    ));
+    if (work.own_rule->source.empty() && !work.resumed.is_null()) {
+        work.warnings.push_back(fmt::format(
+            "{}: the text of {} could not be read: whether it was the same before and after the stop is not known",
+            work.place(), work.own_rule->name
         ));
     }
 }
@@ -102,6 +135,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     if (work.resumed.is_null()) {
         result = erosion::begin_erosion(work.world);
     } else {
+        require_same_rule(work);
         result = work.resumed.at("result").get<erosion::ErosionResult>();
         goes_on = work.resumed.at("goes_on");
     }
@@ -116,7 +150,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         }
         goes_on = take_pass([&] { return erosion::erode_once(work.world, spec, work.surroundings(), result); });
         work.history.record(work.world, true);
-        work.save_partial({{"result", result}, {"goes_on", goes_on}});
+        work.save_partial({{"result", result}, {"goes_on", goes_on}, {"own_rule", rule_of(work)}});
     }
     json passes = json::array();
     std::int64_t steps = 0; // of the relaxation, of probe and twin, and of the new equilibrium
@@ -133,8 +167,9 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
             note_mobility(work, fmt::format("pass {}: ", pass.pass), *pass.mobility);
         } else {
             const erosion::DetachSpec rule = erosion::at_pass(spec, pass.pass).detached;
-            note_probe(work, rule, pass.probe, !spec.forced);
-            if (!spec.forced) {
+            const bool decides = !spec.forced && work.own_rule == nullptr;
+            note_probe(work, rule, pass.probe, decides);
+            if (decides) {
                 note_threshold(work, fmt::format("pass {}", pass.pass), rule, pass.probe);
             }
         }
@@ -147,6 +182,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         }
     }
     note_target(work, spec, result);
+    note_own_rule(work);
     if (!result.passes.empty()) {
         const erosion::PassResult& last = result.passes.back();
         const std::string when = fmt::format("after pass {}", last.pass);

@@ -17,7 +17,7 @@ void StageWork::save_partial(const nlohmann::json& state) const {
 }
 
 erosion::Surroundings StageWork::surroundings() const {
-    return {what.fluid, what.balance, variant.damping, what.mode, control.pulse()};
+    return {what.fluid, what.balance, variant.damping, what.mode, control.pulse(), own_rule};
 }
 
 void StageWork::note_state() {

@@ -56,7 +56,8 @@ struct StageWork {
     void save_partial(const nlohmann::json& state) const;
     nlohmann::json resumed;      ///< null: from the start
     bool has_two_makers = false; ///< another version of the program began it: no result of this one alone
-    std::string start_state;     ///< describe_state of what it starts from; empty where it makes its own sample
+    const erosion::OwnRule* own_rule = nullptr; ///< that decides what detaches, in place of the case's
+    std::string start_state; ///< describe_state of what it starts from; empty where it makes its own sample
 };
 
 /// Runs the stage's verb.
