@@ -49,3 +49,54 @@ def two_grains():
     radius = 1e-3
     position = numpy.array([[5e-3, 5e-3, 5e-3], [5e-3 + 1.99 * radius, 5e-3, 5e-3]])
     return suffuse.World((10e-3, 10e-3, 10e-3), position, [radius, radius])
+
+
+@pytest.fixture(scope="session")
+def soil_once(settled_once):
+    """500 settled grains, 240 of which count as fines."""
+    world = settled_once.copy()
+    world.grains.fine = world.grains.radius < numpy.median(world.grains.radius)
+    return world
+
+
+@pytest.fixture
+def soil(soil_once):
+    return soil_once.copy()
+
+
+@pytest.fixture
+def eroding_case(soil, tmp_path):
+    """The same grains settled again and eroded twice."""
+    folder = tmp_path / "case"
+    folder.mkdir()
+    suffuse.write_packing(folder / "packing.xyz", soil)
+    finer_than = soil.grains.diameter[soil.grains.fine].max() * (1 + 1e-9)
+    (folder / "case.toml").write_text(f"""schema = 1
+title = "An erosion"
+[grain]
+density = "2600 kg/m^3"
+[contact]
+modulus = "356 MPa"
+[soil.sand]
+psd = {{ d = ["0.1 mm", "0.5 mm"], passing = ["0 %", "100 %"] }}
+fines = {{ finer_than = "{1e3 * finer_than} mm" }}
+[study.erosion]
+soil = "sand"
+[[study.erosion.stage]]
+name = "start"
+do = "import"
+packing = "packing.xyz"
+[[study.erosion.stage]]
+name = "settled"
+do = "settle"
+pressure = "100 kPa"
+[[study.erosion.stage]]
+name = "eroded"
+do = "erode"
+gradient = 0.5
+passes = 2
+ramp = 100
+watch = 100
+passes_constriction = {{ size = "none" }}
+""")
+    return folder / "case.toml"

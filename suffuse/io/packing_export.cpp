@@ -1,5 +1,6 @@
 #include "suffuse/io/packing_export.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/brought_home.hpp"
@@ -99,22 +100,36 @@ void export_yade(const std::filesystem::path& path, const grains::Grains& grains
     file.commit();
 }
 
-void export_extended_xyz(const std::filesystem::path& path, const grains::Grains& grains, const cell::Cell& cell) {
+void export_extended_xyz(
+    const std::filesystem::path& path, const grains::Grains& grains, const cell::Cell& cell,
+    const std::vector<GrainColumn>& further
+) {
     const Vec3 a = cell.h.column(0), b = cell.h.column(1), c = cell.h.column(2);
     const Mat3 inverse_h = inverse(cell.h);
+    std::string names;
+    for (const GrainColumn& column : further) {
+        expects(column.values.size() == column.components * grains.size(), "a column has a row a grain");
+        names += fmt::format(":{}:R:{}", column.name, column.components);
+    }
     AtomicFile file(path);
     file.write(fmt::format(
         "{}\nLattice=\"{} {} {} {} {} {} {} {} {}\" "
-        "Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3:angular_velocity:R:3:id:I:1:fine:I:1 pbc=\"T T T\"\n",
-        grains.size(), a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z
+        "Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3:angular_velocity:R:3:id:I:1:fine:I:1{} pbc=\"T T T\"\n",
+        grains.size(), a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, names
     ));
     for (std::size_t g = 0; g < grains.size(); ++g) {
         const auto [x, v] = brought_home(cell, inverse_h, {grains.position[g], grains.velocity[g]});
         const Vec3& w = grains.spin[g];
         file.write(fmt::format(
-            "{} {} {} {} {} {} {} {} {} {} {} {} {}\n", grains.fine[g] != 0 ? "fine" : "coarse", x.x, x.y, x.z,
+            "{} {} {} {} {} {} {} {} {} {} {} {} {}", grains.fine[g] != 0 ? "fine" : "coarse", x.x, x.y, x.z,
             grains.radius[g], v.x, v.y, v.z, w.x, w.y, w.z, grains.id[g], grains.fine[g]
         ));
+        for (const GrainColumn& column : further) {
+            for (std::size_t k = 0; k < column.components; ++k) {
+                file.write(fmt::format(" {}", column.values[g * column.components + k]));
+            }
+        }
+        file.write("\n");
     }
     file.commit();
 }

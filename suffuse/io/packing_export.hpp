@@ -33,8 +33,18 @@ void export_csv(const std::filesystem::path& path, const grains::Grains& grains)
 /// `x y z r` text, as Yade's ymport.text takes it.
 void export_yade(const std::filesystem::path& path, const grains::Grains& grains);
 
+/// A further column of a picture of grains, row after row.
+struct GrainColumn {
+    std::string name;
+    std::size_t components = 1;
+    std::vector<double> values;
+};
+
 /// Extended XYZ with the cell, for OVITO and ASE: grains brought home into the cell.
-void export_extended_xyz(const std::filesystem::path& path, const grains::Grains& grains, const cell::Cell& cell);
+void export_extended_xyz(
+    const std::filesystem::path& path, const grains::Grains& grains, const cell::Cell& cell,
+    const std::vector<GrainColumn>& further = {}
+);
 
 /// LAMMPS data file of atom_style sphere; type 2 are the fines. The first cell vector must point along x, the second
 /// lie in the xy plane, as LAMMPS wants it.

@@ -266,6 +266,11 @@ TEST(PackingExport, ExtendedXyzHasTheCellAndAllColumns) {
         "1\nLattice=\"1 0 0 0.5 1 0 0 0 1\" Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3:"
         "angular_velocity:R:3:id:I:1:fine:I:1 pbc=\"T T T\"\ncoarse 0.75 0.75 0.5 0.125 0 0 0 0 0 0 0 0\n"
     );
+    export_extended_xyz(folder / "p.xyz", grains, cell, {{"color", 3, {1, 0.5, 0}}, {"mean_stress", 1, {2}}});
+    const std::string more = test::read_all(folder / "p.xyz");
+    EXPECT_NE(more.find("fine:I:1:color:R:3:mean_stress:R:1 pbc"), std::string::npos) << more;
+    EXPECT_TRUE(more.ends_with("0 0 1 0.5 0 2\n")) << more;
+    EXPECT_THROW(export_extended_xyz(folder / "p.xyz", grains, cell, {{"short", 3, {1}}}), Bug);
 }
 
 } // namespace

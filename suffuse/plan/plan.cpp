@@ -19,7 +19,7 @@ namespace suffuse::plan {
 namespace {
 
 constexpr double process_memory = 40e6;                                                   // [B]
-constexpr double state_disk = 350, table_disk = 900, picture_disk = 200, page_disk = 2e6; // [B], a grain; [B]
+constexpr double state_disk = 350, table_disk = 900, picture_disk = 240, page_disk = 2e6; // [B], a grain; [B]
 
 double disk_of(
     const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage, std::int64_t grains
@@ -27,7 +27,10 @@ double disk_of(
     const auto& formats = what.output.formats;
     const auto pictures = static_cast<double>(formats.size()) - static_cast<double>(std::ranges::count(formats, "csv"));
     const double tables = record::leaves_tables(what, variant, stage) ? table_disk : 0;
-    return (state_disk + pictures * picture_disk + tables) * static_cast<double>(grains);
+    const auto* const erosion = std::get_if<erosion::ErodeSpec>(&stage.spec);
+    const int passes = erosion != nullptr ? erosion->passes : 0; // each leaves a state, and a picture of before
+    const double states = state_disk * std::max(passes, 1) + pictures * picture_disk * (passes + 1);
+    return (states + tables) * static_cast<double>(grains);
 }
 
 void plan_variant(const casefile::Case& what, const casefile::Variant& variant, RunPlan& plan) {

@@ -14,8 +14,10 @@
 #include "suffuse/record/stage_sums.hpp"
 #include "suffuse/record/stored.hpp"
 #include "suffuse/record/stored_findings.hpp"
+#include "suffuse/run/grain_pictures.hpp"
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/measure_asked.hpp"
+#include "suffuse/run/picture_series.hpp"
 #include "suffuse/run/preparation_found.hpp"
 
 #include <fmt/format.h>
@@ -118,9 +120,9 @@ json describe_stage(StageWork& work) {
 }
 
 void write_pictures(const StageWork& work, const casefile::OutputSpec& output) {
-    std::vector<io::VtkArray> further;
+    std::vector<io::GrainColumn> further = work.pictured;
     if (!work.mobile_gradient.empty()) {
-        further.push_back(io::vtk_scalars("mobile_gradient", work.mobile_gradient));
+        further.push_back({"mobile_gradient", 1, work.mobile_gradient});
     }
     write_grain_pictures(work.folder, "grains", work.world, output.formats, further);
     if (record::writes(output, "vtp")) {
@@ -176,6 +178,7 @@ void SampleRun::run() {
             overview_.count_stage();
         }
     }
+    write_picture_series(options_.folder, *sample_.variant);
 }
 
 void SampleRun::run_stage(const casefile::Stage& asked) {

@@ -13,6 +13,7 @@
 #include "suffuse/run/mobility_record.hpp"
 #include "suffuse/run/note_threshold.hpp"
 #include "suffuse/run/own_rules.hpp"
+#include "suffuse/run/pass_pictures.hpp"
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/run/take_pass.hpp"
@@ -204,6 +205,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     write_eroded(work.folder, result);
     write_constrictions(work.folder, result);
     write_transport(work.folder, result);
+    write_pass_pictures(work, result);
 }
 
 } // namespace suffuse::run

@@ -12,6 +12,7 @@
 #include "suffuse/io/tables.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/record/samples.hpp"
+#include "suffuse/run/grain_pictures.hpp"
 #include "suffuse/run/mobility_record.hpp"
 #include "suffuse/run/note_threshold.hpp"
 #include "suffuse/run/stage_work.hpp"
@@ -120,6 +121,7 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
         io::write_pores_csv(work.folder / "pores.csv", seepage.network, seepage.field.pressure, velocity);
         io::write_throats_csv(work.folder / "throats.csv", seepage.network, seepage.conductance, seepage.field.flux);
     }
+    work.pictured.push_back(picture_column("fluid_force", water.grain_force()));
     if (record::writes(work.what.output, "vtp")) {
         io::write_pores_vtu(
             work.folder / "pores.vtu", seepage.network, grains.position, seepage.field.pressure, velocity
@@ -160,6 +162,7 @@ void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
         note_threshold(work, fmt::format("i = {}", short_number(probe.gradient)), spec.detached, probe);
     }
     work.numbers["probes"] = probes;
+    work.pictured = probe_columns(work.world, work.findings.probes.back());
     const erosion::ProbeResult& first = work.findings.probes.front();
     work.numbers.update(source_numbers(first.flow));
     note_network(

@@ -4,6 +4,7 @@
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/io/packing_export.hpp"
 #include "suffuse/record/finished_stage.hpp"
 #include "suffuse/record/samples.hpp"
 #include "suffuse/run/control.hpp"
@@ -30,7 +31,8 @@ struct StageWork {
     StrainPictures pictures;
     nlohmann::json numbers = nlohmann::json::object(); ///< of stage.json, beyond those of every state
     record::StageFindings findings;
-    std::vector<double> mobile_gradient; ///< of the world's grains; empty where nobody asked [-]
+    std::vector<double> mobile_gradient;   ///< of the world's grains; empty where nobody asked [-]
+    std::vector<io::GrainColumn> pictured; ///< of the world's grains, for pictures beyond what every state has
     std::vector<std::string> warnings, flaws;
     double time_step = 0;         ///< of the last burst [s]
     std::int64_t grain_steps = 0; ///< grains x steps, for the rate

@@ -2,8 +2,8 @@
 
 #include "suffuse/cell/strain.hpp"
 #include "suffuse/dem/inspect.hpp"
-#include "suffuse/io/packing_export.hpp"
 #include "suffuse/io/vtk.hpp"
+#include "suffuse/run/grain_pictures.hpp"
 
 #include <fmt/format.h>
 
@@ -20,19 +20,6 @@ std::string stem(int multiple) {
 }
 
 } // namespace
-
-void write_grain_pictures(
-    const std::filesystem::path& folder, const std::string& stem, const dem::World& world,
-    const std::vector<std::string>& formats, const std::vector<io::VtkArray>& further
-) {
-    for (const std::string& format : formats) {
-        if (format == "vtp") {
-            io::write_grains_vtp(folder / (stem + ".vtp"), world, further);
-        } else if (format == "xyz") {
-            io::export_extended_xyz(folder / (stem + ".xyz"), world.grains, world.cell);
-        }
-    }
-}
 
 StrainPictures::StrainPictures(
     const casefile::OutputSpec& output, std::filesystem::path folder, const dem::World& start

@@ -5,20 +5,10 @@
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/dem/world.hpp"
-#include "suffuse/io/vtk_writer.hpp"
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace suffuse::run {
-
-/// Writes the picture files that the formats ask for: grains (vtp, xyz) as `stem`.vtp and `stem`.xyz.
-/// @param further columns of the first, a row a grain
-void write_grain_pictures(
-    const std::filesystem::path& folder, const std::string& stem, const dem::World& world,
-    const std::vector<std::string>& formats, const std::vector<io::VtkArray>& further = {}
-);
 
 class StrainPictures {
 public:
