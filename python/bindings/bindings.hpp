@@ -15,10 +15,13 @@ void bind_preparation(pybind11::module_& m); ///< what makes a sample; after bin
 void bind_pores(pybind11::module_& m);       ///< pore networks and constrictions
 void bind_water(pybind11::module_& m);       ///< flow; after bind_pores
 void bind_mobility(pybind11::module_& m);    ///< which gradients move fines; after bind_world
+void bind_own_rule(pybind11::module_& m);    ///< what a rule of Python's is given; before bind_erosion
+void bind_erosion(pybind11::module_& m);     ///< passes of the erosion; after bind_world
 void bind_resolved(pybind11::module_& m);    ///< flow on a grid
 void bind_files(pybind11::module_& m);       ///< packings from and for other programs
 void bind_stability(pybind11::module_& m);   ///< what a grading says
 void bind_cases(pybind11::module_& m);       ///< case files, plans, the schema
 void bind_runs(pybind11::module_& m);
+void bind_keywords(pybind11::module_& m); ///< wrong names of arguments; after all others
 
 } // namespace suffuse::python

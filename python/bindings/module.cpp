@@ -41,10 +41,13 @@ PYBIND11_MODULE(_core, m) {
     python::bind_pores(m);
     python::bind_water(m);
     python::bind_mobility(m);
+    python::bind_own_rule(m);
+    python::bind_erosion(m);
     python::bind_resolved(m);
     python::bind_files(m);
     python::bind_stability(m);
     python::bind_cases(m);
     python::bind_runs(m);
+    python::bind_keywords(m);
     set_thread_count(std::max(static_cast<int>(std::thread::hardware_concurrency()), 1));
 }

@@ -3,24 +3,29 @@
 #include "suffuse/job/draw_figures.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
+#include "suffuse/job/scene_data.hpp"
 #include "suffuse/plan/asked_stages.hpp"
 #include "suffuse/record/checksums.hpp"
 #include "suffuse/record/compare_runs.hpp"
 #include "suffuse/record/finished_stages.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stage_sums.hpp"
+#include "suffuse/report/page.hpp"
 
 #include <fmt/format.h>
 
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/case_handle.hpp"
 #include "python/bindings/convert.hpp"
+#include "python/bindings/own_rule.hpp"
 #include "python/bindings/work.hpp"
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <functional>
+#include <future>
 #include <mutex>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -70,28 +75,47 @@ public:
         letters_.push_back(progress);
     }
 
+    /// Waits until it was answered; what answering throws is thrown here.
+    void ask(const std::function<void()>& question) {
+        std::packaged_task<void()> task(question);
+        std::future<void> answer = task.get_future();
+        {
+            const std::lock_guard guard(mutex_);
+            questions_.push_back(std::move(task));
+            news_.notify_one();
+        }
+        answer.get();
+    }
+
     void close() {
         const std::lock_guard guard(mutex_);
         closed_ = true;
         news_.notify_one();
     }
 
-    /// What came in, after a tenth of a second or when the run has ended.
-    std::deque<run::Progress> fetch(bool& closed) {
+    struct Mail {
+        std::deque<run::Progress> letters;
+        std::deque<std::packaged_task<void()>> questions; ///< to be called, each of them
+        bool closed = false;
+    };
+
+    /// What came in, after a tenth of a second, when something is asked, or when the run has ended.
+    Mail fetch() {
         std::unique_lock guard(mutex_);
-        news_.wait_for(guard, std::chrono::milliseconds(100), [this] { return closed_; });
-        closed = closed_;
-        return std::exchange(letters_, {});
+        news_.wait_for(guard, std::chrono::milliseconds(100), [this] { return closed_ || !questions_.empty(); });
+        return {std::exchange(letters_, {}), std::exchange(questions_, {}), closed_};
     }
 
 private:
     std::mutex mutex_;
     std::condition_variable news_;
     std::deque<run::Progress> letters_;
+    std::deque<std::packaged_task<void()>> questions_;
     bool closed_ = false;
 };
 
-/// Ctrl-C, or an exception of the caller's function, asks the run to save and stop; it is raised when that is done.
+/// Ctrl-C, or an exception of a function of the caller's, asks the run to save and stop; it is raised when that is
+/// done.
 class Listener {
 public:
     explicit Listener(py::object on_progress) : on_progress_(std::move(on_progress)) {}
@@ -116,6 +140,21 @@ public:
         }
     }
 
+    /// Calls a rule of the caller's. @throws Interrupted where it raised, or the run is to stop anyway
+    void answer(const std::function<void()>& question) {
+        const py::gil_scoped_acquire interpreter;
+        if (!stop) {
+            try {
+                question();
+                return;
+            } catch (...) {
+                raised_ = std::current_exception();
+                stop = true;
+            }
+        }
+        throw Interrupted("a rule was not answered");
+    }
+
     void raise_what_was_raised() const {
         if (raised_) {
             std::rethrow_exception(raised_);
@@ -130,11 +169,19 @@ private:
 };
 
 /// Runs on a thread of its own; this one listens to the user meanwhile, and has the turn, for what on_progress steps.
-job::RunReport run_and_listen(const casefile::Case& what, run::RunOptions options, Listener& listener) {
-    const Working working;
+job::RunReport
+run_and_listen(const casefile::Case& what, run::RunOptions options, const py::dict& rules, Listener& listener) {
     job::RunReport report;
     std::exception_ptr failure;
     Mailbox mailbox;
+    for (const auto& [stage, function] : rules) {
+        erosion::OwnRule& own = options.rules[stage.cast<std::string>()];
+        own = own_rule_of(function, [&](const std::function<void()>& rule) { // by this thread, as on_progress
+            mailbox.ask([&] { listener.answer(rule); });
+        });
+        options.command += fmt::format("; {} by the rule {}", stage.cast<std::string>(), own.name);
+    }
+    const Working working;
     options.stop = &listener.stop;
     options.on_progress = [&](const run::Progress& progress) { mailbox.post(progress); };
     std::thread worker([&] {
@@ -147,7 +194,12 @@ job::RunReport run_and_listen(const casefile::Case& what, run::RunOptions option
         mailbox.close();
     });
     for (bool closed = false; !closed;) {
-        listener.hear(mailbox.fetch(closed));
+        Mailbox::Mail mail = mailbox.fetch();
+        listener.hear(mail.letters);
+        for (std::packaged_task<void()>& question : mail.questions) {
+            question();
+        }
+        closed = mail.closed;
     }
     worker.join();
     if (failure) {
@@ -158,7 +210,7 @@ job::RunReport run_and_listen(const casefile::Case& what, run::RunOptions option
 
 py::tuple conduct(
     const CaseHandle& what, const fs::path& folder, const std::string& until, const py::object& time_limit,
-    const fs::path& page_folder, const py::object& on_progress, const fs::path& cache
+    const fs::path& page_folder, const py::object& on_progress, const fs::path& cache, const py::dict& rules
 ) {
     plan::check_until(what.loaded.value, until);
     run::RunOptions options;
@@ -172,7 +224,7 @@ py::tuple conduct(
         options.time_limit = *limit;
     }
     Listener listener(on_progress);
-    const job::RunReport report = run_and_listen(what.loaded.value, std::move(options), listener);
+    const job::RunReport report = run_and_listen(what.loaded.value, std::move(options), rules, listener);
     listener.raise_what_was_raised();
     return py::make_tuple(record::word_of(report.outcome), report.report);
 }
@@ -213,7 +265,7 @@ void bind_runs(py::module_& m) {
     });
     m.def(
         "conduct", &conduct, py::arg("case"), py::arg("folder"), py::arg("until"), py::arg("time_limit"),
-        py::arg("page_folder"), py::arg("on_progress"), py::arg("cache")
+        py::arg("page_folder"), py::arg("on_progress"), py::arg("cache"), py::arg("rules")
     );
     m.def(
         "read_cbor", [](const fs::path& path) { return to_python(record::read_cbor(path)); }, py::arg("path"),
@@ -232,6 +284,10 @@ void bind_runs(py::module_& m) {
         "check_result", &record::require_same_result, py::arg("run"), py::arg("name"),
         "Raises IoError where a file that the report wrote is not as it was when the run ended."
     );
+    m.def("scene_page", [](const WorldHandle& w, const std::string& title, const fs::path& page_folder) {
+        const SeenWorld world(w);
+        return report::scene_page(title, job::scene_of_world(world, title), page_folder);
+    });
     m.def("compare_runs", [](const fs::path& first, const fs::path& second, double tolerance) {
         const nlohmann::json found = record::compare_runs(first, second, tolerance);
         return to_python(found);

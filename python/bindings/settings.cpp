@@ -1,6 +1,7 @@
 // Material, fluid, balance and loading: the same Specs as a case file's, with the same words.
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/spelling.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema.hpp"
 #include "suffuse/cell/servo.hpp"
@@ -41,8 +42,10 @@ Spec from_fields(const py::dict& given, const std::vector<const char*>& fields) 
     py::object made = py::cast(Spec{});
     for (const auto& [name, value] : given) {
         if (!py::hasattr(made, name)) {
+            const auto word = py::str(name).cast<std::string>();
             throw py::type_error(fmt::format(
-                "there is no field {}; there are {}", py::str(name).cast<std::string>(), fmt::join(fields, ", ")
+                "there is no field {}{}; there are {}", shown(word), near_hint(word, {fields.begin(), fields.end()}),
+                fmt::join(fields, ", ")
             ));
         }
         py::setattr(made, name, value);

@@ -58,7 +58,7 @@ Water solve(Packing packing, const flow::FlowSpec& spec, const flow::Fluid& flui
 
 /// At the line that called the wrapper of `seep`.
 void warn_of_flow(const std::string& words) {
-    warn_caller(words.empty() ? "" : "flow: " + words, 2);
+    warn_caller(words.empty() ? "" : "flow: " + words, 3);
 }
 
 Water seep(

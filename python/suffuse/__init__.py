@@ -35,6 +35,7 @@ from suffuse._core import (
     Loading,
     Material,
     PoreNetwork,
+    Probe,
     ResolvedFlow,
     Seepage,
     SolverError,
@@ -53,8 +54,12 @@ from suffuse._core import (
 from suffuse.case import Plan, Table
 from suffuse.packing import read, read_packing, write_packing
 from suffuse.progress import print_progress, progress
+from suffuse.records import Records
 from suffuse.run import Case, Figure, Pass, Run, Stage
 from suffuse.sample import constrictions, largest_overlap, make_cloud, resolve_flow, seep, set_threads
 from suffuse.stability import Assessment, assess
+from suffuse.views import View
 
-__all__ = [name for name in dir() if not name.startswith("_") and name not in ("case", "packing", "run", "sample", "stability")]
+__all__ = [name for name in dir() if not name.startswith("_") and name not in (
+    "case", "packing", "records", "run", "sample", "spelling", "stability", "views"
+)]

@@ -5,12 +5,18 @@ import pathlib
 import tomllib
 
 from suffuse import _core
+from suffuse.spelling import spelled
+from suffuse.views import show_plan
+
 
 class Plan(dict):
     """What a case will cost: steps, seconds as ranges, memory and disk in bytes; `stages` lists the parts."""
 
     def __str__(self):
         return self["text"]
+
+    def _repr_html_(self):
+        return show_plan(self)
 
 
 class CaseFile:
@@ -22,6 +28,7 @@ class CaseFile:
     studies: names of the studies to keep, all of them unless given
     """
 
+    @spelled
     def __init__(self, path, preset="", changes=None, studies=()):
         self._asked_preset, self._changes, self._asked_studies = preset, dict(changes or {}), list(studies)
         self._core = self._read(pathlib.Path(path), self._changes)

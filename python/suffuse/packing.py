@@ -3,8 +3,10 @@
 import warnings
 
 from suffuse import _core
+from suffuse.spelling import spelled
 
 
+@spelled
 def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, radius=None, velocity_gradient=None):
     """A World of the grains in a file, whichever of the formats it is: CSV with x,y,z,r, Yade's text, LAMMPS data and
     dump, extended XYZ, VTK's .vtp, .vtu and .vtk, MercuryDPM's .data and .restart; plain or gzipped.
@@ -23,10 +25,11 @@ def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, ra
         path, cell, material or _core.Material(), unit, max_overlap, radius, velocity_gradient
     )
     for remark in remarks:
-        warnings.warn(remark, stacklevel=2)
+        warnings.warn(remark, stacklevel=3)  # beyond what looks at the spelling
     return world
 
 
+@spelled
 def read(path, format=None, cell=None, material=None):
     """A packing from elsewhere, as read_packing; `format` ("csv", "yade", "lammps", "dump", "xyz", "vtp") is what the
     caller takes the file for. The file itself tells: an unknown word is an error, a known one is only a remark."""
@@ -36,6 +39,7 @@ def read(path, format=None, cell=None, material=None):
     return read_packing(path, cell, material)
 
 
+@spelled
 def write_packing(path, world, format=None):
     """Writes the grains of a World for other programs: csv, yade, xyz, lammps, dump, vtp; by the file's ending unless
     `format` is given."""

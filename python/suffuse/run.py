@@ -1,6 +1,5 @@
 """Runs: what a run folder holds, as numbers and arrays."""
 
-import csv
 import difflib
 import functools
 import json
@@ -11,41 +10,31 @@ import numpy
 
 from suffuse import _core
 from suffuse.case import CaseFile
+from suffuse.records import gather, numbers_in, read_records, sample_values
+from suffuse.spelling import spelled
+from suffuse.views import page_folder, show_run
 
-# Where tools/bootstrap.sh lets npm put the report's page, seen from build/release/python/suffuse.
-_PAGE = pathlib.Path(__file__).resolve().parents[3] / "report-page"
-
-
-def page_folder():
-    """The built page of the report, or an empty path: the report is then plain."""
-    return _PAGE if _PAGE.is_dir() else pathlib.Path()
-
-
-def conduct(case, folder, until, time_limit, on_progress, threads, cache):
+def conduct(case, folder, until, time_limit, on_progress, threads, cache, rules):
     """Runs a case in a folder with so many threads; returns the outcome."""
     before = _core.threads()
     _core.set_threads(threads or before)
     try:
-        return _core.conduct(case, folder, until, time_limit, page_folder(), on_progress, str(cache or ""))[0]
+        return _core.conduct(
+            case, folder, until, time_limit, page_folder(), on_progress, str(cache or ""), _by_stage(rules, case.stages)
+        )[0]
     finally:
         _core.set_threads(before)
 
 
-def _read_table(path):
-    """A CSV of numbers, and perhaps words, as a structured array; lines that begin with # are remarks."""
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(line for line in file if not line.startswith("#")))
-    names, rows = rows[0], rows[1:]
-    columns = []
-    for column in zip(*rows) if rows else [()] * len(names):
-        try:
-            columns.append(numpy.array([float(cell) if cell else numpy.nan for cell in column]))
-        except ValueError:
-            columns.append(numpy.array(column, dtype=str))
-    table = numpy.empty(len(rows), [(name, column.dtype) for name, column in zip(names, columns)])
-    for name, column in zip(names, columns):
-        table[name] = column
-    return table
+def _by_stage(rules, stages):
+    """Rules by "STUDY/STAGE", of stages with the swept values between: whoever names a stage alone means it in every
+    study that has one."""
+    names = {(path[0], path[-1]) for path in (stage.split("/") for stage in stages)}
+    found = {}
+    for name, rule in (rules or {}).items():
+        meant = [f"{study}/{stage}" for study, stage in names if stage == name] or [name]
+        found.update({one: rule for one in meant})
+    return found
 
 
 def _there(path, folder, pattern):
@@ -70,8 +59,9 @@ def _read_json(path):
 class Case(CaseFile):
     __doc__ = CaseFile.__doc__
 
+    @spelled
     def run(
-        self, folder=None, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None
+        self, folder=None, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None, rules=None
     ):
         """Runs the case; returns its Run.
 
@@ -83,13 +73,16 @@ class Case(CaseFile):
         threads: for this run; suffuse.threads() unless given. Results do not depend on it
         on_event: another word for on_progress
         cache: a folder where finished stages are kept and found again; none unless given
+        rules: detachment rules of your own by stages that do "erode", as in {"erosion": fn} or {"STUDY/STAGE": fn}:
+            functions from a Probe to a truth value for each of its fines, as in World.erode. A stage with one is neither
+            taken from the cache nor kept there, and `own_rule` of its stage.json and a warning say whose it is
 
-        Ctrl-C, or an exception of on_progress, saves and stops; Run(folder).resume() goes on, to the same bits.
+        Ctrl-C, or an exception of on_progress or a rule, saves and stops; Run(folder).resume() goes on, to the same bits.
         """
         _core.check_until(self._core, until)  # both before a folder is made
         _core.check_time_limit(time_limit)
         place = _core.new_run_folder(self._core, None if folder is None else pathlib.Path(folder))
-        return Run(place, conduct(self._core, place, until, time_limit, on_progress or on_event, threads, cache))
+        return Run(place, conduct(self._core, place, until, time_limit, on_progress or on_event, threads, cache, rules))
 
 
 class Tensor(numpy.ndarray):
@@ -184,7 +177,7 @@ class Stage:
 
     def table(self, name):
         """A CSV table of the stage ("throats.csv", "constrictions.csv") as a structured array."""
-        return _read_table(_there(self.folder / name, self.folder, "*.csv"))
+        return read_records(_there(self.folder / name, self.folder, "*.csv"))
 
     @functools.cached_property
     def results(self):
@@ -221,7 +214,7 @@ class Figure:
     def data(self):
         """A structured array, a column a variable; names carry the unit."""
         _core.check_result(self._folder.parent, f"figures/{self.name}.csv")
-        return _read_table(self._folder / f"{self.name}.csv")
+        return read_records(self._folder / f"{self.name}.csv")
 
     @functools.cached_property
     def specification(self):
@@ -323,14 +316,43 @@ class Run:
             raise KeyError(f"{name}: this run has no such figure; there are {', '.join(self.figures)}")
         return Figure(self.folder / "figures", name)
 
-    def resume(self, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None):
-        """Goes on with a run that was stopped, to the same bits; arguments as of Case.run."""
+    @spelled
+    def table(self, rows="stages"):
+        """Numbers of all finished stages as Records: a structured array with `units` and `to_pandas()`.
+
+        rows: "stages", a row each with the numbers of its stage.json; "passes", a row a pass of each erosion; "samples", a
+            row a sample with the numbers of its stages as "STAGE/void_ratio"
+        In front stand `study`, `sample`, the swept values (`fc` in percent, `rep`, ...), and `stage` and `verb`, or `pass`.
+        Objects within are "response.peak_ratio". A number that a row lacks is not one (NaN).
+        """
+        kinds = ("stages", "passes", "samples")
+        if rows not in kinds:
+            raise _core.CaseError(f"rows: found {rows!r}, expected one of {', '.join(kinds)}")
+        found = {}
+        for name in self.stages:
+            sample, _, stage = name.rpartition("/")
+            numbers = self[name].numbers
+            head = {"study": sample.split("/")[0], "sample": sample, **sample_values(sample)}
+            if rows == "samples":
+                told = {f"{stage}/{key}": value for key, value in numbers_in(numbers).items()}
+                found.setdefault(sample, head).update(told)
+            elif rows == "stages":
+                found[name] = {**head, "stage": stage, "verb": numbers["verb"], **numbers_in(numbers)}
+            elif numbers["verb"] == "erode":
+                for one in numbers["passes"]:
+                    found[name, one["pass"]] = {**head, "stage": stage, **numbers_in(one)}
+        return gather(found.values())
+
+    @spelled
+    def resume(self, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None, rules=None):
+        """Goes on with a run that was stopped, to the same bits; arguments as of Case.run. Stages that were asked for with
+        a rule of your own want the same one again."""
         resolved = self.folder / "case.resolved.toml"
         if resolved.exists():
             case = _core.CaseFile.load(resolved, "", [])
         else:  # stopped before it really began
             case = _core.CaseFile.load(*_core.asked_run(self.folder))
-        self.outcome = conduct(case, self.folder, until, time_limit, on_progress or on_event, threads, cache)
+        self.outcome = conduct(case, self.folder, until, time_limit, on_progress or on_event, threads, cache, rules)
         return self
 
     def compare(self, other, tolerance=0):
@@ -348,6 +370,9 @@ class Run:
     def case(self):
         """The case of this run, with every default spelled out."""
         return Case(self.folder / "case.resolved.toml")
+
+    def _repr_html_(self):
+        return show_run(self)
 
     def __repr__(self):
         return f"<suffuse.Run {str(self.folder)!r}: {len(self.stages)} stages done>"

@@ -3,6 +3,7 @@
 import numpy
 
 from suffuse import _core
+from suffuse.spelling import spelled
 
 _COLUMNS = (
     "i", "j", "image", "overlap", "normal", "normal_force", "shear_force", "moment", "force_n", "sliding", "rolling",
@@ -34,6 +35,7 @@ def _psd(world):
     return sizes, share[len(mass) - 1 - last]
 
 
+@spelled
 def _solve(network, gradient=0.0, direction="z", viscosity=None, density=None, tensor=False, conductance=None):
     """The flow through the packing: a Seepage.
 
@@ -68,6 +70,7 @@ def _as(core):
     return take
 
 
+@spelled
 @_as(_core.seep)
 def seep(
     packing_or_cell, position=None, radius=None, *, gradient=0.0, direction="z", fluid=None, tensor=False,
@@ -79,6 +82,7 @@ def seep(
     )
 
 
+@spelled
 @_as(_core.resolve_flow)
 def resolve_flow(
     packing_or_cell, position=None, radius=None, *, gradient=0.0, direction="z", fluid=None, tensor=False, boxes_across=12.0,
@@ -90,11 +94,13 @@ def resolve_flow(
     )
 
 
+@spelled
 @_as(_core.constrictions)
 def constrictions(packing_or_cell, position=None, radius=None, *, of="all", merge="none"):
     return _core.constrictions(packing_or_cell, position, radius, of=of, merge=merge)
 
 
+@spelled
 @_as(_core.make_cloud)
 def make_cloud(radius, porosity=0.65, *, fine=None, material=None, seed=0):
     return _core.make_cloud(radius, porosity, fine=fine, material=material or _core.Material(), seed=seed)

@@ -258,6 +258,15 @@ Scene scene_of_stages(
 
 } // namespace
 
+Scene scene_of_world(const dem::World& world, const std::string& label) {
+    Scene scene;
+    add_grains(world, scene);
+    scene.states.push_back(describe_state(world, {}, scene, rows_of(scene)));
+    scene.states.back().label = label;
+    limit_size(scene);
+    return scene;
+}
+
 Scene describe_scene(
     const std::filesystem::path& folder, const std::vector<record::FinishedStage>& stages,
     const study::ErosionStory& story

@@ -285,6 +285,20 @@ WrittenReport write_page(
     return written;
 }
 
+std::string scene_page(const std::string& title, const Scene& scene, const std::filesystem::path& page_folder) {
+    const std::optional<PageScript> script = read_page_script(page_folder);
+    ReportData report;
+    report.title = report.run = title;
+    Numbering numbering;
+    std::string page = head(report, script) + "<body>\n<main>\n<section>\n" +
+                       scene_section(scene, script.has_value(), false, numbering) + "</section>\n</main>\n";
+    if (script) {
+        page += data_element("report-data", charts_json(report)) + data_element("scene-data", scene_json(scene)) +
+                "<script>" + script->code + "</script>\n";
+    }
+    return page + "</body>\n</html>\n";
+}
+
 WrittenReport write_report(
     const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder
 ) {

@@ -85,4 +85,7 @@ WrittenReport write_report(
     const std::filesystem::path& run_folder, const ReportData& report, const std::filesystem::path& page_folder = {}
 );
 
+/// A page of the scene alone, for a notebook: its view in 3D where the page's script is there, else still pictures.
+std::string scene_page(const std::string& title, const Scene& scene, const std::filesystem::path& page_folder);
+
 } // namespace suffuse::report
