@@ -91,7 +91,10 @@ void judged(
 ) {
     type.def_property_readonly(
         name,
-        [column](const Held& probe) { return look_at(probe->result.*column, hold(probe)).attr("astype")("bool"); }, doc
+        [column](const Held& probe) {
+            return py::array(look_at(probe->result.*column, hold(probe)).attr("astype")("bool"));
+        },
+        doc
     );
 }
 
