@@ -27,8 +27,8 @@ def conduct(case, folder, until, time_limit, on_progress, threads, cache, rules)
 
 
 def _by_stage(rules, stages):
-    """Rules by "STUDY/STAGE", of stages with the swept values between: whoever names a stage alone means it in every
-    study that has one."""
+    """Rules by "STUDY/STAGE", of stages with the swept values between: a stage alone means the one of that name in
+    every study."""
     names = {(path[0], path[-1]) for path in (stage.split("/") for stage in stages)}
     found = {}
     for name, rule in (rules or {}).items():
