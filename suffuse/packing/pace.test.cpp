@@ -16,5 +16,15 @@ TEST(LargestRate, IsTheReferencesForItsSandAndOneInertialNumberForAll) {
     EXPECT_EQ(largest_rate(spec, 2600, 0.21e-3), 7);
 }
 
+TEST(Loaded, IsASampleThatBearsNineTenthsOfItsPressure) {
+    CompactSpec spec;
+    spec.pressure = 100e3;
+    CompactState state;
+    state.balance.stress = diagonal({89e3, 89e3, 89e3});
+    EXPECT_FALSE(is_loaded(spec, state));
+    state.balance.stress = diagonal({91e3, 91e3, 91e3});
+    EXPECT_TRUE(is_loaded(spec, state));
+}
+
 } // namespace
 } // namespace suffuse::packing
