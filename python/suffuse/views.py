@@ -8,13 +8,15 @@ import numpy
 from suffuse import _core
 from suffuse.records import Records
 
-# Where tools/bootstrap.sh lets npm put the report's page, seen from build/release/python/suffuse.
-_PAGE = pathlib.Path(__file__).resolve().parents[3] / "report-page"
+# Where tools/bootstrap.sh lets npm put the report's page, seen from build/release/python/suffuse, and where an
+# installation has it.
+_HERE = pathlib.Path(__file__).resolve()
+_PAGES = (_HERE.parents[3] / "report-page", _HERE.parents[3].parent / "share/suffuse/report-page")
 
 
 def page_folder():
     """The built page of the report, or an empty path: pages are then plain."""
-    return _PAGE if _PAGE.is_dir() else pathlib.Path()
+    return next((page for page in _PAGES if page.is_dir()), pathlib.Path())
 
 
 def _cell(value):
