@@ -271,5 +271,5 @@ test("states before the one that was probed show ahead which gradient moves each
     id: packed("u32", Uint32Array, 1, 2), radius: packed("f32", Float32Array, 1, 1), fine: packed("u8", Uint8Array, 1, 1), left_in: packed("u8", Uint8Array, 0, 0),
     states: [state("loose"), state("probed", { mobile_gradient: packed("f32", Float32Array, 0.25, NaN) }), state("after")],
   });
-  assert.deepEqual(scene.states.map((each) => each.mobileGradient && [...each.mobileGradient]), [[0.25, NaN], [0.25, NaN], undefined]);
+  assert.deepEqual(scene.states.map((each) => each.mobileGradient && [...each.mobileGradient]), [[0.25, NaN], [0.25, NaN], null]);
 });
