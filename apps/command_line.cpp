@@ -13,6 +13,7 @@
 #include "apps/verbs.hpp"
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace suffuse::apps {
 namespace {
@@ -72,6 +73,14 @@ const CLI::App& innermost(const CLI::App& app) {
     std::vector<std::string> verbs = names_of_verbs(verb);
     if (!verbs.empty()) {
         verbs.emplace_back("help");
+        if (std::error_code none; std::filesystem::is_regular_file(word, none)) {
+            throw UsageError(fmt::format(
+                "unknown verb {}: it is a file. A grading: suffuse assess {}, or suffuse new DIR --psd {}; a case: "
+                "suffuse "
+                "run {}",
+                shown(word), shell_word(word), shell_word(word), shell_word(word)
+            ));
+        }
         throw UsageError(fmt::format("unknown verb {}{}; {} lists them", shown(word), near_hint(word, verbs), help));
     }
     throw UsageError(fmt::format("{} is one argument too many; see {}", shown(word), help));

@@ -27,7 +27,9 @@ double quantity_of(const std::string& text, Dimension dimension, const std::stri
     try {
         return parse_quantity(text, dimension);
     } catch (const UnitError& error) {
-        throw UsageError(fmt::format("{} {}: {}; {}", flag, shown(text), shown(error.what()), error.help));
+        const bool means_minutes = dimension == dimension::time && text.ends_with('m');
+        const std::string help = means_minutes ? fmt::format("for minutes write {}in", text) : error.help;
+        throw UsageError(fmt::format("{} {}: {}; {}", flag, shown(text), shown(error.what()), help));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/plan/bench_flow.hpp"
+#include "suffuse/plan/bench_scaling.hpp"
 #include "suffuse/plan/bench_step.hpp"
 
 #include <fmt/format.h>
@@ -21,14 +22,14 @@ namespace suffuse::apps {
 namespace {
 
 struct BenchVerb final : Verb {
-    BenchVerb() : Verb("bench", "measure the speed of a step and of a flow", "") {}
+    BenchVerb() : Verb("bench", "measure the speed of a step and of a flow, and how they scale", "") {}
 
-    std::string what; ///< "step" or "flow"
+    std::string what; ///< "step", "flow" or "scaling"
     std::string packing;
     CellOption cell;
     ThreadOption threads;
     int replicate = 1;
-    std::int64_t steps = 2000;
+    std::int64_t steps = 2000, scaling_steps = 500;
     std::string time_step;
     std::string mode = "reference";
     double gradient = 0.05;
@@ -45,6 +46,14 @@ struct BenchVerb final : Verb {
             .type("NAME")
             .one_of({"reference", "fast"});
         add_common_to(step);
+        Options scaling = options.below(
+            "scaling", "on one thread, the share of a step and of a flow that more threads would not make faster",
+            "suffuse bench scaling --replicate 3 --json"
+        );
+        scaling.value("--steps", scaling_steps, "steps that are measured, 500 unless given")
+            .type("N")
+            .whole_number(1, 1'000'000'000);
+        add_common_to(scaling);
         Options flow = options.below(
             "flow", "time each part of a flow solution",
             "suffuse bench flow --packing packing.csv --cell 3.895e-3,3.894e-3,3.895e-3"
@@ -67,7 +76,9 @@ struct BenchVerb final : Verb {
 
     void check() const override {
         if (what.empty()) {
-            throw UsageError("bench what? suffuse bench step, or suffuse bench flow; suffuse bench --help says more");
+            throw UsageError(
+                "bench what? suffuse bench step, bench flow or bench scaling; suffuse bench --help says more"
+            );
         }
         if (packing.empty() && cell.matrix()) {
             throw UsageError("--cell is that of a --packing; the packing that is made has its own");
@@ -99,14 +110,16 @@ int BenchVerb::act(const CommandLine&, const Console& console) const {
         plan::BenchStepSpec spec;
         spec.packing = grains;
         spec.steps = steps;
-        spec.mode = mode == dem::name_of(dem::Mode::Fast) ? dem::Mode::Fast : dem::Mode::Reference;
+        spec.shear.mode = mode == dem::name_of(dem::Mode::Fast) ? dem::Mode::Fast : dem::Mode::Reference;
         if (!time_step.empty()) {
-            spec.time_step = quantity_of(time_step, dimension::time, "--time-step", true);
+            spec.shear.time_step = quantity_of(time_step, dimension::time, "--time-step", true);
         }
-        if (!(spec.time_step > 0)) {
+        if (!(spec.shear.time_step > 0)) {
             throw UsageError(fmt::format("--time-step {} is no time", shown(time_step)));
         }
         result = plan::bench_step(spec);
+    } else if (what == "scaling") {
+        result = plan::bench_scaling({.packing = grains, .steps = scaling_steps});
     } else {
         plan::BenchFlowSpec spec;
         spec.packing = grains;

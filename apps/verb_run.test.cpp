@@ -46,7 +46,14 @@ TEST_F(Cli, ARunGoesOnlyWhereNothingIsOverwritten) {
     ASSERT_EQ(first.code, 0) << first.error;
     expect_in("plan  1 study, 1 stage,", first.error); // what is asked for
     EXPECT_FALSE(std::filesystem::exists(folder / "here/studies/replay/seep"));
+    const nlohmann::json early = nlohmann::json::parse(read_all(folder / "here/summary.json"));
+    EXPECT_EQ(early.at("until"), "start");
+    EXPECT_EQ(early.at("samples").at("done"), 1);
+    const std::string page = read_all(folder / "here/report.html");
+    EXPECT_EQ(page.find("id=\"unfinished\""), std::string::npos) << "it was asked to end there";
+    expect_in("The run ended with stage start, as asked", page);
     EXPECT_EQ(say({"run", "soil/case.toml", "-o", "here"}).code, 0); // the same case goes on
+    EXPECT_TRUE(nlohmann::json::parse(read_all(folder / "here/summary.json")).at("until").is_null());
     EXPECT_TRUE(std::filesystem::exists(folder / "here/studies/replay/seep/stage.json"));
     const Said another = say({"run", "soil/case.toml", "-o", "here", "--set", "seed=7"});
     EXPECT_EQ(another.code, 3);

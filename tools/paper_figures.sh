@@ -1,28 +1,30 @@
 #!/bin/sh
-# tools/paper_figures.sh PROGRAM ROOT [--preset NAME] [-o DIR]: Figures 1 to 14 of the paper in one folder, DIR (paper):
+# tools/paper_figures.sh PROGRAM ROOT [--preset NAME] [-o DIR] [--plan]: Figures 1 to 14 of the paper in one folder, DIR (paper):
 # 1 to 6 from examples/silty-sand-2016/case.toml, 7 to 14 from examples/fontainebleau-2016/case.toml, and index.html, which
-# shows them in the paper's order. It first says what the runs cost. A second call goes on where the first one stopped.
-# ./run --paper calls it.
+# shows them in the paper's order. It first says what the runs cost; with --plan no more than that. A second call goes on
+# where the first one stopped. ./run --paper calls it.
 set -eu
-[ $# -ge 2 ] || { sed -n '2,5s/^# //p' "$0" >&2; exit 2; }
-program=$1 root=$2 folder=paper preset=
+[ $# -ge 2 ] || { sed -n '2,6s/^# //p' "$0" >&2; exit 2; }
+program=$1 root=$2 folder=paper preset= plan=no
 shift 2
 while [ $# -gt 0 ]; do
     case $1 in
     --preset) [ $# -ge 2 ] || { echo "run: --preset wants a name, such as quick" >&2; exit 2; } && preset=$2 && shift 2 ;;
     -o) [ $# -ge 2 ] || { echo "run: -o wants a folder" >&2; exit 2; } && folder=$2 && shift 2 ;;
-    *) echo "run --paper: $1 is not known; --preset NAME and -o DIR are" >&2 && exit 2 ;;
+    --plan) plan=yes && shift ;;
+    -h | --help) echo "run --paper [--preset NAME] [-o DIR] [--plan]: Figures 1 to 14 of the paper in one folder; --plan: the price" && exit 0 ;;
+    *) echo "run --paper: $1 is not known; --preset NAME, -o DIR and --plan are" >&2 && exit 2 ;;
     esac
 done
 mixtures=$root/examples/silty-sand-2016/case.toml
 erosion=$root/examples/fontainebleau-2016/case.toml
 set -- ${preset:+--preset "$preset"}
-mkdir -p "$folder"
-
 echo "== what Figures 1 to 6 cost" >&2
 "$program" plan "$mixtures" "$@" >&2
 echo "== what Figures 7 to 14 cost" >&2
 "$program" plan "$erosion" "$@" >&2
+[ "$plan" = no ] || exit 0
+mkdir -p "$folder"
 
 # A run that ends with flaws has its figures; one that stopped or failed has not.
 run_of() { # CASE FOLDER WORDS...

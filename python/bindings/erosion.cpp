@@ -1,5 +1,6 @@
 // World.erode: passes of the erosion procedure on a world by hand.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/erosion/loop.hpp"
 #include "suffuse/run/water_numbers.hpp"
@@ -11,6 +12,8 @@
 #include "python/bindings/stage_work.hpp"
 #include "python/bindings/typed.hpp"
 #include "python/bindings/work.hpp"
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 
 namespace suffuse::python {
@@ -70,6 +73,10 @@ py::dict erode(
     around.balance = balance;
     around.damping = value_of(key_of("contact", "damping"), damping, "damping");
     Stepping call(w);
+    if (std::ranges::count(call.world().grains.fine, std::uint8_t{1}) == 0) {
+        throw StateError("erode: no grain is fine, so that none could leave; mark them, as in world.grains.fine[:] = "
+                         "2 * world.grains.radius < 0.26e-3");
+    }
     const std::optional<erosion::OwnRule> own = rule_of(rule, call, spec.detached);
     around.rule = own ? &*own : nullptr;
     Attention attention(on_progress, call);

@@ -39,6 +39,12 @@ def test_a_rule_of_ones_own_decides_which_fines_leave(soil):
     assert len(probe.world) == 500, "it stays as it was"
 
 
+def test_a_world_without_fines_is_refused(soil):
+    soil.grains.fine[:] = 0
+    with pytest.raises(suffuse.StateError, match="no grain is fine"):
+        soil.erode(**QUICK)
+
+
 def test_a_rule_that_says_what_the_built_in_one_says_gives_its_bits(soil):
     other = soil.copy()
     soil.erode(rule=lambda probe: probe.by_velocity, **QUICK)

@@ -273,9 +273,10 @@ std::string tell_idle(const erosion::ErosionResult& erosion) {
         return {};
     }
     return fmt::format(
-        "{} carried load: without gravity any water moves such grains, so that this gradient is not a critical "
-        "one, and a soil that criteria of stability call stable loses them too.",
-        idle == removed ? "None of them" : fmt::format("Only {} of the {}", grouped(removed - idle), grouped(removed))
+        "{}: without gravity any water moves what carries no load, so that this gradient is not a critical one, and a "
+        "soil that criteria of stability call stable loses such grains too.",
+        idle == removed ? "None of them carried load"
+                        : fmt::format("Only {} of the {} carried load", grouped(removed - idle), grouped(removed))
     );
 }
 

@@ -1,6 +1,7 @@
 #include "suffuse/base/parallel.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/loop_meter.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -15,6 +16,15 @@ namespace suffuse {
 namespace {
 
 thread_local bool inside_a_loop = false; // a loop within a loop runs on the thread that meets it
+
+struct Within {
+    Within() { inside_a_loop = true; }
+
+    ~Within() { inside_a_loop = false; }
+
+    Within(const Within&) = delete;
+    Within& operator=(const Within&) = delete;
+};
 
 // 40 to 200 microseconds: longer than what a thread waits for within a step of 10,000 grains, shorter than a time
 // slice.
@@ -295,6 +305,9 @@ private:
 } // namespace
 
 int thread_count() {
+    if (const LoopMeter* const meter = LoopMeter::of_this_thread(); meter != nullptr) {
+        return meter->threads();
+    }
     return Crew::own_crew != nullptr ? Crew::own_crew->threads() : requested_threads.load();
 }
 
@@ -324,6 +337,10 @@ void detail::run_blocks(std::size_t blocks, Help help, const std::function<void(
     }
     if (blocks == 1 || inside_a_loop) {
         return body(0, blocks);
+    }
+    if (LoopMeter* const meter = LoopMeter::of_this_thread(); meter != nullptr) {
+        const Within loop;
+        return meter->measure(blocks, body);
     }
     if (Crew::own_crew != nullptr) {
         return run_in(Crew::own_crew->pool(), blocks, help, body);

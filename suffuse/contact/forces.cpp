@@ -90,7 +90,7 @@ Pressed press_contacts(
     parallel_for(plan.domains(), 1, Help::Late, [&](std::size_t first, std::size_t last) {
         StressSum part;
         for (std::size_t d = first; d < last; ++d) {
-            for (std::size_t k = d * plan.domain_grains; k < plan.awake_end[d]; ++k) {
+            for (std::size_t k = d * domain_grains; k < plan.awake_end[d]; ++k) {
                 sums[plan.roster[k]] = {}; // now, so that the loop finds them in the cache
             }
             press_loop(work, {plan.domain_start[d], plan.domain_start[d + 1], plan.far[d]}, part);

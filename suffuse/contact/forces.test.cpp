@@ -301,7 +301,7 @@ TEST(DomainSequel, RunsOnceForEachDomainWhenItsSumsAreCompleteOnAnyNumberOfThrea
         std::vector<std::vector<grains::GrainSum>> seen(plan.domains());
         const auto look = [&](std::size_t d) {
             std::vector<grains::GrainSum> now;
-            for (std::size_t k = d * plan.domain_grains; k < plan.awake_end[d]; ++k) {
+            for (std::size_t k = d * domain_grains; k < plan.awake_end[d]; ++k) {
                 now.push_back(sums[plan.roster[k]]);
             }
             now.insert(

@@ -1,9 +1,10 @@
 #include "suffuse/contact/sum_plan.hpp"
 
 #include "suffuse/base/parallel.hpp"
-#include "suffuse/neighbors/pair_list.hpp"
+#include "suffuse/neighbors/number_images.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace suffuse::contact {
@@ -29,80 +30,96 @@ void for_each_domain(const SumPlan& plan, Work&& work) {
 }
 
 void plan_domains(const ContactPairs& contacts, SumPlan& plan) {
-    const std::size_t domains = (plan.grains + plan.domain_grains - 1) / plan.domain_grains;
+    const std::size_t domains = (plan.grains + domain_grains - 1) / domain_grains;
     plan.domain_start.resize(domains + 1);
     for (std::size_t d = 0; d <= domains; ++d) {
-        const auto start = std::ranges::lower_bound(contacts.first, d * plan.domain_grains);
+        const auto start = std::ranges::lower_bound(contacts.first, d * domain_grains);
         plan.domain_start[d] = static_cast<std::uint32_t>(start - contacts.first.begin());
     }
 }
 
-/// Each domain numbers the images that it meets, the home period first; then all of them get one numbering.
 void plan_images(const ContactPairs& contacts, SumPlan& plan) {
-    std::vector<std::vector<cell::Image>> met(plan.domains());
     resize_exactly(plan.image, contacts.size());
-    for_each_domain(plan, [&](std::size_t d) {
-        met[d].assign(1, cell::Image{});
-        for (std::size_t c = plan.domain_start[d]; c < plan.domain_start[d + 1]; ++c) {
-            plan.image[c] = neighbors::image_row(met[d], contacts.image[c]);
-        }
-    });
-    plan.images.assign(1, cell::Image{});
-    std::vector<std::vector<std::uint16_t>> number(plan.domains());
-    for (std::size_t d = 0; d < plan.domains(); ++d) {
-        for (const cell::Image& image : met[d]) {
-            number[d].push_back(neighbors::image_row(plan.images, image));
+    neighbors::number_images(
+        plan.domain_start, [&](std::size_t c) { return contacts.image[c]; }, plan.image, plan.images
+    );
+}
+
+/// Contacts of one domain whose second grain lies in another.
+struct Exit {
+    std::uint32_t to;
+    std::uint32_t rows; ///< at first how many, then the place of the next one
+};
+
+/// In rising order. The first grain of a pair is never the later one: all lead to later domains.
+std::vector<Exit> find_exits(const ContactPairs& contacts, const SumPlan& plan, std::size_t from) {
+    std::vector<std::uint32_t> to;
+    for (std::size_t c = plan.domain_start[from]; c < plan.domain_start[from + 1]; ++c) {
+        const auto domain = static_cast<std::uint32_t>(contacts.second[c] / domain_grains);
+        if (domain != from) {
+            to.push_back(domain);
         }
     }
-    for_each_domain(plan, [&](std::size_t d) {
-        for (std::size_t c = plan.domain_start[d]; c < plan.domain_start[d + 1]; ++c) {
-            plan.image[c] = number[d][plan.image[c]];
+    std::ranges::sort(to);
+    std::vector<Exit> exits;
+    for (const std::uint32_t domain : to) {
+        if (exits.empty() || exits.back().to != domain) {
+            exits.push_back({domain, 0});
         }
-    });
+        ++exits.back().rows;
+    }
+    return exits;
+}
+
+void plan_reach(const std::vector<std::vector<Exit>>& exits, SumPlan& plan) {
+    plan.reach.clear();
+    plan.reach_start.assign(1, 0);
+    plan.reached_by.assign(exits.size(), 1); // by itself
+    for (std::size_t from = 0; from < exits.size(); ++from) {
+        plan.reach.push_back(static_cast<std::uint32_t>(from));
+        for (const Exit& exit : exits[from]) {
+            plan.reach.push_back(exit.to);
+            ++plan.reached_by[exit.to];
+        }
+        plan.reach_start.push_back(static_cast<std::uint32_t>(plan.reach.size()));
+    }
+}
+
+/// Gives each domain's rows a run, those from one domain after those from another.
+void place_exits(std::vector<std::vector<Exit>>& exits, SumPlan& plan) {
+    plan.remote_start.assign(exits.size() + 1, 0);
+    for (const auto& from : exits) {
+        for (const Exit& exit : from) {
+            plan.remote_start[exit.to] += exit.rows;
+        }
+    }
+    std::exclusive_scan(plan.remote_start.begin(), plan.remote_start.end(), plan.remote_start.begin(), 0U);
+    std::vector<std::uint32_t> next = plan.remote_start;
+    for (auto& from : exits) {
+        for (Exit& exit : from) {
+            const std::uint32_t place = next[exit.to];
+            next[exit.to] += std::exchange(exit.rows, place);
+        }
+    }
 }
 
 /// Rows of the sums for what other domains exert, in the order of the table.
 void plan_remote_rows(const ContactPairs& contacts, SumPlan& plan) {
-    const std::size_t domains = plan.domains();
-    const auto domain_of = [&](std::uint32_t grain) { return grain / plan.domain_grains; };
-    std::vector<std::uint32_t> place(domains * domains); // of what goes from one domain to another: first its number
-    for_each_domain(plan, [&](std::size_t from) {
-        for (std::size_t c = plan.domain_start[from]; c < plan.domain_start[from + 1]; ++c) {
-            const std::size_t to = domain_of(contacts.second[c]);
-            place[from * domains + to] += to != from ? 1 : 0;
-        }
-    });
-    plan.reach.clear();
-    plan.reach_start.assign(1, 0);
-    plan.reached_by.assign(domains, 0);
-    for (std::size_t from = 0; from < domains; ++from) {
-        for (std::size_t to = from; to < domains; ++to) {
-            if (to == from || place[from * domains + to] > 0) {
-                plan.reach.push_back(static_cast<std::uint32_t>(to));
-                ++plan.reached_by[to];
-            }
-        }
-        plan.reach_start.push_back(static_cast<std::uint32_t>(plan.reach.size()));
-    }
-    plan.remote_start.assign(1, 0);
-    std::uint32_t collected = 0;
-    for (std::size_t to = 0; to < domains; ++to) {
-        for (std::size_t from = 0; from < domains; ++from) {
-            collected += std::exchange(place[from * domains + to], collected);
-        }
-        plan.remote_start.push_back(collected);
-    }
-    resize_exactly(plan.remote, collected);
+    std::vector<std::vector<Exit>> exits(plan.domains());
+    for_each_domain(plan, [&](std::size_t from) { exits[from] = find_exits(contacts, plan, from); });
+    plan_reach(exits, plan);
+    place_exits(exits, plan);
+    resize_exactly(plan.remote, plan.remote_start.back());
     resize_exactly(plan.second_sum, contacts.size());
     for_each_domain(plan, [&](std::size_t from) {
         for (std::size_t c = plan.domain_start[from]; c < plan.domain_start[from + 1]; ++c) {
             const std::uint32_t grain = contacts.second[c];
-            const std::size_t to = domain_of(grain);
+            const auto to = static_cast<std::uint32_t>(grain / domain_grains);
             plan.second_sum[c] = grain;
             if (to != from) {
-                const std::uint32_t k = place[from * domains + to]++;
-                plan.remote[k] = grain;
-                plan.second_sum[c] = static_cast<std::uint32_t>(plan.grains) + k;
+                const auto exit = std::ranges::lower_bound(exits[from], to, {}, &Exit::to);
+                plan.remote[exit->rows] = grain;
+                plan.second_sum[c] = static_cast<std::uint32_t>(plan.grains) + exit->rows++;
             }
         }
     });
@@ -122,7 +139,7 @@ void plan_far_rows(const ContactPairs& contacts, SumPlan& plan) {
             ++end;
         }
         for (std::size_t c = plan.domain_start[d]; end < domains && c < plan.domain_start[d + 1]; ++c) {
-            if (contacts.second[c] >= end * plan.domain_grains) {
+            if (contacts.second[c] >= end * domain_grains) {
                 plan.far[d].push_back(static_cast<std::uint32_t>(c));
             }
         }
@@ -134,7 +151,7 @@ void plan_roster(const ContactPairs& contacts, SumPlan& plan) {
     plan.roster.resize(plan.grains);
     plan.awake_end.resize(plan.domains());
     for_each_domain(plan, [&](std::size_t d) {
-        const std::size_t begin = d * plan.domain_grains, end = std::min(plan.grains, begin + plan.domain_grains);
+        const std::size_t begin = d * domain_grains, end = std::min(plan.grains, begin + domain_grains);
         std::vector<std::uint8_t> awake(end - begin, 0);
         for (std::size_t c = plan.domain_start[d]; c < plan.domain_start[d + 1]; ++c) {
             awake[contacts.first[c] - begin] = 1;
@@ -163,7 +180,6 @@ void plan_roster(const ContactPairs& contacts, SumPlan& plan) {
 
 void plan_sums(const ContactPairs& contacts, std::size_t grains, SumPlan& plan) {
     plan.grains = grains;
-    plan.domain_grains = domain_size(grains);
     plan_domains(contacts, plan);
     plan_images(contacts, plan);
     plan_remote_rows(contacts, plan);

@@ -11,17 +11,15 @@
 
 namespace suffuse::contact {
 
-/// Grains of a domain: as many as leave work for every thread, and as few as a processor's second cache holds.
-constexpr std::size_t domain_size(std::size_t grains) {
-    return grains < 65'536 ? 1024 : 4096;
-}
+/// Grains of a domain, in samples of any size: as few as leave work for 64 threads from 65,536 grains on, and as a
+/// processor's second cache holds.
+constexpr std::size_t domain_grains = 1024;
 
 /// So many stay in the cache next to a core, about 160 bytes each.
 constexpr std::size_t cached_grains = 20'000;
 
 struct SumPlan {
     std::size_t grains = 0;
-    std::size_t domain_grains = domain_size(0);
     std::vector<std::uint32_t> domain_start;     ///< first contact row of each domain, and the end
     std::vector<std::uint32_t> second_sum;       ///< for each contact, the row of the sums for its second grain's share
     std::vector<std::uint32_t> remote;           ///< for each row of the sums beyond those of the grains, its grain: a

@@ -13,7 +13,7 @@ namespace suffuse::contact {
 namespace {
 
 TEST(SumPlan, GivesEveryShareFromAnotherDomainARowOfItsOwnInTheOrderOfTheTable) {
-    constexpr std::uint32_t there = domain_size(0); // the first grain of the second domain
+    constexpr std::uint32_t there = domain_grains; // the first grain of the second domain
     Contacts contacts;
     const std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs{
         {0, 1}, {0, there}, {1, there + 1}, {2, there}, {there, there + 1}};
@@ -37,7 +37,7 @@ TEST(SumPlan, GivesEveryShareFromAnotherDomainARowOfItsOwnInTheOrderOfTheTable) 
     EXPECT_EQ(plan.image, (std::vector<std::uint16_t>{0, 1, 1, 1, 1}));
 }
 
-constexpr std::uint32_t many_grains = 5 * domain_size(0) + 17;
+constexpr std::uint32_t many_grains = 5 * domain_grains + 17;
 
 /// Each grain but the last touches two of those after it.
 Contacts contacts_anywhere() {
@@ -59,15 +59,15 @@ TEST(SumPlan, OfManyDomainsHasEachRowCollectedOnceByTheDomainOfItsGrain) {
     plan_sums(contacts, many_grains, plan);
     for (std::size_t d = 0; d < plan.domains(); ++d) {
         for (std::uint32_t k = plan.remote_start[d]; k < plan.remote_start[d + 1]; ++k) {
-            ASSERT_EQ(plan.remote[k] / plan.domain_grains, d);
+            ASSERT_EQ(plan.remote[k] / domain_grains, d);
         }
     }
     std::vector<std::uint32_t> next_row(plan.remote_start.begin(), plan.remote_start.end() - 1);
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const std::uint32_t second = contacts.second[c];
-        const std::size_t to = second / plan.domain_grains;
+        const std::size_t to = second / domain_grains;
         ASSERT_EQ(plan.images[plan.image[c]], contacts.image[c]);
-        if (contacts.first[c] / plan.domain_grains == to) {
+        if (contacts.first[c] / domain_grains == to) {
             ASSERT_EQ(plan.second_sum[c], second);
         } else {
             const std::uint32_t row = next_row[to]++; // in the order of the table
@@ -87,7 +87,7 @@ TEST(SumPlan, OfADomainKnowsWhichOnesReachIt) {
         expected.emplace(d, d);
     }
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        expected.emplace(contacts.first[c] / plan.domain_grains, contacts.second[c] / plan.domain_grains);
+        expected.emplace(contacts.first[c] / domain_grains, contacts.second[c] / domain_grains);
     }
     std::vector<std::uint32_t> reached_by(plan.domains(), 0);
     for (std::size_t d = 0; d < plan.domains(); ++d) {
@@ -101,7 +101,7 @@ TEST(SumPlan, OfADomainKnowsWhichOnesReachIt) {
 }
 
 TEST(SumPlan, ListsTheGrainsOfADomainThoseOfSomeContactFirst) {
-    constexpr std::uint32_t there = domain_size(0);
+    constexpr std::uint32_t there = domain_grains;
     Contacts contacts;
     for (const auto& [i, j] : {std::pair{2U, 5U}, {2U, there + 1}, {7U, 2U * there}}) {
         contacts.first.push_back(i);

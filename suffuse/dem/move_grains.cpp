@@ -74,8 +74,8 @@ template <bool Turning, class Matrix>
     collect(w, d);
     const Double4 origin = double4(w.origin[d], 0);
     Double4 most = Double4{} - 1.0;
-    const std::size_t end = w.only_awake ? w.awake_end[d] : std::min(w.grains, (d + 1) * w.domain_grains);
-    for (std::size_t tile = d * w.domain_grains; tile < end; tile += tile_grains) {
+    const std::size_t end = w.only_awake ? w.awake_end[d] : std::min(w.grains, (d + 1) * contact::domain_grains);
+    for (std::size_t tile = d * contact::domain_grains; tile < end; tile += tile_grains) {
         const std::size_t tile_end = std::min(end, tile + tile_grains);
         if (w.asks_ahead) {
             ask_for_rows(w, tile_end, std::min(end, tile_end + tile_grains));
@@ -152,7 +152,6 @@ GrainMove plan_move(
     const bool loaded = load != nullptr && !load->force.empty();
     return {
         .grains = rows.size(),
-        .domain_grains = plan.domain_grains,
         .remote = plan.remote.data(),
         .remote_start = plan.remote_start.data(),
         .roster = plan.roster.data(),
@@ -192,7 +191,7 @@ void coast_sleepers(
     std::ranges::transform(steps, diagonal.begin(), motion::in_diagonals);
     parallel_for(plan.domains(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t d = first; d < last; ++d) {
-            const std::size_t begin = plan.awake_end[d], end = std::min(plan.grains, (d + 1) * plan.domain_grains);
+            const std::size_t begin = plan.awake_end[d], end = std::min(plan.grains, (d + 1) * contact::domain_grains);
             if (upright) {
                 coast_in_upright_cell({diagonal.data(), steps.size()}, plan.roster.data(), begin, end, rows.data());
             } else {

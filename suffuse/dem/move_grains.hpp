@@ -25,7 +25,7 @@ struct Watch {
 
 /// What moves the grains in one step, for all domains. Points into what it was made of.
 struct GrainMove {
-    std::size_t grains, domain_grains;
+    std::size_t grains;
     const std::uint32_t *remote, *remote_start, *roster, *awake_end;
     const Vec3* load; ///< null: none
     double load_share;

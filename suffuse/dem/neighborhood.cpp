@@ -1,5 +1,6 @@
 #include "suffuse/dem/neighborhood.hpp"
 
+#include "suffuse/base/loop_meter.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/contact/carry_over.hpp"
 
@@ -64,9 +65,8 @@ double rounding_of(const Vec3& position) {
 
 /// What the watch measures the places of a domain's grains from.
 std::vector<Vec3> domain_origins(const MovingRows& rows) {
-    const std::size_t domain_grains = contact::domain_size(rows.size());
     std::vector<Vec3> origin;
-    for (std::size_t g = 0; g < rows.size(); g += domain_grains) {
+    for (std::size_t g = 0; g < rows.size(); g += contact::domain_grains) {
         origin.push_back(xyz(rows[g].position));
     }
     return origin;
@@ -110,9 +110,11 @@ bool Neighborhood::holds(const World& world, const contact::SingleMemory* single
 }
 
 void Neighborhood::update(World& world, const MovingRows& rows, contact::SingleMemory* single, double dt) {
+    const MeteredPhase phase("contact table");
     measure_grains(world);
     const std::vector<double> allowance = allow_motion(world, rows, dt);
     if (!valid_ || !wide_list_reaches(world, rows, allowance)) {
+        const MeteredPhase searching("neighbor search");
         search(world, rows, allowance);
     }
     make_table(world, rows, single, allowance);
@@ -127,7 +129,7 @@ void Neighborhood::look_at_sleepers(const World& world, const MovingRows& rows) 
     // Against the mean motion, what nothing pushes keeps its velocity; the hundredth is for what the cell strains.
     const Mat3 motion = mean_motion(world.cell.h);
     const double most_haste = largest(sum_plan_.domains(), 1, [&](std::size_t d) {
-        const std::size_t end = std::min(rows.size(), (d + 1) * sum_plan_.domain_grains);
+        const std::size_t end = std::min(rows.size(), (d + 1) * contact::domain_grains);
         double most = 0;
         for (std::size_t k = sum_plan_.awake_end[d]; k < end; ++k) {
             const std::uint32_t g = sum_plan_.roster[k];
@@ -173,7 +175,6 @@ std::vector<double> Neighborhood::allow_motion(const World& world, const MovingR
         adapt(static_cast<double>(world.clock.step - near_step_));
     }
     watch_.origin = domain_origins(rows);
-    const std::size_t domain_grains = contact::domain_size(rows.size());
     const double seconds = foresight * table_steps_ * dt, most = 0.2 * wide_margin_;
     std::vector<double> allowance(rows.size());
     parallel_for(rows.size(), block, [&](std::size_t begin, std::size_t end) {
@@ -181,7 +182,7 @@ std::vector<double> Neighborhood::allow_motion(const World& world, const MovingR
             const Vec3 position = xyz(rows[g].position);
             const Vec3 fluctuation = xyz(rows[g].velocity) - world.cell.velocity_gradient * position;
             // What the watch cannot tell from rest must be little of what it allows.
-            const double blur = 8 * rounding_of(position - watch_.origin[g / domain_grains]);
+            const double blur = 8 * rounding_of(position - watch_.origin[g / contact::domain_grains]);
             allowance[g] = std::min(most, std::max(least_allowance_, blur) + seconds * norm(fluctuation));
         }
     });
@@ -214,9 +215,13 @@ void Neighborhood::search(const World& world, const MovingRows& rows, const std:
     const double needed = 2 * most_allowed + 2 * stretch_ * largest_radius_;
     wide_margin_ = std::max(wide_margin_, 1.5 * needed);
     std::vector<Vec3> position(rows.size());
-    std::ranges::transform(rows, position.begin(), [](const grains::MovingRow& row) { return xyz(row.position); });
     wide_place_.resize(rows.size());
-    std::ranges::transform(position, wide_place_.begin(), rounded);
+    parallel_for(rows.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            position[g] = xyz(rows[g].position);
+            wide_place_[g] = rounded(position[g]);
+        }
+    });
     pairs_ = {}; // before the new ones are made, as is what the table makes anew
     watch_.grains = std::vector<WatchedGrain>();
     pairs_ = {neighbors::find_pairs(world.cell.h, std::move(position), world.grains.radius, wide_margin_), rows.size()};
@@ -255,7 +260,7 @@ void Neighborhood::make_table(
     watch_.grains.resize(rows.size());
     parallel_for(rows.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
-            const Vec3 place = xyz(rows[g].position) - watch_.origin[g / sum_plan_.domain_grains];
+            const Vec3 place = xyz(rows[g].position) - watch_.origin[g / contact::domain_grains];
             const double may_move = std::max(0.0, (1 - stretch_) * allowance[g] - rounding_of(place));
             watch_.grains[g] = {narrowed(double4(place, rounded_down * may_move * may_move))};
         }

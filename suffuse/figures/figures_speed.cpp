@@ -366,10 +366,9 @@ rules_compared(const std::vector<ProbeResult>& probes, const std::vector<NamedEr
         "The two rules agree on {} of {} verdicts ({} %); the diagonal from top left holds the agreement.",
         grouped(agreed), grouped(all), short_number(100.0 * static_cast<double>(agreed) / static_cast<double>(all), 4)
     );
-    figure.claim = fmt::format(
-        "The two rules agree on {} % of the verdicts",
-        short_number(100.0 * static_cast<double>(agreed) / static_cast<double>(all), 3)
-    );
+    figure.claim = agreed == all
+                       ? "The two rules agree on every verdict"
+                       : fmt::format("The two rules differ on {} of {} verdicts", grouped(all - agreed), grouped(all));
     figure.table.add("probe", std::move(probe_name));
     figure.table.add("velocity_rule", std::move(velocity));
     figure.table.add("displacement_rule", std::move(displacement));

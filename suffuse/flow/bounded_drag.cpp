@@ -6,6 +6,7 @@
 #include "suffuse/flow/throat_drag.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,12 @@ namespace {
 
 constexpr std::size_t block = 2048;         // throats of one loop of a thread
 constexpr std::size_t stretch = 32 * block; // throats whose forces are held at a time
+
+/// Threads beyond that many would do little but read which grains are not theirs.
+constexpr std::size_t most_adders = 16;
+
+/// So many that follow each other are added up by one thread: none writes where another does.
+constexpr std::size_t grains_together = 256;
 
 /// Layers are no thinner than this part of the smallest grain.
 constexpr double thinnest_layer = 1e-6;
@@ -63,17 +70,25 @@ distances_to_walls(const pores::PoreNetwork& network, std::span<const Vec3> posi
     const auto corner = [&](std::size_t p, std::size_t k) {
         return position[pores.grain[p][k]] + shift(network.h, pores.grain_image[p][k]);
     };
-    for (std::size_t p = 0; p < pores.size(); ++p) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            for (std::size_t l = 0; l < 4; ++l) {
-                const std::uint32_t g = pores.grain[p][k], wall = pores.grain[p][l];
-                if (radius[wall] > wall_ratio * radius[g]) {
-                    const double away = norm(corner(p, l) - corner(p, k)) - radius[wall];
-                    distance[g] = std::min(distance[g], std::max(away, radius[g]));
+    const auto lower = [](double& least, double value) { // in whatever order threads come
+        const std::atomic_ref shared(least);
+        for (double now = shared.load(std::memory_order_relaxed);
+             value < now && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed);) {
+        }
+    };
+    parallel_for(pores.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                for (std::size_t l = 0; l < 4; ++l) {
+                    const std::uint32_t g = pores.grain[p][k], wall = pores.grain[p][l];
+                    if (radius[wall] > wall_ratio * radius[g]) {
+                        const double away = norm(corner(p, l) - corner(p, k)) - radius[wall];
+                        lower(distance[g], std::max(away, radius[g]));
+                    }
                 }
             }
         }
-    }
+    });
     return distance;
 }
 
@@ -146,7 +161,9 @@ std::vector<Vec3> BoundedDrag::grain_forces(std::span<const double> pressure, co
     const MomentumExchange::Motion motion = exchange_.motion(on_void);
     const std::vector<double> to_wall = distances_to_walls(network_, position_, radius_);
 
-    // Found on all threads, added up by one in the order of the throats, a stretch of them after the other.
+    // Found on all threads, a stretch of throats after the other. Each thread then adds up the forces on some of the
+    // grains, in the order of the throats.
+    const std::size_t adders = std::min(most_adders, static_cast<std::size_t>(thread_count()));
     std::vector<Vec3> force(radius_.size());
     std::vector<std::array<Vec3, 3>> found(std::min(throats.size(), stretch));
     for (std::size_t first = 0; first < throats.size(); first += stretch) {
@@ -158,11 +175,17 @@ std::vector<Vec3> BoundedDrag::grain_forces(std::span<const double> pressure, co
                 found[t - first] = forces_at(t, drop(t), drag, {to_wall[a], to_wall[b], to_wall[c]});
             }
         });
-        for (std::size_t t = first; t < first + count; ++t) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                force[throats.grain[t][k]] += found[t - first][k];
+        parallel_for(adders, 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t t = first; t < first + count; ++t) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const std::uint32_t g = throats.grain[t][k];
+                    const std::size_t adder = g / grains_together % adders;
+                    if (begin <= adder && adder < end) {
+                        force[g] += found[t - first][k];
+                    }
+                }
             }
-        }
+        });
     }
     return force;
 }

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/loop_meter.hpp"
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/flow/bounded_drag.hpp"
 #include "suffuse/flow/conductance.hpp"
@@ -117,11 +118,14 @@ Seepage solve_seepage(
     check(spec, fluid);
     Seepage s;
     Stopwatch watch;
+    MeteredPhase phase("triangulation");
     pores::Triangulation triangulation = pores::triangulate(cell.h, position, radius);
     pores::expect_grains_apart(cell.h, position, radius);
     s.seconds.triangulate = watch.lap();
+    phase.next("network");
     s.network = pores::build_network(std::move(triangulation), cell.h, position, radius);
     s.closed_voids = find_closed_voids(s.network);
+    phase.next("conductance");
     std::optional<BoundedDrag> bounded;
     if (fluid.conductance == Conductance::Bounded) {
         bounded.emplace(s.network, position, radius);
@@ -131,7 +135,10 @@ Seepage solve_seepage(
 
     const Vec3 along = squarable(spec.direction);
     const Vec3 unit = (-fluid.density * gravity / norm(along)) * along; // at i = 1
+    phase.next("multigrid");
     std::optional<PressureSolver> solver(std::in_place, s.network, s.conductance);
+    s.seconds.set_up = watch.lap();
+    phase.next("solution");
     s.field = solver->solve(unit);
     s.mean_velocity = mean_velocity(s.network, s.field.flux);
     s.permeability = -fluid.viscosity * dot(s.mean_velocity, unit) / norm2(unit);
@@ -140,6 +147,7 @@ Seepage solve_seepage(
     }
     solver.reset(); // forces need the room
     s.seconds.solve = watch.lap();
+    phase.next("forces");
     s.pressure_gradient = unit;
     s.grain_force = bounded ? bounded->grain_forces(s.field.pressure, unit)
                             : grain_forces(s.network, s.field.pressure, unit, radius.size());

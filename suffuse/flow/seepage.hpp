@@ -20,7 +20,8 @@ namespace suffuse::flow {
 
 /// Wall seconds of each part.
 struct SeepageSeconds {
-    double triangulate = 0, conductance = 0, solve = 0, forces = 0;
+    double triangulate = 0, conductance = 0, forces = 0;
+    double set_up = 0, solve = 0; ///< of the multigrid, and the solution by it
 };
 
 /// Where grains overlap so far that the network counts a negative void between them (pores::VoidAccount).

@@ -89,13 +89,15 @@ bool is_overruled(const Given& given, const std::vector<Given>& all, const std::
     });
 }
 
-/// Whether --set gives another value for it, or for a part of it.
+/// Whether --set gives another value for it, or for a part of it. What it gives for a study, the preset does not.
 bool is_set_anew(const Given& given, const std::vector<std::string>& overrides) {
     std::string path = given.table.empty() ? "" : given.table + ".";
     path += (given.stage.empty() ? "" : given.stage + ".") + given.key;
+    const bool of_preset = given.table.starts_with("presets.");
     return std::ranges::any_of(overrides, [&](const std::string& text) {
         const std::string set = trimmed(text.substr(0, text.find('=')));
-        return set == path || set.starts_with(path + ".");
+        return (of_preset && set.starts_with("study.") && set.ends_with("." + given.key)) || set == path ||
+               set.starts_with(path + ".");
     });
 }
 

@@ -14,15 +14,19 @@
 namespace suffuse::job {
 namespace {
 
-/// The sample before erosion: the state of the stage that the erosion starts from.
-std::vector<double> radii_before(const std::filesystem::path& folder, const record::FinishedStage& eroded) {
-    if (eroded.stage->parent < 0) {
+/// The sample before a stage: the state of the stage that it starts from.
+std::vector<double> radii_before(const std::filesystem::path& folder, const record::FinishedStage& stage) {
+    if (stage.stage->parent < 0) {
         return {};
     }
-    const casefile::Stage& parent = eroded.variant->stages[static_cast<std::size_t>(eroded.stage->parent)];
-    return record::KnownState(record::stage_folder(folder, *eroded.variant, parent) / "state.h5")
+    const casefile::Stage& parent = stage.variant->stages[static_cast<std::size_t>(stage.stage->parent)];
+    return record::KnownState(record::stage_folder(folder, *stage.variant, parent) / "state.h5")
         .load()
         .world.grains.radius;
+}
+
+figures::GradingAxis axis_of(const casefile::Case& what) {
+    return what.report.reversed_size_axis ? figures::GradingAxis::Reversed : figures::GradingAxis::LeftToRight;
 }
 
 void add(std::optional<figures::Figure> figure, std::vector<figures::Figure>& figures) {
@@ -82,17 +86,11 @@ grains::Grading sampled_grading(const std::vector<double>& radius, const std::op
 std::vector<figures::Figure>
 draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, const study::ErosionStory& story) {
     std::vector<figures::Figure> figures;
-    const auto axis =
-        what.report.reversed_size_axis ? figures::GradingAxis::Reversed : figures::GradingAxis::LeftToRight;
     if (story.eroded != nullptr) {
         add(figures::erosion_loop(story.erosion), figures);
         const std::vector<double> radius = radii_before(folder, *story.eroded);
-        const auto& soil = story.eroded->variant->soil;
         if (!radius.empty()) {
-            const grains::Grading sampled = sampled_grading(radius, soil);
-            if (soil) {
-                add(figures::grading_curves(grains::asked_grading(*soil), sampled, soil->finer_than, axis), figures);
-            }
+            add(draw_grading(what, folder, *story.eroded), figures);
             add(figures::speed_by_gradient(story.probes), figures);
             add(figures::speed_by_pass(story.erosion), figures);
             add(figures::eroded_mass(story.erosion), figures);
@@ -103,7 +101,10 @@ draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, co
             add(figures::beside_twin(story.erosion), figures);
             add(figures::constriction_sizes(story.erosion), figures);
             add(figures::transport_by_pass(story.erosion), figures);
-            add(figures::eroded_grading(sampled, story.erosion, axis), figures);
+            add(figures::eroded_grading(
+                    sampled_grading(radius, story.eroded->variant->soil), story.erosion, axis_of(what)
+                ),
+                figures);
             add(figures::permeability_by_pass(story.erosion), figures);
         }
     } else {
@@ -112,11 +113,19 @@ draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, co
     return figures;
 }
 
-void show_stability(const casefile::Case& what, const study::ErosionStory& story, report::ReportData& data) {
-    if (story.eroded == nullptr || !story.eroded->variant->soil) {
-        return;
+std::optional<figures::Figure>
+draw_grading(const casefile::Case& what, const std::filesystem::path& folder, const record::FinishedStage& stage) {
+    const std::vector<double> radius = radii_before(folder, stage);
+    const auto& soil = stage.variant->soil;
+    if (radius.empty() || !soil) {
+        return std::nullopt;
     }
-    const grains::Soil& soil = *story.eroded->variant->soil;
+    return figures::grading_curves(
+        grains::asked_grading(*soil), sampled_grading(radius, soil), soil->finer_than, axis_of(what)
+    );
+}
+
+void show_stability(const casefile::Case& what, const grains::Soil& soil, report::ReportData& data) {
     const grains::Grading simulated = grains::asked_grading(soil);
     const grains::Grading& given = soil.measured ? *soil.measured : simulated;
     const stability::Assessment assessment = assess_with(given, soil.finer_than);
@@ -132,9 +141,7 @@ void show_stability(const casefile::Case& what, const study::ErosionStory& story
                                    "without the finest or the coarsest grains, the whole soil may be less stable. "
                                    "suffuse assess judges that.";
     }
-    const auto axis =
-        what.report.reversed_size_axis ? figures::GradingAxis::Reversed : figures::GradingAxis::LeftToRight;
-    data.figures.push_back(figures::stability_grading(assessment, axis));
+    data.figures.push_back(figures::stability_grading(assessment, axis_of(what)));
     data.figures.push_back(figures::stability_shape(assessment));
 }
 

@@ -28,13 +28,10 @@ TEST(GradingOfASample, HasTheCornersOfTheCurveAskedForAndTheLimitOfTheFines) {
 }
 
 TEST(StabilityOfARun, IsSaidToBeThatOfTheSimulatedGrading) {
-    casefile::Variant variant;
-    variant.soil.emplace().whole = {{1e-4, 2e-4, 4e-4}, {0, 0.5, 1}, "invented"};
-    const record::FinishedStage eroded{nullptr, &variant, nullptr, {}, {}};
-    study::ErosionStory story;
-    story.eroded = &eroded;
+    grains::Soil soil;
+    soil.whole = {{1e-4, 2e-4, 4e-4}, {0, 0.5, 1}, "invented"};
     report::ReportData data;
-    show_stability({}, story, data);
+    show_stability({}, soil, data);
     ASSERT_EQ(data.tables.size(), 1U);
     EXPECT_EQ(data.tables.front().title, "Internal stability by the simulated grading");
     EXPECT_NE(data.tables.front().note.find("the whole soil may be less stable"), std::string::npos);
@@ -43,15 +40,11 @@ TEST(StabilityOfARun, IsSaidToBeThatOfTheSimulatedGrading) {
 }
 
 TEST(StabilityOfARun, OfAPartOfACurveIsShownBesideThatOfTheWhole) {
-    casefile::Variant variant;
-    grains::Soil& soil = variant.soil.emplace();
+    grains::Soil soil;
     soil.measured = {{1e-5, 1e-4, 2e-4, 4e-4, 4e-3}, {0.05, 0.3, 0.35, 0.6, 1}, "invented"};
     soil.whole = grains::part_between(*soil.measured, 2e-4, 4e-3);
-    const record::FinishedStage eroded{nullptr, &variant, nullptr, {}, {}};
-    study::ErosionStory story;
-    story.eroded = &eroded;
     report::ReportData data;
-    show_stability({}, story, data);
+    show_stability({}, soil, data);
     ASSERT_EQ(data.tables.size(), 2U);
     EXPECT_EQ(data.tables[0].title, "Internal stability by the whole grading, as measured");
     EXPECT_EQ(data.tables[1].title, "Internal stability by the part of the grading that was simulated");

@@ -220,13 +220,23 @@ report::ReportData describe_run(
     for (figures::Figure& figure : draw_erosion(what, folder, story)) {
         data.figures.push_back(std::move(figure));
     }
+    const record::FinishedStage* const judged = story.eroded != nullptr     ? story.eroded
+                                                : !results.mobility.empty() ? results.mobility.front().first
+                                                                            : nullptr;
+    if (judged != nullptr && judged != story.eroded) {
+        if (auto figure = draw_grading(what, folder, *judged)) {
+            data.figures.push_back(std::move(*figure));
+        }
+    }
     for (figures::Figure& figure : draw_mobility(results.mobility)) {
         data.figures.push_back(std::move(figure));
     }
     for (figures::Figure& figure : draw_fluxes(stages, story)) {
         data.figures.push_back(std::move(figure));
     }
-    show_stability(what, story, data);
+    if (judged != nullptr && judged->variant->soil) {
+        show_stability(what, *judged->variant->soil, data);
+    }
     for (std::optional<figures::PageTable> table :
          {figures::mobility_table(results.mobility), answer::tabulate_removals(stages),
           answer::tabulate_strength(results.strength), answer::tabulate_tests(results),

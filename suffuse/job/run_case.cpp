@@ -50,7 +50,7 @@ RunReport run_all(const casefile::Case& what, const run::RunOptions& options, ru
     const casefile::Case refined = record::with_refinements(what, options.folder);
     const record::Sums earlier = record::read_run_sums(options.folder);
     std::filesystem::remove(options.folder / record::checksums_file); // true no more
-    record::keep_provenance(options.folder, refined, options.command, overview.run_seconds());
+    record::keep_provenance(options.folder, refined, options.command, overview.run_seconds(), options.until);
     Summary summary = summarize_run(refined, options.folder, options.page_folder);
     const std::vector<std::string> figures = std::move(summary.figures);
     RunReport report = report_of(std::move(summary));

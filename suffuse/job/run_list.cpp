@@ -54,7 +54,8 @@ std::string state_of(const fs::path& run, const json& summary) {
     if (!value_or(summary, "failures", nothing).empty()) {
         return "failed in part";
     }
-    if (summary.empty() || !value_or(summary, "missing_stages", nothing).empty()) {
+    const bool ended_early = !value_or(summary, "until", std::string()).empty(); // as asked
+    if (summary.empty() || (!ended_early && !value_or(summary, "missing_stages", nothing).empty())) {
         return "not complete";
     }
     return value_or(summary, "flaws", nothing).empty() ? "done" : "flaws";

@@ -37,9 +37,11 @@ with_failures(std::vector<std::string> flaws, const std::vector<record::FailedSa
     return flaws;
 }
 
-/// How many samples there are, and how many of them reached their end.
-json count_samples(const casefile::Case& what, const std::filesystem::path& folder, std::size_t failed) {
-    const std::vector<record::Sample> samples = record::list_samples(what);
+/// How many samples there are, and how many of them reached their end, or the stage that they were to end with.
+json count_samples(
+    const casefile::Case& what, const std::string& until, const std::filesystem::path& folder, std::size_t failed
+) {
+    const std::vector<record::Sample> samples = record::list_samples(what, until);
     const auto done = std::count_if(samples.begin(), samples.end(), [&](const record::Sample& s) {
         return record::is_complete(s, folder);
     });
@@ -158,14 +160,21 @@ summarize(const casefile::Case& what, const std::filesystem::path& folder, const
     }
     summary.failures = record::read_failures(folder, what);
     const record::MissingStages missing = record::find_missing_stages(what, folder);
+    const std::string until = provenance.value("until", ""), resume = "suffuse resume " + shell_word(folder.string());
+    const json samples = count_samples(what, until, folder, summary.failures.size());
+    const bool ended_early = !until.empty() && !missing.names.empty() && samples.at("done") == samples.at("total");
     const std::vector<Diagnostic> of_case = check_again(folder);
     report::ReportData data = describe_run(
         results, folder, provenance,
         {summary.warnings,
          with_failures(summary.flaws, summary.failures),
          in_lines(of_case),
-         {record::tell_missing(missing), "suffuse resume " + shell_word(folder.string())}}
+         {ended_early ? "" : record::tell_missing(missing), resume}}
     );
+    if (ended_early) {
+        data.opening.about_confidence +=
+            fmt::format(" The run ended with stage {}, as asked: `{}` goes on.", until, resume);
+    }
     summary.findings = findings_json(data.findings); // what the page shows
     record::write_json(
         folder / "summary.json", {{"schema", 1},
@@ -188,7 +197,8 @@ summarize(const casefile::Case& what, const std::filesystem::path& folder, const
                                   {"readings", readings_json(results.readings)},
                                   {"thresholds", study::thresholds_json(results.fines)},
                                   {"strength", study::strength_json(results.strength)},
-                                  {"samples", count_samples(what, folder, summary.failures.size())},
+                                  {"samples", samples},
+                                  {"until", ended_early ? json(until) : json()},
                                   {"failures", summary.failures},
                                   {"stages", by_name},
                                   {"studies", study::curves_json(results.curves)}}

@@ -1,16 +1,19 @@
 #include "suffuse/neighbors/grid.hpp"
 
+#include "suffuse/base/members.hpp"
 #include "suffuse/base/parallel.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace suffuse::neighbors {
 namespace {
 
 constexpr int most_classes = 32;
+constexpr std::size_t block = 4096; // grains of one loop of a thread
 
 /// Of a home position, which rounding may put on either face of the cell: kept on the side where it is, for the grid to
 /// find it there.
@@ -32,20 +35,16 @@ Grid build_grid(
     for (int a = 0; a < 3; ++a) {
         grid.bins.along[static_cast<std::size_t>(a)] = std::max(1, static_cast<int>(std::min(width[a] / size, most)));
     }
-    std::vector<std::uint32_t> bin(members.size());
-    grid.start.assign(grid.bins.count() + 1, 0);
-    for (std::size_t k = 0; k < members.size(); ++k) {
-        bin[k] = static_cast<std::uint32_t>(grid.bins.bin_of(home.fraction[members[k]]));
-        ++grid.start[bin[k] + 1];
-    }
-    for (std::size_t k = 1; k < grid.start.size(); ++k) {
-        grid.start[k] += grid.start[k - 1];
-    }
-    std::vector<std::uint32_t> next(grid.start.begin(), grid.start.end() - 1);
-    grid.grain.resize(members.size());
-    for (std::size_t k = 0; k < members.size(); ++k) {
-        grid.grain[next[bin[k]]++] = members[k];
-    }
+    Members by_bin = members_of(members.size(), grid.bins.count(), [&](std::size_t k) {
+        return grid.bins.bin_of(home.fraction[members[k]]);
+    });
+    grid.start = std::move(by_bin.first);
+    grid.grain = std::move(by_bin.row);
+    parallel_for(grid.grain.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            grid.grain[k] = members[grid.grain[k]];
+        }
+    });
     return grid;
 }
 
@@ -62,7 +61,7 @@ HomePositions bring_home(const Mat3& h, std::vector<Vec3> position) {
     home.fraction.resize(grains);
     home.position = std::move(position);
     home.period.resize(grains);
-    parallel_for(grains, 4096, [&](std::size_t begin, std::size_t end) {
+    parallel_for(grains, block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
             home.period[g] = cell::period_of(inverse_h, home.position[g]);
             home.position[g] = home.position[g] - cell::shift(h, home.period[g]);
@@ -78,9 +77,20 @@ std::vector<Grid> build_grids(const Mat3& h, const HomePositions& home, std::spa
     for (const double r : radius) {
         largest = std::max(largest, r);
     }
-    std::array<std::vector<std::uint32_t>, most_classes> members;
-    for (std::size_t g = 0; g < radius.size(); ++g) {
-        members[static_cast<std::size_t>(size_class(radius[g], largest))].push_back(static_cast<std::uint32_t>(g));
+    // Each block of grains lists its members of each class; a class takes those of all blocks, in their order.
+    using Classes = std::array<std::vector<std::uint32_t>, most_classes>;
+    std::vector<Classes> listed((radius.size() + block - 1) / block);
+    parallel_for(radius.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            const auto c = static_cast<std::size_t>(size_class(radius[g], largest));
+            listed[begin / block][c].push_back(static_cast<std::uint32_t>(g));
+        }
+    });
+    Classes members;
+    for (const Classes& classes : listed) {
+        for (std::size_t c = 0; c < members.size(); ++c) {
+            members[c].insert(members[c].end(), classes[c].begin(), classes[c].end());
+        }
     }
     std::vector<Grid> grids(most_classes);
     const Vec3 width = cell::widths(h);

@@ -1,6 +1,8 @@
 #include "suffuse/neighbors/pair_list.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/neighbors/number_images.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,15 +10,28 @@
 namespace suffuse::neighbors {
 
 PairList::PairList(std::span<const Pair> sorted, std::size_t grains)
-    : start_(grains + 1, 0), second_(sorted.size()), image_(sorted.size()) {
-    for (std::size_t k = 0; k < sorted.size(); ++k) {
-        ++start_[sorted[k].first + 1];
-        second_[k] = sorted[k].second;
-        image_[k] = image_row(images_, sorted[k].image);
+    : start_(grains + 1), second_(sorted.size()), image_(sorted.size()) {
+    constexpr std::size_t block = 16'384;
+    parallel_for(grains + 1, block, [&](std::size_t begin, std::size_t end) {
+        auto next = std::ranges::lower_bound(sorted, static_cast<std::uint32_t>(begin), {}, &Pair::first);
+        for (std::size_t g = begin; g < end; ++g) {
+            next = std::find_if(next, sorted.end(), [g](const Pair& pair) { return pair.first >= g; });
+            start_[g] = static_cast<std::uint32_t>(next - sorted.begin());
+        }
+    });
+    parallel_for(sorted.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            second_[k] = sorted[k].second;
+        }
+    });
+    std::vector<std::uint32_t> run_start;
+    for (std::size_t k = 0; k < sorted.size(); k += block) {
+        run_start.push_back(static_cast<std::uint32_t>(k));
     }
-    for (std::size_t g = 0; g < grains; ++g) {
-        start_[g + 1] += start_[g];
-    }
+    run_start.push_back(static_cast<std::uint32_t>(sorted.size()));
+    number_images(
+        run_start, [&](std::size_t k) { return sorted[k].image; }, image_, images_
+    );
 }
 
 std::uint16_t image_row(std::vector<cell::Image>& images, const cell::Image& image) {

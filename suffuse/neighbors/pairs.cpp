@@ -2,11 +2,13 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/prefix_sum.hpp"
 #include "suffuse/neighbors/grid.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -80,23 +82,30 @@ private:
 
 /// Sorts by counting on `first`, then within each short row: linear in the number of pairs.
 std::vector<Pair> sorted(std::vector<std::vector<Pair>> blocks, std::size_t grains) {
+    const auto for_each_block = [&](auto&& visit) {
+        parallel_for(blocks.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t b = begin; b < end; ++b) {
+                visit(blocks[b]);
+            }
+        });
+    };
+    const auto take_one = [](std::uint32_t& count) {
+        return std::atomic_ref(count).fetch_add(1, std::memory_order_relaxed);
+    };
     std::vector<std::uint32_t> start(grains + 1, 0);
-    for (const auto& block : blocks) {
+    for_each_block([&](const std::vector<Pair>& block) {
         for (const Pair& pair : block) {
-            ++start[pair.first + 1];
+            take_one(start[pair.first]);
         }
-    }
-    for (std::size_t g = 0; g < grains; ++g) {
-        start[g + 1] += start[g];
-    }
-    std::vector<Pair> pairs(start.back());
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (auto& block : blocks) {
+    });
+    std::vector<Pair> pairs(sum_before(std::span(start)));
+    std::vector<std::uint32_t> next = start;
+    for_each_block([&](std::vector<Pair>& block) {
         for (const Pair& pair : block) {
-            pairs[next[pair.first]++] = pair;
+            pairs[take_one(next[pair.first])] = pair;
         }
         block = std::vector<Pair>(); // as large as what it was copied to
-    }
+    });
     parallel_for(grains, 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
             std::sort(pairs.begin() + start[g], pairs.begin() + start[g + 1]);
@@ -110,18 +119,31 @@ void check_input(const Mat3& h, std::span<const Vec3> position) {
         throw GeometryError(fmt::format("the periodic cell has the volume {} m3; it must be positive", determinant(h)));
     }
     const Mat3 inverse_h = inverse(h);
-    for (std::size_t g = 0; g < position.size(); ++g) {
+    const auto is_finite = [&](std::size_t g) {
         const auto& [x, y, z] = position[g];
-        if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
-            throw GeometryError(fmt::format("the position of grain row {} is not finite: the motion has blown up", g));
-        }
-        if (!cell::has_period(inverse_h, position[g])) {
-            throw GeometryError(fmt::format(
-                "grain row {} lies more than {} periods from the origin: wrap the positions into the cell", g,
-                cell::largest_period
-            ));
-        }
+        return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
+    };
+    const auto is_refused = [&](std::size_t g) { return !is_finite(g) || !cell::has_period(inverse_h, position[g]); };
+    const std::size_t first = parallel_sum(
+        position.size(), 4096, position.size(),
+        [&](std::size_t begin, std::size_t end) {
+            while (begin < end && !is_refused(begin)) {
+                ++begin;
+            }
+            return begin < end ? begin : position.size();
+        },
+        [](std::size_t a, std::size_t b) { return std::min(a, b); }
+    );
+    if (first == position.size()) {
+        return;
     }
+    if (!is_finite(first)) {
+        throw GeometryError(fmt::format("the position of grain row {} is not finite: the motion has blown up", first));
+    }
+    throw GeometryError(fmt::format(
+        "grain row {} lies more than {} periods from the origin: wrap the positions into the cell", first,
+        cell::largest_period
+    ));
 }
 
 /// Periods in which a grain within `reach` [m] may be, both grains inside the cell. @param width of the cell [m]

@@ -22,7 +22,9 @@ BenchFlowResult bench_flow(const BenchFlowSpec& spec) {
     result.throats = seepage.network.throats.size();
     result.triangulate = seepage.seconds.triangulate;
     result.conductance = seepage.seconds.conductance;
+    result.set_up = seepage.seconds.set_up;
     result.solve = seepage.seconds.solve;
+    result.iterations = seepage.field.iterations;
     result.forces = seepage.seconds.forces;
     result.permeability = seepage.permeability;
     result.mean_velocity = seepage.mean_velocity;
@@ -32,12 +34,9 @@ BenchFlowResult bench_flow(const BenchFlowSpec& spec) {
 }
 
 void to_json(nlohmann::json& json, const BenchFlowResult& r) {
-    const nlohmann::json seconds = {
-        {"triangulate", r.triangulate},
-        {"conductance", r.conductance},
-        {"solve", r.solve},
-        {"forces", r.forces},
-        {"total", r.total}};
+    const nlohmann::json seconds = {{"triangulate", r.triangulate}, {"conductance", r.conductance},
+                                    {"set_up", r.set_up},           {"solve", r.solve},
+                                    {"forces", r.forces},           {"total", r.total}};
     json = {
         {"threads", r.threads},
         {"grains", r.grains},
@@ -46,6 +45,7 @@ void to_json(nlohmann::json& json, const BenchFlowResult& r) {
         {"seconds", seconds},
         {"permeability", r.permeability},
         {"mean_velocity", r.mean_velocity},
+        {"iterations", r.iterations},
         {"residual", r.residual},
         {"force_sum_error", r.force_sum_error},
     };

@@ -18,12 +18,14 @@ struct BenchFlowSpec {
 struct BenchFlowResult {
     int threads = 1;
     std::size_t grains = 0, pores = 0, throats = 0;
-    double triangulate = 0, conductance = 0, solve = 0, forces = 0; ///< wall time [s]
-    double total = 0;                                               ///< of the whole solution [s]
-    double permeability = 0;                                        ///< along the direction [m2]
-    Vec3 mean_velocity;                                             ///< superficial [m/s]
-    double residual = 0;                                            ///< of the linear solve [-]
-    double force_sum_error = 0;                                     ///< relative to -V grad p [-]
+    double triangulate = 0, conductance = 0, forces = 0; ///< wall time [s]
+    double set_up = 0, solve = 0;                        ///< of the multigrid, and the solution by it, likewise [s]
+    double total = 0;                                    ///< of the whole [s]
+    int iterations = 0;                                  ///< of the solution
+    double permeability = 0;                             ///< along the direction [m2]
+    Vec3 mean_velocity;                                  ///< superficial [m/s]
+    double residual = 0;                                 ///< of the linear solve [-]
+    double force_sum_error = 0;                          ///< relative to -V grad p [-]
 };
 
 /// @throws as load_bench_packing and flow::solve_seepage.

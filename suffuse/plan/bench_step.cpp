@@ -6,31 +6,12 @@
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
-#include "suffuse/dem/order.hpp"
-#include "suffuse/dem/settle.hpp"
 #include "suffuse/record/result_json.hpp"
 
 #include <fmt/format.h>
 
 namespace suffuse::plan {
 namespace {
-
-constexpr std::int64_t most_settle_steps = 500'000;
-constexpr double shear_servo_rate = 60; // largest lateral strain rate, as the reference's scene has it [1/s]
-
-void settle_sample(dem::World& world, dem::StepCaches& caches, const dem::StepPlan& plan, BenchStepResult& result) {
-    const Stopwatch watch;
-    result.settle_steps = dem::settle(world, caches, plan, {}, most_settle_steps).steps;
-    result.settle_seconds = watch.seconds();
-    result.contacts_before = dem::measure_equilibrium(world).contacts;
-}
-
-cell::Loading slow_shear(const BenchStepSpec& spec) {
-    cell::Loading loading = dem::isotropic_stress(spec.pressure);
-    loading.axis[2] = {cell::Control::StrainRate, spec.strain_rate};
-    loading.servo.max_rate = shear_servo_rate;
-    return loading;
-}
 
 void describe_end(const dem::World& world, const Mat3& stress, BenchStepResult& result) {
     const dem::Equilibrium end = dem::measure_equilibrium(world);
@@ -54,24 +35,18 @@ void describe_end(const dem::World& world, const Mat3& stress, BenchStepResult& 
 } // namespace
 
 BenchStepResult bench_step(const BenchStepSpec& spec) {
-    expects(spec.steps > 0 && spec.time_step > 0, "a benchmark needs steps and a time step");
+    expects(spec.steps > 0, "a benchmark needs steps");
     const std::int64_t bytes_before = resident_bytes();
-    dem::World world = load_bench_packing(spec.packing);
-    dem::sort_along_curve(world);
-    dem::StepCaches caches;
-    dem::StepPlan plan;
-    plan.mode = spec.mode;
-    plan.dt = spec.time_step;
-    plan.loading = dem::isotropic_stress(spec.pressure);
-
+    auto [world, caches, plan, settle_steps, settle_seconds] = settle_for_shear(spec.packing, spec.shear);
     BenchStepResult result;
-    result.mode = spec.mode;
+    result.mode = spec.shear.mode;
     result.threads = thread_count();
     result.grains = static_cast<std::int64_t>(world.grains.size());
     result.steps = spec.steps;
-    settle_sample(world, caches, plan, result);
+    result.settle_steps = settle_steps;
+    result.settle_seconds = settle_seconds;
+    result.contacts_before = dem::measure_equilibrium(world).contacts;
 
-    plan.loading = slow_shear(spec);
     const std::int64_t searches = caches.neighborhood.searches(), tables = caches.neighborhood.prunings();
     forget_peak();
     const Stopwatch watch;

@@ -1,10 +1,7 @@
 #pragma once
-// The speed of the time step on a packing brought from elsewhere, with the physics that it was reached at: the packing
-// is settled with the example's law at 100 kPa, then sheared slowly, lateral stress held by the servo [reference,
-// section 6].
+// The speed of the time step on a packing that is sheared slowly, with the physics that it was reached at.
 
-#include "suffuse/dem/step.hpp"
-#include "suffuse/plan/bench_packing.hpp"
+#include "suffuse/plan/bench_shear.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -14,11 +11,8 @@ namespace suffuse::plan {
 
 struct BenchStepSpec {
     BenchPacking packing;
-    dem::Mode mode = dem::Mode::Reference;
+    ShearSpec shear;
     std::int64_t steps = 2000; ///< that are timed
-    double time_step = 4.1e-8; ///< [s]
-    double pressure = 100e3;   ///< of the settled state, and then of the lateral stress [Pa]
-    double strain_rate = 10;   ///< axial, along z, compression positive [1/s]
 };
 
 struct BenchStepResult {
@@ -45,7 +39,7 @@ struct BenchStepResult {
     double settle_seconds = 0;
 };
 
-/// @throws as load_bench_packing; StateError where the packing does not settle at the pressure.
+/// @throws as settle_for_shear.
 BenchStepResult bench_step(const BenchStepSpec& spec);
 
 void to_json(nlohmann::json& json, const BenchStepResult& result);

@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/plan/bench_flow.hpp"
+#include "suffuse/plan/bench_scaling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -86,8 +87,34 @@ TEST(BenchFlow, FindsTheReferencesPermeability) {
     const BenchFlowResult r = bench_flow(spec);
     EXPECT_NEAR(r.permeability, 5.315e-11, 5e-14); // Yade's for this packing, to the digits that it is printed with
     EXPECT_EQ(r.pores, 3045U);
-    EXPECT_LE(r.triangulate + r.conductance + r.solve + r.forces, r.total);
+    EXPECT_LE(r.triangulate + r.conductance + r.set_up + r.solve + r.forces, r.total);
     EXPECT_GT(r.triangulate, 0);
+    EXPECT_GT(r.iterations, 1);
+}
+
+TEST(BenchScaling, NamesTheShareOfEachPhaseThatStaysWithOneThread) {
+    BenchScalingSpec spec;
+    spec.packing = packing500();
+    spec.packing.replicate = 2;
+    spec.steps = 300; // with some contact tables among them
+    const BenchScalingResult result = bench_scaling(spec);
+    std::vector<std::string> names;
+    for (const ScalingWork* const work : {&result.step, &result.flow}) {
+        double seconds = 0;
+        for (const ScalingPhase& phase : work->phases) {
+            names.push_back(phase.name);
+            EXPECT_GE(phase.serial_share, 0) << phase.name;
+            EXPECT_LE(phase.serial_share, 1) << phase.name;
+            EXPECT_GT(phase.speed_up.at(8), 0) << phase.name;
+            seconds += phase.seconds;
+        }
+        EXPECT_NEAR(seconds, work->all.seconds, 1e-9 * seconds);
+        EXPECT_GT(work->all.serial_share, 0);
+        EXPECT_GT(work->all.loops, 0);
+    }
+    for (const char* const name : {"step", "contact table", "triangulation", "solution"}) {
+        EXPECT_TRUE(std::ranges::count(names, name) == 1) << name;
+    }
 }
 
 } // namespace

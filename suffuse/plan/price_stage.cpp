@@ -218,7 +218,8 @@ public:
             .seconds = ((travels ? 3 : 2) + ramp) * passes * one_flow(),
             .memory_a_grain = 4 * grain_memory + flow_memory,
             .basis = fmt::format(
-                "{} passes{}: {}, two new equilibria; more where the skeleton gives way", spec.passes,
+                "{}{}: {}, two new equilibria; more where the skeleton gives way",
+                spec.passes == 1 ? "1 pass" : fmt::format("{} passes", spec.passes),
                 spec.until_nothing_leaves ? " and more, until nothing leaves" : "",
                 weighs ? "rest under weight and a ramp of gradients" : "relaxation, probe with its twin"
             )};

@@ -17,13 +17,17 @@ namespace {
 
 constexpr std::size_t block = 1024;
 
-/// Number of parts worth their images: two of 10,000 grains, which have a tenth more images than one; 16 of a million.
+/// Number of parts worth their images: two of 10,000 grains, which have a tenth more images than one; 16 of a million;
+/// one a thread where each has grains enough to be worth twice the work. However it is cut, the triangulation is one.
 int suitable_parts(std::size_t grains) {
     constexpr double grains_in_two = 10'000;
-    return static_cast<int>(2 * std::sqrt(static_cast<double>(grains) / grains_in_two));
+    constexpr std::size_t least_grains = 4'000;
+    const int few = static_cast<int>(2 * std::sqrt(static_cast<double>(grains) / grains_in_two));
+    const int most = static_cast<int>(grains / least_grains);
+    return std::max(few, std::min(2 * thread_count() - 1, most));
 }
 
-/// Halves the widest side of the parts until there are enough of them; depends on the packing only.
+/// Halves the widest side of the parts until there are enough of them.
 Cuts choose_cuts(const ExactPacking& packing, int parts) {
     const int wanted = parts > 0 ? parts : suitable_parts(packing.radius.size());
     Cuts cuts = {1, 1, 1};

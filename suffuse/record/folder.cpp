@@ -229,7 +229,8 @@ void log_event(const std::filesystem::path& run, nlohmann::json event) {
 }
 
 void keep_provenance(
-    const std::filesystem::path& folder, const casefile::Case& what, const std::string& command, double wall_seconds
+    const std::filesystem::path& folder, const casefile::Case& what, const std::string& command, double wall_seconds,
+    const std::string& until
 ) {
     const std::filesystem::path file = folder / provenance_file;
     nlohmann::json provenance = describe_provenance(what, command, wall_seconds), calls = nlohmann::json::array();
@@ -248,6 +249,9 @@ void keep_provenance(
         provenance["wall_seconds"] = total;
     });
     provenance["calls"] = std::move(calls);
+    if (!until.empty()) {
+        provenance["until"] = until;
+    }
     write_json(file, provenance);
 }
 

@@ -63,9 +63,10 @@ void log_event(const std::filesystem::path& run, nlohmann::json event);
 
 /// Writes the provenance of a run, or of a sample alone: version, compiler, processor, threads, seed, hash of the
 /// resolved case, and every call that worked on it, with their time together.
-/// @param command, wall_seconds of this call
+/// @param command, wall_seconds of this call; @param until the stage that each sample was to end with, if any
 void keep_provenance(
-    const std::filesystem::path& folder, const casefile::Case& what, const std::string& command, double wall_seconds
+    const std::filesystem::path& folder, const casefile::Case& what, const std::string& command, double wall_seconds,
+    const std::string& until = {}
 );
 
 } // namespace suffuse::record

@@ -168,9 +168,9 @@ const char* const plain_sentence = "<p class=\"missing\" role=\"note\">This repo
                                    "viewer.</p>\n";
 
 // Shown after some seconds unless the script, which runs at once where it may, has taken it away.
-const char* const no_script_sentence =
-    "<p class=\"missing late\" id=\"no-script\" role=\"note\">The charts need JavaScript, which did not run here. All "
-    "numbers are in the tables: open “Numbers” below each figure.</p>\n";
+const char* const no_script_sentence = "<p class=\"missing late\" id=\"no-script\" role=\"note\">The charts are drawn "
+                                       "by JavaScript. Where it does not run, all "
+                                       "numbers are in the tables: open “Numbers” below each figure.</p>\n";
 
 Sections sections_of(const ReportData& report, const std::optional<PageScript>& script) {
     Numbering numbering;

@@ -96,6 +96,13 @@ std::string print_cover(const ReportData& report, const std::vector<std::pair<st
     for (const std::string& line : report.opening.verdict) {
         verdict += typeset(line) + " ";
     }
+    std::string caution;
+    for (const std::string& text : report.opening.disagreement) {
+        caution += typeset(text) + " ";
+    }
+    if (!report.unfinished.missing.empty()) {
+        caution += "This run is not complete: " + typeset(report.unfinished.missing) + ".";
+    }
     const auto add = [&](const char* what, const std::string& value) {
         facts += value.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", what, escaped(value));
     };
@@ -111,11 +118,12 @@ std::string print_cover(const ReportData& report, const std::vector<std::pair<st
     }
     return fmt::format(
         "<div class=\"cover\"><div class=\"k\">Report of a run of suffuse</div>\n<div class=\"big\">{}</div>\n"
-        "<div class=\"sub\">{}{}</div>\n<dl>{}</dl>\n<div class=\"toc\"><div "
+        "<div class=\"sub\">{}{}</div>\n{}<dl>{}</dl>\n<div class=\"toc\"><div "
         "class=\"k\">Contents</div><ol>{}</ol></div>"
         "</div>\n",
         escaped(report.title), verdict,
-        report.opening.confidence.empty() ? "" : typeset(report.opening.confidence) + ".", facts, contents
+        report.opening.confidence.empty() ? "" : typeset(report.opening.confidence) + ".",
+        caution.empty() ? "" : "<div class=\"sub\"><b>But:</b> " + caution + "</div>\n", facts, contents
     );
 }
 

@@ -110,6 +110,7 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
     numbers["seconds"] = {
         {"triangulate", seepage.seconds.triangulate},
         {"conductance", seepage.seconds.conductance},
+        {"set_up", seepage.seconds.set_up},
         {"solve", seepage.seconds.solve},
         {"forces", seepage.seconds.forces}};
     numbers["steps"] = 0;

@@ -58,7 +58,8 @@ std::string tell_few_active(const erosion::ErosionResult& erosion, const PassRes
     const std::int64_t active = left_with_at_least(*second, active_from);
     if (active == 0) {
         return fmt::format(
-            "No grain that left in pass 2 carried load: pass 1 took what carries nothing, and {} left over.{}",
+            "{}: pass 1 took what carries nothing, and {} left over.{}",
+            second->removed == 0 ? "No grain left in pass 2" : "No grain that left in pass 2 carried load",
             second->removed == 0 ? "nothing was" : "only what it set free was", tell_pull(*second)
         );
     }

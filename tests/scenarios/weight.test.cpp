@@ -60,6 +60,7 @@ TEST(Weight, TellsTheGradientsOfASandThatHardlyMovesAndLeavesItAsItWas) {
     const std::string page = text_of(folder.path() / "run/report.html");
     EXPECT_NE(page.find("Upward flow moves"), std::string::npos);
     EXPECT_NE(page.find("own-mobility"), std::string::npos);
+    EXPECT_NE(page.find("Internal stability by the simulated grading"), std::string::npos);
 }
 
 TEST(Weight, DecidesWhatAnErosionTakesWhoseGradientRisesFromPassToPass) {
