@@ -102,7 +102,7 @@ TEST(Completions, BashOffersValuesFilesAndVerbsBelowVerbs) {
     std::ofstream(folder / "my case.toml") << "";
     std::ofstream(folder / "grains.csv") << "";
     EXPECT_EQ(offered(folder, "suffuse run --color "), (std::set<std::string>{"always", "auto", "never"}));
-    EXPECT_EQ(offered(folder, "suffuse bench "), (std::set<std::string>{"flow", "step"}));
+    EXPECT_EQ(offered(folder, "suffuse bench "), (std::set<std::string>{"flow", "scaling", "step"}));
     EXPECT_TRUE(offered(folder, "suffuse bench step --time").contains("--time-step"));
     EXPECT_TRUE(offered(folder, "suffuse explain rolling_f").contains("rolling_friction"));
     EXPECT_TRUE(offered(folder, "suffuse new --from font").contains("fontainebleau-2016"));

@@ -156,12 +156,12 @@ TEST_F(Page, ShowsChartsThatWereDrawnForItWithoutAnyScript) {
     write_script("1");
     ReportData report = test::sample_report("Sand");
     const auto page = [&] { return read_all(write_report(folder.path(), report, folder / "page").file); };
-    EXPECT_NE(page().find("The charts need JavaScript"), std::string::npos);
+    EXPECT_NE(page().find("The charts are drawn by JavaScript"), std::string::npos);
     for (figures::Figure& figure : report.figures) {
         figure.still = "<svg class=\"marks\"><path/></svg>";
     }
     const std::string text = page();
-    EXPECT_EQ(text.find("The charts need JavaScript"), std::string::npos);
+    EXPECT_EQ(text.find("The charts are drawn by JavaScript"), std::string::npos);
     EXPECT_NE(
         text.find("data-chart=\"fig11\"><svg aria-labelledby=\"fig11-title\" aria-describedby=\"fig11-caption\" "
                   "class=\"marks\">"),
