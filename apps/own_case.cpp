@@ -2,7 +2,7 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
-#include "suffuse/casefile/physics_checks.hpp"
+#include "suffuse/casefile/wide_checks.hpp"
 
 #include <fmt/format.h>
 

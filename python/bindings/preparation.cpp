@@ -22,13 +22,12 @@ namespace suffuse::python {
 namespace {
 
 packing::Protocol protocol_of(const std::string& word) {
-    using packing::Protocol;
-    for (const Protocol protocol : {Protocol::Faithful, Protocol::Swift, Protocol::Slow}) {
-        if (word == packing::name_of(protocol)) {
+    for (const auto& [protocol, name] : casefile::names::protocol) {
+        if (word == name) {
             return protocol;
         }
     }
-    throw CaseError(fmt::format("protocol: found \"{}\", expected faithful, swift or slow", word));
+    throw CaseError(fmt::format("protocol: found \"{}\", expected faithful, swift, slow or wide", word));
 }
 
 /// One compaction, to its end or until it is seen to miss a void ratio asked for.
@@ -129,7 +128,7 @@ py::dict compact(
         dict["trials"] = found.trials;
         dict["preparation_friction"] = found.spec.prepare.friction.value_or(call.world().material.friction);
     }
-    warn_caller(run::words_on_overlap(state.balance.equilibrium.max_overlap_ratio));
+    warn_caller(run::words_on_overlap(state.balance.equilibrium.max_overlap_ratio, call.world().material));
     dict["steps"] = state.steps;
     dict["void_ratio_compacted"] = state.void_ratio_compacted;
     return dict;

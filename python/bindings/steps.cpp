@@ -128,7 +128,7 @@ py::dict settle(
             }
         );
     }
-    warn_caller(run::words_on_overlap(settling.balance.equilibrium.max_overlap_ratio));
+    warn_caller(run::words_on_overlap(settling.balance.equilibrium.max_overlap_ratio, call.world().material));
     nlohmann::json reached(settling.balance);
     reached["collapsed"] = settling.collapsed;
     return to_python(reached);

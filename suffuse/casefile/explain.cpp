@@ -135,7 +135,7 @@ constexpr std::array code_table = {
         "grading."},
     Code{
         "W611", "a lowered friction that a search replaces",
-        "Where a void ratio is asked for, the protocols faithful and slow find the friction during compaction that "
+        "Where a void ratio is asked for, all protocols but swift find the friction during compaction that "
         "leads to it, and ignore the one given. Leave either out; or take the protocol swift, which keeps the "
         "friction and searches the porosity at its start."},
     Code{
@@ -147,6 +147,15 @@ constexpr std::array code_table = {
         "W614", "entries for passes that are not made",
         "`gradient`, `hold` and `detached` of an erosion may be lists, one entry a pass; `passes` says how many are "
         "made."},
+    Code{
+        "W615", "a protocol for wider gradings",
+        "The protocol wide lends fine grains the inertia with which they roll on much coarser ones as on their like. "
+        "Where no grain is four times another, that is of no use, and faithful is measured more closely."},
+    Code{
+        "W616", "a grading too wide for its protocol",
+        "Where coarse grains are many times the size of the fine ones, the other protocols fail or mislead: the servo "
+        "of slow rings, swift may not find its pressure, faithful takes ten times the steps of wide and leaves plain "
+        "samples looser. docs/limits.md has the numbers."},
     Code{
         "E617", "grains that do not sink",
         "With [gravity] fines have weight less buoyancy: grains must be denser than the fluid."},

@@ -305,6 +305,15 @@ void check_start(Reader& v, const packing::CompactSpec& s) {
             "add protocol = \"swift\", or give the porosity to the stage that packs"
         );
     }
+    if (s.time_step > 0 && s.protocol == packing::Protocol::Wide) {
+        v.error(
+            "E207", v.place(),
+            fmt::format(
+                "{} gives a `time_step`, and protocol \"wide\" lends grains inertia for longer ones", v.title()
+            ),
+            "leave `time_step` out, or take protocol = \"faithful\", which lends nothing beside one"
+        );
+    }
 }
 
 void check_start(Writer&, const packing::CompactSpec&) {}

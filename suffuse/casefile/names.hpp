@@ -49,7 +49,7 @@ inline constexpr std::array shear_stresses = {Word<bool>{false, "kept"}, Word<bo
 inline constexpr std::array protocol = {
     Word<packing::Protocol>{packing::Protocol::Faithful, "faithful"},
     Word<packing::Protocol>{packing::Protocol::Swift, "swift"},
-    Word<packing::Protocol>{packing::Protocol::Slow, "slow"}};
+    Word<packing::Protocol>{packing::Protocol::Slow, "slow"}, Word<packing::Protocol>{packing::Protocol::Wide, "wide"}};
 
 inline constexpr std::array triaxial_path = {
     Word<triaxial::Path>{triaxial::Path::Drained, "drained"},

@@ -4,6 +4,7 @@
 #include "suffuse/casefile/sample_checks.hpp"
 #include "suffuse/casefile/stage_loading.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
+#include "suffuse/casefile/wide_checks.hpp"
 #include "suffuse/contact/springs.hpp"
 #include "suffuse/erosion/heave.hpp"
 #include "suffuse/grains/grading.hpp"
@@ -19,19 +20,12 @@ namespace suffuse::casefile {
 namespace {
 
 constexpr double large_overlap = 0.02;   ///< of the radius: doubtful [-]
-constexpr double large_squeezed = 0.1;   ///< of the finest radius: what a run warns of when it is seen [-]
-constexpr double wide_grading = 4;       ///< coarsest over finest grain, below which that rule was not looked at
 constexpr double largest_overlap = 0.05; ///< of the radius: the contact law no longer describes grains [-]
 
-/// To two digits, for advice.
-double round_up(double value) {
-    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
-    return std::ceil(value / unit) * unit;
-}
-
-/// With which grains overlap by so many times less [Pa], rounded up.
-double stiffer_modulus(const grains::Material& material, double times) {
-    return round_up(material.modulus * std::pow(times, contact::spring_of(material).exponent(material)));
+/// That of a stage that compacts.
+std::optional<packing::Protocol> protocol_of(const Stage& stage) {
+    const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec);
+    return compact == nullptr ? std::nullopt : std::optional(compact->protocol);
 }
 
 class Checks {
@@ -42,7 +36,9 @@ public:
     void check_pressure(const Stage& stage, std::string_view key, double pressure) {
         const double overlap = contact::mean_overlap_at(variant_.material, std::abs(pressure));
         if (overlap <= large_overlap) {
-            check_squeezed(stage_place(stage, key), std::abs(pressure));
+            check_squeezed(
+                context_.problems, stage_place(stage, key), std::abs(pressure), variant_, protocol_of(stage)
+            );
             return;
         }
         const std::string message = fmt::format(
@@ -61,29 +57,9 @@ public:
         }
     }
 
-    /// The finest grains of a wide grading, where the mean overlap is small.
-    void check_squeezed(const Place& place, double pressure) {
-        const auto grading = variant_.soil ? whole_grading(*variant_.soil) : std::nullopt;
-        if (!grading) {
-            return;
-        }
-        const double ratio = largest_grain(*grading) / grains::size_at(*grading, 0);
-        const double overlap = squeezed_overlap_at(pressure, variant_.material, ratio);
-        if (overlap <= large_squeezed || ratio < wide_grading) {
-            return;
-        }
-        context_.problems.warning(
-            "W609", place,
-            fmt::format(
-                "at {} the finest grains, {:.3g} times smaller than the coarsest, overlap by some {:.0f} % of their "
-                "radius where they are caught between those",
-                print_quantity(pressure, dimension::pressure), ratio, 100 * overlap
-            ),
-            fmt::format(
-                "a stiffer contact `modulus` of {} makes that some {:.0f} %; steps grow with its root",
-                print_quantity(stiffer_modulus(variant_.material, overlap / good_squeezed), dimension::pressure),
-                100 * good_squeezed
-            )
+    void check_protocol(const Stage& stage) {
+        casefile::check_protocol(
+            context_.problems, stage_place(stage, "protocol"), stage.name, protocol_of(stage).value(), variant_
         );
     }
 
@@ -215,7 +191,7 @@ public:
         }
     }
 
-    /// The friction on the way to a void ratio is what faithful and slow search.
+    /// The friction on the way to a void ratio is what all but swift search.
     void check_searched_friction(const Stage& stage, const packing::CompactSpec& compact) {
         const bool is_searched =
             (compact.void_ratio || compact.intergranular_void_ratio) && compact.protocol != packing::Protocol::Swift;
@@ -317,6 +293,7 @@ struct CheckValues {
     void operator()(const packing::CompactSpec& compact) const {
         checks.check_pressure(stage, "pressure", compact.pressure);
         checks.check_searched_friction(stage, compact);
+        checks.check_protocol(stage);
         checks.check_adhesion(stage, compact.prepare);
     }
 
@@ -373,11 +350,6 @@ void check_stage(Checks& checks, const Stage& stage) {
 }
 
 } // namespace
-
-double squeezed_overlap_at(double pressure, const grains::Material& material, double size_ratio) {
-    constexpr double of_chains = 4; // over the pressure: stress of the strongest chains
-    return contact::spring_of(material).overlap_under(material, of_chains * pressure * size_ratio * size_ratio);
-}
 
 void check_physics(ReadContext& context, const Case& settings, const Study& study, const Variant& variant) {
     Checks checks(context, settings, study, variant);

@@ -36,8 +36,8 @@ TEST(PhysicsChecks, FineGrainsBetweenMuchCoarserOnesNeedAStifferContact) {
     );
     const Diagnostic found = find_problem(problems_of(wide), "W609");
     EXPECT_EQ(found.line, 14);
-    const std::string advised =
-        found.help.substr(found.help.find("of ") + 3, found.help.find(" makes") - found.help.find("of ") - 3);
+    const std::size_t quote = found.help.find('"');
+    const std::string advised = found.help.substr(quote + 1, found.help.find('"', quote + 1) - quote - 1);
     const std::string stiffer =
         replaced(wide, "schema = 1\n", "schema = 1\n[contact]\nmodulus = \"" + advised + "\"\n");
     EXPECT_EQ(find_problem(problems_of(stiffer), "W609").code, "");

@@ -218,7 +218,8 @@ std::vector<Key> preparation_rows() {
             choice(
                 "stage.compact", "protocol", names::words_of(names::protocol),
                 "faithful: the reference's fabric in fewer steps; swift: the quickest, best with `void_ratio`, more "
-                "contacts at the same void ratio; slow: the reference's own rates, time step and servo."
+                "contacts at the same void ratio; slow: the reference's own rates, time step and servo; wide: coarse "
+                "grains six and more times the size of the fine ones, in a tenth of the steps of faithful."
             ),
             ratio(
                 "stage.compact", "start_porosity", {0.2, 1, false, true},
@@ -228,8 +229,8 @@ std::vector<Key> preparation_rows() {
             table("stage.compact", "prepare", "How contacts behave during compaction only."),
             quantity(
                 "stage.compact.prepare", "friction", dimension::angle, friction_range,
-                "Lowered contact friction: a dense sample. For a void ratio faithful and slow search it, and ignore "
-                "the one given."
+                "Lowered contact friction: a dense sample. For a void ratio all but swift search it, and ignore the "
+                "one given."
             ),
             table(
                 "stage.compact.prepare", "adhesion",
@@ -250,8 +251,8 @@ std::vector<Key> preparation_rows() {
             ),
             ratio(
                 "stage.compact", "void_ratio", {0.1, 5, false, false},
-                "Void ratio to meet: faithful and slow search the friction during compaction, swift the porosity at "
-                "its start."
+                "Void ratio to meet: swift searches the porosity at its start, the others the friction during "
+                "compaction."
             ),
             ratio(
                 "stage.compact", "intergranular_void_ratio", {0.1, 50, false, false},

@@ -12,6 +12,11 @@ double mass_factor(double median, double radius) {
     return radius < median ? std::exp2(std::floor(2 * std::log2(median / radius))) : 1;
 }
 
+/// Between that and its own: (r_median/r). The nearest power of two.
+double gentle_mass_factor(double median, double radius) {
+    return radius < median ? std::exp2(std::round(std::log2(median / radius))) : 1;
+}
+
 /// With that mass, a grain that rolls on the largest one has a frequency squared as 1/(r (r + r_largest)); with this
 /// factor none is quicker than the median grain. The power of two above that.
 double turning_factor(double median, double largest, double radius) {
@@ -19,10 +24,21 @@ double turning_factor(double median, double largest, double radius) {
     return slower_turning * slower_turning * (quicker > 1 ? std::exp2(std::ceil(std::log2(quicker))) : 1);
 }
 
+/// Whatever its mass m, a grain that rolls on the largest one has a frequency squared as r_largest^2/((r + r_largest)
+/// m), on its like as r/(2 m): with this factor it rolls no quicker on the first. The power of two above that.
+double fines_turning_factor(double median, double largest, double radius) {
+    const double quicker = 2 * largest * largest / (radius * (radius + largest));
+    return radius < median ? std::exp2(std::ceil(std::log2(quicker))) : 1;
+}
+
 } // namespace
 
 InertiaFactors lent_factors(const Lent& lent, double radius, double median, double largest) {
-    return {lent.mass ? mass_factor(median, radius) : 1, lent.rotation ? turning_factor(median, largest, radius) : 1};
+    const double mass = !lent.mass ? 1 : lent.gently ? gentle_mass_factor(median, radius) : mass_factor(median, radius);
+    const double turning = lent.rotation         ? turning_factor(median, largest, radius)
+                           : lent.fines_rotation ? fines_turning_factor(median, largest, radius)
+                                                 : 1;
+    return {mass, turning};
 }
 
 void lend_inertia(World& world, double median_diameter, const Lent& has, const Lent& wanted) {

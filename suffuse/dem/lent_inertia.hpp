@@ -11,6 +11,9 @@ struct Lent {
     bool mass = false;     ///< grains below the median size (by mass) are as heavy as makes all equally quick
     bool rotation = false; ///< moments of inertia are four times as large, and of grains below the median size so large
                            ///< that they roll on the largest one no quicker than the median grain does
+    bool gently = false; ///< mass grows as the ratio of the sizes only, not as its square: what is lighter packs denser
+    bool fines_rotation = false; ///< moments of inertia of grains below the median size alone are so large that they
+                                 ///< roll on the largest one no quicker than on their like
 
     friend bool operator==(const Lent&, const Lent&) = default;
 };

@@ -24,6 +24,11 @@ namespace {
     }
 }
 
+/// 1 for a grain that moves as it is pushed, 0 for one that is held: those have no inverse mass.
+[[gnu::always_inline]] inline Double4 is_free(const grains::MovingRow& row) {
+    return broadcast<3>(row.position) > Double4{} ? Double4{} + 1.0 : Double4{};
+}
+
 /// By how much the grain's squared motion exceeds what the watch allows, in the first lane [m2].
 template <class Matrix>
 [[gnu::always_inline]] inline Double4
@@ -43,7 +48,7 @@ move_tile(const motion::MotionOf<Double4, Matrix>& motion, const GrainMove& w, s
         const Double4 force = w.load == nullptr ? sum.force : sum.force + w.load_share * double4(w.load[g], 0);
         Double4 position = row.position, velocity = row.velocity;
         const Double4 inverse_mass = broadcast<3>(position), inverse_inertia = broadcast<3>(velocity);
-        const Double4 free = inverse_mass > Double4{} ? Double4{} + 1.0 : Double4{};
+        const Double4 free = is_free(row);
         motion::shift(motion, inverse_mass * force, free, position, velocity);
         row.position = with_last_of(position, row.position);
         row.velocity = with_last_of(velocity, row.velocity);
@@ -111,12 +116,14 @@ template <class Matrix>
     constexpr std::size_t side = 4;
     for (std::size_t k = begin; k < end; k += side) {
         std::array<grains::MovingRow, side> row{};
+        std::array<Double4, side> free{};
         for (std::size_t q = 0; q < side; ++q) {
             row[q] = rows[roster[std::min(k + q, end - 1)]];
+            free[q] = is_free(row[q]);
         }
         for (const motion::MotionOf<Double4, Matrix>& step : steps) {
             for (std::size_t q = 0; q < side; ++q) {
-                motion::coast(step, row[q].position, row[q].velocity, row[q].spin);
+                motion::coast(step, free[q], row[q].position, row[q].velocity, row[q].spin);
             }
         }
         for (std::size_t q = 0; q < std::min(side, end - k); ++q) {

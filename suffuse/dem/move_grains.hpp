@@ -58,7 +58,7 @@ bool move_domain(const GrainMove& move, std::size_t domain);
 constexpr std::size_t most_slept_steps = 64;
 
 /// Moves the grains that slept through `steps`, at most `most_slept_steps`, to the bits that `move_grains` without load
-/// and drag would have given them.
+/// would have given them.
 void coast_sleepers(
     std::span<const motion::StepMotion> steps, const contact::SumPlan& plan, std::vector<grains::MovingRow>& rows
 );

@@ -296,7 +296,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     const contact::LawConstants law = contact::resolve_law(world.material);
     take(world, plan.mode, caches);
     look_at_sizes(world, plan.loading, caches);
-    caches.sleep = plan.load == nullptr && plan.drag == 0;
+    caches.sleep = plan.load == nullptr; // drag only slows what nothing pushes
     caches.slept.clear();
     caches.slept.reserve(most_slept_steps);
     if (caches.sleep) {

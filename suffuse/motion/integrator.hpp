@@ -97,12 +97,18 @@ spin_on(const MotionOf<Vec, Matrix>& step, const Vec& turn, const Scalar& free, 
     spin += step.spin_change;
 }
 
-/// What these do, to the bit, to a grain that nothing pushes or turns, without drag.
-template <class Vec, class Matrix>
-[[gnu::always_inline]] inline void coast(const MotionOf<Vec, Matrix>& step, Vec& position, Vec& velocity, Vec& spin) {
-    const Vec nothing{}; // added as they do, for the sign of zeros
-    velocity += step.dt * (nothing + step.old_gradient * velocity);
-    spin += nothing;
+/// What these do, to the bit, to a grain that nothing pushes or turns.
+template <class Vec, class Matrix, class Scalar>
+[[gnu::always_inline]] inline void
+coast(const MotionOf<Vec, Matrix>& step, const Scalar& free, Vec& position, Vec& velocity, Vec& spin) {
+    Vec acceleration{}, spin_up{}; // zeros are added as they do, for the sign of zeros
+    if (step.drag > 0) {
+        acceleration -= free * step.drag * (velocity - step.old_gradient * position);
+        spin_up -= free * step.drag * spin;
+    }
+    acceleration += step.old_gradient * velocity;
+    velocity += step.dt * acceleration;
+    spin += step.dt * spin_up;
     velocity += step.change * position;
     spin += step.spin_change;
     position += step.dt * velocity;

@@ -81,14 +81,14 @@ TEST(Integrator, ANewMeanMotionIsGivenToTheGrainsWithItsSpin) {
 }
 
 template <class Vec, class Matrix>
-void expect_coasting_as_moving(const MotionOf<Vec, Matrix>& step) {
-    const Double4 one = Double4{} + 1.0, nothing{};
+void expect_coasting_as_moving(const MotionOf<Vec, Matrix>& step, double is_free = 1) {
+    const Double4 free = Double4{} + is_free, nothing{};
     Double4 position{0.3, -0.7, 0.0, 5}, velocity{-0.2, -0.0, 0.9, 7}, spin{-0.0, 4, -1, 9};
     Double4 other_position = position, other_velocity = velocity, other_spin = spin;
     for (int k = 0; k < 50; ++k) {
-        shift(step, nothing, one, position, velocity);
-        spin_on(step, nothing, one, spin);
-        coast(step, other_position, other_velocity, other_spin);
+        shift(step, nothing, free, position, velocity);
+        spin_on(step, nothing, free, spin);
+        coast(step, free, other_position, other_velocity, other_spin);
     }
     for (int a = 0; a < 3; ++a) { // the bits, also of the sign of a zero
         EXPECT_EQ(std::bit_cast<std::uint64_t>(position[a]), std::bit_cast<std::uint64_t>(other_position[a]));
@@ -102,6 +102,15 @@ TEST(Integrator, AGrainThatNothingPushesCoastsToTheSameBits) {
     expect_coasting_as_moving(in_lanes(plan_motion(1e-3, 0.2, 0, sheared, 1.1 * sheared)));
     expect_coasting_as_moving(in_diagonals(plan_motion(1e-3, 0.2, 0, upright, 1.1 * upright)));
     expect_coasting_as_moving(in_diagonals(plan_motion(1e-3, 0, 0, {}, {})));
+}
+
+TEST(Integrator, AGrainThatOnlyDragSlowsCoastsToTheSameBitsHeldOrFree) {
+    const Mat3 sheared{{{{-1, 0.3, 0}, {0.3, 0.5, 0}, {0, 0, 0.2}}}}, upright{{{{-1, 0, 0}, {0, 0.5, 0}, {0, 0, 0}}}};
+    for (const double free : {1.0, 0.0}) {
+        expect_coasting_as_moving(in_lanes(plan_motion(1e-3, 0.2, 40, sheared, 1.1 * sheared)), free);
+        expect_coasting_as_moving(in_diagonals(plan_motion(1e-3, 0.2, 40, upright, 1.1 * upright)), free);
+        expect_coasting_as_moving(in_diagonals(plan_motion(1e-3, 0, 40, {}, {})), free);
+    }
 }
 
 /// Drift of a grain's place in the cell after a strain of 0.5, in `steps` steps.

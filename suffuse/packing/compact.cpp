@@ -21,6 +21,8 @@ constexpr std::int64_t most_steps = 3'000'000, most_swift_steps = 60'000;
 constexpr std::int64_t most_relax_steps = 1500;
 constexpr double relaxed_load = 0.1;      // share of the pressure that overlaps left by geometry may still cause
 constexpr double surely_denser = 1.5;     // tolerances below the void ratio asked: no servo lets go of so much again
+constexpr double crept_enough = 1e-2;     // unbalanced force at which fines that slide have found their places
+constexpr double carrying_contacts = 1;   // a grain: rattling fines have none, a skeleton of fines about three
 constexpr double least_void_ratio = 0.05; // spheres overlap beyond any meaning before this
 
 /// Removes what the preparation lent: friction goes to its final value, bonds are cut.
@@ -83,7 +85,7 @@ void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state
         state.phase = clear ? CompactState::Phase::Compact : CompactState::Phase::Relax;
     } else if (swift) {
         bring_near_touching(world);
-    } else if (spec.protocol == Protocol::Faithful && !adheres(world.material) && is_at_rest(world) && dem::porosity(world) > open_porosity) {
+    } else if (spec.protocol != Protocol::Slow && !adheres(world.material) && is_at_rest(world) && dem::porosity(world) > open_porosity) {
         leave_out_gas(world);
     }
     state.start_porosity = dem::porosity(world);
@@ -104,8 +106,17 @@ bool gave_way(const dem::World& world, const CompactSpec& spec, const CompactSta
     return state.start_porosity - dem::porosity(world) >= carried * swift_settling;
 }
 
+/// Wide: whether grains slide more easily than they will, and so many that fines are among those that carry. Their
+/// rearrangement goes on for most of the steps, and moves the void ratio by a thousandth.
+bool creeps(const dem::World& world, const CompactState& state) {
+    return world.material.friction < state.material.friction && !adheres(world.material) &&
+           static_cast<double>(state.balance.equilibrium.contacts) >
+               carrying_contacts * static_cast<double>(world.grains.size());
+}
+
 /// What a burst has to show for its phase to end.
-dem::BalanceSpec goal_of(const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state) {
+dem::BalanceSpec
+goal_of(const dem::World& world, const CompactSpec& spec, const dem::BalanceSpec& balance, const CompactState& state) {
     dem::BalanceSpec goal = balance;
     if (spec.protocol == Protocol::Swift && state.phase != CompactState::Phase::Prove) {
         goal.patience = dem::burst_steps; // patience is for the state that is handed on
@@ -115,6 +126,9 @@ dem::BalanceSpec goal_of(const CompactSpec& spec, const dem::BalanceSpec& balanc
         } else {
             goal.unbalanced_force = 0.5 * balance.unbalanced_force; // a burst now, four without drag
         }
+    }
+    if (spec.protocol == Protocol::Wide && state.phase == CompactState::Phase::Compact && creeps(world, state)) {
+        goal.unbalanced_force = std::max(crept_enough, balance.unbalanced_force);
     }
     return goal;
 }
@@ -203,7 +217,8 @@ bool compact_burst(
     }
     const Pace pace = choose_pace(world, spec, balance, state);
     const bool settled =
-        dem::settle_burst(world, caches, pace.plan, goal_of(spec, balance, state), state.balance) && !pace.holding;
+        dem::settle_burst(world, caches, pace.plan, goal_of(world, spec, balance, state), state.balance) &&
+        !pace.holding;
     state.steps += dem::burst_steps;
     const std::int64_t limit = spec.protocol == Protocol::Swift ? most_swift_steps : most_steps;
     if (state.steps > limit || dem::void_ratio(world) < least_void_ratio) {

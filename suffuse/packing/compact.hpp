@@ -1,8 +1,8 @@
 #pragma once
 // Isotropic compaction of a cloud to a pressure: under a lowered friction or with adhesion, then with the final
-// parameters until settled. Three protocols (spec.hpp): `slow` is the reference's own (its section 4: strain rate
+// parameters until settled. Four protocols (spec.hpp): `slow` is the reference's own (its section 4: strain rate
 // capped in three steps as the load builds up, inertial servo), `faithful` follows it with fewer steps, `swift` is the
-// quickest.
+// quickest, `wide` is `faithful` for wide gradings.
 
 #include "suffuse/dem/lent_inertia.hpp"
 #include "suffuse/dem/settle.hpp"
@@ -12,7 +12,7 @@
 
 namespace suffuse::packing {
 
-/// Far from touching: here `faithful` makes its first step, unless grains adhere [-].
+/// Far from touching: here `faithful` and `wide` make their first step, unless grains adhere [-].
 inline constexpr double open_porosity = 0.50;
 
 /// What a swift sample gives, of porosity, from where its grains are pushed together to a pressure of 100 kPa or so

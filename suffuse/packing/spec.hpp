@@ -30,12 +30,23 @@ enum class IfUnreachable {
 enum class Protocol {
     Faithful, ///< the reference's rates under a servo that does not ring; the same fabric within the scatter of seeds
     Swift,    ///< pushed together by geometry, then pressed over-damped: the quickest; more contacts, fewer rattlers
-    Slow      ///< the reference's own rates, time step and servo: what Faithful is measured against
+    Slow,     ///< the reference's own rates, time step and servo: what Faithful is measured against
+    Wide      ///< for coarse grains many times the size of the fine ones: a tenth of the steps of Faithful
 };
 
 /// The word of a case file and of results.
 constexpr std::string_view name_of(Protocol protocol) {
-    return protocol == Protocol::Faithful ? "faithful" : protocol == Protocol::Swift ? "swift" : "slow";
+    switch (protocol) {
+    case Protocol::Faithful:
+        return "faithful";
+    case Protocol::Swift:
+        return "swift";
+    case Protocol::Slow:
+        return "slow";
+    case Protocol::Wide:
+        break;
+    }
+    return "wide";
 }
 
 /// Inertial number of the largest strain rate of a compaction, with the pressure asked for and the median diameter by

@@ -58,7 +58,7 @@ public:
         const Range trials = asks ? trials_for_a_density : Range{1, 1};
         const double end = 1 - sample_.solid_fraction;
         const double open = adheres() ? start : std::min(start, packing::open_porosity);
-        const double stable = time_step(settled_time_step(sample_, variant_.material, {.mass = true}));
+        const double stable = time_step(settled_time_step(sample_, variant_.material, lent()));
         const double rate = packing::largest_rate(spec_, variant_.material.density, sample_.median);
         const double gas = strain_between(start, open) / (rate * gas_time_step);
         const double loaded = strain_between(open, end) / (rate * stable);
@@ -86,7 +86,14 @@ private:
                spec_.prepare.adhesion_shear.value_or(variant_.material.adhesion_shear) > 0;
     }
 
-    [[nodiscard]] bool leaves_out_gas() const { return spec_.protocol == packing::Protocol::Faithful && !adheres(); }
+    [[nodiscard]] bool leaves_out_gas() const { return spec_.protocol != packing::Protocol::Slow && !adheres(); }
+
+    /// On most of the way.
+    [[nodiscard]] dem::Lent lent() const {
+        return spec_.protocol == packing::Protocol::Wide
+                   ? packing::lent_to_wide(sample_.median / smallest_diameter(sample_))
+                   : dem::Lent{.mass = true};
+    }
 
     /// Grains without friction creep until the slowest modes of the sample are at rest: for steps that grow as the root
     /// of its solid in median grains, to which smaller ones are slowed; 250 to 43,000 of them were seen [-].

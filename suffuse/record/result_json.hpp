@@ -45,7 +45,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Equilibrium, unbalanced_force, unbalanced_force_all, mean_contact_force, kinetic_energy, max_overlap_ratio,
     contacts, rattlers, single_contact
 )
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Lent, mass, rotation)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // states of earlier runs lack the last two, and lent neither
+    Lent, mass, rotation, gently, fines_rotation
+)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibrium, stress)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dissipation, slip, rolling, damping)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyParts, work, springs, motion, slip, rolling, damping)

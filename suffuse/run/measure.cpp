@@ -1,5 +1,7 @@
 #include "suffuse/run/measure.hpp"
 
+#include "suffuse/base/units.hpp"
+#include "suffuse/casefile/wide_checks.hpp"
 #include "suffuse/dem/equilibrium.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/record/result_json.hpp"
@@ -69,14 +71,16 @@ void add_network(const dem::World& world, json& numbers) {
 
 } // namespace
 
-std::string words_on_overlap(double ratio) {
-    return ratio > notable_overlap ? fmt::format(
-                                         "the largest overlap is {:.1f} % of the smaller radius; a higher "
-                                         "contact.modulus or a lower pressure "
-                                         "makes it smaller",
-                                         100 * ratio
-                                     )
-                                   : "";
+std::string words_on_overlap(double ratio, const grains::Material& material, double notable) {
+    if (!(ratio > notable)) {
+        return "";
+    }
+    const double modulus = casefile::stiffer_modulus(material, ratio / casefile::good_squeezed);
+    return fmt::format(
+        "the largest overlap is {:.1f} % of the smaller radius; a contact.modulus of {} keeps it below {:.0f} %, and a "
+        "lower pressure makes it smaller",
+        100 * ratio, print_quantity(modulus, dimension::pressure), 100 * casefile::good_squeezed
+    );
 }
 
 json measure_state(const dem::World& world, bool has_fractions) {

@@ -14,8 +14,9 @@ namespace suffuse::run {
 /// model of a contact any more.
 inline constexpr double notable_overlap = 0.1, largest_good_overlap = 0.2;
 
-/// What is to be said of a largest overlap over the smaller radius; empty where it is a small one.
-std::string words_on_overlap(double ratio);
+/// What is to be said of a largest overlap over the smaller radius, with the modulus that would have kept it small;
+/// empty where it is below `notable` [-].
+std::string words_on_overlap(double ratio, const grains::Material& material, double notable = notable_overlap);
 
 /// Grains, contacts, cell, stress, density, coordination, fabric, forces, balance, hash; with fines in the sample also
 /// what they do.

@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/prepared_as.hpp"
+#include "suffuse/casefile/wide_checks.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/tables.hpp"
 #include "suffuse/io/vtk.hpp"
@@ -110,7 +111,9 @@ json describe_stage(StageWork& work) {
     numbers["particle_steps_per_second"] = seconds > 0 ? static_cast<double>(work.grain_steps) / seconds : 0.0;
     numbers["inertial_number_max"] = work.history.largest_inertial_number();
     const double overlap = numbers["max_overlap_ratio"];
-    if (const std::string words = words_on_overlap(overlap); !words.empty()) {
+    const bool is_wide = numbers.value("protocol", "") == packing::name_of(packing::Protocol::Wide);
+    const double notable = is_wide ? casefile::good_squeezed : notable_overlap; // which is what wide promises
+    if (const std::string words = words_on_overlap(overlap, work.world.material, notable); !words.empty()) {
         (overlap > largest_good_overlap ? work.flaws : work.warnings).push_back(work.place() + ": " + words);
     }
     numbers["end_state"] = record::describe_state(work.world);
