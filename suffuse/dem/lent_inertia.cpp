@@ -24,8 +24,9 @@ double turning_factor(double median, double largest, double radius) {
     return slower_turning * slower_turning * (quicker > 1 ? std::exp2(std::ceil(std::log2(quicker))) : 1);
 }
 
-/// Whatever its mass m, a grain that rolls on the largest one has a frequency squared as r_largest^2/((r + r_largest)
-/// m), on its like as r/(2 m): with this factor it rolls no quicker on the first. The power of two above that.
+/// Whatever its mass m, a grain that rolls on the largest one, which stands, has a frequency squared as
+/// r_largest^2/((r + r_largest) m), on its like as r/m. With this factor it rolls no quicker between two of the first,
+/// where such grains are caught. The power of two above that.
 double fines_turning_factor(double median, double largest, double radius) {
     const double quicker = 2 * largest * largest / (radius * (radius + largest));
     return radius < median ? std::exp2(std::ceil(std::log2(quicker))) : 1;

@@ -13,7 +13,7 @@ struct Lent {
                            ///< that they roll on the largest one no quicker than the median grain does
     bool gently = false; ///< mass grows as the ratio of the sizes only, not as its square: what is lighter packs denser
     bool fines_rotation = false; ///< moments of inertia of grains below the median size alone are so large that they
-                                 ///< roll on the largest one no quicker than on their like
+                                 ///< roll between two of the largest no quicker than on their like
 
     friend bool operator==(const Lent&, const Lent&) = default;
 };

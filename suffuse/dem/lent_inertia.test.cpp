@@ -68,13 +68,53 @@ TEST(LentInertia, MakesNoGrainAsHeavyAsALargerOneNorChangesTheLargeOnes) {
     EXPECT_EQ(world.grains.inertia[5], 4 * own.grains.inertia[5]);
 }
 
+TEST(LentInertia, OfFinesAloneLetsThemRollBetweenTwoOfTheLargestNoQuickerThanOnTheirLike) {
+    for (const Lent& lent :
+         {Lent{.fines_rotation = true}, Lent{.mass = true, .fines_rotation = true},
+          Lent{.mass = true, .gently = true, .fines_rotation = true}}) {
+        World world = graded();
+        world.material.shear_ratio = 1e-9; // the rolling springs alone, as soft
+        world.material.rolling_stiffness = 1e12;
+        World plain = world;
+        lend_inertia(world, median, {}, lent);
+        lend_inertia(plain, median, {}, {.mass = lent.mass, .gently = lent.gently});
+        for (std::size_t g = 0; g < 4; ++g) {
+            const Inertia largest{world.grains.radius[5], world.grains.mass[5], 1.0}; // which stands
+            const auto of = [](const World& w, std::size_t k) {
+                return Inertia{w.grains.radius[k], w.grains.mass[k], w.grains.inertia[k]};
+            };
+            const double ratio = world.material.shear_ratio;
+            const double between_two = std::sqrt(2.0) * pair_frequency(world.material, ratio, of(world, g), largest);
+            const double on_like = pair_frequency(world.material, ratio, of(plain, g), of(plain, g));
+            EXPECT_LE(between_two, on_like * (1 + 1e-6)) << g;
+            EXPECT_GE(between_two, on_like / std::sqrt(2.0) * (1 - 1e-6)) << g; // the power of two above
+        }
+        EXPECT_EQ(world.grains.inertia[4], plain.grains.inertia[4]);
+        EXPECT_EQ(world.grains.inertia[5], plain.grains.inertia[5]);
+    }
+}
+
+TEST(LentInertia, LentGentlyIsMassByTheRatioOfTheSizes) {
+    const World own = graded();
+    World world = own;
+    lend_inertia(world, median, {}, {.mass = true, .gently = true});
+    for (std::size_t g = 0; g < 6; ++g) {
+        const double asked = std::max(1.0, median / 2 / own.grains.radius[g]);
+        EXPECT_LE(std::abs(std::log2(world.grains.mass[g] / own.grains.mass[g] / asked)), 0.5) << g;
+        EXPECT_EQ(world.grains.inertia[g] / own.grains.inertia[g], world.grains.mass[g] / own.grains.mass[g]);
+    }
+}
+
 TEST(LentInertia, IsGivenBackToTheBitWhateverWasLentInBetween) {
     const World own = graded();
     World world = own;
     lend_inertia(world, median, {}, {true, true});
     lend_inertia(world, median, {true, true}, {true, false});
     lend_inertia(world, median, {true, false}, {false, true});
-    lend_inertia(world, median, {false, true}, {});
+    const Lent wide{.mass = true, .gently = true, .fines_rotation = true};
+    lend_inertia(world, median, {false, true}, wide);
+    lend_inertia(world, median, wide, {.fines_rotation = true});
+    lend_inertia(world, median, {.fines_rotation = true}, {});
     EXPECT_EQ(world.grains.mass, own.grains.mass);
     EXPECT_EQ(world.grains.inertia, own.grains.inertia);
 }

@@ -56,6 +56,13 @@ void take_final_parameters(dem::World& world, const grains::Material& final_mate
     ));
 }
 
+/// A swift sample that proves its balance has carried the pressure: some fall in once more, as slowly as grains with
+/// their own inertia do.
+std::int64_t step_limit(const CompactSpec& spec, const CompactState& state) {
+    const bool soon = spec.protocol == Protocol::Swift && state.phase != CompactState::Phase::Prove;
+    return soon ? most_swift_steps : most_steps;
+}
+
 bool is_at_rest(const dem::World& world) {
     return std::ranges::all_of(world.grains.velocity, [](const Vec3& v) { return v == Vec3{}; });
 }
@@ -220,8 +227,7 @@ bool compact_burst(
         dem::settle_burst(world, caches, pace.plan, goal_of(world, spec, balance, state), state.balance) &&
         !pace.holding;
     state.steps += dem::burst_steps;
-    const std::int64_t limit = spec.protocol == Protocol::Swift ? most_swift_steps : most_steps;
-    if (state.steps > limit || dem::void_ratio(world) < least_void_ratio) {
+    if (state.steps > step_limit(spec, state) || dem::void_ratio(world) < least_void_ratio) {
         report_out_of_reach(world, spec, state);
     }
     if (state.phase == CompactState::Phase::Relax) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/worlds.hpp"
+
 namespace suffuse::packing {
 namespace {
 
@@ -24,6 +26,38 @@ TEST(Loaded, IsASampleThatBearsNineTenthsOfItsPressure) {
     EXPECT_FALSE(is_loaded(spec, state));
     state.balance.stress = diagonal({91e3, 91e3, 91e3});
     EXPECT_TRUE(is_loaded(spec, state));
+}
+
+/// What `wide` lends grains of 0.4 mm and of `smallest` in a phase, under a share of the pressure.
+dem::Lent lent_by_wide(const Prepare& prepare, CompactState::Phase phase, double share, double smallest = 0.04e-3) {
+    dem::World world = test::empty_world(1e-2);
+    test::add(world, {}, 0.2e-3);
+    test::add(world, {}, smallest / 2);
+    CompactSpec spec;
+    spec.pressure = 100e3;
+    spec.protocol = Protocol::Wide;
+    spec.prepare = prepare;
+    CompactState state;
+    state.phase = phase;
+    state.median_diameter = 0.4e-3;
+    state.balance.stress = diagonal({share * spec.pressure, share * spec.pressure, share * spec.pressure});
+    return choose_lent(world, spec, state);
+}
+
+TEST(Wide, LendsTheSameFromTheFirstStepOnUnlessASkeletonCollapses) {
+    using Phase = CompactState::Phase;
+    const dem::Lent gently{.mass = true, .gently = true, .fines_rotation = true};
+    const dem::Lent more{.mass = true, .fines_rotation = true};
+    for (const double share : {0.0, 0.5, 1.0}) {
+        EXPECT_EQ(lent_by_wide({}, Phase::Compact, share), gently);
+        EXPECT_EQ(lent_by_wide({.friction = 0}, Phase::Settle, share), gently);
+        EXPECT_EQ(lent_by_wide({}, Phase::Compact, share, 0.02e-3), more); // twenty times smaller
+        EXPECT_EQ(lent_by_wide({}, Phase::Prove, share), dem::Lent{});
+    }
+    const Prepare adhesion{.adhesion_normal = 1e6, .adhesion_shear = 1e6};
+    EXPECT_EQ(lent_by_wide(adhesion, Phase::Compact, 0.5), (dem::Lent{true, true}));
+    EXPECT_EQ(lent_by_wide(adhesion, Phase::Settle, 0.5), dem::Lent{.fines_rotation = true}); // it collapses
+    EXPECT_EQ(lent_by_wide(adhesion, Phase::Settle, 1.0), (dem::Lent{true, true}));
 }
 
 } // namespace
