@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace suffuse::packing {
@@ -33,6 +34,14 @@ void take_final_parameters(dem::World& world, const grains::Material& final_mate
     }
 }
 
+/// What a user may do whose sample does not settle, in words; `usual` unless its grading is too wide for the protocol.
+std::string_view other_way(const dem::World& world, const CompactSpec& spec, std::string_view usual) {
+    constexpr double too_wide = 9; // largest over smallest grain: from here on samples of swift were seen to fail
+    const auto [least, most] = std::ranges::minmax_element(world.grains.radius);
+    const bool helps = spec.protocol != Protocol::Wide && *most > too_wide * *least;
+    return helps ? "or take the wide protocol, which is made for grains of such sizes" : usual;
+}
+
 [[noreturn]] void report_out_of_reach(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
     constexpr double carried = 0.98; // of the pressure: what is missing is rest
     if (dem::mean_stress(state.balance.stress) > carried * spec.pressure) {
@@ -42,8 +51,11 @@ void take_final_parameters(dem::World& world, const grains::Material& final_mate
             "{:.1e}: a higher pressure or softer grains press them together more, {}",
             dem::mean_stress(state.balance.stress) / 1e3, spec.pressure / 1e3, state.steps,
             state.balance.equilibrium.unbalanced_force,
-            spec.protocol == Protocol::Swift ? "and the faithful protocol lets them find their places"
-                                             : "and a balance may be less strict"
+            other_way(
+                world, spec,
+                spec.protocol == Protocol::Swift ? "and the faithful protocol lets them find their places"
+                                                 : "and a balance may be less strict"
+            )
         ));
     }
     throw StateError(fmt::format(
@@ -51,8 +63,11 @@ void take_final_parameters(dem::World& world, const grains::Material& final_mate
         "{:.3f}, unbalanced force {:.1e}; lower the pressure, take stiffer grains, {}",
         spec.pressure / 1e3, state.steps, dem::mean_stress(state.balance.stress) / 1e3, dem::void_ratio(world),
         state.balance.equilibrium.unbalanced_force,
-        spec.protocol == Protocol::Swift ? "start denser, or take the faithful protocol"
-                                         : "or ask for a balance that is less strict"
+        other_way(
+            world, spec,
+            spec.protocol == Protocol::Swift ? "start denser, or take the faithful protocol"
+                                             : "or ask for a balance that is less strict"
+        )
     ));
 }
 
