@@ -15,7 +15,7 @@ struct PreparationPrice {
     Range steps; ///< over those that the strain takes at the largest rate, of 2,000 median grains if it creeps [-]
 };
 
-inline constexpr std::array<PreparationPrice, 9> preparation_prices = {{
+inline constexpr std::array<PreparationPrice, 12> preparation_prices = {{
     {"faithful, adhesive", {2.2, 5.4}},
     {"faithful, frictionless", {3.3, 17}},
     {"faithful, frictional", {3.1, 6.8}},
@@ -25,6 +25,9 @@ inline constexpr std::array<PreparationPrice, 9> preparation_prices = {{
     {"skeleton first, adhesive", {1.3, 2.6}},
     {"skeleton first, frictionless", {10, 21}},
     {"skeleton first, frictional", {1.6, 3.5}},
+    {"wide, adhesive", {3, 5}},
+    {"wide, frictionless", {15, 41}},
+    {"wide, frictional", {1.9, 6.4}},
 }};
 
 } // namespace suffuse::plan
