@@ -69,6 +69,10 @@ EXAMPLES = (
         step("check", "check", "@examples/silty-sand-2016/size-ratio-20.toml", "--json"),
         step("plan", "plan", "@examples/silty-sand-2016/size-ratio-20.toml", *ONE_THREAD, "--json"),
     )),
+    Job("silty-sand-wide", (
+        step("check", "check", "@examples/silty-sand-wide/case.toml", "--json"),
+        step("plan", "plan", "@examples/silty-sand-wide/case.toml", *ONE_THREAD, "--json"),
+    )),
 )
 
 SWEEP = ("--set", 'study.replay.sweep={"stage.seep.gradient"=[0.05,0.1]}', "--no-cache")
