@@ -1,6 +1,7 @@
 // The gate of `wide`: samples of a size ratio of 6.5 and 10 against those of `slow`, or of grains with their own
 // inertia throughout [docs/theory/preparation.md]. With 40 coarse grains the void ratio scatters by 0.05 between seeds,
-// so that samples of one seed are compared. The numbers that take long are in wide_seeds.csv, written by
+// so that samples of one seed are compared. The numbers that take long are in wide_seeds.csv (the last three to four
+// digits), written by
 //   suffuse_validation --gtest_also_run_disabled_tests --gtest_filter='*WriteTheTableForWide'
 
 #include "suffuse/dem/equilibrium.hpp"
@@ -29,24 +30,20 @@ using namespace validation;
 const std::string table = test::in_checkout("validation/wide_seeds.csv");
 constexpr std::array<const char*, 7> names{
     "steps", "void_ratio", "mechanical_coordination", "active_fines", "large_large", "fines_stress", "overlap"};
-constexpr std::size_t void_ratio = 1;
+constexpr std::size_t void_ratio = 1, overlap = 6;
 
 struct WideSample {
     const char* name;
     double size_ratio;
-    int grains; ///< 40 coarse ones and 20 % of fines by mass
-    std::uint64_t seeds;
-    bool adheres;       ///< 1 MPa while it is compacted; against `slow`, else against grains with their own inertia
-    std::size_t judged; ///< names from the void ratio on; the others are printed
+    int grains;   ///< 40 coarse ones and 20 % of fines by mass
+    bool adheres; ///< 1 MPa while it is compacted; against `slow`, else against grains with their own inertia
 };
 
+constexpr std::uint64_t seeds = 6;
 constexpr double most_steps = 0.2; // of the reference's
 
 constexpr std::array<WideSample, 3> samples{
-    {{"loose 6.5", 6.5, 2786, 6, true, 5},
-     {"plain 6.5", 6.5, 2786, 6, false, 5},
-     // Three seeds, whose fines overlap by a fifth: what these fines do is not judged.
-     {"plain 10", 10, 10'040, 3, false, 2}}};
+    {{"loose 6.5", 6.5, 2786, true}, {"plain 6.5", 6.5, 2786, false}, {"plain 10", 10, 10'040, false}}};
 
 dem::World wide_cloud(const WideSample& sample, std::uint64_t seed) {
     grains::Soil soil;
@@ -97,7 +94,7 @@ Row measure_wide(const WideSample& sample, std::uint64_t seed, Protocol protocol
 
 std::vector<Row> measure_wide_seeds(const WideSample& sample, Protocol protocol) {
     std::vector<Row> rows;
-    for (std::uint64_t seed = 1; seed <= sample.seeds; ++seed) {
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         rows.push_back(measure_wide(sample, seed, protocol));
     }
     return rows;
@@ -130,7 +127,7 @@ TEST(WideGate, DISABLED_WriteTheTableForWide) {
 TEST(WideGate, WideLiesWithinTwoStandardErrorsOfTheSlowWayInAFifthOfItsSteps) {
     for (const WideSample& sample : samples) {
         const std::vector<Row> reference = read_table(table, sample.name);
-        ASSERT_EQ(reference.size(), sample.seeds);
+        ASSERT_EQ(reference.size(), seeds);
         const std::vector<Row> wide = measure_wide_seeds(sample, Protocol::Wide);
         for (std::size_t k = 1; k < names.size(); ++k) {
             const auto [difference, error] = paired(wide, reference, k);
@@ -140,7 +137,7 @@ TEST(WideGate, WideLiesWithinTwoStandardErrorsOfTheSlowWayInAFifthOfItsSteps) {
             );
             if (k == void_ratio) {
                 EXPECT_LE(std::abs(difference), 0.02) << sample.name;
-            } else if (k <= sample.judged) {
+            } else if (k != overlap) { // the largest of each sample: a matter of stiffness
                 EXPECT_LE(std::abs(difference), 2 * error) << sample.name << ", " << names[k];
             }
         }
