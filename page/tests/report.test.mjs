@@ -276,7 +276,7 @@ test("without JavaScript the answer and the tables are there, and why the charts
   const { page, context } = await open(browser, "sample", { javaScriptEnabled: false });
   assert.match(await page.textContent("#answer"), /void ratio/);
   assert.equal(await page.locator("table.findings tbody tr").count(), 7);
-  await page.getByText("The charts need JavaScript").waitFor({ state: "visible" });
+  await page.getByText("The charts are drawn by JavaScript").waitFor({ state: "visible" });
   await page.locator('[data-figure="fig11"] summary').click();
   assert.ok(await page.locator('[data-figure="fig11"] table.numbers').isVisible());
   assert.ok(await page.locator('[data-figure="fig07"] svg').isVisible());

@@ -12,9 +12,11 @@
 #include "suffuse/answer/strength_words.hpp"
 #include "suffuse/answer/triaxial_table.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/words.hpp"
 #include "suffuse/casefile/stage_loading.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/figures/figures_mobility.hpp"
+#include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/text_file.hpp"
 #include "suffuse/job/assumed_values.hpp"
 #include "suffuse/job/erosion_figures.hpp"
@@ -36,6 +38,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
+#include <variant>
 
 namespace suffuse::job {
 namespace {
@@ -138,6 +142,32 @@ std::optional<report::AssumedValue> assumed_unbalance(const casefile::Case& what
         "of the equilibrium that the probes start from"};
 }
 
+/// "dyke.csv (0.1 to 2 mm); 100 kPa; i = 0.2": of the sample that is judged, as the case has it.
+std::string asked_of(const casefile::Variant& variant) {
+    std::vector<std::string> parts;
+    if (variant.soil) {
+        const grains::Grading curve = grains::asked_grading(*variant.soil);
+        const std::string sizes = fmt::format(
+            "{} to {} mm", short_number(1e3 * curve.diameter.front()), short_number(1e3 * curve.diameter.back())
+        );
+        const std::string file = std::filesystem::path(curve.origin).filename().string();
+        parts.push_back(file.empty() ? "grains of " + sizes : fmt::format("{} ({})", file, sizes));
+    }
+    for (const casefile::Stage& stage : variant.stages) {
+        if (const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec)) {
+            parts.push_back(fmt::format("{} kPa", short_number(1e-3 * compact->pressure)));
+        } else if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec);
+                   detach != nullptr && detach->asked_gradient) {
+            parts.push_back(fmt::format("i = {}", short_number(*detach->asked_gradient)));
+        } else if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec);
+                   erode != nullptr && !erode->forced) {
+            parts.push_back(fmt::format("i = {}", short_number(erode->gradient)));
+        }
+    }
+    parts.erase(std::ranges::unique(parts).begin(), parts.end());
+    return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 /// What the case marks, and what it need not say to be assumed.
 std::vector<report::AssumedValue> all_assumed(const std::filesystem::path& folder, const casefile::Case& what) {
     std::vector<report::AssumedValue> values = assumed_in(folder, what);
@@ -223,6 +253,7 @@ report::ReportData describe_run(
     const record::FinishedStage* const judged = story.eroded != nullptr     ? story.eroded
                                                 : !results.mobility.empty() ? results.mobility.front().first
                                                                             : nullptr;
+    data.asked = judged == nullptr ? "" : asked_of(*judged->variant);
     if (judged != nullptr && judged != story.eroded) {
         if (auto figure = draw_grading(what, folder, *judged)) {
             data.figures.push_back(std::move(*figure));
