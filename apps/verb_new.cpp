@@ -7,6 +7,7 @@
 #include "suffuse/base/units.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/folders.hpp"
 #include "suffuse/plan/plan.hpp"
 
 #include <fmt/format.h>
@@ -119,11 +120,7 @@ std::vector<std::string> write_new(const std::vector<NewFile>& files) {
     }
     std::vector<std::string> written;
     for (const NewFile& file : files) {
-        std::error_code error;
-        fs::create_directories(file.path.parent_path(), error);
-        if (error) {
-            throw IoError(fmt::format("{}: cannot be made: {}", file.path.parent_path().string(), error.message()));
-        }
+        io::make_folders(file.path.parent_path());
         io::write_file(file.path, file.text);
         written.push_back(file.path.string());
     }

@@ -4,6 +4,7 @@
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/io/folders.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/asked_stages.hpp"
 #include "suffuse/record/folder.hpp"
@@ -66,7 +67,7 @@ std::optional<fs::path> check_sample(const casefile::Case& what, const fs::path&
             "--sample {}: the run has no such sample{}; suffuse plan lists them", shown(name), near_hint(name, names)
         ));
     }
-    fs::create_directories(folder / "studies" / name);
+    io::make_folders(folder / "studies" / name);
     return folder / "studies" / name;
 }
 

@@ -10,6 +10,7 @@
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/folders.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/plan.hpp"
@@ -215,7 +216,7 @@ int emit(const SweepVerb& asked, const Console& console) {
         return Done;
     }
     io::write_file(folder / "tasks.txt", tasks);
-    fs::create_directories(folder / "tasks");
+    io::make_folders(folder / "tasks");
     std::string how =
         fmt::format("parallel < {0}     (or one after the other: sh {0})", shell_word((folder / "tasks.txt").string()));
     if (asked.form == "slurm") {

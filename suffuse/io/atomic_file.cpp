@@ -1,6 +1,7 @@
 #include "suffuse/io/atomic_file.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/io/folders.hpp"
 
 #include <fmt/format.h>
 
@@ -43,17 +44,6 @@ std::string advice(int error) {
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : ".";
-}
-
-/// The new name itself must reach the disk too. Some file systems refuse to sync a folder; the file is safe all the
-/// same.
-void sync_folder(const std::filesystem::path& file) {
-    const int descriptor = ::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) {
-        return;
-    }
-    ::fsync(descriptor);
-    ::close(descriptor);
 }
 
 int lock(int descriptor, int kind) {
@@ -188,7 +178,7 @@ void AtomicFile::finish(bool to_disk) {
     }
     ::close(std::exchange(descriptor_, -1)); // only now: let go before, it would pass for a leftover
     if (to_disk) {
-        sync_folder(path_);
+        sync_folder_of(path_);
     }
 }
 

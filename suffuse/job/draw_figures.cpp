@@ -4,6 +4,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/figures/figure_options.hpp"
+#include "suffuse/io/folders.hpp"
 #include "suffuse/io/text_file.hpp"
 #include "suffuse/job/other_program.hpp"
 #include "suffuse/job/scratch_folder.hpp"
@@ -171,11 +172,7 @@ std::vector<fs::path> draw_figures(
             format
         ));
     }
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw IoError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
-    }
+    io::make_folders(folder);
     const ScratchFolder scratch;
     const fs::path drawn = format == "svg" ? folder : scratch.path();
     draw_svg(sources, style, drawn, page);

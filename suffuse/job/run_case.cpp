@@ -1,5 +1,6 @@
 #include "suffuse/job/run_case.hpp"
 
+#include "suffuse/io/folders.hpp"
 #include "suffuse/job/ended_run.hpp"
 #include "suffuse/job/summary.hpp"
 #include "suffuse/record/checksums.hpp"
@@ -49,7 +50,7 @@ RunReport run_all(const casefile::Case& what, const run::RunOptions& options, ru
     }
     const casefile::Case refined = record::with_refinements(what, options.folder);
     const record::Sums earlier = record::read_run_sums(options.folder);
-    std::filesystem::remove(options.folder / record::checksums_file); // true no more
+    io::remove_file(options.folder / record::checksums_file); // true no more
     record::keep_provenance(options.folder, refined, options.command, overview.run_seconds(), options.until);
     Summary summary = summarize_run(refined, options.folder, options.page_folder);
     const std::vector<std::string> figures = std::move(summary.figures);
@@ -71,7 +72,7 @@ RunReport run_one(const casefile::Case& what, const run::RunOptions& options, ru
         return record::is_complete(sample, options.folder);
     });
     const std::filesystem::path folder = options.folder / "studies" / options.sample;
-    std::filesystem::create_directories(folder);
+    io::make_folders(folder);
     if (has_all && std::filesystem::exists(folder / record::provenance_file)) {
         return {}; // done before
     }
@@ -127,7 +128,7 @@ RunReport rebuild_report(
 ) {
     const casefile::Case what = record::load_run(folder);
     const record::Sums earlier = record::read_run_sums(folder);
-    std::filesystem::remove(folder / record::checksums_file); // true no more
+    io::remove_file(folder / record::checksums_file); // true no more
     if (!std::filesystem::exists(folder / record::provenance_file)) {
         record::keep_provenance(folder, what, command, longest_sample(what, folder));
     }

@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/folders.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stored.hpp"
 
@@ -22,14 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path lock_file = ".lock";
-
-void make_folders(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw IoError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
-    }
-}
 
 /// The number at the end of NAME-0012, or 0.
 int number_of(const std::string& folder, const std::string& name) {
@@ -67,7 +60,7 @@ fs::path make_run_folder(const fs::path& case_file) {
     const std::string name = fs::absolute(case_file).lexically_normal().parent_path().filename().string();
     const std::string stem = name.empty() ? "run" : name;
     const fs::path runs = "runs";
-    make_folders(runs);
+    io::make_folders(runs);
     int last = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(runs)) {
         last = std::max(last, number_of(entry.path().filename().string(), stem));
@@ -75,12 +68,8 @@ fs::path make_run_folder(const fs::path& case_file) {
     // Another run may take the number between looking and making: only the maker of a folder gets it.
     for (;;) {
         const fs::path folder = runs / fmt::format("{}-{:04}", stem, ++last);
-        std::error_code error;
-        if (fs::create_directory(folder, error)) {
+        if (io::make_folder(folder)) {
             return folder;
-        }
-        if (error) {
-            throw IoError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
         }
     }
 }
@@ -97,7 +86,7 @@ void take_run_folder(const fs::path& folder) {
     if (fs::exists(folder) && !fs::is_directory(folder)) {
         throw UsageError(fmt::format("{} is a file; -o wants a folder", shown(folder.string())));
     }
-    make_folders(folder);
+    io::make_folders(folder);
     const auto is_ours = [](const fs::directory_entry& entry) { // of a run that could not even begin
         const fs::path name = entry.path().filename();
         return name == lock_file || io::is_partial(name.string());

@@ -5,6 +5,7 @@
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/folders.hpp"
 #include "suffuse/record/case_hash.hpp"
 #include "suffuse/record/samples.hpp"
 #include "suffuse/record/stored.hpp"
@@ -152,11 +153,7 @@ void write_cbor(const std::filesystem::path& path, const nlohmann::json& json) {
 }
 
 void open_folder(const std::filesystem::path& run, const casefile::Case& what, const std::string& case_text) {
-    std::error_code error;
-    std::filesystem::create_directories(run, error);
-    if (error) {
-        throw IoError(fmt::format("{}: cannot be made: {}", run.string(), error.message()));
-    }
+    io::make_folders(run);
     const std::string resolved = casefile::resolved_toml(what);
     if (!is_utf8(resolved)) { // TOML is; what reads it back would refuse it
         throw CaseError(fmt::format(
@@ -196,7 +193,7 @@ void to_json(nlohmann::json& json, const FailedSample& failure) {
 
 void keep_failure(const std::filesystem::path& run, const FailedSample& failure) {
     const std::filesystem::path folder = run / "studies" / failure.sample / failure.stage;
-    std::filesystem::create_directories(folder);
+    io::make_folders(folder);
     nlohmann::json kept = failure;
     kept["at"] = now_utc();
     write_json(folder / failure_file, kept);

@@ -6,6 +6,7 @@
 #include "suffuse/casefile/dependencies.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/folders.hpp"
 #include "suffuse/record/cache_entry.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/samples.hpp"
@@ -200,7 +201,7 @@ void StageCache::keep(const std::string& key, const fs::path& stage_folder) {
     expects(sums.has_value(), "a stage that is kept has checksums");
     const fs::path making = place_to_work();
     try {
-        fs::create_directories(making);
+        io::make_folders(making);
         if (!fs::exists(folder_ / settings_file)) {
             set_limit(usual_limit);
         }
@@ -257,7 +258,7 @@ std::int64_t StageCache::limit() const {
 }
 
 void StageCache::set_limit(std::int64_t bytes) const {
-    fs::create_directories(folder_);
+    io::make_folders(folder_);
     write_json(
         folder_ / settings_file,
         {{"about", "stages that suffuse computed, each with all that it depends on; may be deleted at any time"},

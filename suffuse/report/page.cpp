@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/folders.hpp"
 #include "suffuse/report/answer_section.hpp"
 #include "suffuse/report/figure_block.hpp"
 #include "suffuse/report/findings_section.hpp"
@@ -249,11 +250,7 @@ void check_figures(const ReportData& report) {
 std::vector<std::string> write_figures(const std::filesystem::path& run_folder, const ReportData& report) {
     check_figures(report);
     const std::filesystem::path figures = run_folder / "figures";
-    std::error_code failure;
-    std::filesystem::create_directories(figures, failure);
-    if (failure) {
-        throw IoError("cannot make the folder " + figures.string() + ": " + failure.message());
-    }
+    io::make_folders(figures);
     std::vector<std::string> written;
     const auto write = [&](const std::string& name, std::string_view bytes) {
         io::write_file(figures / name, bytes);

@@ -5,6 +5,7 @@
 #include "suffuse/casefile/prepared_as.hpp"
 #include "suffuse/casefile/wide_checks.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/io/folders.hpp"
 #include "suffuse/io/tables.hpp"
 #include "suffuse/io/vtk.hpp"
 #include "suffuse/record/case_hash.hpp"
@@ -186,7 +187,7 @@ void SampleRun::run() {
 
 void SampleRun::run_stage(const casefile::Stage& asked) {
     const std::filesystem::path folder = record::stage_folder(options_.folder, *sample_.variant, asked);
-    std::filesystem::create_directories(folder);
+    io::make_folders(folder);
     std::filesystem::remove(folder / record::failure_file);
     const casefile::Stage stage = with_preparation_found(what_, options_, sample_, asked);
     dem::World start = start_of(stage);

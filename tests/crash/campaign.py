@@ -15,7 +15,6 @@ why. Prints a line a fault and a table of counts; ends with 1 where there was on
 
 import argparse
 import collections
-import json
 import os
 import pathlib
 import random
@@ -25,10 +24,11 @@ import subprocess
 import sys
 import tempfile
 
+from run_results import results_of
+
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE / "case.toml"
 DONE, SAVED, CANNOT_WRITE = 0, (75, 129, 130, 143), 74
-HOW = {"wall_seconds", "particle_steps_per_second", "seconds"}  # of stage.json: how it came about, no results
 
 
 class Campaign:
@@ -107,24 +107,6 @@ class Campaign:
         if str(run) not in ended.stdout and run.name not in ended.stdout:
             return f"{what}: the message names no file: {last_line(ended)}"
         return self.resume(run)
-
-
-def results_of(run):
-    """Every finished stage's results."""
-    results = {}
-    for path in sorted(run.glob("studies/**/stage.json")):
-        try:
-            numbers = json.loads(path.read_text(encoding="utf-8"))
-        except ValueError:
-            numbers = None
-        results[str(path.parent.relative_to(run))] = results_alone(numbers)
-    return results
-
-
-def results_alone(value):
-    if isinstance(value, dict):
-        return {key: results_alone(one) for key, one in value.items() if key not in HOW}
-    return [results_alone(one) for one in value] if isinstance(value, list) else value
 
 
 def last_line(ended):
