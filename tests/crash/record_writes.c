@@ -1,7 +1,7 @@
 // Preloaded into the program: writes down every call that changes a file or a folder, in order, for power_loss.py,
 // which replays them as a disk without power may have kept them.
 //     RECORD_TO=FILE
-// A record is a line, "KIND NUMBERS NAMES", for a write followed by its bytes. Files and folders are told by
+// A record is a line, "KIND NUMBERS NAMES", for a write followed by its bytes. Files and folders go by
 // device:inode.
 #define _GNU_SOURCE
 #include <dlfcn.h>
