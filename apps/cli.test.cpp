@@ -209,5 +209,19 @@ TEST_F(Cli, AFullDiskBehindStandardOutputIsCode74) {
     EXPECT_EQ(wait_for(child).code, 74);
 }
 
+TEST_F(Cli, NothingIsWrittenIntoAFileThatTakesThePlaceOfAClosedStream) {
+    for (const char* const name : {"case.toml", "packing.csv"}) {
+        write_to(folder / "soil" / name, read_all(std::filesystem::path(examples) / "replay" / name));
+    }
+    const auto close_all = [] {
+        for (const int stream : {0, 1, 2}) {
+            close(stream);
+        }
+    };
+    EXPECT_EQ(wait_for(start({"run", "soil/case.toml", "-o", "run", "--until", "start"}, {}, close_all)).code, 0);
+    EXPECT_EQ(std::filesystem::file_size(folder / "run/.lock"), 0U);
+    EXPECT_EQ(say({"verify", "run"}).code, 0);
+}
+
 } // namespace
 } // namespace suffuse

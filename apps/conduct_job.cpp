@@ -1,12 +1,14 @@
 #include "apps/conduct_job.hpp"
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/base/memory_bound.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/job/ended_run.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/plan/fit_memory.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/plan/plan_record.hpp"
 #include "suffuse/record/finished_stages.hpp"
@@ -35,6 +37,8 @@ namespace suffuse::apps {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double stack_of_threads = 16e6; // [B] a thread, and one that waits for it: counted in the bound, hardly used
 
 /// The plan of what is asked for alone.
 plan::RunPlan asked_plan(const Job& job) {
@@ -78,6 +82,8 @@ run::RunOptions options_of(const Job& job) {
     options.time_limit = job.time_limit;
     options.stop = &stop_flag();
     options.cache = job.cache;
+    options.cache_owners = job.cache_owners;
+    options.at_once = job.plan.speed.at_once;
     options.page_folder = page_folder();
     options.case_text = job.case_text;
     options.command = job.command;
@@ -106,10 +112,12 @@ int tell_untouched(const job::RunReport& report, const Job& job, const Console& 
 } // namespace
 
 plan::RunPlan plan_rest(const Job& job) {
-    plan::RunPlan plan = plan::plan_case(job.what, job.sample.empty() ? plan::samples_at_once(job.what) : 1);
-    plan::price_asked_alone(plan, job.what, job.until, job.sample);
-    plan::leave_out_done(plan, job.what, job.folder, record::StageCache(job.cache));
-    return plan;
+    return plan::plan_within(job.memory, job.sample.empty() ? plan::samples_at_once(job.what) : 1, [&](int at_once) {
+        plan::RunPlan plan = plan::plan_case(job.what, at_once);
+        plan::price_asked_alone(plan, job.what, job.until, job.sample);
+        plan::leave_out_done(plan, job.what, job.folder, record::StageCache(job.cache, job.cache_owners));
+        return plan;
+    });
 }
 
 std::optional<int> look_before(const Job& job, const Console& console) {
@@ -150,6 +158,7 @@ int conduct(const Job& job, const Console& console) {
     if (job.sample.empty()) { // a sample beside others knows the price of its own stages only
         plan::keep_plan(job.folder, job.plan);
     }
+    bound_memory(job.memory + stack_of_threads * static_cast<double>(thread_count()));
     const Stopwatch watch;
     const job::RunReport report = run_to_its_end(job, options, live);
     view.clear();
@@ -171,6 +180,12 @@ void tell_plan(const Job& job, const std::string& preposition, const Console& co
         job.plan.speed.at_once > 1 ? fmt::format("   {} samples at once", job.plan.speed.at_once) : ""
     ));
     console.talk(fmt::format("plan  {}", plan::plan_sentence(asked)));
+    if (const int most = plan::samples_at_once(job.what); job.sample.empty() && job.plan.speed.at_once < most) {
+        console.talk(fmt::format(
+            "      {} of {} samples at once, for the run may take {} of memory", job.plan.speed.at_once, most,
+            size_text(job.memory)
+        ));
+    }
     for (const std::string& shortage : shortages(asked, job.folder)) {
         console.talk("warning: " + shortage);
     }

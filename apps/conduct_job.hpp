@@ -16,17 +16,20 @@ namespace suffuse::apps {
 struct Job {
     std::string until;                                           ///< stage; empty: to the end
     double time_limit = std::numeric_limits<double>::infinity(); ///< [s]
+    double memory = std::numeric_limits<double>::infinity();     ///< that it may take [B]
     std::string sample;                                          ///< this one alone; empty: all
     std::string command;                                         ///< as typed
     casefile::Case what;
     std::filesystem::path folder;
     std::string case_text;
     std::filesystem::path cache; ///< empty: none
+    record::Owners cache_owners = record::Owners::Self;
     plan::RunPlan plan;
 };
 
 /// The plan without what the folder or the cache holds, what comes after the stage asked for as the last, and other
-/// samples than the one asked for alone.
+/// samples than the one asked for alone; for as many samples side by side as its memory holds. @throws IoError where
+/// it holds none.
 plan::RunPlan plan_rest(const Job& job);
 
 /// The code of a run that needs nothing. Damage is reported before anything is written.

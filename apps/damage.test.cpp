@@ -180,6 +180,27 @@ TEST_F(Damaged, ACacheEntryIsMadeAnewWithARemark) {
     expect_in("from the cache", whole.error);
 }
 
+TEST_F(Damaged, ACacheThatCannotBeWrittenIsToldAndCostsNoResult) {
+    write_to(folder / "file", "no folder");
+    const Said said = run("other", {"--cache", "file"});
+    EXPECT_EQ(said.code, 0) << said.error;
+    expect_in("warning: stages are not kept in the cache, and another run will compute them again: ", said.error);
+    EXPECT_EQ(said.error.find("not kept", said.error.find("not kept") + 1), std::string::npos) << "once for all stages";
+    EXPECT_EQ(hash_of("settled", "other"), hash_of("settled"));
+    EXPECT_EQ(say({"verify", "other"}).code, 0);
+}
+
+TEST_F(Damaged, AFolderThatIsNoCacheIsLeftAlone) {
+    write_to(folder / "papers/thesis.tex", "mine");
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"cache", "papers", "--limit", "1"}, {"cache", "papers", "--clear"}}) {
+        const Said said = say(words);
+        EXPECT_EQ(said.code, 2);
+        expect_in("papers is no cache", said.error);
+    }
+    EXPECT_FALSE(fs::exists(folder / "papers/cache.json"));
+}
+
 TEST_F(Damaged, ARunThatNeedsNothingIsLeftAlone) {
     const auto before = files_of("here");
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{

@@ -15,7 +15,7 @@ int code_of(const std::vector<record::FailedSample>& failures) {
     const std::string& kind = failures.front().kind;
     const bool is_one_kind =
         std::all_of(failures.begin(), failures.end(), [&](const auto& failure) { return failure.kind == kind; });
-    return !is_one_kind ? Failed : kind == "case" ? BadCase : kind == "io" ? InputOutput : Failed;
+    return !is_one_kind ? Failed : kind == "case" ? BadCase : kind == "io" || kind == "memory" ? InputOutput : Failed;
 }
 
 void tell_failures(

@@ -1,11 +1,14 @@
 #include "apps/shared_options.hpp"
 
+#include "suffuse/base/byte_size.hpp"
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/memory_bound.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/render_within.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/plan/fit_memory.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -70,6 +73,7 @@ void CacheOptions::add_to(Options& options) {
                 "folder where stages are kept and found again; suffuse-cache beside the run unless given"
             )
             .type("DIR");
+    options.flag("--shared-cache", is_shared, "take stages that other users have put there, too");
     options.flag("--no-cache", is_off, "compute every stage, and keep none").excludes(cache);
 }
 
@@ -94,6 +98,29 @@ double RunLimits::seconds() const {
         throw UsageError(fmt::format("--time-limit {} is no time to work in", shown(time_limit)));
     }
     return limit;
+}
+
+void MemoryOption::add_to(Options& options) {
+    options
+        .value(
+            "--memory", asked,
+            fmt::format(
+                "most memory that the run may take, as in 16GB; {:.0f} % of the machine's unless given",
+                100 * plan::usual_memory_share
+            )
+        )
+        .type("SIZE");
+}
+
+double MemoryOption::bytes() const {
+    if (asked.empty()) {
+        return plan::usual_memory_share * machine_memory();
+    }
+    try {
+        return parse_byte_size(asked);
+    } catch (const UnitError& error) {
+        throw UsageError(fmt::format("--memory {}: {}; {}", shown(asked), error.what(), error.help));
+    }
 }
 
 void add_until(Options& options, std::string& stage) {

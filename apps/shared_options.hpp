@@ -4,6 +4,7 @@
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/io/packing_export.hpp"
+#include "suffuse/record/stage_cache.hpp"
 
 #include "apps/console.hpp"
 #include "apps/options.hpp"
@@ -40,8 +41,11 @@ struct ThreadOption {
 struct CacheOptions {
     std::string folder;
     bool is_off = false;
+    bool is_shared = false;
 
     void add_to(Options& options);
+
+    [[nodiscard]] record::Owners owners() const { return is_shared ? record::Owners::Anybody : record::Owners::Self; }
 
     [[nodiscard]] bool is_asked() const { return is_off || !folder.empty(); }
 
@@ -57,6 +61,15 @@ struct RunLimits {
     void add_to(Options& options);
     /// [s], without end unless asked for. @throws UsageError where it is no time.
     [[nodiscard]] double seconds() const;
+};
+
+/// How much memory a run may take.
+struct MemoryOption {
+    std::string asked;
+
+    void add_to(Options& options);
+    /// [B], a share of the machine's unless asked for. @throws UsageError where it is no amount.
+    [[nodiscard]] double bytes() const;
 };
 
 void add_until(Options& options, std::string& stage);

@@ -4,19 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 namespace suffuse::apps {
 
 std::vector<std::string> shortages(const plan::RunPlan& plan, const std::filesystem::path& folder) {
     std::vector<std::string> found;
-    const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    if (plan.memory > memory) {
-        found.push_back(fmt::format(
-            "the run needs up to {} of memory and this machine has {}: lower `particles`", size_text(plan.memory),
-            size_text(memory)
-        ));
-    }
     std::error_code error;
     const auto space = std::filesystem::space(folder, error);
     if (!error && plan.disk > static_cast<double>(space.available)) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a machine lacks for a run, told before the run is started.
+// What a disk lacks for a run, told before the run is started; memory is a bound (plan/fit_memory.hpp).
 
 #include "suffuse/plan/plan.hpp"
 
@@ -9,7 +9,7 @@
 
 namespace suffuse::apps {
 
-/// A sentence each for memory and for disk, where the plan may need more than there is.
+/// A sentence where the plan may need more disk than there is.
 /// @param folder that holds the run, or will
 std::vector<std::string> shortages(const plan::RunPlan& plan, const std::filesystem::path& folder);
 

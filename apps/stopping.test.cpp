@@ -272,6 +272,18 @@ TEST_F(Stopping, AFileBeyondTheLimitIsCode74WithItsNameAndAdvice) {
     expect_to_go_on_to_the_same_bits();
 }
 
+TEST_F(Stopping, ARunWhoseFolderWasMovedSaysSoAndGoesOnWhereItLies) {
+    HeldRun run = start_run();
+    std::filesystem::rename(folder / "cut", folder / "moved");
+    run.let_go();
+    const Said said = wait_for(run.child);
+    EXPECT_EQ(said.code, 74) << said.error;
+    expect_in("cut: was moved or removed while the run worked in it", said.error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "cut")) << "half a run in two places";
+    ASSERT_EQ(say({"resume", "moved"}).code, 0);
+    EXPECT_EQ(hash_in("moved"), hash_of_a_whole_run());
+}
+
 TEST_F(Stopping, AReaderWhoHasEnoughIsNoError) {
     TestPipe pipe;
     pipe.close_end(0);

@@ -10,6 +10,7 @@
 #include "apps/console.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
+#include "apps/standard_streams.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/verb.hpp"
 #include <algorithm>
@@ -56,7 +57,9 @@ Complaint current_complaint(bool color) {
     } catch (const Error& error) {
         return {Failed, "run", error.what()};
     } catch (const std::bad_alloc&) {
-        return {Failed, "memory", "out of memory; suffuse plan CASE tells how much a case needs"};
+        return {
+            InputOutput, "memory",
+            "out of memory; suffuse plan CASE tells how much a case needs, and --memory how much a run may take"};
     } catch (const std::exception& error) {
         return {OurDefect, "defect", error.what()};
     } catch (...) {
@@ -117,6 +120,7 @@ int main(int argc, char** argv) {
     // Large tables go back to the system when they are freed; left to itself, the allocator would keep them after the
     // first, and a sample would hold half as much again.
     mallopt(M_MMAP_THRESHOLD, 1 << 20);
+    suffuse::apps::fill_closed_streams();
     suffuse::apps::outlive_failed_writes();
     return suffuse::apps::run_program(argc, argv);
 }

@@ -53,7 +53,13 @@ int CacheVerb::act(const CommandLine&, const Console& console) const {
             shown(folder.string())
         ));
     }
-    record::StageCache cache(folder);
+    record::StageCache cache(folder, record::Owners::Anybody);
+    if (!cache.is_one()) {
+        throw UsageError(fmt::format(
+            "{} is no cache: it holds what no cache does; give the folder that runs name as their cache",
+            shown(folder.string())
+        ));
+    }
     if (new_limit) {
         cache.set_limit(static_cast<std::int64_t>(*new_limit * gigabyte));
     }

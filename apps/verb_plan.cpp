@@ -1,9 +1,11 @@
 // plan: what a case would cost.
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/base/error.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/plan/fit_memory.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/record/samples.hpp"
 
@@ -19,6 +21,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,6 +41,7 @@ struct PlanVerb final : Verb {
     ThreadOption threads;
     CaseChanges changes;
     CacheOptions cache;
+    MemoryOption memory;
     std::string until; ///< stage
 
     void add_to(Options& options) override {
@@ -44,6 +49,7 @@ struct PlanVerb final : Verb {
         threads.add_to(options);
         changes.add_to(options);
         cache.add_to(options);
+        memory.add_to(options);
         add_until(options, until);
     }
 
@@ -191,18 +197,35 @@ void tell_refinements(const casefile::Case& what, const plan::RunPlan& plan, con
     }
 }
 
+/// As `run` would plan it. What it would refuse is planned all the same, and told.
+plan::RunPlan plan_within_or_tell(
+    double bytes, int at_once, std::vector<std::string>& warnings, const std::function<plan::RunPlan(int)>& make
+) {
+    try {
+        return plan::plan_within(bytes, at_once, make);
+    } catch (const IoError& error) {
+        warnings.push_back(fmt::format("run will refuse this case: {}", error.what()));
+        return make(1);
+    }
+}
+
 int PlanVerb::act(const CommandLine&, const Console& console) const {
     const std::string file = case_in(given);
     const casefile::Case what = load_asked_case(file, changes, console);
     plan::check_until(what, until);
     threads.apply();
-    plan::RunPlan plan = plan::plan_case(what, plan::samples_at_once(what));
+    const double bytes = memory.bytes();
     const std::filesystem::path folder = cache.folder_or(job::cache_beside("runs/new"));
-    plan::price_asked_alone(plan, what, until);
-    plan::leave_out_done(plan, what, {}, record::StageCache(folder)); // sums up, too
+    std::vector<std::string> warnings;
+    plan::RunPlan plan = plan_within_or_tell(bytes, plan::samples_at_once(what), warnings, [&](int at_once) {
+        plan::RunPlan made = plan::plan_case(what, at_once);
+        plan::price_asked_alone(made, what, until);
+        plan::leave_out_done(made, what, {}, record::StageCache(folder, cache.owners())); // sums up, too
+        return made;
+    });
     const std::vector<SampleRow> rows = rows_of(what, plan, until);
     plan::keep_asked_alone(plan, what, until);
-    const std::vector<std::string> warnings = shortages(plan, ".");
+    std::ranges::copy(shortages(plan, "."), std::back_inserter(warnings));
     for (const std::string& warning : warnings) {
         console.talk("warning: " + warning);
     }
@@ -232,6 +255,7 @@ int PlanVerb::act(const CommandLine&, const Console& console) const {
     nlohmann::json json = plan;
     json["samples"] = rows_json(rows);
     json["cache"] = folder.string();
+    json["memory_limit"] = bytes;
     json["case"] = file;
     json["preset"] = what.preset;
     json["warnings"] = warnings;

@@ -40,6 +40,7 @@ struct ResumeVerb final : Verb {
     ThreadOption threads;
     CacheOptions cache;
     RunLimits limits;
+    MemoryOption memory;
     std::string sample;
 
     void add_to(Options& options) override {
@@ -47,6 +48,7 @@ struct ResumeVerb final : Verb {
         threads.add_to(options);
         cache.add_to(options);
         limits.add_to(options);
+        memory.add_to(options);
         options.value("--sample", sample, "this sample alone, beside others; as in fines/fc=20/rep=1").type("NAME");
     }
 
@@ -75,6 +77,7 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
     Job job{
         .until = limits.until,
         .time_limit = limits.seconds(), // wrong use is an error before anything is made
+        .memory = memory.bytes(),
         .sample = sample,
         .command = line.typed,
         .folder = folder};
@@ -85,6 +88,7 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
         usual_cache = job::read_asked(job.folder).cache.value_or(usual_cache.string());
     }
     job.cache = cache.folder_or(usual_cache);
+    job.cache_owners = cache.owners();
     if (fs::exists(resolved)) {
         job.what = record::load_run(job.folder);
     } else { // stopped before it really began

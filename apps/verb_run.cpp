@@ -42,6 +42,7 @@ struct RunVerb final : Verb {
     CaseChanges changes;
     CacheOptions cache;
     RunLimits limits;
+    MemoryOption memory;
 
     void add_to(Options& options) override {
         options.argument("CASE", given, case_text).required();
@@ -50,6 +51,7 @@ struct RunVerb final : Verb {
         changes.add_to(options);
         cache.add_to(options);
         limits.add_to(options);
+        memory.add_to(options);
     }
 
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
@@ -77,6 +79,7 @@ int RunVerb::act(const CommandLine& line, const Console& console) const {
     Job job{
         .until = limits.until,
         .time_limit = limits.seconds(), // wrong use is an error before anything is made
+        .memory = memory.bytes(),
         .command = line.typed};
     heed_signals();
     const std::string file = case_in(given);
@@ -85,6 +88,7 @@ int RunVerb::act(const CommandLine& line, const Console& console) const {
     job.case_text = read_whole_file(file);
     threads.apply();
     job.cache = cache.folder_or(job::cache_beside(output.empty() ? "runs/new" : output));
+    job.cache_owners = cache.owners();
     job.folder = output;
     job.plan = plan_rest(job); // where it throws no folder is left
     if (output.empty()) {

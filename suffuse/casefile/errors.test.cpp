@@ -99,6 +99,7 @@ const std::vector<Wrong> keys = {
     {"E204", 12, 8, 7, "\"cloud\"", with_line(12, "name = \"cloud\"")},
     {"E209", 9, 8, 6, "cannot be the name", with_line(9, "name = \"../x\"")},
     {"E401", 13, 8, 7, "\"cloud\"", with_line(13, "from = \"cluod\"\ndo = \"compact\"")},
+    {"E401", 13, 8, 2, "starts from \"\", which is no stage", with_line(13, "from = \"\"\ndo = \"compact\"")},
     {"E402", 6, 8, 6, "known are sand", with_line(6, "soil = \"clay\"")},
     {"E403", 13, 8, 9, "does not come before", with_line(13, "from = \"initial\"\ndo = \"compact\"")},
     {"E403", 9, 8, 7, "nothing to start from", with_line(10, "do = \"settle\"")},

@@ -110,13 +110,14 @@ void check_from(ReadContext& context, std::vector<Stage>& stages, std::size_t k,
 void link_stages(ReadContext& context, std::vector<Stage>& stages, const StageNodes& at) {
     for (std::size_t k = 0; k < stages.size(); ++k) {
         Stage& stage = stages[k];
-        if (!stage.from.empty()) {
+        const bool names_start = at.nodes[k]->find("from") != nullptr; // an empty name is none of a stage's
+        if (names_start) {
             check_from(context, stages, k, at);
         } else if (!makes_sample(stage) && k > 0) {
             const Stage& before = stages[k - 1];
             stage.parent = leaves_state(before) ? before.parent : static_cast<int>(k) - 1;
         }
-        if (stage.from.empty() && !makes_sample(stage) && stage.parent < 0) {
+        if (!names_start && !makes_sample(stage) && stage.parent < 0) {
             context.problems.error(
                 "E403", at.place_of(k, "name"), fmt::format("stage \"{}\" has nothing to start from", stage.name),
                 "begin a study with do = \"pack\" or do = \"import\""

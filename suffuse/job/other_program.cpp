@@ -1,6 +1,7 @@
 #include "suffuse/job/other_program.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/memory_bound.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <limits>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -90,7 +92,9 @@ ProgramEnd run_program(const std::vector<std::string>& words) {
     }
     arguments.push_back(nullptr);
     pid_t child = 0;
+    const double bound = bound_memory(std::numeric_limits<double>::infinity()); // ours, not the other program's
     const int problem = posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
+    bound_memory(bound);
     posix_spawn_file_actions_destroy(&actions);
     if (problem != 0) {
         throw IoError(fmt::format("{} cannot be started: {}", words[0], std::strerror(problem)));

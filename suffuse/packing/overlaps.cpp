@@ -92,12 +92,15 @@ bool push_apart(
 
 } // namespace
 
-bool clear_overlaps(const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, int most_rounds) {
-    return clear_overlaps_around(h, radius, position, 0, most_rounds);
+bool clear_overlaps(
+    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, int most_rounds, const Pulse& pulse
+) {
+    return clear_overlaps_around(h, radius, position, 0, most_rounds, pulse);
 }
 
 bool clear_overlaps_around(
-    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, std::size_t fixed, int most_rounds
+    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, std::size_t fixed, int most_rounds,
+    const Pulse& pulse
 ) {
     constexpr int sweeps = 12; // over the pairs that are near when a round begins
     if (radius.empty()) {
@@ -110,6 +113,7 @@ bool clear_overlaps_around(
             return true;
         }
         for (int sweep = 0; sweep < sweeps && push_apart(pairs, h, radius, position, fixed); ++sweep) {
+            beat(pulse, "part", round);
         }
     }
     return false;

@@ -16,11 +16,15 @@ namespace {
 
 /// Random positions in a cube, largest grain first: the first free place of a limited number of tries, or the best of
 /// them.
-std::vector<Vec3> scatter(std::span<const double> radius, double edge, std::uint64_t seed) {
-    constexpr int most_tries = 64; // beyond, pushing apart is cheaper than trying on
+std::vector<Vec3> scatter(std::span<const double> radius, double edge, std::uint64_t seed, const Pulse& pulse) {
+    constexpr int most_tries = 64;                // beyond, pushing apart is cheaper than trying on
+    constexpr std::uint32_t grains_a_beat = 4096; // some tens of milliseconds
     InsertionGrid grid(edge, radius);
     std::vector<Vec3> position(radius.size());
     for (std::uint32_t g = 0; g < radius.size(); ++g) {
+        if (g % grains_a_beat == 0) {
+            beat(pulse, "scatter", g);
+        }
         RandomStream random(seed, "cloud", g);
         double least = edge;
         for (int k = 0; k < most_tries && least > 0; ++k) {
@@ -79,14 +83,16 @@ void check_request(const grains::SampledGrains& sample, const PackSpec& spec, do
 
 } // namespace
 
-Cloud make_cloud(const grains::SampledGrains& sample, const PackSpec& spec, double density, std::uint64_t seed) {
+Cloud make_cloud(
+    const grains::SampledGrains& sample, const PackSpec& spec, double density, std::uint64_t seed, const Pulse& pulse
+) {
     expects(!sample.radius.empty() && sample.fine.size() == sample.radius.size(), "a sample has a flag for each grain");
     expects(std::ranges::is_sorted(sample.radius, std::greater<>()), "a sample comes largest first");
     const double edge = edge_at(sample.radius, spec.porosity);
     check_request(sample, spec, edge);
-    std::vector<Vec3> position = scatter(sample.radius, edge, seed);
+    std::vector<Vec3> position = scatter(sample.radius, edge, seed, pulse);
     const Mat3 h = diagonal({edge, edge, edge});
-    if (!clear_overlaps(h, sample.radius, position)) {
+    if (!clear_overlaps(h, sample.radius, position, default_rounds, pulse)) {
         throw CaseError(fmt::format(
             "cloud: {} particles cannot be placed at porosity {:.3g} without overlaps; {:.3g} can be reached, and "
             "compaction does the rest",

@@ -41,6 +41,25 @@ std::size_t overlaps_in(const Cloud& cloud) {
     return neighbors::find_pairs(cloud.cell.h, cloud.grains.position, cloud.grains.radius, 0.0).size();
 }
 
+TEST(Cloud, AsksItsPulseWhileGrainsArePlacedAndPushedApart) {
+    const grains::SampledGrains sample = fontainebleau(9000);
+    std::vector<long long> placed;
+    int rounds = 0;
+    const Pulse pulse = [&](std::string_view part, long long done) {
+        if (part == "scatter") {
+            placed.push_back(done);
+        } else {
+            ++rounds;
+        }
+    };
+    const Cloud cloud = make_cloud(sample, {0.62}, 2600, 1, pulse);
+    EXPECT_EQ(placed, (std::vector<long long>{0, 4096, 8192}));
+    EXPECT_GT(rounds, 0);
+    EXPECT_EQ(cloud.grains.position, make_cloud(sample, {0.62}, 2600, 1).grains.position) << "it only looks";
+    const Pulse stop = [](std::string_view, long long) { throw Interrupted("asked to stop"); };
+    EXPECT_THROW(make_cloud(sample, {0.62}, 2600, 1, stop), Interrupted);
+}
+
 TEST(Cloud, HasTheAskedPorosityNoOverlapsAndTheGrainsOfTheSample) {
     const grains::SampledGrains sample = fontainebleau(10000);
     for (const double porosity : {0.62, 0.65}) {

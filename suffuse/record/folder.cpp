@@ -187,11 +187,22 @@ void check_is_run(const std::filesystem::path& folder) {
     }
 }
 
+void check_is_in_place(const std::filesystem::path& run) {
+    if (!std::filesystem::exists(run / resolved_case_file)) {
+        throw IoError(fmt::format(
+            "{}: was moved or removed while the run worked in it; what is finished lies where it went: suffuse resume "
+            "goes on there",
+            run.string()
+        ));
+    }
+}
+
 void to_json(nlohmann::json& json, const FailedSample& failure) {
     json = {{"sample", failure.sample}, {"stage", failure.stage}, {"kind", failure.kind}, {"message", failure.message}};
 }
 
 void keep_failure(const std::filesystem::path& run, const FailedSample& failure) {
+    check_is_in_place(run);
     const std::filesystem::path folder = run / "studies" / failure.sample / failure.stage;
     io::make_folders(folder);
     nlohmann::json kept = failure;

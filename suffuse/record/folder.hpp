@@ -41,6 +41,9 @@ inline constexpr const char* options_file = "run_options.json";
 /// @throws IoError where the folder holds no run that has begun.
 void check_is_run(const std::filesystem::path& folder);
 
+/// @throws IoError where the folder of a run that works in it has been moved or removed: it must not be made anew.
+void check_is_in_place(const std::filesystem::path& run);
+
 /// What `refine` added.
 inline constexpr const char* refinement_file = "refinement.json";
 

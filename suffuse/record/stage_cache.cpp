@@ -19,6 +19,7 @@
 #include <chrono>
 #include <dlfcn.h>
 #include <fstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace suffuse::record {
@@ -136,11 +137,27 @@ fs::path StageCache::place_of(const std::string& key) const {
 }
 
 std::optional<CacheEntry> StageCache::find(const std::string& key) const {
-    if (folder_.empty()) {
+    if (folder_.empty() || !may_take(place_of(key))) {
         return std::nullopt;
     }
     std::optional<WholeEntry> found = read_entry(place_of(key));
     return found && found->depends_on == key ? std::optional(std::move(found->entry)) : std::nullopt;
+}
+
+/// Only the owner of an entry's folder can have written what is in it.
+bool StageCache::may_take(const fs::path& entry) const {
+    struct stat there {};
+
+    return owners_ == Owners::Anybody || (lstat(entry.c_str(), &there) == 0 && there.st_uid == geteuid());
+}
+
+bool StageCache::is_one() const {
+    const auto is_of_cache = [](const fs::directory_entry& place) {
+        const std::string name = place.path().filename().string();
+        return name == settings_file || names_an_entry(name) || names_one_being_made(name) || io::is_partial(name);
+    };
+    return fs::is_directory(folder_) &&
+           std::all_of(fs::directory_iterator(folder_), fs::directory_iterator(), is_of_cache);
 }
 
 CacheAnswer StageCache::take(
@@ -148,7 +165,7 @@ CacheAnswer StageCache::take(
 ) const {
     const fs::path place = place_of(key);
     std::error_code error;
-    if (folder_.empty() || !fs::exists(place, error)) {
+    if (folder_.empty() || !fs::exists(place, error) || !may_take(place)) {
         return {};
     }
     Sums sums;

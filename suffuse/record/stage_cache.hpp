@@ -20,6 +20,9 @@ namespace suffuse::record {
 /// the clock, and the order of the rows.
 std::string describe_state(const dem::World& world);
 
+/// Whose entries a cache takes. Checksums tell accident from intent no better than who wrote them does.
+enum class Owners { Self, Anybody };
+
 /// Whether the cache had a stage.
 struct CacheAnswer {
     bool is_taken = false;
@@ -31,7 +34,9 @@ public:
     static constexpr std::int64_t usual_limit = 10'000'000'000; ///< [B]
 
     /// An empty path is a cache that holds nothing and keeps nothing.
-    explicit StageCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    /// @param owners Self: entries that another user made count as not there
+    explicit StageCache(std::filesystem::path folder, Owners owners = Owners::Self)
+        : folder_(std::move(folder)), owners_(owners) {}
 
     /// What the stage depends on, in words.
     /// @param start_state describe_state of the state that it starts from; empty where it makes its own
@@ -69,6 +74,9 @@ public:
     /// Drops all entries and what programs that were killed have left; returns how many entries went.
     int clear();
 
+    /// Whether the folder is a cache, or may become one: it is empty.
+    [[nodiscard]] bool is_one() const;
+
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
 private:
@@ -77,7 +85,10 @@ private:
     void drop(const std::filesystem::path& entry) const;
     int drop_leftovers(std::chrono::hours age);
 
+    [[nodiscard]] bool may_take(const std::filesystem::path& entry) const;
+
     std::filesystem::path folder_;
+    Owners owners_ = Owners::Self;
 };
 
 } // namespace suffuse::record

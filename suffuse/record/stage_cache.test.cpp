@@ -10,6 +10,7 @@
 #include "tests/support/temp_folder.hpp"
 #include <chrono>
 #include <fstream>
+#include <unistd.h>
 
 namespace suffuse::record {
 namespace {
@@ -58,6 +59,26 @@ TEST_F(Cached, AFinishedStageIsFoundAgain) {
     EXPECT_EQ(read_json(taken() / "stage.json").at("from_cache"), true);
     EXPECT_EQ(read_json(taken() / "stage.json").at("sample"), "s");
     EXPECT_TRUE(check_stage(taken()).value().empty());
+}
+
+TEST_F(Cached, AnEntryOfAnotherUserIsTakenOnlyWhereThatIsAsked) {
+    if (geteuid() != 0) {
+        GTEST_SKIP() << "only root can give a folder away";
+    }
+    constexpr uid_t another = 65534;
+    cache.keep("key", done());
+    ASSERT_EQ(chown(place().c_str(), another, another), 0);
+    EXPECT_FALSE(take());
+    EXPECT_FALSE(cache.find("key").has_value());
+    EXPECT_TRUE(StageCache(cache.folder(), Owners::Anybody).take("key", variant, stage, taken()).is_taken);
+}
+
+TEST_F(Cached, AFolderThatHoldsSomethingElseIsNoCache) {
+    cache.keep("key", done());
+    EXPECT_TRUE(cache.is_one());
+    write(cache.folder() / "thesis.tex", "mine");
+    EXPECT_FALSE(cache.is_one());
+    EXPECT_FALSE(StageCache(folder / "nowhere").is_one());
 }
 
 TEST_F(Cached, ADamagedEntryIsDroppedAndKeptAnew) {

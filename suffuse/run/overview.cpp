@@ -2,6 +2,10 @@
 
 #include "suffuse/record/folder.hpp"
 
+#include <fmt/format.h>
+
+#include <utility>
+
 namespace suffuse::run {
 
 void Overview::show(Progress progress) {
@@ -27,6 +31,16 @@ void Overview::tell(nlohmann::json event) const {
 void Overview::remark(std::string text) {
     const std::lock_guard lock(mutex_);
     remarks_.push_back(std::move(text));
+}
+
+void Overview::remark_not_cached(const std::string& why) {
+    const std::lock_guard lock(mutex_);
+    if (!std::exchange(has_told_of_cache_, true)) {
+        remarks_.push_back(fmt::format(
+            "stages are not kept in the cache, and another run will compute them again: {}; this run is not concerned",
+            why
+        ));
+    }
 }
 
 void Overview::end_sample(Progress last) {

@@ -28,6 +28,9 @@ public:
     /// A remark for the user at the end of the run.
     void remark(std::string text);
 
+    /// Stages whose results the cache did not take: one remark for all of them, in the words of the first.
+    void remark_not_cached(const std::string& why);
+
     [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 
     /// What is to be run; later, what `refine` adds to it.
@@ -58,6 +61,7 @@ private:
     std::atomic<int> stages_done_{0}, samples_done_{0}, samples_failed_{0};
     std::atomic<bool> broken_{false};
     std::vector<std::string> remarks_;
+    bool has_told_of_cache_ = false;
     std::mutex mutex_;
 };
 

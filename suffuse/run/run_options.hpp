@@ -2,6 +2,7 @@
 // What is asked of a run, and what it says of itself while it goes.
 
 #include "suffuse/erosion/own_rule.hpp"
+#include "suffuse/record/stage_cache.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -45,12 +46,14 @@ struct RunOptions {
     const std::atomic<bool>* stop = nullptr;          ///< set by a signal handler: save and stop at the next burst
     std::function<void(const Progress&)> on_progress; ///< called by the threads of the samples, one at a time
     double progress_interval = 0.1; ///< wall seconds between two bursts of a stage that are reported; 0: every burst is
+    int at_once = 0;                ///< samples side by side, at most; 0: as many as there are threads
     std::filesystem::path cache;    ///< of finished stages (stage_cache.hpp); empty: none
-    std::map<std::string, erosion::OwnRule> rules; ///< of detachment, by "STUDY/STAGE"; such stages know no cache
-    std::filesystem::path page_folder;             ///< the built page of the report; empty: plain report
-    std::string case_text;                         ///< the case file as given, copied into the folder
-    std::string command;                           ///< as typed, for the provenance
-    bool is_checked = false;                       ///< the caller has seen that the folder is whole, and has not ended
+    record::Owners cache_owners = record::Owners::Self; ///< whose entries are taken from it
+    std::map<std::string, erosion::OwnRule> rules;      ///< of detachment, by "STUDY/STAGE"; such stages know no cache
+    std::filesystem::path page_folder;                  ///< the built page of the report; empty: plain report
+    std::string case_text;                              ///< the case file as given, copied into the folder
+    std::string command;                                ///< as typed, for the provenance
+    bool is_checked = false; ///< the caller has seen that the folder is whole, and has not ended
 };
 
 } // namespace suffuse::run

@@ -88,7 +88,8 @@ private:
     }
 
     void run_together(std::span<const record::Sample> samples) {
-        run_side_by_side(samples.size(), thread_count(), [&](std::size_t k) { run_sample(samples[k]); });
+        const int at_once = options_.at_once > 0 ? options_.at_once : thread_count();
+        run_side_by_side(samples.size(), at_once, [&](std::size_t k) { run_sample(samples[k]); });
     }
 
     void run_sample(const record::Sample& sample) {
@@ -111,7 +112,10 @@ private:
         } catch (const Error& error) {
             fail(run, "run", error.what());
         } catch (const std::bad_alloc&) {
-            fail(run, "memory", "out of memory; suffuse plan CASE tells how much a case needs");
+            fail(
+                run, "memory",
+                "out of memory; suffuse plan CASE tells how much a case needs, and --memory how much a run may take"
+            );
         } catch (...) {
             overview_.break_off();
             throw;

@@ -187,6 +187,7 @@ void SampleRun::run() {
 
 void SampleRun::run_stage(const casefile::Stage& asked) {
     const std::filesystem::path folder = record::stage_folder(options_.folder, *sample_.variant, asked);
+    record::check_is_in_place(options_.folder);
     io::make_folders(folder);
     std::filesystem::remove(folder / record::failure_file);
     const casefile::Stage stage = with_preparation_found(what_, options_, sample_, asked);
@@ -261,6 +262,7 @@ void SampleRun::keep_in_cache(
         cache_.keep(key, folder);
     } catch (const IoError& error) {
         tell("stage not kept in the cache", stage, {{"what", error.what()}});
+        overview_.remark_not_cached(error.what());
     }
 }
 

@@ -15,7 +15,7 @@ class SampleRun {
 public:
     SampleRun(const casefile::Case& what, const RunOptions& options, const record::Sample& sample, Overview& overview)
         : what_(what), options_(options), sample_(sample), overview_(overview),
-          control_(overview, what.output.checkpoint), cache_(options.cache) {}
+          control_(overview, what.output.checkpoint), cache_(options.cache, options.cache_owners) {}
 
     /// Runs the stages that the folder does not hold yet. @throws Interrupted when asked to stop; the errors of the
     /// stage that failed, which `stage()` then names.
