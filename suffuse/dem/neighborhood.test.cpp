@@ -1,0 +1,91 @@
+// Which pairs the contact table holds, and until when: those that touch, and those whose own speeds could close the
+// gap.
+
+#include "suffuse/dem/neighborhood.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.hpp"
+
+namespace suffuse::dem {
+namespace {
+
+constexpr double radius = 1e-3, dt = 1e-6; // [m], [s]
+
+/// A pair that touches, and far from it a pair with a gap [m] that closes at a speed [m/s].
+World touching_and_closing(double gap, double speed) {
+    World world = test::two_grains(radius, radius, 1e-6, {});
+    const Vec3 far = world.grains.position[0] + Vec3{0, 10 * radius, 0};
+    test::add(world, far, radius);
+    test::add(world, far + Vec3{2 * radius + gap, 0, 0}, radius);
+    world.grains.velocity[2] = {0.5 * speed, 0, 0};
+    world.grains.velocity[3] = {-0.5 * speed, 0, 0};
+    return world;
+}
+
+class Table {
+public:
+    explicit Table(World start) : world(std::move(start)) {
+        to_rows(world.grains, rows);
+        update();
+    }
+
+    void update() { neighborhood.update(world, rows, nullptr, dt); }
+
+    [[nodiscard]] bool holds(const Mat3& h) const { return neighborhood.holds(world, nullptr, h); }
+
+    World world;
+    MovingRows rows;
+    Neighborhood neighborhood;
+};
+
+TEST(Neighborhood, HoldsPairsThatTouchAndThoseThatCouldSoon) {
+    const double gap = 0.1 * radius;
+    const double slow = 0.1,
+                 fast = 10; // [m/s]: in 32 steps of 1 us 3e-6 m, far less than the gap, and 3e-4 m, far more
+    EXPECT_EQ(Table(touching_and_closing(gap, slow)).world.contacts.size(), 1U);
+    EXPECT_EQ(Table(touching_and_closing(gap, fast)).world.contacts.size(), 2U);
+}
+
+TEST(Neighborhood, HoldsUntilItIsForgottenOrTheCellIsStrained) {
+    EXPECT_FALSE(Neighborhood().holds(touching_and_closing(1e-4, 0), nullptr, identity()));
+    Table table(touching_and_closing(1e-4, 0));
+    const Mat3 h = table.world.cell.h;
+    EXPECT_TRUE(table.holds(h));
+    EXPECT_FALSE(table.holds(0.9 * h)) << "a branch shrinks by a tenth";
+    table.neighborhood.invalidate();
+    EXPECT_FALSE(table.holds(h));
+}
+
+TEST(Neighborhood, SearchesOnlyWhenItsWideListRunsOut) {
+    Table table(touching_and_closing(1e-4, 0));
+    table.update();
+    EXPECT_EQ(table.neighborhood.searches(), 1);
+    EXPECT_EQ(table.neighborhood.prunings(), 2);
+    table.rows[3].position[0] -= 2 * radius; // by hand, further than any margin
+    table.update();
+    EXPECT_EQ(table.neighborhood.searches(), 2);
+    EXPECT_EQ(table.world.contacts.size(), 2U) << "now they overlap";
+}
+
+TEST(Neighborhood, TellsTheMeanMotionSinceTheTableWasMade) {
+    const Table table(touching_and_closing(1e-4, 0));
+    const Mat3 h = table.world.cell.h;
+    const Mat3 stretch = diagonal({1.25, 0.5, 2}); // powers of two but for one: no rounding beyond a bit
+    const Mat3 motion = table.neighborhood.mean_motion(stretch * h);
+    for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) {
+            EXPECT_NEAR(motion(a, b), stretch(a, b), 1e-15);
+        }
+    }
+}
+
+TEST(Neighborhood, WatchesASleeperUntilItsSpeedTakesItOut) {
+    Table still(touching_and_closing(0.5 * radius, 0)), slow(touching_and_closing(0.5 * radius, 0.01));
+    const double of_still = still.neighborhood.sleepers_until(), of_slow = slow.neighborhood.sleepers_until();
+    EXPECT_GT(of_still, of_slow);
+    EXPECT_GT(of_slow, 0);
+}
+
+} // namespace
+} // namespace suffuse::dem

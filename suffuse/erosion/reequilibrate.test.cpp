@@ -1,0 +1,70 @@
+// A new equilibrium from which nothing was taken is the old one: closed forms of what the two phases hold.
+
+#include "suffuse/erosion/reequilibrate.hpp"
+
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/erosion/extraction.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.hpp"
+
+namespace suffuse::erosion {
+namespace {
+
+class NewEquilibrium : public testing::Test {
+protected:
+    NewEquilibrium() : world(test::reference_packing("packing500")) {
+        around.balance = {1e-2, 50};
+        so_far.initial_mass = total_mass(world.grains);
+    }
+
+    dem::World world;
+    Surroundings around;
+    ErosionResult so_far;
+    PassResult pass;
+};
+
+TEST_F(NewEquilibrium, DescribesWhatThePassStartsFrom) {
+    describe_before(world, pass);
+    EXPECT_EQ(pass.stress_before, dem::mean_stress_tensor(world));
+    EXPECT_EQ(pass.porosity_before, dem::porosity(world));
+}
+
+TEST_F(NewEquilibrium, KeepsTheVolumeFirstAndThenTheStress) {
+    dem::StepCaches caches;
+    dem::step(world, caches, test::plan_of(1e-9)); // its contacts are found, and nothing has moved
+    describe_before(world, pass);
+    const double before = dem::mean_stress(pass.stress_before);
+    ASSERT_GT(before, 0);
+    const std::vector<PathRow> path = reequilibrate(world, {}, so_far, around, pass);
+    EXPECT_FALSE(pass.failed);
+    EXPECT_EQ(pass.porosity_after_removal, pass.porosity_before) << "nothing left, and the cell stands still";
+    EXPECT_NEAR(dem::mean_stress(pass.stress_after_removal), before, 1e-3 * before) << "nor has a step moved much";
+    EXPECT_NEAR(dem::mean_stress(pass.stress_after), before, 0.02 * before); // the balance asks for 1 %, on each axis
+    bool held_still = true;
+    for (const PathRow& row : path) {
+        held_still = held_still && (row.phase == Phase::Servo || row.volumetric_strain == 0);
+        EXPECT_EQ(row.eroded_mass, 0);
+    }
+    EXPECT_TRUE(held_still);
+    EXPECT_EQ(path.front().phase, Phase::Removal);
+    EXPECT_EQ(path.back().phase, Phase::Servo);
+    EXPECT_EQ(path.back().step, pass.steps);
+}
+
+TEST_F(NewEquilibrium, OfASkeletonThatMayNotStrainHasFailed) {
+    describe_before(world, pass);
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        world.grains.radius[g] *= 0.99; // nothing touches any more: the servo closes the cell by about a hundredth
+    }
+    world.contacts = {};
+    ResettleSpec spec;
+    spec.max_strain = 1e-4;
+    reequilibrate(world, spec, so_far, around, pass);
+    EXPECT_TRUE(pass.failed);
+    ASSERT_TRUE(std::holds_alternative<SkeletonFailed>(pass.verdict));
+}
+
+} // namespace
+} // namespace suffuse::erosion

@@ -1,0 +1,53 @@
+// Closed forms of a price; whole stages are held to recorded runs by planned_runs.test.cpp.
+
+#include "suffuse/plan/price_stage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace suffuse::plan {
+namespace {
+
+TEST(StagePrice, OfAStrainFollowsFromTheVolumeOfTheSolid) {
+    // (1 - n) V stays: from n = 0.6 to 0.4 the volume falls to 2/3, and each of three axes by a third of its logarithm.
+    EXPECT_DOUBLE_EQ(strain_between(0.6, 0.4), std::log(1.5) / 3);
+    EXPECT_EQ(strain_between(0.4, 0.4), 0);
+    EXPECT_EQ(strain_between(0.4, 0.5), 0) << "loosening takes no strain";
+    EXPECT_GT(strain_between(0.4001, 0.4), 10 * std::log(1.0001) / 3) << "a little is strained at least";
+}
+
+TEST(StagePrice, OfWaitingIsThePatienceOfTheCase) {
+    casefile::Case what;
+    what.balance.patience = 1000;
+    const Range steps = waited(what, {200, 400});
+    EXPECT_EQ(steps.least, 1200);
+    EXPECT_DOUBLE_EQ(steps.most, 1600);
+}
+
+TEST(StagePrice, InSecondsIsStepsTimesWorkOverSpeedAndWhatComesBeside) {
+    StagePrice price;
+    price.steps = {1000, 1000};
+    price.work = {500, 500};
+    const MachineSpeed machine{1e6, 500, 1};
+    const Range stepping = seconds_of(price, machine); // 0.5 s, give or take the error of a price
+    EXPECT_LT(stepping.least, 0.5);
+    EXPECT_GT(stepping.most, 0.5);
+    EXPECT_DOUBLE_EQ(seconds_of(price, {2e6, 500, 1}).most, stepping.most / 2);
+    price.seconds = {3, 4};
+    EXPECT_DOUBLE_EQ(seconds_of(price, machine).least, stepping.least + 3);
+    EXPECT_DOUBLE_EQ(seconds_of(price, machine).most, stepping.most + 4);
+}
+
+TEST(StagePrice, OfStepsInReferenceModeGoesByThatSpeed) {
+    StagePrice price;
+    price.reference_steps = {1000, 1000};
+    price.work = {500, 500};
+    MachineSpeed machine{1e6, 500, 1};
+    const double as_fast = seconds_of(price, machine).most;
+    machine.in_reference_mode = 0.25e6;
+    EXPECT_DOUBLE_EQ(seconds_of(price, machine).most, 4 * as_fast);
+}
+
+} // namespace
+} // namespace suffuse::plan
