@@ -92,20 +92,20 @@ BaseSoil characterize_base(const Grading& measured) {
 std::optional<LargestFilter> largest_filter(const BaseSoil& base) {
     constexpr double least_of_silts = 0.2e-3, of_silty_sands = 0.7e-3; // [m]
     if (base.category == 2) {
-        return LargestFilter{of_silty_sands, true, "0.7 mm"};
+        return LargestFilter{of_silty_sands, "0.7 mm"};
     }
     if (base.category == 0 || !base.d85) {
         return std::nullopt;
     }
     if (base.category == 1) {
-        return LargestFilter{std::max(9 * *base.d85, least_of_silts), true, "9 d85, at least 0.2 mm"};
+        return LargestFilter{std::max(9 * *base.d85, least_of_silts), "9 d85, at least 0.2 mm"};
     }
     if (base.category == 4) {
-        return LargestFilter{4 * *base.d85, true, "4 d85"};
+        return LargestFilter{4 * *base.d85, "4 d85"};
     }
     const double rise = std::max(4 * *base.d85 - of_silty_sands, 0.0);
     return LargestFilter{
-        (0.40 - *base.fines) / 0.25 * rise + of_silty_sands, false, "from 0.7 mm at 40 % of fines to 4 d85 at 15 %"};
+        (0.40 - *base.fines) / 0.25 * rise + of_silty_sands, "from 0.7 mm at 40 % of fines to 4 d85 at 15 %"};
 }
 
 std::vector<Criterion> filter_criteria(const Grading& measured, const Grading& filter) {
@@ -130,7 +130,6 @@ std::vector<Criterion> filter_criteria(const Grading& measured, const Grading& f
                 : "",
         no_erosion
     );
-    no_erosion.verified = !largest || largest->source_read;
 
     Criterion continuing =
         begin("continuing-erosion-filter", "Continuing erosion (Foster and Fell 2001)", "D15F/d95B", "FosterFell2001");

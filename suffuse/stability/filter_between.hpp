@@ -1,7 +1,7 @@
 #pragma once
 // Whether one soil is a filter for another: does the filter hold the base, and does it drain it? Its D15 beside d85,
-// d95 and d15 of the base. [Terzaghi and Peck 1948] [NRCS 2017, chapter 26, after Sherard and Dunnigan 1985] [Foster
-// and Fell 2001]
+// d95 and d15 of the base. [Terzaghi and Peck 1948] [NRCS 2017, chapter 26, after Sherard and Dunnigan 1985; its rule
+// for 15 to 39 % of fines as in table 9.2 of Fell et al. 2005] [Foster and Fell 2001]
 
 #include "suffuse/grains/soil.hpp"
 #include "suffuse/stability/criterion.hpp"
@@ -25,11 +25,9 @@ struct BaseSoil {
 /// @param measured may be open at its ends; sizes that were not measured are left out
 BaseSoil characterize_base(const grains::Grading& measured);
 
-/// The largest D15 of a filter by the fines of the base [m]; `source_read` is false where the limit was not read in a
-/// source.
+/// The largest D15 of a filter by the fines of the base [m].
 struct LargestFilter {
     double d15 = 0;
-    bool source_read = true;
     std::string rule;
 };
 

@@ -43,7 +43,8 @@ TEST(FilterBetween, TheLargestFilterFollowsTheFinesOfTheBase) {
     EXPECT_NEAR(with(0.39999, 1e-3).d15, 0.7e-3, 2e-7); // joined at 40 % ...
     EXPECT_NEAR(with(0.15, 1e-3).d15, 4e-3, 1e-12);
     EXPECT_NEAR(with(0.1499, 1e-3).d15, 4e-3, 1e-12); // ... and at 15 %
-    EXPECT_FALSE(with(0.20, 1e-3).source_read);
+    EXPECT_NEAR(with(0.20, 1e-3).d15, 3.34e-3, 1e-12); // 0.7 + 20/25 (4 - 0.7) mm
+    EXPECT_NEAR(with(0.20, 0.1e-3).d15, 0.7e-3, 1e-12); // no less where 4 d85 is finer
 }
 
 TEST(FilterBetween, TheBaseIsRegradedOnTheSieveOf475Millimeters) {
@@ -62,7 +63,7 @@ TEST(FilterBetween, WhatWasNotMeasuredIsNotGuessed) {
     EXPECT_TRUE(criteria[0].value);                     // d85 was
     EXPECT_EQ(criteria[3].verdict, Verdict::CannotSay); // d15 was not
     EXPECT_NE(criteria[3].remark.find("not measured"), std::string::npos);
-    EXPECT_FALSE(criteria[1].verified); // category 3
+    EXPECT_TRUE(criteria[1].verified); // category 3
     EXPECT_EQ(filter_criteria(box(1e-4, 1e-3), open)[0].verdict, Verdict::CannotSay);
 }
 
