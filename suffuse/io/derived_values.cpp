@@ -2,175 +2,15 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/io/grading_columns.hpp"
-#include "suffuse/io/size_among_words.hpp"
-
-#include <fmt/format.h>
+#include "suffuse/io/sheet_values.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace suffuse::io {
 
 namespace {
 
 using Kind = DerivedValue::Kind;
-
-struct KnownWord {
-    std::string_view word;
-    Kind kind;
-};
-
-// English, French, German, Spanish, Italian; whole words without accents.
-constexpr std::array known_words{
-    KnownWord{"cu", Kind::Uniformity},
-    KnownWord{"u", Kind::Uniformity},
-    KnownWord{"uniformity", Kind::Uniformity},
-    KnownWord{"uniformite", Kind::Uniformity},
-    KnownWord{"ungleichformigkeitszahl", Kind::Uniformity},
-    KnownWord{"ungleichformigkeit", Kind::Uniformity},
-    KnownWord{"uniformidad", Kind::Uniformity},
-    KnownWord{"uniformita", Kind::Uniformity},
-    KnownWord{"hazen", Kind::Uniformity},
-    KnownWord{"cc", Kind::Curvature},
-    KnownWord{"cz", Kind::Curvature},
-    KnownWord{"c", Kind::Curvature},
-    KnownWord{"curvature", Kind::Curvature},
-    KnownWord{"courbure", Kind::Curvature},
-    KnownWord{"krummungszahl", Kind::Curvature},
-    KnownWord{"curvatura", Kind::Curvature},
-    KnownWord{"cobbles", Kind::Cobbles},
-    KnownWord{"boulders", Kind::Cobbles},
-    KnownWord{"cailloux", Kind::Cobbles},
-    KnownWord{"steine", Kind::Cobbles},
-    KnownWord{"bolos", Kind::Cobbles},
-    KnownWord{"ciottoli", Kind::Cobbles},
-    KnownWord{"gravel", Kind::Gravel},
-    KnownWord{"gravier", Kind::Gravel},
-    KnownWord{"graviers", Kind::Gravel},
-    KnownWord{"kies", Kind::Gravel},
-    KnownWord{"grava", Kind::Gravel},
-    KnownWord{"gravas", Kind::Gravel},
-    KnownWord{"ghiaia", Kind::Gravel},
-    KnownWord{"sand", Kind::Sand},
-    KnownWord{"sable", Kind::Sand},
-    KnownWord{"sables", Kind::Sand},
-    KnownWord{"arena", Kind::Sand},
-    KnownWord{"arenas", Kind::Sand},
-    KnownWord{"sabbia", Kind::Sand},
-    KnownWord{"fines", Kind::Fines},
-    KnownWord{"finos", Kind::Fines},
-    KnownWord{"fini", Kind::Fines},
-    KnownWord{"feinanteil", Kind::Fines},
-    KnownWord{"silt", Kind::Silt},
-    KnownWord{"limon", Kind::Silt},
-    KnownWord{"limons", Kind::Silt},
-    KnownWord{"schluff", Kind::Silt},
-    KnownWord{"limo", Kind::Silt},
-    KnownWord{"clay", Kind::Clay},
-    KnownWord{"argile", Kind::Clay},
-    KnownWord{"argiles", Kind::Clay},
-    KnownWord{"ton", Kind::Clay},
-    KnownWord{"arcilla", Kind::Clay},
-    KnownWord{"argilla", Kind::Clay},
-    KnownWord{"dmax", Kind::Largest},
-    KnownWord{"maximum", Kind::Largest},
-    KnownWord{"coarse", Kind::Other},
-    KnownWord{"medium", Kind::Other},
-    KnownWord{"fine", Kind::Other},
-    KnownWord{"fm", Kind::Other},
-    KnownWord{"fineness", Kind::Other},
-    KnownWord{"modulus", Kind::Other},
-    KnownWord{"finura", Kind::Other},
-    KnownWord{"finesse", Kind::Other},
-    KnownWord{"ll", Kind::Other},
-    KnownWord{"pl", Kind::Other},
-    KnownWord{"pi", Kind::Other},
-    KnownWord{"ip", Kind::Other},
-    KnownWord{"liquid", Kind::Other},
-    KnownWord{"plastic", Kind::Other},
-    KnownWord{"plasticity", Kind::Other},
-    KnownWord{"gs", Kind::Other},
-    KnownWord{"gravity", Kind::Other},
-    KnownWord{"uscs", Kind::Other},
-    KnownWord{"aashto", Kind::Other},
-    KnownWord{"classification", Kind::Other},
-    KnownWord{"moisture", Kind::Other},
-    KnownWord{"water", Kind::Other},
-    KnownWord{"dmin", Kind::Other},
-    KnownWord{"siebverlust", Kind::Other},
-    KnownWord{"loss", Kind::Other},
-    KnownWord{"mean", Kind::Other},
-    KnownWord{"median", Kind::Other},
-    KnownWord{"sorting", Kind::Other},
-    KnownWord{"skewness", Kind::Other},
-    KnownWord{"kurtosis", Kind::Other}};
-
-constexpr std::array<std::string_view, 33> fillers{
-    "coefficient", "coeff", "coef",  "coefficiente", "of", "de",  "di",   "d",      "der",      "content", "percent",
-    "percentage",  "pct",   "total", "size",         "mm", "um",  "m",    "value",  "the",      "index",   "number",
-    "particle",    "grain", "limit", "specific",     "by", "dry", "mass", "weight", "fraction", "f",       "and"};
-
-std::vector<std::string> words_of(std::string_view text) {
-    std::vector<std::string> words;
-    const std::string plain = plain_words(text);
-    for (std::size_t begin = 0; begin < plain.size();) {
-        const std::size_t end = std::min(plain.find(' ', begin), plain.size());
-        if (end > begin) {
-            words.push_back(plain.substr(begin, end - begin));
-        }
-        begin = end + 1;
-    }
-    return words;
-}
-
-/// "d10", "d 10", "D(0.1)": the share passing.
-std::optional<double> read_percentile(std::string_view text) {
-    std::string plain;
-    for (const char c : text) {
-        plain += c == ',' ? '.' : c;
-    }
-    std::string_view rest = trimmed(plain);
-    if (rest.empty() || (rest.front() != 'd' && rest.front() != 'D')) {
-        return std::nullopt;
-    }
-    rest.remove_prefix(1);
-    while (!rest.empty() && std::string_view(" _([v").find(rest.front()) != std::string_view::npos) {
-        rest.remove_prefix(1);
-    }
-    const std::size_t end = std::min(rest.find_first_not_of("0123456789."), rest.size());
-    const auto number = plain_number(rest.substr(0, end), false);
-    rest.remove_prefix(end);
-    const std::string after = plain_words(rest);
-    const std::string_view unit = trimmed(after);
-    const bool is_alone = unit.empty() || size_scale_of(unit) != SizeScale::Unknown || unit == "size";
-    if (!number || !is_alone || !(*number > 0) || *number > 100) {
-        return std::nullopt;
-    }
-    return *number < 1 ? *number : *number / 100;
-}
-
-std::optional<Kind> kind_of(const std::vector<std::string>& words) {
-    if (words == std::vector<std::string>{"f", "m"}) { // F.M., the fineness modulus
-        return Kind::Other;
-    }
-    std::optional<Kind> found;
-    for (const std::string& word : words) {
-        const auto known = std::ranges::find(known_words, std::string_view(word), &KnownWord::word);
-        if (known == known_words.end()) {
-            if (std::ranges::find(fillers, std::string_view(word)) == fillers.end()) {
-                return std::nullopt;
-            }
-            continue;
-        }
-        const bool are_fines = found && ((*found == Kind::Silt && known->kind == Kind::Clay) ||
-                                         (*found == Kind::Clay && known->kind == Kind::Silt) ||
-                                         (*found == Kind::Fines && known->kind != Kind::Other));
-        const bool agree = !found || *found == known->kind;
-        found = are_fines ? Kind::Fines : agree ? known->kind : Kind::Other;
-    }
-    return found;
-}
 
 SizeScale scale_in(std::string_view name) {
     const std::size_t open = name.find_first_of("([");
@@ -199,66 +39,8 @@ std::optional<double> value_in(const DerivedValue& named, std::string_view text,
     return number ? std::optional(is_ratio ? *number : *number / 100) : std::nullopt;
 }
 
-/// "% passing No. 200": the sieve.
-std::optional<double> sieve_in(std::string_view name) {
-    const Heading heading = read_heading(name);
-    const auto size = read_sieve_size(size_among_words(name), SizeScale::Unknown);
-    const bool is_named = size && size->is_on_scale && size->notation != SizeNotation::Plain;
-    return is_named && heading.meaning == ShareMeaning::Passing ? std::optional(size->diameter) : std::nullopt;
-}
-
-std::optional<DerivedValue> read_name(std::string_view name) {
-    DerivedValue found;
-    found.name = std::string(name);
-    if (const auto share = read_percentile(name)) {
-        found.kind = Kind::SizeAt, found.at = *share;
-    } else if (name.starts_with('%') && plain_words(name).find(" 3 ") != std::string::npos && name.find('+') != std::string_view::npos) { // % +3"
-        found.kind = Kind::Cobbles;
-    } else if (const auto size = sieve_in(name)) {
-        found.kind = Kind::Passing, found.at = *size;
-    } else if (const auto kind = kind_of(words_of(name))) {
-        found.kind = *kind;
-    } else {
-        return std::nullopt;
-    }
-    return found;
-}
-
-/// Where the value begins in a cell that has it, too: "D10= 0.09", "Cu: 50", "D60 2.0 mm".
-std::size_t find_value(std::string_view text) {
-    const std::size_t mark = text.find_first_of("=:");
-    if (mark != std::string_view::npos) {
-        return mark + 1;
-    }
-    for (std::size_t at = text.find(' '); at < text.size(); at = text.find(' ', at + 1)) {
-        std::string_view value = trimmed(text.substr(at));
-        value = value.ends_with('%') ? trimmed(value.substr(0, value.size() - 1)) : value;
-        const bool is_value = plain_number(value, true) || read_sieve_size(value, SizeScale::Millimeters);
-        if (is_value && read_name(trimmed(text.substr(0, at)))) {
-            return at;
-        }
-    }
-    return text.size();
-}
-
-} // namespace
-
-std::optional<DerivedValue> read_derived_name(std::string_view text) {
-    constexpr std::size_t longest = 80; // of a name
-    if (text.size() > longest) {
-        return std::nullopt;
-    }
-    if (auto whole = read_name(trimmed(text))) { // D 10, % passing No. 200
-        return whole;
-    }
-    std::string_view name = text.substr(0, find_value(text));
-    while (name.ends_with('=') || name.ends_with(':') || name.ends_with(' ')) {
-        name.remove_suffix(1);
-    }
-    return read_name(trimmed(name));
-}
-
-std::vector<DerivedValue> read_derived(const Sheet& sheet, const SheetRow& row) {
+/// Each name has its values behind it, one a soil.
+std::vector<DerivedValue> read_single(const Sheet& sheet, const SheetRow& row) {
     std::vector<DerivedValue> found; // the last one may still be without its value
     SizeScale scale = SizeScale::Unknown;
     const auto take = [&](std::string_view text, std::size_t column) {
@@ -276,7 +58,7 @@ std::vector<DerivedValue> read_derived(const Sheet& sheet, const SheetRow& row) 
             name->place = cell.place, scale = scale_in(name->name);
             found.push_back(std::move(*name));
             if (found.back().name != trimmed(cell.text)) { // its value stands beside it
-                take(std::string_view(cell.text).substr(find_value(cell.text)), k);
+                take(std::string_view(cell.text).substr(value_begin(cell.text)), k);
             }
         } else if (!found.empty() && size_scale_of(cell.text) != SizeScale::Unknown) {
             scale = size_scale_of(cell.text);
@@ -289,20 +71,149 @@ std::vector<DerivedValue> read_derived(const Sheet& sheet, const SheetRow& row) 
     return found;
 }
 
+bool has_decimal_commas(const Sheet& sheet, const SheetRow& row, std::size_t column) {
+    return commas_are_decimal(sheet) || (column < row.cells.size() && row.cells[column].is_quoted);
+}
+
+/// "D10 / D30 / D60" and behind it "0.12 / 0.29 / 0.66", one such cell a soil, or each value in a cell of its own.
+class JoinedRow {
+public:
+    JoinedRow(const Sheet& sheet, const SheetRow& row) : sheet_(sheet), row_(row) {}
+
+    std::vector<DerivedValue> read() {
+        for (std::size_t k = 0; k < row_.cells.size(); ++k) {
+            const std::string& text = row_.cells[k].text;
+            if (auto names = read_joined_names(text); !names.empty()) {
+                begin(std::move(names), row_.cells[k].place);
+                const std::size_t mark = text.find_first_of("=:");
+                take(mark == std::string::npos ? "" : std::string_view(text).substr(mark + 1), k);
+            } else if (found_.empty()) {
+                if (!is_blank(text)) {
+                    return {};
+                }
+            } else if (auto name = read_derived_name(text)) {
+                const bool is_alone = name->name == trimmed(text);
+                begin({std::move(*name)}, row_.cells[k].place);
+                take(is_alone ? "" : std::string_view(text).substr(value_begin(text)), k);
+            } else {
+                scale_ = size_scale_of(text) == SizeScale::Unknown ? scale_ : size_scale_of(text);
+                take(text, k);
+            }
+        }
+        return std::move(found_);
+    }
+
+private:
+    void begin(std::vector<DerivedValue> names, const Place& place) {
+        names_ = std::move(names), first_ = found_.size(), next_ = 0;
+        scale_ = scale_in(names_.back().name);
+        for (DerivedValue& name : names_) {
+            name.place = place;
+            found_.push_back(name);
+        }
+    }
+
+    void take(std::string_view text, std::size_t column) {
+        const auto parts = split_joined(text);
+        if (parts.size() == names_.size()) {
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                set(i, parts[i], column, column);
+            }
+        } else if (parts.size() == 1 && !is_blank(text)) { // in whose column a value stands says nothing
+            set(next_, text, column, std::string::npos);
+            next_ = (next_ + 1) % names_.size();
+        }
+    }
+
+    void set(std::size_t name, std::string_view text, std::size_t column, std::size_t of_soil) {
+        const auto value = value_in(names_[name], text, scale_, has_decimal_commas(sheet_, row_, column));
+        if (!value) {
+            return;
+        }
+        const bool is_more = found_[first_ + name].value.has_value(); // of the next column's soil
+        if (is_more) {
+            found_.push_back(names_[name]);
+        }
+        DerivedValue& derived = is_more ? found_.back() : found_[first_ + name];
+        derived.value = value, derived.column = of_soil;
+    }
+
+    const Sheet& sheet_;
+    const SheetRow& row_;
+    std::vector<DerivedValue> found_, names_;
+    std::size_t first_ = 0, next_ = 0;
+    SizeScale scale_ = SizeScale::Unknown;
+};
+
+/// Whether a row has values alone, two or more, as many joined in a cell as names are above.
+bool are_values_of(const Sheet& sheet, const SheetRow& names, const SheetRow& row) {
+    std::size_t numbers = 0;
+    for (std::size_t k = 0; k < row.cells.size(); ++k) {
+        const std::string& text = row.cells[k].text;
+        const auto joined = read_joined_names(text_at(names, k));
+        const auto parts = split_joined(text);
+        const bool are_joined = !joined.empty() && joined.size() == parts.size();
+        if ((are_joined || number_at(sheet, row, k)) && (are_joined || joined.empty())) {
+            numbers += parts.size();
+        } else if (!is_blank(text)) {
+            return false;
+        }
+    }
+    return numbers > 1;
+}
+
+} // namespace
+
+std::vector<DerivedValue> read_derived(const Sheet& sheet, const SheetRow& row) {
+    auto joined = JoinedRow(sheet, row).read();
+    return joined.empty() ? read_single(sheet, row) : joined;
+}
+
 std::vector<DerivedValue> read_derived_below(const Sheet& sheet, const SheetRow& names, const SheetRow& values) {
     std::vector<DerivedValue> found;
     for (std::size_t k = 0; k < names.cells.size(); ++k) {
-        auto named = read_derived_name(names.cells[k].text);
-        if (named) {
-            named->place = place_at(values, k), named->column = k;
-            named->value = value_in(
-                *named, text_at(values, k), scale_in(named->name),
-                commas_are_decimal(sheet) || (k < values.cells.size() && values.cells[k].is_quoted)
+        auto named = read_joined_names(names.cells[k].text);
+        const bool are_joined = !named.empty();
+        if (auto single = are_joined ? std::nullopt : read_derived_name(names.cells[k].text)) {
+            named.push_back(std::move(*single));
+        }
+        const SizeScale scale_of_all = named.empty() ? SizeScale::Unknown : scale_in(named.back().name);
+        const auto parts =
+            are_joined ? split_joined(text_at(values, k)) : std::vector<std::string_view>{text_at(values, k)};
+        for (std::size_t i = 0; i < named.size(); ++i) {
+            named[i].place = place_at(values, k), named[i].column = k;
+            named[i].value = value_in(
+                named[i], i < parts.size() ? parts[i] : std::string_view{}, scale_of_all,
+                has_decimal_commas(sheet, values, k)
             );
-            found.push_back(std::move(*named));
+            found.push_back(std::move(named[i]));
         }
     }
     return found;
+}
+
+DerivedRows find_derived_rows(
+    const Sheet& sheet, std::size_t first, std::size_t end, const std::function<bool(const SheetRow&)>& is_sieve
+) {
+    DerivedRows rows;
+    rows.are_derived.assign(end - std::min(first, end), false);
+    for (std::size_t k = first; k < end; ++k) {
+        const SheetRow& row = sheet.rows[k];
+        if (rows.are_derived[k - first] || row.is_comment || is_sieve(row)) {
+            continue;
+        }
+        auto found = read_derived(sheet, row);
+        const bool are_names = found.size() > 1 && std::ranges::none_of(found, [](const DerivedValue& value) {
+                                   return value.value.has_value();
+                               });
+        if (are_names && k + 1 < end && are_values_of(sheet, row, sheet.rows[k + 1])) {
+            found = read_derived_below(sheet, row, sheet.rows[k + 1]);
+            rows.are_derived[k + 1 - first] = true;
+        }
+        rows.are_derived[k - first] = !found.empty();
+        rows.values.insert(rows.values.end(), found.begin(), found.end());
+    }
+    return rows;
 }
 
 } // namespace suffuse::io

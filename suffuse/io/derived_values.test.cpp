@@ -77,6 +77,35 @@ TEST(DerivedValues, OfManySoilsEachHasItsOwn) {
     EXPECT_EQ(told.find("A: D10"), std::string::npos) << told;
 }
 
+TEST(DerivedValues, NamesMayBeJoinedBySlashes) {
+    const std::string agree = "passed over as results, which are no sieves: `D10`, `D30`, `D60`, `Cu`, `Cc`\n";
+    EXPECT_EQ(told_below("D10 / D30 / D60 / Cu / Cc,0.1 / 0.4 / 2 / 20 / 0.8\n"), agree);
+    EXPECT_EQ(told_below("D10/D30/D60/Cu/Cc,0.1,0.4,2,20,0.8\n"), agree); // more cells than the table has columns
+    EXPECT_EQ(told_below("D10 / D30 / D60 / Cu / Cc\n0.1 / 0.4 / 2 / 20 / 0.8\n"), agree);
+    EXPECT_EQ(told_below("D10 / D30 / D60 = 0.1 / 0.4 / 2 mm\nCu / Cc: 20 / 0.8\n"), agree);
+    EXPECT_EQ(told_below("D10/D30/D60,- / 0.4 / -\nCu/Cc,-/-\n"), agree);
+    EXPECT_NE(told_below("D10 / D60,0.5 / 2\n").find("D10 is given as 0.5 mm"), std::string::npos);
+    EXPECT_NE(told_below("D10/D60 (um),500/2000\n").find("D10 is given as 0.5 mm"), std::string::npos);
+    EXPECT_NE(told_below("Cu / Cc,900,0.8\n").find("Cu is given as 900"), std::string::npos);
+    EXPECT_NE(told_below("Silt/clay,30\n").find("Silt/clay is given as 30 %"), std::string::npos); // of the fines
+}
+
+TEST(DerivedValues, JoinedNamesTakeNoSieveForTheirValues) {
+    const ParsedSheet parsed = parse_sheet("d [mm],passing [%]\n2,60\n0.4,30\nCu / Cc\n0.1,10\n");
+    ASSERT_EQ(parsed.soils.size(), 1U) << render(parsed.told);
+    EXPECT_EQ(parsed.soils.front().grading.diameter.size(), 3U);
+}
+
+TEST(DerivedValues, OfSievesAcrossTheyStandBelowTheSamples) {
+    const std::string across = "Sample,9.5,4.75,2,0.4,0.1,0.063\nTP1,100,80,60,30,10,6\n";
+    const ParsedSheet good = parse_sheet(across + ",,\nD10,D30,D60,Cu,Cc\n0.1,0.4,2,20,0.8\n");
+    ASSERT_EQ(good.soils.size(), 1U) << render(good.told);
+    EXPECT_EQ(render(good.told).find("is given as"), std::string::npos) << render(good.told);
+    const ParsedSheet bad = parse_sheet(across + "D10 / D60,0.5 / 2\n");
+    ASSERT_EQ(bad.soils.size(), 1U) << render(bad.told);
+    EXPECT_NE(render(bad.told).find("D10 is given as 0.5 mm"), std::string::npos) << render(bad.told);
+}
+
 TEST(DerivedValues, ASampleOfThatNameIsNoDerivedValue) {
     const ParsedSheet parsed = parse_sheet(
         "Sample,d [mm],passing [%]\nSand,2,100\nSand,0.4,30\nSand,0.1,2\nGravel,63,100\nGravel,20,40\nGravel,2,5\n"

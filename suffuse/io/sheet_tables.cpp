@@ -101,7 +101,10 @@ private:
         for (std::size_t k = first_; k < values; ++k) {
             table_.sheet.rows.push_back(sheet_.rows[k]);
         }
-        const std::vector<bool> derived = find_derived(values);
+        auto rows =
+            find_derived_rows(sheet_, values, end_, [this](const SheetRow& row) { return is_whole_sieve(row); });
+        const std::vector<bool>& derived = rows.are_derived;
+        table_.notes.derived = std::move(rows.values);
         std::size_t last = values;
         for (std::size_t k = values; k < end_; ++k) {
             last = !sheet_.rows[k].is_comment && !derived[k - values] && is_sieve(sheet_.rows[k]) ? k + 1 : last;
@@ -132,40 +135,6 @@ private:
         const auto first = std::ranges::find_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
         const bool is_worded = first != row.cells.end() && has_word(first->text);
         return is_below ? is_worded && (is_apart || !has_share(row)) : is_worded && count == 1;
-    }
-
-    /// Which rows say derived values; those are kept.
-    std::vector<bool> find_derived(std::size_t values) {
-        std::vector<bool> is_derived(end_ - std::min(values, end_), false);
-        for (std::size_t k = values; k < end_; ++k) {
-            const SheetRow& row = sheet_.rows[k];
-            if (is_derived[k - values] || row.is_comment || is_whole_sieve(row)) {
-                continue;
-            }
-            auto found = read_derived(sheet_, row);
-            const bool are_names = found.size() > 1 && std::ranges::none_of(found, [](const DerivedValue& value) {
-                                       return value.value.has_value();
-                                   });
-            if (are_names && k + 1 < end_ && is_row_of_numbers(sheet_.rows[k + 1])) {
-                found = read_derived_below(sheet_, row, sheet_.rows[k + 1]);
-                is_derived[k + 1 - values] = true;
-            }
-            is_derived[k - values] = !found.empty();
-            table_.notes.derived.insert(table_.notes.derived.end(), found.begin(), found.end());
-        }
-        return is_derived;
-    }
-
-    [[nodiscard]] bool is_row_of_numbers(const SheetRow& row) const {
-        std::size_t numbers = 0;
-        for (std::size_t k = 0; k < row.cells.size(); ++k) {
-            const bool is_number = number_at(sheet_, row, k).has_value();
-            numbers += is_number ? 1U : 0U;
-            if (!is_number && !is_blank(row.cells[k].text)) {
-                return false;
-            }
-        }
-        return numbers > 1;
     }
 
     const Sheet& sheet_;

@@ -30,6 +30,13 @@ std::string size_in_heading(std::string_view text, bool may_be_plain) {
     return size_among_words(text);
 }
 
+/// "(um)", "[mm]": without the brackets.
+std::string plain_unit(std::string_view text) {
+    text = trimmed(text);
+    const bool is_bracketed = text.size() > 1 && (text.front() == '(' || text.front() == '[');
+    return std::string(is_bracketed ? trimmed(text.substr(1, text.size() - 2)) : text);
+}
+
 /// The row in which the sieves stand, their columns, and what its first cell says of them.
 struct SieveRowAcross {
     std::size_t row = 0;
@@ -57,6 +64,9 @@ private:
         const SheetRow& row = sheet_.rows[row_number];
         const bool has_label = !row.cells.empty() && !is_size(sheet_, row, 0); // "4.75 mm" names its unit, too
         across_ = {row_number, {}, {}, has_label ? read_heading(row.cells.front().text) : Heading{}};
+        if (across_.label.scale == SizeScale::Unknown) {
+            across_.label.scale = scale_beside(row);
+        }
         std::vector<double> diameters;
         const bool is_labeled = across_.label.kind == ColumnKind::Size || across_.label.kind == ColumnKind::Sample;
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
@@ -78,6 +88,17 @@ private:
         return diameters.size() >= least_sieves && (falls || rises);
     }
 
+    /// "Sieve,um,2000,850": the unit in a cell of its own before the sizes.
+    [[nodiscard]] SizeScale scale_beside(const SheetRow& row) const {
+        for (std::size_t k = 1; k < row.cells.size() && !is_size(sheet_, row, k); ++k) {
+            const std::string plain = plain_unit(row.cells[k].text);
+            if (size_scale_of(plain) != SizeScale::Unknown) {
+                return size_scale_of(plain);
+            }
+        }
+        return SizeScale::Unknown;
+    }
+
     [[nodiscard]] bool is_sample(const SheetRow& row) const {
         const auto numbers = std::ranges::count_if(across_.columns, [&](std::size_t k) {
             return number_at(sheet_, row, k).has_value() && size_in_heading(text_at(row, k), false).empty();
@@ -90,8 +111,16 @@ private:
     bool has_samples() {
         samples_.clear(), others_.clear();
         bool begin_with_sizes = true;
-        for (std::size_t k = across_.row + 1; k < sheet_.rows.size(); ++k) {
+        const std::size_t first = across_.row + 1;
+        const auto derived = find_derived_rows(sheet_, first, sheet_.rows.size(), [this](const SheetRow& row) {
+            return is_sample(row);
+        });
+        derived_ = derived.values;
+        for (std::size_t k = first; k < sheet_.rows.size(); ++k) {
             const SheetRow& row = sheet_.rows[k];
+            if (derived.are_derived[k - first]) {
+                continue;
+            }
             if (is_sample(row)) {
                 samples_.push_back(&row);
                 begin_with_sizes = begin_with_sizes && across_.columns.front() > 0 && is_size(sheet_, row, 0);
@@ -260,8 +289,12 @@ private:
         return table;
     }
 
-    /// "D10", "Gravel %" beside the sieves: of the sample of the row.
+    /// "D10", "Gravel %" beside the sieves: of the sample of the row; below all samples: of the only one.
     void add_derived(const std::vector<const SheetRow*>& rows, SheetTable& table) {
+        for (DerivedValue& value : derived_) {
+            value.column = std::string::npos;
+            table.notes.derived.push_back(std::move(value));
+        }
         for (std::size_t k = 0; k < rows.size(); ++k) {
             for (DerivedValue value : read_derived_below(sheet_, sheet_.rows[across_.row], *rows[k])) {
                 const bool is_sieve = std::ranges::find(across_.columns, value.column) != across_.columns.end();
@@ -281,7 +314,8 @@ private:
                                  std::ranges::find(keys, k) != keys.end() || (keys.empty() && k == 0);
             const auto derived = read_derived_name(row.cells[k].text);
             const bool is_compared = derived && derived->kind != DerivedValue::Kind::Other;
-            if (!is_read && !is_blank(row.cells[k].text) && !is_compared) {
+            const bool is_unit = size_scale_of(plain_unit(row.cells[k].text)) != SizeScale::Unknown;
+            if (!is_unit && !is_read && !is_blank(row.cells[k].text) && !is_compared) {
                 unread.push_back(fmt::format("`{}`", row.cells[k].text));
             }
         }
@@ -299,6 +333,7 @@ private:
     Problems& problems_;
     SieveRowAcross across_;
     std::vector<const SheetRow*> samples_, others_;
+    std::vector<DerivedValue> derived_;
     std::set<std::string> names_;
 };
 
