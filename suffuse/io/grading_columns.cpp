@@ -2,6 +2,7 @@
 
 #include "suffuse/base/units.hpp"
 #include "suffuse/io/sheet_header.hpp"
+#include "suffuse/io/soil_columns.hpp"
 #include "suffuse/io/unnamed_columns.hpp"
 
 #include <fmt/format.h>
@@ -30,6 +31,7 @@ public:
 private:
     std::optional<GradingColumns> by_header(const SheetHeader& header) {
         header_ = &sheet_.rows[header.row];
+        header_row_ = header.row;
         second_ = header.lines > 1 ? &sheet_.rows[header.row + 1] : nullptr;
         headings_ = header.headings;
         found_.first_row = header.row + header.lines;
@@ -53,16 +55,23 @@ private:
         }
     }
 
-    /// Titles and notes above the headings.
+    /// Titles and notes above the headings, in one line.
     void tell_titles(std::size_t header_row) {
+        std::vector<const SheetRow*> titles;
         for (std::size_t k = 0; k < header_row; ++k) {
             if (!sheet_.rows[k].is_comment) {
-                problems_.warning(
-                    sheet_remark, sheet_.rows[k].place,
-                    fmt::format("passed over as a title: the columns are named in line {}", header_->place.line),
-                    "begin titles with # to keep this quiet"
-                );
+                titles.push_back(&sheet_.rows[k]);
             }
+        }
+        if (!titles.empty()) {
+            problems_.warning(
+                sheet_remark, titles.front()->place,
+                fmt::format(
+                    "passed over as {}: the columns are named in line {}",
+                    titles.size() == 1 ? "a title" : fmt::format("titles, {} lines", titles.size()), header_->place.line
+                ),
+                "begin titles with # to keep this quiet"
+            );
         }
     }
 
@@ -121,7 +130,8 @@ private:
                                heading.scale == SizeScale::Meters || heading.scale == SizeScale::Centimeters;
         const bool is_nominal = heading.scale == SizeScale::SieveNumber || heading.scale == SizeScale::Inches;
         const bool names_sieve_alone = plain_words(header_->cells[column].text).find("sieve") != std::string::npos;
-        return sizes < others ? 1 : is_metric ? 5 : is_nominal ? 2 : names_sieve_alone ? 3 : 4;
+        const int named = is_nominal ? 2 : names_sieve_alone ? 3 : 5;
+        return sizes < others ? 1 : heading.is_length_alone ? 4 : is_metric ? 6 : named;
     }
 
     bool choose_size() {
@@ -192,38 +202,27 @@ private:
         if (std::ranges::any_of(columns, [this](std::size_t k) { return has_number(k); })) {
             std::erase_if(columns, [this](std::size_t k) { return !has_number(k); });
         }
-        const auto is_percent = [this](std::size_t k) { return headings_[k].unit != ShareUnit::Mass; };
-        if (columns.size() > 1 && std::ranges::count_if(columns, is_percent) == 1) {
-            columns = {*std::ranges::find_if(columns, is_percent)};
-        }
-        std::set<std::string> names;
-        for (const std::size_t k : columns) {
-            const std::string& name = headings_[k].rest;
-            if (columns.size() > 1 && (name.empty() || !names.insert(name).second)) {
-                const std::size_t other = k == columns.front() ? columns[1] : columns.front();
-                problems_.error(
-                    "E506", header_->cells[std::max(k, other)].place,
-                    fmt::format(
-                        "`{}` and `{}` mean the same", header_->cells[std::min(k, other)].text,
-                        header_->cells[std::max(k, other)].text
-                    ),
-                    "leave one of the two columns; where each is a soil, put its name into the heading: `TP1 passing "
-                    "[%]`"
-                );
+        const auto soils = find_soil_columns(sheet_, headings_, columns, header_row_, found_.first_row);
+        for (const SoilColumns& soil : soils) {
+            if (soil.columns.size() > 1) {
+                complain_about_two(soil.columns[0], soil.columns[1]);
                 return false;
             }
-            found_.shares.push_back(
-                {k,
-                 {},
-                 columns.size() > 1 ? name : "",
-                 headings_[k].meaning,
-                 headings_[k].unit,
-                 true,
-                 headings_[k].mass_unit}
-            );
+            const std::size_t k = soil.columns.front();
+            const std::string name = soils.size() > 1 ? soil.name : "";
+            const Heading& heading = headings_[k];
+            found_.shares.push_back({k, {}, name, heading.meaning, heading.unit, true, heading.mass_unit});
         }
         find_sample_key();
         return true;
+    }
+
+    void complain_about_two(std::size_t first, std::size_t second) {
+        problems_.error(
+            "E506", header_->cells[second].place,
+            fmt::format("`{}` and `{}` mean the same", header_->cells[first].text, header_->cells[second].text),
+            "leave one of the two columns; where each is a soil, put its name into the heading: `TP1 passing [%]`"
+        );
     }
 
     bool take_weighings(const std::vector<std::size_t>& gross, const std::vector<std::size_t>& tare) {
@@ -344,6 +343,7 @@ private:
     const Sheet& sheet_;
     Problems& problems_;
     const SheetRow *header_ = nullptr, *second_ = nullptr; ///< lines of the headings
+    std::size_t header_row_ = 0;
     std::vector<Heading> headings_;
     GradingColumns found_;
 };

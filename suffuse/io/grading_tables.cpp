@@ -34,7 +34,9 @@ public:
             soil.name = has_name ? fmt::format("{}{}{}", table.name, own.empty() ? "" : " ", own) : own;
             SoilPoints* above = find_above(table, soil, before);
             if (above != nullptr) {
-                join(*above, std::move(soil));
+                if (check_joint(*above, soil)) {
+                    join(*above, std::move(soil));
+                }
                 continue;
             }
             if (tables_ > 1 && (soil.name.empty() || is_taken(soil.name))) {
@@ -44,11 +46,12 @@ public:
         }
     }
 
-    std::vector<SoilPoints> finish() {
+    /// Empty where two tables do not go on, which is reported.
+    std::optional<std::vector<SoilPoints>> finish() {
         if (soils_.size() == 1) {
             soils_.front().name.clear();
         }
-        return std::move(soils_);
+        return is_good_ ? std::optional(std::move(soils_)) : std::nullopt;
     }
 
 private:
@@ -70,6 +73,32 @@ private:
             }
         }
         return nullptr;
+    }
+
+    /// A hydrometer's shares are often of the part that went into its cylinder: then more passes than above.
+    bool check_joint(const SoilPoints& above, const SoilPoints& soil) {
+        constexpr double tolerance = 0.02; // as of a size that both have
+        const GradingPoint& last = *std::ranges::min_element(above.points, {}, &GradingPoint::diameter);
+        for (const GradingPoint& point : soil.points) {
+            if (point.diameter < last.diameter && point.passing > last.passing + tolerance) {
+                problems_.error(
+                    "E503", point.passing_place,
+                    fmt::format(
+                        "the second table does not go on with the curve above: {:.4g} % pass {:.4g} mm, and {:.4g} % "
+                        "the coarser {:.4g} mm",
+                        100 * point.passing, 1e3 * point.diameter, 100 * last.passing, 1e3 * last.diameter
+                    ),
+                    fmt::format(
+                        "is it of the part alone that passes a sieve? Multiply its shares by what passes that sieve, "
+                        "{:.4g} where it is the one of {:.4g} mm; or keep this table in a file of its own",
+                        last.passing, 1e3 * last.diameter
+                    )
+                );
+                is_good_ = false;
+                return false;
+            }
+        }
+        return true;
     }
 
     void join(SoilPoints& above, SoilPoints soil) {
@@ -94,6 +123,7 @@ private:
     std::size_t tables_, number_ = 0;
     Problems& problems_;
     std::vector<SoilPoints> soils_;
+    bool is_good_ = true;
 };
 
 /// The derived values that stand in a soil's column; all of them where it is alone.
@@ -148,7 +178,8 @@ std::optional<std::vector<SoilPoints>> read_tables(std::vector<SheetTable>& tabl
         }
         joiner.take(table, std::move(*points));
     }
-    return is_good ? std::optional(joiner.finish()) : std::nullopt;
+    auto joined = joiner.finish();
+    return is_good ? std::move(joined) : std::nullopt;
 }
 
 } // namespace suffuse::io

@@ -76,7 +76,7 @@ constexpr std::array stems{
     Stem{"retenu", Role::Retained}, Stem{"partiel", Role::OnOne}, Stem{"pourcentage", Role::Percent},
     Stem{"masse", Role::Mass}, Stem{"poids", Role::Mass}, Stem{"vide", Role::Tare}, Stem{"avec", Role::And},
     Stem{"et", Role::And}, Stem{"sol", Role::Soil}, Stem{"echantillon", Role::Sample}, Stem{"sondage", Role::Sample},
-    Stem{"profondeur", Role::Depth}, Stem{"numero", Role::Number}, Stem{"des", Role::Filler}, Stem{"de", Role::Filler},
+    Stem{"profondeur", Role::Depth}, Stem{"prof", Role::Depth}, Stem{"numero", Role::Number}, Stem{"des", Role::Filler}, Stem{"de", Role::Filler},
     Stem{"du", Role::Filler}, Stem{"la", Role::Filler}, Stem{"les", Role::Filler}, Stem{"en", Role::Filler},
     Stem{"sur", Role::OnOne}, Stem{"grain", Role::Filler}, Stem{"grains", Role::Filler},
     // German
@@ -89,7 +89,7 @@ constexpr std::array stems{
     Stem{"gesamt", Role::Cumulative}, Stem{"einzel", Role::OnOne}, Stem{"auf", Role::OnOne}, Stem{"je", Role::OnOne},
     Stem{"prozent", Role::Percent}, Stem{"anteil", Role::Fraction}, Stem{"gewicht", Role::Mass},
     Stem{"leer", Role::Tare}, Stem{"mit", Role::And}, Stem{"und", Role::And}, Stem{"boden", Role::Soil},
-    Stem{"probe", Role::Sample}, Stem{"bohrung", Role::Sample}, Stem{"tiefe", Role::Depth}, Stem{"teufe", Role::Depth},
+    Stem{"probe", Role::Sample}, Stem{"entnahmestelle", Role::Sample}, Stem{"schurf", Role::Sample}, Stem{"bohrung", Role::Sample}, Stem{"tiefe", Role::Depth}, Stem{"teufe", Role::Depth},
     Stem{"nr", Role::Number}, Stem{"als", Role::Filler}, Stem{"in", Role::Filler}, Stem{"der", Role::Filler},
     // Spanish
     Stem{"diametro", Role::Size}, Stem{"abertura", Role::Size}, Stem{"tamano", Role::Size}, Stem{"malla", Role::Sieve},
@@ -97,8 +97,11 @@ constexpr std::array stems{
     Stem{"pasando", Role::Passing}, Stem{"retenid", Role::Retained}, Stem{"acumulad", Role::Cumulative},
     Stem{"parcial", Role::OnOne}, Stem{"porcentaje", Role::Percent}, Stem{"peso", Role::Mass}, Stem{"masa", Role::Mass},
     Stem{"tara", Role::Tare}, Stem{"vacio", Role::Tare}, Stem{"con", Role::And}, Stem{"suelo", Role::Soil},
-    Stem{"muestra", Role::Sample}, Stem{"sondeo", Role::Sample}, Stem{"profundidad", Role::Depth},
+    Stem{"muestra", Role::Sample}, Stem{"calicata", Role::Sample}, Stem{"cata", Role::Sample}, Stem{"sondeo", Role::Sample}, Stem{"profundidad", Role::Depth},
     Stem{"que", Role::Filler}, Stem{"del", Role::Filler}, Stem{"el", Role::Filler},
+    // Portuguese, where it is not Spanish
+    Stem{"peneira", Role::Sieve}, Stem{"retid", Role::Retained}, Stem{"passa", Role::Passing},
+    Stem{"amostra", Role::Sample}, Stem{"sondagem", Role::Sample}, Stem{"furo", Role::Sample},
     // Italian
     Stem{"apertura", Role::Size}, Stem{"maglia", Role::Size}, Stem{"dimensione", Role::Size}, Stem{"luce", Role::Size},
     Stem{"setaccio", Role::Sieve}, Stem{"vaglio", Role::Sieve}, Stem{"crivello", Role::Sieve},
@@ -329,7 +332,7 @@ Heading read_heading(std::string_view text) {
     }
     const bool has_digit = heading.rest.find_first_of("0123456789") != std::string::npos;         // a name: TP2 (0.5 m)
     if (heading.kind == ColumnKind::Other && heading.scale != SizeScale::Unknown && !has_digit) { // a unit alone
-        heading.kind = ColumnKind::Size;
+        heading.kind = ColumnKind::Size, heading.is_length_alone = true;
     } else if (heading.kind == ColumnKind::Other && heading.unit == ShareUnit::Percent && heading.rest.empty()) {
         heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Cumulative;
     } else if (heading.kind == ColumnKind::Other && weighed && heading.rest.empty() && !roles.has(Role::Cumulative)) {

@@ -3,7 +3,9 @@
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/io/ags_grading.hpp"
+#include "suffuse/io/align_rows.hpp"
 #include "suffuse/io/grading_tables.hpp"
+#include "suffuse/io/sheet_header.hpp"
 #include "suffuse/io/sheet_text.hpp"
 
 #include <fmt/format.h>
@@ -24,6 +26,13 @@ struct Reading {
 
 Reading try_mark(const std::shared_ptr<const Source>& source, char mark) {
     Reading reading{split_sheet(source, mark), {}, {}};
+    if (mark == wide_blanks) {
+        align_rows(reading.sheet);
+        const auto header = find_sheet_header(reading.sheet);
+        if (!header || !header->is_complete) { // blanks that only set columns off
+            return reading;
+        }
+    }
     if (reading.sheet.rows.empty() || is_too_wide(reading.sheet, reading.problems)) {
         return reading;
     }
@@ -41,15 +50,22 @@ Reading try_mark(const std::shared_ptr<const Source>& source, char mark) {
     return reading;
 }
 
+/// Whether a tab cuts most lines: then nothing else does, for no text has tabs of its own.
+bool is_cut_by_tabs(const Reading& reading) {
+    const auto& rows = reading.sheet.rows;
+    const auto cut = std::ranges::count_if(rows, [](const SheetRow& row) { return row.cells.size() > 1; });
+    return reading.sheet.mark == '\t' && 2 * cut > static_cast<std::ptrdiff_t>(rows.size());
+}
+
 /// Of the marks that the text has the first between which columns are found; else the first that cuts its lines.
 Reading choose_mark(const std::shared_ptr<const Source>& source) {
     std::optional<Reading> first;
     for (const char mark : possible_marks(source->text)) {
         Reading reading = try_mark(source, mark);
-        if (!reading.tables.empty()) {
+        if (!reading.tables.empty() || is_cut_by_tabs(reading)) {
             return reading;
         }
-        if (!first) {
+        if (!first && mark != wide_blanks) {
             first = std::move(reading);
         }
     }

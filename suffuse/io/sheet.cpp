@@ -96,7 +96,7 @@ SheetRow split_line(const std::shared_ptr<const Source>& source, std::string_vie
         const std::size_t end = end_of_cell(line, begin, mark);
         std::string_view text = trimmed(line.substr(begin, end - begin));
         begin = end + 1;
-        if (mark == ' ' && text.empty()) {
+        if ((mark == ' ' || mark == wide_blanks) && text.empty()) {
             continue;
         }
         const auto first = static_cast<std::size_t>(text.data() - line.data());
@@ -108,6 +108,13 @@ SheetRow split_line(const std::shared_ptr<const Source>& source, std::string_vie
         );
     }
     return row;
+}
+
+/// A line drawn between rows: "--------", "|---|---|".
+bool is_rule(std::string_view line) {
+    const bool has_run = line.find("---") != std::string_view::npos || line.find("===") != std::string_view::npos ||
+                         line.find("___") != std::string_view::npos;
+    return has_run && line.find_first_not_of("-=_+|: \t") == std::string_view::npos;
 }
 
 /// Begins with a number, and whether that is all of it.
@@ -146,32 +153,26 @@ void join_cells(SheetRow& row) {
     row.cells = std::move(joined);
 }
 
-/// Cells between runs of two blanks and more, where single ones stand within cells.
-bool split_at_wide_blanks(Sheet& sheet, std::string_view text) {
-    Sheet wide{{}, ' '};
-    std::size_t begin = 0, columns = 0;
-    int number = 0;
+/// A wide gap is a mark, a narrow one none.
+std::string with_wide_gaps(std::string_view text) {
+    std::string line(text);
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+        const bool is_wide = line[k] == '\t' || (line[k] == ' ' && (line[k + 1] == ' ' || line[k + 1] == '\t'));
+        line[k] = is_wide || (k > 0 && line[k] == ' ' && line[k - 1] == wide_blanks) ? wide_blanks : line[k];
+    }
+    return line;
+}
+
+/// Whether all rows have the same cells, two at least.
+bool is_even(const Sheet& sheet) {
+    std::size_t columns = 0;
     for (const SheetRow& row : sheet.rows) {
-        while (number < row.place.line - 1) {
-            begin = text.find('\n', begin) + 1, ++number;
-        }
-        std::string line(text.substr(begin, text.find('\n', begin) - begin));
-        for (std::size_t k = 0; k + 1 < line.size(); ++k) { // a wide gap is a tab, a narrow one none
-            const bool is_wide = line[k] == '\t' || (line[k] == ' ' && (line[k + 1] == ' ' || line[k + 1] == '\t'));
-            line[k] = is_wide || (k > 0 && line[k] == ' ' && line[k - 1] == '\v') ? '\v' : line[k];
-        }
-        line = line.substr(0, line.find_last_not_of(" \v\r") + 1);
-        SheetRow split = split_line(row.place.source, line, row.place.line, '\v');
-        std::erase_if(split.cells, [](const SheetCell& cell) { return cell.text.empty(); });
-        split.is_comment = row.is_comment;
-        if (!row.is_comment && (split.cells.size() < 2 || (columns > 0 && split.cells.size() != columns))) {
+        if (!row.is_comment && (row.cells.size() < 2 || (columns > 0 && row.cells.size() != columns))) {
             return false;
         }
-        columns = row.is_comment ? columns : split.cells.size();
-        wide.rows.push_back(std::move(split));
+        columns = row.is_comment ? columns : row.cells.size();
     }
-    sheet = std::move(wide);
-    return true;
+    return columns > 0;
 }
 
 } // namespace
@@ -199,17 +200,22 @@ Sheet split_sheet(const std::shared_ptr<const Source>& source, char mark) {
             line = without_comment(line, mark);
         }
         line = line.substr(0, line.find_last_not_of(" \r") + 1);
-        if (line.find_first_not_of(" \t;,|\"") == std::string_view::npos) { // the empty rows of a sheet have marks
-            continue;
+        if (line.find_first_not_of(" \t;,|\"") == std::string_view::npos || is_rule(line)) {
+            continue; // the empty rows of a sheet have marks
         }
-        sheet.rows.push_back(split_line(source, line, number, mark));
+        sheet.rows.push_back(
+            split_line(source, mark == wide_blanks ? with_wide_gaps(line) : std::string(line), number, mark)
+        );
         sheet.rows.back().is_comment = is_comment;
         std::vector<SheetCell>& cells = sheet.rows.back().cells;
         while (cells.size() > 1 && cells.back().text.empty()) {
             cells.pop_back();
         }
     }
-    if (mark == ' ' && !split_at_wide_blanks(sheet, text)) {
+    if (mark == ' ') {
+        if (Sheet wide = split_sheet(source, wide_blanks); is_even(wide)) {
+            return {std::move(wide.rows), mark};
+        }
         for (SheetRow& row : sheet.rows) {
             join_cells(row);
         }
@@ -230,6 +236,9 @@ std::vector<char> possible_marks(std::string_view text) {
         if (is_there) {
             found.push_back(mark);
         }
+    }
+    if (text.find("  ") != std::string_view::npos) {
+        found.push_back(wide_blanks);
     }
     found.push_back(' ');
     return found;

@@ -25,8 +25,11 @@ struct SheetRow {
 
 struct Sheet {
     std::vector<SheetRow> rows; ///< those that hold something
-    char mark = ',';            ///< between columns; a blank stands for any run of blanks
+    char mark = ',';            ///< between columns; a blank stands for any run of blanks, wide_blanks for two and more
 };
+
+/// The mark of columns between runs of two blanks and more, where single ones stand within cells.
+constexpr char wide_blanks = '\v';
 
 /// Without blanks at its ends.
 std::string_view trimmed(std::string_view text);
@@ -35,7 +38,8 @@ std::string_view trimmed(std::string_view text);
 /// #200 is a sieve. Empty cells at the end of a row, where spreadsheets leave some, are dropped.
 Sheet split_sheet(const std::shared_ptr<const Source>& source, char mark);
 
-/// The marks of ; tab | and comma that stand outside of quotes and comments, in this order, and last the blank.
+/// The marks of ; tab | and comma that stand outside of quotes and comments, in this order; then wide
+/// blanks where there are some, and last the blank.
 std::vector<char> possible_marks(std::string_view text);
 
 } // namespace suffuse::io

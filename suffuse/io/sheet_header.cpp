@@ -26,6 +26,33 @@ std::optional<SheetHeader> read_header(const SheetRow& cells, std::size_t row) {
     return has_size && header.headings.size() > 1 ? std::optional(std::move(header)) : std::nullopt;
 }
 
+/// Whether a row may be one of headings: none of its cells holds a number.
+bool has_no_digit(const SheetRow& row) {
+    return std::ranges::none_of(row.cells, [](const SheetCell& cell) {
+        return cell.text.find_first_of("0123456789") != std::string::npos;
+    });
+}
+
+/// Headings in two lines of which the second alone has the size: complete, or none.
+std::optional<SheetHeader> join_above(const Sheet& sheet, std::size_t row) {
+    const SheetRow &above = sheet.rows[row - 1], &below = sheet.rows[row];
+    if (above.is_comment || above.place.line + 1 != below.place.line || above.cells.size() < below.cells.size() ||
+        !has_no_digit(above) || !has_no_digit(below)) {
+        return std::nullopt;
+    }
+    SheetHeader joined{row - 1, 2, {}, false};
+    bool has_size_below = false, has_share_above = false;
+    for (std::size_t k = 0; k < above.cells.size(); ++k) {
+        const bool is_size = read_heading(text_at(below, k)).kind == ColumnKind::Size;
+        has_size_below = has_size_below || is_size;
+        has_share_above = has_share_above || (!is_size && read_heading(text_at(above, k)).kind == ColumnKind::Share);
+        joined.headings.push_back(read_heading(text_at(above, k) + " " + text_at(below, k)));
+    }
+    joined.is_complete = has_size_below && has_share_above && has_kind(joined.headings, ColumnKind::Size) &&
+                         has_kind(joined.headings, ColumnKind::Share);
+    return joined.is_complete ? std::optional(std::move(joined)) : std::nullopt;
+}
+
 /// The first complete row of headings, else the first with a size.
 std::optional<SheetHeader> find_first_line(const Sheet& sheet) {
     std::optional<SheetHeader> best;
@@ -40,6 +67,11 @@ std::optional<SheetHeader> find_first_line(const Sheet& sheet) {
             auto header = is_value ? std::nullopt : read_header(sheet.rows[k], k);
             if (header && header->is_complete) {
                 return header;
+            }
+            if (!is_value && !in_comments && k > 0) { // "Particle,% passing" above "Size mm,"
+                if (auto joined = join_above(sheet, k)) {
+                    return joined;
+                }
             }
             if (header && !best && !in_comments) {
                 best = std::move(header);
@@ -66,7 +98,7 @@ bool goes_on(const Sheet& sheet, std::size_t row, std::size_t columns) {
 
 std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
     auto header = find_first_line(sheet);
-    if (!header || !goes_on(sheet, header->row + 1, header->headings.size())) {
+    if (!header || header->lines > 1 || !goes_on(sheet, header->row + 1, header->headings.size())) {
         return header;
     }
     const SheetRow &first = sheet.rows[header->row], &second = sheet.rows[header->row + 1];

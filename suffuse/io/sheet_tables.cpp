@@ -168,14 +168,16 @@ std::vector<std::size_t> find_headers(const Sheet& sheet) {
     return headers;
 }
 
-/// Titles of a table that is not the first: the rows behind what ends the one before it, above its headings.
+/// Titles of a table that is not the first: the rows behind what ends the one before it, above its headings. A number
+/// stands in a title only where it is the dry mass.
 std::size_t first_title(const Sheet& sheet, std::size_t header) {
     std::size_t first = header;
     while (first > 0 && !sheet.rows[first - 1].is_comment) {
         const SheetRow& row = sheet.rows[first - 1];
-        const bool is_title = std::ranges::none_of(row.cells, [](const SheetCell& cell) {
+        const bool is_worded = std::ranges::none_of(row.cells, [](const SheetCell& cell) {
             return plain_number(cell.text, true).has_value() || read_row_word(cell.text) != RowWord::None;
         });
+        const bool is_title = is_worded || dry_mass_in(sheet, row);
         if (!is_title || !read_derived(sheet, row).empty()) {
             break;
         }
@@ -234,11 +236,63 @@ std::vector<std::size_t> find_tables_beside(const Sheet& sheet, const SheetHeade
     return begins.size() > 1 && !are_same ? begins : std::vector<std::size_t>{};
 }
 
-std::vector<SheetTable> cut_beside(SheetTable table) {
+/// The row right above the headings where it has a title for each of the tables beside each other.
+const SheetRow* find_titles_beside(const Sheet& sheet, std::size_t header, const std::vector<std::size_t>& begins) {
+    const SheetRow* above = header > 0 ? &sheet.rows[header - 1] : nullptr;
+    const bool is_next = above != nullptr && above->place.line + 1 == sheet.rows[header].place.line;
+    const bool has_title =
+        is_next && std::ranges::any_of(begins, [above](std::size_t k) { return !is_blank(text_at(*above, k)); });
+    return has_title ? above : nullptr;
+}
+
+/// Whether sizes and shares go on from each table to the next, so that they are one: a curve in several columns.
+bool go_on(const Sheet& sheet, std::size_t first_row, const std::vector<std::size_t>& begins) {
+    std::vector<std::pair<double, double>> points;
+    for (const std::size_t begin : begins) {
+        for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
+            const auto size = number_at(sheet, sheet.rows[k], begin),
+                       share = number_at(sheet, sheet.rows[k], begin + 1);
+            if (!sheet.rows[k].is_comment && size && share) {
+                points.emplace_back(*size, *share);
+            }
+        }
+    }
+    const auto rises = [](const auto& a, const auto& b) { return a.first < b.first && a.second <= b.second; };
+    const auto falls = [](const auto& a, const auto& b) { return a.first > b.first && a.second >= b.second; };
+    const auto is_all = [&points](const auto& in_order) {
+        return std::adjacent_find(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+                   return !in_order(a, b);
+               }) == points.end();
+    };
+    return points.size() > begins.size() && (is_all(rises) || is_all(falls));
+}
+
+/// The tables beside the first one below it.
+SheetTable stack(SheetTable table, const SheetHeader& header, const std::vector<std::size_t>& begins) {
+    Sheet stacked{{}, table.sheet.mark};
+    for (std::size_t part = 0; part < begins.size(); ++part) {
+        const std::size_t end = part + 1 < begins.size() ? begins[part + 1] : std::string::npos;
+        const std::size_t from = part == 0 ? 0 : header.row + header.lines;
+        Sheet rows = take_columns(table.sheet, begins[part], end, from);
+        stacked.rows.insert(stacked.rows.end(), rows.rows.begin(), rows.rows.end());
+    }
+    table.sheet = std::move(stacked);
+    return table;
+}
+
+std::vector<SheetTable> cut_beside(SheetTable table, Problems& problems) {
     const auto header = find_sheet_header(table.sheet);
     const auto begins = header ? find_tables_beside(table.sheet, *header) : std::vector<std::size_t>{};
     if (begins.empty()) {
         return {std::move(table)};
+    }
+    const SheetRow* titles = find_titles_beside(table.sheet, header->row, begins);
+    if (titles == nullptr && go_on(table.sheet, header->row + header->lines, begins)) {
+        problems.warning(
+            sheet_remark, table.sheet.rows[header->row].place,
+            fmt::format("{} tables beside each other go on from one to the next: read as one", begins.size())
+        );
+        return {stack(std::move(table), *header, begins)};
     }
     std::vector<SheetTable> parts;
     for (std::size_t k = 0; k < begins.size(); ++k) {
@@ -246,11 +300,10 @@ std::vector<SheetTable> cut_beside(SheetTable table) {
         SheetTable part;
         part.sheet = take_columns(table.sheet, begins[k], end, header->row);
         part.dry = table.dry;
-        if (header->row > 0) { // a title stands above each
-            const SheetRow& above = table.sheet.rows[header->row - 1];
-            part.name = text_at(above, begins[k]);
+        if (titles != nullptr) {
+            part.name = text_at(*titles, begins[k]);
             part.is_hydrometer = names_hydrometer(
-                {{above.cells.size() > begins[k] ? above.cells[begins[k]] : SheetCell{}}, above.place, false}
+                {{titles->cells.size() > begins[k] ? titles->cells[begins[k]] : SheetCell{}}, titles->place, false}
             );
         }
         parts.push_back(std::move(part));
@@ -282,7 +335,7 @@ std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
     std::size_t first = 0;
     for (std::size_t k = 0; k < headers.size(); ++k) {
         const std::size_t end = k + 1 < headers.size() ? first_title(sheet, headers[k + 1]) : sheet.rows.size();
-        for (SheetTable& part : cut_beside(TableCutter(sheet, first, headers[k], end).cut())) {
+        for (SheetTable& part : cut_beside(TableCutter(sheet, first, headers[k], end).cut(), problems)) {
             tables.push_back(std::move(part));
         }
         first = end;

@@ -81,6 +81,14 @@ TEST(SheetTables, SievesMayStandAcrossInManyWays) {
          {{"BK1 1,5", {{0.063, 8.5}, {0.2, 20}, {2, 55}, {6.3, 80}, {20, 100}}},
           {"BK1 3,0", {{0.063, 12}, {0.2, 33}, {2, 90}, {6.3, 100}}}},
          "the sieves stand across"},
+        {"unit-beside.csv",
+         "Sieve,um,2000,425,75\nPassing,%,100,60,8\n",
+         {{"", {{0.075, 8}, {0.425, 60}, {2, 100}}}},
+         "the sieves stand across"},
+        {"headings-in-two-rows.csv",
+         "Pit;Sample;Passing;;;PI\n;;#4;#40;#200;\nA;1;100;60;8;NP\nA;2;90;50;7;12\n",
+         {{"A 1", {{0.075, 8}, {0.425, 60}, {4.75, 100}}}, {"A 2", {{0.075, 7}, {0.425, 50}, {4.75, 90}}}},
+         "not read: `PI`"},
         {"masses.csv",
          "Mass retained (g),,,,\nSample,#4,#10,#40,#200,Pan\nA,0,100,200,150,50\nB,0,60,60,60,20\n",
          {{"A", {{0.075, 10}, {0.425, 40}, {2, 80}, {4.75, 100}}},
@@ -92,6 +100,78 @@ TEST(SheetTables, SievesMayStandAcrossInManyWays) {
           {"S2", {{0.075, 9}, {0.425, 40}, {4.75, 70}, {19, 100}}}},
          "S2: Gravel % is given as 12 %"},
     });
+}
+
+TEST(SheetTables, TablesBesideEachOtherThatGoOnAreOneUnlessTheyHaveNames) {
+    const std::string curve = "d [um],passing [%],d [um],passing [%]\n1,0,16,40\n2,5,63,80\n4,12,250,100\n";
+    const ParsedSheet one = parse_sheet(curve);
+    ASSERT_EQ(one.soils.size(), 1U) << told_by(one);
+    expect_soil({"", {{0.001, 0}, {0.002, 5}, {0.004, 12}, {0.016, 40}, {0.063, 80}, {0.25, 100}}}, one.soils[0], "on");
+    EXPECT_NE(told_by(one).find("2 tables beside each other go on from one to the next"), std::string::npos);
+    EXPECT_EQ(parse_sheet("TP1,,TP2,\n" + curve).soils.size(), 2U);
+    const ParsedSheet two = parse_sheet("d [um],passing [%],d [um],passing [%]\n1,0,16,10\n2,5,63,80\n4,12,250,100\n");
+    EXPECT_EQ(two.soils.size(), 2U) << told_by(two); // less passes the coarser size
+}
+
+TEST(SheetTables, NamesMayStandAboveHeadingsThatSayTheSame) {
+    expect_sheets({
+        {"names-above.csv",
+         "Borehole,B1,B1,B2\nDepth (m),1,2,1\nSieve (mm),% Passing,% Passing,% Passing\n"
+         "4,100,100,100\n1,60,50,40\n0.1,9,8,-\n",
+         {{"B1 1", {{0.1, 9}, {1, 60}, {4, 100}}},
+          {"B1 2", {{0.1, 8}, {1, 50}, {4, 100}}},
+          {"B2 1", {{1, 40}, {4, 100}}}},
+         "passed over as titles, 2 lines"},
+        {"name-over-two.csv",
+         ",P1,,P2,\nSieve (mm),Retained (g),Retained (%),Retained (g),Retained (%)\n"
+         "4,0,0,0,0\n1,100,66.7,50,33.3\n0.1,30,20,70,46.7\nPan,20,13.3,30,20\n",
+         {{"P1", {{0.1, 13.3333}, {1, 33.3333}, {4, 100}}}, {"P2", {{0.1, 20}, {1, 66.6667}, {4, 100}}}},
+         "`Pan` is what passed the finest sieve"},
+    });
+    EXPECT_TRUE(parse_sheet("Sieve (mm),% Passing,% Passing\n4,100,100\n1,60,50\n0.1,9,8\n").soils.empty());
+}
+
+TEST(SheetTables, MassesAreReadBesidePercentsOnlyWhereTheseAreTheirs) {
+    const std::string head = "Sieve (mm),Retained on sieve (g),Retained on sieve (%)\n4,0,0\n";
+    const ParsedSheet same = parse_sheet(head + "1,200,66.7\n0.1,60,20\nPan,40,13.3\n");
+    ASSERT_EQ(same.soils.size(), 1U) << told_by(same);
+    expect_soil({"", {{0.1, 13.3333}, {1, 33.3333}, {4, 100}}}, same.soils[0], "masses");
+    const ParsedSheet washed = parse_sheet(head + "1,200,50\n0.1,60,15\nPan,40,35\n"); // 400 g before washing
+    ASSERT_EQ(washed.soils.size(), 1U) << told_by(washed);
+    expect_soil({"", {{0.1, 35}, {1, 50}, {4, 100}}}, washed.soils[0], "percents");
+}
+
+TEST(SheetTables, OfTwoColumnsOfPassingThatOfTheTotalSampleIsRead) {
+    const ParsedSheet parsed = parse_sheet("d [mm],% finer -#10,% finer total\n0.06,60,29\n0.02,45,22\n0.002,16,8\n");
+    ASSERT_EQ(parsed.soils.size(), 1U) << told_by(parsed);
+    expect_soil({"", {{0.002, 8}, {0.02, 22}, {0.06, 29}}}, parsed.soils[0], "total");
+    EXPECT_TRUE(parse_sheet("d [mm],% finer,% finer\n0.06,60,29\n0.02,45,22\n0.002,16,8\n").soils.empty());
+}
+
+TEST(SheetTables, ColumnsMayBeSetOffByWideBlanksWithSomeLeftOut) {
+    const ParsedSheet parsed = parse_sheet(
+        "   Sieving                Sedimentation\n"
+        "   Particle   % Passing   Particle   % Passing\n"
+        "   Size mm                Size mm\n"
+        "   ----------------------------------------\n"
+        "   2             100      0.03          20\n"
+        "   0.6            70      0.01          12\n"
+        "   0.1            30\n",
+        "sheet.txt"
+    );
+    ASSERT_EQ(parsed.soils.size(), 1U) << told_by(parsed);
+    expect_soil({"", {{0.01, 12}, {0.03, 20}, {0.1, 30}, {0.6, 70}, {2, 100}}}, parsed.soils[0], "wide");
+}
+
+TEST(SheetTables, AHydrometerThatPassesMoreThanTheFinestSieveIsRefused) {
+    const ParsedSheet parsed =
+        parse_sheet("d [mm],passing [%]\n2,100\n0.6,80\n0.075,58\n\nHydrometer\nd [mm],passing [%]\n0.07,94\n0.01,40\n"
+        );
+    EXPECT_TRUE(parsed.soils.empty());
+    EXPECT_NE(
+        told_by(parsed).find("the second table does not go on with the curve above: 94 % pass 0.07 mm"),
+        std::string::npos
+    ) << told_by(parsed);
 }
 
 TEST(SheetTables, ARowWithMoreValuesThanHeadingsIsAnErrorInEveryKindOfTable) {

@@ -70,8 +70,10 @@ std::string value_after(const SheetRow& row, std::size_t column) {
 std::string sample_named_in(const SheetRow& row) {
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
         const std::string& text = row.cells[k].text;
-        const Heading heading = read_heading(std::string_view(text).substr(0, std::min(text.find(':'), text.size())));
-        if (heading.kind == ColumnKind::Sample && !heading.names_depth && (k == 0 || heading.rest.empty())) {
+        const std::string_view named = std::string_view(text).substr(0, std::min(text.find(':'), text.size()));
+        const Heading heading = read_heading(named);
+        const bool is_mass = names_dry_mass(fmt::format(" {} ", plain_words(named))); // of the sample
+        if (heading.kind == ColumnKind::Sample && !heading.names_depth && !is_mass && (k == 0 || heading.rest.empty())) {
             const std::string value = value_after(row, k);
             return value.empty() ? heading.rest : value;
         }

@@ -20,8 +20,14 @@ bool may_be_thousands(std::string_view text) {
 bool has_point(const SheetRow& row, std::size_t column) {
     const std::string& text = text_at(row, column);
     const std::size_t at = text.find('.');
-    return at != std::string::npos && at + 1 < text.size() && is_digit(text[at + 1]) &&
+    const bool is_for_thousands = text.find(',', std::min(at, text.size())) != std::string::npos; // 1.496,37
+    return at != std::string::npos && !is_for_thousands && at + 1 < text.size() && is_digit(text[at + 1]) &&
            (at == 0 || is_digit(text[at - 1]));
+}
+
+/// A larger phi is a finer grain.
+SizeSense turned(SizeSense sense) {
+    return sense == SizeSense::Finer ? SizeSense::Coarser : sense == SizeSense::Coarser ? SizeSense::Finer : sense;
 }
 
 std::string no_size(const std::string& text) {
@@ -45,9 +51,11 @@ std::string no_size(const std::string& text) {
 
 TableCells::TableCells(const Sheet& sheet, const GradingColumns& columns, bool mixes_units, Problems& problems)
     : sheet_(sheet), columns_(columns), problems_(problems), mixes_units_(mixes_units) {
-    has_points_ = std::ranges::any_of(sheet.rows, [&columns](const SheetRow& row) {
-        return !row.is_comment && (has_point(row, columns.size.index) || has_point(row, columns.shares.front().index));
-    });
+    for (std::size_t k = columns.first_row; k < sheet.rows.size() && !has_points_; ++k) {
+        const SheetRow& row = sheet.rows[k];
+        has_points_ =
+            !row.is_comment && (has_point(row, columns.size.index) || has_point(row, columns.shares.front().index));
+    }
 }
 
 void TableCells::complain(const Place& place, const std::string& what, const std::string& advice) {
@@ -122,7 +130,8 @@ std::optional<CellSize> TableCells::read_size(const SheetRow& row) {
         );
     }
     const bool has_unit = columns_.size.scale != SizeScale::Unknown || size->notation != SizeNotation::Plain;
-    return CellSize{size->diameter, has_unit, split.sense};
+    return CellSize{
+        size->diameter, has_unit, columns_.size.scale == SizeScale::Phi ? turned(split.sense) : split.sense};
 }
 
 /// A decimal comma where commas separate, or beside decimal points.

@@ -63,7 +63,7 @@ private:
     bool read_sieves(std::size_t row_number) {
         const SheetRow& row = sheet_.rows[row_number];
         const bool has_label = !row.cells.empty() && !is_size(sheet_, row, 0); // "4.75 mm" names its unit, too
-        across_ = {row_number, {}, {}, has_label ? read_heading(row.cells.front().text) : Heading{}};
+        across_ = {row_number, {}, {}, has_label ? read_heading(heading_at(row_number, 0)) : Heading{}};
         if (across_.label.scale == SizeScale::Unknown) {
             across_.label.scale = scale_beside(row);
         }
@@ -86,6 +86,29 @@ private:
         const bool falls = std::ranges::is_sorted(diameters, std::greater_equal{});
         const bool rises = std::ranges::is_sorted(diameters, std::less_equal{});
         return diameters.size() >= least_sieves && (falls || rises);
+    }
+
+    /// What heads a column: in the row of sieves, else right above it: "Borehole,Depth,Passing,," and ",,#4,#200".
+    [[nodiscard]] const std::string& heading_at(std::size_t row, std::size_t column) const {
+        const std::string& own = text_at(sheet_.rows[row], column);
+        return own.empty() && goes_on(row) ? text_at(sheet_.rows[row - 1], column) : own;
+    }
+
+    /// Whether a row goes on with headings right above it: its first cell has none.
+    [[nodiscard]] bool goes_on(std::size_t row) const {
+        return row > 0 && !sheet_.rows[row - 1].is_comment && text_at(sheet_.rows[row], 0).empty() &&
+               sheet_.rows[row - 1].place.line + 1 == sheet_.rows[row].place.line;
+    }
+
+    [[nodiscard]] const std::string& heading_at(std::size_t column) const { return heading_at(across_.row, column); }
+
+    /// Columns that are headed.
+    [[nodiscard]] std::size_t width() const {
+        std::size_t width = sheet_.rows[across_.row].cells.size();
+        while (!heading_at(width).empty()) {
+            ++width;
+        }
+        return width;
     }
 
     /// "Sieve,um,2000,850": the unit in a cell of its own before the sizes.
@@ -157,13 +180,12 @@ private:
 
     /// Columns of names, boreholes and depths; else the first that is no sieve's.
     [[nodiscard]] std::vector<std::size_t> find_keys() const {
-        const SheetRow& row = sheet_.rows[across_.row];
         std::vector<std::size_t> keys, others;
-        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+        for (std::size_t k = 0; k < width(); ++k) {
             if (std::ranges::find(across_.columns, k) != across_.columns.end()) {
                 continue;
             }
-            (read_heading(row.cells[k].text).kind == ColumnKind::Sample ? keys : others).push_back(k);
+            (read_heading(heading_at(k)).kind == ColumnKind::Sample ? keys : others).push_back(k);
         }
         return !keys.empty() || others.empty() ? keys : std::vector<std::size_t>{others.front()};
     }
@@ -183,12 +205,12 @@ private:
 
     /// What stands beyond the last heading is of no sieve, and no row may lose it.
     void check_widths() {
-        const std::size_t width = sheet_.rows[across_.row].cells.size();
+        const std::size_t columns = width();
         for (const SheetRow* row : samples_) {
-            if (row->cells.size() > width) {
+            if (row->cells.size() > columns) {
                 problems_.error(
                     "E502", row->place,
-                    fmt::format("{} values where the header names {} columns", row->cells.size(), width),
+                    fmt::format("{} values where the header names {} columns", row->cells.size(), columns),
                     "one value for each column; where numbers have a decimal comma, columns are separated by ;"
                 );
             }
@@ -278,7 +300,7 @@ private:
             table.sheet.rows.push_back(std::move(line));
         }
         add_derived(taken, table);
-        for (std::size_t k = 0; k < across_.row; ++k) {
+        for (std::size_t k = 0; k < across_.row - (goes_on(across_.row) ? 1U : 0U); ++k) {
             if (!sheet_.rows[k].is_comment) {
                 table.notes.others.push_back(&sheet_.rows[k]);
             }
@@ -309,14 +331,15 @@ private:
     void tell(std::size_t samples, const std::vector<std::size_t>& keys) {
         std::vector<std::string> unread;
         const SheetRow& row = sheet_.rows[across_.row];
-        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+        for (std::size_t k = 0; k < width(); ++k) {
+            const std::string& heading = heading_at(k);
             const bool is_read = std::ranges::find(across_.columns, k) != across_.columns.end() ||
                                  std::ranges::find(keys, k) != keys.end() || (keys.empty() && k == 0);
-            const auto derived = read_derived_name(row.cells[k].text);
+            const auto derived = read_derived_name(heading);
             const bool is_compared = derived && derived->kind != DerivedValue::Kind::Other;
-            const bool is_unit = size_scale_of(plain_unit(row.cells[k].text)) != SizeScale::Unknown;
-            if (!is_unit && !is_read && !is_blank(row.cells[k].text) && !is_compared) {
-                unread.push_back(fmt::format("`{}`", row.cells[k].text));
+            const bool is_unit = size_scale_of(plain_unit(heading)) != SizeScale::Unknown;
+            if (!is_unit && !is_read && !is_blank(heading) && !is_compared) {
+                unread.push_back(fmt::format("`{}`", heading));
             }
         }
         problems_.warning(

@@ -44,7 +44,7 @@ TEST(UnseenSheets, AmericanFormsGiveTheirCurves) {
             {4.75, 88},
             {9.5, 95},
             {19, 100}}}},
-         "passed over as a title: the columns are named in line 8"},
+         "passed over as titles, 6 lines: the columns are named in line 8"},
         {"usace-sieve-blocks.csv",
          "GRADATION CURVES,,\n"
          "Project: Lock and Dam 9,,\n"
