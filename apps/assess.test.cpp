@@ -162,6 +162,41 @@ TEST_F(Assess, JudgesAFilterBetweenTwoSoils) {
     EXPECT_EQ(filter[0]["verdict"], "holds");
 }
 
+TEST_F(Assess, DrawsTheCurvesAloneIntoAFile) {
+    const std::filesystem::path drawing = std::filesystem::path(SUFFUSE_PROGRAM) / "../../../report-page/figures.mjs";
+    if (!std::filesystem::exists(drawing.lexically_normal())) {
+        GTEST_SKIP() << "npm has not built the report's page; ./test does";
+    }
+    EXPECT_EQ(call("dyke.csv -o curves.svg"), 0) << error;
+    expect_in("<svg", read_all(folder / "curves.svg"));
+    EXPECT_EQ(call("dyke.csv -o curves.pdf"), 0) << error;
+    const std::string pdf = read_all(folder / "curves.pdf");
+    EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+    EXPECT_NE(pdf.find("%%EOF"), std::string::npos);
+    EXPECT_EQ(call("dyke.csv -o curves.png"), 0) << error;
+    EXPECT_EQ(read_all(folder / "curves.png").substr(1, 3), "PNG");
+}
+
+TEST_F(Assess, ReadsStandardInputAndPipesUpToTheSizeOfAGrading) {
+    const auto from = [this](const std::string& file) {
+        const Said said =
+            wait_for(start({"assess", "-", "--json"}, {}, [file] { dup2(open(file.c_str(), O_RDONLY), STDIN_FILENO); })
+            );
+        out = said.out, error = said.error;
+        return said.code;
+    };
+    EXPECT_EQ(from("dyke.csv"), 0) << error;
+    const auto soil = nlohmann::json::parse(out)["soils"][0];
+    EXPECT_EQ(soil["criteria"][1]["verdict"], "unstable");
+    EXPECT_EQ(soil["soil"], "-");
+    EXPECT_EQ(from("/dev/null"), 3);
+    EXPECT_EQ(from("/dev/zero"), 74);
+    expect_in("larger than 64 MiB", out + error);
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+    EXPECT_EQ(call("pipe"), 3); // nobody writes into it: it is empty, and not waited for
+    expect_in("the file is empty", error);
+}
+
 TEST_F(Assess, WritesAPageToPlayWith) {
     EXPECT_EQ(call("dyke.csv --page -i 0.25 --alpha 0.2 -o dyke.html"), 0);
     const std::string page = read_all(folder / "dyke.html");

@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <iostream>
-#include <iterator>
+#include <cstdio>
 #include <memory>
 #include <vector>
 
@@ -18,9 +17,8 @@ std::shared_ptr<const Source> source_of(const std::string& path) {
     if (path != "-") {
         return std::make_shared<Source>(Source{path, read_whole_file(path)});
     }
-    std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    return std::make_shared<Source>(Source{"standard input", text.starts_with(mark) ? text.substr(mark.size()) : text});
+    const std::string name = "standard input";
+    return std::make_shared<Source>(Source{name, read_whole_stream(stdin, name)});
 }
 
 } // namespace

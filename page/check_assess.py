@@ -48,7 +48,7 @@ def same(ours, theirs):
 
 
 def check_view(program, browser, folder):
-    """What is wrong with the page of one soil: a slider that claims to know α, or a print of several sheets."""
+    """What is wrong with the page of one soil: a slider that claims to know α, or what is wrong on paper."""
     Path(folder, "dyke.csv").write_text("d [mm],passing [%]\n0.002,0\n0.063,14\n0.63,27\n2,33\n20,76\n63,100\n")
     wrong = []
     opened = [browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/chromium"]
@@ -64,10 +64,27 @@ def check_view(program, browser, folder):
             wrong.append(f"α {alpha}: the button that forgets it is {'shown' if alpha is None else 'hidden'}")
         if "asked 0.30" not in dom or "heave 0.99" not in dom:
             wrong.append("the gradients are not drawn on their line")
-    subprocess.run([*opened, f"--print-to-pdf={folder}/one.pdf", page], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
-    sheets = len(re.findall(rb"/Type\s*/Page\b", Path(folder, "one.pdf").read_bytes()))
-    if sheets != 1:
-        wrong.append(f"one soil prints on {sheets} sheets")
+    return wrong + check_print(program, opened, folder)
+
+
+def check_print(program, opened, folder):
+    """What is wrong on paper: a soil on more than one sheet, a table that is cut, a control."""
+    curve = "0.063,14\n0.63,27\n2,33\n20,76\n63,100\n"  # open at its end: every criterion has its remark
+    Path(folder, "two.csv").write_text("".join(f"Sample: TP{k}\nd [mm],passing [%]\n{curve}\n" for k in (1, 2)))
+    wrong = []
+    for file, most in {"dyke.csv": 1, "two.csv": 2}.items():
+        subprocess.run([program, "assess", file, "-i", "0.3", "--page", "-o", "print.html"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        pdf, page = Path(folder, "print.pdf"), Path(folder, "print.html").as_uri()
+        subprocess.run([*opened, f"--print-to-pdf={pdf}", page], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
+        sheets = len(re.findall(rb"/Type\s*/Page\b", pdf.read_bytes()))
+        if sheets != most:
+            wrong.append(f"{file} prints on {sheets} sheets, not on {most}")
+        if shutil.which("pdftotext"):
+            text = subprocess.run(["pdftotext", str(pdf), "-"], check=True, stdout=subprocess.PIPE, text=True).stdout
+            if most > 1 and len(re.findall(r"\d of \d$", text, re.M)) < most + 1:  # a row's last cell; pages are numbered, too
+                wrong.append(f"{file} prints its table without its last column")
+            if re.search(r"^sample\s+(two|TP)", text, re.M) or "The curve as given" in text:
+                wrong.append(f"{file} prints controls")
     return wrong
 
 

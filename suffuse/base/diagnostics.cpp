@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 #include <tuple>
+#include <vector>
 
 namespace suffuse {
 
@@ -96,43 +99,68 @@ std::string render_one(const Diagnostic& d, const Palette& paint, std::size_t co
     return out;
 }
 
-/// Warnings of one code; errors of one file that ask for the same, as in every line of a table with the wrong mark
-/// between its columns.
-bool are_alike(const Diagnostic& a, const Diagnostic& b) {
-    if (a.is_warning != b.is_warning || a.code != b.code) {
-        return false;
+using Kin = std::vector<const Diagnostic*>;
+
+/// Problems that share one entry: warnings of one code; errors of one file that ask for the same, as in every line of
+/// a table with the wrong mark between its columns. Others are alone.
+std::vector<Kin> find_kin(const std::vector<Diagnostic>& list) {
+    constexpr std::size_t most_errors = 3; // of one kind that are shown in full
+    using Kind = std::tuple<bool, std::string_view, std::string_view, std::string_view>;
+    std::map<Kind, std::size_t> counts, places;
+    const auto kind_of = [](const Diagnostic& d) {
+        return d.is_warning ? Kind{true, d.code, {}, {}} : Kind{false, d.code, d.help, d.file};
+    };
+    for (const Diagnostic& d : list) {
+        ++counts[kind_of(d)];
     }
-    return a.is_warning || (!a.help.empty() && a.help == b.help && a.file == b.file);
+    std::vector<Kin> all;
+    for (const Diagnostic& d : list) {
+        const bool is_folded = d.is_warning || (!d.help.empty() && counts[kind_of(d)] > most_errors);
+        const auto place = is_folded ? places.try_emplace(kind_of(d), all.size()).first->second : all.size();
+        all.resize(std::max(all.size(), place + 1));
+        all[place].push_back(&d);
+    }
+    return all;
 }
 
-/// One line for each further problem of the kind of `first`, the first few, under its help.
-template <class Iterator, class IsAlike>
-std::string render_rest(Iterator first, Iterator end, IsAlike is_alike, std::size_t indent) {
-    constexpr std::ptrdiff_t most = 3;
-    const std::ptrdiff_t count = std::count_if(first + 1, end, is_alike);
+/// One line for each further problem of a kind, the first few, under the help of the first.
+std::string render_rest(const Kin& kin, std::size_t indent) {
+    constexpr std::size_t most = 3;
+    const Diagnostic& first = *kin.front();
     std::string out;
-    std::ptrdiff_t told = 0;
-    for (Iterator other = first + 1; other != end && told < most; ++other) {
-        if (is_alike(*other)) {
-            const std::string where = other->line <= 0             ? ""
-                                      : other->file == first->file ? fmt::format("line {}: ", other->line)
-                                                                   : fmt::format("{}:{}: ", other->file, other->line);
-            out += fmt::format("{:{}} = also: {}\n", "", indent, printable(where + other->message));
-            ++told;
-        }
+    for (std::size_t k = 1; k < std::min(kin.size(), most + 1); ++k) {
+        const Diagnostic& other = *kin[k];
+        const std::string where = other.line <= 0            ? ""
+                                  : other.file == first.file ? fmt::format("line {}: ", other.line)
+                                                             : fmt::format("{}:{}: ", other.file, other.line);
+        out += fmt::format("{:{}} = also: {}\n", "", indent, printable(where + other.message));
     }
-    const std::string more = fmt::format(
-        "{:{}} = and {} more{}\n", "", indent, count - told,
-        first->is_warning ? "; suffuse check --json lists all" : " that ask for the same"
-    );
-    return out + (count > told ? more : "");
+    if (kin.size() > most + 1) {
+        out += fmt::format(
+            "{:{}} = and {} more{}\n", "", indent, kin.size() - 1 - most,
+            first.is_warning ? "; suffuse check --json lists all" : " that ask for the same"
+        );
+    }
+    return out;
 }
 
 } // namespace
 
 std::string line_of(const Source& source, int line) {
+    constexpr std::size_t block = 4096; // whole ones are counted through, many lines at once
+    const std::string_view whole = source.text;
     std::size_t begin = 0;
-    for (int passed = 1; passed < line; ++passed) {
+    int passed = 1;
+    for (std::size_t at = 0; at + block <= whole.size(); at += block) {
+        const std::string_view part = whole.substr(at, block);
+        const auto ends = static_cast<int>(std::count(part.begin(), part.end(), '\n'));
+        if (passed + ends >= line) {
+            break;
+        }
+        passed += ends;
+        begin = ends > 0 ? at + part.rfind('\n') + 1 : begin;
+    }
+    for (; passed < line; ++passed) {
         const std::size_t end = source.text.find('\n', begin);
         if (end == std::string::npos) {
             return {};
@@ -225,18 +253,10 @@ std::string render(const std::vector<Diagnostic>& list, bool color) {
 std::string render_within(const std::vector<Diagnostic>& list, bool color, std::size_t columns) {
     const Palette paint = color ? Palette{"\x1b[1;31m", "\x1b[1;33m", "\x1b[34m", "\x1b[1m", "\x1b[0m"} : Palette{};
     std::string out;
-    constexpr std::ptrdiff_t most_errors = 3; // of one kind that are shown in full
-    bool has_errors = false;
-    for (auto d = list.begin(); d != list.end(); ++d) {
-        has_errors = has_errors || !d->is_warning;
-        const std::ptrdiff_t kin =
-            std::count_if(list.begin(), list.end(), [&](const Diagnostic& other) { return are_alike(*d, other); });
-        const bool is_folded = d->is_warning || kin > most_errors;
-        const auto is_alike = [&](const Diagnostic& other) { return is_folded && are_alike(*d, other); };
-        if (std::none_of(list.begin(), d, is_alike)) {
-            out += render_one(*d, paint, columns) + render_rest(d, list.end(), is_alike, gutter_of(*d)) + "\n";
-        }
+    for (const Kin& kin : find_kin(list)) {
+        out += render_one(*kin.front(), paint, columns) + render_rest(kin, gutter_of(*kin.front())) + "\n";
     }
+    const bool has_errors = std::ranges::any_of(list, [](const Diagnostic& d) { return !d.is_warning; });
     return out + count_problems(list) + (has_errors ? "; nothing was run\n" : "\n");
 }
 

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -96,6 +97,10 @@ void report_run(Walker& w, Problems& problems, bool is_reported) {
     );
 }
 
+[[noreturn]] void fail_to_read(const std::string& path, const std::string& why) {
+    throw IoError(fmt::format("cannot read {}: {}", path.empty() ? "a file without a name" : path, why));
+}
+
 } // namespace
 
 std::size_t character_size(std::string_view text, std::size_t at) {
@@ -130,32 +135,45 @@ std::string as_utf8(std::string_view text) {
     return valid;
 }
 
+int open_for_reading(const std::string& path) {
+    const int file = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file >= 0) {
+        fcntl(file, F_SETFL, fcntl(file, F_GETFL) & ~O_NONBLOCK); // once it is open, writers are waited for
+    }
+    return file;
+}
+
 std::string read_whole_file(const std::string& path) {
-    const auto fail = [&](const char* why) {
-        throw IoError(fmt::format("cannot read {}: {}", path.empty() ? "a file without a name" : path, why));
-    };
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!file) {
-        fail(
-            errno == ENOENT ? "there is no such file; check its name, and the folder that it is looked for from"
-                            : std::strerror(errno)
+    const int descriptor = open_for_reading(path);
+    if (descriptor < 0) {
+        fail_to_read(
+            path, errno == ENOENT ? "there is no such file; check its name, and the folder that it is looked for from"
+                                  : std::strerror(errno)
         );
     }
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(fdopen(descriptor, "rb"), &std::fclose);
+    if (!file) {
+        fail_to_read(path, "out of memory");
+    }
+    return read_whole_stream(file.get(), path);
+}
+
+std::string read_whole_stream(std::FILE* stream, const std::string& path) {
     std::string text;
     char block[65536];
-    while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) {
+    while (const std::size_t count = std::fread(block, 1, sizeof block, stream)) {
         text.append(block, count);
         if (text.size() > largest_file) {
-            fail("it is larger than 64 MiB, which no case or grading is");
+            fail_to_read(path, "it is larger than 64 MiB, which no case or grading is");
         }
     }
-    if (std::ferror(file.get()) != 0) {
+    if (std::ferror(stream) != 0) {
         const int reason = errno;
         const std::string within = path + (path.ends_with('/') ? "" : "/") + "case.toml";
         if (std::error_code none; reason == EISDIR && std::filesystem::exists(within, none)) {
-            fail(("it is a folder; its case is " + within).c_str());
+            fail_to_read(path, "it is a folder; its case is " + within);
         }
-        fail(reason == EISDIR ? "it is a folder; give a file in it" : std::strerror(reason));
+        fail_to_read(path, reason == EISDIR ? "it is a folder; give a file in it" : std::strerror(reason));
     }
     return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }

@@ -4,14 +4,22 @@
 
 #include "suffuse/base/diagnostics.hpp"
 
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
 
 namespace suffuse {
 
+/// A descriptor that reads a file, -1 with errno where there is none. A pipe that nobody writes into is an empty file:
+/// it is not waited for.
+int open_for_reading(const std::string& path);
+
 /// The bytes of a file, without a byte order mark. Throws IoError, also for a file beyond 64 MiB.
 std::string read_whole_file(const std::string& path);
+
+/// The same of a stream that is open already, whose name is `path` in messages.
+std::string read_whole_stream(std::FILE* stream, const std::string& path);
 
 /// Bytes of the character at `at`, or 0 where it is not valid UTF-8.
 std::size_t character_size(std::string_view text, std::size_t at);

@@ -12,7 +12,10 @@
 #include "tests/support/temp_folder.hpp"
 #include <bit>
 #include <cmath>
+#include <filesystem>
 #include <string>
+#include <sys/stat.h>
+#include <zlib.h>
 
 namespace suffuse::io {
 namespace {
@@ -46,6 +49,39 @@ TEST(PackingFile, CsvColumnsMayComeInAnyOrderAndOthersAreIgnoredWithAWarning) {
     EXPECT_FALSE(packing.cell.has_value());
     ASSERT_EQ(packing.warnings.size(), 1U);
     EXPECT_NE(packing.warnings[0].find("p.csv:2: column \"color\" ignored"), std::string::npos);
+}
+
+TEST(PackingFile, TextsMadeToFillMemoryAreRefusedWithASentence) {
+    const TempFolder folder;
+    const auto refusal = [&folder](const std::string& name) -> std::string {
+        try {
+            read_packing(folder / name, 2600);
+        } catch (const std::exception& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const std::string block(std::size_t{1} << 20U, '1');
+    const gzFile bomb = gzopen((folder / "bomb.csv.gz").c_str(), "wb9");
+    for (int k = 0; k < 80; ++k) { // 80 MiB of one digit are 80 KiB
+        ASSERT_EQ(gzwrite(bomb, block.data(), static_cast<unsigned>(block.size())), static_cast<int>(block.size()));
+    }
+    ASSERT_EQ(gzclose(bomb), Z_OK);
+    EXPECT_NE(refusal("bomb.csv.gz").find("unpacks to more than 100 times its size"), std::string::npos);
+    std::filesystem::create_symlink("/dev/zero", folder / "zero.csv");
+    EXPECT_NE(refusal("zero.csv").find("it is a device, not a file"), std::string::npos);
+    ASSERT_EQ(mkfifo((folder / "pipe.csv").c_str(), 0600), 0);
+    EXPECT_NE(refusal("pipe.csv"), ""); // empty, and not waited for
+}
+
+TEST(PackingFile, OfThousandsOfOtherColumnsAFewAreNamed) {
+    std::string names = "x,y,z,r", values = "1,2,3,0.5";
+    for (int k = 0; k < 3000; ++k) {
+        names += ",c" + std::to_string(k), values += ",1";
+    }
+    const ImportedPacking packing = parse(names + "\n" + values + "\n");
+    ASSERT_EQ(packing.warnings.size(), 1U);
+    EXPECT_NE(packing.warnings[0].find("\"c11\" and 2988 more ignored"), std::string::npos) << packing.warnings[0];
 }
 
 TEST(PackingFile, CsvMayCarryVelocitiesAndSpins) {

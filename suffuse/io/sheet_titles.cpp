@@ -73,7 +73,8 @@ std::string sample_named_in(const SheetRow& row) {
         const std::string_view named = std::string_view(text).substr(0, std::min(text.find(':'), text.size()));
         const Heading heading = read_heading(named);
         const bool is_mass = names_dry_mass(fmt::format(" {} ", plain_words(named))); // of the sample
-        if (heading.kind == ColumnKind::Sample && !heading.names_depth && !is_mass && (k == 0 || heading.rest.empty())) {
+        if (heading.kind == ColumnKind::Sample && !heading.names_depth && !is_mass &&
+            (k == 0 || heading.rest.empty())) {
             const std::string value = value_after(row, k);
             return value.empty() ? heading.rest : value;
         }

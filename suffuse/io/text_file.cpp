@@ -1,6 +1,7 @@
 #include "suffuse/io/text_file.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/read_text.hpp"
 #include "suffuse/base/spelling.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <cerrno>
 #include <cmath>
 #include <memory>
+#include <sys/stat.h>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -31,6 +33,20 @@ std::string_view trimmed(std::string_view text) {
     );
 }
 
+/// No text of numbers shrinks to a hundredth, and none is so long. Files that are made to fill memory end here.
+void check_length(const std::filesystem::path& path, std::size_t length, z_off_t packed) {
+    constexpr std::size_t least = std::size_t{64} << 20U, most = std::size_t{16} << 30U; // [bytes]
+    constexpr std::size_t largest_ratio = 100;
+    if (length > least && packed > 0 && length / largest_ratio > static_cast<std::size_t>(packed)) {
+        fail_to_read(
+            path, fmt::format("it unpacks to more than {} times its size, which no packing does", largest_ratio)
+        );
+    }
+    if (length > most) {
+        fail_to_read(path, fmt::format("it is longer than {} GiB", most >> 30U));
+    }
+}
+
 /// What a complaint shows of a field: long ones are cut, and a file may hold anything.
 std::string shown(std::string_view field) {
     constexpr std::size_t most = 40;
@@ -47,10 +63,17 @@ std::string shown(std::string_view field) {
 } // namespace
 
 std::string read_text(const std::filesystem::path& path) {
-    errno = 0;
-    const std::unique_ptr<std::remove_pointer_t<gzFile>, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
-    if (!file) {
-        fail_to_read(path, errno != 0 ? std::generic_category().message(errno) : "out of memory");
+    const int descriptor = open_for_reading(path.string());
+    if (descriptor < 0) {
+        fail_to_read(path, std::generic_category().message(errno));
+    }
+
+    struct stat about {};
+
+    const bool is_device = fstat(descriptor, &about) == 0 && S_ISCHR(about.st_mode);
+    const std::unique_ptr<std::remove_pointer_t<gzFile>, int (*)(gzFile)> file(gzdopen(descriptor, "rb"), gzclose);
+    if (!file || is_device) {
+        fail_to_read(path, is_device ? "it is a device, not a file" : "out of memory");
     }
     std::string text;
     std::string block(std::size_t{1} << 18, '\0');
@@ -65,6 +88,7 @@ std::string read_text(const std::filesystem::path& path) {
             return text;
         }
         text.append(block, 0, static_cast<std::size_t>(count));
+        check_length(path, text.size(), gzoffset(file.get()));
     }
 }
 

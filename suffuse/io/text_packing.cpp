@@ -124,10 +124,17 @@ std::optional<std::string> ignored_warning(const Names& names, const Columns& co
             ignored.push_back(names[k]);
         }
     }
-    return ignored.empty() ? std::nullopt
-                           : std::optional(fmt::format(
-                                 "column{} \"{}\" ignored", ignored.size() == 1 ? "" : "s", fmt::join(ignored, "\", \"")
-                             ));
+    if (ignored.empty()) {
+        return std::nullopt;
+    }
+    constexpr std::size_t most = 12; // that are named
+    const std::size_t left = ignored.size() - std::min(most, ignored.size());
+    const char* const plural = ignored.size() == 1 ? "" : "s";
+    ignored.resize(ignored.size() - left);
+    return fmt::format(
+        "column{} \"{}\"{} ignored", plural, fmt::join(ignored, "\", \""),
+        left > 0 ? fmt::format(" and {} more", left) : ""
+    );
 }
 
 void add_row(
