@@ -14,6 +14,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,6 @@ void expect_linear(
 ) {
     const std::string small = write(size), large = write(4 * size);
     const double once = least_time([&] { read(small); }), four_times = least_time([&] { read(large); });
-    RecordProperty(what, fmt::format("{:.2f}", four_times / once));
     EXPECT_LT(four_times / once, limit * static_cast<double>(large.size()) / (4 * static_cast<double>(small.size())))
         << what << ": " << once << " s and " << four_times << " s";
 }
