@@ -48,7 +48,7 @@ protected:
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
-    int suffuse(const std::string& words) { return sh(std::string(SUFFUSE_PROGRAM) + " " + words); }
+    int suffuse(const std::string& words) { return sh(SUFFUSE_PROGRAM " " + words); }
 
     [[nodiscard]] std::string said() const { return read_all(folder / "out") + read_all(folder / "error"); }
 

@@ -59,7 +59,7 @@ void LoopMeter::measure(std::size_t blocks, const std::function<void(std::size_t
     ++phase.loops;
     phase.parallel += std::accumulate(durations.begin(), durations.end(), 0.0);
     phase.shared += shared_time(durations, threads_);
-    since_ = processor_seconds(); // the reckoning is nobody's
+    since_ = processor_seconds(); // what has just been worked out is nobody's
 }
 
 std::size_t LoopMeter::begin(const char* name) {

@@ -12,10 +12,10 @@
 namespace suffuse {
 
 /// While one lives, the loops of its thread run there block after block and are measured. `thread_count()` says there
-/// what the meter reckons with, so that work is cut as for so many.
+/// for how many threads it measures, so that work is cut as for so many.
 class LoopMeter {
 public:
-    /// @param threads to reckon with, at least 1
+    /// @param threads that the work is cut for, at least 1
     explicit LoopMeter(int threads);
     ~LoopMeter();
     LoopMeter(const LoopMeter&) = delete;

@@ -63,7 +63,7 @@ TEST_F(NewEquilibrium, OfASkeletonThatMayNotStrainHasFailed) {
     spec.max_strain = 1e-4;
     reequilibrate(world, spec, so_far, around, pass);
     EXPECT_TRUE(pass.failed);
-    ASSERT_TRUE(std::holds_alternative<SkeletonFailed>(pass.verdict));
+    ASSERT_TRUE(std::holds_alternative<SkeletonFailed>(pass.verdict.why));
 }
 
 } // namespace
