@@ -42,8 +42,8 @@ TEST(FilterBetween, TheLargestFilterFollowsTheFinesOfTheBase) {
     EXPECT_NEAR(with(0.40, 1e-3).d15, 0.7e-3, 1e-12);
     EXPECT_NEAR(with(0.39999, 1e-3).d15, 0.7e-3, 2e-7); // joined at 40 % ...
     EXPECT_NEAR(with(0.15, 1e-3).d15, 4e-3, 1e-12);
-    EXPECT_NEAR(with(0.1499, 1e-3).d15, 4e-3, 1e-12); // ... and at 15 %
-    EXPECT_NEAR(with(0.20, 1e-3).d15, 3.34e-3, 1e-12); // 0.7 + 20/25 (4 - 0.7) mm
+    EXPECT_NEAR(with(0.1499, 1e-3).d15, 4e-3, 1e-12);   // ... and at 15 %
+    EXPECT_NEAR(with(0.20, 1e-3).d15, 3.34e-3, 1e-12);  // 0.7 + 20/25 (4 - 0.7) mm
     EXPECT_NEAR(with(0.20, 0.1e-3).d15, 0.7e-3, 1e-12); // no less where 4 d85 is finer
 }
 
