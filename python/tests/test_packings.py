@@ -129,7 +129,7 @@ def test_a_protocol_is_chosen_by_its_name():
         cloud = suffuse.make_cloud(numpy.full(200, 1e-4), porosity=0.65, seed=3)
         steps[protocol] = cloud.compact("100 kPa", protocol=protocol)["steps"]
     assert steps["swift"] < steps["faithful"]
-    with pytest.raises(suffuse.CaseError, match="faithful, swift or slow"):
+    with pytest.raises(suffuse.CaseError, match="faithful, swift, slow or wide"):
         cloud.compact("100 kPa", protocol="quick")
     slow = suffuse.make_cloud(numpy.full(200, 1e-4), porosity=0.65, seed=3)
     assert slow.compact("100 kPa", max_rate="100 1/s")["steps"] > steps["faithful"]

@@ -111,6 +111,9 @@ void check_protocol(
         }
         return;
     }
+    if (!variant.soil || !variant.soil->coarse) {
+        return; // seen in mixtures of two fractions: a curve has grains of all sizes between
+    }
     const double ratio = size_ratio_of(variant);
     if (ratio < (protocol == Protocol::Swift ? too_wide_to_push : too_wide)) {
         return;

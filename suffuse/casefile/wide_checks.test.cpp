@@ -32,10 +32,13 @@ TEST(WideChecks, FineGrainsBetweenMuchCoarserOnesNeedAStifferContact) {
 
 TEST(WideChecks, AWideGradingWantsTheProtocolMadeForItAndANarrowOneAnother) {
     const auto with = [](const std::string& finest, const std::string& protocol) {
-        const std::string psd = "psd = { d = [\"" + finest + "\", \"1.2 mm\"], passing = [\"0 %\", \"100 %\"] }";
+        const std::string soil = "coarse = { psd = { d = [\"1 mm\", \"1.2 mm\"], passing = [\"0 %\", \"100 %\"] } }\n"
+                                 "fines = { psd = { d = [\"" +
+                                 finest +
+                                 "\", \"0.7 mm\"], passing = [\"0 %\", \"100 %\"] } }\nfines_content = \"20 %\"";
         return problems_of(replaced(
-            replaced(good_case, "psd = \"data/sand.csv\"", psd), "pressure = \"100 kPa\"",
-            "pressure = \"1 kPa\"\nprotocol = \"" + protocol + "\""
+            replaced(good_case, "psd = \"data/sand.csv\"\nfines = { finer_than = \"0.15 mm\" }", soil),
+            "pressure = \"100 kPa\"", "pressure = \"1 kPa\"\nprotocol = \"" + protocol + "\""
         ));
     };
     for (const std::string protocol : {"faithful", "slow", "swift"}) {
@@ -47,6 +50,9 @@ TEST(WideChecks, AWideGradingWantsTheProtocolMadeForItAndANarrowOneAnother) {
     }
     EXPECT_EQ(find_problem(with("0.12 mm", "swift"), "W616").is_warning, true); // ten times: only swift fails
     EXPECT_EQ(find_problem(with("0.12 mm", "faithful"), "W616").code, "");
+    const std::string curve = "psd = { d = [\"0.08 mm\", \"1.2 mm\"], passing = [\"0 %\", \"100 %\"] }";
+    EXPECT_EQ(find_problem(problems_of(replaced(good_case, "psd = \"data/sand.csv\"", curve)), "W616").code, "")
+        << "a curve without a gap was not looked at";
     EXPECT_EQ(find_problem(with("0.08 mm", "wide"), "W616").code, "");
     EXPECT_EQ(find_problem(with("0.08 mm", "wide"), "W615").code, "");
     const Diagnostic narrow = find_problem(with("0.6 mm", "wide"), "W615");

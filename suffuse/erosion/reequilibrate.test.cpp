@@ -54,6 +54,8 @@ TEST_F(NewEquilibrium, KeepsTheVolumeFirstAndThenTheStress) {
 }
 
 TEST_F(NewEquilibrium, OfASkeletonThatMayNotStrainHasFailed) {
+    dem::StepCaches caches;
+    dem::step(world, caches, test::plan_of(1e-9)); // its contacts are found: there is a stress to come back to
     describe_before(world, pass);
     for (std::size_t g = 0; g < world.grains.size(); ++g) {
         world.grains.radius[g] *= 0.99; // nothing touches any more: the servo closes the cell by about a hundredth

@@ -35,10 +35,12 @@ nlohmann::json make_for_itself(
     RunOptions own;
     own.folder = record::stage_folder(options.folder, *sample.variant, stage) / "prepared-as";
     own.cache = options.cache;
+    own.cache_owners = options.cache_owners;
     own.stop = options.stop;
     own.sample = other.folder;
     Overview quiet(own);
     const record::Sample needed{sample.study, &other, 1, 1, static_cast<int>(last - other.stages.data()) + 1};
+    record::open_folder(own.folder, what, {});
     SampleRun(what, own, needed, quiet).run();
     nlohmann::json numbers = record::read_json(record::stage_folder(own.folder, other, *last) / "stage.json");
     std::error_code error;
