@@ -44,13 +44,13 @@ TEST_F(Memory, ARunThatOutgrowsItsBoundEndsInWords) {
 psd = { d = ["0.2 mm", "0.3 mm"], passing = ["0 %", "100 %"] }
 [study.s]
 soil      = "s"
-particles = 300000
+particles = 200000
 [[study.s.stage]]
 name = "cloud"
 do   = "pack"
 )");
     const auto bound = [] {
-        const rlimit limit{120'000'000, 120'000'000};
+        const rlimit limit{75'000'000, 75'000'000};
         setrlimit(RLIMIT_DATA, &limit);
     };
     const Said said = wait_for(start({"run", "soil/case.toml", "-o", "run", "--no-cache", "-j", "1"}, {}, bound));

@@ -6,10 +6,28 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <new>
 #include <string_view>
 #include <utility>
 
 namespace suffuse::io {
+
+/// Throws what HDF5 has just refused: it tells in its stack of errors where no memory was left.
+[[noreturn]] inline void refuse(std::string_view what) {
+    bool ran_out = false;
+    H5Ewalk2(
+        H5E_DEFAULT, H5E_WALK_UPWARD,
+        [](unsigned, const H5E_error2_t* error, void* found) -> herr_t {
+            *static_cast<bool*>(found) |= error->maj_num == H5E_RESOURCE || error->min_num == H5E_CANTALLOC;
+            return 0;
+        },
+        &ran_out
+    );
+    if (ran_out) {
+        throw std::bad_alloc();
+    }
+    throw IoError(fmt::format("HDF5 refused: {}", what));
+}
 
 /// A handle of HDF5, closed when it goes.
 class Handle {
@@ -18,7 +36,7 @@ public:
 
     Handle(hid_t id, Close close, std::string_view what) : id_(id), close_(close) {
         if (id < 0) {
-            throw IoError(fmt::format("HDF5 refused: {}", what));
+            refuse(what);
         }
     }
 
@@ -41,7 +59,7 @@ private:
 
 inline void require(bool done, std::string_view what) {
     if (!done) {
-        throw IoError(fmt::format("HDF5 refused: {}", what));
+        refuse(what);
     }
 }
 
