@@ -30,8 +30,9 @@ TEST_F(Cli, EveryVerbHasAHelpOfOneScreen) {
         const Said said = say({verb, "--help"});
         EXPECT_EQ(said.code, 0) << verb;
         expect_in("suffuse " + verb + ":", said.out);
-        EXPECT_LE(std::count(said.out.begin(), said.out.end(), '\n'), 28) << verb; // with what the shell says around it
-        EXPECT_EQ(said.out.find("OPTION"), std::string::npos) << said.out;         // the parsing library's own words
+        const int most = verb == "run" ? 26 : 24; // run alone has two flags more than a screen of old holds
+        EXPECT_LE(std::count(said.out.begin(), said.out.end(), '\n'), most) << verb;
+        EXPECT_EQ(said.out.find("OPTION"), std::string::npos) << said.out; // the parsing library's own words
     }
 }
 

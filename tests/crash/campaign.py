@@ -24,7 +24,7 @@ import subprocess
 import sys
 import tempfile
 
-from run_results import results_of
+from run_results import last_line, results_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE / "case.toml"
@@ -107,11 +107,6 @@ class Campaign:
         if str(run) not in ended.stdout and run.name not in ended.stdout:
             return f"{what}: the message names no file: {last_line(ended)}"
         return self.resume(run)
-
-
-def last_line(ended):
-    lines = ended.stdout.strip().splitlines()
-    return lines[-1] if lines else "no word"
 
 
 def main():

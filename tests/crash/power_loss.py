@@ -27,7 +27,7 @@ import sys
 import tempfile
 
 from unpowered_disk import WAYS, disk_after, lay_out, read_calls
-from run_results import results_of
+from run_results import last_line, results_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE / "case.toml"
@@ -109,11 +109,6 @@ class PowerLoss:
             return f"verify: {last_line(verified)}"
         left = [path.name for path in run.rglob("*.partial*")] + [path.name for path in run.rglob("partial.h5")]
         return f"left behind: {', '.join(left)}" if left else ""
-
-
-def last_line(ended):
-    lines = ended.stdout.strip().splitlines()
-    return lines[-1] if lines else "no word"
 
 
 def main():

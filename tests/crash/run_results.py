@@ -21,3 +21,9 @@ def results_alone(value):
     if isinstance(value, dict):
         return {key: results_alone(one) for key, one in value.items() if key not in HOW}
     return [results_alone(one) for one in value] if isinstance(value, list) else value
+
+
+def last_line(ended):
+    """The last line that an ended program said."""
+    lines = ended.stdout.strip().splitlines()
+    return lines[-1] if lines else "no word"
