@@ -144,34 +144,34 @@ std::string render_rest(const Kin& kin, std::size_t indent) {
     return out;
 }
 
-} // namespace
-
-std::string line_of(const Source& source, int line) {
-    constexpr std::size_t block = 4096; // whole ones are counted through, many lines at once
-    const std::string_view whole = source.text;
-    std::size_t begin = 0;
-    int passed = 1;
-    for (std::size_t at = 0; at + block <= whole.size(); at += block) {
-        const std::string_view part = whole.substr(at, block);
-        const auto ends = static_cast<int>(std::count(part.begin(), part.end(), '\n'));
-        if (passed + ends >= line) {
-            break;
-        }
-        passed += ends;
-        begin = ends > 0 ? at + part.rfind('\n') + 1 : begin;
-    }
+/// From the mark on, where the line lies behind it. @return npos where the source ends before it.
+std::size_t find_line(const std::string& text, int line, int passed, std::size_t begin) {
     for (; passed < line; ++passed) {
-        const std::size_t end = source.text.find('\n', begin);
+        const std::size_t end = text.find('\n', begin);
         if (end == std::string::npos) {
-            return {};
+            return end;
         }
         begin = end + 1;
     }
-    std::string text = source.text.substr(begin, source.text.find('\n', begin) - begin);
-    if (!text.empty() && text.back() == '\r') {
-        text.pop_back();
+    return begin;
+}
+
+/// The line that begins here.
+std::string line_at(const std::string& text, std::size_t begin) {
+    if (begin == std::string::npos) {
+        return {};
     }
-    return text;
+    std::string line = text.substr(begin, text.find('\n', begin) - begin);
+    if (!line.empty() && line.back() == '\r') {
+        line.pop_back();
+    }
+    return line;
+}
+
+} // namespace
+
+std::string line_of(const Source& source, int line) {
+    return line_at(source.text, find_line(source.text, line, 1, 0));
 }
 
 void Problems::add(Diagnostic diagnostic, const Place& place) {
@@ -181,7 +181,15 @@ void Problems::add(Diagnostic diagnostic, const Place& place) {
         diagnostic.column = place.column;
         diagnostic.length = std::max(place.length, 1);
         if (place.line > 0) {
-            diagnostic.source_line = as_utf8(line_of(*place.source, place.line));
+            if (last_line_.source != place.source || place.line < last_line_.line) {
+                last_line_ = {place.source};
+            }
+            const std::string& text = place.source->text;
+            const std::size_t begin = find_line(text, place.line, last_line_.line, last_line_.begin);
+            diagnostic.source_line = as_utf8(line_at(text, begin));
+            if (begin != std::string::npos) {
+                last_line_ = {place.source, place.line, begin};
+            }
         }
     }
     list_.push_back(std::move(diagnostic));

@@ -4,6 +4,8 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/place.hpp"
 
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,13 @@ struct Diagnostic {
     std::string label; ///< short, beside the carets
     std::string help;  ///< one thing to do
     bool is_warning = false;
+};
+
+/// Where a line of a source begins.
+struct LineMark {
+    std::shared_ptr<const Source> source;
+    int line = 1; ///< from 1
+    std::size_t begin = 0;
 };
 
 /// A line of the source, from 1, without its end; empty where there is none.
@@ -45,6 +54,7 @@ private:
     void add(Diagnostic diagnostic, const Place& place);
 
     std::vector<Diagnostic> list_;
+    LineMark last_line_; ///< problems come in the order of the lines, mostly
 };
 
 /// Source line with carets and help for each, then a line that counts them; of several warnings of one code, and of

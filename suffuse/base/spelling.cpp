@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace suffuse {
 
 namespace {
 
-bool same_letter(char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+/// Words of cases are ASCII; std::tolower asks for the locale at every letter.
+constexpr char lowered(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+constexpr bool same_letter(char a, char b) {
+    return lowered(a) == lowered(b);
 }
 
 } // namespace

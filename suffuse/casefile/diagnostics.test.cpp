@@ -79,6 +79,20 @@ TEST(Diagnostics, TheSameProblemIsToldOnce) {
     EXPECT_EQ(list[0].message, "first");
 }
 
+TEST(Diagnostics, EachHasItsOwnLineInWhateverOrderTheyCome) {
+    Problems problems;
+    const auto source = source_of("a\nb\nc\r\n"), other = source_of("x\ny");
+    for (const int line : {3, 1, 9, 2, 3}) {
+        problems.error("E1", {source, line, 1, 1}, std::to_string(line));
+    }
+    problems.error("E1", {other, 2, 1, 1}, "of another file");
+    std::string lines;
+    for (const Diagnostic& d : problems.sorted()) {
+        lines += d.source_line + "|";
+    }
+    EXPECT_EQ(lines, "a|b|y|c||"); // both files have one name
+}
+
 TEST(Diagnostics, WarningsOfOneCodeAreShownInFullOnce) {
     Problems problems;
     const auto source = source_of("a\nb\nc\nd\ne\nf\n");
