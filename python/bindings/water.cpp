@@ -56,6 +56,20 @@ Water solve(Packing packing, const flow::FlowSpec& spec, const flow::Fluid& flui
         std::move(seepage), spec, fluid, water.source, std::move(packed)});
 }
 
+double reynolds_number(const SolvedSeepage& water) {
+    const double size = flow::sauter_diameter(water.packed->packing.radius);
+    return flow::reynolds_number(water.permeability, water.spec.gradient, size, water.fluid);
+}
+
+double porosity(const SolvedSeepage& water) {
+    const PackedNetwork& net = *water.packed;
+    double voids = 0;
+    for (const double part : net.pores.void_volume) {
+        voids += part;
+    }
+    return voids / std::abs(determinant(net.h));
+}
+
 /// At the line that called the wrapper of `seep`.
 void warn_of_flow(const std::string& words) {
     warn_caller(words.empty() ? "" : "flow: " + words, 3);
@@ -83,6 +97,7 @@ Water seep(
     Water water = solve(packing_of(first, position, radius), spec, fluid);
     warn_of_flow(flow::words_of(water->source, "of the packing"));
     warn_of_flow(flow::words_of(water->closed_voids, [](std::uint32_t g) { return fmt::format("in row {}", g); }));
+    warn_of_flow(flow::words_of_inertia("in the packing", spec.gradient, reynolds_number(*water), porosity(*water)));
     return water;
 }
 
@@ -103,11 +118,6 @@ Water put_water_together(const py::tuple& state) {
         {word_of(state[5].cast<std::string>(), casefile::names::solver, "solver"),
          state[6].cast<std::optional<std::int64_t>>(), state[7].cast<double>()}};
     return solve(from_tuple(state[0].cast<py::tuple>()), spec, state[4].cast<flow::Fluid>());
-}
-
-double reynolds_number(const SolvedSeepage& water) {
-    const double size = flow::sauter_diameter(water.packed->packing.radius);
-    return flow::reynolds_number(water.permeability, water.spec.gradient, size, water.fluid);
 }
 
 std::vector<Vec3> pore_velocities_of(const SolvedSeepage& water) {
@@ -170,14 +180,7 @@ void bind_seepage(py::module_& m) {
     );
     type.def_property_readonly(
         "flux_left_by_inertia",
-        [](const SolvedSeepage& water) {
-            const PackedNetwork& net = *water.packed;
-            double voids = 0;
-            for (const double part : net.pores.void_volume) {
-                voids += part;
-            }
-            return flow::share_left_by_inertia(reynolds_number(water), voids / std::abs(determinant(net.h)));
-        },
+        [](const SolvedSeepage& water) { return flow::share_left_by_inertia(reynolds_number(water), porosity(water)); },
         "Share of the flux that would be left with inertia, by Ergun's resistance of packed spheres [-]; a run warns "
         "below 0.9."
     );

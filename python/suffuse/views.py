@@ -25,10 +25,16 @@ def _cell(value):
     return html.escape(f"{value:,}" if isinstance(value, int) and not isinstance(value, bool) else str(value))
 
 
+def _aligned(text):
+    """Numbers and ranges of them stand right, so that their digits stand below each other."""
+    is_number = all(character.isdigit() or character in " .,+-e" for character in text.replace("to", ""))
+    return f'<td style="text-align:{"right" if is_number else "left"}">{text}</td>'
+
+
 def table(head, rows):
     """An HTML table of a heading and rows of values."""
     lines = ["".join(f"<th>{html.escape(name)}</th>" for name in head)] if head else []
-    lines += ["".join(f"<td>{_cell(value)}</td>" for value in row) for row in rows]
+    lines += ["".join(_aligned(_cell(value)) for value in row) for row in rows]
     return "<table>" + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
 
 
@@ -75,6 +81,23 @@ def _show_world(world):
     return "<b>suffuse.World</b>" + table((), rows)
 
 
+def _show_seepage(water):
+    pores = water.network
+    rows = [
+        ("hydraulic gradient [-]", water.gradient),
+        ("permeability [m2]", water.permeability),
+        ("superficial velocity [m/s]", float(numpy.linalg.norm(water.mean_velocity))),
+        ("Reynolds number [-]", water.reynolds_number),
+        ("flux left by inertia [-]", water.flux_left_by_inertia),
+        ("tortuosity [-]", water.tortuosity),
+        ("pores, throats", f"{pores.pores:,}, {pores.throats:,}"),
+        ("solver", water.solver),
+        ("balance of forces, error [-]", water.force_sum_error),
+        ("residual of the pressures [-]", water.residual),
+    ]
+    return "<b>suffuse.Seepage</b>" + table((), rows)
+
+
 def _show_records(records):
     most = 20
     units = records.units
@@ -114,4 +137,5 @@ def show_run(run):
 
 _core.World._repr_html_ = _show_world
 _core.World.view = _view
+_core.Seepage._repr_html_ = _show_seepage
 Records._repr_html_ = _show_records

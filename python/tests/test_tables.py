@@ -84,6 +84,9 @@ def test_a_notebook_shows_numbers_of_a_run_a_plan_a_world_and_a_table(run, settl
     assert "replay/settled" in run.case().plan()._repr_html_()
     told = settled._repr_html_()
     assert ">500<" in told and f"{settled.void_ratio:.5g}" in told
+    assert '<td style="text-align:right">500</td>' in told and '<td style="text-align:left">grains</td>' in told
+    water = suffuse.seep(settled, gradient=0.1)
+    assert f">{water.permeability:.5g}<" in water._repr_html_() and ">network<" in water._repr_html_()
     assert "mean_stress [Pa]" in run.table()._repr_html_()
 
 

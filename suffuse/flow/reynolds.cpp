@@ -1,6 +1,9 @@
 #include "suffuse/flow/reynolds.hpp"
 
 #include "suffuse/base/constants.hpp"
+#include "suffuse/base/words.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -26,6 +29,20 @@ double reynolds_number(double permeability, double gradient, double diameter, co
 double share_left_by_inertia(double reynolds, double porosity) {
     const double inertial_over_viscous = 1.75 * reynolds / (150 * (1 - porosity)); // both of the slow flow's flux
     return 2 / (1 + std::sqrt(1 + 4 * inertial_over_viscous));
+}
+
+std::string words_of_inertia(const std::string& where, double gradient, double reynolds, double porosity) {
+    constexpr double slow_enough = 0.9;
+    const double left = share_left_by_inertia(reynolds, porosity);
+    if (!(left < slow_enough)) {
+        return {};
+    }
+    return fmt::format(
+        "at i = {:.3g} the water {} has a Reynolds number of {}: its inertia, which slow flow leaves out, would leave "
+        "some {:.0f} % of the flux (Ergun); the permeability told is that of slow flow; the fluid's forces add up to "
+        "the gradient all the same",
+        gradient, where, short_number(reynolds, 2), 100 * left
+    );
 }
 
 } // namespace suffuse::flow

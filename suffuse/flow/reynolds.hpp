@@ -6,6 +6,7 @@
 #include "suffuse/flow/fluid.hpp"
 
 #include <span>
+#include <string>
 
 namespace suffuse::flow {
 
@@ -21,5 +22,9 @@ double reynolds_number(double permeability, double gradient, double diameter, co
 
 /// Flux with inertia over that of the slow flow under the same gradient, 1 where inertia does not count [-].
 double share_left_by_inertia(double reynolds, double porosity);
+
+/// What slow flow leaves out at a hydraulic gradient, to follow a colon; nothing where inertia takes less than a tenth
+/// of the flux. `where`: "in the sample".
+std::string words_of_inertia(const std::string& where, double gradient, double reynolds, double porosity);
 
 } // namespace suffuse::flow

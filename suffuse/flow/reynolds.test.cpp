@@ -28,5 +28,14 @@ TEST(InertiaOfTheWater, LeavesWhatErgunsResistanceDoesAtTheSameGradient) {
     }
 }
 
+TEST(InertiaOfTheWater, IsToldWhereItTakesATenthOfTheFlux) {
+    const double porosity = 0.4, left = 0.9; // Ergun: (1 - left) 150 (1 - n) = 1.75 Re left^2
+    const double limit = (1 - left) * 150 * (1 - porosity) / (1.75 * left * left);
+    EXPECT_EQ(words_of_inertia("in the sample", 1, 0.99 * limit, porosity), "");
+    const std::string words = words_of_inertia("in the sample", -2, 1.01 * limit, porosity);
+    EXPECT_EQ(words.find("at i = -2 the water in the sample has a Reynolds number of 6.4"), 0U) << words;
+    EXPECT_NE(words.find("some 90 % of the flux"), std::string::npos) << words;
+}
+
 } // namespace
 } // namespace suffuse::flow

@@ -11,9 +11,6 @@ namespace {
 /// Below this Yade's law is too permeable by 40 % and more: validation/permeability.md.
 constexpr double open_packing = 0.55;
 
-/// Where less than this is left of the flow by the water's inertia, which the pore network leaves out.
-constexpr double slow_enough = 0.9;
-
 } // namespace
 
 void note_network(
@@ -49,14 +46,9 @@ void note_closed_voids(StageWork& work, const std::string& when, const flow::Clo
 }
 
 void note_fast_water(StageWork& work, const std::string& when, double gradient, double reynolds, double porosity) {
-    const double left = flow::share_left_by_inertia(reynolds, porosity);
-    if (left < slow_enough) {
-        work.warnings.push_back(fmt::format(
-            "{}: at i = {:.3g} the water {} has a Reynolds number of {}: its inertia, which slow flow leaves out, "
-            "would leave some {:.0f} % of the flux (Ergun); the permeability told is that of slow flow; the fluid's "
-            "forces add up to the gradient all the same",
-            work.place(), gradient, when, short_number(reynolds, 2), 100 * left
-        ));
+    const std::string words = flow::words_of_inertia(when, gradient, reynolds, porosity);
+    if (!words.empty()) {
+        work.warnings.push_back(fmt::format("{}: {}", work.place(), words));
     }
 }
 
