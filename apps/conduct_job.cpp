@@ -9,6 +9,7 @@
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/plan/asked_stages.hpp"
 #include "suffuse/plan/fit_memory.hpp"
+#include "suffuse/plan/past_prices.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/plan/plan_record.hpp"
 #include "suffuse/record/finished_stages.hpp"
@@ -114,6 +115,7 @@ int tell_untouched(const job::RunReport& report, const Job& job, const Console& 
 plan::RunPlan plan_rest(const Job& job) {
     return plan::plan_within(job.memory, job.sample.empty() ? plan::samples_at_once(job.what) : 1, [&](int at_once) {
         plan::RunPlan plan = plan::plan_case(job.what, at_once);
+        plan::PastPrices(job.cache).correct(plan);
         plan::price_asked_alone(plan, job.what, job.until, job.sample);
         plan::leave_out_done(plan, job.what, job.folder, record::StageCache(job.cache, job.cache_owners));
         return plan;
@@ -167,9 +169,13 @@ int conduct(const Job& job, const Console& console) {
     }
     const double seconds = watch.seconds();
     const bool was_done = std::ranges::all_of(asked_plan(job).stages, &plan::StageEstimate::is_done);
-    return tell_end(
+    const int code = tell_end(
         {job.folder, job.sample, std::ssize(record::list_samples(job.what)), seconds, was_done}, report, console
     );
+    if (job.sample.empty()) {
+        plan::remember_prices(job.cache, job.folder);
+    }
+    return code;
 }
 
 void tell_plan(const Job& job, const std::string& preposition, const Console& console) {

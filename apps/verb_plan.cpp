@@ -6,7 +6,9 @@
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/asked_stages.hpp"
 #include "suffuse/plan/fit_memory.hpp"
+#include "suffuse/plan/past_prices.hpp"
 #include "suffuse/plan/plan.hpp"
+#include "suffuse/plan/sum_ranges.hpp"
 #include "suffuse/record/samples.hpp"
 
 #include <fmt/format.h>
@@ -109,11 +111,12 @@ std::vector<SampleRow> rows_of(const casefile::Case& what, const plan::RunPlan& 
     std::vector<SampleRow> rows;
     for (const record::Sample& sample : record::list_samples(what, until)) {
         SampleRow row{sample.variant->folder, sample.variant->seed, 0, {}, {}, 0, 0, sample.stages, 0, 0, {}, ""};
+        std::vector<Range> steps, seconds;
         for (int k = 0; k < sample.stages; ++k) {
             const plan::StageEstimate& stage = plan.stages.at(static_cast<std::size_t>(sample.first_stage - 1 + k));
             row.grains = std::max(row.grains, stage.grains);
-            row.steps += stage.steps;
-            row.seconds += stage.seconds;
+            steps.push_back(stage.steps);
+            seconds.push_back(stage.seconds);
             row.memory = std::max(row.memory, stage.memory);
             row.disk += stage.disk;
             row.cached += stage.is_cached ? 1 : 0;
@@ -123,6 +126,8 @@ std::vector<SampleRow> rows_of(const casefile::Case& what, const plan::RunPlan& 
                 row.sized_by = stage.sized_by;
             }
         }
+        row.steps = plan::sum_ranges(steps);
+        row.seconds = plan::sum_ranges(seconds);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -219,6 +224,7 @@ int PlanVerb::act(const CommandLine&, const Console& console) const {
     std::vector<std::string> warnings;
     plan::RunPlan plan = plan_within_or_tell(bytes, plan::samples_at_once(what), warnings, [&](int at_once) {
         plan::RunPlan made = plan::plan_case(what, at_once);
+        plan::PastPrices(folder).correct(made);
         plan::price_asked_alone(made, what, until);
         plan::leave_out_done(made, what, {}, record::StageCache(folder, cache.owners())); // sums up, too
         return made;

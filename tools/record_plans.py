@@ -38,7 +38,8 @@ def record_preparation(runs):
             if "steps_taken" in stage and stage["steps"][1] > 0 and f'{{"{kind}",' in text:
                 numbers = json.loads((run / "studies" / stage["study"] / stage["stage"] / "stage.json").read_text())
                 if "preparation_trials" not in numbers:
-                    seen.setdefault(kind, []).append(stage["steps_taken"] / math.sqrt(math.prod(stage["steps"])))
+                    tables = stage.get("by_tables", {}).get("steps") or math.sqrt(math.prod(stage["steps"]))
+                    seen.setdefault(kind, []).append(stage["steps_taken"] / tables)
     for kind, ratios in seen.items():
         row = re.search(rf'\{{"{kind}", \{{([\d.]+), ([\d.]+)\}}\}}', text)
         middle = statistics.median(ratios)

@@ -5,6 +5,7 @@
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/plan/price_stage.hpp"
+#include "suffuse/plan/sum_ranges.hpp"
 #include "suffuse/record/read_import.hpp"
 #include "suffuse/record/samples.hpp"
 
@@ -51,6 +52,9 @@ void plan_variant(const casefile::Case& what, const casefile::Variant& variant, 
         estimate.memory = price.memory_a_grain * count(ends[k]);
         estimate.disk = disk_of(what, variant, stage, estimate.grains);
         estimate.basis = price.basis;
+        estimate.kind = estimate.verb + (price.kind.empty() ? "" : ": " + price.kind);
+        estimate.tables_steps = middle(estimate.steps);
+        estimate.tables_seconds = middle(estimate.seconds);
         if (casefile::traits_of(stage).origin == casefile::Origin::Soil) {
             estimate.coarse = std::llround(ends[k].coarse.grains);
             estimate.fines_content = fines_content(ends[k]);
@@ -83,15 +87,18 @@ int samples_at_once(const casefile::Case& what) {
 }
 
 Range side_by_side(const std::vector<StageEstimate>& stages, int at_once) {
-    Range sum, longest;
-    std::map<std::string, Range> of_sample;
+    Range longest;
+    std::vector<Range> all;
+    std::map<std::string, std::vector<Range>> of_sample;
     for (const StageEstimate& stage : stages) {
-        sum += stage.seconds;
-        of_sample[stage.study] += stage.seconds;
+        all.push_back(stage.seconds);
+        of_sample[stage.study].push_back(stage.seconds);
     }
-    for (const auto& [name, seconds] : of_sample) {
+    for (const auto& [name, parts] : of_sample) {
+        const Range seconds = sum_ranges(parts);
         longest = {std::max(longest.least, seconds.least), std::max(longest.most, seconds.most)};
     }
+    const Range sum = sum_ranges(all);
     return {std::max(sum.least / at_once, longest.least), std::max(sum.most / at_once, longest.most)};
 }
 
@@ -121,12 +128,13 @@ RunPlan plan_run(const casefile::Case& what, const MachineSpeed& speed) {
 }
 
 void sum_up(RunPlan& plan) {
-    plan.steps = {};
     plan.disk = page_disk;
+    std::vector<Range> steps;
     for (const StageEstimate& stage : plan.stages) {
-        plan.steps += stage.steps;
+        steps.push_back(stage.steps);
         plan.disk += stage.disk;
     }
+    plan.steps = sum_ranges(steps);
     plan.seconds = side_by_side(plan.stages, plan.speed.at_once) + seconds_of_refined(plan.refined, plan.speed.at_once);
     plan.memory = memory_of(plan);
 }

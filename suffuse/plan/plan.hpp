@@ -26,6 +26,9 @@ struct StageEstimate {
     double memory = 0;                   ///< while it runs, beyond the process itself [B]
     double disk = 0;                     ///< that it leaves [B]
     std::string basis;                   ///< where the steps come from, in words
+    std::string kind;                    ///< what stages of one price have in common: "compact: wide, frictional"
+    double tables_steps = 0;             ///< in the middle, before past runs of this machine correct it
+    double tables_seconds = 0;           ///< [s]
     std::int64_t coarse = 0;             ///< of `grains`, where the stage draws them
     std::optional<double> fines_content; ///< that the sample really has, by mass, where the stage draws it [-]
     std::string sized_by;                ///< the rule of `sample_size` that decided; empty: `particles`

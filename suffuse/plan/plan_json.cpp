@@ -18,6 +18,8 @@ nlohmann::json stage_json(const StageEstimate& stage) {
         {"memory", stage.memory},
         {"disk", stage.disk},
         {"basis", stage.basis},
+        {"kind", stage.kind},
+        {"by_tables", {{"steps", stage.tables_steps}, {"seconds", stage.tables_seconds}}},
         {"done", stage.is_done},
         {"cached", stage.is_cached},
     };

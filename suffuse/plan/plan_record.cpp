@@ -11,8 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double least_timed = 0.2; // [s]
-
 const std::filesystem::path plan_file = "plan.json";
 
 Range range_of(const json& pair) {

@@ -12,6 +12,9 @@ namespace suffuse::plan {
 /// Writes plan.json. Where an earlier part of the run left one, stages that it priced keep their price.
 void keep_plan(const std::filesystem::path& run, const RunPlan& plan);
 
+/// Shorter stages are files and clocks, not steps [s].
+inline constexpr double least_timed = 0.2;
+
 /// A stage that was computed, and what had been expected of it.
 struct StageOutcome {
     Range planned_steps, planned_seconds;
@@ -26,7 +29,7 @@ struct PlanError {
     double seconds = 0, of_all_seconds = 0; ///< that they took, and the error of their sum
 };
 
-/// Nothing where no stage took a fifth of a second: shorter ones are files and clocks, not steps.
+/// Nothing where no stage took long enough to be timed.
 std::optional<PlanError> measure_plan_error(const std::vector<StageOutcome>& outcomes);
 
 /// Puts what the finished stages took into plan.json; those from the cache count for nothing.

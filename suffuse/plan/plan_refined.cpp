@@ -1,6 +1,7 @@
 // What samples may cost that no plan can name: those that `refine` adds where a curve has its extreme.
 
 #include "suffuse/plan/plan.hpp"
+#include "suffuse/plan/sum_ranges.hpp"
 
 #include <algorithm>
 #include <map>
@@ -10,13 +11,13 @@ namespace {
 
 /// From the cheapest to the dearest sample of a study that is run at all [s].
 Range seconds_of_a_sample(const RunPlan& plan, const casefile::Study& study) {
-    std::map<std::string, Range> of_sample;
+    std::map<std::string, std::vector<Range>> of_sample;
     for (const StageEstimate& stage : plan.stages) {
-        of_sample[stage.study] += stage.seconds;
+        of_sample[stage.study].push_back(stage.seconds);
     }
     Range seconds;
     for (const casefile::Variant& variant : study.variants) {
-        const Range& one = of_sample[variant.folder];
+        const Range one = sum_ranges(of_sample[variant.folder]);
         if (one.most > 0) {
             seconds.least = seconds.most > 0 ? std::min(seconds.least, one.least) : one.least;
             seconds.most = std::max(seconds.most, one.most);

@@ -53,6 +53,7 @@ public:
                 .seconds = trials * (count(sample_) * geometry_seconds),
                 .memory_a_grain = grain_memory,
                 .basis = "swift: pushed together, then pressed; contacts per grain some 0.6 above faithful's",
+                .kind = asks ? "swift, searched" : "swift",
                 .more_work = searches};
         }
         const Range trials = asks ? trials_for_a_density : Range{1, 1};
@@ -70,6 +71,7 @@ public:
                 "{}: from a porosity of {:.2f} to some {:.2f} at {:.3g} 1/s and slower, then settling", kind(), start,
                 end, rate
             ),
+            .kind = kind() + (asks ? ", searched" : ""),
             .more_work = searches};
     }
 

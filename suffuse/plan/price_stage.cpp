@@ -187,7 +187,8 @@ public:
                 .reference_steps = work_of_free_fines * steps_with_weight(gradients),
                 .seconds = gradients * one_flow(),
                 .memory_a_grain = 3 * grain_memory + flow_memory,
-                .basis = fmt::format("rest under weight, then {} gradients with a flow each", spec.gradients.size())};
+                .basis = fmt::format("rest under weight, then {} gradients with a flow each", spec.gradients.size()),
+                .kind = "under weight"};
             add_resolving(price, spec.probe.flow, gradients);
             return price;
         }
@@ -222,7 +223,8 @@ public:
                 spec.passes == 1 ? "1 pass" : fmt::format("{} passes", spec.passes),
                 spec.until_nothing_leaves ? " and more, until nothing leaves" : "",
                 weighs ? "rest under weight and a ramp of gradients" : "relaxation, probe with its twin"
-            )};
+            ),
+            .kind = weighs ? "under weight" : ""};
         add_resolving(price, spec.probe.flow, (2 + ramp) * passes.most);
         return price;
     }

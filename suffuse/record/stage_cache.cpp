@@ -154,7 +154,8 @@ bool StageCache::may_take(const fs::path& entry) const {
 bool StageCache::is_one() const {
     const auto is_of_cache = [](const fs::directory_entry& place) {
         const std::string name = place.path().filename().string();
-        return name == settings_file || names_an_entry(name) || names_one_being_made(name) || io::is_partial(name);
+        return name == settings_file || name == prices_file || names_an_entry(name) || names_one_being_made(name) ||
+               io::is_partial(name);
     };
     return fs::is_directory(folder_) &&
            std::all_of(fs::directory_iterator(folder_), fs::directory_iterator(), is_of_cache);

@@ -32,6 +32,7 @@ struct CacheAnswer {
 class StageCache {
 public:
     static constexpr std::int64_t usual_limit = 10'000'000'000; ///< [B]
+    static constexpr const char* prices_file = "prices.txt";    ///< what past stages took, beside the entries
 
     /// An empty path is a cache that holds nothing and keeps nothing.
     /// @param owners Self: entries that another user made count as not there
