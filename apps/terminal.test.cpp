@@ -1,5 +1,7 @@
 #include "apps/terminal.hpp"
 
+#include "suffuse/plan/sum_ranges.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -220,10 +222,15 @@ TEST(Terminal, ANarrowTerminalGetsWholeWords) {
     EXPECT_EQ(lines(50).find("grain-"), std::string::npos);
 }
 
+/// So many stages of 100 to 200 seconds together.
+Range stages_of_100_to_200(std::size_t count) {
+    return plan::sum_ranges(std::vector<Range>(count, {100, 200}));
+}
+
 TEST(TimeLeft, IsThePlanAtTheStartAndNothingAtTheEnd) {
     TimeLeft left(three_stages());
-    EXPECT_DOUBLE_EQ(left.left().least, 300);
-    EXPECT_DOUBLE_EQ(left.left().most, 600);
+    EXPECT_DOUBLE_EQ(left.left().least, stages_of_100_to_200(3).least);
+    EXPECT_DOUBLE_EQ(left.left().most, stages_of_100_to_200(3).most);
     for (const int number : {1, 2, 3}) {
         left.see(at_stage(number, 100, true));
     }
@@ -234,8 +241,9 @@ TEST(TimeLeft, LearnsThatTheMachineIsSlowerThanPlanned) {
     TimeLeft left(three_stages());
     left.see(at_stage(1, 2 * std::sqrt(100.0 * 200.0), true)); // twice the middle of its range
     // Two stages are left, at nearly twice their price: the plan still weighs as much as five seconds of experience.
-    EXPECT_NEAR(left.left().least, 2 * 200, 0.05 * 400);
-    EXPECT_NEAR(left.left().most, 2 * 400, 0.05 * 800);
+    const Range two = stages_of_100_to_200(2);
+    EXPECT_NEAR(left.left().least, 2 * two.least, 0.05 * 400);
+    EXPECT_NEAR(left.left().most, 2 * two.most, 0.05 * 800);
 }
 
 TEST(TimeLeft, HeedsThePaceOfTheStageThatRunsAsLongAsNoneIsDone) {
@@ -248,11 +256,11 @@ TEST(TimeLeft, HeedsThePaceOfTheStageThatRunsAsLongAsNoneIsDone) {
     run::Progress slow = at_stage(1, 10, false);
     slow.particle_steps_per_second = 5000;
     left.see(slow);
-    EXPECT_NEAR(left.left().least, 2 * 300 - 10, 1e-9);
+    EXPECT_NEAR(left.left().least, plan::sum_ranges({{190, 390}, {200, 400}, {200, 400}}).least, 1e-9);
     slow.stage_seconds = 1; // too early to tell
     TimeLeft early(plan);
     early.see(slow);
-    EXPECT_NEAR(early.left().least, 300 - 1, 1e-9);
+    EXPECT_NEAR(early.left().least, plan::sum_ranges({{99, 199}, {100, 200}, {100, 200}}).least, 1e-9);
 }
 
 TEST(TimeLeft, AStageBeyondItsRangeStillTakesTime) {
@@ -268,23 +276,24 @@ TEST(TimeLeft, IsSharedAmongSamplesButNoLessThanTheLongest) {
     plan::RunPlan plan = three_stages();
     plan.speed.at_once = 2;
     plan.stages[2].study = "two";
-    EXPECT_DOUBLE_EQ(TimeLeft(plan).left().most, 400); // the two stages of "one"; "two" runs beside them
+    const Range two = stages_of_100_to_200(2), three = stages_of_100_to_200(3);
+    EXPECT_DOUBLE_EQ(TimeLeft(plan).left().most, two.most); // the two stages of "one"; "two" runs beside them
     plan.stages[1].study = "three";
-    EXPECT_DOUBLE_EQ(TimeLeft(plan).left().most, 300); // three samples in two rows, if they could be cut
+    EXPECT_DOUBLE_EQ(TimeLeft(plan).left().most, three.most / 2); // three samples in two rows, if they could be cut
     TimeLeft left(plan);
     run::Progress failed = at_stage(1, 10, false);
     failed.sample_ended = true;
     failed.failure = "why";
     left.see(failed);
-    EXPECT_DOUBLE_EQ(left.left().most, 200); // what it left undone will not be done
+    EXPECT_DOUBLE_EQ(left.left().most, std::max(two.most / 2, 200.0)); // what it left undone will not be done
 }
 
 TEST(TimeLeft, CountsTheSamplesThatRefineWillAdd) {
     plan::RunPlan plan = three_stages();
     plan.refined = {{1, 4}, {30, 50}};
     TimeLeft left(plan);
-    EXPECT_DOUBLE_EQ(left.left().least, 300 + 30);
-    EXPECT_DOUBLE_EQ(left.left().most, 600 + 4 * 50);
+    EXPECT_DOUBLE_EQ(left.left().least, stages_of_100_to_200(3).least + 30);
+    EXPECT_DOUBLE_EQ(left.left().most, stages_of_100_to_200(3).most + 4 * 50);
     for (const int number : {1, 2, 3}) {
         left.see(at_stage(number, middle({100, 200}), true));
     }

@@ -185,9 +185,11 @@ TEST(Plan, ItsSumsAreThoseOfItsStages) {
         seconds += stage.seconds;
         EXPECT_LE(stage.memory, plan.memory) << stage.stage;
     }
-    EXPECT_EQ(plan.steps.most, steps.most);
-    EXPECT_EQ(plan.seconds.most, seconds.most);
-    EXPECT_GT(seconds.most, 1.1 * seconds.least); // never narrower than a tenth of itself
+    EXPECT_GT(plan.steps.least, steps.least); // not all stages err to one side
+    EXPECT_LT(plan.steps.most, steps.most);
+    EXPECT_GT(plan.seconds.least, seconds.least);
+    EXPECT_LT(plan.seconds.most, seconds.most);
+    EXPECT_GT(plan.seconds.most, 1.3 * plan.seconds.least); // the machine's error is common to all
 }
 
 TEST(Plan, AMachineTwiceAsFastStepsInHalfTheTime) {
