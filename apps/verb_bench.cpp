@@ -1,5 +1,6 @@
 // bench: the speed on a packing made on the spot, or brought from elsewhere.
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
@@ -102,6 +103,34 @@ std::string lines_of(const nlohmann::json& json, const std::string& prefix = "")
     return text;
 }
 
+/// What the numbers come to.
+std::string sentence_of(const std::string& what, const nlohmann::json& r) {
+    const std::string grains = count_text(r.at("grains"));
+    if (what == "step") {
+        return fmt::format(
+            "{} grains on {}: {:.0f} steps a second, {:.2g} grain-steps a second, {:.1f} ns a contact and step", grains,
+            plural(r.at("threads"), "thread"), r.at("steps_per_second").get<double>(),
+            r.at("particle_steps_per_second").get<double>(), r.at("ns_per_contact").get<double>()
+        );
+    }
+    if (what == "flow") {
+        const nlohmann::json& seconds = r.at("seconds");
+        return fmt::format(
+            "{} grains on {}: a flow in {:.3g} s, of which {:.3g} s make the pores and {:.3g} s solve for their "
+            "pressures; the permeability is {:.4g} m2",
+            grains, plural(r.at("threads"), "thread"), seconds.at("total").get<double>(),
+            seconds.at("triangulate").get<double>(), seconds.at("solve").get<double>(),
+            r.at("permeability").get<double>()
+        );
+    }
+    const auto serial = [&](const char* part) { return 100 * r.at(part).at("all").at("serial_share").get<double>(); };
+    return fmt::format(
+        "{} grains: {:.2g} % of a step and {:.2g} % of a flow solution would stay on one thread, however many there "
+        "are",
+        grains, serial("step"), serial("flow")
+    );
+}
+
 int BenchVerb::act(const CommandLine&, const Console& console) const {
     const plan::BenchPacking grains{packing, cell.matrix().value_or(Mat3{}), replicate};
     nlohmann::json result;
@@ -127,7 +156,7 @@ int BenchVerb::act(const CommandLine&, const Console& console) const {
         spec.conductance = conductance == "yade" ? flow::Conductance::Yade : flow::Conductance::Bounded;
         result = plan::bench_flow(spec);
     }
-    console.result(lines_of(result));
+    console.result(lines_of(result) + "\n" + sentence_of(what, result) + "\n");
     console.document(json_text(result));
     return Done;
 }
