@@ -48,6 +48,7 @@ plan::RunPlan three_stages() {
     plan.stages.resize(3);
     for (plan::StageEstimate& stage : plan.stages) {
         stage.study = "one";
+        stage.steps = {1000, 2000};
         stage.seconds = {100, 200};
     }
     return plan;
@@ -244,6 +245,14 @@ TEST(TimeLeft, LearnsThatTheMachineIsSlowerThanPlanned) {
     const Range two = stages_of_100_to_200(2);
     EXPECT_NEAR(left.left().least, 2 * two.least, 0.05 * 400);
     EXPECT_NEAR(left.left().most, 2 * two.most, 0.05 * 800);
+}
+
+TEST(TimeLeft, DoesNotLearnTheSpeedOfStepsFromAStageThatMakesNone) {
+    plan::RunPlan plan = three_stages();
+    plan.stages[0].steps = {}; // a cloud
+    TimeLeft left(plan);
+    left.see(at_stage(1, 10'000, true));
+    EXPECT_DOUBLE_EQ(left.left().most, stages_of_100_to_200(2).most);
 }
 
 TEST(TimeLeft, HeedsThePaceOfTheStageThatRunsAsLongAsNoneIsDone) {

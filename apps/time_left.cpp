@@ -41,7 +41,8 @@ void TimeLeft::see(const run::Progress& progress) {
             }
         }
     } else if (is_known && progress.stage_finished) {
-        if (!progress.from_cache) {
+        const bool makes_steps = plan_.stages[row].steps.most > 0; // a cloud or a flow says nothing of others' speed
+        if (!progress.from_cache && makes_steps) {
             taken_ += progress.stage_seconds;
             expected_ += middle(plan_.stages[row].seconds, moment);
         }

@@ -119,6 +119,13 @@ TEST_F(Cli, BenchSpeaksTheNamesThatScriptsRelyOn) {
     for (const char* name : {"triangulate", "conductance", "solve", "forces"}) {
         EXPECT_TRUE(flow.json().at("seconds").contains(name)) << name;
     }
+    const Said told =
+        say({"bench", "step", "--packing", "soil/packing.csv", "--cell", cell, "--steps", "50", "--threads", "1"});
+    expect_in("500 grains on 1 thread: ", told.out);
+    expect_in(
+        "500 grains on 1 thread: a flow in ",
+        say({"bench", "flow", "--packing", "soil/packing.csv", "--cell", cell, "--threads", "1"}).out
+    );
 }
 
 TEST_F(Cli, AnImportedPackingWithoutTheSoilsFinesIsRefusedBeforeAnythingRuns) {
