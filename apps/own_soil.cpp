@@ -106,8 +106,8 @@ std::string grains_needed(double count) {
 refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, double needed, const OwnSoilSpec& spec) {
     const std::int64_t most = spec.particles.value_or(std::llround(most_quick_grains));
     const std::string found = fmt::format(
-        "{}: sizes from {} to {} are too far apart for one sample: with {:.3g} % of fines (below {}) it takes {} "
-        "grains, and {}",
+        "{}: sizes from {} to {} are too far apart for one sample\n  = with {:.3g} % of fines (below {}) it takes "
+        "{} grains, and {}",
         path, mm(grading.diameter.front()), mm(grading.diameter.back()), 100 * soil.fines_content, mm(soil.finer_than),
         grains_needed(needed),
         spec.particles ? fmt::format("--particles allows {}", grouped(most))
@@ -115,28 +115,29 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
     );
     constexpr double out_of_reach = 2e8; // grains: beyond any computer's memory
     const std::string spoken =
-        needed > out_of_reach ? fmt::format(
-                                    ". No computer holds so many: a run can model a part of this soil only, and its "
-                                    "answer is of that part. For the whole curve speaks suffuse assess {} alone",
-                                    shell_word(path)
-                                )
-                              : "";
+        needed > out_of_reach
+            ? fmt::format(
+                  "\n  = no computer holds so many: a run can model a part of this soil only, and "
+                  "its answer is of that part\n  = for the whole curve speaks suffuse assess {} alone",
+                  shell_word(path)
+              )
+            : "";
     const auto part = grains::find_modeled_part(grading, soil.finer_than, static_cast<double>(most));
     if (!part) {
         throw CaseError(fmt::format(
-            "{}{}. No cut of its ends helps: the fines are too small beside the coarse grains. What the criteria of "
-            "stability say: suffuse assess {}",
+            "{}{}\n  = no cut of its ends helps: the fines are too small beside the coarse grains\n  = what the "
+            "criteria "
+            "of stability say: suffuse assess {}",
             found, spoken, shell_word(path)
         ));
     }
     const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
     const std::string turned = turned_text(judge_cut(soil.measured, cut, soil.finer_than));
     throw CaseError(fmt::format(
-        "{}{}. Cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines and {:.0f} % "
-        "of "
-        "the coarse grains{}",
+        "{}{}\n  = help: cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines and "
+        "{:.0f} % of the coarse grains{}",
         found, spoken, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
-        turned.empty() ? "" : ". Such a part is another soil by the criteria of stability, " + turned
+        turned.empty() ? "" : "\n  = such a part is another soil by the criteria of stability, " + turned
     ));
 }
 

@@ -81,8 +81,8 @@ TEST_F(NewSoil, ACurveThatNoComputerHoldsIsToldSoAndAssessSpeaksForTheWhole) {
     write_to(folder / "till.csv", "d [mm],passing [%]\n0.002,0\n0.063,12\n0.3,20\n2,40\n20,75\n100,100\n");
     const Said said = say({"new", "till", "--psd", "till.csv"});
     EXPECT_EQ(said.code, 3);
-    expect_in("No computer holds so many: a run can model a part of this soil only", said.error);
-    expect_in("For the whole curve speaks suffuse assess till.csv alone", said.error);
+    expect_in("= no computer holds so many: a run can model a part of this soil only", said.error);
+    expect_in("= for the whole curve speaks suffuse assess till.csv alone", said.error);
 }
 
 TEST_F(NewSoil, OfATableOfSeveralSamplesOneIsChosen) {
@@ -112,7 +112,7 @@ TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
     expect_in("#~ without the ", read_all(folder / "gravel/case.toml"));
     EXPECT_EQ(say({"check", "gravel/case.toml"}).code, 0);
     write_to(folder / "far.csv", "d,passing\n0.002,0\n0.004,30\n10,30\n20,100\n");
-    expect_in("No cut of its ends helps", say({"new", "--psd", "far.csv"}).error);
+    expect_in("= no cut of its ends helps", say({"new", "--psd", "far.csv"}).error);
 }
 
 TEST_F(NewSoil, TheVerdictsThatACutTurnsAreSaidAndTheWholeCurveStaysWithTheCase) {
