@@ -5,10 +5,13 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { parseArgs } from "node:util";
-import { parse, View, Warn } from "vega";
+import { parse, textMetrics, View, Warn } from "vega";
 import { compile } from "vega-lite";
 import { fitted } from "./fit.js";
 import { lowerIndicesOf } from "./indices.js";
+import { textWidth } from "./text_width.js";
+
+textMetrics.width = textWidth;
 
 const pageWidth = 640; // of a figure in its column
 const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
