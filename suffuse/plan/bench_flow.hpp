@@ -1,5 +1,6 @@
 #pragma once
-// The seconds of each part of a flow solution on a packing brought from elsewhere, with the permeability found.
+// The seconds of each part of a flow solution on a packing brought from elsewhere and the memory that it takes, with the
+// permeability found.
 
 #include "suffuse/flow/fluid.hpp"
 #include "suffuse/plan/bench_packing.hpp"
@@ -21,6 +22,7 @@ struct BenchFlowResult {
     double triangulate = 0, conductance = 0, forces = 0; ///< wall time [s]
     double set_up = 0, solve = 0;                        ///< of the multigrid, and the solution by it, likewise [s]
     double total = 0;                                    ///< of the whole [s]
+    double peak_bytes_per_grain = 0;                     ///< beyond what the program had before the flow
     int iterations = 0;                                  ///< of the solution
     double permeability = 0;                             ///< along the direction [m2]
     Vec3 mean_velocity;                                  ///< superficial [m/s]

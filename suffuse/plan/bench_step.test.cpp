@@ -90,6 +90,7 @@ TEST(BenchFlow, FindsTheReferencesPermeability) {
     EXPECT_LE(r.triangulate + r.conductance + r.set_up + r.solve + r.forces, r.total);
     EXPECT_GT(r.triangulate, 0);
     EXPECT_GT(r.iterations, 1);
+    EXPECT_GT(r.peak_bytes_per_grain, 100);
 }
 
 TEST(BenchScaling, NamesTheShareOfEachPhaseThatStaysWithOneThread) {
