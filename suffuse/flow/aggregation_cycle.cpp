@@ -1,6 +1,8 @@
 #include "suffuse/flow/aggregation_cycle.hpp"
 
+#include "suffuse/base/members.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/prefix_sum.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,39 +20,61 @@ std::size_t with_filler(std::size_t nodes) {
     return (nodes / lanes + 1) * lanes;
 }
 
-/// x += s * y
-void add(double s, std::span<const float> y, std::span<float> x) {
+/// x = from + s * y
+void add(std::span<const float> from, double s, std::span<const float> y, std::span<float> x) {
     const auto factor = static_cast<float>(s);
     parallel_for(x.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            x[i] += factor * y[i];
+            x[i] = from[i] + factor * y[i];
         }
     });
 }
 
-/// Which rows of the finer level belong to each of `rows` rows of the coarser one.
+/// x = s * y
+void set(double s, std::span<const float> y, std::span<float> x) {
+    const auto factor = static_cast<float>(s);
+    parallel_for(x.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            x[i] = factor * y[i];
+        }
+    });
+}
+
+void set_zero(std::span<float> x) {
+    parallel_for(x.size(), block, [&](std::size_t begin, std::size_t end) {
+        std::fill(x.data() + begin, x.data() + end, 0.0F);
+    });
+}
+
+/// Steps on a level that corrects another: two on every other level, one on those between. (Two on all levels cost more
+/// than they save.)
+bool takes_two_steps(std::size_t l) {
+    return l % 2 == 0;
+}
+
+/// Which rows of the finer level belong to each of `rows` rows of the coarser one; rows that fill up belong to its
+/// last.
 LaneRows members_of(std::span<const std::uint32_t> coarse, std::size_t rows) {
-    const auto filler = static_cast<std::uint32_t>(coarse.size() - 1);
-    std::vector<std::uint32_t> count(rows, 0);
-    for (std::uint32_t r = 0; r < filler; ++r) {
-        ++count[coarse[r]];
-    }
-    count[rows - 1] = 0; // rows that fill up belong to the one that does
+    const Members of_row = suffuse::members_of(coarse.size(), rows, [&](std::size_t r) { return coarse[r]; });
+    const auto count = [&](std::size_t c) { return c + 1 == rows ? 0 : of_row.of(c).size(); };
     LaneRows members;
     members.first.assign(rows / lanes + 1, 0);
-    for (std::size_t q = 0; q < rows / lanes; ++q) {
-        const auto group = count.begin() + static_cast<std::ptrdiff_t>(q * lanes);
-        members.first[q + 1] = members.first[q] + *std::max_element(group, group + lanes);
-    }
-    members.column.assign(members.first.back() * lanes, filler);
-    std::fill(count.begin(), count.end(), 0);
-    for (std::uint32_t r = 0; r < filler; ++r) {
-        const std::uint32_t c = coarse[r];
-        if (c + 1 == rows) {
-            continue;
+    parallel_for(rows / lanes, block / lanes, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin * lanes; c < end * lanes; ++c) {
+            std::uint32_t& most = members.first[c / lanes];
+            most = std::max(most, static_cast<std::uint32_t>(count(c)));
         }
-        members.column[(members.first[c / lanes] + count[c]++) * lanes + c % lanes] = r;
-    }
+    });
+    members.column.resize(sum_before(std::span(members.first)) * lanes);
+    parallel_for(rows / lanes, block / lanes, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin * lanes; c < end * lanes; ++c) {
+            std::size_t k = 0;
+            for (std::size_t s = members.first[c / lanes]; s < members.first[c / lanes + 1]; ++s, ++k) {
+                members.column[s * lanes + c % lanes] =
+                    k < count(c) ? of_row.of(c)[k] : static_cast<std::uint32_t>(coarse.size() - 1);
+            }
+        }
+    });
     return members;
 }
 
@@ -78,7 +102,7 @@ double stored(const WeightedGraph& graph) {
 AggregationCycle::AggregationCycle(const WeightedGraph& graph) {
     WeightedGraph coarser;
     const WeightedGraph* current = &graph;
-    std::vector<std::vector<std::uint32_t>> group; // of each node of each level
+    std::vector<RawColumn<std::uint32_t>> group; // of each node of each level
     double all = stored(graph);
     while (current->size() > dense_size) {
         Grouping grouping = join_pairs(*current);
@@ -98,14 +122,29 @@ AggregationCycle::AggregationCycle(const WeightedGraph& graph) {
         factor(*current);
     }
     for (std::size_t l = 0; l < levels_.size(); ++l) {
-        const ColoredGraph& fine = levels_[l].graph;
-        const bool is_last = l + 1 == levels_.size();
-        levels_[l].coarse.assign(fine.rows(), static_cast<std::uint32_t>(rows(l + 1) - 1));
-        for (std::size_t i = 0; i < group[l].size(); ++i) {
-            levels_[l].coarse[fine.row[i]] = is_last ? group[l][i] : levels_[l + 1].graph.row[group[l][i]];
-        }
-        levels_[l].members = members_of(levels_[l].coarse, rows(l + 1));
+        link(l, group[l]);
+        group[l] = {};
     }
+}
+
+/// Tells the rows of level l which of the next they belong to, and these the reverse. `group`: of each node of level l.
+void AggregationCycle::link(std::size_t l, std::span<const std::uint32_t> group) {
+    Level& level = levels_[l];
+    const bool is_last = l + 1 == levels_.size();
+    const std::size_t rows = level.graph.rows();
+    level.coarse.resize(rows);
+    parallel_for(rows, block, [&](std::size_t begin, std::size_t end) {
+        std::fill(
+            level.coarse.begin() + static_cast<std::ptrdiff_t>(begin),
+            level.coarse.begin() + static_cast<std::ptrdiff_t>(end), static_cast<std::uint32_t>(this->rows(l + 1) - 1)
+        );
+    });
+    parallel_for(group.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            level.coarse[level.graph.row[i]] = is_last ? group[i] : levels_[l + 1].graph.row[group[i]];
+        }
+    });
+    level.members = members_of(level.coarse, this->rows(l + 1));
 }
 
 std::size_t AggregationCycle::rows(std::size_t l) const {
@@ -117,7 +156,7 @@ void AggregationCycle::factor(const WeightedGraph& graph) {
     factor_.assign(n * n, 0);
     for (std::size_t i = 0; i < n; ++i) {
         factor_[i * n + i] = graph.sum[i];
-        for (std::uint32_t k = graph.first[i]; k < graph.middle[i]; ++k) {
+        for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1] && graph.neighbor[k] < i; ++k) {
             factor_[i * n + graph.neighbor[k]] = -graph.weight[k];
         }
         for (std::size_t j = 0; j <= i; ++j) {
@@ -179,8 +218,7 @@ void AggregationCycle::cycle(std::size_t l, std::span<const float> b, std::span<
     sweep_down(level.graph, b, x);
 }
 
-/// Solves level l for work[l].b into work[l].x, roughly: two steps of conjugate gradients, each a cycle, on every other
-/// level, one step on those between. (Two steps on all levels cost more than they save.)
+/// Solves level l for work[l].b into work[l].x, roughly: one step of conjugate gradients, which is a cycle, or two.
 void AggregationCycle::solve_coarse(std::size_t l, std::vector<Work>& work) const {
     Work& w = work[l];
     if (l == levels_.size()) {
@@ -189,17 +227,15 @@ void AggregationCycle::solve_coarse(std::size_t l, std::vector<Work>& work) cons
     const ColoredGraph& graph = levels_[l].graph;
     cycle(l, w.b, w.c1, work);
     const Products first = multiply(graph, w.c1, w.b, w.b, w.v1);
-    std::fill(w.x.begin(), w.x.end(), 0.0F);
     if (!(first.xy > 0)) {
-        return;
+        return set_zero(w.x);
     }
     const double rho1 = first.xy, alpha1 = first.xb;
-    add(alpha1 / rho1, w.c1, w.x);
-    if (l % 2 == 1) {
+    set(alpha1 / rho1, w.c1, w.x);
+    if (!takes_two_steps(l)) {
         return;
     }
-    w.r = w.b;
-    add(-alpha1 / rho1, w.v1, w.r);
+    add(w.b, -alpha1 / rho1, w.v1, w.r);
     cycle(l, w.r, w.c2, work);
     const Products second = multiply(graph, w.c2, w.r, w.c1, w.v2);
     const double gamma = second.yc, alpha2 = second.xb;
@@ -207,15 +243,25 @@ void AggregationCycle::solve_coarse(std::size_t l, std::vector<Work>& work) cons
     if (!(rho2 > 0)) {
         return;
     }
-    add(-gamma * alpha2 / (rho1 * rho2), w.c1, w.x);
-    add(alpha2 / rho2, w.c2, w.x);
+    add(w.x, -gamma * alpha2 / (rho1 * rho2), w.c1, w.x);
+    add(w.x, alpha2 / rho2, w.c2, w.x);
 }
 
 AggregationCycle::Columns AggregationCycle::columns() const {
     Columns result;
     for (std::size_t l = 0; l <= levels_.size(); ++l) {
-        const std::vector<float> column(rows(l), 0.0F);
-        result.levels.push_back({column, column, column, column, column, column, column});
+        Work& work = result.levels.emplace_back();
+        const auto open = [&](RawColumn<float>& column) {
+            column.resize(rows(l));
+            set_zero(column);
+        };
+        open(work.b), open(work.x), open(work.v2);
+        if (l > 0 && l < levels_.size()) {
+            open(work.c1), open(work.v1);
+            if (takes_two_steps(l)) {
+                open(work.r), open(work.c2);
+            }
+        }
     }
     return result;
 }

@@ -18,16 +18,18 @@ public:
 
     /// Columns of one level, a place a row.
     struct Work {
-        std::vector<float> b, x, r, c1, v1, c2, v2;
+        RawColumn<float> b, x, v2; ///< on all levels
+        RawColumn<float> c1, v1;   ///< where the level corrects another
+        RawColumn<float> r, c2;    ///< where it does so in two steps
     };
 
     /// What one cycle after the other works on.
     struct Columns {
         std::vector<Work> levels;
 
-        std::vector<float>& source() { return levels.front().b; } ///< given, a place a row: row(node)
+        RawColumn<float>& source() { return levels.front().b; } ///< given, a place a row: row(node)
 
-        std::vector<float>& correction() { return levels.front().x; } ///< found
+        RawColumn<float>& correction() { return levels.front().x; } ///< found
     };
 
     [[nodiscard]] Columns columns() const;
@@ -46,10 +48,11 @@ public:
 private:
     struct Level {
         ColoredGraph graph;
-        std::vector<std::uint32_t> coarse; ///< row of the next level that a row belongs to
-        LaneRows members;                  ///< rows of this level that belong to a row of the next
+        RawColumn<std::uint32_t> coarse; ///< row of the next level that a row belongs to
+        LaneRows members;                ///< rows of this level that belong to a row of the next
     };
 
+    void link(std::size_t l, std::span<const std::uint32_t> group);
     [[nodiscard]] std::size_t rows(std::size_t l) const; ///< of level l, which may be the last, the factored one
     void factor(const WeightedGraph& graph);
     void solve_last(std::span<const float> b, std::span<float> x) const;

@@ -2,11 +2,12 @@
 
 #include "suffuse/base/clones.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/prefix_sum.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace suffuse::flow {
 namespace {
@@ -16,24 +17,60 @@ constexpr std::size_t sum_block = 256; // groups that are summed one after the o
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t stretch = 1024; // rows within which those of equal length come together
 
-/// First color that no neighbor has, node by node.
-std::vector<std::uint32_t> choose_colors(const WeightedGraph& graph) {
-    std::vector<std::uint32_t> color(graph.size());
-    std::vector<std::uint32_t> taken_by; // the node whose neighbor has the color
-    for (std::uint32_t i = 0; i < graph.size(); ++i) {
-        for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
-            if (graph.neighbor[k] < i) {
-                taken_by[color[graph.neighbor[k]]] = i;
+/// Chooses the first color that no neighbor in [begin, end) has.
+class ColorChoice {
+public:
+    explicit ColorChoice(const WeightedGraph& graph) : graph_(graph) {}
+
+    std::uint32_t choose(std::span<const std::uint32_t> color, std::uint32_t i, std::size_t begin, std::size_t end) {
+        for (std::uint32_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k) {
+            const std::uint32_t j = graph_.neighbor[k];
+            if (begin <= j && j < end) {
+                taken_by_.resize(std::max(taken_by_.size(), color[j] + std::size_t{1}), none);
+                taken_by_[color[j]] = i;
             }
         }
-        std::uint32_t c = 0;
-        while (c < taken_by.size() && taken_by[c] == i) {
-            ++c;
+        return static_cast<std::uint32_t>(
+            std::ranges::find_if(taken_by_, [&](std::uint32_t by) { return by != i; }) - taken_by_.begin()
+        );
+    }
+
+private:
+    const WeightedGraph& graph_;
+    std::vector<std::uint32_t> taken_by_; ///< the node whose neighbor has the color
+};
+
+/// Whether a neighbor before `begin` has the color of node i.
+bool is_doubled(const WeightedGraph& graph, std::span<const std::uint32_t> color, std::uint32_t i, std::size_t begin) {
+    for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1] && graph.neighbor[k] < begin; ++k) {
+        if (color[graph.neighbor[k]] == color[i]) {
+            return true;
         }
-        if (c == taken_by.size()) {
-            taken_by.push_back(0);
+    }
+    return false;
+}
+
+RawColumn<std::uint32_t> choose_colors(const WeightedGraph& graph) {
+    RawColumn<std::uint32_t> color(graph.size());
+    parallel_for(graph.size(), nodes_together, [&](std::size_t begin, std::size_t end) {
+        ColorChoice choice(graph);
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+            color[i] = choice.choose(color, i, begin, i);
         }
-        color[i] = c;
+    });
+    std::vector<std::vector<std::uint32_t>> doubled((graph.size() + nodes_together - 1) / nodes_together);
+    parallel_for(graph.size(), nodes_together, [&](std::size_t begin, std::size_t end) {
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+            if (is_doubled(graph, color, i, begin)) {
+                doubled[begin / nodes_together].push_back(i);
+            }
+        }
+    });
+    ColorChoice choice(graph);
+    for (const std::vector<std::uint32_t>& some : doubled) {
+        for (const std::uint32_t i : some) {
+            color[i] = choice.choose(color, i, 0, graph.size());
+        }
     }
     return color;
 }
@@ -45,7 +82,7 @@ struct Row {
     auto operator<=>(const Row&) const = default;
 };
 
-Row row_of(const WeightedGraph& graph, const std::vector<std::uint32_t>& color, std::uint32_t i) {
+Row row_of(const WeightedGraph& graph, std::span<const std::uint32_t> color, std::uint32_t i) {
     Row row{0, graph.first[i + 1] - graph.first[i], i};
     for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
         row.before += color[graph.neighbor[k]] < color[i] ? 1 : 0;
@@ -53,57 +90,100 @@ Row row_of(const WeightedGraph& graph, const std::vector<std::uint32_t>& color, 
     return row;
 }
 
-/// Rows in order of colors, then nodes; each color begins a group. Within a stretch of a color rows of equal length
-/// come together, so that little has to be filled up.
-std::vector<Row>
-number_rows(const WeightedGraph& graph, const std::vector<std::uint32_t>& color, ColoredGraph& result) {
-    const std::uint32_t colors = color.empty() ? 0 : *std::max_element(color.begin(), color.end()) + 1;
-    std::vector<std::uint32_t> next(colors + 1, 0);
-    for (const std::uint32_t c : color) {
-        ++next[c + 1];
-    }
-    result.color.assign(colors + 1, 0);
-    for (std::uint32_t c = 0; c < colors; ++c) {
-        const std::uint32_t rows = next[c + 1] + (c + 1 == colors ? 1 : 0); // the last row stays free
-        result.color[c + 1] = result.color[c] + static_cast<std::uint32_t>((rows + lanes - 1) / lanes);
-        next[c] = result.color[c] * lanes;
-    }
-    std::vector<Row> rows(result.color.back() * lanes);
-    for (std::uint32_t i = 0; i < color.size(); ++i) {
-        rows[next[color[i]]++].node = i;
-    }
-    result.row.resize(color.size());
-    for (std::uint32_t c = 0; c < colors; ++c) {
-        const std::size_t first = result.color[c] * lanes;
-        parallel_for(next[c] - first, stretch, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t r = first + begin; r < first + end; ++r) {
-                rows[r] = row_of(graph, color, rows[r].node);
+/// Where the nodes of each color begin among the rows, block of nodes by block: colors side by side. Each color begins
+/// a group.
+class ColorPlaces {
+public:
+    ColorPlaces(std::span<const std::uint32_t> color, ColoredGraph& result)
+        : next_((color.size() + counted - 1) / counted) {
+        parallel_for(color.size(), counted, [&](std::size_t begin, std::size_t end) {
+            std::vector<std::uint32_t>& count = next_[begin / counted];
+            for (std::size_t i = begin; i < end; ++i) {
+                count.resize(std::max(count.size(), color[i] + std::size_t{1}), 0);
+                ++count[color[i]];
             }
+        });
+        std::size_t colors = 0;
+        for (const std::vector<std::uint32_t>& count : next_) {
+            colors = std::max(colors, count.size());
+        }
+        result.color.assign(colors + 1, 0);
+        for (std::size_t c = 0; c < colors; ++c) {
+            std::uint32_t place = result.color[c] * lanes;
+            for (std::vector<std::uint32_t>& count : next_) {
+                count.resize(colors, 0);
+                place += std::exchange(count[c], place);
+            }
+            end_.push_back(place);
+            place += c + 1 == colors ? 1 : 0; // the last row stays free
+            result.color[c + 1] = static_cast<std::uint32_t>((place + lanes - 1) / lanes);
+        }
+    }
+
+    /// Calls `body(node, row)` for all nodes.
+    template <class Body>
+    void give(std::span<const std::uint32_t> color, Body&& body) {
+        parallel_for(color.size(), counted, [&](std::size_t begin, std::size_t end) {
+            for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+                body(i, next_[begin / counted][color[i]]++);
+            }
+        });
+    }
+
+    [[nodiscard]] std::size_t end(std::size_t c) const { return end_[c]; } ///< of the rows of nodes of color c
+
+private:
+    static constexpr std::size_t counted = 8192; ///< nodes of a block
+    std::vector<std::vector<std::uint32_t>> next_;
+    std::vector<std::uint32_t> end_;
+};
+
+/// Rows in order of colors, then nodes. Within a stretch of a color rows of equal length come together, so that little
+/// has to be filled up.
+RawColumn<Row> number_rows(const WeightedGraph& graph, std::span<const std::uint32_t> color, ColoredGraph& result) {
+    ColorPlaces places(color, result);
+    RawColumn<Row> rows(result.color.back() * lanes);
+    places.give(color, [&](std::uint32_t i, std::uint32_t r) { rows[r] = row_of(graph, color, i); });
+    result.row.resize(color.size());
+    for (std::size_t c = 0; c + 1 < result.color.size(); ++c) {
+        const std::size_t first = result.color[c] * lanes;
+        parallel_for(places.end(c) - first, stretch, [&](std::size_t begin, std::size_t end) {
             const auto from = rows.begin() + static_cast<std::ptrdiff_t>(first);
             std::sort(from + static_cast<std::ptrdiff_t>(begin), from + static_cast<std::ptrdiff_t>(end));
             for (std::size_t r = first + begin; r < first + end; ++r) {
                 result.row[rows[r].node] = static_cast<std::uint32_t>(r);
             }
         });
+        std::fill(
+            rows.begin() + static_cast<std::ptrdiff_t>(places.end(c)),
+            rows.begin() + static_cast<std::ptrdiff_t>(result.color[c + 1] * lanes), Row{}
+        );
     }
     return rows;
 }
 
-/// Opens the rows of couplings to earlier and to later colors, all filled up.
-void open_rows(const std::vector<Row>& rows, ColoredGraph& result) {
-    parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t side = begin; side < end; ++side) {
-            LaneRows& couplings = side == 0 ? result.before : result.after;
-            couplings.first.assign(rows.size() / lanes + 1, 0);
-            for (std::size_t r = 0; r < rows.size(); ++r) {
-                std::uint32_t& longest = couplings.first[r / lanes + 1];
-                longest = std::max(longest, side == 0 ? rows[r].before : rows[r].all - rows[r].before);
-            }
-            std::partial_sum(couplings.first.begin(), couplings.first.end(), couplings.first.begin());
-            couplings.column.assign(couplings.first.back() * lanes, static_cast<std::uint32_t>(rows.size() - 1));
-            couplings.weight.assign(couplings.first.back() * lanes, 0.0F);
+/// Opens the rows of couplings to earlier and to later colors.
+void open_rows(const RawColumn<Row>& rows, ColoredGraph& result) {
+    const std::size_t groups = rows.size() / lanes;
+    result.before.first.assign(groups + 1, 0), result.after.first.assign(groups + 1, 0);
+    parallel_for(groups, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin * lanes; r < end * lanes; ++r) {
+            std::uint32_t &before = result.before.first[r / lanes], &after = result.after.first[r / lanes];
+            before = std::max(before, rows[r].before);
+            after = std::max(after, rows[r].all - rows[r].before);
         }
     });
+    for (LaneRows* const couplings : {&result.before, &result.after}) {
+        const std::size_t all = sum_before(std::span(couplings->first)) * lanes;
+        couplings->column.resize(all), couplings->weight.resize(all);
+    }
+}
+
+/// Lets the rows of group q couple to the last row, by nothing.
+void fill_up(LaneRows& couplings, std::size_t q, std::size_t rows) {
+    for (std::size_t s = couplings.first[q] * lanes; s < couplings.first[q + 1] * lanes; ++s) {
+        couplings.column[s] = static_cast<std::uint32_t>(rows - 1), couplings.weight[s] = 0.0F;
+    }
 }
 
 /// Writes the couplings of row r, whose node is `i`. Rows of one color couple to no other of it: earlier rows are of
@@ -119,7 +199,7 @@ void fill_row(const WeightedGraph& graph, std::uint32_t i, std::size_t r, Colore
         couplings.weight[place] = static_cast<float>(graph.weight[k]);
         place += lanes;
     }
-    result.inverse_sum[r] = static_cast<float>(graph.inverse_sum[i]);
+    result.inverse_sum[r] = static_cast<float>(graph.inverse_sum(i));
     result.ground[r] = static_cast<float>(graph.ground[i]);
 }
 
@@ -247,14 +327,18 @@ void for_color(const ColoredGraph& graph, std::size_t c, Body&& body) {
 
 ColoredGraph color_graph(const WeightedGraph& graph) {
     ColoredGraph result;
-    const std::vector<Row> rows = number_rows(graph, choose_colors(graph), result);
+    const RawColumn<Row> rows = number_rows(graph, choose_colors(graph), result);
     open_rows(rows, result);
-    result.inverse_sum.assign(rows.size(), 0.0F);
-    result.ground.assign(rows.size(), 0.0F);
-    parallel_for(rows.size(), lanes * block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t r = begin; r < end; ++r) {
-            if (rows[r].node != none) {
-                fill_row(graph, rows[r].node, r, result);
+    result.inverse_sum.resize(rows.size()), result.ground.resize(rows.size());
+    parallel_for(rows.size() / lanes, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t q = begin; q < end; ++q) {
+            fill_up(result.before, q, rows.size()), fill_up(result.after, q, rows.size());
+            for (std::size_t r = q * lanes; r < (q + 1) * lanes; ++r) {
+                if (rows[r].node != none) {
+                    fill_row(graph, rows[r].node, r, result);
+                } else {
+                    result.inverse_sum[r] = result.ground[r] = 0.0F;
+                }
             }
         }
     });

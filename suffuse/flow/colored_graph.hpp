@@ -3,6 +3,7 @@
 // rows of one color lie side by side and are done at the same time, `lanes` of them in one go and blocks of them on
 // several threads. Single precision: this is what preconditions, not what is solved.
 
+#include "suffuse/base/raw_column.hpp"
 #include "suffuse/flow/weighted_graph.hpp"
 
 #include <cstdint>
@@ -17,22 +18,23 @@ inline constexpr std::size_t lanes = 8; ///< rows done side by side: a group
 /// on. Shorter rows are filled up with entries of weight zero.
 struct LaneRows {
     std::vector<std::uint32_t> first; ///< per group, and one more
-    std::vector<std::uint32_t> column;
-    std::vector<float> weight;
+    RawColumn<std::uint32_t> column;
+    RawColumn<float> weight;
 };
 
 /// The last row couples to nothing: what only fills up a group points there.
 struct ColoredGraph {
-    std::vector<std::uint32_t> row;   ///< of each node
+    RawColumn<std::uint32_t> row;     ///< of each node
     std::vector<std::uint32_t> color; ///< the groups of color c are [color[c], color[c + 1])
     LaneRows before, after;           ///< couplings to rows of earlier and of later colors
-    std::vector<float> inverse_sum;   ///< of all couplings of a row; 0 for rows that only fill up a group
-    std::vector<float> ground;
+    RawColumn<float> inverse_sum;     ///< of all couplings of a row; 0 for rows that only fill up a group
+    RawColumn<float> ground;
 
     [[nodiscard]] std::size_t rows() const { return inverse_sum.size(); } ///< those that fill up included
 };
 
-/// Colors the nodes one after the other, each with the first color that none of its neighbors has.
+/// Colors the nodes of a block (`nodes_together`) one after the other, each with the first color that none of its
+/// neighbors there has. Where a neighbor in an earlier block has it too, a node chooses anew at the end.
 ColoredGraph color_graph(const WeightedGraph& graph);
 
 /// Gauss-Seidel from x = 0, first color first. Columns have a place a row, as all below.

@@ -13,13 +13,13 @@ constexpr std::size_t block = 4096; // nodes of one loop of a thread
 
 } // namespace
 
-GraphMultigrid::GraphMultigrid(WeightedGraph graph) : graph_(grounded(std::move(graph))), cycle_(graph_) {}
+GraphMultigrid::GraphMultigrid(const WeightedGraph& graph) : graph_(grounded(graph)), cycle_(graph_) {}
 
 double GraphMultigrid::size(std::span<const double> b) const {
     const double sum = parallel_sum(graph_.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
         double part = 0;
         for (std::size_t i = begin; i < end; ++i) {
-            part += b[i] * b[i] * graph_.inverse_sum[i];
+            part += b[i] * b[i] * graph_.inverse_sum(i);
         }
         return part;
     });

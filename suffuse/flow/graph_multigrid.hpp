@@ -16,7 +16,7 @@ namespace suffuse::flow {
 class GraphMultigrid {
 public:
     /// `graph`: without ground.
-    explicit GraphMultigrid(WeightedGraph graph);
+    explicit GraphMultigrid(const WeightedGraph& graph);
 
     struct Result {
         std::vector<double> x; ///< zero at one node of each part

@@ -152,19 +152,18 @@ TEST(GraphMultigrid, NoSourceNoPotential) {
 TEST(WeightedGraph, GroundIsOneNodeOfEachPart) {
     const std::vector<GraphEdge> edges = {{0, 1, 2}, {1, 2, 3}, {3, 4, 5}};
     const WeightedGraph graph = grounded(make_graph(6, edges));
-    EXPECT_EQ(graph.ground, (std::vector<double>{0, 2, 0, 0, 5, 0}));
-    EXPECT_EQ(graph.sum, (std::vector<double>{0, 5, 3, 0, 5, 0}));
-    EXPECT_EQ(graph.weight, (std::vector<double>{3, 3}));
+    EXPECT_EQ(graph.ground, (RawColumn<double>{0, 2, 0, 0, 5, 0}));
+    EXPECT_EQ(graph.sum, (RawColumn<double>{0, 5, 3, 0, 5, 0}));
+    EXPECT_EQ(graph.weight, (RawColumn<double>{3, 3}));
 }
 
 TEST(WeightedGraph, ParallelEdgesAddUpAndLoopsDoNothing) {
     const std::vector<GraphEdge> edges = {{0, 1, 2}, {1, 0, 3}, {1, 1, 9}, {2, 1, 1}, {0, 2, 0}};
     const WeightedGraph graph = make_graph(3, edges);
-    EXPECT_EQ(graph.first, (std::vector<std::uint32_t>{0, 1, 3, 4}));
-    EXPECT_EQ(graph.neighbor, (std::vector<std::uint32_t>{1, 0, 2, 1}));
-    EXPECT_EQ(graph.weight, (std::vector<double>{5, 5, 1, 1}));
-    EXPECT_EQ(graph.sum, (std::vector<double>{5, 6, 1}));
-    EXPECT_EQ(graph.middle, (std::vector<std::uint32_t>{0, 2, 4}));
+    EXPECT_EQ(graph.first, (RawColumn<std::uint32_t>{0, 1, 3, 4}));
+    EXPECT_EQ(graph.neighbor, (RawColumn<std::uint32_t>{1, 0, 2, 1}));
+    EXPECT_EQ(graph.weight, (RawColumn<double>{5, 5, 1, 1}));
+    EXPECT_EQ(graph.sum, (RawColumn<double>{5, 6, 1}));
 }
 
 } // namespace

@@ -56,11 +56,12 @@ Members ends_of_throats(const pores::PoreNetwork& network) {
 WeightedGraph
 graph_of(const pores::PoreNetwork& network, const Members& ends, std::span<const double> conductance, double unit) {
     expects(conductance.size() == network.throats.size(), "one conductance a throat");
-    return make_graph(std::vector<double>(network.bodies, 0.0), [&](std::uint32_t b, GraphRow& row) {
+    return make_graph(network.bodies, [&](std::uint32_t b, GraphRow& row) {
         for (const std::uint32_t end : ends.of(b)) {
             const std::uint32_t other_side = network.throats.side[end / 2][1 - end % 2];
             row.emplace_back(network.pores.body[other_side], conductance[end / 2] / unit);
         }
+        return 0.0;
     });
 }
 

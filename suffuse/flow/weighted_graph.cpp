@@ -2,8 +2,10 @@
 
 #include "suffuse/base/members.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/prefix_sum.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -39,149 +41,214 @@ void append(std::uint32_t i, GraphRow& row, Run& run, WeightedGraph& graph) {
         run.neighbor.push_back(neighbor);
         run.weight.push_back(weight);
     }
-    const auto middle =
-        std::lower_bound(run.neighbor.begin() + static_cast<std::ptrdiff_t>(begin), run.neighbor.end(), i);
-    graph.middle[i] = static_cast<std::uint32_t>(middle - run.neighbor.begin());
     graph.first[i + 1] = static_cast<std::uint32_t>(run.neighbor.size());
     graph.sum[i] = sum;
-    graph.inverse_sum[i] = sum > 0 ? 1 / sum : 0;
 }
 
 /// Puts the runs of `block` nodes one after the other.
-void join_runs(const std::vector<Run>& runs, WeightedGraph& graph) {
+void join_runs(std::vector<Run>& runs, WeightedGraph& graph) {
     std::vector<std::uint32_t> begin(runs.size() + 1, 0);
     for (std::size_t r = 0; r < runs.size(); ++r) {
         begin[r + 1] = begin[r] + static_cast<std::uint32_t>(runs[r].neighbor.size());
     }
-    resize_columns(begin.back(), graph.neighbor, graph.weight);
+    graph.neighbor.resize(begin.back()), graph.weight.resize(begin.back());
     parallel_for(graph.size(), block, [&](std::size_t first, std::size_t last) {
         const std::size_t r = first / block;
         for (std::size_t i = first; i < last; ++i) {
-            graph.middle[i] += begin[r];
             graph.first[i + 1] += begin[r];
         }
-        std::copy(runs[r].neighbor.begin(), runs[r].neighbor.end(), graph.neighbor.begin() + begin[r]);
-        std::copy(runs[r].weight.begin(), runs[r].weight.end(), graph.weight.begin() + begin[r]);
+        const Run run = std::move(runs[r]); // done with
+        std::copy(run.neighbor.begin(), run.neighbor.end(), graph.neighbor.begin() + begin[r]);
+        std::copy(run.weight.begin(), run.weight.end(), graph.weight.begin() + begin[r]);
     });
 }
 
-/// The lowest node of each connected part.
-std::vector<std::uint8_t> lowest_of_parts(const WeightedGraph& graph) {
-    std::vector<std::uint8_t> is_reached(graph.size(), 0), is_lowest(graph.size(), 0);
-    std::vector<std::uint32_t> waiting;
-    for (std::uint32_t start = 0; start < graph.size(); ++start) {
-        if (is_reached[start] != 0) {
-            continue;
-        }
-        is_reached[start] = is_lowest[start] = 1;
-        waiting.push_back(start);
-        while (!waiting.empty()) {
-            const std::uint32_t i = waiting.back();
-            waiting.pop_back();
-            for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
-                if (is_reached[graph.neighbor[k]] != 0) {
-                    continue;
-                }
-                is_reached[graph.neighbor[k]] = 1;
-                waiting.push_back(graph.neighbor[k]);
+/// For each node a lower one of the same connected part, or the node itself where it is the lowest. Threads hang the
+/// higher end of two such ways below the lower one: in whatever order they come, all ways of a part end at its lowest
+/// node.
+class ConnectedParts {
+public:
+    explicit ConnectedParts(std::size_t nodes) : lower_(nodes) {
+        parallel_for(nodes, block, [&](std::size_t begin, std::size_t end) {
+            std::iota(
+                lower_.begin() + static_cast<std::ptrdiff_t>(begin), lower_.begin() + static_cast<std::ptrdiff_t>(end),
+                static_cast<std::uint32_t>(begin)
+            );
+        });
+    }
+
+    void join(std::uint32_t i, std::uint32_t j) {
+        for (;;) {
+            i = lowest(i), j = lowest(j);
+            if (i == j) {
+                return;
+            }
+            std::uint32_t high = std::max(i, j);
+            if (std::atomic_ref(lower_[high])
+                    .compare_exchange_strong(high, std::min(i, j), std::memory_order_relaxed)) {
+                return;
             }
         }
     }
-    return is_lowest;
+
+    [[nodiscard]] bool is_lowest(std::uint32_t i) const { return lower_[i] == i; }
+
+private:
+    /// The end of the way, which is made shorter as it is gone.
+    std::uint32_t lowest(std::uint32_t i) {
+        for (;;) {
+            const std::uint32_t next = std::atomic_ref(lower_[i]).load(std::memory_order_relaxed);
+            if (next == i) {
+                return i;
+            }
+            const std::uint32_t after = std::atomic_ref(lower_[next]).load(std::memory_order_relaxed);
+            std::atomic_ref(lower_[i]).store(after, std::memory_order_relaxed);
+            i = after;
+        }
+    }
+
+    RawColumn<std::uint32_t> lower_;
+};
+
+ConnectedParts find_parts(const WeightedGraph& graph) {
+    ConnectedParts parts(graph.size());
+    parallel_for(graph.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+            for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1] && graph.neighbor[k] < i; ++k) {
+                parts.join(i, graph.neighbor[k]);
+            }
+        }
+    });
+    return parts;
+}
+
+/// Lets node i, which is free, choose among its neighbors in [begin, end). Where the strongest of all is not among them
+/// it stays free. `leader`: the node that opened the group of each, or none.
+void choose_partner(
+    const WeightedGraph& graph, std::uint32_t i, std::size_t begin, std::size_t end, std::span<std::uint32_t> leader
+) {
+    const auto is_here = [&](std::uint32_t j) { return begin <= j && j < end; };
+    double strongest = 0, strongest_free = 0;
+    std::uint32_t nearest = none, free = none;
+    for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
+        const std::uint32_t j = graph.neighbor[k];
+        if (graph.weight[k] > strongest) {
+            strongest = graph.weight[k], nearest = j;
+        }
+        if (graph.weight[k] > strongest_free && is_here(j) && leader[j] == none) {
+            strongest_free = graph.weight[k], free = j;
+        }
+    }
+    if (nearest != none && !is_here(nearest)) {
+        return;
+    }
+    if (nearest != none && leader[nearest] != none && strongest_free < worth_joining * strongest) {
+        leader[i] = leader[nearest];
+        return;
+    }
+    leader[i] = i;
+    if (free != none) {
+        leader[free] = i;
+    }
+}
+
+/// The leader of each node's group.
+RawColumn<std::uint32_t> choose_leaders(const WeightedGraph& graph) {
+    RawColumn<std::uint32_t> leader(graph.size());
+    std::vector<std::vector<std::uint32_t>> waiting((graph.size() + nodes_together - 1) / nodes_together);
+    parallel_for(graph.size(), nodes_together, [&](std::size_t begin, std::size_t end) {
+        std::fill(
+            leader.begin() + static_cast<std::ptrdiff_t>(begin), leader.begin() + static_cast<std::ptrdiff_t>(end), none
+        );
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+            if (leader[i] == none) {
+                choose_partner(graph, i, begin, end, leader);
+            }
+            if (leader[i] == none) {
+                waiting[begin / nodes_together].push_back(i);
+            }
+        }
+    });
+    for (const std::vector<std::uint32_t>& some : waiting) {
+        for (const std::uint32_t i : some) {
+            if (leader[i] == none) { // nor taken by another since
+                choose_partner(graph, i, 0, graph.size(), leader);
+            }
+        }
+    }
+    return leader;
 }
 
 } // namespace
 
-WeightedGraph make_graph(std::vector<double> ground, const std::function<void(std::uint32_t, GraphRow&)>& gather) {
+WeightedGraph make_graph(std::size_t nodes, const std::function<double(std::uint32_t, GraphRow&)>& gather) {
     WeightedGraph graph;
-    graph.ground = std::move(ground);
-    const std::size_t nodes = graph.ground.size();
-    graph.first.assign(nodes + 1, 0);
-    resize_columns(nodes, graph.middle, graph.sum, graph.inverse_sum);
+    graph.first.resize(nodes + 1), graph.ground.resize(nodes), graph.sum.resize(nodes);
+    graph.first[0] = 0;
     std::vector<Run> runs((nodes + block - 1) / block);
     parallel_for(nodes, block, [&](std::size_t first, std::size_t last) {
         GraphRow row;
-        for (std::size_t i = first; i < last; ++i) {
+        for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
             row.clear();
-            gather(static_cast<std::uint32_t>(i), row);
-            append(static_cast<std::uint32_t>(i), row, runs[first / block], graph);
+            graph.ground[i] = gather(i, row);
+            append(i, row, runs[first / block], graph);
         }
     });
     join_runs(runs, graph);
     return graph;
 }
 
-WeightedGraph grounded(WeightedGraph graph) {
-    const std::vector<std::uint8_t> is_ground = lowest_of_parts(graph);
-    std::uint32_t read = 0, write = 0;
-    for (std::uint32_t i = 0; i < graph.size(); ++i) {
-        const std::uint32_t begin = write;
-        graph.middle[i] = begin;
-        for (const std::uint32_t end = graph.first[i + 1]; read < end; ++read) {
-            const std::uint32_t j = graph.neighbor[read];
-            if (is_ground[i] != 0) {
-                continue;
+WeightedGraph grounded(const WeightedGraph& graph) {
+    const ConnectedParts parts = find_parts(graph);
+    return make_graph(graph.size(), [&](std::uint32_t i, GraphRow& row) {
+        double ground = graph.ground[i];
+        for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1] && !parts.is_lowest(i); ++k) {
+            if (parts.is_lowest(graph.neighbor[k])) {
+                ground += graph.weight[k];
+            } else {
+                row.emplace_back(graph.neighbor[k], graph.weight[k]);
             }
-            if (is_ground[j] != 0) {
-                graph.ground[i] += graph.weight[read];
-                continue;
-            }
-            graph.neighbor[write] = j;
-            graph.weight[write++] = graph.weight[read];
-            graph.middle[i] = j < i ? write : graph.middle[i];
         }
-        graph.first[i + 1] = write;
-        graph.sum[i] = std::accumulate(graph.weight.begin() + begin, graph.weight.begin() + write, graph.ground[i]);
-        graph.inverse_sum[i] = graph.sum[i] > 0 ? 1 / graph.sum[i] : 0;
-    }
-    graph.neighbor.resize(write), graph.weight.resize(write);
-    return graph;
+        return ground;
+    });
 }
 
 Grouping join_pairs(const WeightedGraph& graph) {
-    Grouping result{std::vector<std::uint32_t>(graph.size(), none), 0};
-    for (std::uint32_t i = 0; i < graph.size(); ++i) {
-        if (result.group[i] != none) {
-            continue;
-        }
-        double strongest = 0, strongest_free = 0;
-        std::uint32_t taken = none, free = none;
-        for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
-            const std::uint32_t j = graph.neighbor[k];
-            const bool is_free = result.group[j] == none;
-            if (graph.weight[k] > strongest) {
-                strongest = graph.weight[k], taken = is_free ? none : j;
+    Grouping result{choose_leaders(graph), 0};
+    std::vector<std::uint32_t> leaders((graph.size() + block - 1) / block, 0); // of each block
+    const auto for_leaders = [&](auto&& body) {
+        parallel_for(graph.size(), block, [&](std::size_t begin, std::size_t end) {
+            for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+                if (result.group[i] == i) {
+                    body(i, leaders[begin / block]);
+                }
             }
-            if (is_free && graph.weight[k] > strongest_free) {
-                strongest_free = graph.weight[k], free = j;
-            }
+        });
+    };
+    for_leaders([](std::uint32_t, std::uint32_t& count) { ++count; });
+    result.groups = sum_before(std::span(leaders));
+    RawColumn<std::uint32_t> number(graph.size());
+    for_leaders([&](std::uint32_t i, std::uint32_t& next) { number[i] = next++; });
+    parallel_for(graph.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            result.group[i] = number[result.group[i]];
         }
-        if (taken != none && strongest_free < worth_joining * strongest) {
-            result.group[i] = result.group[taken];
-            continue;
-        }
-        result.group[i] = result.groups;
-        if (free != none) {
-            result.group[free] = result.groups;
-        }
-        ++result.groups;
-    }
+    });
     return result;
 }
 
 WeightedGraph contracted(const WeightedGraph& graph, const Grouping& grouping) {
-    const std::vector<std::uint32_t>& group = grouping.group;
+    const RawColumn<std::uint32_t>& group = grouping.group;
     const Members members = members_of(graph.size(), grouping.groups, [&](std::size_t i) { return group[i]; });
-    std::vector<double> ground(grouping.groups, 0.0);
-    for (std::size_t i = 0; i < graph.size(); ++i) {
-        ground[group[i]] += graph.ground[i];
-    }
-    return make_graph(std::move(ground), [&](std::uint32_t g, GraphRow& row) {
+    return make_graph(grouping.groups, [&](std::uint32_t g, GraphRow& row) {
+        double ground = 0;
         for (const std::uint32_t i : members.of(g)) {
+            ground += graph.ground[i];
             for (std::uint32_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
                 row.emplace_back(group[graph.neighbor[k]], graph.weight[k]);
             }
         }
+        return ground;
     });
 }
 

@@ -18,8 +18,9 @@ inline flow::WeightedGraph make_graph(std::size_t nodes, const std::vector<Graph
         rows[e.i].emplace_back(e.j, e.weight);
         rows[e.j].emplace_back(e.i, e.weight);
     }
-    return flow::make_graph(std::vector<double>(nodes, 0.0), [&](std::uint32_t i, flow::GraphRow& row) {
+    return flow::make_graph(nodes, [&](std::uint32_t i, flow::GraphRow& row) {
         row = rows[i];
+        return 0.0;
     });
 }
 
