@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/members.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/raw_column.hpp"
 #include "suffuse/pores/lattice.hpp"
 #include "suffuse/pores/part_of_cell.hpp"
 #include "suffuse/pores/triangulation_check.hpp"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace suffuse::pores {
@@ -62,15 +64,12 @@ struct Entry {
 
 /// All tetrahedra along the curve that fills the cell, so that what is close in space is close in memory. Those of each
 /// part are sorted, then neighboring runs are merged until one is left.
-std::vector<Entry> order_tetrahedra(const std::vector<PartTetrahedra>& parts) {
-    std::vector<Entry> order;
+RawColumn<Entry> order_tetrahedra(const std::vector<PartTetrahedra>& parts) {
     std::vector<std::size_t> first = {0}; // of each run, and the end
-    for (std::uint32_t part = 0; part < parts.size(); ++part) {
-        for (std::uint32_t row = 0; row < parts[part].corner.size(); ++row) {
-            order.push_back({parts[part].place[row], part, row});
-        }
-        first.push_back(order.size());
+    for (const PartTetrahedra& part : parts) {
+        first.push_back(first.back() + part.corner.size());
     }
+    RawColumn<Entry> order(first.back());
     const auto comes_before = [&](const Entry& one, const Entry& other) {
         return one.place != other.place ? one.place < other.place
                                         : parts[one.part].corner[one.row] < parts[other.part].corner[other.row];
@@ -80,6 +79,9 @@ std::vector<Entry> order_tetrahedra(const std::vector<PartTetrahedra>& parts) {
     };
     parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t run = begin; run < end; ++run) {
+            for (std::uint32_t row = 0; row < parts[run].corner.size(); ++row) {
+                order[first[run] + row] = {parts[run].place[row], static_cast<std::uint32_t>(run), row};
+            }
             std::sort(at(run), at(run + 1), comes_before);
         }
     });
@@ -136,8 +138,8 @@ bool close(const std::vector<OpenFacet>& open, const ExactPacking& packing, Tria
 
 /// Writes tetrahedron p; its facets whose other side is elsewhere are left open.
 void write_tetrahedron(
-    const ExactPacking& packing, const PartTetrahedra& part, std::uint32_t row,
-    const std::vector<std::uint32_t>& number, std::uint32_t p, Triangulation& out, std::vector<OpenFacet>& open
+    const ExactPacking& packing, const PartTetrahedra& part, std::uint32_t row, std::span<const std::uint32_t> number,
+    std::uint32_t p, Triangulation& out, std::vector<OpenFacet>& open
 ) {
     const std::array<Corner, 4>& corner = part.corner[row];
     for (std::uint32_t k = 0; k < 4; ++k) {
@@ -153,19 +155,40 @@ void write_tetrahedron(
     }
 }
 
+/// Grains that are no corner.
+std::vector<std::uint32_t> find_hidden(const Triangulation& triangulation, std::size_t grains) {
+    std::vector<std::uint8_t> seen(grains, 0);
+    parallel_for(triangulation.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            for (const std::uint32_t g : triangulation.grain[p]) {
+                std::atomic_ref(seen[g]).store(1, std::memory_order_relaxed);
+            }
+        }
+    });
+    std::vector<std::uint32_t> hidden;
+    for (std::uint32_t g = 0; g < grains; ++g) {
+        if (seen[g] == 0) {
+            hidden.push_back(g);
+        }
+    }
+    return hidden;
+}
+
 /// The tetrahedra of all parts as one table; false where images of the cell, or two parts, are not triangulated alike.
 bool join_parts(const ExactPacking& packing, const std::vector<PartTetrahedra>& parts, Triangulation& out) {
-    const std::vector<Entry> order = order_tetrahedra(parts);
-    std::vector<std::vector<std::uint32_t>> number;
+    const RawColumn<Entry> order = order_tetrahedra(parts);
+    std::vector<RawColumn<std::uint32_t>> number;
     for (const PartTetrahedra& part : parts) {
         number.emplace_back(part.corner.size());
         out.ghosts += part.points;
         out.margin = std::max(out.margin, part.reach * packing.unit);
     }
     out.ghosts -= packing.radius.size();
-    for (std::uint32_t p = 0; p < order.size(); ++p) {
-        number[order[p].part][order[p].row] = p;
-    }
+    parallel_for(order.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+            number[order[p].part][order[p].row] = p;
+        }
+    });
     resize_columns(order.size(), out.grain, out.grain_image, out.neighbor, out.neighbor_image);
     std::vector<std::vector<OpenFacet>> open_of_block((order.size() + block - 1) / block);
     parallel_for(order.size(), block, [&](std::size_t begin, std::size_t end) {
@@ -181,17 +204,7 @@ bool join_parts(const ExactPacking& packing, const std::vector<PartTetrahedra>& 
     for (const std::vector<OpenFacet>& some : open_of_block) {
         open.insert(open.end(), some.begin(), some.end());
     }
-    std::vector<std::uint8_t> seen(packing.radius.size(), 0);
-    for (const auto& corners : out.grain) {
-        for (const std::uint32_t g : corners) {
-            seen[g] = 1;
-        }
-    }
-    for (std::uint32_t g = 0; g < seen.size(); ++g) {
-        if (seen[g] == 0) {
-            out.hidden.push_back(g);
-        }
-    }
+    out.hidden = find_hidden(out, packing.radius.size());
     return close(open, packing, out);
 }
 
