@@ -95,7 +95,8 @@ void grain_forces(benchmark::State& state) {
     const OneThread one;
     const flow::FlowField field = flow::solve_pressure(sample().network, sample().conductance, gradient);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(flow::grain_forces(sample().network, field.pressure, gradient, sample().radius.size())
+        benchmark::DoNotOptimize(
+            flow::grain_forces(sample().network, field.pressure, gradient, sample().position, sample().radius)
         );
     }
     state.counters["ns_per_throat"] = ns_per(sample().throats());

@@ -99,14 +99,7 @@ std::vector<double> WaterWays::widths_of_throats() const {
 }
 
 double WaterWays::circle_of(std::size_t t) const {
-    const pores::Throats& throats = seepage_.network.throats;
-    std::array<Vec3, 3> x;
-    std::array<double, 3> r{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t g = throats.grain[t][k];
-        x[k] = position_[g] + shift(seepage_.network.h, throats.grain_image[t][k]);
-        r[k] = radius_[g];
-    }
+    const auto [x, r] = pores::spheres_of(seepage_.network, position_, radius_, t);
     return pores::inscribed_circle(x[1] - x[0], x[2] - x[0], r).radius;
 }
 
@@ -131,12 +124,12 @@ WaterWays::Place WaterWays::behind(const Outlet& outlet, const cell::Image& thro
 
 Vec3 WaterWays::place_before(const Outlet& outlet, const cell::Image& throat, double radius) const {
     const pores::Throats& throats = seepage_.network.throats;
+    const auto [row, image] = pores::grains_of(seepage_.network, outlet.throat);
     std::array<Vec3, 3> center;
     std::array<double, 3> radii{};
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t g = throats.grain[outlet.throat][k];
-        center[k] = position_[g] + shift(seepage_.network.h, throats.grain_image[outlet.throat][k] + throat);
-        radii[k] = radius_[g];
+        center[k] = position_[row[k]] + shift(seepage_.network.h, image[k] + throat);
+        radii[k] = radius_[row[k]];
     }
     const Vec3 downstream = outlet.side == 0 ? throats.area[outlet.throat] : -throats.area[outlet.throat];
     return touching_place(center, radii, radius, -downstream);

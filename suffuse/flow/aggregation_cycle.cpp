@@ -123,7 +123,7 @@ AggregationCycle::AggregationCycle(const WeightedGraph& graph) {
     }
     for (std::size_t l = 0; l < levels_.size(); ++l) {
         link(l, group[l]);
-        group[l] = {};
+        group[l] = RawColumn<std::uint32_t>();
     }
 }
 

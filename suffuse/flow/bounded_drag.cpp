@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/raw_column.hpp"
 #include "suffuse/flow/conductance.hpp"
 #include "suffuse/flow/throat_drag.hpp"
 
@@ -28,34 +29,28 @@ constexpr double thinnest_layer = 1e-6;
 /// A neighbor that many times larger is a wall.
 constexpr double wall_ratio = 1.5;
 
-WettedGrains wetted_grains(const pores::Throats& throats, std::span<const double> radius, std::size_t t) {
-    const auto& g = throats.grain[t];
-    return {{radius[g[0]], radius[g[1]], radius[g[2]]}, throats.wetted[t]};
+/// What the water of throat t wets.
+WettedGrains wetted_grains(
+    const pores::PoreNetwork& network, std::span<const double> radius, std::size_t t,
+    const std::array<double, 3>& wetted
+) {
+    const auto [a, b, c] = pores::grains_of(network, t).row;
+    return {{radius[a], radius[b], radius[c]}, wetted};
 }
 
 /// Volume of a throat's water [m3].
-double water_of(const pores::Throats& throats, std::size_t t) {
-    return std::max(0.0, throats.hydraulic_radius[t] * throats.solid_surface[t]);
+double water_of(double hydraulic_radius, const std::array<double, 3>& wetted) {
+    return std::max(0.0, hydraulic_radius * (wetted[0] + wetted[1] + wetted[2]));
 }
 
-std::vector<double> water_layers(const pores::PoreNetwork& network, std::span<const double> radius) {
-    const double least = thinnest_layer * *std::min_element(radius.begin(), radius.end());
-    std::vector<double> layer(network.throats.size());
-    parallel_for(layer.size(), block, [&](std::size_t begin, std::size_t end) {
+RawColumn<double> throat_drags(const pores::PoreNetwork& network, std::span<const double> radius, double least_layer) {
+    const pores::Throats& throats = network.throats;
+    RawColumn<double> drag(throats.size());
+    parallel_for(drag.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
-            const WettedGrains grains = wetted_grains(network.throats, radius, t);
-            layer[t] = std::max(least, water_layer(grains, water_of(network.throats, t)));
-        }
-    });
-    return layer;
-}
-
-std::vector<double>
-throat_drags(const pores::PoreNetwork& network, std::span<const double> radius, std::span<const double> layer) {
-    std::vector<double> drag(layer.size());
-    parallel_for(layer.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-            drag[t] = throat_drag(wetted_grains(network.throats, radius, t), layer[t]);
+            const WettedGrains grains = wetted_grains(network, radius, t, throats.wetted[t]);
+            const double water = water_of(throats.hydraulic_radius[t], throats.wetted[t]);
+            drag[t] = throat_drag(grains, std::max(least_layer, water_layer(grains, water)));
         }
     });
     return drag;
@@ -95,15 +90,16 @@ distances_to_walls(const pores::PoreNetwork& network, std::span<const Vec3> posi
 BoundedDrag::BoundedDrag(
     const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius
 )
-    : network_(network), position_(position), radius_(radius), layer_(water_layers(network, radius)),
-      exchange_(network, throat_drags(network, radius, layer_), exchange_legs(network, position, radius)) {}
+    : network_(network), position_(position), radius_(radius),
+      least_layer_(thinnest_layer * *std::min_element(radius.begin(), radius.end())),
+      exchange_(network, throat_drags(network, radius, least_layer_), exchange_legs(network, position, radius)) {}
 
 std::vector<double> BoundedDrag::conductances(double viscosity) const {
     const pores::Throats& throats = network_.throats;
-    std::vector<double> water(throats.size());
+    RawColumn<double> water(throats.size());
     parallel_for(water.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
-            water[t] = water_of(throats, t);
+            water[t] = water_of(throats.hydraulic_radius[t], throats.wetted[t]);
         }
     });
     // Under a pressure gradient of 1 each volume of water is pushed by its size: velocities are mobilities [m2].
@@ -124,23 +120,25 @@ std::vector<double> BoundedDrag::conductances(double viscosity) const {
 /// and void area add up to more than the facet, and all of them are scaled.
 double BoundedDrag::pressure_on_void(std::size_t t, double drop) const {
     const pores::Throats& throats = network_.throats;
-    const auto& share = throats.grain_share[t];
-    return drop * throats.void_area[t] / (norm(throats.area[t]) * (share[0] + share[1] + share[2]));
+    return drop * throats.void_area[t] / (norm(throats.area[t]) * throats.covered[t]);
 }
 
-/// On the three grains of throat t: what acts on their sections, and their shares in the drag of its water.
+/// On the three grains of throat t: what acts on their sections, and their shares in the drag of its water. `to_wall`:
+/// of each grain.
 std::array<Vec3, 3>
-BoundedDrag::forces_at(std::size_t t, double drop, const Vec3& drag, const std::array<double, 3>& to_wall) const {
-    const pores::Throats& throats = network_.throats;
-    const WettedGrains grains = wetted_grains(throats, radius_, t);
-    const auto shares = drag_shares(grains, layer_[t], to_wall);
-    const auto& whole = throats.grain_share[t]; // of sections and, by wetted surface, of the void area
-    const double sum = whole[0] + whole[1] + whole[2], surface = throats.solid_surface[t];
-    const double void_share = throats.void_area[t] / norm(throats.area[t]);
+BoundedDrag::forces_at(std::size_t t, double drop, const Vec3& drag, std::span<const double> to_wall) const {
+    const pores::ThroatGeometry throat = pores::measure_throat(network_, position_, radius_, t);
+    const WettedGrains grains = wetted_grains(network_, radius_, t, throat.wetted);
+    const double layer = std::max(least_layer_, water_layer(grains, water_of(throat.hydraulic_radius, throat.wetted)));
+    const auto [a, b, c] = pores::grains_of(network_, t).row;
+    const auto shares = drag_shares(grains, layer, {to_wall[a], to_wall[b], to_wall[c]});
+    const auto& whole = throat.grain_share; // of sections and, by wetted surface, of the void area
+    const double sum = network_.throats.covered[t], surface = throat.solid_surface;
+    const double void_share = throat.void_area / norm(throat.area);
     std::array<Vec3, 3> force;
     for (std::size_t k = 0; k < 3; ++k) {
         const double section = whole[k] - void_share * (surface > 0 ? grains.area[k] / surface : 1.0 / 3);
-        force[k] = (drop * section / sum) * throats.area[t] + shares[k] * drag;
+        force[k] = (drop * section / sum) * throat.area + shares[k] * drag;
     }
     return force;
 }
@@ -152,7 +150,7 @@ std::vector<Vec3> BoundedDrag::grain_forces(std::span<const double> pressure, co
         const auto [p, q] = throats.side[t];
         return pressure[p] - pressure[q] - dot(gradient, cell::shift(network_.h, throats.image[t]));
     };
-    std::vector<double> on_void(throats.size());
+    RawColumn<double> on_void(throats.size());
     parallel_for(on_void.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             on_void[t] = pressure_on_void(t, drop(t));
@@ -165,20 +163,19 @@ std::vector<Vec3> BoundedDrag::grain_forces(std::span<const double> pressure, co
     // grains, in the order of the throats.
     const std::size_t adders = std::min(most_adders, static_cast<std::size_t>(thread_count()));
     std::vector<Vec3> force(radius_.size());
-    std::vector<std::array<Vec3, 3>> found(std::min(throats.size(), stretch));
+    RawColumn<std::array<Vec3, 3>> found(std::min(throats.size(), stretch));
     for (std::size_t first = 0; first < throats.size(); first += stretch) {
         const std::size_t count = std::min(stretch, throats.size() - first);
         parallel_for(count, block, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = first + begin; t < first + end; ++t) {
-                const auto& [a, b, c] = throats.grain[t];
-                const Vec3 drag = exchange_.to_grains(motion, on_void, t);
-                found[t - first] = forces_at(t, drop(t), drag, {to_wall[a], to_wall[b], to_wall[c]});
+                found[t - first] = forces_at(t, drop(t), exchange_.to_grains(motion, on_void, t), to_wall);
             }
         });
         parallel_for(adders, 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = first; t < first + count; ++t) {
+                const auto grain = pores::grains_of(network_, t).row;
                 for (std::size_t k = 0; k < 3; ++k) {
-                    const std::uint32_t g = throats.grain[t][k];
+                    const std::uint32_t g = grain[k];
                     const std::size_t adder = g / grains_together % adders;
                     if (begin <= adder && adder < end) {
                         force[g] += found[t - first][k];

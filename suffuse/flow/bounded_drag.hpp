@@ -21,7 +21,8 @@ distances_to_walls(const pores::PoreNetwork& network, std::span<const Vec3> posi
 
 class BoundedDrag {
 public:
-    /// Positions and radii as given to build_network. All must outlive the object.
+    /// Positions and radii as given to build_network. All must outlive the object, but for what the network knows of
+    /// wetted surfaces: it is needed until conductances are known.
     BoundedDrag(const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius);
 
     /// Conductance of each throat in a fluid of viscosity [Pa s]; 0 for throats inside a body of water [m3/(Pa s)].
@@ -34,12 +35,12 @@ public:
 private:
     [[nodiscard]] double pressure_on_void(std::size_t t, double drop) const;
     [[nodiscard]] std::array<Vec3, 3>
-    forces_at(std::size_t t, double drop, const Vec3& drag, const std::array<double, 3>& to_wall) const;
+    forces_at(std::size_t t, double drop, const Vec3& drag, std::span<const double> to_wall) const;
 
     const pores::PoreNetwork& network_;
     std::span<const Vec3> position_;
     std::span<const double> radius_;
-    std::vector<double> layer_; ///< thickness of the water of each throat [m]
+    double least_layer_; ///< no water on grains is thinner [m]
     MomentumExchange exchange_;
 };
 

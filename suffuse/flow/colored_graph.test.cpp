@@ -56,7 +56,7 @@ std::vector<double> residual_of(
 }
 
 TEST(ColoredGraph, NoTwoCoupledNodesShareAColor) {
-    const WeightedGraph graph = chorded_ring(1000);
+    const WeightedGraph graph = chorded_ring(3 * nodes_together / 2); // chords from block to block
     const ColoredGraph colored = color_graph(graph);
     const auto color = [&](std::uint32_t node) {
         return std::upper_bound(colored.color.begin(), colored.color.end(), colored.row[node] / lanes);

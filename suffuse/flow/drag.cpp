@@ -1,7 +1,10 @@
 #include "suffuse/flow/drag.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/base/raw_column.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace suffuse::flow {
@@ -13,29 +16,42 @@ constexpr double least_excess = 1e-9;
 /// Force in excess of the balance, as a share of the whole, up to which the reference's formula is kept.
 constexpr double small_excess = 1e-7;
 
+/// Part of pressure difference x area that each grain of each throat receives [-].
+RawColumn<std::array<double, 3>>
+grain_shares(const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
+    RawColumn<std::array<double, 3>> share(network.throats.size());
+    parallel_for(share.size(), 2048, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            share[t] = pores::measure_throat(network, position, radius, t).grain_share;
+        }
+    });
+    return share;
+}
+
 } // namespace
 
 std::vector<Vec3> grain_forces(
-    const pores::PoreNetwork& network, std::span<const double> pressure, const Vec3& gradient, std::size_t grains
+    const pores::PoreNetwork& network, std::span<const double> pressure, const Vec3& gradient,
+    std::span<const Vec3> position, std::span<const double> radius
 ) {
     expects(pressure.size() == network.pores.size(), "one pressure a pore");
     const pores::Throats& throats = network.throats;
+    const std::size_t grains = radius.size();
+    const RawColumn<std::array<double, 3>> share = grain_shares(network, position, radius);
     const auto drop = [&](std::size_t t) {
         const auto [p, q] = throats.side[t];
         return pressure[p] - pressure[q] - dot(gradient, cell::shift(network.h, throats.image[t]));
-    };
-    const auto shares = [&](std::size_t t) {
-        return throats.grain_share[t][0] + throats.grain_share[t][1] + throats.grain_share[t][2];
     };
     std::vector<Vec3> force(grains);
     Vec3 excess;
     for (std::size_t t = 0; t < throats.size(); ++t) {
         const double difference = drop(t);
+        const auto grain = pores::grains_of(network, t).row;
         for (std::size_t k = 0; k < 3; ++k) {
-            force[throats.grain[t][k]] += (difference * throats.grain_share[t][k]) * throats.area[t];
+            force[grain[k]] += (difference * share[t][k]) * throats.area[t];
         }
-        if (std::abs(shares(t) - 1) > least_excess) {
-            excess += (difference * (shares(t) - 1)) * throats.area[t];
+        if (std::abs(throats.covered[t] - 1) > least_excess) {
+            excess += (difference * (throats.covered[t] - 1)) * throats.area[t];
         }
     }
     if (excess == Vec3{}) {
@@ -60,13 +76,14 @@ std::vector<Vec3> grain_forces(
         return force;
     }
     for (std::size_t t = 0; t < throats.size(); ++t) {
-        const double sum = shares(t);
+        const double sum = throats.covered[t];
         if (!(std::abs(sum - 1) > least_excess)) {
             continue;
         }
         const double surplus = drop(t) * (1 - 1 / sum);
+        const auto grain = pores::grains_of(network, t).row;
         for (std::size_t k = 0; k < 3; ++k) {
-            force[throats.grain[t][k]] -= (surplus * throats.grain_share[t][k]) * throats.area[t];
+            force[grain[k]] -= (surplus * share[t][k]) * throats.area[t];
         }
     }
     return force;

@@ -11,10 +11,11 @@
 
 namespace suffuse::flow {
 
-/// Force on each of `grains` grains [N], in the order of the rows given to build_network. `gradient`: the mean pressure
-/// gradient that the pressures were solved for [Pa/m].
+/// Force on each grain [N], positions and radii as given to build_network. `gradient`: the mean pressure gradient that
+/// the pressures were solved for [Pa/m].
 std::vector<Vec3> grain_forces(
-    const pores::PoreNetwork& network, std::span<const double> pressure, const Vec3& gradient, std::size_t grains
+    const pores::PoreNetwork& network, std::span<const double> pressure, const Vec3& gradient,
+    std::span<const Vec3> position, std::span<const double> radius
 );
 
 } // namespace suffuse::flow

@@ -13,7 +13,8 @@ constexpr std::size_t block = 4096; // nodes of one loop of a thread
 
 } // namespace
 
-GraphMultigrid::GraphMultigrid(const WeightedGraph& graph) : graph_(grounded(graph)), cycle_(graph_) {}
+// The graph without ground goes before the smaller ones come: they need the room.
+GraphMultigrid::GraphMultigrid(WeightedGraph graph) : graph_(grounded(std::exchange(graph, {}))), cycle_(graph_) {}
 
 double GraphMultigrid::size(std::span<const double> b) const {
     const double sum = parallel_sum(graph_.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
@@ -28,12 +29,19 @@ double GraphMultigrid::size(std::span<const double> b) const {
 
 /// Columns of a solution by conjugate gradients, a place a node.
 struct GraphMultigrid::Descent {
-    Descent(std::span<const double> b, AggregationCycle::Columns&& scratch)
-        : x(b.size(), 0.0), residual(b.begin(), b.end()), direction(b.size(), 0.0), image(b.size(), 0.0),
-          columns(std::move(scratch)) {}
+    Descent(std::vector<double>&& b, AggregationCycle::Columns&& scratch)
+        : residual(std::move(b)), x(residual.size()), direction(x.size()), image(x.size()),
+          columns(std::move(scratch)) {
+        parallel_for(x.size(), block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                x[i] = direction[i] = image[i] = 0;
+            }
+        });
+    }
 
-    std::vector<double> x, residual, direction;
-    std::vector<double> image; ///< A direction
+    std::vector<double> residual;
+    RawColumn<double> x, direction;
+    RawColumn<double> image; ///< A direction
     AggregationCycle::Columns columns;
     double descent = 1; ///< correction . residual of the last iteration
     double step = 0;    ///< along the last direction
@@ -109,10 +117,10 @@ bool GraphMultigrid::go_down(Descent& d) const {
     return true;
 }
 
-GraphMultigrid::Result GraphMultigrid::solve(std::span<const double> b, double wanted, int iteration_limit) const {
+GraphMultigrid::Result GraphMultigrid::solve(std::vector<double> b, double wanted, int iteration_limit) const {
     expects(b.size() == graph_.size(), "one source a node");
-    Descent descent(b, cycle_.columns());
-    Result result{{}, 0, size(b)};
+    Descent descent(std::move(b), cycle_.columns());
+    Result result{{}, 0, size(descent.residual)};
     for (; result.imbalance > wanted && result.iterations < iteration_limit; ++result.iterations) {
         const double scale = result.imbalance;
         precondition(scale, descent);

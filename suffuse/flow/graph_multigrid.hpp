@@ -16,17 +16,17 @@ namespace suffuse::flow {
 class GraphMultigrid {
 public:
     /// `graph`: without ground.
-    explicit GraphMultigrid(const WeightedGraph& graph);
+    explicit GraphMultigrid(WeightedGraph graph);
 
     struct Result {
-        std::vector<double> x; ///< zero at one node of each part
+        RawColumn<double> x; ///< zero at one node of each part
         int iterations = 0;
         double imbalance = 0; ///< size() of b - A x
     };
 
     /// Solves for a source `b` whose sum is zero over every connected part of the graph, until the size() of the
     /// imbalance is at most `wanted` or the limit of iterations is reached; the caller judges `imbalance`.
-    [[nodiscard]] Result solve(std::span<const double> b, double wanted, int iteration_limit) const;
+    [[nodiscard]] Result solve(std::vector<double> b, double wanted, int iteration_limit) const;
 
     /// Size of a source as the change of potential that it needs at each node: stiff couplings do not drown the others.
     [[nodiscard]] double size(std::span<const double> b) const;

@@ -112,11 +112,13 @@ TEST(GraphMultigrid, NeedsFewIterationsOnWeightsOfAnySpread) {
 }
 
 TEST(GraphMultigrid, SameBitsForAnyNumberOfThreads) {
-    const std::vector<double> b = balanced_source(30 * 30 * 30, 5);
-    std::vector<std::vector<double>> solutions;
+    constexpr std::uint32_t side = 52, nodes = side * side * side;
+    static_assert(nodes > 2 * nodes_together, "several blocks of nodes choose side by side");
+    const std::vector<double> b = balanced_source(nodes, 5);
+    std::vector<RawColumn<double>> solutions;
     for (const int threads : {1, 2, 4}) {
         set_thread_count(threads);
-        const GraphMultigrid multigrid(make_graph(30 * 30 * 30, grid_edges(30, 8)));
+        const GraphMultigrid multigrid(make_graph(nodes, grid_edges(side, 8)));
         solutions.push_back(multigrid.solve(b, 1e-10 * multigrid.size(b), 200).x);
     }
     set_thread_count(1);
@@ -146,7 +148,7 @@ TEST(GraphMultigrid, NoSourceNoPotential) {
     const GraphMultigrid multigrid(make_graph(100, random_edges(100, 2, 1)));
     const auto result = multigrid.solve(std::vector<double>(100, 0.0), 1e-12, 10);
     EXPECT_EQ(result.iterations, 0);
-    EXPECT_EQ(result.x, std::vector<double>(100, 0.0));
+    EXPECT_EQ(result.x, RawColumn<double>(100, 0.0));
 }
 
 TEST(WeightedGraph, GroundIsOneNodeOfEachPart) {

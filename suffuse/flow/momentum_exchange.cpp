@@ -68,7 +68,12 @@ std::array<double, 4> legs_of_pore(
 struct Row {
     std::array<double, 4> neighbor{};
     double grains = 0;
-    double inverse = 0; ///< of the sum of them all; 0 where there is none
+
+    /// Of the sum of them all; 0 where there is none.
+    [[nodiscard]] double inverse() const {
+        const double sum = neighbor[0] + neighbor[1] + neighbor[2] + neighbor[3] + grains;
+        return sum > 0 ? 1 / sum : 0;
+    }
 };
 
 /// Columns of a solution by conjugate gradients, preconditioned by the sums of the rows. T: one direction, or three at
@@ -77,21 +82,23 @@ template <class T>
 class Descent {
 public:
     explicit Descent(const pores::Pores& pores) : pores_(pores), partial_((pores.size() + block - 1) / block) {
-        resize_columns(pores.size(), row_, x_, residual_, direction_, image_);
+        row_.resize(pores.size()), x_.resize(pores.size());
+        residual_.resize(pores.size()), direction_.resize(pores.size()), image_.resize(pores.size());
     }
 
-    /// Of the equation of pore p, to be filled in.
-    Row& row(std::size_t p) { return row_[p]; }
-
-    T& source(std::size_t p) { return residual_[p]; }
+    /// Gives pore p its equation.
+    void set(std::size_t p, const Row& row, const T& source) {
+        row_[p] = row, residual_[p] = source;
+        x_[p] = direction_[p] = T{};
+    }
 
     /// The residual's size, squared.
     double size2() {
-        return sum([&](std::size_t p) { return inner(residual_[p], residual_[p]) * row_[p].inverse; });
+        return sum([&](std::size_t p) { return inner(residual_[p], residual_[p]) * row_[p].inverse(); });
     }
 
     void turn(double kept) {
-        each([&](std::size_t p) { direction_[p] = row_[p].inverse * residual_[p] + kept * direction_[p]; });
+        each([&](std::size_t p) { direction_[p] = row_[p].inverse() * residual_[p] + kept * direction_[p]; });
     }
 
     double curvature() {
@@ -111,11 +118,11 @@ public:
         return sum([&](std::size_t p) {
             x_[p] += step * direction_[p];
             residual_[p] -= step * image_[p];
-            return inner(residual_[p], residual_[p]) * row_[p].inverse;
+            return inner(residual_[p], residual_[p]) * row_[p].inverse();
         });
     }
 
-    std::vector<T> take() { return std::move(x_); }
+    RawColumn<T> take() { return std::move(x_); }
 
 private:
     static double inner(double a, double b) { return a * b; }
@@ -149,9 +156,9 @@ private:
     }
 
     const pores::Pores& pores_;
-    std::vector<Row> row_;
-    std::vector<T> x_, residual_, direction_;
-    std::vector<T> image_; ///< A direction
+    RawColumn<Row> row_;
+    RawColumn<T> x_, residual_, direction_;
+    RawColumn<T> image_; ///< A direction
     std::vector<double> partial_;
 };
 
@@ -193,14 +200,14 @@ exchange_legs(const pores::PoreNetwork& network, std::span<const Vec3> position,
 }
 
 MomentumExchange::MomentumExchange(
-    const pores::PoreNetwork& network, std::vector<double> drag, ExchangeLegs leg, const ExchangeSpec& spec
+    const pores::PoreNetwork& network, RawColumn<double> drag, ExchangeLegs leg, const ExchangeSpec& spec
 )
     : network_(network), drag_(std::move(drag)), leg_(std::move(leg)), spec_(spec) {
     expects(drag_.size() == network.throats.size() && leg_.size() == drag_.size(), "one drag and two legs a throat");
 }
 
 template <class T>
-T MomentumExchange::velocity(const std::vector<T>& in_pore, const T& push, std::size_t t) const {
+T MomentumExchange::velocity(const RawColumn<T>& in_pore, const T& push, std::size_t t) const {
     const auto [p, q] = network_.throats.side[t];
     const auto [here, beyond] = leg_[t];
     const double all = drag_[t] + here + beyond;
@@ -210,13 +217,13 @@ T MomentumExchange::velocity(const std::vector<T>& in_pore, const T& push, std::
 /// A throat's velocity follows from those of its pores. Put in, each leg goes in part to the grains and in part on to
 /// the pore beyond.
 template <class T>
-std::vector<T> MomentumExchange::velocities_in_pores(std::span<const double> push) const {
+RawColumn<T> MomentumExchange::velocities_in_pores(std::span<const double> push) const {
     expects(push.size() == drag_.size(), "one push a throat");
     Descent<T> descent(network_.pores);
     parallel_for(network_.pores.size(), block, [&](std::size_t begin, std::size_t end) {
         for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
-            Row& row = descent.row(p);
-            double sum = 0;
+            Row row;
+            T source{};
             for (std::size_t k = 0; k < 4; ++k) {
                 const std::uint32_t t = network_.pores.throat[p][k];
                 const std::size_t side = pores::side_of(network_, p, k);
@@ -225,13 +232,11 @@ std::vector<T> MomentumExchange::velocities_in_pores(std::span<const double> pus
                     continue;
                 }
                 const double part = here / (drag_[t] + here + beyond);
-                descent.source(p) += part * push_on<T>(network_, push, t);
+                source += part * push_on<T>(network_, push, t);
                 row.grains += part * drag_[t];
                 row.neighbor[k] = network_.pores.neighbor[p][k] == p ? 0 : part * beyond;
-                sum += row.neighbor[k];
             }
-            sum += row.grains;
-            row.inverse = sum > 0 ? 1 / sum : 0;
+            descent.set(p, row, source);
         }
     });
     double left = descent.size2(), kept = 0;
@@ -253,7 +258,7 @@ std::vector<T> MomentumExchange::velocities_in_pores(std::span<const double> pus
 }
 
 std::vector<double> MomentumExchange::velocities(std::span<const double> push) const {
-    const std::vector<double> in_pore = velocities_in_pores<double>(push);
+    const RawColumn<double> in_pore = velocities_in_pores<double>(push);
     std::vector<double> speed(push.size());
     parallel_for(push.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
@@ -264,7 +269,7 @@ std::vector<double> MomentumExchange::velocities(std::span<const double> push) c
 }
 
 MomentumExchange::Motion MomentumExchange::motion(std::span<const double> pressure) const {
-    Motion motion{velocities_in_pores<Vec3>(pressure), std::vector<Vec3>(network_.pores.size())};
+    Motion motion{velocities_in_pores<Vec3>(pressure), RawColumn<Vec3>(network_.pores.size())};
     parallel_for(network_.pores.size(), block, [&](std::size_t begin, std::size_t end) {
         for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
             Vec3 sum;

@@ -4,6 +4,7 @@
 // of pores are the unknowns, by conjugate gradients: grains hold every pore, so that few iterations do. Viscosity 1.
 // docs/theory/pore-flow.md, "Bounded drag".
 
+#include "suffuse/base/raw_column.hpp"
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/pores/network.hpp"
 
@@ -15,7 +16,7 @@
 namespace suffuse::flow {
 
 /// Momentum per difference of velocity that each throat exchanges with the pores on its sides 0 and 1 [m].
-using ExchangeLegs = std::vector<std::array<double, 2>>;
+using ExchangeLegs = RawColumn<std::array<double, 2>>;
 
 /// Two throats of a pore share an edge between two grains. They exchange through the triangle from this edge to the
 /// pore's center, as far as it is void, over the distance between their middles.
@@ -31,7 +32,7 @@ class MomentumExchange {
 public:
     /// `drag`: of each throat [m]. The network must outlive the object.
     MomentumExchange(
-        const pores::PoreNetwork& network, std::vector<double> drag, ExchangeLegs leg, const ExchangeSpec& spec = {}
+        const pores::PoreNetwork& network, RawColumn<double> drag, ExchangeLegs leg, const ExchangeSpec& spec = {}
     );
 
     /// Velocity in each throat under the pushes on all. @throws SolverError where the tolerance is not reached.
@@ -39,8 +40,8 @@ public:
 
     /// How pores move under pressures on the facets of throats, pushes along their area vectors.
     struct Motion {
-        std::vector<Vec3> velocity; ///< that balances what enters and leaves each pore, to the tolerance
-        std::vector<Vec3> mean;     ///< of its throats, by legs: the same, but exactly what makes their exchange vanish
+        RawColumn<Vec3> velocity; ///< that balances what enters and leaves each pore, to the tolerance
+        RawColumn<Vec3> mean;     ///< of its throats, by legs: the same, but exactly what makes their exchange vanish
     };
 
     /// @throws SolverError where the tolerance is not reached.
@@ -52,12 +53,12 @@ public:
 
 private:
     template <class T>
-    [[nodiscard]] std::vector<T> velocities_in_pores(std::span<const double> push) const;
+    [[nodiscard]] RawColumn<T> velocities_in_pores(std::span<const double> push) const;
     template <class T>
-    [[nodiscard]] T velocity(const std::vector<T>& in_pore, const T& push, std::size_t t) const;
+    [[nodiscard]] T velocity(const RawColumn<T>& in_pore, const T& push, std::size_t t) const;
 
     const pores::PoreNetwork& network_;
-    std::vector<double> drag_;
+    RawColumn<double> drag_;
     ExchangeLegs leg_;
     ExchangeSpec spec_;
 };

@@ -19,7 +19,7 @@ struct Sample {
     Packing packing = test::random_packing(identity(), 120, 0.03, 0.15, 5);
     pores::PoreNetwork network = pores::build_network(packing.h, packing.position, packing.radius);
     ExchangeLegs leg = exchange_legs(network, packing.position, packing.radius);
-    std::vector<double> drag = std::vector<double>(network.throats.size());
+    RawColumn<double> drag = RawColumn<double>(network.throats.size());
 
     Sample() {
         std::mt19937_64 random(1);
@@ -32,7 +32,8 @@ struct Sample {
     [[nodiscard]] std::vector<double> water() const {
         std::vector<double> volume(throats());
         for (std::size_t t = 0; t < throats(); ++t) {
-            volume[t] = std::max(0.0, network.throats.hydraulic_radius[t] * network.throats.solid_surface[t]);
+            const auto& [a, b, c] = network.throats.wetted[t];
+            volume[t] = std::max(0.0, network.throats.hydraulic_radius[t] * (a + b + c));
         }
         return volume;
     }
@@ -87,7 +88,7 @@ TEST(ExchangeLegs, OfACubicLatticeOfSmallSpheresHaveTheirClosedForm) {
 TEST(MomentumExchange, WithoutLegsEachThroatIsAlone) {
     const Sample sample;
     const std::vector<double> water = sample.water();
-    const MomentumExchange exchange(sample.network, sample.drag, ExchangeLegs(sample.throats()));
+    const MomentumExchange exchange(sample.network, sample.drag, ExchangeLegs(sample.throats(), {0, 0}));
     const std::vector<double> velocity = exchange.velocities(water);
     const auto motion = exchange.motion(water);
     for (std::size_t t = 0; t < sample.throats(); ++t) {
@@ -99,7 +100,7 @@ TEST(MomentumExchange, WithoutLegsEachThroatIsAlone) {
 TEST(MomentumExchange, PushesThatDragAloneBalancesMoveAllWaterAlike) {
     const Sample sample;
     const MomentumExchange exchange(sample.network, sample.drag, sample.leg, {.tolerance = 1e-12});
-    std::vector<double> push = sample.drag;
+    RawColumn<double> push = sample.drag;
     for (double& each : push) {
         each *= 0.7;
     }
@@ -175,9 +176,9 @@ TEST(MomentumExchange, SameBitsForAnyNumberOfThreads) {
     const std::vector<double> ones(network.throats.size(), 1);
     const auto solve = [&] {
         const ExchangeLegs leg = exchange_legs(network, packing.position, packing.radius);
-        return MomentumExchange(network, std::vector<double>(ones.size(), 1e-4), leg).motion(ones).mean;
+        return MomentumExchange(network, RawColumn<double>(ones.size(), 1e-4), leg).motion(ones).mean;
     };
-    const std::vector<Vec3> one = solve();
+    const RawColumn<Vec3> one = solve();
     for (const int threads : {2, 4}) {
         set_thread_count(threads);
         EXPECT_EQ(solve(), one);

@@ -34,18 +34,11 @@ namespace {
 /// Of every throat, in the place that it has beside its side 0.
 std::vector<Vec3>
 void_centroids(const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
-    const pores::Throats& throats = network.throats;
-    std::vector<Vec3> place(throats.size());
-    parallel_for(throats.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vec3> place(network.throats.size());
+    parallel_for(place.size(), 2048, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
-            std::array<Vec3, 3> corner;
-            std::array<double, 3> r{};
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t g = throats.grain[t][k];
-                corner[k] = position[g] + cell::shift(network.h, throats.grain_image[t][k]);
-                r[k] = radius[g];
-            }
-            place[t] = void_centroid(corner, r);
+            const auto [center, r] = pores::spheres_of(network, position, radius, t);
+            place[t] = void_centroid(center, r);
         }
     });
     return place;

@@ -1,7 +1,9 @@
 #include "suffuse/flow/pressure.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/members.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/base/raw_column.hpp"
 
 #include <fmt/format.h>
 
@@ -53,9 +55,9 @@ Members ends_of_throats(const pores::PoreNetwork& network) {
     return ends;
 }
 
-WeightedGraph
-graph_of(const pores::PoreNetwork& network, const Members& ends, std::span<const double> conductance, double unit) {
+WeightedGraph graph_of(const pores::PoreNetwork& network, std::span<const double> conductance, double unit) {
     expects(conductance.size() == network.throats.size(), "one conductance a throat");
+    const Members ends = ends_of_throats(network);
     return make_graph(network.bodies, [&](std::uint32_t b, GraphRow& row) {
         for (const std::uint32_t end : ends.of(b)) {
             const std::uint32_t other_side = network.throats.side[end / 2][1 - end % 2];
@@ -99,33 +101,38 @@ PressureSolver::PressureSolver(
     const pores::PoreNetwork& network, std::span<const double> conductance, const SolverSpec& spec
 )
     : network_(network), conductance_(conductance), spec_(spec), unit_(positive_mean(conductance)),
-      ends_(ends_of_throats(network)), multigrid_(graph_of(network, ends_, conductance, unit_)) {}
+      multigrid_(graph_of(network, conductance, unit_)) {}
 
 PressureSolver::Source PressureSolver::source(const Vec3& gradient) const {
-    std::vector<double> flux(network_.throats.size());
+    const Members ends = ends_of_throats(network_); // found again where needed: memory is scarce between
+    RawColumn<double> flux(network_.throats.size());
     parallel_for(flux.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             flux[t] = conductance_[t] / unit_ * dot(gradient, across(network_, t));
         }
     });
-    Source source{std::vector<double>(network_.bodies), std::vector<double>(network_.bodies, 0.0)};
+    Source source{std::vector<double>(network_.bodies), 0};
+    RawColumn<double> all(network_.bodies);
     parallel_for(network_.bodies, block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
-            source.net[b] = outflow(ends_, b, flux);
-            for (const std::uint32_t e : ends_.of(b)) {
-                source.all[b] += std::abs(flux[e / 2]);
+            source.net[b] = outflow(ends, b, flux);
+            all[b] = 0;
+            for (const std::uint32_t e : ends.of(b)) {
+                all[b] += std::abs(flux[e / 2]);
             }
         }
     });
+    source.whole = multigrid_.size(all);
     return source;
 }
 
 FlowField PressureSolver::solve(const Vec3& gradient) const {
     // Unknown is the deviation from the mean gradient: periodic, and zero in a perfect lattice. Convergence is measured
     // against the fluxes themselves, because their net may be nothing but rounding.
-    const Source source = this->source(gradient);
-    const double whole = multigrid_.size(source.all);
-    const GraphMultigrid::Result result = multigrid_.solve(source.net, spec_.tolerance * whole, spec_.iteration_limit);
+    Source source = this->source(gradient);
+    const double whole = source.whole;
+    const GraphMultigrid::Result result =
+        multigrid_.solve(std::move(source.net), spec_.tolerance * whole, spec_.iteration_limit);
     FlowField field;
     field.iterations = result.iterations;
     field.residual = whole > 0 ? result.imbalance / whole : 0;
@@ -138,9 +145,11 @@ FlowField PressureSolver::solve(const Vec3& gradient) const {
 void PressureSolver::set_pressures(std::span<const double> deviation, const Vec3& gradient, FlowField& field) const {
     const pores::Pores& pores = network_.pores;
     field.pressure.resize(pores.size());
-    for (std::size_t p = 0; p < pores.size(); ++p) {
-        field.pressure[p] = deviation[pores.body[p]];
-    }
+    parallel_for(pores.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            field.pressure[p] = deviation[pores.body[p]];
+        }
+    });
     const double level = mean(field.pressure);
     parallel_for(pores.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
@@ -158,11 +167,12 @@ void PressureSolver::set_fluxes(std::span<const double> deviation, const Vec3& g
             field.flux[t] = conductance_[t] * (between - dot(gradient, across(network_, t)));
         }
     });
+    const Members ends = ends_of_throats(network_);
     const auto larger = [](double one, double other) { return std::max(one, other); };
     const auto largest_of = [&](std::size_t begin, std::size_t end) {
         double largest = 0;
         for (std::size_t b = begin; b < end; ++b) {
-            largest = std::max(largest, std::abs(outflow(ends_, b, field.flux)));
+            largest = std::max(largest, std::abs(outflow(ends, b, field.flux)));
         }
         return largest;
     };
@@ -188,11 +198,12 @@ Vec3 mean_velocity(const pores::PoreNetwork& network, std::span<const double> fl
 }
 
 void scale(FlowField& field, double factor) {
-    for (double& p : field.pressure) {
-        p *= factor;
-    }
-    for (double& q : field.flux) {
-        q *= factor;
+    for (std::vector<double>* const column : {&field.pressure, &field.flux}) {
+        parallel_for(column->size(), block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                (*column)[i] *= factor;
+            }
+        });
     }
     field.net_outflow *= std::abs(factor);
 }

@@ -3,7 +3,6 @@
 // the fluxes balance. Conjugate gradients, preconditioned by an aggregation multigrid that is kept for further
 // gradients: conductances span eleven decades, which an incomplete factor does not stand.
 
-#include "suffuse/base/members.hpp"
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/flow/graph_multigrid.hpp"
 #include "suffuse/pores/network.hpp"
@@ -40,7 +39,7 @@ private:
     /// Fluxes while pressures follow the mean gradient, over `unit_` [Pa].
     struct Source {
         std::vector<double> net; ///< into each body
-        std::vector<double> all; ///< of each body, without regard to direction
+        double whole = 0;        ///< size of the fluxes of all bodies, without regard to direction
     };
 
     [[nodiscard]] Source source(const Vec3& gradient) const;
@@ -51,7 +50,6 @@ private:
     std::span<const double> conductance_;
     SolverSpec spec_;
     double unit_ = 1; ///< mean conductance: the equations are in ratios to it [m3/(Pa s)]
-    Members ends_;    ///< of throats at each body: rows 2 t + side
     GraphMultigrid multigrid_;
 };
 

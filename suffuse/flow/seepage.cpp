@@ -131,6 +131,8 @@ Seepage solve_seepage(
         bounded.emplace(s.network, position, radius);
     }
     s.conductance = bounded ? bounded->conductances(fluid.viscosity) : conductances(s.network, fluid.viscosity);
+    // Forces measure anew what of it they need: the solution needs the room.
+    s.network.throats.wetted = std::vector<std::array<double, 3>>();
     s.seconds.conductance = watch.lap();
 
     const Vec3 along = squarable(spec.direction);
@@ -150,7 +152,7 @@ Seepage solve_seepage(
     phase.next("forces");
     s.pressure_gradient = unit;
     s.grain_force = bounded ? bounded->grain_forces(s.field.pressure, unit)
-                            : grain_forces(s.network, s.field.pressure, unit, radius.size());
+                            : grain_forces(s.network, s.field.pressure, unit, position, radius);
     sum_forces(s);
     expect_numbers(s, position);
     scale(s, spec.gradient);

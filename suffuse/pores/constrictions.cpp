@@ -31,14 +31,8 @@ class Surroundings {
 public:
     Surroundings(const Skeleton& skeleton, std::size_t t, const Vec3& origin)
         : skeleton_(skeleton), origin_(origin), pore_(skeleton.network.throats.side[t]) {
-        const Pores& pores = skeleton.network.pores;
         image_[1] = skeleton.network.throats.image[t];
-        const auto is_facet = [&](std::size_t k) { // next to its own image a pore has both sides
-            return pores.throat[pore_[0]][k] == t && pores.neighbor_image[pore_[0]][k] == image_[1];
-        };
-        while (!is_facet(opposite_[0])) {
-            ++opposite_[0];
-        }
+        opposite_[0] = skeleton.network.throats.facet[t];
         opposite_[1] = skeleton.other_side[pore_[0]][opposite_[0]];
     }
 
@@ -79,13 +73,7 @@ private:
 
 /// The largest sphere in the facet of a throat; its center is where the network has it.
 InscribedCircle find_constriction(const Skeleton& skeleton, std::size_t t) {
-    const Throats& throats = skeleton.network.throats;
-    std::array<Vec3, 3> x;
-    std::array<double, 3> r{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        x[k] = skeleton.center(throats.grain[t][k], throats.grain_image[t][k]);
-        r[k] = skeleton.radius[throats.grain[t][k]];
-    }
+    const auto [x, r] = spheres_of(skeleton.network, skeleton.position, skeleton.radius, t);
     const Vec3 b = x[1] - x[0], c = x[2] - x[0];
     NearGrains near;
     const Surroundings around(skeleton, t, x[0]);

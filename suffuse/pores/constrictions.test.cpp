@@ -36,15 +36,8 @@ struct Facet {
 };
 
 Facet facet_of(const PoreNetwork& network, const test::Packing& packing, std::size_t t) {
-    std::array<Vec3, 3> x;
-    Facet facet{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t g = network.throats.grain[t][k];
-        x[k] = packing.position[g] + shift(packing.h, network.throats.grain_image[t][k]);
-        facet.r[k] = packing.radius[g];
-    }
-    facet.origin = x[0], facet.b = x[1] - x[0], facet.c = x[2] - x[0];
-    return facet;
+    const auto [x, r] = spheres_of(network, packing.position, packing.radius, t);
+    return {x[0], x[1] - x[0], x[2] - x[0], r};
 }
 
 /// How far the sphere at `center` may grow until it touches the nearest of all grains [m].

@@ -19,9 +19,6 @@ namespace {
 
 constexpr std::size_t block = 1024;
 
-/// Corners of the facet opposite to corner k, turning left seen from the far side when the tetrahedron is positive.
-constexpr std::size_t facet_corner[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
 /// A facet is numbered from the side that comes first.
 bool is_first_side(const Triangulation& triangulation, std::uint32_t p, std::size_t k) {
     const std::uint32_t q = triangulation.neighbor[p][k];
@@ -45,7 +42,7 @@ std::vector<std::uint32_t> count_throats(const Triangulation& triangulation) {
 /// Numbers the facets and opens the rows of the throat table.
 void number_throats(const Triangulation& triangulation, Pores& pores, Throats& throats) {
     const std::vector<std::uint32_t> before = count_throats(triangulation);
-    resize_columns(before.back(), throats.side, throats.image, throats.grain, throats.grain_image);
+    resize_columns(before.back(), throats.side, throats.image, throats.facet);
     pores.throat.resize(triangulation.size());
     const auto number = [&](std::uint32_t p, std::size_t k, std::uint32_t t) {
         const std::size_t j = facet_from_other_side(triangulation, p, k);
@@ -55,10 +52,7 @@ void number_throats(const Triangulation& triangulation, Pores& pores, Throats& t
         pores.throat[q][j] = t;
         throats.side[t] = {p, q};
         throats.image[t] = triangulation.neighbor_image[p][k];
-        for (std::size_t c = 0; c < 3; ++c) {
-            throats.grain[t][c] = triangulation.grain[p][facet_corner[k][c]];
-            throats.grain_image[t][c] = triangulation.grain_image[p][facet_corner[k][c]];
-        }
+        throats.facet[t] = static_cast<std::uint8_t>(k);
     };
     parallel_for(triangulation.size(), block, [&](std::size_t begin, std::size_t end) {
         std::uint32_t t = before[begin / block];
@@ -133,50 +127,59 @@ void measure_pores(const Mat3& h, std::span<const Vec3> position, std::span<cons
     center_flat_pores(h, pores, is_flat);
 }
 
-void measure_throats(
-    const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, const Pores& pores, Throats& throats
-) {
+/// Centers of the two pores beside throat t [m].
+std::array<Vec3, 2> centers_beside(const PoreNetwork& network, std::size_t t) {
+    const auto [p, q] = network.throats.side[t];
+    return {network.pores.center[p], network.pores.center[q] + shift(network.h, network.throats.image[t])};
+}
+
+void measure_throats(PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
+    Throats& throats = network.throats;
     const std::size_t n = throats.size();
     resize_columns(
-        n, throats.area, throats.void_area, throats.solid_surface, throats.wetted, throats.hydraulic_radius,
-        throats.length, throats.grain_share
+        n, throats.area, throats.void_area, throats.covered, throats.wetted, throats.hydraulic_radius, throats.length
     );
     parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
-            std::array<Vec3, 3> x;
-            std::array<double, 3> r;
-            for (std::size_t k = 0; k < 3; ++k) {
-                x[k] = position[throats.grain[t][k]] + shift(h, throats.grain_image[t][k]);
-                r[k] = radius[throats.grain[t][k]];
-            }
-            const Vec3 p1 = pores.center[throats.side[t][0]];
-            const Vec3 p2 = pores.center[throats.side[t][1]] + shift(h, throats.image[t]);
-            const ThroatGeometry geometry = measure_throat(x, r, p1, p2);
+            const ThroatGeometry geometry = measure_throat(network, position, radius, t);
             throats.area[t] = geometry.area;
             throats.void_area[t] = geometry.void_area;
-            throats.solid_surface[t] = geometry.solid_surface;
+            throats.covered[t] = geometry.grain_share[0] + geometry.grain_share[1] + geometry.grain_share[2];
             throats.wetted[t] = geometry.wetted;
             throats.hydraulic_radius[t] = geometry.hydraulic_radius;
-            throats.grain_share[t] = geometry.grain_share;
+            const auto [p1, p2] = centers_beside(network, t);
             throats.length[t] = norm(p2 - p1);
         }
     });
 }
 
+/// Throats between coincident pore centers, in order. Elsewhere than in lattices there are few.
+std::vector<std::uint32_t> find_coincident(const Throats& throats) {
+    std::vector<std::vector<std::uint32_t>> of_block((throats.size() + block - 1) / block);
+    parallel_for(throats.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
+            if (!(throats.length[t] > coincidence * std::sqrt(norm(throats.area[t])))) {
+                of_block[begin / block].push_back(t);
+            }
+        }
+    });
+    std::vector<std::uint32_t> found;
+    for (const std::vector<std::uint32_t>& some : of_block) {
+        found.insert(found.end(), some.begin(), some.end());
+    }
+    return found;
+}
+
 /// Joins pores of coincident centers to bodies and gives throats inside a body the length 0.
-void find_bodies(PoreNetwork& network) {
+void join_to_bodies(const std::vector<std::uint32_t>& coincident, PoreNetwork& network) {
     Pores& pores = network.pores;
     Throats& throats = network.throats;
     OffsetUnion bodies(pores.size());
-    for (std::size_t t = 0; t < throats.size(); ++t) {
-        if (throats.length[t] > coincidence * std::sqrt(norm(throats.area[t]))) {
-            continue;
-        }
+    for (const std::uint32_t t : coincident) {
         bodies.join(throats.side[t][0], throats.side[t][1], throats.image[t]);
     }
     constexpr std::uint32_t none = ~std::uint32_t{0};
     std::vector<std::uint32_t> number(pores.size(), none);
-    pores.body.resize(pores.size()), pores.body_image.resize(pores.size());
     for (std::uint32_t p = 0; p < pores.size(); ++p) {
         const auto root = bodies.find(p);
         if (number[root.node] == none) {
@@ -185,14 +188,33 @@ void find_bodies(PoreNetwork& network) {
         pores.body[p] = number[root.node];
         pores.body_image[p] = root.offset;
     }
-    for (std::size_t t = 0; t < throats.size(); ++t) {
-        const auto [p, q] = throats.side[t];
-        const bool same =
-            pores.body[p] == pores.body[q] && pores.body_image[p] == pores.body_image[q] + throats.image[t];
-        if (same) {
-            throats.length[t] = 0;
+    parallel_for(throats.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const auto [p, q] = throats.side[t];
+            const bool same =
+                pores.body[p] == pores.body[q] && pores.body_image[p] == pores.body_image[q] + throats.image[t];
+            if (same) {
+                throats.length[t] = 0;
+            }
         }
+    });
+}
+
+void find_bodies(PoreNetwork& network) {
+    Pores& pores = network.pores;
+    resize_columns(pores.size(), pores.body, pores.body_image);
+    const std::vector<std::uint32_t> coincident = find_coincident(network.throats);
+    if (!coincident.empty()) {
+        return join_to_bodies(coincident, network);
     }
+    network.bodies = pores.size();
+    parallel_for(pores.size(), block, [&](std::size_t begin, std::size_t end) {
+        const auto from = pores.body.begin();
+        std::iota(
+            from + static_cast<std::ptrdiff_t>(begin), from + static_cast<std::ptrdiff_t>(end),
+            static_cast<std::uint32_t>(begin)
+        );
+    });
 }
 
 } // namespace
@@ -210,7 +232,7 @@ PoreNetwork build_network(
     network.pores.neighbor = std::move(triangulation.neighbor);
     network.pores.neighbor_image = std::move(triangulation.neighbor_image);
     measure_pores(h, position, radius, network.pores);
-    measure_throats(h, position, radius, network.pores, network.throats);
+    measure_throats(network, position, radius);
     find_bodies(network);
     return network;
 }
@@ -221,6 +243,25 @@ PoreNetwork build_network(const Mat3& h, std::span<const Vec3> position, std::sp
     PoreNetwork network = build_network(std::move(triangulation), h, position, radius);
     measure_constrictions(network, position, radius);
     return network;
+}
+
+ThroatSpheres
+spheres_of(const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, std::size_t t) {
+    const auto [row, image] = grains_of(network, t);
+    ThroatSpheres spheres;
+    for (std::size_t k = 0; k < 3; ++k) {
+        spheres.center[k] = position[row[k]] + shift(network.h, image[k]);
+        spheres.radius[k] = radius[row[k]];
+    }
+    return spheres;
+}
+
+ThroatGeometry measure_throat(
+    const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, std::size_t t
+) {
+    const auto [center, r] = spheres_of(network, position, radius, t);
+    const auto [p1, p2] = centers_beside(network, t);
+    return measure_throat(center, r, p1, p2);
 }
 
 VoidAccount account_voids(const PoreNetwork& network) {

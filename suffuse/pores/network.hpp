@@ -6,6 +6,7 @@
 
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/cell/cell.hpp"
+#include "suffuse/pores/throat.hpp"
 #include "suffuse/pores/triangulation.hpp"
 
 #include <array>
@@ -37,17 +38,16 @@ struct Pores {
 struct Throats {
     std::vector<std::array<std::uint32_t, 2>> side;
     std::vector<cell::Image> image;
-    std::vector<std::array<std::uint32_t, 3>> grain;
-    std::vector<std::array<cell::Image, 3>> grain_image;
-    std::vector<Vec3> area;                    ///< of the facet, pointing from side 0 to side 1 [m2]
-    std::vector<double> void_area;             ///< [m2]
-    std::vector<double> solid_surface;         ///< wetted by the throat's water [m2]
-    std::vector<std::array<double, 3>> wetted; ///< the part of it that is each grain's [m2]
+    std::vector<std::uint8_t> facet; ///< corner of the pore on side 0 that the facet lies opposite to
+    std::vector<Vec3> area;          ///< of the facet, pointing from side 0 to side 1 [m2]
+    std::vector<double> void_area;   ///< [m2]
+    std::vector<double> covered; ///< sections of grains and void area over the facet: 1, or more where a grain reaches
+                                 ///< over an edge of it [-]
+    std::vector<std::array<double, 3>> wetted; ///< by the throat's water, of each grain; empty after a flow [m2]
     std::vector<double> hydraulic_radius;      ///< [m]
     std::vector<double> inscribed_radius; ///< of the largest free sphere centered in the facet: the constriction [m]
     std::vector<double> length;           ///< between the pore centers; exactly 0 inside a body of several pores [m]
     std::vector<Vec3> center;             ///< of that sphere; both columns are empty until measure_constrictions [m]
-    std::vector<std::array<double, 3>> grain_share; ///< part of pressure difference x area that each grain receives [-]
 
     [[nodiscard]] std::size_t size() const { return side.size(); }
 };
@@ -73,6 +73,38 @@ VoidAccount account_voids(const PoreNetwork& network);
 
 /// @throws GeometryError for two grains in one place.
 void expect_grains_apart(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius);
+
+/// Corners of the facet opposite to corner k, turning left seen from the far side when the tetrahedron is positive.
+inline constexpr std::array<std::array<std::size_t, 3>, 4> facet_corner = {
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// The three grains of a throat, in the place that it has beside its side 0.
+struct ThroatGrains {
+    std::array<std::uint32_t, 3> row;
+    std::array<cell::Image, 3> image;
+};
+
+inline ThroatGrains grains_of(const PoreNetwork& network, std::size_t t) {
+    const std::uint32_t p = network.throats.side[t][0];
+    const auto [a, b, c] = facet_corner[network.throats.facet[t]];
+    const auto& grain = network.pores.grain[p];
+    const auto& image = network.pores.grain_image[p];
+    return {{grain[a], grain[b], grain[c]}, {image[a], image[b], image[c]}};
+}
+
+/// Their centers and radii, from the positions and radii that the network was built of [m].
+struct ThroatSpheres {
+    std::array<Vec3, 3> center;
+    std::array<double, 3> radius;
+};
+
+ThroatSpheres
+spheres_of(const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, std::size_t t);
+
+/// Measures throat t (again) from the same: what not every reader needs is measured where it is needed.
+ThroatGeometry measure_throat(
+    const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, std::size_t t
+);
 
 /// A throat between two pores of one body: an artificial cut through one void, no constriction.
 inline bool is_internal(const Throats& throats, std::size_t t) {

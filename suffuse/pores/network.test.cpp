@@ -55,11 +55,12 @@ TEST(Network, ThroatsAreTheFacetsOfBothTheirPores) {
             closed += (is_first ? 1.0 : -1.0) * throats.area[t];
             // All corners but the opposite one are the throat's.
             const cell::Image move = is_first ? cell::Image{} : throats.image[t];
+            const ThroatGrains grains = grains_of(network, t);
             for (std::size_t c = 0; c < 4; ++c) {
                 bool found = false;
                 for (std::size_t j = 0; j < 3; ++j) {
-                    found = found || (throats.grain[t][j] == pores.grain[p][c] &&
-                                      throats.grain_image[t][j] == pores.grain_image[p][c] + move);
+                    found = found ||
+                            (grains.row[j] == pores.grain[p][c] && grains.image[j] == pores.grain_image[p][c] + move);
                 }
                 EXPECT_EQ(found, c != k);
             }
@@ -118,7 +119,7 @@ TEST(Network, SameBitsForAnyNumberOfThreads) {
         EXPECT_EQ(one.pores.center, many.pores.center);
         EXPECT_EQ(one.pores.void_volume, many.pores.void_volume);
         EXPECT_EQ(one.throats.hydraulic_radius, many.throats.hydraulic_radius);
-        EXPECT_EQ(one.throats.grain_share, many.throats.grain_share);
+        EXPECT_EQ(one.throats.wetted, many.throats.wetted);
     }
 }
 
