@@ -32,7 +32,7 @@ struct LeaveUnset : std::allocator<T> {
     }
 };
 
-/// To be filled by whoever resizes it.
+/// To be filled by the loop that follows where it is resized.
 template <class T>
 using RawColumn = std::vector<T, LeaveUnset<T>>;
 
