@@ -12,7 +12,8 @@ Each state is what a disk may hold after a cut at some moment of one of them (un
     resumed  `resume` (or `run`, where the cut took the run) ends well, with the same bits, and leaves nothing half-written
     cached   another run with the cache that is left ends with the same bits
 
-With --lying, a disk forgets what it said it had synced; `resume` may then say what is damaged, and must not pass it on.
+With --lying, a disk forgets what it said it had synced, the case of the run too; the program may then refuse the folder by its
+name, and must not pass on what is damaged.
 Prints a line a fault and a table of counts; ends with 1 where there was one.
 """
 
@@ -31,7 +32,7 @@ from run_results import last_line, results_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE / "case.toml"
-DONE, CANNOT_READ, OUT_OF_TIME = 0, 74, 75
+DONE, NO_RUN, ANOTHER_CASE, CANNOT_READ, OUT_OF_TIME = 0, 2, 3, 74, 75
 
 
 class PowerLoss:
@@ -90,7 +91,7 @@ class PowerLoss:
             return f"ended: {last_line(self.call('verify', run))}"
         is_begun = (run / "run_options.json").exists()
         ended = self.call(*(["resume", run] if is_begun else ["run", CASE, "-o", run]), "-j", 2)
-        if self.lying and ended.returncode == CANNOT_READ and str(run) in ended.stdout:
+        if self.lying and ended.returncode in (NO_RUN, ANOTHER_CASE, CANNOT_READ) and str(run) in ended.stdout:
             return "signed: verify calls it whole" if self.call("verify", run).returncode == DONE else ""
         if ended.returncode != DONE:
             return f"resumed: ends with {ended.returncode}: {last_line(ended)}"
