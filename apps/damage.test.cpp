@@ -99,6 +99,40 @@ TEST_F(Damaged, AFinishedStageIsRefusedByEveryVerbAndSignedByNone) {
     }
 }
 
+// Who changes a file can write checksums that fit it.
+TEST_F(Damaged, AFileOfAnotherShapeIsRefusedByNameThoughItsChecksumsFit) {
+    const std::vector<std::string> shapes = {
+        "5", R"({"end_state": 1, "start_state": [], "stage": {}, "warnings": 7, "flaws": "x", "calls": 3})",
+        std::string(100'000, '[') + std::string(100'000, ']')};
+    for (const std::string file :
+         {"studies/replay/settled/stage.json", "studies/replay/start/stage.json", "summary.json", "provenance.json",
+          "run_options.json", "own_rules.json"}) {
+        for (const std::string& shape : shapes) {
+            fs::copy(folder / "here", folder / "other", fs::copy_options::recursive);
+            write_to(folder / "other" / file, shape);
+            const auto sign = [&](const fs::path& sums_file, const std::string& name) {
+                if (fs::exists(sums_file)) {
+                    record::Sums sums = record::read_sums(sums_file);
+                    sums[name] = record::checksum_of_text(shape);
+                    write_to(sums_file, record::sums_text(sums));
+                }
+            };
+            if (file.starts_with("studies")) {
+                sign((folder / "other" / file).parent_path() / "SHA256SUMS", "stage.json");
+            }
+            sign(folder / "other/SHA256SUMS", file);
+            for (const char* const verb : {"verify", "resume", "report"}) {
+                const Said said = say({verb, "other"});
+                EXPECT_NE(said.code, 70) << verb << " " << file << " " << shape.substr(0, 40) << said.error;
+                if (said.code == 74) {
+                    expect_in(fs::path(file).filename(), said.error);
+                }
+            }
+            fs::remove_all(folder / "other");
+        }
+    }
+}
+
 TEST_F(Damaged, VerbsThatReadOneFileRefuseItWhereItIsDamaged) {
     flip_bit(stage("settled") / "state.h5", 5000);
     const Said state = say({"export", "here/studies/replay/settled", "-o", "grains.csv"});

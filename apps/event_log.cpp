@@ -2,6 +2,7 @@
 
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/record/documents.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@ std::vector<nlohmann::json> EventLog::read_new() {
     file.seekg(read_);
     for (std::string line; std::getline(file, line) && !file.eof();) { // at the end of the file the line has no end yet
         read_ += static_cast<std::streamoff>(line.size()) + 1;
-        nlohmann::json event = nlohmann::json::parse(line, nullptr, false);
+        nlohmann::json event = record::parse_json(line);
         if (event.is_object()) {
             events.push_back(std::move(event));
         }

@@ -1,8 +1,10 @@
 #include "apps/progress_file.hpp"
 
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/record/documents.hpp"
 
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace suffuse::apps {
@@ -79,7 +81,7 @@ void ProgressFile::write(const run::Progress& latest) const {
 
 std::optional<Published> read_progress(const std::filesystem::path& folder) {
     std::ifstream file(folder / progress_file);
-    const json all = json::parse(file, nullptr, false);
+    const json all = record::parse_json(std::string(std::istreambuf_iterator<char>(file), {}));
     try {
         Published published;
         published.latest = understand(all.at("latest"));

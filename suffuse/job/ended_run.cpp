@@ -4,6 +4,7 @@
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/missing_stages.hpp"
 #include "suffuse/record/refine.hpp"
+#include "suffuse/record/stored.hpp"
 
 #include <algorithm>
 
@@ -37,9 +38,12 @@ std::optional<RunReport> find_ended(const casefile::Case& what, const run::RunOp
     const nlohmann::json summary = record::read_json(run / "summary.json");
     RunReport report;
     report.report = run / "report.html";
-    report.warnings = summary.value("warnings", report.warnings);
-    report.flaws = summary.value("flaws", report.flaws);
-    report.findings = what.paper.empty() ? nlohmann::json::array() : summary.value("findings", nlohmann::json::array());
+    record::take_from(run / "summary.json", [&] {
+        report.warnings = summary.value("warnings", report.warnings);
+        report.flaws = summary.value("flaws", report.flaws);
+        report.findings =
+            what.paper.empty() ? nlohmann::json::array() : summary.value("findings", nlohmann::json::array());
+    });
     report.outcome = report.flaws.empty() ? record::Outcome::Done : record::Outcome::DoneWithFlaws;
     return report;
 }

@@ -289,7 +289,7 @@ report::ReportData describe_run(
             data.provenance.emplace_back(key, provenance_text(value));
         }
     }
-    data.calls = calls_in(provenance);
+    data.calls = record::take_from(folder / record::provenance_file, [&] { return calls_in(provenance); });
     data.cited = {provenance_text(provenance.at("version")), provenance_text(provenance.at("commit")), true};
     data.redraw = "suffuse report " + shell_word(folder.string());
     return data;

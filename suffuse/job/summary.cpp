@@ -145,10 +145,23 @@ void append(const json& texts, std::vector<std::string>& to) {
     }
 }
 
+/// @throws IoError where it lacks what page and summary take from it
+json read_provenance(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / record::provenance_file;
+    json provenance = record::read_json(file);
+    record::take_from(file, [&] {
+        for (const char* const key : {"version", "commit", "threads", "wall_seconds", "mode", "preparation"}) {
+            static_cast<void>(provenance.at(key));
+        }
+        static_cast<void>(provenance.value("until", ""));
+    });
+    return provenance;
+}
+
 Summary
 summarize(const casefile::Case& what, const std::filesystem::path& folder, const std::filesystem::path& page_folder) {
     const study::RunResults results = study::find_results(what, record::read_stages(what, folder));
-    const json provenance = record::read_json(folder / "provenance.json");
+    const json provenance = read_provenance(folder);
     Summary summary;
     json by_name = json::object();
     for (const record::FinishedStage& stage : results.stages) {

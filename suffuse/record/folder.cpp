@@ -7,6 +7,7 @@
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/folders.hpp"
 #include "suffuse/record/case_hash.hpp"
+#include "suffuse/record/documents.hpp"
 #include "suffuse/record/samples.hpp"
 #include "suffuse/record/stored.hpp"
 
@@ -123,7 +124,7 @@ std::filesystem::path pass_file(const std::filesystem::path& stage_folder, int p
 
 nlohmann::json read_json(const std::filesystem::path& path) {
     const std::string text = read_all(path);
-    nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    nlohmann::json json = parse_json(text);
     if (json.is_discarded()) {
         throw not_as_stored(path, "no valid JSON");
     }
@@ -140,7 +141,7 @@ void write_json(const std::filesystem::path& path, const nlohmann::json& json) {
 
 nlohmann::json read_cbor(const std::filesystem::path& path) {
     const std::string bytes = read_all(path);
-    nlohmann::json json = nlohmann::json::from_cbor(bytes, true, false);
+    nlohmann::json json = parse_cbor({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
     if (json.is_discarded()) {
         throw not_as_stored(path, "no valid CBOR");
     }

@@ -4,6 +4,7 @@
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/samples.hpp"
 #include "suffuse/record/stage_sums.hpp"
+#include "suffuse/record/stored.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +13,11 @@ namespace {
 
 std::string told(const std::filesystem::path& stage_folder, const char* state) {
     const std::filesystem::path numbers = stage_folder / "stage.json";
-    return std::filesystem::exists(numbers) ? read_json(numbers).value(state, "") : "";
+    if (!std::filesystem::exists(numbers)) {
+        return "";
+    }
+    const nlohmann::json read = read_json(numbers);
+    return take_from(numbers, [&] { return read.value(state, ""); });
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "suffuse/record/stored_findings.hpp"
 
+#include "suffuse/record/check_findings.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/record/stage_start.hpp"
@@ -35,7 +36,7 @@ StageFindings read_findings(const std::filesystem::path& folder) {
         return {};
     }
     const nlohmann::json results = read_cbor(file);
-    return take_from(file, [&] {
+    const auto take = [&] {
         StageFindings findings;
         if (results.contains("probes")) {
             results.at("probes").get_to(findings.probes);
@@ -53,7 +54,12 @@ StageFindings read_findings(const std::filesystem::path& folder) {
             findings.throat_flux = results.at("throat_flux").get<flow::ThroatFlux>();
         }
         return findings;
-    });
+    };
+    StageFindings findings = take_from(file, take);
+    if (const std::string missing = what_is_missing(findings); !missing.empty()) {
+        throw not_as_stored(file, missing);
+    }
+    return findings;
 }
 
 std::vector<FinishedStage> read_stages(const casefile::Case& what, const std::filesystem::path& folder) {

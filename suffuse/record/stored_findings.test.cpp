@@ -63,6 +63,19 @@ TEST(StoredFindings, WithoutAKeyOrOfAnotherTypeAreRefusedWithTheFileAndWhatHelps
     EXPECT_NE(complaint_about(folder).find(name + ": is not as it was written (no valid CBOR)"), std::string::npos);
 }
 
+// Figures take a row of one column for a row of all.
+TEST(StoredFindings, WithColumnsOfOtherLengthsAreRefused) {
+    const TempFolder folder;
+    json results = some_results();
+    results["throat_flux"]["carried"] = {0, 1};
+    write_cbor(folder / "results.cbor", results);
+    EXPECT_NE(
+        complaint_about(folder).find("results.cbor: is not as it was written (throat_flux has 3 of quantile and 2 of "
+                                     "carried): it was changed or damaged"),
+        std::string::npos
+    );
+}
+
 // Whether a value was changed is for the checksums of its stage to tell.
 TEST(StoredFindings, AreReadOrRefusedWithTheFileWhateverByteHasChanged) {
     const TempFolder folder;

@@ -6,6 +6,7 @@
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/refine.hpp"
 #include "suffuse/record/samples.hpp"
+#include "suffuse/record/stored.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,7 +44,9 @@ void check_stage(const casefile::Case& what, const std::string& name, const eros
 }
 
 std::string name_in(const json& rule) {
-    return rule.is_object() ? fmt::format("the rule {}", rule.value("name", "?")) : "the rule of the case";
+    const bool is_named = rule.is_object() && rule.contains("name") && rule.at("name").is_string();
+    return rule.is_null() ? "the rule of the case"
+                          : fmt::format("the rule {}", is_named ? rule.at("name").get<std::string>() : "?");
 }
 
 /// A stage that has a rule of its own, or had.
@@ -57,7 +60,8 @@ public:
     void check(const json& asked, const json& given) const {
         const std::filesystem::path numbers = folder_ / "stage.json";
         if (std::filesystem::exists(numbers)) {
-            const json had = record::read_json(numbers).value("own_rule", json());
+            const json read = record::read_json(numbers);
+            const json had = record::take_from(numbers, [&] { return read.value("own_rule", json()); });
             if (!given.is_null() && given != had) {
                 throw UsageError(fmt::format(
                     "{}: was computed with {}{}, not with {}; give the run another folder", name_, name_in(had),
@@ -86,7 +90,13 @@ json own_rule_numbers(const erosion::OwnRule& rule) {
 
 void take_own_rules(const casefile::Case& what, const RunOptions& options) {
     const std::filesystem::path file = options.folder / rules_file;
-    json asked = std::filesystem::exists(file) ? record::read_json(file) : json::object();
+    json asked = json::object();
+    if (std::filesystem::exists(file)) {
+        asked = record::read_json(file);
+    }
+    if (!asked.is_object()) {
+        throw record::not_as_stored(file, "not an object");
+    }
     json given = json::object();
     for (const auto& [name, rule] : options.rules) {
         check_stage(what, name, rule);

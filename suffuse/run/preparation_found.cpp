@@ -4,6 +4,7 @@
 #include "suffuse/casefile/prepared_as.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stage_sums.hpp"
+#include "suffuse/record/stored.hpp"
 #include "suffuse/run/sample_run.hpp"
 
 #include <fmt/format.h>
@@ -83,13 +84,15 @@ casefile::Stage with_preparation_found(
     }
     const nlohmann::json numbers = numbers_of_other(what, options, sample, stage);
     auto& compact = std::get<packing::CompactSpec>(found.spec);
-    compact.prepare.friction = numbers.at("preparation_friction").get<double>();
-    const nlohmann::json& adhesion = numbers.at("preparation_adhesion");
-    compact.prepare.adhesion_normal = adhesion.at("normal").get<double>();
-    compact.prepare.adhesion_shear = adhesion.at("shear").get<double>();
-    if (numbers.contains("preparation_start_porosity")) {
-        compact.start_porosity = numbers.at("preparation_start_porosity").get<double>();
-    }
+    record::take_from(other_stage(options.folder, sample, stage) / "stage.json", [&] {
+        compact.prepare.friction = numbers.at("preparation_friction").get<double>();
+        const nlohmann::json& adhesion = numbers.at("preparation_adhesion");
+        compact.prepare.adhesion_normal = adhesion.at("normal").get<double>();
+        compact.prepare.adhesion_shear = adhesion.at("shear").get<double>();
+        if (numbers.contains("preparation_start_porosity")) {
+            compact.start_porosity = numbers.at("preparation_start_porosity").get<double>();
+        }
+    });
     compact.void_ratio = compact.intergranular_void_ratio = compact.prepared_as = std::nullopt;
     return found;
 }

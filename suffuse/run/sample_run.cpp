@@ -9,6 +9,7 @@
 #include "suffuse/io/tables.hpp"
 #include "suffuse/io/vtk.hpp"
 #include "suffuse/record/case_hash.hpp"
+#include "suffuse/record/documents.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/known_state.hpp"
 #include "suffuse/record/result_json.hpp"
@@ -59,7 +60,7 @@ void take_up(StageWork& work) {
     const record::KnownState left(work.folder / record::partial_file, work.folder / record::partial_file);
     io::Checkpoint partial = left.load();
     try {
-        const json saved = json::from_cbor(partial.unfinished);
+        const json saved = record::parse_cbor(partial.unfinished);
         left.check(partial.world, saved.value("world", ""));
         work.world = std::move(partial.world);
         work.pictures = StrainPictures(work.what.output, work.folder, work.world);
