@@ -163,6 +163,12 @@ def test_waiting_for_another_threads_steps_answers_to_ctrl_c(settled, packing):
     packing.step(1, time_step=1e-9)
 
 
+def test_a_cloud_of_many_grains_answers_to_ctrl_c():
+    with pytest.raises(KeyboardInterrupt):  # a cloud so dense is sought for minutes, or until somebody has had enough
+        threading.Timer(0.3, _thread.interrupt_main).start()
+        suffuse.make_cloud(numpy.full(400_000, 1e-4), porosity=0.6)
+
+
 def test_arrays_that_are_written_while_another_thread_steps_harm_nothing_but_the_numbers(settled):
     over, position, velocity = threading.Event(), settled.grains.position, settled.grains.velocity
     place, pace = position.copy(), velocity.copy()

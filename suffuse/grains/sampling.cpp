@@ -120,22 +120,22 @@ void sort_largest_first(SampledGrains& sample) {
     sample = std::move(sorted);
 }
 
-void append(SampledGrains& sample, const Grading& grading, std::size_t count, bool fine) {
-    for (const double d : sample_diameters(grading, count)) {
+void append(SampledGrains& sample, const Grading& grading, std::size_t count, bool fine, const Pulse& pulse) {
+    for (const double d : sample_diameters(grading, count, pulse)) {
         sample.radius.push_back(0.5 * d);
         sample.fine.push_back(fine ? 1 : 0);
     }
 }
 
 /// Two gradings, each with the number of grains that its share of the mass needs.
-SampledGrains sample_mixture(const Soil& soil, std::size_t particles) {
+SampledGrains sample_mixture(const Soil& soil, std::size_t particles, const Pulse& pulse) {
     const double coarse_number = (1 - soil.fines_content) * NumberCurve(*soil.coarse).total();
     const double fine_number = soil.fines_content * NumberCurve(*soil.fines).total();
     const double coarse_share = coarse_number / (coarse_number + fine_number);
     const auto coarse = static_cast<std::size_t>(std::lround(coarse_share * static_cast<double>(particles)));
     SampledGrains sample;
-    append(sample, *soil.coarse, coarse, false);
-    append(sample, *soil.fines, particles - coarse, true);
+    append(sample, *soil.coarse, coarse, false, pulse);
+    append(sample, *soil.fines, particles - coarse, true, pulse);
     sort_largest_first(sample);
     return sample;
 }
@@ -150,7 +150,7 @@ double largest_size(const Grading& grading) {
     return grading.diameter[static_cast<std::size_t>(whole)];
 }
 
-SampledGrains sample_whole(const Soil& soil, std::size_t particles) {
+SampledGrains sample_whole(const Soil& soil, std::size_t particles, const Pulse& pulse) {
     const Grading& grading = *soil.whole;
     const std::optional<double> limit = fines_limit(soil);
     const double least = size_at(grading, 0), largest = grading.diameter.back();
@@ -165,7 +165,7 @@ SampledGrains sample_whole(const Soil& soil, std::size_t particles) {
         );
     }
     SampledGrains sample;
-    append(sample, grading, particles, false);
+    append(sample, grading, particles, false, pulse);
     for (std::size_t g = 0; g < particles; ++g) {
         sample.fine[g] = limit && 2 * sample.radius[g] < *limit ? 1 : 0;
     }
@@ -222,10 +222,14 @@ void check_soil(const Soil& soil, int particles) {
 
 } // namespace
 
-std::vector<double> sample_diameters(const Grading& grading, std::size_t count) {
+std::vector<double> sample_diameters(const Grading& grading, std::size_t count, const Pulse& pulse) {
+    constexpr std::size_t grains_a_beat = 65'536; // some tens of milliseconds
     const NumberCurve curve(grading);
     std::vector<double> diameter(count);
     for (std::size_t k = 0; k < count; ++k) {
+        if (k % grains_a_beat == 0) {
+            beat(pulse, "draw", static_cast<long long>(k));
+        }
         diameter[k] = share_of(grading, curve, k, count).diameter;
     }
     return diameter;
@@ -334,10 +338,10 @@ Grading asked_grading(const Soil& soil) {
     return soil.whole ? *soil.whole : mixture(*soil.coarse, *soil.fines, soil.fines_content);
 }
 
-SampledGrains sample_soil(const Soil& soil, int particles) {
+SampledGrains sample_soil(const Soil& soil, int particles, const Pulse& pulse) {
     check_soil(soil, particles);
     const auto count = static_cast<std::size_t>(particles);
-    SampledGrains sample = soil.whole ? sample_whole(soil, count) : sample_mixture(soil, count);
+    SampledGrains sample = soil.whole ? sample_whole(soil, count, pulse) : sample_mixture(soil, count, pulse);
     const Grading asked = asked_grading(soil);
     sample.fines_content = content_of(sample);
     sample.largest_difference = largest_difference(sample.radius, asked);

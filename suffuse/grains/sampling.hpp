@@ -3,6 +3,7 @@
 // volume of its share, so that the sample meets the curve by mass exactly between grains and misses it only within one;
 // a curve by number would leave the few coarse grains, which carry much of the mass, to chance. Nothing here is random.
 
+#include "suffuse/base/pulse.hpp"
 #include "suffuse/grains/soil.hpp"
 
 #include <cstdint>
@@ -20,8 +21,9 @@ struct SampledGrains {
 };
 
 /// `particles` grains of `soil`. Throws CaseError where the soil is not well defined, where Kenney and Lau's split does
-/// not exist, or where so few grains cannot follow the curve within the soil's tolerance (it says how many would).
-SampledGrains sample_soil(const Soil& soil, int particles);
+/// not exist, or where so few grains cannot follow the curve within the soil's tolerance (it says how many would). The
+/// pulse beats with the grains drawn ("draw"): ten million take seconds.
+SampledGrains sample_soil(const Soil& soil, int particles, const Pulse& pulse = {});
 
 /// Cell width over the largest grain below which results depend on it [-].
 inline constexpr double narrow_cell = 10;
@@ -34,7 +36,7 @@ std::optional<double> fines_limit(const Soil& soil);
 Grading asked_grading(const Soil& soil);
 
 /// Diameters [m] of `count` grains that follow `grading`, largest first.
-std::vector<double> sample_diameters(const Grading& grading, std::size_t count);
+std::vector<double> sample_diameters(const Grading& grading, std::size_t count, const Pulse& pulse = {});
 
 /// Mass fraction of a sample finer than each of `diameter` [m], one density for all grains; `radius` in any order [m].
 std::vector<double> sample_curve(std::span<const double> radius, std::span<const double> diameter);

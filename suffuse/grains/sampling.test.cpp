@@ -61,6 +61,19 @@ TEST(Sampling, MissesTheCurveByLittleMoreThanHalfTheLargestGrain) {
     }
 }
 
+TEST(Sampling, AsksItsPulseWhileGrainsAreDrawn) {
+    const Soil soil = fontainebleau();
+    std::vector<long long> drawn;
+    const SampledGrains sample = sample_soil(soil, 140'000, [&](std::string_view part, long long grains) {
+        EXPECT_EQ(part, "draw");
+        drawn.push_back(grains);
+    });
+    EXPECT_EQ(drawn, (std::vector<long long>{0, 65'536, 131'072}));
+    EXPECT_EQ(sample.radius, sample_soil(soil, 140'000).radius) << "it only looks";
+    const Pulse stop = [](std::string_view, long long) { throw Interrupted("asked to stop"); };
+    EXPECT_THROW(sample_soil(soil, 140'000, stop), Interrupted);
+}
+
 TEST(Sampling, CurveOfTheSampleMeetsTheGradingAtItsPoints) {
     const Soil soil = fontainebleau();
     const SampledGrains sample = sample_soil(soil, 10000);

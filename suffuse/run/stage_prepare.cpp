@@ -210,10 +210,10 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
 
 void do_pack(StageWork& work, const packing::PackSpec& spec) {
     expects(work.variant.soil.has_value(), "a pack stage without a soil passed the checks of the case");
+    const Pulse pulse = work.control.pulse();
     const grains::SampledGrains sample =
-        grains::sample_soil(*work.variant.soil, static_cast<int>(work.variant.particles));
-    packing::Cloud cloud =
-        packing::make_cloud(sample, spec, work.variant.material.density, work.variant.seed, work.control.pulse());
+        grains::sample_soil(*work.variant.soil, static_cast<int>(work.variant.particles), pulse);
+    packing::Cloud cloud = packing::make_cloud(sample, spec, work.variant.material.density, work.variant.seed, pulse);
     work.world.cell = cloud.cell;
     work.world.reference_h = cloud.cell.h;
     work.world.grains = std::move(cloud.grains);
