@@ -1,10 +1,13 @@
 // Cases that run, from Python: as the verbs run and resume do it, in the same folders, under the same lock.
 
+#include "suffuse/base/byte_size.hpp"
+#include "suffuse/base/memory_bound.hpp"
 #include "suffuse/job/draw_figures.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/job/scene_data.hpp"
 #include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/plan/fit_memory.hpp"
 #include "suffuse/record/checksums.hpp"
 #include "suffuse/record/compare_runs.hpp"
 #include "suffuse/record/finished_stages.hpp"
@@ -208,14 +211,57 @@ run_and_listen(const casefile::Case& what, run::RunOptions options, const py::di
     return report;
 }
 
+/// [B] @throws CaseError
+double memory_of(const py::object& memory) {
+    if (memory.is_none()) {
+        return plan::usual_memory_share * machine_memory();
+    }
+    if (py::isinstance<py::str>(memory)) {
+        return parse_byte_size(memory.cast<std::string>());
+    }
+    const double bytes = PyFloat_AsDouble(memory.ptr());
+    if (PyErr_Occurred() != nullptr) {
+        throw py::error_already_set();
+    }
+    if (!(bytes > 0)) {
+        throw CaseError(fmt::format("memory: found {}, expected bytes above 0, or a text as \"16GB\"", bytes));
+    }
+    return bytes;
+}
+
+/// Samples that run side by side in the memory that the run may take. A folder that is not there yet holds nothing of
+/// the run. @throws IoError where not even one sample does
+int samples_within(
+    const CaseHandle& what, const py::object& memory, const std::optional<fs::path>& folder, const fs::path& cache,
+    const std::string& until
+) {
+    const casefile::Case& value = what.loaded.value;
+    const double bytes = memory_of(memory);
+    const py::gil_scoped_release released;
+    plan::MachineSpeed any; // memory does not depend on it, and measuring takes a while
+    any.particle_steps_per_second = 1;
+    any.at_once = plan::samples_at_once(value);
+    plan::RunPlan plan;
+    try {
+        plan = plan::plan_run(value, any);
+    } catch (const CaseError&) { // a sample that cannot be made: the run tells which, and makes the others
+        return any.at_once;
+    }
+    plan::price_asked_alone(plan, value, until, "");
+    plan::leave_out_done(plan, value, folder.value_or(fs::path()), record::StageCache(cache));
+    return plan::samples_within(plan, bytes);
+}
+
 py::tuple conduct(
     const CaseHandle& what, const fs::path& folder, const std::string& until, const py::object& time_limit,
-    const fs::path& page_folder, const py::object& on_progress, const fs::path& cache, const py::dict& rules
+    const fs::path& page_folder, const py::object& on_progress, const fs::path& cache, const py::dict& rules,
+    int at_once
 ) {
     plan::check_until(what.loaded.value, until);
     run::RunOptions options;
     options.cache = cache;
     options.folder = folder;
+    options.at_once = at_once;
     options.until = until;
     options.page_folder = page_folder;
     options.case_text = what.text;
@@ -255,6 +301,10 @@ void bind_runs(py::module_& m) {
         },
         py::arg("case"), py::arg("wanted")
     );
+    m.def(
+        "samples_within", &samples_within, py::arg("case"), py::arg("memory"), py::arg("folder"), py::arg("cache"),
+        py::arg("until")
+    );
     m.def("check_until", [](const CaseHandle& what, const std::string& until) {
         plan::check_until(what.loaded.value, until);
     });
@@ -265,7 +315,7 @@ void bind_runs(py::module_& m) {
     });
     m.def(
         "conduct", &conduct, py::arg("case"), py::arg("folder"), py::arg("until"), py::arg("time_limit"),
-        py::arg("page_folder"), py::arg("on_progress"), py::arg("cache"), py::arg("rules")
+        py::arg("page_folder"), py::arg("on_progress"), py::arg("cache"), py::arg("rules"), py::arg("at_once")
     );
     m.def(
         "read_cbor", [](const fs::path& path) { return to_python(record::read_cbor(path)); }, py::arg("path"),

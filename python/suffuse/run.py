@@ -14,14 +14,25 @@ from suffuse.records import gather, numbers_in, read_records, sample_values
 from suffuse.spelling import spelled
 from suffuse.views import page_folder, show_run
 
-def conduct(case, folder, until, time_limit, on_progress, threads, cache, rules):
+def conduct(case, folder, until, time_limit, on_progress, threads, cache, rules, at_once):
     """Runs a case in a folder with so many threads; returns the outcome."""
     before = _core.threads()
     _core.set_threads(threads or before)
     try:
         return _core.conduct(
-            case, folder, until, time_limit, page_folder(), on_progress, str(cache or ""), _by_stage(rules, case.stages)
+            case, folder, until, time_limit, page_folder(), on_progress, str(cache or ""), _by_stage(rules, case.stages),
+            at_once,
         )[0]
+    finally:
+        _core.set_threads(before)
+
+
+def _at_once(case, memory, folder, cache, until, threads):
+    """How many samples run side by side. @raises IoError where the memory is too little for one."""
+    before = _core.threads()
+    _core.set_threads(threads or before)
+    try:
+        return _core.samples_within(case, memory, None if folder is None else pathlib.Path(folder), str(cache or ""), until)
     finally:
         _core.set_threads(before)
 
@@ -61,7 +72,8 @@ class Case(CaseFile):
 
     @spelled
     def run(
-        self, folder=None, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None, rules=None
+        self, folder=None, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None, rules=None,
+        memory=None,
     ):
         """Runs the case; returns its Run.
 
@@ -76,13 +88,16 @@ class Case(CaseFile):
         rules: detachment rules of your own by stages that do "erode", as in {"erosion": fn} or {"STUDY/STAGE": fn}:
             functions from a Probe to a truth value for each of its fines, as in World.erode. A stage with one is neither
             taken from the cache nor kept there, and `own_rule` of its stage.json and a warning say whose it is
+        memory: most that the run may take, as in "16GB"; 80 % of the machine's unless given. A case that needs more raises
+            IoError before a folder is made; where all samples side by side need more, fewer run at once
 
         Ctrl-C, or an exception of on_progress or a rule, saves and stops; Run(folder).resume() goes on, to the same bits.
         """
-        _core.check_until(self._core, until)  # both before a folder is made
+        _core.check_until(self._core, until)  # all before a folder is made
         _core.check_time_limit(time_limit)
+        at_once = _at_once(self._core, memory, folder, cache, until, threads)
         place = _core.new_run_folder(self._core, None if folder is None else pathlib.Path(folder))
-        return Run(place, conduct(self._core, place, until, time_limit, on_progress or on_event, threads, cache, rules))
+        return Run(place, conduct(self._core, place, until, time_limit, on_progress or on_event, threads, cache, rules, at_once))
 
 
 class Tensor(numpy.ndarray):
@@ -344,7 +359,9 @@ class Run:
         return gather(found.values())
 
     @spelled
-    def resume(self, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None, rules=None):
+    def resume(
+        self, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None, rules=None, memory=None
+    ):
         """Goes on with a run that was stopped, to the same bits; arguments as of Case.run. Stages that were asked for with
         a rule of your own want the same one again."""
         resolved = self.folder / "case.resolved.toml"
@@ -352,7 +369,8 @@ class Run:
             case = _core.CaseFile.load(resolved, "", [])
         else:  # stopped before it really began
             case = _core.CaseFile.load(*_core.asked_run(self.folder))
-        self.outcome = conduct(case, self.folder, until, time_limit, on_progress or on_event, threads, cache, rules)
+        at_once = _at_once(case, memory, self.folder, cache, until, threads)
+        self.outcome = conduct(case, self.folder, until, time_limit, on_progress or on_event, threads, cache, rules, at_once)
         return self
 
     def compare(self, other, tolerance=0):
