@@ -7,6 +7,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/io/hdf5_file.hpp"
 
+#include "tests/fuzz/byte_source.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 #include <array>
 #include <cstdlib>
@@ -19,6 +20,7 @@
 namespace {
 
 using namespace suffuse;
+using fuzz::Bytes;
 
 /// What a good state of two grains and one contact has.
 struct Array {
@@ -64,20 +66,6 @@ const std::vector<Array>& arrays() {
     static const std::vector<Array> list = make_arrays();
     return list;
 }
-
-/// Takes numbers off the front of the bytes; zeros where they have ended.
-struct Bytes {
-    const std::uint8_t* at;
-    std::size_t left;
-
-    std::uint8_t next() {
-        if (left == 0) {
-            return 0;
-        }
-        --left;
-        return *at++;
-    }
-};
 
 template <class T>
 void write_array(io::Hdf5Writer& file, const std::string& name, const io::Shape& shape, Bytes& bytes) {
