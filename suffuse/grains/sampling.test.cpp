@@ -92,6 +92,19 @@ TEST(Sampling, LargestDifferenceSeesBothSidesOfAStep) { // one size: F = 1/2 whe
     EXPECT_NEAR(largest_difference(coarse, band(1e-3)), 1.0, 1e-12);
 }
 
+TEST(Sampling, OfTwoCurvesTheFinesEndHalfwayBetweenThemByRatio) {
+    const auto curve = [](double least, double most) { return Grading{.diameter = {least, most}, .passing = {0, 1}}; };
+    Soil soil;
+    soil.fines_content = 0.2;
+    soil.fines = curve(1e-4, 2e-4), soil.coarse = curve(8e-4, 9e-4);
+    EXPECT_NEAR(*fines_limit(soil), 4e-4, 1e-16); // sqrt(2 x 8)
+    soil.coarse = curve(2e-4, 9e-4);
+    EXPECT_NEAR(*fines_limit(soil), 2e-4, 1e-16) << "curves that touch do not overlap";
+    soil.coarse = curve(1.99e-4, 9e-4);
+    EXPECT_THROW(fines_limit(soil), CaseError);
+    EXPECT_FALSE(fines_limit({.whole = curve(1e-4, 9e-4)}));
+}
+
 TEST(Sampling, TwoFractionsGiveTheAskedFinesContent) {
     Soil soil;
     soil.coarse = band(3.5e-4), soil.fines = band(1e-4), soil.fines_content = 0.20;
