@@ -77,8 +77,8 @@ grains::Grading sampled_grading(const std::vector<double>& radius, const std::op
         }
     }
     std::ranges::sort(grading.diameter);
-    const auto repeated = std::ranges::unique(grading.diameter);
-    grading.diameter.erase(repeated.begin(), repeated.end());
+    const auto repeated = std::unique(grading.diameter.begin(), grading.diameter.end());
+    grading.diameter.erase(repeated, grading.diameter.end());
     grading.passing = grains::sample_curve(radius, grading.diameter);
     return grading;
 }

@@ -164,7 +164,7 @@ std::string asked_of(const casefile::Variant& variant) {
             parts.push_back(fmt::format("i = {}", short_number(erode->gradient)));
         }
     }
-    parts.erase(std::ranges::unique(parts).begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
     return fmt::format("{}", fmt::join(parts, "; "));
 }
 
