@@ -135,3 +135,9 @@ void FinishedRun::look_with(const std::map<std::string, std::string>& replaced) 
 }
 
 } // namespace suffuse::fuzz
+
+/// The run takes longer than libFuzzer lets an input take.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+    suffuse::fuzz::FinishedRun::the();
+    return 0;
+}
