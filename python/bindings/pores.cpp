@@ -195,7 +195,17 @@ void bind_network(py::module_& m) {
     add_column(type, "pore_volume", &PoreNetwork::pores, &Pores::volume, "pores: of the tetrahedron [m3].");
     add_column(type, "void_volume", &PoreNetwork::pores, &Pores::void_volume, "pores: without the grains [m3].");
     add_column(type, "side", &PoreNetwork::throats, &Throats::side, "throats x 2: the pores that it joins [-].");
-    add_column(type, "throat_grain", &PoreNetwork::throats, &Throats::grain, "throats x 3: rows of its grains [-].");
+    type.def_property_readonly(
+        "throat_grain",
+        [](const PackedNetwork& net) {
+            const auto rows = std::make_shared<std::vector<std::array<std::uint32_t, 3>>>(net.throats.size());
+            for (std::size_t t = 0; t < rows->size(); ++t) {
+                (*rows)[t] = pores::grains_of(net, t).row;
+            }
+            return look_at(*rows, hold(rows));
+        },
+        "throats x 3: rows of its grains, found anew at each access [-]."
+    );
     add_column(type, "area", &PoreNetwork::throats, &Throats::area, "throats x 3: vector from side 0 to side 1 [m2].");
     add_column(
         type, "void_area", &PoreNetwork::throats, &Throats::void_area, "throats: without its sections of grains [m2]."
