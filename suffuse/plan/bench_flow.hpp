@@ -1,6 +1,6 @@
 #pragma once
-// The seconds of each part of a flow solution on a packing brought from elsewhere and the memory that it takes, with the
-// permeability found.
+// The seconds of each part of a flow solution on a packing brought from elsewhere and the memory that it takes, with
+// the permeability found.
 
 #include "suffuse/flow/fluid.hpp"
 #include "suffuse/plan/bench_packing.hpp"
