@@ -43,9 +43,8 @@ constexpr Range time_step_error{0.85, 1.2}, liquefied{0.5, 1.1};
 
 // What the made-up packing of measure_speed leaves out: recording, files, other work of the machine.
 constexpr Range price_error{0.75, 1.35};
-constexpr Range cloud_seconds{1e-6, 1.5e-5}; // a grain, of clouds up to ...
-constexpr double near_cloud = 2e5;           // ... so many; larger ones do not fit the processor's caches
-constexpr Range flow_seconds{1e-5, 6e-5};    // a grain, one direction
+constexpr Range cloud_seconds{1e-6, 1e-4}; // a grain; the most of a million, which fit no cache of a processor
+constexpr Range flow_seconds{1e-5, 6e-5};  // a grain, one direction
 
 // Grains that a plan draws of a sample: more of the same curve say no more of their shares.
 constexpr std::int64_t most_drawn = 300'000;
@@ -116,7 +115,7 @@ public:
         }
         sample_.solid_fraction = 1 - spec.porosity;
         return {
-            .seconds = count(sample_) * std::max(1.0, count(sample_) / near_cloud) * cloud_seconds,
+            .seconds = count(sample_) * cloud_seconds,
             .memory_a_grain = grain_memory,
             .basis = fmt::format(
                 "no steps; {:.0f} coarse grains, fines content {:.2f} %", sample_.coarse.grains,
