@@ -86,8 +86,9 @@ py::dict erode(
     {
         const Working working;
         result = erosion::begin_erosion(next);
+        erosion::PassUnderWay now;
         for (bool goes_on = true; goes_on && std::ssize(result.passes) < passes;) {
-            goes_on = erosion::erode_once(next, spec, around, result);
+            goes_on = erosion::erode_once(next, spec, around, result, now);
             const py::gil_scoped_acquire interpreter; // arrays that were taken meanwhile keep their rows
             call.world_for_new_rows() = next;
         }

@@ -145,12 +145,12 @@ py::dict relax(
         throw CaseError(fmt::format("wanted: found {}, expected an unbalanced force above 0", wanted));
     }
     Attention attention(on_progress, call);
-    dem::RelaxReport report;
+    dem::Relaxation relaxation;
     {
         const Working working;
         const double dt = asked->plan.dt > 0 ? asked->plan.dt : dem::stable_time_step(call.world());
-        report = dem::relax(
-            call.world(), call.caches(), dt, asked->plan.damping, wanted, max_steps,
+        dem::relax(
+            call.world(), call.caches(), dt, asked->plan.damping, wanted, max_steps, relaxation,
             [&](std::string_view part, long long steps) {
                 call.remember_place();
                 attention.beat(part, steps);
@@ -159,9 +159,9 @@ py::dict relax(
         call.remember_place();
     }
     py::dict dict;
-    dict["unbalanced_force"] = report.unbalanced_force;
-    dict["steps"] = report.steps;
-    dict["reached_floor"] = report.reached_floor;
+    dict["unbalanced_force"] = relaxation.unbalanced_force;
+    dict["steps"] = relaxation.steps;
+    dict["reached_floor"] = relaxation.reached_floor;
     return dict;
 }
 

@@ -31,6 +31,13 @@ void check_something_is_held(const World& world, const Equilibrium& equilibrium)
     }
 }
 
+/// A world without contacts may have none, or has yet to find them; and before the first step its forces are guesses.
+double first_unbalance(const World& world) {
+    const Equilibrium start = measure_equilibrium(world);
+    return start.contacts > 0 && !awaits_first_step(world) ? start.unbalanced_force
+                                                           : std::numeric_limits<double>::max();
+}
+
 } // namespace
 
 double slowest_mode_drag(std::size_t grains, double dt) {
@@ -40,44 +47,39 @@ double slowest_mode_drag(std::size_t grains, double dt) {
     return share_at_10k / dt * std::cbrt(grains_at_10k / static_cast<double>(std::max<std::size_t>(grains, 1)));
 }
 
-RelaxReport relax(
+void relax(
     World& world, StepCaches& caches, double dt, double damping, double wanted, std::int64_t most_steps,
-    const Pulse& pulse
+    Relaxation& so_far, const Pulse& pulse
 ) {
     StepPlan plan;
     plan.dt = dt;
     plan.damping = damping;
     plan.loading = constant_volume();
     const double drag = slowest_mode_drag(world.grains.size(), dt);
-    RelaxReport report;
-    const Equilibrium start = measure_equilibrium(world);
-    // A world without contacts may have none, or has yet to find them; and before the first step its forces are
-    // guesses.
-    double best =
-        start.contacts > 0 && !awaits_first_step(world) ? start.unbalanced_force : std::numeric_limits<double>::max();
-    std::int64_t since_best = 0; // bursts
-    while (report.steps < most_steps && since_best < most_cycles * cycle) {
-        const bool held = since_best % cycle < held_bursts;
+    if (so_far.steps == 0) {
+        so_far.best = first_unbalance(world);
+    }
+    while (so_far.steps < most_steps && so_far.since_best < most_cycles * cycle) {
+        const bool held = so_far.since_best % cycle < held_bursts;
         plan.drag = held ? drag : 0;
         advance(world, caches, plan, burst_steps);
-        report.steps += burst_steps;
+        so_far.steps += burst_steps;
         const Equilibrium equilibrium = measure_equilibrium(world);
-        if (report.steps == burst_steps) {
+        if (so_far.steps == burst_steps) {
             check_something_is_held(world, equilibrium);
         }
-        report.unbalanced_force = equilibrium.unbalanced_force;
-        if (held && report.unbalanced_force <= wanted) {
-            return report;
+        so_far.unbalanced_force = equilibrium.unbalanced_force;
+        if (held && so_far.unbalanced_force <= wanted) {
+            return;
         }
-        ++since_best;
-        if (held && report.unbalanced_force < 0.5 * best) {
-            best = report.unbalanced_force;
-            since_best = 0;
+        ++so_far.since_best;
+        if (held && so_far.unbalanced_force < 0.5 * so_far.best) {
+            so_far.best = so_far.unbalanced_force;
+            so_far.since_best = 0;
         }
-        beat(pulse, "relax", report.steps);
+        beat(pulse, "relax", so_far.steps);
     }
-    report.reached_floor = true;
-    return report;
+    so_far.reached_floor = true;
 }
 
 } // namespace suffuse::dem

@@ -14,19 +14,23 @@ namespace suffuse::dem {
 /// the inertia that knocks weak contacts open [1/s]. @param dt time step [s]
 double slowest_mode_drag(std::size_t grains, double dt);
 
-struct RelaxReport {
+/// How far a relaxation has come; with the world all that it needs to go on after a stop.
+struct Relaxation {
     double unbalanced_force = 0; ///< reached [-]
     std::int64_t steps = 0;
     bool reached_floor = false; ///< it stopped falling before the wanted value: double precision, or grains that creep
+
+    double best = 0;             ///< unbalanced force from which halvings count [-]
+    std::int64_t since_best = 0; ///< bursts
 };
 
 /// Steps at constant volume until the unbalanced force is below `wanted`, or stops falling. Afterwards the grains are
 /// at rest but for what the unbalance moves.
-/// @param dt [s]; @param damping local [-]
+/// @param dt [s]; @param damping local [-]; @param so_far goes on after a stop, and is true at each beat
 /// @throws StateError where nothing holds any grain, as in a cloud
-RelaxReport relax(
+void relax(
     World& world, StepCaches& caches, double dt, double damping, double wanted, std::int64_t most_steps,
-    const Pulse& pulse = {}
+    Relaxation& so_far, const Pulse& pulse = {}
 );
 
 } // namespace suffuse::dem

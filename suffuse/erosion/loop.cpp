@@ -32,6 +32,8 @@
 namespace suffuse::erosion {
 namespace {
 
+using At = PassUnderWay::At;
+
 /// Step 2: the permeability, how fast the water is and how its ways wind, the throats' fluxes, and the fluid's forces
 /// on the grains at each gradient. The pore network, larger than the world, is gone when this returns. Where the flow
 /// is resolved on a grid, permeability and forces are of that.
@@ -80,22 +82,27 @@ Seeping seep(
 
 /// Step 1: the equilibrium relaxed so far that its unbalance does not drown the fluid's force. Grains are lent inertia
 /// meanwhile: where they rest does not depend on it, how many steps they take does.
-dem::RelaxReport relax_further(dem::World& world, const ProbeSpec& spec, const Surroundings& around) {
+void relax_further(PassUnderWay& now, const ProbeSpec& spec, const Surroundings& around) {
     constexpr dem::Lent all{true, true};
+    dem::World& world = now.world;
     const double median = grains::median_diameter(world.grains);
-    dem::lend_inertia(world, median, {}, all);
+    if (now.at == At::Start) {
+        dem::lend_inertia(world, median, {}, all);
+        now.relaxation_step = dem::stable_time_step(world);
+        now.at = At::Relax;
+    }
     dem::StepCaches caches;
-    const dem::RelaxReport report = dem::relax(
-        world, caches, dem::stable_time_step(world), around.damping, spec.unbalanced_force, spec.relax_limit,
+    dem::relax(
+        world, caches, now.relaxation_step, around.damping, spec.unbalanced_force, spec.relax_limit, now.relaxation,
         around.pulse
     );
     dem::lend_inertia(world, median, all, {});
-    return report;
+    now.at = At::Probe;
 }
 
 /// Step 3 under the flow's forces at each gradient.
 std::vector<ProbeResult> probe(
-    const dem::World& world, const Seeping& seeping, double dt, const dem::RelaxReport& relaxed, const ProbeSpec& spec,
+    const dem::World& world, const Seeping& seeping, double dt, const dem::Relaxation& relaxed, const ProbeSpec& spec,
     const DetachSpec& rule, const Surroundings& around
 ) {
     std::vector<ProbeResult> results =
@@ -225,6 +232,49 @@ void judge_end(
     }
 }
 
+/// Steps 2 to 5: from the relaxed equilibrium to the world without the grains that leave.
+void probe_and_extract(
+    PassUnderWay& now, const ErodeSpec& spec, const Surroundings& around, const ErosionResult& result
+) {
+    dem::World& world = now.world;
+    PassResult& pass = now.pass;
+    Stopwatch watch;
+
+    // 2 flow
+    const Seeping seeping = seep(world, {&spec.gradient, 1}, spec.direction, spec.probe, around);
+    pass.permeability_before = seeping.permeability;
+    pass.reynolds_before = std::abs(spec.gradient) * seeping.reynolds;
+    pass.tortuosity_before = seeping.tortuosity;
+    pass.throat_flux_before = seeping.throat_flux;
+    pass.wall_seconds["flow"] = watch.lap();
+
+    // 3 probe
+    if (spec.probe.gravity && !spec.forced) {
+        weigh(world, spec, seeping, around, pass);
+    } else {
+        const double dt = dem::stable_time_step(world);
+        pass.probe = probe(world, seeping, dt, now.relaxation, spec.probe, spec.detached, around).front();
+    }
+    pass.wall_seconds["probe"] = watch.lap();
+
+    // 4 constrictions
+    const bool with_paths = spec.passes_constriction == ConstrictionSize::WidestPath;
+    const CoarseSkeleton skeleton = measure_coarse_skeleton(world, spec.direction, with_paths, spec.merge);
+    pass.constrictions = skeleton.constrictions;
+    pass.merge = spec.merge;
+    pass.constrictions_by_merge = skeleton.by_merge;
+    if (pass.mobility) {
+        tell_leaving(world, skeleton, spec.passes_constriction, *pass.mobility);
+    }
+    pass.wall_seconds["constrictions"] = watch.lap();
+
+    // 5 extraction
+    const std::vector<int> contacts = dem::coordination(world); // before grains that lodge leave theirs
+    const std::vector<std::uint32_t> leaving = let_through(world, contacts, skeleton, spec, around, result, pass);
+    now.ledger = extract(world, leaving, contacts, reason_of(spec, around.rule), result, pass);
+    pass.wall_seconds["extraction"] = watch.lap();
+}
+
 } // namespace
 
 void check_own_rule(const ErodeSpec& spec, const OwnRule& rule) {
@@ -244,63 +294,47 @@ ErosionResult begin_erosion(const dem::World& world) {
     return result;
 }
 
-bool erode_once(dem::World& world, const ErodeSpec& every, const Surroundings& around, ErosionResult& result) {
+bool erode_once(
+    dem::World& world, const ErodeSpec& every, const Surroundings& around, ErosionResult& result, PassUnderWay& now
+) {
     if (std::ranges::count(world.grains.fine, std::uint8_t{0}) == 0) {
         throw NoSkeleton("all grains are fines: there is no skeleton that they could leave");
     }
-    PassResult pass;
-    pass.pass = static_cast<int>(result.passes.size()) + 1;
-    const ErodeSpec spec = at_pass(every, pass.pass);
+    const auto number = static_cast<int>(result.passes.size()) + 1;
+    const ErodeSpec spec = at_pass(every, number);
     if (around.rule != nullptr) {
         check_own_rule(spec, *around.rule);
     }
     Stopwatch watch;
-    dem::World next = world; // the caller's world changes only when the pass is complete
-    dem::sort_along_curve(next);
-    describe_before(next, pass);
-
+    dem::World& next = now.world; // the caller's world changes only when the pass is complete
+    PassResult& pass = now.pass;
+    if (now.at == At::Start) {
+        next = world;
+        dem::sort_along_curve(next);
+        pass.pass = number;
+        describe_before(next, pass);
+    }
     // 1 equilibrium; fines that have weight come to rest under it
-    const bool weighs = spec.probe.gravity && !spec.forced;
-    const dem::RelaxReport relaxed = weighs ? dem::RelaxReport{} : relax_further(next, spec.probe, around);
-    const double dt = dem::stable_time_step(next);
-    pass.wall_seconds["relax"] = watch.lap();
-
-    // 2 flow
-    const Seeping seeping = seep(next, {&spec.gradient, 1}, spec.direction, spec.probe, around);
-    pass.permeability_before = seeping.permeability;
-    pass.reynolds_before = std::abs(spec.gradient) * seeping.reynolds;
-    pass.tortuosity_before = seeping.tortuosity;
-    pass.throat_flux_before = seeping.throat_flux;
-    pass.wall_seconds["flow"] = watch.lap();
-
-    // 3 probe
-    if (weighs) {
-        weigh(next, spec, seeping, around, pass);
-    } else {
-        pass.probe = probe(next, seeping, dt, relaxed, spec.probe, spec.detached, around).front();
+    if (now.at == At::Start || now.at == At::Relax) {
+        if (spec.probe.gravity && !spec.forced) {
+            now.at = At::Probe;
+        } else {
+            relax_further(now, spec.probe, around);
+        }
+        pass.wall_seconds["relax"] = watch.lap();
     }
-    pass.wall_seconds["probe"] = watch.lap();
-
-    // 4 constrictions
-    const bool with_paths = spec.passes_constriction == ConstrictionSize::WidestPath;
-    const CoarseSkeleton skeleton = measure_coarse_skeleton(next, spec.direction, with_paths, spec.merge);
-    pass.constrictions = skeleton.constrictions;
-    pass.merge = spec.merge;
-    pass.constrictions_by_merge = skeleton.by_merge;
-    if (pass.mobility) {
-        tell_leaving(next, skeleton, spec.passes_constriction, *pass.mobility);
+    // 2 to 5
+    if (now.at == At::Probe) {
+        probe_and_extract(now, spec, around, result);
+        watch.lap();
+        now.at = At::Settle;
     }
-    pass.wall_seconds["constrictions"] = watch.lap();
-
-    // 5 extraction
-    const std::vector<int> contacts = dem::coordination(next); // before grains that lodge leave theirs
-    const std::vector<std::uint32_t> leaving = let_through(next, contacts, skeleton, spec, around, result, pass);
-    std::vector<LedgerRow> ledger = extract(next, leaving, contacts, reason_of(spec, around.rule), result, pass);
-    pass.wall_seconds["extraction"] = watch.lap();
-
     // 6 new equilibrium
-    std::vector<PathRow> path = reequilibrate(next, spec.resettle, result, around, pass);
-    watch.lap();
+    if (now.at == At::Settle) {
+        reequilibrate(next, spec.resettle, result, around, pass, now.resettlement);
+        watch.lap();
+        now.at = At::Percolate;
+    }
     const Seeping after = seep(next, {}, spec.direction, spec.probe, around);
     pass.permeability_after = after.permeability;
     pass.flow_after = after.source;
@@ -312,9 +346,11 @@ bool erode_once(dem::World& world, const ErodeSpec& every, const Surroundings& a
 
     judge_end(next, spec, around.rule, result, pass);
     world = std::move(next);
-    result.ledger = std::move(ledger);
+    result.ledger = std::move(now.ledger);
+    const std::vector<PathRow>& path = now.resettlement.rows;
     result.path.insert(result.path.end(), path.begin(), path.end());
     result.passes.push_back(std::move(pass));
+    now = {};
     return !result.passes.back().verdict;
 }
 
@@ -326,12 +362,13 @@ double eroded_share(const dem::World& world, double initial_mass, ErodedTarget::
 
 std::vector<ProbeResult>
 probe_gradients(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around) {
-    dem::World relaxed_world = world;
-    dem::sort_along_curve(relaxed_world);
-    const dem::RelaxReport relaxed = relax_further(relaxed_world, spec.probe, around);
-    const double dt = dem::stable_time_step(relaxed_world);
-    const Seeping seeping = seep(relaxed_world, spec.gradients, spec.direction, spec.probe, around);
-    return probe(relaxed_world, seeping, dt, relaxed, spec.probe, spec.detached, around);
+    PassUnderWay relaxed;
+    relaxed.world = world;
+    dem::sort_along_curve(relaxed.world);
+    relax_further(relaxed, spec.probe, around);
+    const double dt = dem::stable_time_step(relaxed.world);
+    const Seeping seeping = seep(relaxed.world, spec.gradients, spec.direction, spec.probe, around);
+    return probe(relaxed.world, seeping, dt, relaxed.relaxation, spec.probe, spec.detached, around);
 }
 
 } // namespace suffuse::erosion

@@ -7,6 +7,7 @@
 #include "suffuse/dem/spec.hpp"
 #include "suffuse/dem/world.hpp"
 #include "suffuse/erosion/own_rule.hpp"
+#include "suffuse/erosion/pass_under_way.hpp"
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/erosion/spec.hpp"
 #include "suffuse/flow/fluid.hpp"
@@ -32,8 +33,11 @@ struct NoSkeleton : StateError {
 };
 
 /// One pass from an equilibrium; appends to `result` and returns whether the procedure should go on.
+/// @param now true at each beat; a pass that was stopped goes on from it, and when it is over it is that of the next
 /// @throws SolverError, GeometryError, NoSkeleton, StateError, UsageError; the world is then as before.
-bool erode_once(dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result);
+bool erode_once(
+    dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result, PassUnderWay& now
+);
 
 /// @throws UsageError where an erosion of this kind asks no rule.
 void check_own_rule(const ErodeSpec& spec, const OwnRule& rule);

@@ -15,8 +15,9 @@ TEST(ErosionLoop, OfFinesAloneIsRefusedForThereIsNoSkeleton) {
     std::fill(world.grains.fine.begin(), world.grains.fine.end(), std::uint8_t{1});
     const std::vector<Vec3> before = world.grains.position;
     ErosionResult result;
+    PassUnderWay now;
     try {
-        erode_once(world, {}, {}, result);
+        erode_once(world, {}, {}, result, now);
         FAIL() << "it was eroded";
     } catch (const StateError& error) {
         EXPECT_NE(std::string(error.what()).find("all grains are fines"), std::string::npos) << error.what();

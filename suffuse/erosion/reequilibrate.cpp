@@ -21,37 +21,6 @@ constexpr double adrift_below = 0.1;                // of the stress held
 constexpr std::int64_t bursts_a_row = 4;            // of the recorded path, beyond its dense beginning
 constexpr std::int64_t dense_bursts = 20;
 
-/// Appends rows to the path of one pass.
-class PathRecorder {
-public:
-    PathRecorder(const dem::World& start, const ErosionResult& so_far, const PassResult& pass)
-        : pass_(pass.pass), initial_mass_(so_far.initial_mass), start_h_(start.cell.h) {
-        if (!so_far.path.empty()) {
-            first_step_ = so_far.path.back().step;
-            first_strain_ = so_far.path.back().volumetric_strain;
-        }
-    }
-
-    void add(Phase phase, const dem::World& world, const Mat3& stress, double unbalanced_force, std::int64_t steps) {
-        const double strain = cell::volumetric_strain(start_h_, world.cell.h);
-        const double eroded = 1 - total_mass(world.grains) / initial_mass_;
-        rows_.push_back(
-            {pass_, phase, first_step_ + steps, stress, first_strain_ + strain, dem::porosity(world), unbalanced_force,
-             eroded}
-        );
-    }
-
-    std::vector<PathRow> take() { return std::move(rows_); }
-
-private:
-    int pass_;
-    double initial_mass_;
-    Mat3 start_h_;
-    std::int64_t first_step_ = 0;
-    double first_strain_ = 0;
-    std::vector<PathRow> rows_;
-};
-
 cell::Loading held_loading(const dem::World& world, const Mat3& stress_before) {
     cell::Loading loading;
     for (int a = 0; a < 3; ++a) {
@@ -69,49 +38,70 @@ bool rests(const dem::BalanceState& state, const dem::BalanceSpec& balance, doub
 /// A skeleton on its way to a new equilibrium.
 struct Resettling {
     dem::World& world;
+    const ErosionResult& before;
     const Surroundings& around;
-    PathRecorder recorder;
+    PassResult& pass;
+    Resettlement& so_far;
     dem::StepPlan plan;
     dem::StepCaches caches;
-    std::int64_t steps = 0;
 
-    void take_step(PassResult& pass);
+    void take_step();
 
     template <class IsOver>
-    dem::BalanceState run_phase(Phase phase, std::int64_t most_steps, const IsOver& is_over);
+    void run_phase(std::int64_t most_steps, const IsOver& is_over);
+
+    void add_row(const Mat3& stress, double unbalanced_force);
 };
 
-/// The first step without the grains that left: what the rest carries where it is.
-void Resettling::take_step(PassResult& pass) {
-    plan.dt = dem::stable_time_step(world);
-    pass.porosity_after_removal = dem::porosity(world);
-    pass.stress_after_removal = dem::step(world, caches, plan).stress;
-    steps = 1;
-    recorder.add(
-        Phase::Removal, world, pass.stress_after_removal, dem::measure_equilibrium(world).unbalanced_force, steps
+/// Appends the state to the path.
+void Resettling::add_row(const Mat3& stress, double unbalanced_force) {
+    const PathRow start = before.path.empty() ? PathRow{} : before.path.back();
+    const double strain = cell::volumetric_strain(so_far.start_h, world.cell.h);
+    const double eroded = 1 - total_mass(world.grains) / before.initial_mass;
+    so_far.rows.push_back(
+        {pass.pass, so_far.phase, start.step + so_far.steps, stress, start.volumetric_strain + strain,
+         dem::porosity(world), unbalanced_force, eroded}
     );
 }
 
+/// The first step without the grains that left: what the rest carries where it is.
+void Resettling::take_step() {
+    so_far.start_h = world.cell.h;
+    plan.dt = dem::stable_time_step(world);
+    pass.porosity_after_removal = dem::porosity(world);
+    pass.stress_after_removal = dem::step(world, caches, plan).stress;
+    so_far.steps = 1;
+    add_row(pass.stress_after_removal, dem::measure_equilibrium(world).unbalanced_force);
+}
+
+/// Goes on with the phase until it is over or has had its steps.
 template <class IsOver>
-dem::BalanceState Resettling::run_phase(Phase phase, std::int64_t most_steps, const IsOver& is_over) {
-    dem::BalanceState state;
-    dem::ComputedStep step; // a collapse makes contacts that it must know
-    for (std::int64_t burst = 1;; ++burst) {
-        dem::renew_time_step(step, state.steps, state.equilibrium.contacts, [&] {
+void Resettling::run_phase(std::int64_t most_steps, const IsOver& is_over) {
+    dem::BalanceState& state = so_far.balance;
+    for (;;) {
+        // a collapse makes contacts that the time step must know
+        dem::renew_time_step(so_far.computed, state.steps, state.equilibrium.contacts, [&] {
             return dem::stable_time_step(world);
         });
-        plan.dt = step.time_step;
+        plan.dt = so_far.computed.time_step;
         dem::settle_burst(world, caches, plan, around.balance, state);
-        steps += dem::burst_steps;
-        const bool over = is_over(state);
+        so_far.steps += dem::burst_steps;
+        const bool over = is_over();
+        const std::int64_t burst = state.steps / dem::burst_steps;
         if (over || burst <= dense_bursts || burst % bursts_a_row == 0) {
-            recorder.add(phase, world, state.stress, state.equilibrium.unbalanced_force, steps);
+            add_row(state.stress, state.equilibrium.unbalanced_force);
         }
         if (over || state.steps >= most_steps) {
-            return state;
+            return;
         }
-        beat(around.pulse, name_of(phase), state.steps);
+        beat(around.pulse, name_of(so_far.phase), state.steps);
     }
+}
+
+void begin(Phase phase, Resettlement& so_far) {
+    so_far.phase = phase;
+    so_far.balance = {};
+    so_far.computed = {};
 }
 
 /// Whether the skeleton came to rest, or failed.
@@ -127,22 +117,13 @@ void judge(
     }
 }
 
-/// How long a skeleton has carried next to nothing under the stresses that it should carry.
-class Drift {
-public:
-    explicit Drift(double held) : held_(held) {}
-
-    bool lasts_too_long(const dem::BalanceState& state) {
-        if (dem::mean_stress(state.stress) >= adrift_below * held_) {
-            last_carrying_ = state.steps;
-        }
-        return state.steps - last_carrying_ >= most_steps_adrift;
+/// Whether a skeleton has carried next to nothing for long under the stresses that it should carry.
+bool is_adrift(double held, Resettlement& so_far) {
+    if (dem::mean_stress(so_far.balance.stress) >= adrift_below * held) {
+        so_far.last_carrying = so_far.balance.steps;
     }
-
-private:
-    double held_;
-    std::int64_t last_carrying_ = 0;
-};
+    return so_far.balance.steps - so_far.last_carrying >= most_steps_adrift;
+}
 
 } // namespace
 
@@ -151,50 +132,49 @@ void describe_before(const dem::World& world, PassResult& pass) {
     pass.porosity_before = dem::porosity(world);
 }
 
-std::vector<PathRow> reequilibrate(
-    dem::World& world, const ResettleSpec& spec, const ErosionResult& so_far, const Surroundings& around,
-    PassResult& pass
+void reequilibrate(
+    dem::World& world, const ResettleSpec& spec, const ErosionResult& before, const Surroundings& around,
+    PassResult& pass, Resettlement& so_far
 ) {
-    const Mat3 start_h = world.cell.h;
-    const double before = dem::mean_stress(pass.stress_before);
-    Resettling resettling{world, around, PathRecorder(world, so_far, pass), {}, {}};
+    const double stress_before = dem::mean_stress(pass.stress_before);
+    const dem::BalanceState& state = so_far.balance;
+    Resettling resettling{world, before, around, pass, so_far, {}, {}};
     dem::StepPlan& plan = resettling.plan;
     plan.damping = around.damping;
     plan.mode = around.mode;
     plan.loading = dem::constant_volume();
-    resettling.take_step(pass);
-
+    if (so_far.phase == Phase::Removal) {
+        resettling.take_step();
+        begin(Phase::ConstantVolume, so_far);
+    }
     Stopwatch watch;
-    const dem::BalanceState still =
-        resettling.run_phase(Phase::ConstantVolume, most_steps_at_constant_volume, [&](const auto& state) {
-            return rests(state, around.balance, before);
+    if (so_far.phase == Phase::ConstantVolume) {
+        resettling.run_phase(most_steps_at_constant_volume, [&] {
+            return rests(state, around.balance, stress_before);
         });
-    pass.stress_constant_volume = still.stress;
-    pass.wall_seconds[std::string(name_of(Phase::ConstantVolume))] = watch.lap();
-
+        pass.stress_constant_volume = state.stress;
+        pass.wall_seconds[std::string(name_of(so_far.phase))] = watch.lap();
+        begin(Phase::Servo, so_far);
+    }
     plan.loading = held_loading(world, pass.stress_before);
     plan.loading.servo.max_rate = dem::rate_of_inertial_number(
-        spec.inertial_number, grains::median_diameter(world.grains), world.material.density, before
+        spec.inertial_number, grains::median_diameter(world.grains), world.material.density, stress_before
     );
-    Drift drift(before);
-    const dem::BalanceState settled =
-        resettling.run_phase(Phase::Servo, most_steps_under_stress, [&](const auto& state) {
-            pass.failed = cell::largest_strain(cell::axial_strains(start_h, world.cell.h)) > spec.max_strain;
-            return pass.failed || state.balanced_steps >= around.balance.patience || drift.lasts_too_long(state);
-        });
-    judge(settled, around.balance, before, spec.max_strain, pass);
-    pass.stress_after = settled.stress;
+    resettling.run_phase(most_steps_under_stress, [&] {
+        pass.failed = cell::largest_strain(cell::axial_strains(so_far.start_h, world.cell.h)) > spec.max_strain;
+        return pass.failed || state.balanced_steps >= around.balance.patience || is_adrift(stress_before, so_far);
+    });
+    judge(state, around.balance, stress_before, spec.max_strain, pass);
+    pass.stress_after = state.stress;
     pass.wall_seconds[std::string(name_of(Phase::Servo))] = watch.lap();
 
-    pass.steps = resettling.steps;
+    pass.steps = so_far.steps;
     pass.time_step = plan.dt;
     pass.porosity_after = dem::porosity(world);
     pass.void_ratio_after = dem::void_ratio(world);
     pass.fines_content_after = fines_content(world.grains);
-    std::vector<PathRow> path = resettling.recorder.take();
     pass.volumetric_strain =
-        path.back().volumetric_strain - (so_far.path.empty() ? 0 : so_far.path.back().volumetric_strain);
-    return path;
+        so_far.rows.back().volumetric_strain - (before.path.empty() ? 0 : before.path.back().volumetric_strain);
 }
 
 } // namespace suffuse::erosion

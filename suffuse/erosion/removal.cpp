@@ -60,29 +60,37 @@ RemovalResult begin_removal(const dem::World& world, const RemoveSpec& spec) {
     return {std::move(erosion), world.cell.h, spec.share * mass};
 }
 
-bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& around, RemovalResult& result) {
-    dem::World next = world;
-    dem::sort_along_curve(next);
-    PassResult pass;
-    pass.pass = static_cast<int>(result.erosion.passes.size()) + 1;
-    describe_before(next, pass);
-    const std::vector<std::uint32_t> leaving = choose_leaving(next, spec, result, pass.pass);
-    if (leaving.size() == next.grains.size()) {
-        throw NoSkeleton("all grains are fines and would be removed: nothing stays to carry the stresses");
+bool remove_once(
+    dem::World& world, const RemoveSpec& spec, const Surroundings& around, RemovalResult& result, PassUnderWay& now
+) {
+    using At = PassUnderWay::At;
+    dem::World& next = now.world;
+    PassResult& pass = now.pass;
+    if (now.at == At::Start) {
+        next = world;
+        dem::sort_along_curve(next);
+        pass.pass = static_cast<int>(result.erosion.passes.size()) + 1;
+        describe_before(next, pass);
+        const std::vector<std::uint32_t> leaving = choose_leaving(next, spec, result, pass.pass);
+        if (leaving.size() == next.grains.size()) {
+            throw NoSkeleton("all grains are fines and would be removed: nothing stays to carry the stresses");
+        }
+        now.ledger = extract(next, leaving, dem::coordination(next), reason_of(spec.grains), result.erosion, pass);
+        pass.detachable = pass.removed;
+        now.at = At::Settle;
     }
-    std::vector<LedgerRow> ledger =
-        extract(next, leaving, dem::coordination(next), reason_of(spec.grains), result.erosion, pass);
-    pass.detachable = pass.removed;
-    const std::vector<PathRow> path = reequilibrate(next, spec.resettle, result.erosion, around, pass);
+    reequilibrate(next, spec.resettle, result.erosion, around, pass, now.resettlement);
     const bool is_last = pass.pass >= spec.passes;
     if (!is_last && !pass.verdict && fines_to_remove(next, spec.grains).empty()) {
         pass.verdict = {NoneToRemove{pass.pass, spec.passes}};
     }
     const bool go_on = !is_last && !pass.verdict;
-    result.erosion.ledger = std::move(ledger);
+    result.erosion.ledger = std::move(now.ledger);
+    const std::vector<PathRow>& path = now.resettlement.rows;
     result.erosion.path.insert(result.erosion.path.end(), path.begin(), path.end());
     result.erosion.passes.push_back(std::move(pass));
     world = std::move(next);
+    now = {};
     return go_on;
 }
 

@@ -22,8 +22,11 @@ RemovalResult begin_removal(const dem::World& world, const RemoveSpec& spec);
 
 /// One pass from an equilibrium to the next: takes what is still to go by its end, from the grains that are of the
 /// class then. Appends to `result` and returns whether there is another pass.
+/// @param now true at each beat; a pass that was stopped goes on from it, and when it is over it is that of the next
 /// @throws NoSkeleton where no grain stays; the world is then as before, as it is when the pulse interrupts.
-bool remove_once(dem::World& world, const RemoveSpec& spec, const Surroundings& around, RemovalResult& result);
+bool remove_once(
+    dem::World& world, const RemoveSpec& spec, const Surroundings& around, RemovalResult& result, PassUnderWay& now
+);
 
 /// Mass removed so far over the mass at the beginning [-].
 double removed_share(const dem::World& world, const RemovalResult& result);

@@ -20,7 +20,8 @@ constexpr double edge = 2 * r - overlap;
 /// All passes.
 RemovalResult remove_fines(dem::World& world, const RemoveSpec& spec = {}) {
     RemovalResult result = begin_removal(world, spec);
-    while (remove_once(world, spec, {}, result)) {
+    PassUnderWay now;
+    while (remove_once(world, spec, {}, result, now)) {
     }
     return result;
 }

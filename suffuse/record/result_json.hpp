@@ -3,6 +3,7 @@
 // all their bits. A field is written once, here; its meaning and unit stand at its declaration.
 
 #include "suffuse/dem/settle.hpp"
+#include "suffuse/erosion/pass_under_way.hpp"
 #include "suffuse/erosion/removal.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/record/ending_words.hpp"
@@ -49,6 +50,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // states of earlier runs lack 
     Lent, mass, rotation, gently, fines_rotation
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BalanceState, steps, balanced_steps, equilibrium, stress)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Relaxation, unbalanced_force, steps, reached_floor, best, since_best)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ComputedStep, time_step, known_contacts)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dissipation, slip, rolling, damping)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyParts, work, springs, motion, slip, rolling, damping)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyBalance, parts, springs_before, motion_before, rate, h, stress, time)
@@ -211,6 +214,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack 
     throat_flux_after, steps, time_step, wall_seconds, failed, reached_target, verdict
 )
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Resettlement, phase, steps, balance, computed, last_carrying, start_h, rows)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE( // but for its world
+    PassUnderWay, at, pass, relaxation, relaxation_step, ledger, resettlement
+)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemovalResult, erosion, start_h, asked_mass)
 } // namespace erosion
 

@@ -19,6 +19,7 @@
 #include "suffuse/run/take_pass.hpp"
 #include "suffuse/run/water_notes.hpp"
 #include "suffuse/run/water_numbers.hpp"
+#include "suffuse/run/within_pass.hpp"
 
 #include <fmt/format.h>
 
@@ -132,6 +133,7 @@ void write_constrictions(const std::filesystem::path& folder, const erosion::Ero
 
 void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     erosion::ErosionResult& result = work.findings.erosion.emplace();
+    erosion::PassUnderWay now;
     bool goes_on = true;
     if (work.resumed.is_null()) {
         result = erosion::begin_erosion(work.world);
@@ -139,19 +141,26 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         require_same_rule(work);
         result = work.resumed.at("result").get<erosion::ErosionResult>();
         goes_on = work.resumed.at("goes_on");
+        now = pass_under_way(work);
     }
+    const auto save = [&] {
+        json state{{"result", result}, {"goes_on", goes_on}, {"own_rule", rule_of(work)}};
+        save_within_pass(work, now, std::move(state));
+    };
+    work.control.save_with(save);
     const auto passes_done = [&] { return static_cast<int>(result.passes.size()); };
     while (goes_on && (spec.until_nothing_leaves || passes_done() < spec.passes)) {
-        if (passes_done() > 0) { // the state between two passes; that after the last is the stage's own
+        // the state between two passes; that after the last is the stage's own
+        if (passes_done() > 0 && now.at == erosion::PassUnderWay::At::Start) {
             io::save_world(
                 record::pass_file(work.folder, passes_done()), work.world, {},
                 {{"case_hash", record::case_hash(work.what)},
                  {"stage", fmt::format("{}, pass {}", work.place(), passes_done())}}
             );
         }
-        goes_on = take_pass([&] { return erosion::erode_once(work.world, spec, work.surroundings(), result); });
+        goes_on = take_pass([&] { return erosion::erode_once(work.world, spec, work.surroundings(), result, now); });
         work.history.record(work.world, true);
-        work.save_partial({{"result", result}, {"goes_on", goes_on}, {"own_rule", rule_of(work)}});
+        save();
     }
     json passes = json::array();
     std::int64_t steps = 0; // of the relaxation, of probe and twin, and of the new equilibrium

@@ -8,6 +8,7 @@
 #include "suffuse/run/pass_record.hpp"
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/run/take_pass.hpp"
+#include "suffuse/run/within_pass.hpp"
 
 #include <fmt/format.h>
 
@@ -80,18 +81,22 @@ json removal_numbers(const dem::World& end, const erosion::RemovalResult& remova
 void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
     const erosion::Surroundings around = work.surroundings();
     erosion::RemovalResult removal;
+    erosion::PassUnderWay now;
     bool goes_on = true;
     if (work.resumed.is_null()) {
         removal = erosion::begin_removal(work.world, spec);
     } else {
         removal = work.resumed.at("removal").get<erosion::RemovalResult>();
+        now = pass_under_way(work);
     }
+    const auto save = [&] { save_within_pass(work, now, {{"removal", removal}}); };
+    work.control.save_with(save);
     while (goes_on) {
-        goes_on = take_pass([&] { return erosion::remove_once(work.world, spec, around, removal); });
+        goes_on = take_pass([&] { return erosion::remove_once(work.world, spec, around, removal, now); });
         work.history.record(work.world, true);
         work.count_steps(removal.erosion.passes.back().steps);
         if (goes_on) {
-            work.save_partial({{"removal", removal}});
+            save();
         }
     }
     work.time_step = removal.erosion.passes.back().time_step;

@@ -8,12 +8,12 @@
 
 namespace suffuse::run {
 
-void StageWork::save_partial(const nlohmann::json& state) const {
+void StageWork::save_partial(const nlohmann::json& state, const dem::World& of) const {
     const nlohmann::json all{
-        {"state", state},       {"history", history.to_json()},           {"grain_steps", grain_steps},
-        {"seconds", seconds()}, {"world", record::describe_state(world)}, {"commit", commit()}};
+        {"state", state},       {"history", history.to_json()},        {"grain_steps", grain_steps},
+        {"seconds", seconds()}, {"world", record::describe_state(of)}, {"commit", commit()}};
     // CBOR, as text has no word for numbers that are infinite, or none
-    io::save_world(folder / record::partial_file, world, {}, {}, nlohmann::json::to_cbor(all));
+    io::save_world(folder / record::partial_file, of, {}, {}, nlohmann::json::to_cbor(all));
 }
 
 erosion::Surroundings StageWork::surroundings() const {

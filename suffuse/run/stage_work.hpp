@@ -54,8 +54,12 @@ struct StageWork {
     /// Wall time of the stage, over all its parts [s].
     [[nodiscard]] double seconds() const { return earlier_seconds + control.stage_seconds(); }
 
-    /// Saves the half-done stage with the verb's own `state`; the verb finds it again in `resumed`.
-    void save_partial(const nlohmann::json& state) const;
+    /// Saves the half-done stage with the verb's own `state`, and a world; the verb finds them again in `resumed` and
+    /// `world`.
+    void save_partial(const nlohmann::json& state, const dem::World& of) const;
+
+    void save_partial(const nlohmann::json& state) const { save_partial(state, world); }
+
     nlohmann::json resumed;      ///< null: from the start
     bool has_two_makers = false; ///< another version of the program began it: no result of this one alone
     const erosion::OwnRule* own_rule = nullptr; ///< that decides what detaches, in place of the case's

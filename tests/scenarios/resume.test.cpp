@@ -11,6 +11,7 @@
 #include "tests/support/run_text.hpp"
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace suffuse::test {
@@ -92,6 +93,67 @@ TEST(Resume, AfterStopsInTheMiddleOfStagesTheBitsAreTheSame) {
         stage_of(broken.path(), "erosion").at("passes").at(0).at("permeability_after"),
         stage_of(straight.path(), "erosion").at("passes").at(0).at("permeability_after")
     );
+}
+
+const std::string passes_of_short_probes = R"(
+[[study.s.stage]]
+name     = "erosion"
+do       = "erode"
+passes   = 2
+gradient = 0.05
+ramp     = 50
+watch    = 50
+probe_unbalanced_force = 1e-10
+[[study.s.stage]]
+name   = "emptied"
+do     = "remove"
+grains = "fines"
+share  = "30 %"
+passes = 2
+)";
+
+TEST(Resume, WithinAPassGoesOnFromTheLastBurst) {
+    const TempFolder straight, broken;
+    const std::string text = sample_of(600) + passes_of_short_probes;
+    run_text(text, straight.path());
+    std::map<std::string, int> stops;
+    for (bool is_over = false; !is_over;) {
+        std::atomic<bool> stop{false};
+        std::string stopped_in;
+        run::RunOptions options;
+        options.stop = &stop;
+        options.progress_interval = 0;
+        int beats = 0;
+        options.on_progress = [&](const run::Progress& progress) {
+            const bool is_removal = progress.stage == "emptied"; // it takes some 30,000 steps a pass
+            beats += progress.stage == "erosion" || is_removal ? 1 : 0;
+            if (beats >= (is_removal ? 100 : 6) && !stop) { // less than a pass, and more than a probe
+                stop = true;
+                stopped_in = progress.stage + ", " + progress.part;
+            }
+        };
+        is_over = run_text(text, broken.path(), options).outcome != record::Outcome::Stopped;
+        ++stops[stopped_in];
+        ASSERT_LT(stops[stopped_in], 100) << stopped_in;
+    }
+    for (const char* part : {"erosion, relax", "erosion, servo", "emptied, servo"}) {
+        EXPECT_GE(stops[part], 2) << part;
+    }
+    for (const char* stage : {"erosion", "emptied"}) {
+        EXPECT_EQ(hash_of(broken, stage), hash_of(straight, stage)) << stage;
+        const auto passes = [&](const TempFolder& folder) {
+            nlohmann::json all = stage_of(folder.path(), stage).at("passes");
+            for (nlohmann::json& pass : all) {
+                pass.erase("wall_seconds");
+            }
+            return all;
+        };
+        EXPECT_EQ(passes(broken), passes(straight));
+    }
+    const auto path = [](const TempFolder& folder) {
+        return record::read_cbor(folder / "run/studies/s/erosion/results.cbor").at("erosion").at("path");
+    };
+    EXPECT_EQ(path(broken), path(straight));
 }
 
 /// Fines so small that most float: without water the median one of them does not move at all.
