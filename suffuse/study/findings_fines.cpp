@@ -15,8 +15,8 @@
 namespace suffuse::study {
 namespace {
 
-std::string percent(double share, int digits = 3) {
-    return short_number(100 * share, digits);
+std::string percent(double share) {
+    return short_number(100 * share, 3);
 }
 
 /// "12.3 ± 0.4 %"; the scatter only where there are seeds that have one.
@@ -24,8 +24,7 @@ std::string percent_of(const Scatter& scatter) {
     if (scatter.seeds == 0) {
         return "not found";
     }
-    return scatter.seeds > 1 ? fmt::format("{} ± {} %", percent(scatter.mean), percent(scatter.standard_deviation, 2))
-                             : percent(scatter.mean) + " %";
+    return with_scatter(scatter, 100, 3) + " %";
 }
 
 Scatter scatter_at(const ContentCurve& curve, double content) {

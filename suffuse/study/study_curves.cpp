@@ -32,9 +32,12 @@ std::string with_scatter(const Scatter& value, double factor, int digits) {
     if (value.seeds == 0) {
         return "–";
     }
-    const std::string mean = short_number(factor * value.mean, digits);
-    const bool is_spread = value.seeds > 1 && value.standard_deviation > 1e-3 * std::abs(value.mean);
-    return is_spread ? mean + " ± " + short_number(factor * value.standard_deviation, 2) : mean;
+    const double mean = factor * value.mean, deviation = factor * value.standard_deviation;
+    if (value.seeds < 2 || deviation <= 1e-3 * std::abs(mean)) {
+        return short_number(mean, digits);
+    }
+    const double known_to = std::pow(10, std::floor(std::log10(deviation)) - 1);
+    return short_number(known_to * std::round(mean / known_to), digits) + " ± " + short_number(deviation, 2);
 }
 
 std::string seeds_that_have(const Scatter& scatter) {

@@ -21,6 +21,8 @@ TEST(StudyCurves, AScatterIsToldWhereThereIsOne) {
     EXPECT_EQ(with_scatter(scatter_of({1, 2, 6})), "3 ± 2.6");
     EXPECT_EQ(with_scatter(scatter_of({0.1, 0.3}), 100, 2), "20 ± 14");
     EXPECT_EQ(with_scatter(scatter_of({-1, 1})), "0 ± 1.4");
+    EXPECT_EQ(with_scatter(scatter_of({1.397, -1.603})), "−0.1 ± 2.1");
+    EXPECT_EQ(with_scatter(scatter_of({0, 0})), "0");
     EXPECT_EQ(with_scatter(scatter_of({10, 10.001})), "10") << "below a thousandth";
     EXPECT_EQ(with_scatter(scatter_of({5, std::nan("")})), "5") << "of one seed there is none";
     EXPECT_EQ(with_scatter({}), "–");
