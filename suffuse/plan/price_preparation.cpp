@@ -72,6 +72,7 @@ public:
                 end, rate
             ),
             .kind = kind() + (asks ? ", searched" : ""),
+            .only_pushes = only_pushes(),
             .more_work = searches};
     }
 
@@ -88,6 +89,8 @@ private:
                spec_.prepare.adhesion_shear.value_or(variant_.material.adhesion_shear) > 0;
     }
 
+    [[nodiscard]] bool only_pushes() const { return !adheres() && !(friction() > 0); }
+
     [[nodiscard]] bool leaves_out_gas() const { return spec_.protocol != packing::Protocol::Slow && !adheres(); }
 
     /// On most of the way.
@@ -101,7 +104,7 @@ private:
     /// of its solid in median grains, to which smaller ones are slowed; 250 to 43,000 of them were seen [-].
     [[nodiscard]] double creep() const {
         constexpr double priced_for = 2'000; // median grains
-        const bool creeps = !adheres() && !(friction() > 0);
+        const bool creeps = only_pushes();
         const double solid = (sample_.coarse.mass + sample_.fines.mass) / case_.material.density;
         return creeps ? std::sqrt(solid / sphere_volume(0.5 * sample_.median) / priced_for) : 1;
     }

@@ -341,7 +341,7 @@ StagePrice price_stage(
     if (std::ranges::count(stage.measure, "permeability") > 0) {
         price.seconds += 2 * count(sample) * flow_seconds;
     }
-    price.work = (erodes ? before : work_of_step(sample)) + price.more_work;
+    price.work = (erodes ? before : work_of_step(sample, price.only_pushes)) + price.more_work;
     return price;
 }
 

@@ -21,6 +21,7 @@ struct StagePrice {
     double memory_a_grain = 0;  ///< [B]
     std::string basis;          ///< where the steps come from, in words
     std::string kind = {};      ///< of the verb, where its kinds cost differently
+    bool only_pushes = false;   ///< contacts have no friction
     Range more_work = {};       ///< of a step, beyond that of the sample at the stage's end
     Range work = {}; ///< of a step, in grains of the packing that measure_speed steps; filled in by price_stage
 };

@@ -21,6 +21,7 @@ constexpr double stiffness_exponent = 0.57;
 
 // Work of a step: a grain's own, and that of its contacts, in grains of the lattice of measure_speed [-].
 constexpr double work_of_grain = 0.3, work_of_contact = 0.25;
+constexpr double work_of_pushing = 0.14; // of a contact without friction: 6.8 ns for 11.9 (docs/performance.md)
 
 constexpr double critical_coordination = 3.5, critical_rattlers = 0.33;
 constexpr double collapsed_solid_fraction = 0.53; // of equal grains whose skeleton fell in under load
@@ -191,11 +192,12 @@ double settled_time_step(const PricedSample& sample, const grains::Material& mat
     return share * std::pow(stiffer, -stiffness_exponent) * dem::default_step_safety * 2 / alike;
 }
 
-Range work_of_step(const PricedSample& sample) {
+Range work_of_step(const PricedSample& sample, bool only_pushes) {
+    const double of_contact = only_pushes ? work_of_pushing : work_of_contact;
     const auto work = [&](double left) {
         const double fines = sample.fines.grains, carrying = std::min(left, sample.fines.carrying) * fines;
         return work_of_grain * (sample.coarse.grains + left * fines) +
-               work_of_contact * sample.coordination * (sample.coarse.carrying * sample.coarse.grains + carrying);
+               of_contact * sample.coordination * (sample.coarse.carrying * sample.coarse.grains + carrying);
     };
     return {work(sample.fines_left.least), work(sample.fines_left.most)};
 }

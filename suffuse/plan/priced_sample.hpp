@@ -64,7 +64,7 @@ double settled_time_step(const PricedSample& sample, const grains::Material& mat
 /// The same of a cloud whose grains just touch [s].
 double loose_time_step(const PricedSample& sample, const grains::Material& material);
 
-/// Work of a step, in grains of the packing that measure_speed steps.
-Range work_of_step(const PricedSample& sample);
+/// Work of a step, in grains of the packing that measure_speed steps. @param only_pushes contacts have no friction
+Range work_of_step(const PricedSample& sample, bool only_pushes = false);
 
 } // namespace suffuse::plan

@@ -80,6 +80,14 @@ TEST(PricedSample, WithoutItsFinesTheCoarsePartIsLeft) {
     EXPECT_DOUBLE_EQ(sample.median, 7e-4);
 }
 
+TEST(PricedSample, ContactsThatOnlyPushAreLessWork) {
+    PricedSample sample = two_sizes(100, 3.5e-4, 0, 1e-4);
+    take_state(sample, packing::equal_grains(0, true));
+    const double work = work_of_step(sample).most, pushing = work_of_step(sample, true).most;
+    EXPECT_GT(pushing, 0.56 * work) << "the grains' own work is as before";
+    EXPECT_LT(pushing, 0.75 * work);
+}
+
 TEST(PricedSample, AnErosionLeavesLessWork) {
     PricedSample sample = two_sizes(100, 3.5e-4, 1000, 1e-4);
     take_state(sample, packing::equal_grains(0, false));

@@ -21,7 +21,7 @@ struct Scatter {
 Scatter scatter_of(std::vector<double> of_seed);
 
 /// "12.3 ± 1.4": the mean, and the standard deviation of several seeds unless it is below a thousandth of the mean. The
-/// mean is told no finer than the second digit of the deviation. "–" where no seed has the number.
+/// mean ends where the deviation does. "–" where no seed has the number.
 std::string with_scatter(const Scatter& value, double factor = 1, int digits = 3);
 
 /// ", in 1 of 3 seeds" where some have none; nothing where all have it.
