@@ -241,6 +241,9 @@ test("a slow renderer is given at most its share: all coarse grains, an even par
   const lower = drawn.filter((row) => isFine[row] && row < 25_000).length;
   assert.ok(Math.abs(lower - 12_500) < 20, `${lower} of the fines from the first half`);
   assert.equal(thinned(rows, isFine, 60_000), rows);
+  const mostlyCoarse = thinned(rows, rows.map((row) => (row % 5 === 0 ? 1 : 0)), softwareLimit);
+  assert.equal(mostlyCoarse.filter((row) => row % 5 === 0).length, 10_000, "fines keep a third of the room");
+  assert.equal(mostlyCoarse.length, softwareLimit);
   assert.ok(isSoftware("ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device), SwiftShader driver)") && isSoftware("llvmpipe (LLVM 15)"));
   assert.ok(!isSoftware("NVIDIA GeForce RTX 3060/PCIe/SSE2"));
 });

@@ -130,9 +130,10 @@ void limit_size(Scene& scene) {
         if (state.contacts.size() <= most_contacts) {
             continue;
         }
-        const double mean = report::count_scene(scene, state).mean_force;
-        std::erase_if(state.contacts, [&](const report::SceneContact& c) { return c.normal_force <= mean; });
-        scene.remark += fmt::format(" {}: only contacts above the mean force.", as_sentence(state.label));
+        report::leave_out_weak_contacts(scene, state);
+        scene.remark += fmt::format(
+            " {}: the view has only the contacts above the mean force, the table counts all.", as_sentence(state.label)
+        );
     }
 }
 

@@ -69,6 +69,9 @@ json contact_columns(const SceneState& state) {
 } // namespace
 
 SceneCount count_scene(const Scene& scene, const SceneState& state) {
+    if (state.whole) {
+        return *state.whole;
+    }
     SceneCount count;
     for (std::size_t g = 0; g < scene.id.size(); ++g) {
         if (is_present(scene, state, g)) {
@@ -86,6 +89,13 @@ SceneCount count_scene(const Scene& scene, const SceneState& state) {
         return contact.normal_force > count.mean_force;
     });
     return count;
+}
+
+void leave_out_weak_contacts(const Scene& scene, SceneState& state) {
+    state.whole = count_scene(scene, state);
+    std::erase_if(state.contacts, [&](const SceneContact& contact) {
+        return contact.normal_force <= state.whole->mean_force;
+    });
 }
 
 json scene_json(const Scene& scene) {

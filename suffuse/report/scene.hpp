@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ struct SceneContact {
     std::uint32_t i = 0, j = 0;
     std::array<int, 3> period{};
     double normal_force = 0; ///< compression positive [N]
+};
+
+/// Numbers of one state for the table below the view.
+struct SceneCount {
+    std::int64_t grains = 0, fines = 0, rattlers = 0; ///< rattlers: fewer than two contacts
+    std::int64_t contacts = 0, strong = 0;            ///< strong: normal force above the mean
+    double mean_force = 0, largest_force = 0;         ///< normal force over the contacts [N]
 };
 
 /// One state. Columns have a row for each grain of the scene; rows of grains that are gone mean nothing.
@@ -33,6 +41,7 @@ struct SceneState {
     std::vector<double> mobile_gradient;    ///< that moves it against its weight; not a number where none does, empty
                                             ///< where nobody asked [-]
     std::vector<SceneContact> contacts;
+    std::optional<SceneCount> whole; ///< with the contacts that were left out; nothing where none was
 };
 
 struct Scene {
@@ -51,14 +60,10 @@ inline bool is_present(const Scene& scene, const SceneState& state, std::size_t 
     return scene.left_in[g] == 0 || scene.left_in[g] > state.passes;
 }
 
-/// Numbers of one state for the table below the view.
-struct SceneCount {
-    std::int64_t grains = 0, fines = 0, rattlers = 0; ///< rattlers: fewer than two contacts
-    std::int64_t contacts = 0, strong = 0;            ///< strong: normal force above the mean
-    double mean_force = 0, largest_force = 0;         ///< normal force over the contacts [N]
-};
-
 SceneCount count_scene(const Scene& scene, const SceneState& state);
+
+/// Leaves the contacts out that bear no more than the mean normal force; what count_scene tells is still of all.
+void leave_out_weak_contacts(const Scene& scene, SceneState& state);
 
 /// For the page's script. Numeric columns are base64 of little-endian arrays, named with their type ("u16", "f32",
 /// ...): positions as fractions of the cell vectors in 1/65535; forces, speeds, radii single precision.

@@ -65,6 +65,19 @@ TEST(Scene, LaterStatesCountOnlyTheGrainsThatStayed) {
     EXPECT_GE(before.largest_force, before.mean_force);
 }
 
+TEST(Scene, ContactsThatAreLeftOutStillCount) {
+    Scene scene = test::sample_scene();
+    SceneState& state = scene.states[0];
+    const SceneCount all = count_scene(scene, state);
+    leave_out_weak_contacts(scene, state);
+    EXPECT_EQ(std::ssize(state.contacts), all.strong);
+    const SceneCount told = count_scene(scene, state);
+    EXPECT_EQ(told.contacts, all.contacts);
+    EXPECT_EQ(told.mean_force, all.mean_force);
+    EXPECT_EQ(told.strong, all.strong);
+    EXPECT_EQ(told.rattlers, all.rattlers);
+}
+
 /// Indices of a square PNG of one byte a pixel, row by row, each row behind the byte of its filter; checks every chunk.
 std::vector<std::uint8_t> unpacked(const std::string& png, std::size_t pixels, std::string& chunks) {
     std::vector<std::uint8_t> rows(pixels * (pixels + 1));

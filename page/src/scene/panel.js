@@ -150,7 +150,8 @@ export function addPanel(view, place, stage, run) {
     showLegend(legend, view.legend);
     const words = [];
     if (view.leftOut > 0) {
-      words.push(`Drawn by software: ${view.rows.length.toLocaleString("en")} of ${(view.rows.length + view.leftOut).toLocaleString("en")} grains are shown, an even share of the fines left out.`);
+      const what = view.leavesOutCoarse ? "even shares of the coarse grains and of the fines" : "an even share of the fines";
+      words.push(`Drawn by software: ${view.rows.length.toLocaleString("en")} of ${(view.rows.length + view.leftOut).toLocaleString("en")} grains are shown, ${what} left out.`);
     }
     if (view.choice.chains) {
       words.push(`${view.chainsShown.toLocaleString("en")} of ${view.state.force.length.toLocaleString("en")} contacts shown; thickness and ink grow with the normal force up to ${strongest} times its mean.`);

@@ -1,4 +1,5 @@
-// Which grains a slow renderer is given: all of the coarse ones as long as there is room, and an even share of the fines.
+// Which grains a slow renderer is given: all of the coarse ones while they leave a third of the room to the fines, and an
+// even share of the others.
 
 export const softwareLimit = 30_000;
 
@@ -14,7 +15,8 @@ function spread(rows, most) {
 /** Rows to draw of `rows`, at most `limit`. */
 export function thinned(rows, isFine, limit) {
   if (rows.length <= limit) return rows;
-  const coarse = spread(rows.filter((row) => !isFine[row]), limit);
-  const fines = spread(rows.filter((row) => isFine[row]), limit - coarse.length);
+  const allFines = rows.filter((row) => isFine[row]);
+  const coarse = spread(rows.filter((row) => !isFine[row]), limit - Math.min(allFines.length, Math.floor(limit / 3)));
+  const fines = spread(allFines, limit - coarse.length);
   return [...coarse, ...fines].sort((a, b) => a - b);
 }

@@ -127,6 +127,8 @@ export class SceneView {
     const shown = this.rowsShown();
     this.rows = thinned(shown, scene.fine, this.limit);
     this.leftOut = shown.length - this.rows.length;
+    const coarseOf = (some) => some.reduce((sum, row) => sum + !scene.fine[row], 0);
+    this.leavesOutCoarse = coarseOf(this.rows) < coarseOf(shown);
     const mode = this.modes[choice.mode];
     this.legend = mode.legend(state, shown);
     this.spheres.set(this.rows, state, scene.radius, (row) => mode.color(state, row), choice.chosen);
