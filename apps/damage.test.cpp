@@ -5,6 +5,7 @@
 #include "suffuse/record/sums.hpp"
 
 #include "tests/support/program.hpp"
+#include <fstream>
 #include <map>
 #include <random>
 #include <regex>
@@ -249,6 +250,13 @@ TEST_F(Damaged, ARunThatNeedsNothingIsLeftAlone) {
     expect_in("done before; written again   here/report.html", say({"resume", "here"}).out);
     EXPECT_TRUE(fs::exists(folder / "here/report.html"));
     EXPECT_EQ(say({"verify", "here"}).code, 0);
+}
+
+TEST_F(Damaged, WhatAKilledProgramLeftOfAnEndedRunGoesWithTheNextCall) {
+    const auto before = files_of("here");
+    std::ofstream(folder / "here/plan.json.partial-12-3") << "{";
+    EXPECT_EQ(say({"resume", "here"}).code, 0);
+    EXPECT_EQ(files_of("here"), before);
 }
 
 TEST_F(Damaged, EveryCallOfARunStandsInItsProvenance) {

@@ -97,11 +97,10 @@ std::vector<std::string> partials_of(const std::filesystem::path& folder, std::s
     return names;
 }
 
-/// Removes what dead programs left beside the file: nobody holds it. A program's number would tell less, for several
-/// machines may write into one folder.
-void remove_leftovers(const std::filesystem::path& path) {
-    const std::filesystem::path folder = folder_of(path);
-    for (const std::string& name : partials_of(folder, path.filename().string() + std::string(partial_suffix))) {
+/// Removes what dead programs left of files whose names begin so: nobody holds it. A program's number would tell less,
+/// for several machines may write into one folder.
+void remove_leftovers(const std::filesystem::path& folder, std::string_view start) {
+    for (const std::string& name : partials_of(folder, start)) {
         const std::filesystem::path partial = folder / name;
         const int descriptor = ::open(partial.c_str(), O_RDWR | O_CLOEXEC);
         if (descriptor < 0) {
@@ -115,6 +114,10 @@ void remove_leftovers(const std::filesystem::path& path) {
 }
 
 } // namespace
+
+void remove_leftovers(const std::filesystem::path& folder) {
+    remove_leftovers(folder, "");
+}
 
 bool is_partial(std::string_view name) {
     const std::size_t at = name.rfind(partial_suffix);
@@ -133,7 +136,7 @@ AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
         }
         return;
     }
-    remove_leftovers(path_);
+    remove_leftovers(folder_of(path_), path_.filename().string() + std::string(partial_suffix));
     do {
         partial_ = next_partial(path_);
         descriptor_ = open_held(partial_);

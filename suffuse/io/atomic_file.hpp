@@ -40,6 +40,9 @@ private:
 /// Whether a file of this name is one that is being written, or was when its program was killed.
 bool is_partial(std::string_view name);
 
+/// Removes the files that killed programs left half-written in a folder; those that others are writing stay.
+void remove_leftovers(const std::filesystem::path& folder);
+
 /// Brings a file that was written by other means to the disk. Throws IoError.
 void sync_file(const std::filesystem::path& path);
 

@@ -6,6 +6,7 @@
 
 #include "tests/support/temp_folder.hpp"
 #include <csignal>
+#include <fstream>
 #include <sched.h>
 #include <string>
 #include <sys/mount.h>
@@ -101,6 +102,18 @@ TEST(AtomicFile, WhatAKilledProgramLeftGoesWithTheNextWriting) {
     write_file(folder / "a.txt", "whole");
     EXPECT_EQ(folder.entries(), 2);
     EXPECT_EQ(read_all(folder / "a.txt"), "whole");
+}
+
+TEST(AtomicFile, WhatAKilledProgramLeftGoesWithoutAWritingToo) {
+    const TempFolder folder;
+    std::ofstream(folder / "plan.json.partial-1-2") << "{";
+    std::ofstream(folder / "plan.json") << "{}";
+    AtomicFile another(folder / "summary.json");
+    ASSERT_EQ(folder.entries(), 3);
+    remove_leftovers(folder.path());
+    EXPECT_EQ(folder.entries(), 2) << "the whole file and that which is being written stay";
+    another.commit();
+    EXPECT_TRUE(std::filesystem::exists(folder / "plan.json") && std::filesystem::exists(folder / "summary.json"));
 }
 
 TEST(AtomicFile, NamesOfFilesThatAreWholeAreNotTakenForHalfWrittenOnes) {

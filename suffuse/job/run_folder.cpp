@@ -169,6 +169,7 @@ FolderLock::FolderLock(const fs::path& folder, const std::function<void(const st
             std::strerror(refused)
         ));
     }
+    io::remove_leftovers(folder); // where the run has ended nothing else would
 }
 
 FolderLock::~FolderLock() {
