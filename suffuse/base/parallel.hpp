@@ -3,6 +3,8 @@
 // partial sums are combined in block order. The pool spins briefly before it sleeps, so that a step of 100 microseconds
 // pays no wake-up, and a machine shared with other programs is not blocked by idle spinning.
 
+#include "suffuse/base/large_pages.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -57,12 +59,14 @@ void parallel_for(std::size_t rows, std::size_t block, Body&& body) {
     parallel_for(rows, block, Help::AtOnce, std::forward<Body>(body));
 }
 
-/// Gives every column `rows` rows, each on one of the threads: the first touch of fresh memory takes longer than much
-/// of what is then written there.
+/// Gives every column `rows` rows, each on one of the threads, in large pages: the first touch of fresh memory takes
+/// longer than much of what is then written there.
 template <class... Columns>
 void resize_columns(std::size_t rows, Columns&... columns) {
-    const std::array<std::function<void()>, sizeof...(columns)> resize = {
-        [&columns, rows] { columns.resize(rows); }...};
+    const std::array<std::function<void()>, sizeof...(columns)> resize = {[&columns, rows] {
+        reserve_in_large_pages(columns, rows);
+        columns.resize(rows);
+    }...};
     parallel_for(resize.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             resize[k]();

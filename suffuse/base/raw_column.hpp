@@ -1,6 +1,9 @@
 #pragma once
 // Columns whose fresh rows are left unset: the parallel loop that fills one is the first to touch its memory. Touched
-// by one thread, fresh memory takes it longer than much of what all of them then write there.
+// by one thread, fresh memory takes it longer than much of what all of them then write there. Long ones lie in large
+// pages where the system has them: rows are read in whatever order neighbors come.
+
+#include "suffuse/base/large_pages.hpp"
 
 #include <memory>
 #include <type_traits>
@@ -22,6 +25,12 @@ struct LeaveUnset : std::allocator<T> {
     struct rebind {
         using other = LeaveUnset<U>;
     };
+
+    T* allocate(std::size_t rows) {
+        T* const begin = std::allocator<T>::allocate(rows);
+        advise_large_pages(begin, rows * sizeof(T));
+        return begin;
+    }
 
     template <class U>
     void construct(U*) noexcept {} // a row that is given no value

@@ -57,12 +57,15 @@ bool has_stage(const Variant& variant, Is is) {
     return std::ranges::any_of(variant.stages, [&](const Stage& stage) { return is(traits_of(stage)); });
 }
 
-/// Of one variant, told where the case asks for so many grains.
+/// Of one variant, told where the case asks for so many grains, or for such fines.
 class SampleChecks {
 public:
     SampleChecks(ReadContext& context, const Study& study, const Variant& variant)
         : problems_(context.problems),
           place_(context.places["study." + study.name + (study.sample_size ? ".sample_size" : ".particles")]),
+          split_place_(
+              context.places["soil." + study.soil + (variant.soil->finer_than ? ".fines.finer_than" : ".fines")]
+          ),
           variant_(variant) {}
 
     /// @param ratio width of the cell / largest grain [-]
@@ -87,12 +90,15 @@ public:
         if (!whole_grading(*variant_.soil) || variant_.particles < 1 || variant_.particles > quickly_drawn) {
             return;
         }
+        Place place = split_place_; // of what cannot be had
         try {
+            grains::expect_both_parts(*variant_.soil);
+            place = place_;
             const auto sample = grains::sample_soil(*variant_.soil, static_cast<int>(variant_.particles));
             check_counts(sample);
             check_skeleton(sample);
         } catch (const CaseError& problem) {
-            problems_.error("E606", place_, problem.what(), "suffuse explain E606");
+            problems_.error("E606", place, problem.what(), "suffuse explain E606");
         }
     }
 
@@ -150,7 +156,7 @@ private:
     }
 
     Problems& problems_;
-    Place place_;
+    Place place_, split_place_;
     const Variant& variant_;
 };
 

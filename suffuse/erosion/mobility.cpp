@@ -209,7 +209,11 @@ MobilityResult find_mobility(
             result.flow = water.source;
             compare_with_weight(copy, water, strength, result);
         }
-        result.ramp.push_back(bear(copy, gradient, water, strength, rested, pulse, result));
+        const auto count = result.ramp.size() + 1;
+        const Pulse beat_of_gradient = [&](std::string_view, long long steps) {
+            beat(pulse, fmt::format("gradient {:.3g}, {} of {}", gradient, count, setting.gradients.size()), steps);
+        };
+        result.ramp.push_back(bear(copy, gradient, water, strength, rested, beat_of_gradient, result));
     }
     result.ramp_steps = copy.steps() - result.rest_steps;
     result.time_step = copy.time_step();

@@ -10,7 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace suffuse::erosion {
 namespace {
@@ -78,6 +81,19 @@ TEST(Mobility, OfAGrainInAPocketNeedsItsWeightUpward) {
     for (const double ratio : {1.0, 0.3}) {
         expect_just_above(pull_that_moves(Pocket(ratio), {0, 0, 1}, around(1)), 1);
     }
+}
+
+TEST(Mobility, TellsTheGradientThatItHolds) {
+    const Pocket pocket(1);
+    const MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {0.001, 0.0025}};
+    std::vector<std::string> parts;
+    (void
+    )find_mobility(pocket.world, setting, pull_along(pocket, setting.direction), [&](std::string_view part, long long) {
+        if (parts.empty() || parts.back() != part) {
+            parts.emplace_back(part);
+        }
+    });
+    EXPECT_EQ(parts, (std::vector<std::string>{"rest", "gradient 0.001, 1 of 2", "gradient 0.0025, 2 of 2"}));
 }
 
 TEST(Mobility, OfAGrainInAPocketIsNotReachedDownward) {

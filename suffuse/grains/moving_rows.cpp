@@ -24,9 +24,6 @@ void to_rows(const Grains& grains, std::vector<MovingRow>& rows) {
 }
 
 void from_rows(const std::vector<MovingRow>& rows, Grains& grains) {
-    for (std::vector<Vec3>* column : {&grains.position, &grains.velocity, &grains.spin}) {
-        reserve_in_large_pages(*column, grains.size());
-    }
     resize_columns(grains.size(), grains.position, grains.velocity, grains.spin);
     parallel_for(grains.size(), block_rows, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
@@ -38,8 +35,6 @@ void from_rows(const std::vector<MovingRow>& rows, Grains& grains) {
 }
 
 void from_sums(const std::vector<GrainSum>& sums, Grains& grains) {
-    reserve_in_large_pages(grains.force, grains.size());
-    reserve_in_large_pages(grains.torque, grains.size());
     resize_columns(grains.size(), grains.force, grains.torque);
     parallel_for(grains.size(), block_rows, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {

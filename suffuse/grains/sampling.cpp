@@ -151,19 +151,9 @@ double largest_size(const Grading& grading) {
 }
 
 SampledGrains sample_whole(const Soil& soil, std::size_t particles, const Pulse& pulse) {
+    expect_both_parts(soil);
     const Grading& grading = *soil.whole;
     const std::optional<double> limit = fines_limit(soil);
-    const double least = size_at(grading, 0), largest = grading.diameter.back();
-    if (limit && !(*limit > least && *limit < largest)) {
-        throw CaseError(
-            fmt::format(
-                "fines finer than {:.6g} mm: {} runs from {:.6g} to {:.6g} mm, so this leaves no fines or no skeleton; "
-                "choose a size between",
-                *limit * 1e3, named(grading), least * 1e3, largest * 1e3
-            ),
-            grading.origin
-        );
-    }
     SampledGrains sample;
     append(sample, grading, particles, false, pulse);
     for (std::size_t g = 0; g < particles; ++g) {
@@ -301,6 +291,24 @@ double grains_needed(const Grading& grading, double tolerance) {
     }
     const double unit = std::pow(10.0, std::floor(std::log10(many)) - 1); // two digits, rounded up
     return std::ceil(1.02 * many / unit) * unit;
+}
+
+void expect_both_parts(const Soil& soil) {
+    const std::optional<double> limit = fines_limit(soil);
+    if (!limit || !soil.whole) {
+        return;
+    }
+    const double least = size_at(*soil.whole, 0), largest = soil.whole->diameter.back();
+    if (!(*limit > least && *limit < largest)) {
+        throw CaseError(
+            fmt::format(
+                "fines finer than {:.6g} mm: {} runs from {:.6g} to {:.6g} mm, so this leaves no fines or no skeleton; "
+                "choose a size between",
+                *limit * 1e3, named(*soil.whole), least * 1e3, largest * 1e3
+            ),
+            soil.whole->origin
+        );
+    }
 }
 
 std::optional<double> fines_limit(const Soil& soil) {

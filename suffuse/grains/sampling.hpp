@@ -32,6 +32,9 @@ inline constexpr double narrow_cell = 10;
 /// lies between them. @throws CaseError where they overlap, or where Kenney and Lau's split does not exist.
 std::optional<double> fines_limit(const Soil& soil);
 
+/// @throws CaseError where one curve is split by a size that leaves no fines or no skeleton, or by none that exists.
+void expect_both_parts(const Soil& soil);
+
 /// The grading that `soil` asks for: its curve, or that of the mixture.
 Grading asked_grading(const Soil& soil);
 
