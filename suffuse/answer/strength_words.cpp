@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace suffuse::answer {
@@ -195,6 +196,72 @@ std::string tell_all(const std::vector<study::StrengthChange>& changes) {
            range_of(changes, &study::StrengthChange::pore_pressure, "the excess pore pressure borne") + ".";
 }
 
+/// A column of the table of changes.
+struct Column {
+    std::string header;
+    std::function<std::string(const study::StrengthChange&)> cell;
+    bool is_numeric = true;
+};
+
+std::string tests_in_table(const study::StrengthChange& change) {
+    return fmt::format("{}{}: {}, {}", change.study->name, values_of(change), change.before->name, change.after->name);
+}
+
+std::string strain_in_table(const study::StrengthChange& change) {
+    return change.deviator_at_strain.before.seeds > 0 ? " at " + short_number(percent * change.told_strain, 3) + " %"
+                                                      : "";
+}
+
+/// Those that some test has something to say in.
+std::vector<Column> columns_of(const std::vector<study::StrengthChange>& changes) {
+    using study::StrengthChange;
+    std::vector<Column> columns = {
+        {"tests", tests_in_table, false},
+        {"samples", [](const StrengthChange& c) { return std::to_string(c.borne().change.seeds); }},
+        {"mass gone [%]", [](const StrengthChange& c) { return with_scatter(c.removed_mass, percent, 3); }}};
+    const auto pair = [&](const char* header, study::BeforeAfter StrengthChange::*value, double unit, int digits) {
+        columns.push_back({header, [=](const StrengthChange& c) {
+                               const auto& [before, after, change] = c.*value;
+                               return before.seeds > 0 ? fmt::format(
+                                                             "{} → {}", short_number(before.mean / unit, digits),
+                                                             short_number(after.mean / unit, digits)
+                                                         )
+                                                       : std::string("–");
+                           }});
+    };
+    const auto change = [&](study::BeforeAfter StrengthChange::*value) {
+        columns.push_back({"change [%]", [=](const StrengthChange& c) {
+                               return with_scatter((c.*value).change, percent, 2);
+                           }});
+    };
+    pair("void ratio e [-]", &StrengthChange::void_ratio, 1, 3);
+    if (!std::ranges::all_of(changes, &StrengthChange::holds_deviator)) {
+        pair("highest q [kPa]", &StrengthChange::peak_deviator, kilo, 4);
+        change(&StrengthChange::peak_deviator);
+        pair("friction angle φ there [°]", &StrengthChange::friction_angle, degree, 3);
+        pair("q at a strain [kPa]", &StrengthChange::deviator_at_strain, kilo, 4);
+        columns.back().cell = [cell = columns.back().cell](const StrengthChange& c) {
+            return cell(c) + strain_in_table(c);
+        };
+        change(&StrengthChange::deviator_at_strain);
+        if (std::ranges::any_of(changes, [](const auto& c) { return c.residual_deviator.before.seeds > 0; })) {
+            pair("q left in the critical state [kPa]", &StrengthChange::residual_deviator, kilo, 4);
+            change(&StrengthChange::residual_deviator);
+        }
+        pair("εᵥ at the end [%]", &StrengthChange::volume_change, 1 / percent, 2);
+    }
+    if (std::ranges::any_of(changes, &StrengthChange::holds_deviator)) {
+        pair("excess pore pressure borne [kPa]", &StrengthChange::pore_pressure, kilo, 3);
+        change(&StrengthChange::pore_pressure);
+    }
+    if (changes.size() > most_told) { // of few, a sentence each tells them
+        columns.push_back(
+            {"remarks", [](const StrengthChange& c) { return c.remarks.empty() ? "–" : remarks_of(c, "; "); }, false}
+        );
+    }
+    return columns;
+}
+
 } // namespace
 
 std::vector<std::string> tell_strength(const std::vector<study::StrengthChange>& changes) {
@@ -240,56 +307,13 @@ std::optional<figures::PageTable> tabulate_strength(const std::vector<study::Str
         "state: over the last 10 % of axial strain neither volume nor stress go on changing. Contraction positive. "
         "Laboratories found eroded soil more contractive than before (Chen, Zhang and Chang 2016) and slightly more "
         "dilative (hal-02608716).";
-    const bool some_hold = std::ranges::any_of(changes, &study::StrengthChange::holds_deviator);
-    const bool all_hold = std::ranges::all_of(changes, &study::StrengthChange::holds_deviator);
-    table.header = {"tests", "samples", "mass gone [%]", "void ratio e [-]"};
-    if (!all_hold) {
-        table.header.insert(
-            table.header.end(), {"highest q [kPa]", "change [%]", "friction angle φ there [°]", "q at a strain [kPa]",
-                                 "change [%]", "q left in the critical state [kPa]", "change [%]", "εᵥ at the end [%]"}
-        );
-    }
-    if (some_hold) {
-        table.header.insert(table.header.end(), {"excess pore pressure borne [kPa]", "change [%]"});
-    }
-    table.header.emplace_back("remarks");
-    table.numeric.assign(table.header.size(), true);
-    table.numeric.front() = table.numeric.back() = false;
-    const auto pair = [](const study::BeforeAfter& value, double unit, int digits) {
-        return value.before.seeds > 0 ? fmt::format(
-                                            "{} → {}", short_number(value.before.mean / unit, digits),
-                                            short_number(value.after.mean / unit, digits)
-                                        )
-                                      : std::string("–");
-    };
-    const auto at_strain = [&](const study::StrengthChange& change) {
-        return change.deviator_at_strain.before.seeds > 0 ? fmt::format(
-                                                                "{} at {} %", pair(change.deviator_at_strain, kilo, 4),
-                                                                short_number(percent * change.told_strain, 3)
-                                                            )
-                                                          : std::string("–");
-    };
-    for (const study::StrengthChange& change : changes) {
-        std::vector<std::string> row = {
-            fmt::format("{}{}: {}, {}", change.study->name, values_of(change), change.before->name, change.after->name),
-            std::to_string(change.borne().change.seeds), with_scatter(change.removed_mass, percent, 3),
-            pair(change.void_ratio, 1, 3)};
-        if (!all_hold) {
-            row.insert(
-                row.end(),
-                {pair(change.peak_deviator, kilo, 4), with_scatter(change.peak_deviator.change, percent, 2),
-                 pair(change.friction_angle, degree, 3), at_strain(change),
-                 with_scatter(change.deviator_at_strain.change, percent, 2), pair(change.residual_deviator, kilo, 4),
-                 with_scatter(change.residual_deviator.change, percent, 2), pair(change.volume_change, 1 / percent, 2)}
-            );
+    table.rows.resize(changes.size());
+    for (const Column& column : columns_of(changes)) {
+        table.header.push_back(column.header);
+        table.numeric.push_back(column.is_numeric);
+        for (std::size_t k = 0; k < changes.size(); ++k) {
+            table.rows[k].push_back(column.cell(changes[k]));
         }
-        if (some_hold) {
-            row.insert(
-                row.end(), {pair(change.pore_pressure, kilo, 3), with_scatter(change.pore_pressure.change, percent, 2)}
-            );
-        }
-        row.push_back(change.remarks.empty() ? "–" : remarks_of(change, "; "));
-        table.rows.push_back(std::move(row));
     }
     return table;
 }
