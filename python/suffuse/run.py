@@ -332,21 +332,25 @@ class Run:
         return Figure(self.folder / "figures", name)
 
     @spelled
-    def table(self, rows="stages"):
+    def table(self, rows="stages", verb=""):
         """Numbers of all finished stages as Records: a structured array with `units` and `to_pandas()`.
 
         rows: "stages", a row each with the numbers of its stage.json; "passes", a row a pass of each erosion; "samples", a
             row a sample with the numbers of its stages as "STAGE/void_ratio"
+        verb: of stages of this verb alone ("shear"), and so without the columns that others fill
         In front stand `study`, `sample`, the swept values (`fc` in percent, `rep`, ...), and `stage` and `verb`, or `pass`.
         Objects within are "response.peak_ratio". A number that a row lacks is not one (NaN).
         """
         kinds = ("stages", "passes", "samples")
         if rows not in kinds:
             raise _core.CaseError(f"rows: found {rows!r}, expected one of {', '.join(kinds)}")
-        found = {}
+        found, others = {}, set()
         for name in self.stages:
             sample, _, stage = name.rpartition("/")
             numbers = self[name].numbers
+            if verb not in ("", numbers["verb"]):
+                others.add(numbers["verb"])
+                continue
             head = {"study": sample.split("/")[0], "sample": sample, **sample_values(sample)}
             if rows == "samples":
                 told = {f"{stage}/{key}": value for key, value in numbers_in(numbers).items()}
@@ -356,6 +360,8 @@ class Run:
             elif numbers["verb"] == "erode":
                 for one in numbers["passes"]:
                     found[name, one["pass"]] = {**head, "stage": stage, **numbers_in(one)}
+        if others and not found:
+            raise _core.CaseError(f"verb: found {verb!r}, expected one of {', '.join(sorted(others))}")
         return gather(found.values())
 
     @spelled

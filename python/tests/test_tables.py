@@ -25,6 +25,15 @@ def test_a_run_is_a_table_of_its_stages(run):
         run.table(rows="grains")
 
 
+def test_a_table_of_one_verb_has_its_columns_alone(run):
+    table = run.table(verb="flow")
+    assert table["stage"].tolist() == ["seep"]
+    assert not any(numpy.isnan(table[name]).any() for name in table.units), "each column is one that a flow fills"
+    assert len(table.dtype.names) < len(run.table().dtype.names)
+    with pytest.raises(suffuse.CaseError, match="verb: found 'seep', expected one of .*flow"):
+        run.table(verb="seep")
+
+
 def test_a_sample_is_a_row_of_its_stages(run):
     table = run.table("samples")
     assert len(table) == 1 and table["settled/void_ratio"][0] == run["replay/settled"].void_ratio
