@@ -259,7 +259,8 @@ RawColumn<T> MomentumExchange::velocities_in_pores(std::span<const double> push)
 
 std::vector<double> MomentumExchange::velocities(std::span<const double> push) const {
     const RawColumn<double> in_pore = velocities_in_pores<double>(push);
-    std::vector<double> speed(push.size());
+    std::vector<double> speed;
+    resize_columns(push.size(), speed);
     parallel_for(push.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             speed[t] = velocity(in_pore, push[t], t);

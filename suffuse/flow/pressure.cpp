@@ -35,7 +35,7 @@ Members ends_of_throats(const pores::PoreNetwork& network) {
     const pores::Pores& pores = network.pores;
     Members ends = members_of(pores.size(), network.bodies, [&](std::size_t p) { return pores.body[p]; });
     const std::vector<std::uint32_t> pore = std::move(ends.row);
-    ends.row.resize(4 * pore.size());
+    resize_columns(4 * pore.size(), ends.row);
     parallel_for(pore.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t m = begin; m < end; ++m) {
             for (std::size_t k = 0; k < 4; ++k) {
@@ -144,7 +144,7 @@ FlowField PressureSolver::solve(const Vec3& gradient) const {
 
 void PressureSolver::set_pressures(std::span<const double> deviation, const Vec3& gradient, FlowField& field) const {
     const pores::Pores& pores = network_.pores;
-    field.pressure.resize(pores.size());
+    resize_columns(pores.size(), field.pressure);
     parallel_for(pores.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
             field.pressure[p] = deviation[pores.body[p]];
@@ -159,7 +159,7 @@ void PressureSolver::set_pressures(std::span<const double> deviation, const Vec3
 }
 
 void PressureSolver::set_fluxes(std::span<const double> deviation, const Vec3& gradient, FlowField& field) const {
-    field.flux.resize(network_.throats.size());
+    resize_columns(network_.throats.size(), field.flux);
     parallel_for(field.flux.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const auto [p, q] = network_.throats.side[t];

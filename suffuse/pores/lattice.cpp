@@ -1,6 +1,7 @@
 #include "suffuse/pores/lattice.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/cell/cell.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,8 @@
 
 namespace suffuse::pores {
 namespace {
+
+constexpr std::size_t block = 4096; // grains of a loop of a thread
 
 constexpr double smallest_cell = 1e-30, largest_cell = 1e30; // [m]: their fourth powers are numbers
 
@@ -148,20 +151,34 @@ exact_packing(const Mat3& h, std::span<const Vec3> position, std::span<const dou
     packing.spacing = std::cbrt(determinant(packing.h) / static_cast<double>(radius.size()));
 
     const Mat3 inverse_compact = inverse(compact);
-    for (std::size_t g = 0; g < radius.size(); ++g) {
-        if (!cell::has_period(inverse_compact, position[g])) {
-            throw GeometryError(fmt::format(
-                "pores: grain in row {} lies more than {} periods from the origin; wrap the positions into the cell", g,
-                cell::largest_period
-            ));
-        }
-        const cell::Image period = cell::period_of(inverse_compact, position[g]);
-        const Vec3 home = (1 / packing.unit) * (position[g] - cell::shift(compact, period));
-        const Vec3 shake = jitter * packing.spacing * Vec3{scatter(g, 0), scatter(g, 1), scatter(g, 2)};
-        packing.position.push_back(on_grid(home + shake));
-        packing.radius.push_back(radius[g] / packing.unit);
-        packing.period.push_back(period);
+    const std::size_t count = radius.size();
+    const std::size_t astray = parallel_sum(
+        count, block, count,
+        [&](std::size_t begin, std::size_t end) {
+            while (begin < end && cell::has_period(inverse_compact, position[begin])) {
+                ++begin;
+            }
+            return begin < end ? begin : count;
+        },
+        [](std::size_t one, std::size_t other) { return std::min(one, other); }
+    );
+    if (astray < count) {
+        throw GeometryError(fmt::format(
+            "pores: grain in row {} lies more than {} periods from the origin; wrap the positions into the cell",
+            astray, cell::largest_period
+        ));
     }
+    resize_columns(count, packing.position, packing.radius, packing.period);
+    parallel_for(count, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            const cell::Image period = cell::period_of(inverse_compact, position[g]);
+            const Vec3 home = (1 / packing.unit) * (position[g] - cell::shift(compact, period));
+            const Vec3 shake = jitter * packing.spacing * Vec3{scatter(g, 0), scatter(g, 1), scatter(g, 2)};
+            packing.position[g] = on_grid(home + shake);
+            packing.radius[g] = radius[g] / packing.unit;
+            packing.period[g] = period;
+        }
+    });
     return packing;
 }
 
