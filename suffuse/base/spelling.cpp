@@ -17,6 +17,23 @@ constexpr bool same_letter(char a, char b) {
     return lowered(a) == lowered(b);
 }
 
+/// Without the dashes of a flag.
+std::size_t letters_of(std::string_view word) {
+    return word.size() - std::min(word.find_first_not_of('-'), word.size());
+}
+
+/// The one known word that `word` is the beginning of.
+std::optional<std::string> completed(std::string_view word, const std::vector<std::string>& known) {
+    constexpr std::size_t least_letters = 3;
+    const auto begins = [&](const std::string& candidate) {
+        return candidate.size() >= word.size() && std::equal(word.begin(), word.end(), candidate.begin(), same_letter);
+    };
+    if (letters_of(word) < least_letters || std::ranges::count_if(known, begins) != 1) {
+        return std::nullopt;
+    }
+    return *std::ranges::find_if(known, begins);
+}
+
 } // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -52,12 +69,12 @@ nearest_word(std::string_view word, const std::vector<std::string>& known, std::
         }
         const std::size_t distance = edit_distance(word, candidate);
         // A word of two letters is two edits from every other word of two letters.
-        if (distance < least && 2 * distance <= word.size()) {
+        if (distance < least && 2 * distance <= letters_of(word)) {
             least = distance;
             nearest = candidate;
         }
     }
-    return nearest;
+    return nearest ? nearest : completed(word, known);
 }
 
 std::string shown(const std::string& word) {

@@ -18,7 +18,8 @@ constexpr bool is_digit(char c) {
 /// (optimal string alignment); capitals count as their small letters.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The first of the known words nearest to `word`, if it is within `limit` edits and keeps at least half of the word.
+/// The first of the known words nearest to `word`, if it is within `limit` edits and keeps at least half of the word;
+/// else the only one that begins with it.
 std::optional<std::string>
 nearest_word(std::string_view word, const std::vector<std::string>& known, std::size_t limit = 2);
 

@@ -23,4 +23,12 @@ TEST(Spelling, NearestWordStaysWithinItsLimit) {
     EXPECT_FALSE(suffuse::nearest_word("xy", {"ab"}));
 }
 
+TEST(Spelling, AWordThatBeginsOneKnownWordIsThatOne) {
+    const std::vector<std::string> known{"--set", "--output", "--time-limit", "--threads"};
+    EXPECT_EQ(suffuse::nearest_word("--out", known), "--output"); // whose dashes are no letters that "--set" keeps
+    EXPECT_EQ(suffuse::nearest_word("--time", known), "--time-limit");
+    EXPECT_FALSE(suffuse::nearest_word("--t", known));
+    EXPECT_FALSE(suffuse::nearest_word("fine", {"fines_content", "finer_than"}));
+}
+
 } // namespace
