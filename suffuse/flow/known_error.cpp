@@ -24,16 +24,17 @@ constexpr double yade_packing = 0.516; // the loosest packing of equal grains th
 double yade_error_of_equal_grains(double solid_fraction) {
     constexpr std::array<std::array<double, 2>, 5> seen = {
         {{yade_packing, 0.40}, {0.560, 0.25}, {0.587, 0.16}, {0.611, 0.10}, {0.637, 0.05}}};
-    if (solid_fraction >= seen.back()[0]) {
-        return seen.back()[1];
+    if (solid_fraction <= seen.front()[0]) {
+        return seen.front()[1];
     }
-    const auto above = std::ranges::find_if(seen, [&](const auto& row) { return row[0] > solid_fraction; });
-    if (above == seen.begin()) {
-        return above->at(1);
+    for (std::size_t k = 1; k < seen.size(); ++k) {
+        const auto [x0, y0] = seen[k - 1];
+        const auto [x1, y1] = seen[k];
+        if (solid_fraction < x1) {
+            return y0 + (y1 - y0) * (solid_fraction - x0) / (x1 - x0);
+        }
     }
-    const auto& [x0, y0] = *(above - 1);
-    const auto& [x1, y1] = *above;
-    return y0 + (y1 - y0) * (solid_fraction - x0) / (x1 - x0);
+    return seen.back()[1];
 }
 
 KnownError yade_error(const Mixture& mixture) {
