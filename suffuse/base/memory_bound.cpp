@@ -64,7 +64,7 @@ double machine_memory() {
 
 double bound_memory(double bytes) {
     rlimit limit{};
-    if (getrlimit(RLIMIT_DATA, &limit) != 0) {
+    if (!memory_is_bound || getrlimit(RLIMIT_DATA, &limit) != 0) {
         return no_bound;
     }
     const double before = of_limit(limit.rlim_cur);
