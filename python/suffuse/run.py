@@ -344,12 +344,14 @@ class Run:
         kinds = ("stages", "passes", "samples")
         if rows not in kinds:
             raise _core.CaseError(f"rows: found {rows!r}, expected one of {', '.join(kinds)}")
-        found, others = {}, set()
+        verbs = {self[name].numbers["verb"] for name in self.stages}
+        if verb and verb not in verbs:
+            raise _core.CaseError(f"verb: found {verb!r}, expected one of {', '.join(sorted(verbs))}")
+        found = {}
         for name in self.stages:
             sample, _, stage = name.rpartition("/")
             numbers = self[name].numbers
             if verb not in ("", numbers["verb"]):
-                others.add(numbers["verb"])
                 continue
             head = {"study": sample.split("/")[0], "sample": sample, **sample_values(sample)}
             if rows == "samples":
@@ -360,8 +362,6 @@ class Run:
             elif numbers["verb"] == "erode":
                 for one in numbers["passes"]:
                     found[name, one["pass"]] = {**head, "stage": stage, **numbers_in(one)}
-        if others and not found:
-            raise _core.CaseError(f"verb: found {verb!r}, expected one of {', '.join(sorted(others))}")
         return gather(found.values())
 
     @spelled

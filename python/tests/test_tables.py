@@ -30,6 +30,7 @@ def test_a_table_of_one_verb_has_its_columns_alone(run):
     assert table["stage"].tolist() == ["seep"]
     assert not any(numpy.isnan(table[name]).any() for name in table.units), "each column is one that a flow fills"
     assert len(table.dtype.names) < len(run.table().dtype.names)
+    assert len(run.table("passes", verb="flow")) == 0, "a verb of the run, which has no passes"
     with pytest.raises(suffuse.CaseError, match="verb: found 'seep', expected one of .*flow"):
         run.table(verb="seep")
 

@@ -36,5 +36,24 @@ TEST(Coincident, APlaneOfGrainsAcrossTheCellIsSearchedAsAny) {
     EXPECT_EQ(find_coincident(identity(), {position.data(), 1}, {radius.data(), 1}), std::nullopt);
 }
 
+/// Grains a step apart along the cell, in slabs of many and in many slabs: the pair may lie on both sides of any
+/// border.
+TEST(Coincident, APairIsFoundWhereverItLiesAlongTheCell) {
+    constexpr std::size_t count = 20'000;
+    std::vector<Vec3> position;
+    for (std::size_t g = 0; g < count; ++g) {
+        position.push_back({(static_cast<double>(g) + 0.5) / count, 0.3, 0.7});
+    }
+    const std::vector<double> radius(count, 1e-4);
+    EXPECT_EQ(find_coincident(identity(), position, radius), std::nullopt);
+    const double slab = 1.0 / (count / 64 + 1);
+    for (const double border : {0.0, slab, 64 * slab, 0.5}) {
+        std::vector<Vec3> with_pair = position;
+        with_pair[70].x = border - 1e-12;
+        with_pair[19'000].x = border + 1e-12;
+        EXPECT_EQ(find_coincident(identity(), with_pair, radius), (Rows{70, 19'000})) << border;
+    }
+}
+
 } // namespace
 } // namespace suffuse::cell

@@ -87,12 +87,12 @@ TEST(Mobility, TellsTheGradientThatItHolds) {
     const Pocket pocket(1);
     const MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {0.001, 0.0025}};
     std::vector<std::string> parts;
-    (void
-    )find_mobility(pocket.world, setting, pull_along(pocket, setting.direction), [&](std::string_view part, long long) {
+    const Pulse note = [&](std::string_view part, long long) {
         if (parts.empty() || parts.back() != part) {
             parts.emplace_back(part);
         }
-    });
+    };
+    (void)find_mobility(pocket.world, setting, pull_along(pocket, setting.direction), note);
     EXPECT_EQ(parts, (std::vector<std::string>{"rest", "gradient 0.001, 1 of 2", "gradient 0.0025, 2 of 2"}));
 }
 
