@@ -46,7 +46,8 @@ TEST(Coincident, APairIsFoundWhereverItLiesAlongTheCell) {
     }
     const std::vector<double> radius(count, 1e-4);
     EXPECT_EQ(find_coincident(identity(), position, radius), std::nullopt);
-    const double slab = 1.0 / (count / 64 + 1);
+    constexpr std::size_t slabs = count / 64 + 1;
+    constexpr double slab = 1.0 / slabs;
     for (const double border : {0.0, slab, 64 * slab, 0.5}) {
         std::vector<Vec3> with_pair = position;
         with_pair[70].x = border - 1e-12;
