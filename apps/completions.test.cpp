@@ -1,9 +1,10 @@
-// Completions and the man page, held against the flags themselves, and tried in the shells that are here.
+// Completions and the man page, held against the flags themselves, and tried in the shells.
 
 #include "apps/completions.hpp"
 
 #include "suffuse/base/error.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "apps/command_line.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -35,10 +35,6 @@ std::string output_of(const std::string& command) {
         text += block.data();
     }
     return pclose(pipe) == 0 ? text : "FAILED\n" + text;
-}
-
-bool has_shell(const std::string& name) {
-    return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }
 
 /// Long flags of a verb as its own help tells them.
@@ -120,17 +116,14 @@ TEST(Completions, ZshAndFishTakeTheirScripts) {
         const std::string script = text_of({"completions", shell.c_str()});
         EXPECT_NE(script.find("time-limit"), std::string::npos);
         EXPECT_NE(script.find("fontainebleau-2016"), std::string::npos);
-        if (has_shell(shell)) {
-            const std::string file = (folder / shell).string();
-            std::ofstream(file) << script;
-            EXPECT_EQ(output_of(shell + " -n '" + file + "' 2>&1"), "") << shell; // its syntax
-        }
+        const std::string file = (folder / shell).string();
+        std::ofstream(file) << script;
+        EXPECT_EQ(output_of(fmt::format("{} -n '{}' 2>&1", shell, file)), "") << shell; // its syntax
     }
-    if (has_shell("fish")) {
-        const std::string line =
-            "fish -c 'source \"" + (folder / "fish").string() + "\"; complete -C \"suffuse run --time\"'";
-        EXPECT_NE(output_of(line).find("--time-limit"), std::string::npos);
-    }
+    const std::string offers = output_of(
+        fmt::format("fish -c 'source \"{}\"; complete -C \"suffuse run --time\"' 2>&1", (folder / "fish").string())
+    );
+    EXPECT_NE(offers.find("--time-limit"), std::string::npos) << offers;
 }
 
 TEST(Completions, AnotherShellIsRefusedWithAHint) {
@@ -153,13 +146,11 @@ TEST(ManPage, NamesEveryVerbAndFlagAndIsGoodRoff) {
         }
     }
     EXPECT_NE(plain.find("time limit reached"), std::string::npos); // exit status
-    if (has_shell("groff")) {
-        const TempFolder folder;
-        std::ofstream(folder / "suffuse.1") << page;
-        const std::string shown =
-            output_of("groff -man -Tutf8 -ww '" + (folder / "suffuse.1").string() + "' 2>&1 >/dev/null");
-        EXPECT_EQ(shown, "");
-    }
+    const TempFolder folder;
+    std::ofstream(folder / "suffuse.1") << page;
+    const std::string complaints =
+        output_of("groff -man -Tutf8 -ww '" + (folder / "suffuse.1").string() + "' 2>&1 >/dev/null");
+    EXPECT_EQ(complaints, "");
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace suffuse::apps {
 TestGate::TestGate() {
     const char* value = std::getenv("SUFFUSE_TEST_GATE");
     const std::string_view text = value == nullptr ? "" : value;
-    if (const std::size_t at = text.find('='); at != std::string_view::npos) {
+    if (const std::size_t at = text.rfind('='); at != std::string_view::npos) {
         stage_ = text.substr(0, at);
         fifo_ = text.substr(at + 1);
     }

@@ -147,7 +147,7 @@ TEST_F(Cli, AStoppedRunGoesOnToTheSameBits) {
         EXPECT_FALSE(std::filesystem::exists(folder / "cut/studies/replay/compressed/stage.json"));
         cut = {"resume", "cut"};
     }
-    const Said late = say({"resume", "cut", "--time-limit", "1 ms"});
+    const Said late = say({"resume", "cut", "--time-limit", "1 ns"});
     EXPECT_EQ(late.code, 75) << late.error;
     ASSERT_EQ(say({"resume", "cut"}).code, 0);
     expect_in("provenance-heading", read_all(folder / "cut/report.html")); // the report itself

@@ -19,8 +19,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME suffuse)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Discrete elements, pore-scale flow and an erosion loop: from a
 grading curve and a hydraulic gradient to a soil that has lost its fines,
 with its strength before and after, and a report.")
-# Figures as files are drawn by Node, and by rsvg-convert where they are no SVG; Chromium prints reports.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "nodejs (>= 18), librsvg2-bin")
+# Figures as files are drawn by Node, and by rsvg-convert where they are no SVG, in a font of Helvetica's widths; Chromium
+# prints reports.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "nodejs (>= 18), librsvg2-bin, fonts-liberation")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "chromium, python3-suffuse")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-suffuse)

@@ -3,7 +3,7 @@
 
 Makes 200 random gradings, closed and open, writes the page for them, opens it in Chromium and compares every number
 and verdict of every criterion with `suffuse assess --json`. Then what the page shows of an α that is known or not, and
-that one soil prints on one sheet. Exit code 77 without Chromium."""
+that one soil prints on one sheet, as pdftotext reads it. Exit code 77 without Chromium."""
 
 import html
 import json
@@ -79,12 +79,11 @@ def check_print(program, opened, folder):
         sheets = len(re.findall(rb"/Type\s*/Page\b", pdf.read_bytes()))
         if sheets != most:
             wrong.append(f"{file} prints on {sheets} sheets, not on {most}")
-        if shutil.which("pdftotext"):
-            text = subprocess.run(["pdftotext", str(pdf), "-"], check=True, stdout=subprocess.PIPE, text=True).stdout
-            if most > 1 and len(re.findall(r"\d of \d$", text, re.M)) < most + 1:  # a row's last cell; pages are numbered, too
-                wrong.append(f"{file} prints its table without its last column")
-            if re.search(r"^sample\s+(two|TP)", text, re.M) or "The curve as given" in text:
-                wrong.append(f"{file} prints controls")
+        text = subprocess.run(["pdftotext", str(pdf), "-"], check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+        if most > 1 and len(re.findall(r"\d of \d$", text, re.M)) < most + 1:  # a row's last cell; pages are numbered, too
+            wrong.append(f"{file} prints its table without its last column")
+        if re.search(r"^sample\s+(two|TP)", text, re.M) or "The curve as given" in text:
+            wrong.append(f"{file} prints controls")
     return wrong
 
 

@@ -7,8 +7,10 @@ build=$root/build/release
 logs=$root/build/logs
 build_packages="g++ cmake ninja-build git libcgal-dev libgmp-dev libmpfr-dev libhdf5-dev libtomlplusplus-dev
     libcli11-dev nlohmann-json3-dev libfmt-dev libfftw3-dev zlib1g-dev libssl-dev pybind11-dev python3-dev python3-numpy
-    librsvg2-bin"
-test_packages="libeigen3-dev libgtest-dev librapidcheck-dev clang clang-format clang-tidy chromium fonts-dejavu-core python3-pytest python3-venv"
+    librsvg2-bin fonts-liberation"
+# Shells, groff and poppler check what the program writes for them.
+test_packages="libeigen3-dev libgtest-dev librapidcheck-dev clang clang-format clang-tidy chromium fonts-dejavu-core
+    python3-pytest python3-venv python3-pandas python3-xarray zsh fish groff-base poppler-utils"
 site_packages="python3-sphinx python3-myst-parser"
 fuzz_packages="libclang-rt-14-dev"
 
@@ -104,7 +106,8 @@ need_packages() {
             [ "$offline" = no ] || { say "missing, and --offline forbids to fetch: $*"; return 1; }
             have apt-get || { say "no apt-get here; please install by other means: $*"; return 1; }
             [ "$(id -u)" -eq 0 ] || have sudo || { say "neither root nor sudo; as root, run:  $line"; return 1; }
-            step "fetch $# packages ($*)" packages.log install_packages "$@" || return 1
+            say "packages to fetch: $*"
+            step "fetch $# packages" packages.log install_packages "$@" || return 1
         fi
     else
         say "no dpkg here; taken to be installed: $*"

@@ -321,11 +321,11 @@ test("the live page loads itself anew, without script or server, and ends in the
   put("live");
   const { page, complaints, requests, context } = await open(browser, "ends", { javaScriptEnabled: false });
   assert.match(await page.textContent("h1"), /<\/script><img/);
-  assert.ok(await page.getByText("1 of 3 stages, 1.0-2 min left").isVisible());
+  await page.getByText("1 of 3 stages, 1.0-2 min left").waitFor(); // while it loads anew, it is not there
   assert.equal(await page.locator("script, img").count(), 0);
   await page.screenshot({ path: join(samples, "live.png"), fullPage: true });
   await page.waitForEvent("load"); // by itself
-  assert.ok(await page.getByText("1 of 3 stages").isVisible());
+  await page.getByText("1 of 3 stages").waitFor();
   put("sample");
   await page.locator("#answer").waitFor();
   assert.equal(await page.locator("progress").count(), 0);

@@ -4,6 +4,7 @@ import ast
 import json
 import os
 import pathlib
+import tempfile
 
 import pytest
 
@@ -25,8 +26,9 @@ def run_cell(source, names):
 
 
 @pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
-def test_a_notebook_runs(path, monkeypatch):
+def test_a_notebook_runs(path, monkeypatch, tmp_path):
     monkeypatch.chdir(FOLDER)
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     names = {"__name__": "__main__"}
     shown = [run_cell("".join(cell["source"]), names) for cell in cells_of(path)]
     pages = [value._repr_html_() for value in shown if hasattr(value, "_repr_html_")]

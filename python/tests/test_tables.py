@@ -65,7 +65,6 @@ def test_a_table_without_rows_keeps_its_columns(tmp_path):
 
 
 def test_pandas_takes_a_table_with_its_units(run):
-    pytest.importorskip("pandas")
     frame = run.table().to_pandas()
     assert frame.loc[frame.verb == "flow", "permeability_along"].item() == run["replay/seep"]["permeability_along"]
     assert frame.attrs["units"]["mean_stress"] == "Pa"
@@ -73,7 +72,6 @@ def test_pandas_takes_a_table_with_its_units(run):
 
 
 def test_xarray_takes_a_table_with_its_units(run):
-    pytest.importorskip("xarray")
     data = run["replay/compressed"].history.to_xarray()
     assert data["stress_1"].attrs["units"] == "Pa" and data.sizes["row"] == len(run["replay/compressed"].history)
 

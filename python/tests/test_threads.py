@@ -53,23 +53,24 @@ def test_fewer_than_no_threads_are_refused():
 
 def test_a_world_is_read_while_another_one_steps(clones, two_threads):
     stepped, straight = clones.copy(), clones.copy()
-    straight.step(300, time_step=4e-8)
-    truth, over = what_it_says(clones), threading.Event()
+    truth, begun, enough, bursts = what_it_says(clones), threading.Event(), threading.Event(), []
 
     def step():
-        try:
-            stepped.step(300, time_step=4e-8)
-        finally:
-            over.set()
+        while not enough.is_set():
+            begun.set()
+            stepped.step(100, time_step=4e-8)
+            bursts.append(100)
 
     thread = threading.Thread(target=step)
     thread.start()
-    read = 0
-    while not over.is_set():
-        assert what_it_says(clones) == truth
-        read += 1
-    thread.join()
-    assert read > 0, "it was over before anything was read"
+    begun.wait()
+    try:
+        for _ in range(20):
+            assert what_it_says(clones) == truth
+    finally:
+        enough.set()
+        thread.join()
+    straight.step(sum(bursts), time_step=4e-8)
     assert stepped.hash == straight.hash
 
 

@@ -16,7 +16,8 @@ namespace suffuse {
 class LoopMeter {
 public:
     /// @param threads that the work is cut for, at least 1
-    explicit LoopMeter(int threads);
+    /// @param clock what times are read from [s]; by default the processor time of this thread
+    explicit LoopMeter(int threads, double (*clock)() = nullptr);
     ~LoopMeter();
     LoopMeter(const LoopMeter&) = delete;
     LoopMeter& operator=(const LoopMeter&) = delete;
@@ -48,6 +49,7 @@ private:
     void charge();
 
     int threads_;
+    double (*clock_)();
     std::vector<Phase> phases_;
     std::size_t now_ = 0;
     double since_ = 0; ///< what is not charged yet begins here [s]

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <tuple>
 
 namespace suffuse::io {
@@ -320,19 +319,18 @@ TEST(FieldGradings, RockfillInMetersIsNoForgottenUnit) {
     EXPECT_TRUE(parse_sheet("d,passing\n100,0\n300,40\n1000,100\n").soils.empty());
 }
 
-TEST(FieldGradings, ATableOfThirtyTwoThousandColumnsIsRefusedAtOnce) {
-    std::string text(64'000, ',');
+/// Where each cell's column was counted from the start of its line, 32,000 columns took a minute: these would take
+/// days.
+TEST(FieldGradings, ATableOfTwoMillionColumnsIsRefusedAtOnce) {
+    std::string text(2'000'000, ',');
     text += "\n";
     EXPECT_TRUE(parse_sheet("d" + text + "1" + text).soils.empty());
     std::string names = "d";
-    for (int k = 0; k < 32'000; ++k) {
+    for (int k = 0; k < 2'000'000; ++k) {
         names += ",a";
     }
-    const auto begin = std::chrono::steady_clock::now();
     const ParsedSheet parsed = parse_sheet(names + "\n1,2\n");
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    EXPECT_NE(render(parsed.told).find("32001 columns"), std::string::npos) << render(parsed.told).substr(0, 300);
-    EXPECT_LT(taken.count(), 2); // it took a minute where each cell's column was counted from the start of its line
+    EXPECT_NE(render(parsed.told).find("2000001 columns"), std::string::npos) << render(parsed.told).substr(0, 300);
 }
 
 } // namespace

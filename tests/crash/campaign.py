@@ -6,7 +6,7 @@ damages what runs left.
 
     kill     killed at the N-th call that changes a file: before it, after it, or in the middle of a write; resumed, and
              perhaps killed again
-    signal   SIGINT, SIGTERM, SIGHUP or SIGKILL at a random time; resumed with another number of threads
+    signal   SIGINT, SIGTERM, SIGHUP or SIGKILL at a random time of the run; resumed with another number of threads
     error    the N-th call fails: no space, an I/O error, interrupted
 
 What must hold: a run that ends well has the bits of the undisturbed one, and `verify` finds it whole; one that does not says
@@ -23,6 +23,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 from run_results import last_line, results_of
 
@@ -38,7 +39,9 @@ class Campaign:
         subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-o", self.shim, HERE / "fault_at.c", "-ldl"], check=True)
         count = folder / "count"
         whole = folder / "whole"
+        begin = time.monotonic()
         code = self.run(["run", CASE, "-o", whole, "--no-cache"], FAULT_COUNT=count).returncode
+        self.duration = time.monotonic() - begin
         if code != DONE:
             sys.exit(f"the undisturbed run ended with {code}")
         self.calls = int(count.read_text())
@@ -88,7 +91,7 @@ class Campaign:
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
         )
         try:
-            process.wait(timeout=self.random.uniform(0.01, 3))
+            process.wait(timeout=self.random.uniform(0, 1.2 * self.duration))
         except subprocess.TimeoutExpired:
             process.send_signal(asked)
             process.wait()
@@ -119,6 +122,7 @@ def main():
     counts, faults = collections.Counter(), collections.Counter()
     memory = pathlib.Path("/dev/shm")  # where there is one: files are synced, and disks are slow
     with tempfile.TemporaryDirectory(prefix="suffuse-crash-", dir=memory if memory.is_dir() else None) as folder:
+        os.environ["TMPDIR"] = folder  # what is killed leaves its temporary files there
         campaign = Campaign(given, pathlib.Path(folder))
         for trial in range(given.trials):
             kind = given.only or ["kill", "signal", "error"][trial % 3]

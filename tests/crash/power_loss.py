@@ -3,8 +3,8 @@
 
     tests/crash/power_loss.py --program build/release/apps/suffuse [--states 100] [--seed 1] [--lying]
 
-Three runs are recorded call by call (record_writes.c): one to its end, one that a time limit stopped and `resume` took up, and
-one that ended with an early stage, went on and had its report written anew.
+Three runs are recorded call by call (record_writes.c): one to its end, one that SIGTERM stopped in the middle of a stage and
+`resume` took up, and one that ended with an early stage, went on and had its report written anew.
 Each state is what a disk may hold after a cut at some moment of one of them (unpowered_disk.py). What must hold:
 
     signed   what `verify` calls whole before anything is done has the results of the undisturbed run
@@ -26,13 +26,14 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 from unpowered_disk import WAYS, disk_after, lay_out, read_calls
 from run_results import last_line, results_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE / "case.toml"
-DONE, NO_RUN, ANOTHER_CASE, CANNOT_READ, OUT_OF_TIME = 0, 2, 3, 74, 75
+DONE, NO_RUN, ANOTHER_CASE, CANNOT_READ, STOPPED = 0, 2, 3, 74, 143
 
 
 class PowerLoss:
@@ -43,7 +44,7 @@ class PowerLoss:
         subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-o", self.shim, HERE / "record_writes.c", "-ldl"], check=True)
         self.recordings = [
             self.record("straight", []),
-            self.record("stopped", ["--time-limit", "500 ms"], ["resume"]),
+            self.record("stopped", [], ["resume"], stop_in="small/particles=200/initial"),
             self.record("extended", ["--until", "initial"], ["resume", "report"]),
         ]
 
@@ -54,15 +55,41 @@ class PowerLoss:
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
         )
 
-    def record(self, name, limit, more=()):
+    def stop(self, stage, *words, log):
+        """Its exit code, stopped by SIGTERM in the middle of a stage, where it waits at its gate (apps/test_gate.hpp)."""
+        fifo = self.folder / "gate"
+        os.mkfifo(fifo)
+        environment = {"RECORD_TO": str(log), "LD_PRELOAD": str(self.shim), "SUFFUSE_TEST_GATE": f"{stage}={fifo}"}
+        run = subprocess.Popen([self.program, *map(str, words), "-q"], env={**os.environ, **environment})
+        gate = None
+        while gate is None:
+            try:
+                gate = os.open(fifo, os.O_WRONLY | os.O_NONBLOCK)  # as soon as the run reads there
+            except OSError:
+                if run.poll() is not None:
+                    sys.exit(f"the run ended with {run.returncode} before it came to its gate")
+                time.sleep(0.01)
+        run.terminate()
+        os.close(gate)
+        fifo.unlink()
+        return run.wait(timeout=300)
+
+    def record(self, name, limit, more=(), stop_in=None):
         """The calls of a run in a folder of this name, and of what else the program then does there."""
         root, log = self.folder / name, self.folder / f"{name}.log"
         root.mkdir()
         there = root.stat()
-        ended = self.call("run", CASE, "-o", root / "run", "-j", 1, *limit, log=log)
+        words = ["run", CASE, "-o", root / "run", "-j", 1, *limit]
+        if stop_in:
+            code = self.stop(stop_in, *words, log=log)
+            if code != STOPPED:
+                sys.exit(f"the run that was to be stopped ended with {code}")
+        else:
+            ended = self.call(*words, log=log)
         for verb in more:
-            if ended.returncode in (DONE, OUT_OF_TIME):
-                ended = self.call(verb, root / "run", log=log)
+            ended = self.call(verb, root / "run", log=log)
+            if ended.returncode != DONE:
+                break
         if ended.returncode != DONE:
             sys.exit(f"the undisturbed run ended with {ended.returncode}: {ended.stdout}")
         found = results_of(root / "run")
@@ -123,6 +150,7 @@ def main():
     counts, faults = collections.Counter(), collections.Counter()
     memory = pathlib.Path("/dev/shm")  # where there is one: files are synced, and disks are slow
     with tempfile.TemporaryDirectory(prefix="suffuse-power-", dir=memory if memory.is_dir() else None) as folder:
+        os.environ["TMPDIR"] = folder  # what is killed leaves its temporary files there
         loss = PowerLoss(given, pathlib.Path(folder))
         for number, (calls, moment, way) in enumerate(loss.states(given.states)):
             root = loss.folder / f"state-{number}"
