@@ -10,6 +10,7 @@
 #include <libgen.h>
 #include <limits.h>
 #include <pthread.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -103,11 +104,27 @@ static void tell_of(const char* kind, int descriptor, long number) {
     }
 }
 
+/// A signal waits meanwhile: its handler may write, too, and would wait for the turn of the call that it interrupts.
+static void take_turn(sigset_t* before) {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, before);
+    pthread_mutex_lock(&in_turn);
+}
+
+static void end_turn(const sigset_t* before) {
+    pthread_mutex_unlock(&in_turn);
+    const int error = errno; // of the call; a handler that has waited runs now
+    pthread_sigmask(SIG_SETMASK, before, NULL);
+    errno = error;
+}
+
 #define IN_TURN(type, call, record)                                                                                    \
-    pthread_mutex_lock(&in_turn);                                                                                      \
+    sigset_t before;                                                                                                   \
+    take_turn(&before);                                                                                                \
     type result = call;                                                                                                \
     record;                                                                                                            \
-    pthread_mutex_unlock(&in_turn);                                                                                    \
+    end_turn(&before);                                                                                                 \
     return result
 
 ssize_t write(int descriptor, const void* bytes, size_t size) {
