@@ -320,17 +320,17 @@ TEST(FieldGradings, RockfillInMetersIsNoForgottenUnit) {
 }
 
 /// Where each cell's column was counted from the start of its line, 32,000 columns took a minute: these would take
-/// days.
-TEST(FieldGradings, ATableOfTwoMillionColumnsIsRefusedAtOnce) {
-    std::string text(2'000'000, ',');
+/// hours.
+TEST(FieldGradings, ATableOfFourHundredThousandColumnsIsRefused) {
+    std::string text(400'000, ',');
     text += "\n";
     EXPECT_TRUE(parse_sheet("d" + text + "1" + text).soils.empty());
     std::string names = "d";
-    for (int k = 0; k < 2'000'000; ++k) {
+    for (int k = 0; k < 400'000; ++k) {
         names += ",a";
     }
     const ParsedSheet parsed = parse_sheet(names + "\n1,2\n");
-    EXPECT_NE(render(parsed.told).find("2000001 columns"), std::string::npos) << render(parsed.told).substr(0, 300);
+    EXPECT_NE(render(parsed.told).find("400001 columns"), std::string::npos) << render(parsed.told).substr(0, 300);
 }
 
 } // namespace
