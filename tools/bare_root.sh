@@ -52,7 +52,6 @@ echo "bare root: $(($(date +%s) - begin)) s, $(chroot "$bare" dpkg-query -W | wc
 apt_get_targets 'deb $(REPO_URI) $(CODENAME) $(COMPONENT)' | grep -E ' bookworm[a-z-]* main$' | sort -u >"$bare/etc/apt/sources.list"
 apt-config dump | grep -E '^Acquire::(http|https|Check)' >"$bare/etc/apt/apt.conf.d/99machine" || true
 cp -L /etc/resolv.conf /etc/hosts "$bare/etc/"
-echo force-unsafe-io >"$bare/etc/dpkg/dpkg.cfg.d/throwaway" # the same packages in less time: a root that ends survives no power cut
 if [ -d /usr/local/share/ca-certificates ]; then cp -R /usr/local/share/ca-certificates "$bare/usr/local/share/"; fi
 mkdir -p "$bare/etc/ssl/certs"
 cp -L /etc/ssl/certs/ca-certificates.crt "$bare/etc/ssl/machine.crt"
