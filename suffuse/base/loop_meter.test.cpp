@@ -58,11 +58,11 @@ TEST(LoopMeter, TellsWhatIsOutsideOfLoopsFromWhatIsWithin) {
     EXPECT_EQ(alone->serial, 32);
 }
 
-TEST(LoopMeter, ReadsTheProcessorTimeOfItsThread) {
+TEST(LoopMeter, HasAClockThatMovesWhereNoneIsGiven) {
     LoopMeter meter(1);
     double sum = 0;
     const auto seconds = [&] { return meter.phases().front().serial; };
-    for (const double before = seconds(); seconds() == before;) { // until the clock moves, which only work makes it do
+    for (const double before = seconds(); seconds() == before;) { // until the clock moves
         sum += std::sin(sum + 1);
     }
     EXPECT_TRUE(std::isfinite(sum));
