@@ -25,6 +25,7 @@ struct LawConstantsOf {
     Real twisting_free{};      ///< [N m]
     Real adhesion_normal{};    ///< [Pa]
     Real adhesion_shear{};     ///< [Pa]
+    Real turning{1};           ///< of memory with its contact: 1, by a rotation; 0, to first order, as the reference's
 
     template <class Other>
     [[nodiscard]] LawConstantsOf<Other> as() const {
@@ -46,7 +47,8 @@ struct LawConstantsOf {
             other(twisting_limit),
             other(twisting_free),
             other(adhesion_normal),
-            other(adhesion_shear)};
+            other(adhesion_shear),
+            other(turning)};
     }
 };
 

@@ -133,6 +133,7 @@ StepPlan plan_of(const json& golden) {
     StepPlan plan;
     plan.dt = golden["dt"];
     plan.damping = golden["damping"];
+    plan.turns_to_first_order = true;
     plan.loading.velocity_gradient = Mat3{};
     if (golden.contains("controller")) {
         const json& servo = golden["controller"];

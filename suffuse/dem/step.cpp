@@ -293,7 +293,8 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     if (awaits_first_step(world)) {
         world.contacts = {}; // of the geometry, without memory
     }
-    const contact::LawConstants law = contact::resolve_law(world.material);
+    contact::LawConstants law = contact::resolve_law(world.material);
+    law.turning = plan.turns_to_first_order ? 0 : 1;
     take(world, plan.mode, caches);
     look_at_sizes(world, plan.loading, caches);
     caches.sleep = plan.load == nullptr; // drag only slows what nothing pushes

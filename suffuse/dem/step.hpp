@@ -22,6 +22,7 @@ struct StepPlan {
     const grains::GrainLoad* load = nullptr; ///< force on each grain from outside the skeleton
     std::int64_t load_ramp = 0;              ///< steps over which `load` grows from nothing; 0: acts at once
     std::int64_t load_steps = 0;             ///< of the ramp that were done before
+    bool turns_to_first_order = false;       ///< contact memory, as the reference's: for its trajectories only
 };
 
 struct StepReport {
