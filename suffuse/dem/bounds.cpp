@@ -1,6 +1,9 @@
 #include "suffuse/dem/bounds.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/contact/springs.hpp"
+#include "suffuse/dem/first_contacts.hpp"
 #include "suffuse/dem/inspect.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +29,78 @@ double largest_rate_of(const cell::Loading& loading) {
         if (axis.control == cell::Control::StrainRate) {
             largest = std::max(largest, std::abs(axis.value));
         }
+    }
+    return largest;
+}
+
+/// A grain, and how fast its fastest point is against the mean motion [m/s].
+struct FastGrain {
+    std::size_t grain = 0;
+    double speed = 0;
+};
+
+/// That of a grain against the mean motion, or of its surface as it spins.
+double speed_of(const World& world, std::size_t g) {
+    const grains::Grains& grains = world.grains;
+    const Vec3 own = grains.velocity[g] - world.cell.velocity_gradient * grains.position[g];
+    return std::max(norm(own), grains.radius[g] * norm(grains.spin[g]));
+}
+
+/// Not a number counts as the fastest.
+FastGrain fastest_grain(const World& world) {
+    const auto faster = [](const FastGrain& a, const FastGrain& b) {
+        return a.speed >= b.speed || std::isnan(a.speed) ? a : b;
+    };
+    return parallel_sum(
+        world.grains.size(), 4096, FastGrain{},
+        [&](std::size_t begin, std::size_t end) {
+            FastGrain fastest;
+            for (std::size_t g = begin; g < end; ++g) {
+                fastest = faster(fastest, {g, speed_of(world, g)});
+            }
+            return fastest;
+        },
+        faster
+    );
+}
+
+/// Of the lighter grain of a contact whose spring lets go [m/s], the largest.
+double speed_in_springs(const World& world, const contact::Contacts& contacts) {
+    const grains::Grains& grains = world.grains;
+    const contact::Spring& spring = contact::spring_of(world.material);
+    double square = 0;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const std::uint32_t i = contacts.first[c], j = contacts.second[c];
+        const double energy = spring.energy(world.material, grains.radius[i], grains.radius[j], contacts.overlap[c]);
+        square = std::max(square, 2 * energy / std::min(grains.mass[i], grains.mass[j]));
+    }
+    return std::sqrt(square);
+}
+
+/// That a grain may gain in so much time from forces that act on it from outside the skeleton [m/s], the largest.
+double speed_under_load(const World& world, const StepPlan& plan, double time) {
+    double acceleration = 0;
+    for (std::size_t g = 0; plan.load != nullptr && g < plan.load->force.size(); ++g) {
+        acceleration = std::max(acceleration, norm(plan.load->force[g]) / world.grains.mass[g]);
+    }
+    return acceleration * time;
+}
+
+/// Between the ends of the cell, as it deforms [m/s].
+double speed_of_ends(const World& world, const cell::Loading& loading) {
+    const Mat3 ends = world.cell.velocity_gradient * world.cell.h;
+    const double most = std::max({norm(ends.column(0)), norm(ends.column(1)), norm(ends.column(2))});
+    const double width =
+        std::max({norm(world.cell.h.column(0)), norm(world.cell.h.column(1)), norm(world.cell.h.column(2))});
+    return std::max(most, largest_rate_of(loading) * width);
+}
+
+/// Of the axes, now and by the stages before [Pa].
+double largest_to_hold(const World& world, const cell::Loading& loading) {
+    const Vec3& held = world.servo.held_stress;
+    double largest = std::max({0.0, held.x, held.y, held.z});
+    for (const cell::AxisControl& axis : loading.axis) {
+        largest = std::max(largest, axis.control == cell::Control::StrainRate ? 0 : axis.value);
     }
     return largest;
 }
@@ -59,6 +134,47 @@ void check_room(const World& world) {
             "the cell has grown to {:.1e} times the volume of its grains, which touch nowhere any more: strain it less",
             room
         ));
+    }
+}
+
+MotionBefore look_before(const World& world, bool is_new) {
+    MotionBefore before;
+    const double in_springs = speed_in_springs(world, is_new ? find_first_contacts(world) : world.contacts);
+    before.speed = std::max(fastest_grain(world).speed, in_springs);
+    if (!is_new) {
+        before.stress = world.servo.stress;
+    }
+    return before;
+}
+
+void check_motion(
+    const World& world, const StepPlan& plan, std::int64_t steps, const Mat3& stress, const MotionBefore& before
+) {
+    const double given = before.speed + speed_under_load(world, plan, static_cast<double>(steps) * plan.dt) +
+                         speed_of_ends(world, plan.loading);
+    const FastGrain fastest = fastest_grain(world);
+    if (!(fastest.speed <= most_speed * given)) {
+        const std::size_t g = fastest.grain;
+        throw StateError(fmt::format(
+            "at step {} grain {} moves at {:.2g} m/s and spins at {:.2g} rad/s, where grains, springs and loading give "
+            "{:.2g} m/s: the motion has blown up; take a smaller time step than {:.3g} s",
+            world.clock.step, world.grains.id[g], norm(world.grains.velocity[g]), norm(world.grains.spin[g]), given,
+            plan.dt
+        ));
+    }
+    const double held = largest_to_hold(world, plan.loading), driven = world.material.density * given * given;
+    for (int a = 0; a < 3 && before.stress && held > 0; ++a) {
+        const double found = stress(a, a);
+        const bool holds = plan.loading.axis[static_cast<std::size_t>(a)].control != cell::Control::StrainRate;
+        const bool rises = found > (*before.stress)[a];
+        if (holds && rises && found > most_stress * (held + driven)) {
+            throw StateError(fmt::format(
+                "at step {} the sample carries {:.3g} kPa along {}, where {:.3g} kPa are held, and grain {} moves at "
+                "{:.2g} m/s: the motion has blown up; take a smaller time step than {:.3g} s",
+                world.clock.step, found / 1e3, "xyz"[a], held / 1e3, world.grains.id[fastest.grain], fastest.speed,
+                plan.dt
+            ));
+        }
     }
 }
 

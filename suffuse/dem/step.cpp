@@ -6,6 +6,7 @@
 #include "suffuse/base/resident.hpp"
 #include "suffuse/cell/drive.hpp"
 #include "suffuse/contact/stress.hpp"
+#include "suffuse/dem/bounds.hpp"
 #include "suffuse/dem/first_contacts.hpp"
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/dem/inspect.hpp"
@@ -295,6 +296,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     }
     contact::LawConstants law = contact::resolve_law(world.material);
     law.turning = plan.turns_to_first_order ? 0 : 1;
+    const MotionBefore before = look_before(world, caches.neighborhood.searches() == 0);
     take(world, plan.mode, caches);
     look_at_sizes(world, plan.loading, caches);
     caches.sleep = plan.load == nullptr; // drag only slows what nothing pushes
@@ -319,6 +321,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     }
     wake(caches);
     give_back(caches, plan.mode, world);
+    check_motion(world, plan, steps, report.stress, before);
     return report;
 }
 
