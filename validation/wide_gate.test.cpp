@@ -66,7 +66,7 @@ dem::World wide_cloud(const WideSample& sample, std::uint64_t seed) {
 /// Grains with their own inertia throughout: a time step is given, one that networks allow.
 double own_time_step(const dem::World& cloud, double pressure) {
     constexpr double of_pairs = 0.5; // grains with several neighbors are quicker than pairs
-    return of_pairs * dem::stable_time_step(cloud, 1, pressure);
+    return of_pairs * dem::stable_time_step(cloud, {.pressure = pressure}, 1);
 }
 
 Row measure_wide(const WideSample& sample, std::uint64_t seed, Protocol protocol) {

@@ -44,13 +44,13 @@ double damping_of(const py::object& value) {
 }
 
 /// Nothing where it is to be computed. @throws CaseError where it is beyond what the sample can take
-std::optional<double> time_step_of(const py::object& value, Stepping& call) {
+std::optional<double> time_step_of(const py::object& value, double damping, Stepping& call) {
     if (py::isinstance<py::str>(value) && value.cast<std::string>() == "computed") {
         return std::nullopt;
     }
     const auto asked = optional_value_of(key_of("stage.advance", "time_step"), value, "time_step");
     if (asked) {
-        call.check_time_step(*asked);
+        call.check_time_step(*asked, damping);
     }
     return asked;
 }
@@ -69,7 +69,7 @@ std::shared_ptr<Asked> read_asked(
     asked->plan.mode = mode_of(mode);
     asked->plan.loading = loading;
     asked->plan.damping = damping_of(damping);
-    asked->plan.dt = time_step_of(time_step, call).value_or(0);
+    asked->plan.dt = time_step_of(time_step, asked->plan.damping, call).value_or(0);
     if (!force.is_none()) {
         asked->load.force = vectors_of(force, "force", call.world().grains.size());
         asked->plan.load = &asked->load;
@@ -148,7 +148,8 @@ py::dict relax(
     dem::Relaxation relaxation;
     {
         const Working working;
-        const double dt = asked->plan.dt > 0 ? asked->plan.dt : dem::stable_time_step(call.world());
+        const double dt =
+            asked->plan.dt > 0 ? asked->plan.dt : dem::stable_time_step(call.world(), {asked->plan.damping});
         dem::relax(
             call.world(), call.caches(), dt, asked->plan.damping, wanted, max_steps, relaxation,
             [&](std::string_view part, long long steps) {
@@ -194,9 +195,9 @@ py::dict run_triaxial(
     spec.deviator_stress = optional_value_of(key("deviator_stress"), deviator_stress, "deviator_stress");
     spec.stress_ratio = optional_value_of(key("stress_ratio"), stress_ratio, "stress_ratio");
     spec.inertial_number = inertial_number_of(inertial_number);
-    spec.time_step = time_step_of(time_step, call).value_or(0);
-    spec.rows = static_cast<int>(count_of(key("rows"), rows, "rows"));
     const double asked_damping = damping_of(damping);
+    spec.time_step = time_step_of(time_step, asked_damping, call).value_or(0);
+    spec.rows = static_cast<int>(count_of(key("rows"), rows, "rows"));
     triaxial::PathState state;
     Attention attention(on_progress, call);
     dem::World& world = begin(call);
@@ -229,8 +230,8 @@ py::list run_stress_probe(
     spec.increment = value_of(key("increment"), increment, "increment");
     spec.directions = static_cast<int>(count_of(key("directions"), directions, "directions"));
     spec.unbalanced_force = value_of(key("unbalanced_force"), unbalanced_force, "unbalanced_force");
-    spec.time_step = time_step_of(time_step, call).value_or(0);
     const double asked_damping = damping_of(damping);
+    spec.time_step = time_step_of(time_step, asked_damping, call).value_or(0);
     std::vector<triaxial::StressProbe> probes;
     Attention attention(on_progress, call);
     const dem::World& world = begin(call);

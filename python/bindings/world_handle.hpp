@@ -55,6 +55,7 @@ private:
     Mat3 h_{};
     std::shared_ptr<grains::Grains> kept_ = std::make_shared<grains::Grains>();
     double stable_step_ = 0;              ///< a time step that was seen to be stable [s]
+    double stable_damping_ = 0;           ///< with that local damping [-]
     grains::Material stable_for_;         ///< of grains of this material
     std::int64_t stable_at_ = 0;          ///< number of the step at which it was
     bool steps_ = false, pauses_ = false; ///< a call steps it; and calls back just now
@@ -94,8 +95,8 @@ public:
     /// For changes of the rows.
     dem::World& world_for_new_rows() { return handle_.part_from_views(); }
 
-    /// @throws CaseError where the sample is unstable with a time step of the caller's [s]
-    void check_time_step(double asked);
+    /// @param damping local [-] @throws CaseError where the sample is unstable with a time step of the caller's [s]
+    void check_time_step(double asked, double damping);
 
     /// The step's caches, made afresh where motion or cell were changed by hand since the last step.
     dem::StepCaches& caches();

@@ -12,8 +12,8 @@
 namespace suffuse::dem {
 namespace {
 
-double computed_time_step(const World& world, const cell::Loading& loading) {
-    return stable_time_step(world, default_step_safety, cell::stress_to_bear(loading, world.servo));
+double computed_time_step(const World& world, const StepPlan& plan) {
+    return stable_time_step(world, {plan.damping, cell::stress_to_bear(plan.loading, world.servo)});
 }
 
 /// Later stages hold the stresses that the world was driven to, however the driving ends. Not before: what is held
@@ -52,7 +52,7 @@ void settle_world(
             settling.time_step = asked;
         } else {
             renew_time_step(settling, state.steps, state.equilibrium.contacts, [&] {
-                return computed_time_step(world, plan.loading);
+                return computed_time_step(world, plan);
             });
         }
         plan.dt = settling.time_step;
@@ -81,7 +81,7 @@ Mat3 advance_world(
             advancing.time_step = asked;
         } else {
             renew_time_step(advancing, advancing.done, measure_equilibrium(world).contacts, [&] {
-                return computed_time_step(world, plan.loading);
+                return computed_time_step(world, plan);
             });
         }
         plan.dt = advancing.time_step;

@@ -26,6 +26,9 @@ public:
     /// Rows of the motions.
     [[nodiscard]] std::size_t rows() const { return plan_.rows(); }
 
+    /// That touch.
+    [[nodiscard]] std::size_t contacts() const { return springs_.size(); }
+
     /// `out` = K `in`: forces and torques that hold the grains so against the springs, on all threads, summed in one
     /// order.
     void apply(const Motions& in, Motions& out) const;

@@ -32,7 +32,7 @@ TEST_P(SteppedSpring, GivesBackTheEnergyOfACollisionAndHoldsItMeanwhile) {
     World world = test::two_grains(r1, r2, -1e-10, GetParam());
     const double m1 = world.grains.mass[0], m2 = world.grains.mass[1];
     world.grains.velocity = {{m2 / (m1 + m2) * speed, 0, 0}, {-m1 / (m1 + m2) * speed, 0, 0}}; // their center rests
-    const double start = motion_energy(world), dt = stable_time_step(world, 1e-3);
+    const double start = motion_energy(world), dt = 1e-3 * stability_limit(world);
     StepCaches caches;
     double most_held = 0;
     bool met = false;
@@ -56,7 +56,7 @@ TEST_P(SteppedSpring, StopsAGrainAtTheOverlapOfItsImpact) {
     World world = test::two_grains(r1, r1, -1e-10, GetParam());
     world.grains.motion[1] = grains::Motion::Held;
     world.grains.velocity[0] = {speed, 0, 0};
-    const StepPlan plan = test::plan_of(stable_time_step(world, 1e-3));
+    const StepPlan plan = test::plan_of(1e-3 * stability_limit(world));
     StepCaches caches;
     double deepest = 0;
     for (int k = 0; k < 20'000; ++k) {
@@ -100,7 +100,7 @@ TEST_P(SteppedSpring, StaysCalmAtTheStableTimeStep) {
 // The step is looked at again when contacts are twice as far in: until then it has to hold.
 TEST_P(SteppedSpring, HasAStepThatHoldsUntilContactsAreTwiceAsFarIn) {
     const double overlap = 1e-2 * r1;
-    const double dt = stable_time_step(squeezed_pair(GetParam(), overlap), 1);
+    const double dt = stability_limit(squeezed_pair(GetParam(), overlap), {.damping = 0});
     EXPECT_LE(dt, 2 / highest_frequency(squeezed_pair(GetParam(), 2 * overlap), 400) * (1 + 1e-6));
 }
 

@@ -56,18 +56,14 @@ OverlapToCome overlap_to_come(const World& world, double pressure) {
     return {mean, std::max({least, overlap_of_impact(world), overlap_growth * seen, of_chains * mean})};
 }
 
-/// Of the stability limit without viscous damping: v lags by half a step, so that x'' + 2 z w x' + w^2 x = 0 is stable
-/// below this x 2/w.
-double share_when_damped(double z) {
-    return std::sqrt(1 + z * z) - z;
+SpringNetwork network_of(const World& world, double least_overlap) {
+    const double shear_ratio = contact::spring_of(world.material).shear_ratio(world.material);
+    return {world, contacts_only_push(world) ? 0 : shear_ratio, least_overlap};
 }
 
-} // namespace
-
-double highest_frequency(const World& world, int iterations, double least_overlap) {
+/// Of the network of the world's contacts [rad/s].
+double highest_frequency(const World& world, const SpringNetwork& network, int iterations) {
     const grains::Grains& grains = world.grains;
-    const double shear_ratio = contact::spring_of(world.material).shear_ratio(world.material);
-    const SpringNetwork network(world, contacts_only_push(world) ? 0 : shear_ratio, least_overlap);
     Motions x{std::vector<Vec3>(grains.size()), std::vector<Vec3>(grains.size())};
     Motions force{std::vector<Vec3>(network.rows()), std::vector<Vec3>(network.rows())};
     for (std::size_t g = 0; g < grains.size(); ++g) { // any start that is not orthogonal to the stiffest mode
@@ -104,6 +100,44 @@ double highest_frequency(const World& world, int iterations, double least_overla
     return std::sqrt(square);
 }
 
+/// Of the stiffest modes [rad/s].
+struct Frequencies {
+    double network = 0;       ///< of the contacts that touch
+    double pair = 0;          ///< of two grains that may touch: equal ones, or one and the largest
+    std::size_t contacts = 0; ///< that touch
+};
+
+Frequencies highest_frequencies(const World& world, double pressure) {
+    const grains::Grains& grains = world.grains;
+    const contact::Spring& spring = contact::spring_of(world.material);
+    const OverlapToCome overlap = spring.stiffens ? overlap_to_come(world, pressure) : OverlapToCome{};
+    const grains::Material material = contact::linearized(world.material, overlap.most);
+    const double shear_ratio = contacts_only_push(world) ? 0 : material.shear_ratio;
+    const auto grain = [&](std::size_t g) { return Inertia{grains.radius[g], grains.mass[g], grains.inertia[g]}; };
+    const auto largest =
+        static_cast<std::size_t>(std::max_element(grains.radius.begin(), grains.radius.end()) - grains.radius.begin());
+    const double stiffer = std::pow(overlap_growth, 0.5 * (spring.exponent(world.material) - 1)); // as a frequency
+    const SpringNetwork network = network_of(world, overlap.mean);
+    Frequencies highest{stiffer * highest_frequency(world, network, usual_iterations), 0, network.contacts()};
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        for (const std::size_t other : {g, largest}) {
+            highest.pair = std::max(highest.pair, pair_frequency(material, shear_ratio, grain(g), grain(other)));
+        }
+    }
+    return highest;
+}
+
+/// The longest stable step of a vibration of that frequency [s].
+double limit_of(double frequency, const World& world, const MotionToCome& to_come) {
+    return share_when_damped(to_come.damping, world.material.viscous_damping) * 2 / frequency;
+}
+
+} // namespace
+
+double highest_frequency(const World& world, int iterations, double least_overlap) {
+    return highest_frequency(world, network_of(world, least_overlap), iterations);
+}
+
 double
 pair_frequency(const grains::Material& material, double shear_ratio, const Inertia& first, const Inertia& second) {
     const double r1 = first.radius, r2 = second.radius;
@@ -120,27 +154,24 @@ pair_frequency(const grains::Material& material, double shear_ratio, const Inert
     return std::sqrt(std::max({kn * lightness, rolling, material.twisting_stiffness * arm * agility}));
 }
 
-double stable_time_step(const World& world, double safety, double pressure) {
-    const grains::Grains& grains = world.grains;
-    const contact::Spring& spring = contact::spring_of(world.material);
-    const OverlapToCome overlap = spring.stiffens ? overlap_to_come(world, pressure) : OverlapToCome{};
-    const grains::Material material = contact::linearized(world.material, overlap.most);
-    const double shear_ratio = contacts_only_push(world) ? 0 : material.shear_ratio;
-    const auto grain = [&](std::size_t g) { return Inertia{grains.radius[g], grains.mass[g], grains.inertia[g]}; };
-    const auto largest =
-        static_cast<std::size_t>(std::max_element(grains.radius.begin(), grains.radius.end()) - grains.radius.begin());
-    const double stiffer = std::pow(overlap_growth, 0.5 * (spring.exponent(world.material) - 1)); // as a frequency
-    double highest = stiffer * highest_frequency(world, usual_iterations, overlap.mean);
-    for (std::size_t g = 0; g < grains.size(); ++g) {
-        for (const std::size_t other : {g, largest}) {
-            highest = std::max(highest, pair_frequency(material, shear_ratio, grain(g), grain(other)));
-        }
-    }
-    return safety * share_when_damped(world.material.viscous_damping) * 2 / highest;
+double share_when_damped(double damping, double viscous) {
+    const double raised = 1 + damping, z2 = viscous * viscous * raised; // of stiffness, and of the damper
+    return (std::sqrt(1 + z2) - std::sqrt(z2)) / std::sqrt(raised);
 }
 
-void check_time_step(const World& world, double asked) {
-    const double limit = stable_time_step(world, 1);
+double stability_limit(const World& world, const MotionToCome& to_come) {
+    const auto [network, pair, contacts] = highest_frequencies(world, to_come.pressure);
+    return limit_of(std::max(network, pair), world, to_come);
+}
+
+double stable_time_step(const World& world, const MotionToCome& to_come, double safety) {
+    const auto [network, pair, contacts] = highest_frequencies(world, to_come.pressure);
+    const double quicker = contacts < world.grains.size() ? quicker_than_pair : 1;
+    return safety * limit_of(std::max(network, quicker * pair), world, to_come);
+}
+
+void check_time_step(const World& world, double asked, double damping) {
+    const double limit = stability_limit(world, {damping});
     if (!(asked <= limit)) {
         throw CaseError(fmt::format(
             "time_step: found {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is "

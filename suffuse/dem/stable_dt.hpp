@@ -2,12 +2,13 @@
 // The largest stable time step of the explicit scheme, from the stiffest mode of the contact network: translations and
 // rotations coupled, rolling and twisting springs included.
 
+#include "suffuse/dem/spec.hpp"
 #include "suffuse/dem/world.hpp"
 
 namespace suffuse::dem {
 
 /// Share of the stability limit that is taken: the power iteration is a few percent low, and contacts come and go.
-inline constexpr double default_step_safety = 0.75;
+inline constexpr double default_step_safety = 0.82;
 
 inline constexpr int usual_iterations = 40; ///< of the power method
 
@@ -30,16 +31,33 @@ double highest_frequency(const World& world, int iterations = usual_iterations, 
 double
 pair_frequency(const grains::Material& material, double shear_ratio, const Inertia& first, const Inertia& second);
 
-/// `safety` x 2 / highest frequency of the network, and of what contacts may still come: two equal grains, or one and
-/// the largest [s]. Under laws that stiffen, all count as they will be under `pressure`, or what the world holds
-/// now, and twice as far in; what damps contacts shortens the step. Grains with several neighbors are quicker than
-/// pairs: look again when `network_has_grown`.
-/// @param pressure that the sample is to bear soon, if more than it does [Pa]
-double stable_time_step(const World& world, double safety = default_step_safety, double pressure = 0);
+/// What the motion to come will be like, beside the state of the world.
+struct MotionToCome {
+    double damping = usual_damping; ///< local [-]
+    double pressure = 0;            ///< that the sample is to bear soon, if more than it does [Pa]
+};
 
-/// Longer steps blow a sample up, or heat it while it seems to settle. @throws CaseError where the time step that
-/// somebody asks for [s] is beyond the stability limit of the world as it is.
-void check_time_step(const World& world, double asked);
+/// Of the largest stable step, 2 over the frequency, what dampers leave [-]: a force that brakes is raised to 1 +
+/// `damping` times itself, and viscous dampers see velocities half a step late. @param viscous share of the critical
+/// one
+double share_when_damped(double damping, double viscous);
+
+/// The longest stable step of the contacts that touch, and of any that may come where each is a lone pair [s]: of two
+/// equal grains, or of one and the largest. Under laws that stiffen, all count as they will be under the pressure to
+/// come, or what the world holds now, and twice as far in.
+double stability_limit(const World& world, const MotionToCome& to_come = {});
+
+/// How much quicker a grain with several neighbors is than a lone pair, at most: seen, 2.1 times.
+inline constexpr double quicker_than_pair = 2;
+
+/// `safety` x the stability limit [s]. While fewer contacts touch than there are grains, many may come within a burst:
+/// each pair then counts as `quicker_than_pair`. Look again when `network_has_grown`.
+double stable_time_step(const World& world, const MotionToCome& to_come = {}, double safety = default_step_safety);
+
+/// Longer steps blow a sample up, or heat it while it seems to settle. @param damping local [-]
+/// @throws CaseError where the time step that somebody asks for [s] is beyond the stability limit of the world as it
+/// is, or of any two of its grains.
+void check_time_step(const World& world, double asked, double damping);
 
 inline constexpr std::int64_t time_step_interval = 1000; ///< steps after which a computed time step is computed again
 

@@ -88,7 +88,7 @@ void relax_further(PassUnderWay& now, const ProbeSpec& spec, const Surroundings&
     const double median = grains::median_diameter(world.grains);
     if (now.at == At::Start) {
         dem::lend_inertia(world, median, {}, all);
-        now.relaxation_step = dem::stable_time_step(world);
+        now.relaxation_step = dem::stable_time_step(world, {around.damping});
         now.at = At::Relax;
     }
     dem::StepCaches caches;
@@ -252,7 +252,7 @@ void probe_and_extract(
     if (spec.probe.gravity && !spec.forced) {
         weigh(world, spec, seeping, around, pass);
     } else {
-        const double dt = dem::stable_time_step(world);
+        const double dt = dem::stable_time_step(world, {around.damping});
         pass.probe = probe(world, seeping, dt, now.relaxation, spec.probe, spec.detached, around).front();
     }
     pass.wall_seconds["probe"] = watch.lap();
@@ -366,7 +366,7 @@ probe_gradients(const dem::World& world, const DetachStageSpec& spec, const Surr
     relaxed.world = world;
     dem::sort_along_curve(relaxed.world);
     relax_further(relaxed, spec.probe, around);
-    const double dt = dem::stable_time_step(relaxed.world);
+    const double dt = dem::stable_time_step(relaxed.world, {around.damping});
     const Seeping seeping = seep(relaxed.world, spec.gradients, spec.direction, spec.probe, around);
     return probe(relaxed.world, seeping, dt, relaxed.relaxation, spec.probe, spec.detached, around);
 }

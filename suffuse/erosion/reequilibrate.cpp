@@ -67,7 +67,7 @@ void Resettling::add_row(const Mat3& stress, double unbalanced_force) {
 /// The first step without the grains that left: what the rest carries where it is.
 void Resettling::take_step() {
     so_far.start_h = world.cell.h;
-    plan.dt = dem::stable_time_step(world);
+    plan.dt = dem::stable_time_step(world, {plan.damping});
     pass.porosity_after_removal = dem::porosity(world);
     pass.stress_after_removal = dem::step(world, caches, plan).stress;
     so_far.steps = 1;
@@ -81,7 +81,7 @@ void Resettling::run_phase(std::int64_t most_steps, const IsOver& is_over) {
     for (;;) {
         // a collapse makes contacts that the time step must know
         dem::renew_time_step(so_far.computed, state.steps, state.equilibrium.contacts, [&] {
-            return dem::stable_time_step(world);
+            return dem::stable_time_step(world, {plan.damping});
         });
         plan.dt = so_far.computed.time_step;
         dem::settle_burst(world, caches, plan, around.balance, state);

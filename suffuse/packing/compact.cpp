@@ -115,7 +115,7 @@ void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state
 
 /// The longest step of the network as it is.
 void take_time_step(const dem::World& world, const CompactSpec& spec, CompactState& state) {
-    dem::take_time_step(state, choose_time_step(world, spec), state.balance.equilibrium.contacts);
+    dem::take_time_step(state, choose_time_step(world, spec, state.damping), state.balance.equilibrium.contacts);
 }
 
 /// Swift, asked for a void ratio: whether the sample gave way further from its start than it should under what it
@@ -234,7 +234,7 @@ bool compact_burst(
         take_time_step(world, spec, state);
     } else {
         dem::renew_time_step(state, state.steps, state.balance.equilibrium.contacts, [&] {
-            return choose_time_step(world, spec);
+            return choose_time_step(world, spec, state.damping);
         });
     }
     const Pace pace = choose_pace(world, spec, balance, state);

@@ -120,14 +120,15 @@ double largest_rate(const CompactSpec& spec, double density, double median_diame
     );
 }
 
-double choose_time_step(const dem::World& world, const CompactSpec& spec) {
+double choose_time_step(const dem::World& world, const CompactSpec& spec, double damping) {
     if (spec.time_step > 0) {
         return spec.time_step;
     }
+    const double stable = dem::stable_time_step(world, {damping, spec.pressure});
     if (spec.protocol != Protocol::Slow) {
-        return dem::stable_time_step(world, dem::default_step_safety, spec.pressure);
+        return stable;
     }
-    return slow_time_step(*std::min_element(world.grains.radius.begin(), world.grains.radius.end()), world.material);
+    return std::min(stable, slow_time_step(*std::ranges::min_element(world.grains.radius), world.material));
 }
 
 double slow_time_step(double smallest, const grains::Material& material) {

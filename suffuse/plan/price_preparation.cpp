@@ -59,7 +59,9 @@ public:
         const Range trials = asks ? trials_for_a_density : Range{1, 1};
         const double end = 1 - sample_.solid_fraction;
         const double open = adheres() ? start : std::min(start, packing::open_porosity);
-        const double stable = time_step(settled_time_step(sample_, variant_.material, lent()));
+        const double stable = time_step(std::min(
+            settled_time_step(sample_, variant_.material, lent()), loose_time_step(sample_, variant_.material, lent())
+        ));
         const double rate = packing::largest_rate(spec_, variant_.material.density, sample_.median);
         const double gas = strain_between(start, open) / (rate * gas_time_step);
         const double loaded = strain_between(open, end) / (rate * stable);
@@ -127,9 +129,10 @@ private:
         if (spec_.time_step > 0) {
             return spec_.time_step;
         }
-        return spec_.protocol == packing::Protocol::Slow
-                   ? packing::slow_time_step(0.5 * smallest_diameter(sample_), variant_.material)
-                   : stable;
+        if (spec_.protocol != packing::Protocol::Slow) {
+            return stable;
+        }
+        return std::min(stable, packing::slow_time_step(0.5 * smallest_diameter(sample_), variant_.material));
     }
 
     const casefile::Case& case_;

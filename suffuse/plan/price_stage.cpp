@@ -89,7 +89,7 @@ public:
 
     StagePrice operator()(const casefile::ImportSpec& spec) {
         const record::ImportedSample read = record::read_import(spec, variant_, variant_.folder);
-        sample_ = describe(read.grains);
+        sample_ = describe(read.grains, variant_.damping);
         take_state(sample_, state_at(sample_, grains::solid_volume(read.grains) / std::abs(determinant(read.h))));
         return {.seconds = {0, 0.1}, .memory_a_grain = grain_memory, .basis = "read from a file"};
     }
@@ -109,7 +109,7 @@ public:
             add_grain(grains, {}, drawn.radius[g], variant_.material.density);
             grains.fine[g] = drawn.fine[g];
         }
-        sample_ = describe(grains);
+        sample_ = describe(grains, variant_.damping);
         if (some < variant_.particles) {
             scale_up(sample_, soil, static_cast<double>(variant_.particles));
         }

@@ -86,14 +86,36 @@ double pair_frequency(
     return dem::pair_frequency(linear, linear.shear_ratio, grain(first), grain(second));
 }
 
+/// Of grains that touch their like, or the largest [rad/s].
+struct PairFrequencies {
+    double alike = 0, unlike = 0;
+};
+
+/// The smallest are the quickest, unless they are lent inertia.
+PairFrequencies stiffest_pairs(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent) {
+    const double large = 0.5 * largest_diameter(sample);
+    PairFrequencies stiffest;
+    for (const double r : {0.5 * smallest_diameter(sample), 0.5 * sample.median, large}) {
+        stiffest.alike = std::max(stiffest.alike, pair_frequency(sample, r, r, lent, material));
+        stiffest.unlike = std::max(stiffest.unlike, pair_frequency(sample, r, large, lent, material));
+    }
+    return stiffest;
+}
+
+/// Of 2 over the highest frequency, that a time step is.
+double usual_share(const PricedSample& sample, const grains::Material& material) {
+    return dem::default_step_safety * dem::share_when_damped(sample.damping, material.viscous_damping);
+}
+
 } // namespace
 
 grains::Material as_pressed(const PricedSample& sample, const grains::Material& material) {
     return contact::linearized(material, contact::mean_overlap_at(material, sample.pressure));
 }
 
-PricedSample describe(const grains::Grains& grains) {
+PricedSample describe(const grains::Grains& grains, double damping) {
     PricedSample sample;
+    sample.damping = damping;
     sample.coarse = describe_fraction(grains, false);
     sample.fines = describe_fraction(grains, true);
     sample.median = grains::median_diameter(grains);
@@ -172,24 +194,17 @@ double count(const PricedSample& sample) {
     return sample.coarse.grains + sample.fines.grains;
 }
 
-double loose_time_step(const PricedSample& sample, const grains::Material& material) {
-    const double r = 0.5 * smallest_diameter(sample), large = 0.5 * largest_diameter(sample);
-    const double alike = pair_frequency(sample, r, r, {}, material),
-                 unlike = pair_frequency(sample, r, large, {}, material);
-    return dem::default_step_safety * 2 / std::max(alike, unlike);
+double loose_time_step(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent) {
+    const PairFrequencies of = stiffest_pairs(sample, material, lent);
+    return usual_share(sample, material) * 2 / (dem::quicker_than_pair * std::max(of.alike, of.unlike));
 }
 
 double settled_time_step(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent) {
-    const double large = 0.5 * largest_diameter(sample);
-    double alike = 0, unlike = 0; // the smallest are the quickest, unless they are lent inertia
-    for (const double r : {0.5 * smallest_diameter(sample), 0.5 * sample.median, large}) {
-        alike = std::max(alike, pair_frequency(sample, r, r, lent, material));
-        unlike = std::max(unlike, pair_frequency(sample, r, large, lent, material));
-    }
-    const double stiffer = std::max(1.0, unlike / alike);
+    const PairFrequencies of = stiffest_pairs(sample, material, lent);
+    const double stiffer = std::max(1.0, of.unlike / of.alike);
     const double dense = (sample.coordination - loose_coordination) / (dense_coordination - loose_coordination);
     const double share = loose_share + std::clamp(dense, 0.0, 1.0) * (dense_share - loose_share);
-    return share * std::pow(stiffer, -stiffness_exponent) * dem::default_step_safety * 2 / alike;
+    return usual_share(sample, material) * 2 * share * std::pow(stiffer, -stiffness_exponent) / of.alike;
 }
 
 Range work_of_step(const PricedSample& sample, bool only_pushes) {

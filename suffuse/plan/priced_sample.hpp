@@ -4,6 +4,7 @@
 
 #include "suffuse/base/range.hpp"
 #include "suffuse/dem/lent_inertia.hpp"
+#include "suffuse/dem/spec.hpp"
 #include "suffuse/grains/grains.hpp"
 #include "suffuse/grains/material.hpp"
 #include "suffuse/packing/expected_state.hpp"
@@ -29,12 +30,13 @@ struct PricedSample {
     std::vector<std::uint8_t> is_fine;       ///< of each class
     Range fines_left{1, 1};                  ///< share of the fines that earlier stages leave [-]
     double pressure = 100e3;                 ///< mean stress [Pa]
+    double damping = dem::usual_damping;     ///< local [-]
     double solid_fraction = 0.35;            ///< [-]
     double coordination = 0;                 ///< of grains that carry load [-]
     double median = 0;                       ///< diameter by mass [m]
 };
 
-PricedSample describe(const grains::Grains& grains);
+PricedSample describe(const grains::Grains& grains, double damping = dem::usual_damping);
 
 /// The sample after a preparation that makes of equal grains these.
 void take_state(PricedSample& sample, const packing::EqualGrains& state);
@@ -61,8 +63,8 @@ grains::Material as_pressed(const PricedSample& sample, const grains::Material& 
 /// The stable time step of the settled sample [s].
 double settled_time_step(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent = {});
 
-/// The same of a cloud whose grains just touch [s].
-double loose_time_step(const PricedSample& sample, const grains::Material& material);
+/// The same of a cloud whose grains just touch, or of which fewer contacts touch than there are grains [s].
+double loose_time_step(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent = {});
 
 /// Work of a step, in grains of the packing that measure_speed steps. @param only_pushes contacts have no friction
 Range work_of_step(const PricedSample& sample, bool only_pushes = false);

@@ -56,7 +56,7 @@ void do_stage(StageWork& work) {
         [&](const auto& spec) {
             if constexpr (requires { spec.time_step; }) {
                 if (spec.time_step > 0) {
-                    dem::check_time_step(work.world, spec.time_step);
+                    dem::check_time_step(work.world, spec.time_step, work.variant.damping);
                 }
             }
         },

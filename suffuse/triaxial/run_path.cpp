@@ -217,8 +217,8 @@ void check_spec(const TriaxialSpec& spec) {
     }
 }
 
-double choose_time_step(const dem::World& world, const TriaxialSpec& spec) {
-    return spec.time_step > 0 ? spec.time_step : dem::stable_time_step(world);
+double choose_time_step(const dem::World& world, const TriaxialSpec& spec, double damping) {
+    return spec.time_step > 0 ? spec.time_step : dem::stable_time_step(world, {damping});
 }
 
 /// Later stages hold the lateral stresses of a drained test, else the stresses that the test has led to.
@@ -275,7 +275,7 @@ bool path_burst(
     double damping, dem::Mode mode, PathState& state
 ) {
     dem::renew_time_step(state, state.steps, state.balance.equilibrium.contacts, [&] {
-        return choose_time_step(world, spec);
+        return choose_time_step(world, spec, damping);
     });
     const std::optional<double> missing = missing_deviator(spec, state.balance.stress);
     if (missing && state.steps == 0) {
@@ -319,7 +319,7 @@ bool path_burst(
     state.balance.steps = state.balance.balanced_steps = 0;
     give_back(world, state); // a balance is proved with the grains' own inertia
     if (reached) {
-        dem::take_time_step(state, choose_time_step(world, spec), state.balance.equilibrium.contacts);
+        dem::take_time_step(state, choose_time_step(world, spec, damping), state.balance.equilibrium.contacts);
         state.phase = PathState::Phase::Settle;
     } else {
         end_path(world, spec, state);

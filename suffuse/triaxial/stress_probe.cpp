@@ -101,7 +101,7 @@ ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec
     const double median = grains::median_diameter(world.grains);
     dem::lend_inertia(sample.world, median, {}, {true, true}); // where grains rest does not depend on it
     ProbedState state;
-    state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(sample.world);
+    state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(sample.world, {damping});
     while (!sample.rests) {
         burst(sample, stress, state.time_step, damping, goal);
         state.steps += dem::burst_steps;

@@ -4,8 +4,6 @@
 
 #include "tests/support/run_text.hpp"
 #include <atomic>
-#include <fstream>
-#include <sstream>
 
 namespace suffuse::test {
 namespace {
@@ -72,12 +70,6 @@ TEST(ErosionTarget, AnErosionFromWhichNothingLeavesAnyMoreHasEndedAndWarnsOfNoth
     EXPECT_EQ(last.at("removed"), 0);
     EXPECT_EQ(last.at("verdict"), "nothing leaves any more");
     EXPECT_EQ(stage.at("warnings").dump().find("nothing leaves"), std::string::npos);
-}
-
-std::string text_of(const path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
 }
 
 TEST(ForcedErosion, GoesOnWhateverTheNoiseOfTheProbe) {

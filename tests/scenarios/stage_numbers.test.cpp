@@ -36,7 +36,7 @@ TEST(StageNumbers, TheHistoryOfACompactionToAVoidRatioIsThatOfTheTrialThatCounts
     run_text(
         reference_constants + coarse_sand +
             "[[study.s.stage]]\nname = \"initial\"\ndo = \"compact\"\npressure = \"100 kPa\"\n"
-            "protocol = \"faithful\"\nvoid_ratio = 0.66\nrecord = { every = 50 }\n",
+            "protocol = \"faithful\"\nvoid_ratio = 0.70\nrecord = { every = 50 }\n",
         folder.path()
     );
     const nlohmann::json numbers = stage_of(folder.path(), "initial");

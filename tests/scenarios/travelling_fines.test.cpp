@@ -6,19 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/run_text.hpp"
-#include <fstream>
-#include <sstream>
 
 namespace suffuse::test {
 namespace {
 
 using nlohmann::json;
-
-std::string text_of(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
 
 std::string two_passes() {
     return reference_constants + reference_soil() + study_of_packing("packing2000") +

@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/run_text.hpp"
-#include <fstream>
-#include <sstream>
 
 namespace suffuse::test {
 namespace {
@@ -23,12 +21,6 @@ std::string stage(const std::string& name, const std::string& keys) {
 
 std::string start(const std::string& gravity, const std::string& packing = "packing500") {
     return reference_constants + gravity + reference_soil() + study_of_packing(packing);
-}
-
-std::string text_of(const path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
 }
 
 TEST(Weight, TellsTheGradientsOfASandThatHardlyMovesAndLeavesItAsItWas) {

@@ -9,9 +9,18 @@
 
 #include "tests/support/reference.hpp"
 #include "tests/support/temp_folder.hpp"
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 namespace suffuse::test {
+
+inline std::string text_of(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
 
 /// Grain, contact, balance and fluid of the reference's section 4.
 inline const std::string reference_constants = R"(
