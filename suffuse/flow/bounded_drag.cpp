@@ -1,15 +1,19 @@
 #include "suffuse/flow/bounded_drag.hpp"
 
+#include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/raw_column.hpp"
 #include "suffuse/flow/conductance.hpp"
+#include "suffuse/flow/passage_area.hpp"
 #include "suffuse/flow/throat_drag.hpp"
+#include "suffuse/flow/throat_edges.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace suffuse::flow {
 namespace {
@@ -29,31 +33,50 @@ constexpr double thinnest_layer = 1e-6;
 /// A neighbor that many times larger is a wall.
 constexpr double wall_ratio = 1.5;
 
-/// What the water of throat t wets.
-WettedGrains wetted_grains(
-    const pores::PoreNetwork& network, std::span<const double> radius, std::size_t t,
-    const std::array<double, 3>& wetted
+/// Water between surfaces nearer than this share of the layer's thickness rests. Fitted, as the exponents below.
+constexpr double resting_gap = 0.8;
+
+/// At least this share of what is wetted drags.
+constexpr double least_open = 0.1;
+
+/// The area of a throat that counts: harmonic2 facet^widening / mean^(1 + widening).
+constexpr double widening = 0.2;
+
+/// Areas are no less than this share of the facet.
+constexpr double least_area = 1e-3, least_void = 1e-9;
+
+constexpr double nearly = 1 - 1e-9;
+
+/// The water of throat t by solid angles.
+ThroatWater
+counted_water(const std::array<double, 3>& radius, const std::array<double, 3>& wetted, double hydraulic_radius) {
+    return {hydraulic_radius * (wetted[0] + wetted[1] + wetted[2]), {radius, wetted}};
+}
+
+/// Area through which the water of a throat goes, of the area vector `area` and the void area given [m2].
+double passage_area(
+    const pores::ThroatSpheres& spheres, const ThroatEdges& edges, const Vec3& p1, const Vec3& p2, const Vec3& area,
+    double void_area
 ) {
-    const auto [a, b, c] = pores::grains_of(network, t).row;
-    return {{radius[a], radius[b], radius[c]}, wetted};
-}
-
-/// Volume of a throat's water [m3].
-double water_of(double hydraulic_radius, const std::array<double, 3>& wetted) {
-    return std::max(0.0, hydraulic_radius * (wetted[0] + wetted[1] + wetted[2]));
-}
-
-RawColumn<double> throat_drags(const pores::PoreNetwork& network, std::span<const double> radius, double least_layer) {
-    const pores::Throats& throats = network.throats;
-    RawColumn<double> drag(throats.size());
-    parallel_for(drag.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-            const WettedGrains grains = wetted_grains(network, radius, t, throats.wetted[t]);
-            const double water = water_of(throats.hydraulic_radius[t], throats.wetted[t]);
-            drag[t] = throat_drag(grains, std::max(least_layer, water_layer(grains, water)));
-        }
-    });
-    return drag;
+    const auto& [x, r] = spheres;
+    const double facet = norm(area);
+    Passage passage{0, {}, r};
+    double sections = 0, overlaps = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+        passage.angle[a] =
+            a < 2 ? std::atan2(2 * facet, dot(x[b] - x[a], x[c] - x[a])) : pi - passage.angle[0] - passage.angle[1];
+        sections += 0.5 * passage.angle[a] * r[a] * r[a];
+        overlaps += edges.length(a) < r[a] + r[b] ? lens_of(r[a], r[b], edges.length(a)).half_section : 0;
+    }
+    // Where sections counted twice exceed the facet, the network keeps the size of the difference alone.
+    const double counted = sections - facet > nearly * void_area ? -void_area : void_area;
+    passage.facet = std::max(counted + overlaps, least_void * facet);
+    const double below = dot(p1 - x[0], area) / facet, above = dot(p2 - x[0], area) / facet;
+    const PassageArea found = mean_passage_area(passage, below, above, least_length * std::sqrt(facet));
+    const double least = least_area * facet, mean = std::max(found.mean, least);
+    const double harmonic = std::max(found.harmonic, least);
+    return harmonic * harmonic / mean * std::pow(facet / mean, widening);
 }
 
 } // namespace
@@ -91,26 +114,46 @@ BoundedDrag::BoundedDrag(
     const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius
 )
     : network_(network), position_(position), radius_(radius),
-      least_layer_(thinnest_layer * *std::min_element(radius.begin(), radius.end())),
-      exchange_(network, throat_drags(network, radius, least_layer_), exchange_legs(network, position, radius)) {}
+      least_layer_(thinnest_layer * *std::min_element(radius.begin(), radius.end())), water_(network.throats.size()),
+      passage_(network.throats.size()), exchange_(network, measure_water(), exchange_legs(network, position, radius)) {}
+
+RawColumn<double> BoundedDrag::measure_water() {
+    const pores::Throats& throats = network_.throats;
+    RawColumn<double> drag(throats.size());
+    std::vector<double> covered_twice((drag.size() + block - 1) / block);
+    parallel_for(drag.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const pores::ThroatSpheres spheres = pores::spheres_of(network_, position_, radius_, t);
+            const auto [p1, p2] = pores::centers_beside(network_, t);
+            const ThroatEdges edges(spheres.center, p1, p2);
+            const ThroatWater counted = counted_water(spheres.radius, throats.wetted[t], throats.hydraulic_radius[t]);
+            const ThroatWater water = count_overlaps_once(edges, counted);
+            const double layer = std::max(least_layer_, water_layer(water.grains, water.volume));
+            std::array<double, 3> open = surface_beyond_wedges(edges, counted.grains, resting_gap * layer);
+            for (std::size_t k = 0; k < 3; ++k) {
+                open[k] = std::max(open[k], least_open * water.grains.area[k]);
+            }
+            water_[t] = water.volume;
+            covered_twice[begin / block] += water.volume - std::max(0.0, counted.volume);
+            passage_[t] = passage_area(spheres, edges, p1, p2, throats.area[t], throats.void_area[t]);
+            drag[t] = throat_drag(water.grains, open, layer);
+        }
+    });
+    covered_twice_ = std::accumulate(covered_twice.begin(), covered_twice.end(), 0.0);
+    return drag;
+}
 
 std::vector<double> BoundedDrag::conductances(double viscosity) const {
     const pores::Throats& throats = network_.throats;
-    RawColumn<double> water(throats.size());
-    parallel_for(water.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-            water[t] = water_of(throats.hydraulic_radius[t], throats.wetted[t]);
-        }
-    });
     // Under a pressure gradient of 1 each volume of water is pushed by its size: velocities are mobilities [m2].
-    std::vector<double> conductance = exchange_.velocities(water);
+    std::vector<double> conductance = exchange_.velocities(water_);
     parallel_for(conductance.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const double least = least_length * std::sqrt(norm(throats.area[t]));
             const double mobility = std::max(0.0, conductance[t]); // below 0 only within the solver's tolerance
             conductance[t] = pores::is_internal(throats, t)
                                  ? 0
-                                 : throats.void_area[t] * mobility / (viscosity * std::max(throats.length[t], least));
+                                 : passage_[t] * mobility / (viscosity * std::max(throats.length[t], least));
         }
     });
     return conductance;
@@ -128,16 +171,17 @@ double BoundedDrag::pressure_on_void(std::size_t t, double drop) const {
 std::array<Vec3, 3>
 BoundedDrag::forces_at(std::size_t t, double drop, const Vec3& drag, std::span<const double> to_wall) const {
     const pores::ThroatGeometry throat = pores::measure_throat(network_, position_, radius_, t);
-    const WettedGrains grains = wetted_grains(network_, radius_, t, throat.wetted);
-    const double layer = std::max(least_layer_, water_layer(grains, water_of(throat.hydraulic_radius, throat.wetted)));
     const auto [a, b, c] = pores::grains_of(network_, t).row;
-    const auto shares = drag_shares(grains, layer, {to_wall[a], to_wall[b], to_wall[c]});
+    const ThroatWater water =
+        counted_water({radius_[a], radius_[b], radius_[c]}, throat.wetted, throat.hydraulic_radius);
+    const double layer = std::max(least_layer_, water_layer(water.grains, water.volume));
+    const auto shares = drag_shares(water.grains, layer, {to_wall[a], to_wall[b], to_wall[c]});
     const auto& whole = throat.grain_share; // of sections and, by wetted surface, of the void area
     const double sum = network_.throats.covered[t], surface = throat.solid_surface;
     const double void_share = throat.void_area / norm(throat.area);
     std::array<Vec3, 3> force;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double section = whole[k] - void_share * (surface > 0 ? grains.area[k] / surface : 1.0 / 3);
+        const double section = whole[k] - void_share * (surface > 0 ? throat.wetted[k] / surface : 1.0 / 3);
         force[k] = (drop * section / sum) * throat.area + shares[k] * drag;
     }
     return force;

@@ -1,8 +1,9 @@
 #pragma once
-// The law of conductances and forces that stays right at any ratio of sizes. Each throat has a drag that is bounded at
-// both ends (throat_drag.hpp), and water exchanges momentum between throats (momentum_exchange.hpp): a throat among
-// fine grains in a wide void is held back by the void's walls, and hands on to them what it cannot hold. Conductances
-// and forces follow from the same equations. docs/theory/pore-flow.md, "Bounded drag".
+// The law of conductances and forces whose drag is bounded at both ends (throat_drag.hpp), without the water that rests
+// beside contacts (throat_edges.hpp). Water exchanges momentum between throats (momentum_exchange.hpp): a throat among
+// fine grains in a wide void is held back by the void's walls, and hands on to them what it cannot hold. Conductances,
+// with the area along a throat (passage_area.hpp), and forces follow from the same equations.
+// docs/theory/pore-flow.md, "Bounded drag".
 
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/flow/momentum_exchange.hpp"
@@ -28,11 +29,19 @@ public:
     /// Conductance of each throat in a fluid of viscosity [Pa s]; 0 for throats inside a body of water [m3/(Pa s)].
     [[nodiscard]] std::vector<double> conductances(double viscosity) const;
 
+    /// Of each throat, overlaps of grains counted once [m3].
+    [[nodiscard]] std::span<const double> water() const { return water_; }
+
+    /// What of all throats' water grains that overlap cover twice [m3].
+    [[nodiscard]] double covered_twice() const { return covered_twice_; }
+
     /// Force on each grain [N], in the order of the rows given. `gradient`: the mean pressure gradient that the
     /// pressures were solved for [Pa/m].
     [[nodiscard]] std::vector<Vec3> grain_forces(std::span<const double> pressure, const Vec3& gradient) const;
 
 private:
+    /// Enters water and passage of all throats, and returns their drag [m].
+    RawColumn<double> measure_water();
     [[nodiscard]] double pressure_on_void(std::size_t t, double drop) const;
     [[nodiscard]] std::array<Vec3, 3>
     forces_at(std::size_t t, double drop, const Vec3& drag, std::span<const double> to_wall) const;
@@ -40,7 +49,10 @@ private:
     const pores::PoreNetwork& network_;
     std::span<const Vec3> position_;
     std::span<const double> radius_;
-    double least_layer_; ///< no water on grains is thinner [m]
+    double least_layer_;      ///< no water on grains is thinner [m]
+    RawColumn<double> water_; ///< of each throat [m3]
+    double covered_twice_ = 0;
+    RawColumn<double> passage_; ///< area through which it goes [m2]
     MomentumExchange exchange_;
 };
 

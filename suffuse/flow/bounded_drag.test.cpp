@@ -1,7 +1,10 @@
 #include "suffuse/flow/bounded_drag.hpp"
 
 #include "suffuse/base/constants.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/flow/known_error.hpp"
 #include "suffuse/flow/seepage.hpp"
+#include "suffuse/flow/throat_edges.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -82,7 +85,7 @@ TEST(BoundedDrag, IsThatOfItsPrototype) {
     for (const char* name : {"m36", "m55", "q3_20", "q6_5", "q10_1"}) {
         const Resolved resolved(name);
         const Seepage seepage = resolved.seep();
-        EXPECT_NEAR(seepage.permeability / resolved.about["k_prototype"].get<double>(), 1, 1e-5) << name;
+        EXPECT_NEAR(seepage.permeability / resolved.about["k_prototype"].get<double>(), 1, 1e-6) << name;
         const std::vector<bool> none(resolved.packing.size(), false);
         const Likeness all = compare(seepage.grain_force, resolved.prototype, none);
         EXPECT_NEAR(all.sum, 1, 1e-5) << name; // six digits in the file
@@ -120,26 +123,61 @@ TEST(BoundedDrag, FollowsTheResolvedFlow) {
     }
 }
 
-TEST(BoundedDrag, OfLatticesIsNearTheExactSolution) {
-    // k/R2 = 2/(9 x solid fraction x K), K from [Zick and Homsy 1982]. What the law gives over it is held to 1 %.
+TEST(BoundedDrag, OfLatticesIsWithinItsKnownErrorOfTheExactOrResolvedFlow) {
+    // k/R2 = 2/(9 x solid fraction x K). K of touching grains is exact [Zick and Homsy 1982]; of those apart it is of
+    // the flow resolved with 40 boxes across a cell. What the law gives over it is held to 1 %.
     struct Case {
         std::vector<Vec3> places;
-        double solid_fraction, drag, ratio;
+        double nearest; ///< distance of neighbors over the side of the cube [-]
+        std::array<double, 5> drag, ratio;
     };
 
     const std::vector<Vec3> simple{{0.1, 0.2, 0.3}}, body{{0.1, 0.2, 0.3}, {0.6, 0.7, 0.8}},
         face{{0.1, 0.2, 0.3}, {0.6, 0.7, 0.3}, {0.6, 0.2, 0.8}, {0.1, 0.7, 0.8}};
+    constexpr std::array<double, 5> apart = {1, 1.02, 1.05, 1.1, 1.2}; // over a diameter
     for (const Case& c :
-         {Case{simple, pi / 6, 42.1, 0.76},
-          {body, pi * std::sqrt(3.0) / 8, 162.9, 0.98},
-          {face, pi / std::sqrt(18.0), 435, 0.95},
-          {simple, 0.343, 15.4, 1.09},
-          {simple, 0.125, 4.292, 1.12}}) {
-        const double r = 1e-3, solid = static_cast<double>(c.places.size()) * 4 * pi / 3 * r * r * r;
-        const Packing packing = test::lattice(2, std::cbrt(solid / c.solid_fraction), r, c.places);
-        const double exact = 2 * r * r / (9 * c.solid_fraction * c.drag);
-        EXPECT_NEAR(permeability(packing, {0.3, -0.5, 0.8}) / exact / c.ratio, 1, 0.01) << c.solid_fraction;
+         {Case{simple, 1, {42.1, 35.71, 28.50, 20.47, 12.28}, {0.93, 0.99, 1.04, 1.06, 1.01}},
+          {body, std::sqrt(0.75), {162.9, 120.57, 81.03, 47.34, 22.27}, {1.00, 1.04, 1.04, 0.99, 1.03}},
+          {face, std::sqrt(0.5), {435, 273.02, 154.59, 74.10, 28.97}, {1.00, 1.09, 1.09, 1.05, 1.07}}}) {
+        for (std::size_t k = 0; k < apart.size(); ++k) {
+            const double r = 1e-3, side = 2 * r * apart.at(k) / c.nearest;
+            const Packing packing = test::lattice(2, side, r, c.places);
+            const double solid = static_cast<double>(c.places.size()) * 4 * pi / 3 * std::pow(r / side, 3);
+            const double exact = 2 * r * r / (9 * solid * c.drag.at(k));
+            const double ratio = permeability(packing, {0.3, -0.5, 0.8}) / exact;
+            const std::vector<std::uint8_t> none(packing.size());
+            const Mixture mixture = describe_mixture(packing.radius, none, determinant(packing.h));
+            EXPECT_NEAR(ratio, 1, known_error(Conductance::Bounded, mixture).permeability.value()) << solid;
+            EXPECT_NEAR(ratio / c.ratio.at(k), 1, 0.01) << solid;
+        }
     }
+}
+
+TEST(BoundedDrag, OfALatticeIsThatOfItsTriclinicCell) {
+    // A face-centered cube, and a cell of one grain along three of its diagonals.
+    for (const double apart : {1.0, 1.05, 1.2}) {
+        const double side = 2 * apart * std::sqrt(2.0), half = 0.5 * side;
+        const Packing cube =
+            test::lattice(1, side, 1, {{0.1, 0.2, 0.3}, {0.6, 0.7, 0.3}, {0.6, 0.2, 0.8}, {0.1, 0.7, 0.8}});
+        const Packing primitive{{{{{0, half, half}, {half, 0, half}, {half, half, 0}}}}, {{0.1, 0.2, 0.3}}, {1}};
+        const Vec3 direction{0.3, -0.5, 0.8};
+        EXPECT_NEAR(permeability(primitive, direction) / permeability(cube, direction), 1, 1e-5) << apart;
+    }
+}
+
+TEST(BoundedDrag, HasTheSameBitsForAnyThreads) {
+    const Resolved resolved("q6_5");
+    const int before = thread_count();
+    set_thread_count(1);
+    const Seepage one = resolved.seep();
+    for (const int threads : {2, 3}) {
+        set_thread_count(threads);
+        const Seepage other = resolved.seep();
+        EXPECT_EQ(other.conductance, one.conductance);
+        EXPECT_EQ(other.grain_force, one.grain_force);
+        EXPECT_EQ(other.permeability, one.permeability);
+    }
+    set_thread_count(before);
 }
 
 /// Adds `fines` grains of radius `r` at random places between the others.
@@ -188,20 +226,76 @@ TEST(BoundedDrag, FinesDoNotRaiseThePermeability) {
     }
 }
 
-TEST(BoundedDrag, OfACellOfOneGrainRisesLittleWithOneFine) {
-    // A fine in the middle of the void cuts it into pores that were one body. Cut otherwise, water of a lattice goes up
-    // to a fifth faster; between touching grains, where that of the lattice is too slow by as much, up to a half.
-    for (const auto& [large, limit] : {std::pair{0.5, 1.51}, {0.42, 1.2}, {0.35, 1.1}}) {
-        Packing packing = test::lattice(1, 1, large, {{0.1, 0.2, 0.3}});
+TEST(BoundedDrag, OfOneFineInACellOfOneGrainIsNearTheResolvedFlow) {
+    // Over the coarse grain's own, resolved with 40 boxes across the cell and more. A fine in the middle of the void
+    // cuts it into pores that were one body. Water moves faster through them: by up to a third where grains touch.
+    struct Case {
+        double large, ratio, resolved, off;
+    };
+
+    for (const Case& c :
+         {Case{0.5, 3, 0.668, 0.26},
+          {0.5, 5, 0.850, 0.33},
+          {0.5, 10, 0.939, 0.36},
+          {0.42, 3, 0.721, 0.08},
+          {0.42, 5, 0.853, 0.08},
+          {0.42, 10, 0.934, 0.08},
+          {0.35, 3, 0.739, 0.08},
+          {0.35, 5, 0.853, 0.08},
+          {0.35, 10, 0.930, 0.08}}) {
+        Packing packing = test::lattice(1, 1, c.large, {{0.1, 0.2, 0.3}});
         const double alone = permeability(packing);
-        packing.position.push_back({0.6, 0.7, 0.8});
-        for (const double ratio : {3.0, 5.0, 10.0, 1000.0}) {
-            packing.radius.resize(1), packing.radius.push_back(large / ratio);
-            const double k = permeability(packing) / alone;
-            EXPECT_GT(k, 0.8) << large << " " << ratio;
-            EXPECT_LT(k, limit) << large << " " << ratio;
+        packing.position.push_back({0.6, 0.7, 0.8}), packing.radius.push_back(c.large / c.ratio);
+        EXPECT_NEAR(permeability(packing) / alone / c.resolved, 1, c.off) << c.large << " " << c.ratio;
+    }
+}
+
+TEST(BoundedDrag, OfOverlappingLatticesIsNearTheResolvedFlow) {
+    // Neighbors nearer than a diameter by 2 and 5 % of it; resolved with 40 boxes across the cell. Beyond a fiftieth of
+    // the void covered twice, errors are larger.
+    const std::vector<Vec3> simple{{0.1, 0.2, 0.3}}, body{{0.1, 0.2, 0.3}, {0.6, 0.7, 0.8}},
+        face{{0.1, 0.2, 0.3}, {0.6, 0.7, 0.3}, {0.6, 0.2, 0.8}, {0.1, 0.7, 0.8}};
+
+    struct Case {
+        const std::vector<Vec3>& places;
+        double nearest, apart, resolved, pairs; // of neighbors a grain
+    };
+
+    for (const Case& c :
+         {Case{simple, 1, 0.98, 0.0079229, 3},
+          {simple, 1, 0.95, 0.0053668, 3},
+          {body, std::sqrt(0.75), 0.98, 0.00135, 4},
+          {body, std::sqrt(0.75), 0.95, 0.00067198, 4},
+          {face, std::sqrt(0.5), 0.98, 0.00037772, 6},
+          {face, std::sqrt(0.5), 0.95, 0.00012904, 6}}) {
+        const Packing packing = test::lattice(2, 2 * c.apart / c.nearest, 1, c.places);
+        const Seepage s = solve_seepage({packing.h, {}}, packing.position, packing.radius, {1, {0, 0, 1}}, {});
+        Mixture mixture =
+            describe_mixture(packing.radius, std::vector<std::uint8_t>(packing.size()), determinant(packing.h));
+        mixture.overlap = s.overlap;
+        EXPECT_NEAR(s.permeability / c.resolved, 1, known_error(Conductance::Bounded, mixture).permeability.value())
+            << c.apart;
+        const double grains = static_cast<double>(packing.size());
+        const double common = grains * c.pairs * 2 * pi * lens_of(1, 1, 2 * c.apart).volume;
+        const double water = determinant(packing.h) - grains * 4 * pi / 3 + common;
+        EXPECT_NEAR(s.overlap / (common / water), 1, 1e-9) << c.apart;
+        EXPECT_LE(s.force_sum_error, 1e-10);
+    }
+}
+
+TEST(BoundedDrag, SeesChannelsAmongGrains) {
+    const Resolved resolved("m36");
+    EXPECT_LT(resolved.seep().channeling, 1.26);
+    Packing slot{resolved.packing.h, {}, {}};
+    for (std::size_t g = 0; g < resolved.packing.size(); ++g) {
+        const double width = slot.h(0, 0), x = resolved.packing.position[g].x;
+        if (x - width * std::floor(x / width) > 0.35 * width) {
+            slot.position.push_back(resolved.packing.position[g]), slot.radius.push_back(resolved.packing.radius[g]);
         }
     }
+    const Seepage along = solve_seepage({slot.h, {}}, slot.position, slot.radius, {1, {0, 0, 1}}, {});
+    EXPECT_GT(along.channeling, 1.4);
+    EXPECT_LT(solve_seepage({slot.h, {}}, slot.position, slot.radius, {1, {1, 0, 0}}, {}).channeling, 1.26);
 }
 
 TEST(BoundedDrag, DoesNotDependOnHowTheCellIsWritten) {

@@ -16,6 +16,9 @@ namespace {
 
 constexpr std::size_t few_fines = 50;
 constexpr double little_fines = 0.01;  // of the volume
+constexpr double far_overlap = 0.02;   // share of the void that is covered twice: seen up to 2 % of a diameter
+constexpr double too_far = 0.15;       // beyond, nothing is known
+constexpr double channeled = 1.32;     // packings and mixtures are at 1.26 and less, slots and pipes at 1.4 and more
 constexpr double one_size = 1.5;       // ratio up to which grains count as of one
 constexpr double dense_enough = 0.5;   // solid fraction: below, grains do not touch
 constexpr double yade_packing = 0.516; // the loosest packing of equal grains that Yade's law was tried on
@@ -64,6 +67,10 @@ std::string_view name_of(Doubt doubt) {
         return "fewer than 50 fines";
     case Doubt::LittleFines:
         return "at most 1 % fines";
+    case Doubt::Overlaps:
+        return "overlaps";
+    case Doubt::Channels:
+        return "channels";
     case Doubt::RaisedByFines:
         return "fines raise the network's permeability";
     }
@@ -75,11 +82,10 @@ std::string words_of(const FlowSource& source, std::string_view when) {
         return "";
     }
     return fmt::format(
-        "the pore network makes the permeability {} {:.3f} times that of the coarse grains alone, and grains more "
-        "cannot "
-        "raise it: it is too high by that at least; solver = \"resolved\" solves the flow between the grains, \"auto\" "
-        "where this is so",
-        when, *source.raised_by_fines
+        "the pore network makes the permeability {} {:.3f} times that of the coarse grains alone, but fines can only "
+        "lower it: {}; solver = \"resolved\" solves the flow between the grains, \"auto\" where this is so",
+        when, *source.raised_by_fines,
+        source.is_limited ? "that of the coarse grains is given" : "it is too high by that at least"
     );
 }
 
@@ -123,14 +129,23 @@ KnownError known_error(Conductance law, const Mixture& mixture) {
     if (law == Conductance::Yade) {
         return yade_error(mixture);
     }
+    if (mixture.overlap > too_far) {
+        return {};
+    }
+    if (mixture.channeling > channeled) {
+        return {0.40, std::nullopt, std::nullopt};
+    }
+    if (mixture.overlap > far_overlap) {
+        return {0.20, std::nullopt, std::nullopt};
+    }
     const bool is_mixed = mixture.size_ratio > one_size;
     if (is_mixed && (mixture.fines_content <= little_fines || mixture.fines < few_fines)) {
         return {0.20, 0.20, 0.40};
     }
     if (mixture.solid_fraction < dense_enough) {
-        return {0.20, std::nullopt, std::nullopt};
+        return {0.12, std::nullopt, std::nullopt};
     }
-    return {0.15, 0.12, 0.30};
+    return {0.12, 0.12, 0.30};
 }
 
 std::optional<double> raised_by_fines(
@@ -159,6 +174,12 @@ Doubt doubt_network(const Mixture& mixture, std::optional<double> raised_by_fine
     }
     if (mixture.size_ratio > one_size && mixture.fines_content <= little_fines) {
         return Doubt::LittleFines;
+    }
+    if (mixture.overlap > far_overlap) {
+        return Doubt::Overlaps;
+    }
+    if (mixture.channeling > channeled) {
+        return Doubt::Channels;
     }
     return raised_by_fines.value_or(0) > most_raised ? Doubt::RaisedByFines : Doubt::None;
 }

@@ -27,6 +27,8 @@ enum class Doubt {
     None,
     FewFines,      ///< fewer than 50 of them
     LittleFines,   ///< at most 1 % of the mass
+    Overlaps,      ///< grains overlap far
+    Channels,      ///< most of the flow keeps to ways much wider than the voids around
     RaisedByFines, ///< it has a higher permeability with the fines than without
 };
 
@@ -38,22 +40,25 @@ struct FlowSource {
     Solver solver = Solver::Network; ///< never Auto
     KnownError known_error;
     std::optional<double> raised_by_fines; ///< the network's permeability over that of its coarse grains alone [-]
-    Doubt doubt = Doubt::None;             ///< of the network
+    bool is_limited = false;   ///< grains can only lower it: the permeability given is that of the coarse grains alone
+    Doubt doubt = Doubt::None; ///< of the network
 };
 
 /// More than this and the network's word is doubted.
 inline constexpr double most_raised = 1.02;
 
-/// What is to be said of a permeability of the network that fines raise by more; else empty.
+/// What is to be said of a permeability of the network that fines would raise by more; else empty.
 /// @param when "of the sample", "after pass 2"
 std::string words_of(const FlowSource& source, std::string_view when);
 
-/// Grains of two kinds.
+/// Grains of two kinds, and what a flow by bounded drag says of the water between them.
 struct Mixture {
     double solid_fraction = 0;
     double size_ratio = 1;    ///< Sauter diameter of the coarse grains over that of the fines; 1 where one is missing
     double fines_content = 0; ///< by volume [-]
     std::size_t fines = 0, coarse = 0;
+    double overlap = 0;    ///< as Seepage::overlap
+    double channeling = 1; ///< as Seepage::channeling
 };
 
 /// 1 for a fine grain: those below the widest gap between neighboring sizes, if one is 1.5 times the other there; else

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t block = 2048; // pores or throats of one loop of a thread
 
 /// Exchange between two throats of a pore over void area and distance; fitted to resolved flows.
-constexpr double strength = 1.5;
+constexpr double strength = 1.2;
 
 /// Four throats that exchange with each other by pairs do so, nearly, as through the pore with this part of the sum of
 /// their pairs; exactly where all pairs are alike.

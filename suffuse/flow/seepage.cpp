@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -60,6 +61,19 @@ ClosedVoids find_closed_voids(const pores::PoreNetwork& network) {
         ));
     }
     return {voids.negative / voids.all, voids.deepest};
+}
+
+/// How far grains overlap, and how far the flow keeps to wide ways. Width: root of the void area.
+void describe_water(const BoundedDrag& drag, Seepage& s) {
+    const std::span<const double> water = drag.water();
+    double all = 0, width_of_water = 0, flow = 0, width_of_flow = 0;
+    for (std::size_t t = 0; t < water.size(); ++t) {
+        const double width = std::sqrt(s.network.throats.void_area[t]), flux = std::abs(s.field.flux[t]);
+        all += water[t], width_of_water += water[t] * width;
+        flow += flux, width_of_flow += flux * width;
+    }
+    s.overlap = drag.covered_twice() / all;
+    s.channeling = flow > 0 ? width_of_flow / flow / (width_of_water / all) : 1;
 }
 
 /// A last look, whatever led to it.
@@ -148,6 +162,9 @@ Seepage solve_seepage(
         s.tensor = permeability_tensor(*solver, s.network, fluid.viscosity);
     }
     solver.reset(); // forces need the room
+    if (bounded) {
+        describe_water(*bounded, s);
+    }
     s.seconds.solve = watch.lap();
     phase.next("forces");
     s.pressure_gradient = unit;
@@ -178,6 +195,20 @@ std::string words_of(const ClosedVoids& closed, const std::function<std::string(
         "grains settle apart first",
         closed.share, grain(closed.grain[0]), grain(closed.grain[1]), grain(closed.grain[2]), grain(closed.grain[3])
     );
+}
+
+void slow_down(Seepage& s, double factor) {
+    for (std::vector<double>* column : {&s.conductance, &s.field.flux}) {
+        for (double& each : *column) {
+            each /= factor;
+        }
+    }
+    s.field.net_outflow /= factor;
+    s.mean_velocity *= 1 / factor;
+    s.permeability /= factor;
+    if (s.tensor) {
+        *s.tensor = (1 / factor) * *s.tensor;
+    }
 }
 
 void scale(Seepage& s, double factor) {

@@ -50,6 +50,9 @@ struct Seepage {
     Vec3 mean_velocity;            ///< superficial [m/s]
     Vec3 force_sum;                ///< over all grains [N]
     ClosedVoids closed_voids;
+    double overlap = 0; ///< share of the void that overlapping grains cover twice; by bounded drag [-]
+    double channeling =
+        1; ///< width of throats, averaged over the flow, over that averaged over the water; the same [-]
     double force_sum_error = 0; ///< |force_sum + V grad p| / |V grad p|, 0 where there is no gradient [-]
     SeepageSeconds seconds;
 };
@@ -64,6 +67,10 @@ Seepage solve_seepage(
     const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius, const FlowSpec& spec,
     const Fluid& fluid
 );
+
+/// Divides all conductances, and with them fluxes, velocity and permeability: pressures and forces do not depend on a
+/// common factor.
+void slow_down(Seepage& seepage, double factor);
 
 /// Multiplies the pressure gradient, and with it everything that is linear in it: one solution serves all gradients.
 void scale(Seepage& seepage, double factor);

@@ -14,10 +14,7 @@ namespace suffuse::flow {
 inline constexpr double stokes = 1.5;
 
 /// Drag of a film over its surface, times its thickness. Fitted to resolved flows, as all that follows.
-inline constexpr double film = 1.5;
-
-/// What neighbors add to the drag of a sphere, over its surface, times the radius to which its water reaches.
-inline constexpr double crowding = 1.0;
+inline constexpr double film = 3.7;
 
 /// The same, where it tells how the grains of a throat share its drag.
 inline constexpr double film_of_share = 4;
@@ -57,12 +54,13 @@ inline double water_layer(const WettedGrains& grains, double water) {
     return h;
 }
 
-/// Drag of all grains over the mean velocity of the water [m].
-inline double throat_drag(const WettedGrains& grains, double layer) {
+/// Drag of all grains over the mean velocity of the water [m]. `open`: what of each wetted surface lies in no wedge
+/// beside a contact [m2].
+inline double throat_drag(const WettedGrains& grains, const std::array<double, 3>& open, double layer) {
     double drag = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const double r = grains.radius[k];
-        drag += grains.area[k] * (stokes / r + crowding / (r + layer) + film / layer);
+        drag += grains.area[k] * stokes * (1 / r - 1 / (r + layer)) + open[k] * film / layer;
     }
     return drag;
 }

@@ -38,12 +38,14 @@ TEST(WaterLayer, IsNothingWithoutWaterOrGrains) {
 
 TEST(ThroatDrag, OfWideWaterIsThatOfLoneSpheres) {
     const std::array<double, 3> r = {1, 2, 5};
-    EXPECT_NEAR(throat_drag(whole_spheres(r), 1e12) / (6 * pi * (r[0] + r[1] + r[2])), 1, 1e-11);
+    const WettedGrains grains = whole_spheres(r);
+    EXPECT_NEAR(throat_drag(grains, grains.area, 1e12) / (6 * pi * (r[0] + r[1] + r[2])), 1, 1e-11);
 }
 
-TEST(ThroatDrag, OfAFilmIsItsAreaOverItsThickness) {
+TEST(ThroatDrag, OfAFilmIsItsOpenAreaOverItsThickness) {
     const WettedGrains grains = whole_spheres({1, 2, 5});
-    EXPECT_NEAR(throat_drag(grains, 1e-12) * 1e-12 / (film * 4 * pi * 30), 1, 1e-11);
+    const std::array<double, 3> open = {0.5 * grains.area[0], grains.area[1], 0.1 * grains.area[2]};
+    EXPECT_NEAR(throat_drag(grains, open, 1e-12) * 1e-12 / (film * 4 * pi * (0.5 + 4 + 2.5)), 1, 1e-11);
 }
 
 TEST(DragShares, FollowDragWhereNoWallIsNear) {

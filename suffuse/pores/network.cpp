@@ -127,12 +127,6 @@ void measure_pores(const Mat3& h, std::span<const Vec3> position, std::span<cons
     center_flat_pores(h, pores, is_flat);
 }
 
-/// Centers of the two pores beside throat t [m].
-std::array<Vec3, 2> centers_beside(const PoreNetwork& network, std::size_t t) {
-    const auto [p, q] = network.throats.side[t];
-    return {network.pores.center[p], network.pores.center[q] + shift(network.h, network.throats.image[t])};
-}
-
 void measure_throats(PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
     Throats& throats = network.throats;
     const std::size_t n = throats.size();
@@ -254,6 +248,11 @@ spheres_of(const PoreNetwork& network, std::span<const Vec3> position, std::span
         spheres.radius[k] = radius[row[k]];
     }
     return spheres;
+}
+
+std::array<Vec3, 2> centers_beside(const PoreNetwork& network, std::size_t t) {
+    const auto [p, q] = network.throats.side[t];
+    return {network.pores.center[p], network.pores.center[q] + shift(network.h, network.throats.image[t])};
 }
 
 ThroatGeometry measure_throat(

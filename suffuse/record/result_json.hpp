@@ -113,6 +113,8 @@ NLOHMANN_JSON_SERIALIZE_ENUM(
     Doubt, {{Doubt::None, name_of(Doubt::None)},
             {Doubt::FewFines, name_of(Doubt::FewFines)},
             {Doubt::LittleFines, name_of(Doubt::LittleFines)},
+            {Doubt::Overlaps, name_of(Doubt::Overlaps)},
+            {Doubt::Channels, name_of(Doubt::Channels)},
             {Doubt::RaisedByFines, name_of(Doubt::RaisedByFines)}}
 )
 
@@ -136,6 +138,7 @@ inline void to_json(nlohmann::json& json, const FlowSource& source) {
         {"solver", source.solver},
         {"known_error", source.known_error},
         {"raised_by_fines", or_null(source.raised_by_fines)},
+        {"limited_to_coarse", source.is_limited},
         {"doubt", source.doubt}};
 }
 
@@ -143,6 +146,7 @@ inline void from_json(const nlohmann::json& json, FlowSource& source) {
     json.at("solver").get_to(source.solver);
     json.at("known_error").get_to(source.known_error);
     json.at("doubt").get_to(source.doubt);
+    source.is_limited = json.value("limited_to_coarse", false); // earlier runs had no such limit
     const nlohmann::json& raised = json.at("raised_by_fines");
     source.raised_by_fines = raised.is_null() ? std::optional<double>() : raised.get<double>();
 }

@@ -31,10 +31,16 @@ Water solve_water(
         told = flow::tell_fines(radius);
         fine = told;
     }
-    const flow::Mixture mixture = flow::describe_mixture(radius, fine, std::abs(determinant(cell.h)));
+    flow::Mixture mixture = flow::describe_mixture(radius, fine, std::abs(determinant(cell.h)));
+    mixture.overlap = water.network.overlap;
+    mixture.channeling = water.network.channeling;
     flow::FlowSource& source = water.source;
     source.raised_by_fines =
         flow::raised_by_fines(cell, position, radius, fine, spec.direction, fluid, water.network.permeability);
+    if (fluid.conductance == flow::Conductance::Bounded && source.raised_by_fines.value_or(0) > 1) {
+        flow::slow_down(water.network, *source.raised_by_fines);
+        source.is_limited = true;
+    }
     source.doubt = flow::doubt_network(mixture, source.raised_by_fines);
     source.known_error = flow::known_error(fluid.conductance, mixture);
 

@@ -111,8 +111,8 @@ permeability_after(const erosion::ErosionResult& erosion, flow::Conductance cond
     const flow::FlowSource& source = last.flow_after;
     found.known_error = source.known_error.permeability;
     const bool is_open = conductance == flow::Conductance::Yade && 1 - last.porosity_after < open_packing;
-    found.is_too_high =
-        source.solver == flow::Solver::Network && (source.raised_by_fines.value_or(0) > flow::most_raised || is_open);
+    const bool is_raised = source.raised_by_fines.value_or(0) > flow::most_raised && !source.is_limited;
+    found.is_too_high = source.solver == flow::Solver::Network && (is_raised || is_open);
     return found;
 }
 

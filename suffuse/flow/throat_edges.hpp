@@ -1,0 +1,129 @@
+#pragma once
+// What lies along the three edges of a throat, each between two grains: where these overlap, what solid angles and
+// sections count twice; where they nearly touch, the wedge in which water rests and what it wets drags little.
+// docs/theory/pore-flow.md, "Bounded drag".
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/base/vec3.hpp"
+#include "suffuse/flow/throat_drag.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace suffuse::flow {
+
+/// Edge k of a throat goes from its grain k to the next.
+class ThroatEdges {
+public:
+    /// `x`: centers of the grains; `p1`, `p2`: the pore centers on both sides [m].
+    ThroatEdges(const std::array<Vec3, 3>& x, const Vec3& p1, const Vec3& p2) : x_(x), p1_(p1), p2_(p2) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            edge_[k] = x[(k + 1) % 3] - x[k];
+            length_[k] = norm(edge_[k]);
+        }
+    }
+
+    /// [m]
+    [[nodiscard]] double length(std::size_t k) const { return length_[k]; }
+
+    /// From one pore center to the other around the edge: the water's share of its surroundings. Few need it [rad].
+    [[nodiscard]] double angle(std::size_t k) const {
+        const Vec3 one = cross(edge_[k], p1_ - x_[k]), two = cross(edge_[k], p2_ - x_[k]);
+        return std::atan2(norm(cross(one, two)), dot(one, two));
+    }
+
+private:
+    std::array<Vec3, 3> x_, edge_;
+    Vec3 p1_, p2_;
+    std::array<double, 3> length_{};
+};
+
+/// What two overlapping spheres have in common.
+struct Lens {
+    std::array<double, 2>
+        cap{};               ///< surface of each within the other, over the angle about the line of centers [m2/rad]
+    double volume = 0;       ///< [m3/rad]
+    double half_section = 0; ///< on one side of the line of centers, in a plane through it, within 1 % [m2]
+};
+
+/// @pre distance < ra + rb. Of a sphere within the other all is common.
+inline Lens lens_of(double ra, double rb, double distance) {
+    const double d = std::max(distance, std::abs(ra - rb));
+    const double plane = 0.5 * (d + (ra * ra - rb * rb) / d); // of the rim, from the first center
+    const double ha = ra - plane, hb = rb - (d - plane);
+    const double chord = 2 * std::sqrt(std::max(0.0, ra * ra - plane * plane));
+    const auto flat_segment = [&](double height) {
+        return chord > 0 ? height * (2 * chord / 3 + height * height / (2 * chord)) : 0;
+    };
+    const auto segment = [&](double r, double height) {
+        return height <= r ? flat_segment(height) : pi * r * r - flat_segment(2 * r - height);
+    };
+    return {
+        {ra * ha, rb * hb},
+        (ha * ha * (3 * ra - ha) + hb * hb * (3 * rb - hb)) / 6,
+        0.5 * (segment(ra, ha) + segment(rb, hb))};
+}
+
+/// Squared radius, around the line of centers, of the disk over which two spheres of radii `ra` and `rb`, `distance`
+/// apart, have less than `gap` between their surfaces along that line: the rim of the lens that they would have if
+/// moved together by the gap, no larger than the smaller sphere. 0 where they are farther apart [m2].
+inline double wedge_rim2(double ra, double rb, double distance, double gap) {
+    if (!(distance - gap < ra + rb)) {
+        return 0;
+    }
+    const double excess = ra * ra - rb * rb; // moved together further the rim would be beyond the smaller equator
+    const double moved = std::max(distance - gap, std::sqrt(std::abs(excess)));
+    const double plane = moved > 0 ? 0.5 * (moved + excess / moved) : 0;
+    return std::clamp(ra * ra - plane * plane, 0.0, std::min(ra, rb) * std::min(ra, rb));
+}
+
+/// Surface of a cap of a sphere of radius `r` with the squared rim `rim2`, over the angle about its axis [m2/rad].
+inline double cap_area(double r, double rim2) {
+    return r * r * (1 - std::sqrt(std::max(0.0, 1 - rim2 / (r * r))));
+}
+
+/// What of the grains' surfaces lies in no wedge narrower than `gap`; `area` by solid angles, and below 0 where wedges
+/// overlap. Lengths [m], surfaces [m2].
+inline std::array<double, 3> surface_beyond_wedges(const ThroatEdges& edges, const WettedGrains& grains, double gap) {
+    std::array<double, 3> open = grains.area;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const std::size_t b = (a + 1) % 3;
+        const double rim2 = wedge_rim2(grains.radius[a], grains.radius[b], edges.length(a), gap);
+        if (rim2 > 0) {
+            const double angle = edges.angle(a);
+            open[a] -= angle * cap_area(grains.radius[a], rim2);
+            open[b] -= angle * cap_area(grains.radius[b], rim2);
+        }
+    }
+    return open;
+}
+
+/// The water of a throat and what it wets.
+struct ThroatWater {
+    double volume = 0; ///< [m3]
+    WettedGrains grains;
+};
+
+/// Counts once what grains that overlap have in common: `counted` is by solid angles. Exact where no three overlap.
+inline ThroatWater count_overlaps_once(const ThroatEdges& edges, ThroatWater counted) {
+    auto& [radius, area] = counted.grains;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const std::size_t b = (a + 1) % 3;
+        if (edges.length(a) < radius[a] + radius[b]) {
+            const Lens lens = lens_of(radius[a], radius[b], edges.length(a));
+            const double angle = edges.angle(a);
+            counted.volume += angle * lens.volume;
+            area[a] -= angle * lens.cap[0];
+            area[b] -= angle * lens.cap[1];
+        }
+    }
+    counted.volume = std::max(0.0, counted.volume);
+    for (double& each : area) {
+        each = std::max(0.0, each);
+    }
+    return counted;
+}
+
+} // namespace suffuse::flow
