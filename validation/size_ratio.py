@@ -18,11 +18,11 @@ CASES = [  # size ratio, fines content, way
 ]
 FRICTION = {"dense": "5 deg", "loose": "40 deg"}
 LATTICES = {  # sites, solid fraction, drag over that of a lone grain (Zick and Homsy), limit of the network
-    "simple cubic, touching": ([(0, 0, 0)], 0.5236, 42.1, 0.25),
-    "body-centered, touching": ([(0, 0, 0), (0.5, 0.5, 0.5)], 0.6802, 162.9, 0.06),
-    "face-centered, touching": ([(0, 0, 0), (0.5, 0.5, 0), (0.5, 0, 0.5), (0, 0.5, 0.5)], 0.7405, 435.0, 0.06),
-    "simple cubic, 0.343": ([(0, 0, 0)], 0.343, 15.4, 0.30),
-    "simple cubic, 0.125": ([(0, 0, 0)], 0.125, 4.292, 0.30),
+    "simple cubic, touching": ([(0, 0, 0)], 0.5236, 42.1, 0.12),
+    "body-centered, touching": ([(0, 0, 0), (0.5, 0.5, 0.5)], 0.6802, 162.9, 0.12),
+    "face-centered, touching": ([(0, 0, 0), (0.5, 0.5, 0), (0.5, 0, 0.5), (0, 0.5, 0.5)], 0.7405, 435.0, 0.12),
+    "simple cubic, 0.343": ([(0, 0, 0)], 0.343, 15.4, 0.12),
+    "simple cubic, 0.125": ([(0, 0, 0)], 0.125, 4.292, 0.12),
 }
 
 
@@ -146,7 +146,7 @@ def main():
             f"   {m(rows, 'bounded_error'):.3f} ({most('bounded_error'):.2f}) {m(rows, 'yade_error'):.2f}"
         )
         name, few, cloud = f"ratio {ratio}, {100 * content:.0f} %, {way}", 0 < content <= 0.01, way == "cloud"
-        mean_k, one_k = (0.2, 0.2) if cloud else (0.2, 0.2) if few else (0.10, 0.15)
+        mean_k, one_k = (0.2, 0.2) if few else (0.12, 0.12) if cloud else (0.10, 0.12)
         verdict.near(f"{name}: permeability, mean", m(rows, "bounded_k"), 1, mean_k)
         verdict.near(f"{name}: permeability, least of a direction", least("bounded_k"), 1, one_k)
         verdict.near(f"{name}: permeability, most of a direction", most("bounded_k"), 1, one_k)

@@ -23,7 +23,7 @@ packing = suffuse.read_packing(file, cell=cell)
 print(f"{len(packing)} grains, porosity {packing.porosity:.4f}, "
       f"largest overlap {100 * suffuse.largest_overlap(packing):.2f} % of a radius")
 
-# As Yade has it. Without the keyword: a law that follows the flow between the grains at any ratio of sizes.
+# As Yade has it. Without the keyword: a law nearer to the flow between the grains, within 12 % for most packings.
 fluid = suffuse.Fluid(viscosity="1 mPa*s", conductance="yade")
 water = suffuse.seep(packing, gradient=0.05, direction="x", fluid=fluid, tensor=True)
 better = suffuse.seep(packing, gradient=0.05, direction="x").permeability

@@ -168,9 +168,9 @@ void bind_seepage(py::module_& m) {
     );
     type.def_property_readonly(
         "raised_by_fines", [](const SolvedSeepage& water) { return water.source.raised_by_fines; },
-        "The network's permeability over that of its coarse grains alone; above 1 it is too high by that at least. "
-        "None "
-        "where there are not both kinds of grains."
+        "The network's permeability over that of its coarse grains alone; None where there are not both kinds of "
+        "grains. "
+        "Grains can only lower it: above 1 `permeability` is the coarse grains' own, except by Yade's law."
     );
     type.def_property_readonly(
         "reynolds_number", &reynolds_number,

@@ -123,7 +123,8 @@ std::vector<Key> balance_rows() {
         quantity("fluid", "viscosity", dimension::viscosity, above_zero, "Dynamic viscosity of the pore fluid."),
         choice(
             "fluid", "conductance", names::words_of(names::conductance),
-            "Law of the pore network's throats and of the forces on grains. bounded: right at any ratio of sizes; "
+            "Law of the pore network's throats and of the forces on grains. bounded: within 12 % of the resolved flow "
+            "for most packings; "
             "yade: "
             "as in Yade 2023.02a, for comparisons with it; too permeable where fines are few or small."
         ),

@@ -23,8 +23,8 @@ std::vector<Key> solver_rows(const std::string& stage, const std::string& what) 
     Key solver = choice(
         stage, "solver", names::words_of(names::solver),
         "network: of pores and throats; resolved: between the grains themselves, on a grid; auto: resolved where the "
-        "network is known to fail (fewer than 50 fines, at most 1 % of them, or a permeability that they raise). The "
-        "result says which, and `known_error`."
+        "network is known to fail (fewer than 50 fines, at most 1 % of them, a permeability that they raise, large "
+        "overlaps, or channels). The result says which, and `known_error`."
     );
     solver.default_text = "\"network\""; // not written, see solver_fields
     Key tolerance = ratio(

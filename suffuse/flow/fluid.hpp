@@ -11,7 +11,7 @@ namespace suffuse::flow {
 
 /// What the conductance of a throat and the forces on its grains follow from.
 enum class Conductance {
-    Bounded, ///< bounded drag, and momentum exchanged between throats: for any ratio of sizes
+    Bounded, ///< bounded drag, and momentum exchanged between throats: for grains of different sizes
     Yade,    ///< the hydraulic radius of each throat by itself, as in Yade 2023.02a
 };
 

@@ -30,14 +30,22 @@ public:
 
     /// From one pore center to the other around the edge: the water's share of its surroundings. Few need it [rad].
     [[nodiscard]] double angle(std::size_t k) const {
-        const Vec3 one = cross(edge_[k], p1_ - x_[k]), two = cross(edge_[k], p2_ - x_[k]);
-        return std::atan2(norm(cross(one, two)), dot(one, two));
+        if (angle_[k] < 0) {
+            const Vec3& edge = edge_[k];
+            const Vec3 one = p1_ - x_[k], two = p2_ - x_[k];
+            angle_[k] = std::atan2(
+                length_[k] * std::abs(dot(edge, cross(one, two))),
+                length_[k] * length_[k] * dot(one, two) - dot(edge, one) * dot(edge, two)
+            );
+        }
+        return angle_[k];
     }
 
 private:
     std::array<Vec3, 3> x_, edge_;
     Vec3 p1_, p2_;
     std::array<double, 3> length_{};
+    mutable std::array<double, 3> angle_{-1, -1, -1}; ///< below 0 until asked for
 };
 
 /// What two overlapping spheres have in common.
@@ -48,10 +56,14 @@ struct Lens {
     double half_section = 0; ///< on one side of the line of centers, in a plane through it, within 1 % [m2]
 };
 
+/// Of the circle in which two spheres meet, from the first center [m].
+inline double meeting_plane(double ra, double rb, double distance) {
+    return distance > 0 ? 0.5 * (distance + (ra * ra - rb * rb) / distance) : 0;
+}
+
 /// @pre distance < ra + rb. Of a sphere within the other all is common.
 inline Lens lens_of(double ra, double rb, double distance) {
-    const double d = std::max(distance, std::abs(ra - rb));
-    const double plane = 0.5 * (d + (ra * ra - rb * rb) / d); // of the rim, from the first center
+    const double d = std::max(distance, std::abs(ra - rb)), plane = meeting_plane(ra, rb, d);
     const double ha = ra - plane, hb = rb - (d - plane);
     const double chord = 2 * std::sqrt(std::max(0.0, ra * ra - plane * plane));
     const auto flat_segment = [&](double height) {
@@ -66,22 +78,16 @@ inline Lens lens_of(double ra, double rb, double distance) {
         0.5 * (segment(ra, ha) + segment(rb, hb))};
 }
 
-/// Squared radius, around the line of centers, of the disk over which two spheres of radii `ra` and `rb`, `distance`
-/// apart, have less than `gap` between their surfaces along that line: the rim of the lens that they would have if
-/// moved together by the gap, no larger than the smaller sphere. 0 where they are farther apart [m2].
-inline double wedge_rim2(double ra, double rb, double distance, double gap) {
+/// Surface of each of two spheres, over the angle about their line of centers, where less than `gap` is between them
+/// along that line: the caps of the lens that they would have if moved together by the gap, no larger than up to the
+/// equator of the smaller sphere. 0 where they are farther apart [m2/rad].
+inline std::array<double, 2> wedge_caps(double ra, double rb, double distance, double gap) {
     if (!(distance - gap < ra + rb)) {
-        return 0;
+        return {};
     }
-    const double excess = ra * ra - rb * rb; // moved together further the rim would be beyond the smaller equator
-    const double moved = std::max(distance - gap, std::sqrt(std::abs(excess)));
-    const double plane = moved > 0 ? 0.5 * (moved + excess / moved) : 0;
-    return std::clamp(ra * ra - plane * plane, 0.0, std::min(ra, rb) * std::min(ra, rb));
-}
-
-/// Surface of a cap of a sphere of radius `r` with the squared rim `rim2`, over the angle about its axis [m2/rad].
-inline double cap_area(double r, double rim2) {
-    return r * r * (1 - std::sqrt(std::max(0.0, 1 - rim2 / (r * r))));
+    const double moved = std::max(distance - gap, std::sqrt(std::abs(ra * ra - rb * rb)));
+    const double plane = meeting_plane(ra, rb, moved);
+    return {ra * (ra - plane), rb * (rb - (moved - plane))};
 }
 
 /// What of the grains' surfaces lies in no wedge narrower than `gap`; `area` by solid angles, and below 0 where wedges
@@ -90,11 +96,10 @@ inline std::array<double, 3> surface_beyond_wedges(const ThroatEdges& edges, con
     std::array<double, 3> open = grains.area;
     for (std::size_t a = 0; a < 3; ++a) {
         const std::size_t b = (a + 1) % 3;
-        const double rim2 = wedge_rim2(grains.radius[a], grains.radius[b], edges.length(a), gap);
-        if (rim2 > 0) {
-            const double angle = edges.angle(a);
-            open[a] -= angle * cap_area(grains.radius[a], rim2);
-            open[b] -= angle * cap_area(grains.radius[b], rim2);
+        const auto [cap_of_a, cap_of_b] = wedge_caps(grains.radius[a], grains.radius[b], edges.length(a), gap);
+        if (cap_of_a > 0) {
+            open[a] -= edges.angle(a) * cap_of_a;
+            open[b] -= edges.angle(a) * cap_of_b;
         }
     }
     return open;

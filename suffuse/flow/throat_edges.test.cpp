@@ -10,35 +10,34 @@
 namespace suffuse::flow {
 namespace {
 
-TEST(WedgeRim, IsWhereTheSurfacesAreTheGapApart) {
+TEST(WedgeCaps, EndWhereTheSurfacesAreTheGapApart) {
     struct Case {
         double ra, rb, distance, gap;
     };
 
     for (const Case& c : {Case{1, 1, 2, 0.1}, {1, 1, 2.05, 0.1}, {1, 0.3, 1.3, 0.05}, {0.2, 3, 3.25, 0.1}}) {
-        const double rim2 = wedge_rim2(c.ra, c.rb, c.distance, c.gap);
-        const double between = c.distance - std::sqrt(c.ra * c.ra - rim2) - std::sqrt(c.rb * c.rb - rim2);
-        EXPECT_NEAR(between, c.gap, 1e-14);
-        EXPECT_NEAR(wedge_rim2(c.rb, c.ra, c.distance, c.gap), rim2, 1e-14);
+        const auto [a, b] = wedge_caps(c.ra, c.rb, c.distance, c.gap);
+        const double of_a = c.ra - a / c.ra, of_b = c.rb - b / c.rb; // from center to rim, along the line [Archimedes]
+        EXPECT_NEAR(c.distance - of_a - of_b, c.gap, 1e-14);
+        EXPECT_NEAR(c.ra * c.ra - of_a * of_a, c.rb * c.rb - of_b * of_b, 1e-14); // one rim
+        const auto turned = wedge_caps(c.rb, c.ra, c.distance, c.gap);
+        EXPECT_NEAR(turned[0], b, 1e-14);
+        EXPECT_NEAR(turned[1], a, 1e-14);
     }
 }
 
-TEST(WedgeRim, IsNothingBetweenDistantSpheresAndTheSmallerEquatorInWideLayers) {
-    EXPECT_EQ(wedge_rim2(1, 0.5, 1.7, 0.2), 0);
-    EXPECT_EQ(wedge_rim2(1, 0.5, 1.5, 0), 0);
-    EXPECT_NEAR(wedge_rim2(1, 0.5, 1.5, 10), 0.25, 1e-15);
-    EXPECT_EQ(wedge_rim2(1, 1, 2, 2), 1);
-    EXPECT_EQ(wedge_rim2(1, 1, 2, 10), 1);
+TEST(WedgeCaps, AreNothingBetweenDistantSpheresAndHalfTheSmallerInWideLayers) {
+    EXPECT_EQ(wedge_caps(1, 0.5, 1.7, 0.2)[0], 0);
+    EXPECT_EQ(wedge_caps(1, 0.5, 1.5, 0)[1], 0);
+    for (const double gap : {2.0, 10.0}) {
+        EXPECT_NEAR(wedge_caps(1, 0.5, 1.5, gap)[1], 0.25, 1e-15);
+        EXPECT_NEAR(wedge_caps(1, 0.5, 1.5, gap)[0], 1 - std::sqrt(0.75), 1e-15);
+        EXPECT_EQ(wedge_caps(1, 1, 2, gap), (std::array<double, 2>{1, 1}));
+    }
 }
 
-TEST(WedgeRim, IsTheCircleInWhichOverlappingSpheresMeet) {
-    const double d = 1.4, plane = (d * d + 1 - 0.36) / (2 * d); // from the center of the first
-    EXPECT_NEAR(wedge_rim2(1, 0.6, d, 0), 1 - plane * plane, 1e-15);
-}
-
-TEST(CapArea, IsThatOfAHalfSphereAtTheEquator) {
-    EXPECT_NEAR(2 * pi * cap_area(3, 9), 2 * pi * 9, 1e-13);
-    EXPECT_NEAR(2 * pi * cap_area(3, 5), 2 * pi * 3 * (3 - 2), 1e-13); // Archimedes: height 1
+TEST(WedgeCaps, OfOverlappingSpheresWithoutAGapAreThoseOfTheirLens) {
+    EXPECT_EQ(wedge_caps(1, 0.6, 1.4, 0), lens_of(1, 0.6, 1.4).cap);
 }
 
 /// Whether p lies in the tetrahedron of four points.
