@@ -114,18 +114,22 @@ std::string fitted(const std::string& line, std::size_t width) {
     return is_within && gap != std::string::npos && gap >= label_width ? text.substr(0, gap) : text;
 }
 
-/// "1 % of the fines move at i = 0.15, 10 % at 0.25; heave at 0.82": of a stage whose fines have weight.
+/// "1 % of the fines move at i = 0.15, 10 % at ≤ 0.25; heave at 0.82": of a stage whose fines have weight.
 std::string mobility_text(const nlohmann::json& state) {
     const auto moves = state.find("critical_gradient");
     if (moves == state.end() || !moves->is_object()) {
         return "";
     }
+    const auto at_most = state.find("critical_gradient_at_most");
     const auto gradient = [](const nlohmann::json& value) { return digits_text(value.get<double>(), 2); };
-    const nlohmann::json &first = moves->at("1 %"), &tenth = moves->at("10 %");
-    std::string text = first.is_number() ? fmt::format("1 % of the fines move at i = {}", gradient(first))
-                                         : "less than 1 % of the fines move";
-    if (tenth.is_number()) {
-        text += fmt::format(", 10 % at {}", gradient(tenth));
+    const auto reached = [&](const char* sign, const char* share) {
+        const bool is_bound = at_most != state.end() && at_most->value(share, false);
+        return (is_bound ? "≤ " : sign) + gradient(moves->at(share));
+    };
+    std::string text = moves->at("1 %").is_number() ? "1 % of the fines move at i " + reached("= ", "1 %")
+                                                    : "less than 1 % of the fines move";
+    if (moves->at("10 %").is_number()) {
+        text += ", 10 % at " + reached("", "10 %");
     }
     if (const auto heave = state.find("heave_gradient"); heave != state.end() && heave->is_number()) {
         text += fmt::format("; heave at {}", gradient(*heave));

@@ -19,8 +19,8 @@ namespace {
 
 /// A column of the ramp.
 template <class Value>
-py::array_t<double> of_ramp(const erosion::MobilityResult& mobility, Value value) {
-    py::array_t<double> column(static_cast<py::ssize_t>(mobility.ramp.size()));
+auto of_ramp(const erosion::MobilityResult& mobility, Value value) {
+    py::array_t<decltype(value(erosion::MobilityStep{}))> column(static_cast<py::ssize_t>(mobility.ramp.size()));
     for (std::size_t k = 0; k < mobility.ramp.size(); ++k) {
         column.mutable_at(static_cast<py::ssize_t>(k)) = value(mobility.ramp[k]);
     }
@@ -44,19 +44,24 @@ py::array_t<double> by_grain(const erosion::MobilityResult& mobility, const dem:
 
 py::dict to_dict(const erosion::MobilityResult& mobility, const dem::World& world) {
     using erosion::MobilityStep;
-    py::dict moves;
+    py::dict moves, at_most, dict;
     moves["1 %"] = mobility.moves_1;
     moves["10 %"] = mobility.moves_10;
     moves["50 %"] = mobility.moves_50;
-    py::dict dict;
+    at_most["1 %"] = erosion::is_upper_bound(mobility, 0.01);
+    at_most["10 %"] = erosion::is_upper_bound(mobility, 0.1);
+    at_most["50 %"] = erosion::is_upper_bound(mobility, 0.5);
     dict["gradient"] = of_ramp(mobility, [](const MobilityStep& s) { return s.gradient; });
     dict["mobile_mass_share"] = of_ramp(mobility, [](const MobilityStep& s) { return s.mobile_mass_share; });
     dict["mobile_number_share"] = of_ramp(mobility, [](const MobilityStep& s) { return s.mobile_number_share; });
     dict["lifted_mass_share"] = of_ramp(mobility, [](const MobilityStep& s) { return s.lifted_mass_share; });
+    dict["held_for"] = of_ramp(mobility, [](const MobilityStep& s) { return s.held_for; });
     dict["still_moving"] = of_ramp(mobility, [](const MobilityStep& s) { return s.still_moving; });
+    dict["still_growing"] = of_ramp(mobility, [](const MobilityStep& s) { return erosion::is_still_growing(s); });
     dict["permeability"] = of_ramp(mobility, [](const MobilityStep& s) { return s.permeability; });
     dict["mobile_gradient"] = by_grain(mobility, world);
     dict["critical_gradient"] = moves;
+    dict["critical_gradient_at_most"] = at_most;
     dict["terzaghi_gradient"] = mobility.critical_gradient;
     dict["heave_gradient"] = mobility.heave_gradient;
     dict["alpha_fines"] = mobility.alpha_fines;
@@ -85,7 +90,8 @@ std::vector<double> gradients_of(const py::object& gradients) {
 py::dict mobility(
     WorldHandle& w, const NumbersOrNone& gradients, const Direction& direction, const Direction& down,
     const QuantityOrNone& asked_gradient, const Quantity& acceleration, const flow::Fluid& fluid,
-    const std::string& solver, double softness, const CallableOrNone& on_progress
+    const std::string& solver, const Quantity& hold_at_most, const Quantity& fluid_drag, const Quantity& moved,
+    const Quantity& softness, const CallableOrNone& on_progress
 ) {
     erosion::MobilitySetting setting;
     setting.gravity = {direction_of(down), value_of(key_of("gravity", "acceleration"), acceleration, "acceleration")};
@@ -94,10 +100,12 @@ py::dict mobility(
     setting.gradients = gradients_of(gradients);
     setting.asked_gradient =
         optional_value_of(key_of("stage.detach", "asked_gradient"), asked_gradient, "asked_gradient");
-    setting.softness = softness;
-    if (!(softness > 0 && softness < 0.05)) {
-        throw CaseError(fmt::format("softness: found {}, expected it to be above 0 and below 0.05", softness));
-    }
+    const auto motion_value = [](const Quantity& value, const char* key) {
+        return value_of(key_of("stage.detach", key), value, key);
+    };
+    setting.motion = {
+        motion_value(hold_at_most, "hold_at_most"), motion_value(fluid_drag, "fluid_drag"),
+        motion_value(moved, "moved"), motion_value(softness, "softness")};
     flow::SolverChoice how{word_of(solver, casefile::names::solver, "solver")};
     erosion::MobilityResult result;
     Stepping call(w);
@@ -129,20 +137,27 @@ void bind_mobility(py::module_& m) {
         "mobility", &mobility, py::arg("gradients") = py::none(), py::kw_only(), py::arg("direction") = "z",
         py::arg("down") = "-z", py::arg("asked_gradient") = py::none(), py::arg("acceleration") = gravity,
         py::arg_v("fluid", flow::Fluid{}, "Fluid()"), py::arg("solver") = "network",
-        py::arg("softness") = erosion::usual_softness, py::arg("on_progress") = py::none(),
+        py::arg("hold_at_most") = erosion::WeighedMotion{}.hold_at_most,
+        py::arg("fluid_drag") = erosion::WeighedMotion{}.fluid_drag, py::arg("moved") = erosion::WeighedMotion{}.moved,
+        py::arg("softness") = erosion::WeighedMotion{}.softness, py::arg("on_progress") = py::none(),
         with_keys(
             "Which fines a rising gradient moves against their weight, as a stage that does \"detach\" in a case with "
-            "[gravity]; the world itself stays as it is. Returns a dictionary: for each gradient of the ramp arrays "
-            "`gradient`, `mobile_mass_share`, `mobile_number_share`, `lifted_mass_share`, `still_moving` and "
-            "`permeability`; for each grain `mobile_gradient`; and the numbers of stage.json.\n"
-            "softness: overlap over radius by which the scaled weight presses two equal fines together\n"
+            "[gravity]; the world itself stays as it is. The ramp is refined until the gradients that move 1 and 10 % "
+            "are known to 0.01. Returns a dictionary: for each gradient that was borne arrays `gradient`, "
+            "`mobile_mass_share`, `mobile_number_share`, `lifted_mass_share`, `held_for`, `still_moving`, "
+            "`still_growing` (the shares are then lower bounds) and `permeability`; for each grain `mobile_gradient`; "
+            "and the numbers of stage.json.\n"
             "on_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work",
             {{"stage.detach", "gradients"},
              {"stage.detach", "direction"},
              {"gravity", "down"},
              {"gravity", "acceleration"},
              {"stage.detach", "asked_gradient"},
-             {"stage.flow", "solver"}}
+             {"stage.flow", "solver"},
+             {"stage.detach", "hold_at_most"},
+             {"stage.detach", "fluid_drag"},
+             {"stage.detach", "moved"},
+             {"stage.detach", "softness"}}
         ).c_str()
     );
 }

@@ -34,28 +34,48 @@ double end_of_ramp(const MobilityStory& story) {
     return story.one().ramp.back().gradient;
 }
 
+/// Whether the ramp goes as far as the gradient that lifts the whole soil.
+bool goes_to_heave(const MobilityStory& story) {
+    return story.heave.seeds > 0 && end_of_ramp(story) >= story.heave.mean;
+}
+
+/// "0.30", "0.30 or less".
+std::string reached_text(const Scatter& gradient, bool at_most) {
+    return gradient_text(gradient) + (at_most ? " or less" : "");
+}
+
 /// "moves 1 % of the fines at i = 0.30, a tenth at 0.51".
 std::string what_moves(const MobilityStory& story) {
-    const bool heaves = story.heave.seeds > 0;
-    if (!is_met(story.moves_1, story)) {
-        return heaves && end_of_ramp(story) >= story.heave.mean
-                   ? "moves less than 1 % of the fines below heave"
-                   : fmt::format("moves less than 1 % of the fines up to i = {:.2f}", end_of_ramp(story));
+    const bool heaves_first = story.heave.seeds > 0 && story.moves_1.mean >= story.heave.mean;
+    const std::string end = goes_to_heave(story) ? "below heave" : fmt::format("up to i = {:.2f}", end_of_ramp(story));
+    if (!is_met(story.moves_1, story) || heaves_first) {
+        return fmt::format("moves less than 1 % of the fines {}", heaves_first ? "below heave" : end);
     }
-    const bool too_late = heaves && story.moves_1.mean >= story.heave.mean;
-    std::string text = too_late ? "moves less than 1 % of the fines below heave"
-                                : fmt::format("moves 1 % of the fines at i = {}", gradient_text(story.moves_1));
-    if (!too_late && is_met(story.moves_10, story)) {
-        text += fmt::format(", a tenth at {}", gradient_text(story.moves_10));
-    } else if (!too_late) {
-        text += fmt::format(", less than a tenth up to {:.2f}", end_of_ramp(story));
-    }
-    return text;
+    return fmt::format("moves 1 % of the fines at i = {}, ", reached_text(story.moves_1, story.at_most_1)) +
+           (is_met(story.moves_10, story)
+                ? fmt::format("a tenth at {}", reached_text(story.moves_10, story.at_most_10))
+                : fmt::format("less than a tenth {}", end));
 }
 
 std::string percent_of_fines(double share) {
     const double percent = 100 * share;
     return percent < 0.05 ? "less than 0.1 % of them" : fmt::format("{:.2g} %", percent);
+}
+
+/// "; the soil heaves at 1.05".
+std::string heave_text(const MobilityStory& story, const std::string& gradient) {
+    if (story.heave.seeds == 0) {
+        return "; it cannot lift the soil";
+    }
+    const bool is_first = !is_met(story.moves_1, story) && goes_to_heave(story);
+    return fmt::format("; the soil heaves at {}{}", gradient, is_first ? " first" : "");
+}
+
+/// "moves 0.2 %".
+std::string moved_at_asked_text(const MobilityStory& story) {
+    return fmt::format(
+        "moves {}{}", story.moved_at_asked_at_least ? "at least " : "", percent_of_fines(story.moved_at_asked.mean)
+    );
 }
 
 std::string safety_text(const MobilityStory& story) {
@@ -74,12 +94,13 @@ std::string what_moves_in_short(const MobilityStory& story) {
     return what_moves(means);
 }
 
-/// Half the step of the ramp within which a gradient was found: between two levels nobody looked.
+/// Half the step of the ramp within which a gradient was found, rounded up: between two levels nobody looked.
 double within_step(const MobilityStory& story, double gradient) {
+    constexpr double digits = 100, rounding = 1e-9;
     double before = 0;
     for (const erosion::MobilityStep& step : story.one().ramp) {
         if (step.gradient >= gradient) {
-            return (step.gradient - before) / 2;
+            return std::ceil(digits * (step.gradient - before) / 2 - rounding) / digits;
         }
         before = step.gradient;
     }
@@ -104,16 +125,17 @@ bool do_disagree(const MobilityStory& story) {
     return (moved >= 1) != (*by_rule >= 1);
 }
 
-Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, std::string label) {
+Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, bool at_most, std::string label) {
+    const std::string value = (at_most ? "≤ " : "") + fixed(gradient.mean, 2);
     if (gradient.seeds > 1) {
         return with_certainty(
-            {fixed(gradient.mean, 2), std::move(label), fmt::format("{} samples", gradient.seeds),
+            {value, std::move(label), fmt::format("{} samples", gradient.seeds),
              spread_text(gradient, 1, 2)},
             static_cast<std::size_t>(gradient.seeds)
         );
     }
     return {
-        fixed(gradient.mean, 2), std::move(label), "within a step of the ramp; no replicate",
+        value, std::move(label), "within a step of the ramp; no replicate",
         "± " + fixed(within_step(story, gradient.mean), 2)};
 }
 
@@ -122,7 +144,10 @@ Headline safety_headline(const MobilityStory& story) {
     const double asked = *story.asked_gradient;
     if (!is_met(story.safety, story)) {
         headline.value = "≥ " + fixed(*story.safety_at_least, 1);
-        headline.detail = fmt::format("the ramp ends before 1 % of the fines move; asked {:.2f}", asked);
+        headline.detail = fmt::format(
+            "{} before 1 % of the fines move; asked {:.2f}", goes_to_heave(story) ? "the soil heaves" : "the ramp ends",
+            asked
+        );
         headline = with_certainty(std::move(headline), story.of_sample.size());
     } else if (story.safety.seeds > 1) {
         headline.value = fixed(story.safety.mean, 1);
@@ -137,7 +162,8 @@ Headline safety_headline(const MobilityStory& story) {
             fixed(story.safety.mean + half, 1)
         );
     }
-    if (story.heave.seeds > 0 && story.heave.mean < story.moves_1.mean) { // what fails first decides
+    const bool moves_late = !is_met(story.safety, story) && goes_to_heave(story);
+    if (moves_late || (story.heave.seeds > 0 && story.heave.mean < story.moves_1.mean)) { // what fails first decides
         headline.caution = fmt::format(
             "The whole soil heaves before, at {} times the asked gradient.", fixed(story.heave.mean / asked, 1)
         );
@@ -208,8 +234,7 @@ std::string flow_in_words(const erosion::MobilityResult& mobility) {
 
 std::string verdict(const MobilityStory& story) {
     std::string text = fmt::format("{} flow {}", flow_in_words(story.one()), what_moves(story));
-    text += story.heave.seeds > 0 ? fmt::format("; the soil heaves at {}.", gradient_text(story.heave))
-                                  : "; it cannot lift the soil.";
+    text += heave_text(story, gradient_text(story.heave)) + ".";
     if (!story.asked_gradient) {
         return fmt::format("{} ({}).", text.substr(0, text.size() - 1), samples_text(story));
     }
@@ -219,8 +244,8 @@ std::string verdict(const MobilityStory& story) {
         );
     }
     return fmt::format(
-        "{} At the asked {:.2f} it moves {} ({}; {}).", text, *story.asked_gradient,
-        percent_of_fines(story.moved_at_asked.mean), safety_text(story), samples_text(story)
+        "{} At the asked {:.2f} it {} ({}; {}).", text, *story.asked_gradient, moved_at_asked_text(story),
+        safety_text(story), samples_text(story)
     );
 }
 
@@ -271,8 +296,7 @@ std::vector<std::string> answer_of_mobility(const std::vector<MobilityStory>& st
 std::vector<std::string> short_verdict(const MobilityStory& story) {
     const std::string flow = flow_in_words(story.one());
     std::vector<std::string> lines = {fmt::format("{} flow {}", flow, what_moves_in_short(story))};
-    lines.front() += story.heave.seeds > 0 ? fmt::format("; the soil heaves at {:.2f}.", story.heave.mean)
-                                           : "; it cannot lift the soil.";
+    lines.front() += heave_text(story, fmt::format("{:.2f}", story.heave.mean)) + ".";
     if (!story.asked_gradient) {
         return lines;
     }
@@ -283,8 +307,7 @@ std::vector<std::string> short_verdict(const MobilityStory& story) {
     MobilityStory means = story;
     means.safety.standard_deviation = 0;
     lines.push_back(fmt::format(
-        "At the asked {:.2f} it moves {}: {}.", *story.asked_gradient, percent_of_fines(story.moved_at_asked.mean),
-        safety_text(means)
+        "At the asked {:.2f} it {}: {}.", *story.asked_gradient, moved_at_asked_text(story), safety_text(means)
     ));
     return lines;
 }
@@ -308,10 +331,10 @@ std::vector<Headline> mobility_headlines(const MobilityStory& story) {
         headlines.push_back(safety_headline(story));
     }
     if (is_met(story.moves_1, story)) {
-        headlines.push_back(gradient_headline(story, story.moves_1, "Gradient that moves 1 % of the fines"));
+        headlines.push_back(gradient_headline(story, story.moves_1, story.at_most_1, "Gradient that moves 1 % of the fines"));
     }
     if (is_met(story.moves_10, story)) {
-        headlines.push_back(gradient_headline(story, story.moves_10, "Gradient that moves 10 %"));
+        headlines.push_back(gradient_headline(story, story.moves_10, story.at_most_10, "Gradient that moves 10 %"));
     }
     if (story.heave.seeds > 0) {
         Headline heave = {fixed(story.heave.mean, 2), "Gradient of heave, i_c", "by the weight of the soil (Terzaghi)"};

@@ -102,7 +102,10 @@ constexpr std::array code_table = {
         "Upward seepage at this gradient would lift the whole soil; without [gravity] grains have no weight, and with "
         "it "
         "the coarse ones are held."},
-    Code{"E605", "no fines", "Erosion needs to know which grains are fine."},
+    Code{
+        "E605", "no fines, or nothing else",
+        "Erosion needs to know which grains are fine. With [gravity] a `detach` or `erode` stage asks which fines move "
+        "through the coarse grains: its sample must have both."},
     Code{
         "W605", "nothing or everything is fine",
         "Without fines nothing can leave; without coarse grains there is no skeleton."},

@@ -238,6 +238,18 @@ void weightless_fields(V& v, erosion::ProbeSpec& probe) {
     check_weightless(v, probe);
 }
 
+/// Settings of a probe of fines that have weight; without weight none of them has a meaning.
+template <class V>
+void weighed_fields(V& v, erosion::ProbeSpec& probe) {
+    if (V::reads || probe.gravity) {
+        v.field("hold_at_most", probe.weighed.hold_at_most);
+        v.field("fluid_drag", probe.weighed.fluid_drag);
+        v.field("moved", probe.weighed.moved);
+        v.field("softness", probe.weighed.softness);
+    }
+    check_weighed(v, probe);
+}
+
 template <class V>
 void fields(V& v, erosion::DetachStageSpec& s) {
     take_gravity(v, s.probe);
@@ -247,6 +259,7 @@ void fields(V& v, erosion::DetachStageSpec& s) {
     v.choice("hold", s.probe.hold_coarse, names::hold);
     check_hold(v, s.probe, s.probe.hold_coarse);
     weightless_fields(v, s.probe);
+    weighed_fields(v, s.probe);
     solver_fields(v, s.probe.flow);
     if (V::reads || !s.probe.gravity) {
         v.table("detached", [&](auto& inner) { fields(inner, s.detached); });
@@ -273,6 +286,7 @@ void fields(V& v, erosion::ErodeSpec& s) {
     v.direction(s.direction);
     hold_of_passes(v, s);
     weightless_fields(v, s.probe);
+    weighed_fields(v, s.probe);
     solver_fields(v, s.probe.flow);
     rule_of_passes(v, s);
     v.table("passes_constriction", [&](auto& inner) {

@@ -4,6 +4,7 @@
 #include "suffuse/casefile/sample_checks.hpp"
 #include "suffuse/casefile/stage_loading.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
+#include "suffuse/casefile/weight_words.hpp"
 #include "suffuse/casefile/wide_checks.hpp"
 #include "suffuse/contact/springs.hpp"
 #include "suffuse/erosion/heave.hpp"
@@ -31,7 +32,8 @@ std::optional<packing::Protocol> protocol_of(const Stage& stage) {
 class Checks {
 public:
     Checks(ReadContext& context, const Case& settings, const Study& study, const Variant& variant)
-        : context_(context), settings_(settings), variant_(variant), path_("study." + study.name) {}
+        : context_(context), settings_(settings), variant_(variant), path_("study." + study.name),
+          soil_(study.soil) {}
 
     void check_pressure(const Stage& stage, std::string_view key, double pressure) {
         const double overlap = contact::mean_overlap_at(variant_.material, std::abs(pressure));
@@ -157,16 +159,61 @@ public:
                 return;
             }
         }
-        const double content = soil->fines_content;
-        if (soil->coarse && soil->fines && (content <= 0 || content >= 1)) {
+        check_both_parts(stage, *soil);
+    }
+
+    /// Of two curves: what the mixture has none of.
+    void check_both_parts(const Stage& stage, const grains::Soil& soil) {
+        const double content = soil.fines_content;
+        if (!soil.coarse || !soil.fines || (content > 0 && content < 1)) {
+            return;
+        }
+        if (!weighs_fines(stage)) {
             context_.problems.warning(
-                "W605", place,
+                "W605", stage_place(stage, "do"),
                 fmt::format(
                     "stage \"{}\" erodes a soil of which {} is fine", stage.name,
                     content <= 0 ? "nothing" : "everything"
                 ),
                 "nothing can leave, or no skeleton stays"
             );
+            return;
+        }
+        const auto swept = variant_.values.find("soil");
+        const auto* name = swept == variant_.values.end() ? nullptr : std::get_if<std::string>(&swept->second);
+        const auto found = context_.places.find(fmt::format("soil.{}.fines_content", name ? *name : soil_));
+        context_.problems.error(
+            "E605", found == context_.places.end() ? stage_place(stage, "do") : found->second,
+            fmt::format(
+                "stage \"{}\" of {} asks what moves of fines that have weight, and with `fines_content` = {:.4g} % the "
+                "soil has no {}",
+                stage.name, variant_.folder, 100 * content, content <= 0 ? "fines" : "coarse grains"
+            ),
+            fmt::format(
+                "take a value between 0 and 100 %{}",
+                variant_.values.empty() ? "" : "; or list in `only` of the stage the swept values that it is to run for"
+            )
+        );
+    }
+
+    /// A stage that takes all fines out leaves none whose weight could be asked for.
+    void check_fines_left(const Stage& stage) {
+        for (int k = stage.parent; k >= 0; k = variant_.stages[static_cast<std::size_t>(k)].parent) {
+            const Stage& before = variant_.stages[static_cast<std::size_t>(k)];
+            const auto* removal = std::get_if<erosion::RemoveSpec>(&before.spec);
+            if (removal == nullptr || removal->grains != erosion::RemovedFines::All || removal->share < 1) {
+                continue;
+            }
+            context_.problems.error(
+                "E605", stage_place(stage, "do"),
+                fmt::format(
+                    "stage \"{}\" asks what moves of fines that have weight, and stage \"{}\" before it takes all fines "
+                    "out",
+                    stage.name, before.name
+                ),
+                "start from a stage before it, by `from`; or give the removal a `share` below 100 %"
+            );
+            return;
         }
     }
 
@@ -270,7 +317,7 @@ private:
     ReadContext& context_;
     const Case& settings_;
     const Variant& variant_;
-    std::string path_;
+    std::string path_, soil_;
 };
 
 void check_loading(Checks& checks, const Stage& stage, const cell::Loading& loading, bool has_pressure) {
@@ -345,6 +392,9 @@ void check_stage(Checks& checks, const Stage& stage) {
     std::visit(CheckValues{checks, stage}, stage.spec);
     if (traits_of(stage).asks_for_fines) {
         checks.check_fines(stage);
+    }
+    if (weighs_fines(stage)) {
+        checks.check_fines_left(stage);
     }
     checks.check_start(stage);
 }

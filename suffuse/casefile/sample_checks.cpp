@@ -4,6 +4,7 @@
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
+#include "suffuse/casefile/weight_words.hpp"
 #include "suffuse/erosion/passage.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
@@ -87,12 +88,15 @@ public:
     /// Draws the grains as the run will: a split that does not exist, a curve that so few grains cannot follow.
     void check_drawn() {
         constexpr std::int64_t quickly_drawn = 50'000; // beyond, this would take longer than all other checks together
-        if (!whole_grading(*variant_.soil) || variant_.particles < 1 || variant_.particles > quickly_drawn) {
+        if (!whole_grading(*variant_.soil)) {
             return;
         }
         Place place = split_place_; // of what cannot be had
         try {
             grains::expect_both_parts(*variant_.soil);
+            if (variant_.particles < 1 || variant_.particles > quickly_drawn) {
+                return;
+            }
             place = place_;
             const auto sample = grains::sample_soil(*variant_.soil, static_cast<int>(variant_.particles));
             check_counts(sample);
@@ -108,7 +112,10 @@ private:
         const bool erodes = has_stage(variant_, [](const StageTraits& traits) { return traits.probes_fines(); });
         const auto fines = std::count(sample.fine.begin(), sample.fine.end(), std::uint8_t{1});
         const auto coarse = std::ssize(sample.fine) - fines;
-        const bool has_both = fines > 0 && coarse > 0; // else W605 says so
+        const bool has_both = fines > 0 && coarse > 0;
+        if (!has_both) {
+            check_weighed(fines > 0);
+        }
         if (!erodes || !has_both || (fines >= few_fines && coarse >= few_coarse)) {
             return;
         }
@@ -122,6 +129,24 @@ private:
                 "take more grains, until there are at least {} fine and {} coarse, or several seeds (`replicates`)",
                 few_fines, few_coarse
             )
+        );
+    }
+
+    /// Of grains that are all fine or all coarse, although the soil has both: too few are drawn of one curve, or of two.
+    void check_weighed(bool all_are_fine) {
+        const grains::Soil& soil = *variant_.soil;
+        const bool is_known = soil.coarse && soil.fines && (soil.fines_content <= 0 || soil.fines_content >= 1);
+        const auto weighed = std::ranges::find_if(variant_.stages, weighs_fines);
+        if (is_known || weighed == variant_.stages.end()) { // by E605 at the fines content
+            return;
+        }
+        problems_.error(
+            "E605", place_,
+            fmt::format(
+                "stage \"{}\" asks what moves of fines that have weight, and all {} grains drawn of this soil{} are {}",
+                weighed->name, grouped(variant_.particles), which(), all_are_fine ? "fine" : "coarse"
+            ),
+            "take more grains, or another size for `finer_than`, until fines and coarse grains are both there"
         );
     }
 

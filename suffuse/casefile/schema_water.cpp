@@ -2,6 +2,9 @@
 
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema_row.hpp"
+#include "suffuse/erosion/spec.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -42,6 +45,37 @@ std::vector<Key> solver_rows(const std::string& stage, const std::string& what) 
                 "grains; `plan` tells. Not unless given."
         ),
         tolerance,
+    };
+}
+
+/// A key of a probe of fines that have weight. It is not written where they have none: its default stands here.
+Key weighed(const std::string& stage, const char* name, Range range, double otherwise, const char* text) {
+    Key key = ratio(stage, name, range, text);
+    key.default_text = fmt::format("{}", otherwise);
+    return key;
+}
+
+std::vector<Key> weighed_rows(const std::string& stage) {
+    const erosion::WeighedMotion usual;
+    return {
+        weighed(
+            stage, "hold_at_most", {4, 1e6, false, false}, usual.hold_at_most,
+            "With [gravity]: a gradient is held until motion ends, and no longer than this, in units of the time in "
+            "which the median fine grain falls half its diameter. Results tell where motion had not ended."
+        ),
+        weighed(
+            stage, "fluid_drag", {0.01, 100, false, false}, usual.fluid_drag,
+            "With [gravity]: a factor on the viscous drag that slows fines down while they move."
+        ),
+        weighed(
+            stage, "moved", {0.01, 10, false, false}, usual.moved,
+            "With [gravity]: how far along the flow fines have moved, in their diameters, that count as mobile."
+        ),
+        weighed(
+            stage, "softness", {0, 0.05, true, true}, usual.softness,
+            "With [gravity]: the overlap over the radius by which weight presses two equal fines together, at most. It "
+            "sets the factor K by which weight and seepage are scaled up; steps grow as 1/sqrt(softness)."
+        ),
     };
 }
 
@@ -86,6 +120,7 @@ std::vector<Key> probe_rows(const std::string& stage) {
             "Quantile of the speeds of the twin without fluid that is reported as its noise; no grain is judged by it."
         ),
     };
+    append(rows, weighed_rows(stage));
     append(
         rows,
         solver_rows(stage, "Resolves the flow that gives the forces and permeabilities, where the network does not: ")

@@ -109,6 +109,97 @@ TEST(Gravity, LeavesNoMeaningToWhatAProbeWithoutWeightIsTold) {
     }
 }
 
+TEST(Gravity, HasKeysOfHowFinesMoveWhichComeBackFromTheResolvedCase) {
+    const std::string keys = "hold_at_most = 50\nfluid_drag = 2\nmoved = 0.2\nsoftness = 1e-4\n";
+    for (const std::string& stage : {detach_stage, erode_stage}) {
+        const Case c = load(weighed(stage + keys)), back = load(resolved_toml(c));
+        for (const Case* one : {&c, &back}) {
+            const Stage& last = one->studies.front().variants.front().stages.back();
+            const auto* detach = std::get_if<erosion::DetachStageSpec>(&last.spec);
+            const erosion::WeighedMotion& motion =
+                detach ? detach->probe.weighed : std::get<erosion::ErodeSpec>(last.spec).probe.weighed;
+            EXPECT_EQ(motion.hold_at_most, 50);
+            EXPECT_EQ(motion.fluid_drag, 2);
+            EXPECT_EQ(motion.moved, 0.2);
+            EXPECT_EQ(motion.softness, 1e-4);
+        }
+        for (const char* key : {"hold_at_most = 50", "fluid_drag = 2", "moved = 0.2", "softness = 1e-4"}) {
+            const Diagnostic found = find_problem(problems_of(good_case + stage + key + "\n"), "E207");
+            EXPECT_NE(found.message.find("fines have no weight"), std::string::npos) << found.message;
+            EXPECT_EQ(found.line, 18) << key;
+        }
+        for (const char* key : {"hold_at_most = 3", "fluid_drag = 0", "moved = 0", "softness = 0.05"}) {
+            EXPECT_EQ(find_problem(problems_of(weighed(stage + key + "\n")), "E312").line, 20) << key;
+        }
+    }
+}
+
+/// Two curves, of which so much is fine.
+std::string mixture(const std::string& fines_content, const std::string& more = "") {
+    return replaced(
+        replaced(
+            weighed(more), "fines = { finer_than = \"0.15 mm\" }",
+            "fines = { psd = \"data/silt.csv\" }\nfines_content = " + fines_content
+        ),
+        "psd = \"data/sand.csv\"", "coarse = { psd = \"data/sand.csv\" }"
+    );
+}
+
+TEST(Gravity, NeedsFinesAndACoarseSkeleton) {
+    for (const std::string& stage : {detach_stage, erode_stage}) {
+        const Diagnostic none = find_problem(problems_of(mixture("\"0 %\"", stage)), "E605");
+        EXPECT_NE(none.message.find("`fines_content` = 0 % the soil has no fines"), std::string::npos) << none.message;
+        EXPECT_EQ(none.line, 7);
+        const Diagnostic all = find_problem(problems_of(mixture("1.0", stage)), "E605");
+        EXPECT_NE(all.message.find("100 % the soil has no coarse grains"), std::string::npos) << all.message;
+        EXPECT_EQ(find_problem(problems_of(mixture("0.2", stage)), "E605").message.find("no E605"), 0U);
+    }
+    const std::string forced = erode_stage + "forced = { max_contacts = 1 }\n";
+    EXPECT_EQ(find_problem(problems_of(mixture("0.0", forced)), "E605").message.find("no E605"), 0U);
+}
+
+TEST(Gravity, NeedsThemAtEveryValueOfASweepForWhichTheStageRuns) {
+    const std::string sweep = "sweep = { fines_content = [\"0 %\", \"10 %\", \"100 %\"] }\n";
+    const std::string swept = replaced(mixture("0.2", detach_stage), "particles = 20000\n", "particles = 20000\n" + sweep);
+    std::vector<Diagnostic> found = problems_of(swept);
+    std::erase_if(found, [](const Diagnostic& d) { return d.code != "E605"; });
+    ASSERT_EQ(found.size(), 2U);
+    for (const Diagnostic& d : found) {
+        EXPECT_EQ(d.line, 11);
+    }
+    EXPECT_LT(found[0].column, found[1].column) << "each at its own value";
+    EXPECT_NE(found[1].message.find("one/fc=100"), std::string::npos) << found[1].message;
+    const std::string only = swept + "only = { fines_content = [\"10 %\"] }\n";
+    EXPECT_EQ(find_problem(problems_of(only), "E605").message.find("no E605"), 0U);
+}
+
+TEST(Gravity, NeedsThemAmongTheGrainsThatAreDrawn) {
+    const std::string limit = "finer_than = \"0.15 mm\"";
+    for (const char* beyond : {"finer_than = \"0.05 mm\"", "finer_than = \"0.5 mm\""}) {
+        for (const char* count : {"particles = 20000", "particles = 2000000"}) {
+            const std::string text = replaced(replaced(weighed(detach_stage), limit, beyond), "particles = 20000", count);
+            EXPECT_NE(find_problem(problems_of(text), "E606").message.find("leaves no fines or no"), std::string::npos);
+        }
+    }
+    const std::string few = replaced(
+        replaced(weighed(detach_stage), limit, "finer_than = \"0.3999 mm\" }\ngrading_tolerance = \"100 %\" #"),
+        "particles = 20000", "particles = 300"
+    );
+    const Diagnostic found = find_problem(problems_of(few), "E605");
+    EXPECT_NE(found.message.find("300 grains drawn of this soil are fine"), std::string::npos) << found.message;
+}
+
+TEST(Gravity, NeedsFinesThatARemovalHasLeft) {
+    const std::string removal = "[[study.one.stage]]\nname = \"out\"\ndo = \"remove\"\n";
+    const Diagnostic found = find_problem(problems_of(weighed(removal + detach_stage)), "E605");
+    EXPECT_NE(found.message.find("\"out\" before it takes all fines out"), std::string::npos) << found.message;
+    EXPECT_EQ(
+        find_problem(problems_of(weighed(removal + "share = 0.5\n" + detach_stage)), "E605").message.find("no E605"), 0U
+    );
+    const std::string from = detach_stage + "from = \"initial\"\n";
+    EXPECT_EQ(find_problem(problems_of(weighed(removal + from)), "E605").message.find("no E605"), 0U);
+}
+
 TEST(Gravity, PassesOverWhatAPresetSaysOfProbesWithoutWeight) {
     const std::string preset = "[presets.quick]\nramp = 100\nwatch = 100\nrelax_limit = 10\npasses = 1\n";
     const Case c = load(weighed(erode_stage) + preset, {.preset = "quick"});

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <span>
 
 namespace suffuse::casefile {
 
@@ -80,6 +81,15 @@ Node node_of_passes(const erosion::ErodeSpec& s, Print print) {
     return are_same ? items.front() : make_array(std::move(items));
 }
 
+/// Each of the keys that the stage gives is an error.
+void refuse(Reader& v, std::span<const std::string_view> keys, std::string_view reason, const std::string& advice) {
+    for (const std::string_view key : keys) {
+        if (const Node* node = v.take(key)) {
+            v.error("E207", node->place, fmt::format("{} gives `{}`, {}", v.title(), key, reason), advice);
+        }
+    }
+}
+
 } // namespace
 
 void take_gravity(Reader& v, erosion::ProbeSpec& probe) {
@@ -87,20 +97,24 @@ void take_gravity(Reader& v, erosion::ProbeSpec& probe) {
 }
 
 void check_weightless(Reader& v, const erosion::ProbeSpec& probe) {
-    if (!probe.gravity) {
-        return;
-    }
-    constexpr std::array<std::string_view, 5> meaningless = {
+    constexpr std::array<std::string_view, 5> keys = {
         "detached", "ramp", "watch", "probe_unbalanced_force", "relax_limit"};
-    for (const std::string_view key : meaningless) {
-        if (const Node* node = v.take(key)) {
-            v.error(
-                "E207", node->place,
-                fmt::format("{} gives `{}`, which has no meaning where fines have weight", v.title(), key),
-                "take it out: with [gravity] what moves half a diameter against its weight is mobile; or leave "
-                "[gravity] out"
-            );
-        }
+    if (probe.gravity) {
+        refuse(
+            v, keys, "which has no meaning where fines have weight",
+            "take it out: with [gravity] what moves half a diameter against its weight is mobile; or leave [gravity] "
+            "out"
+        );
+    }
+}
+
+void check_weighed(Reader& v, const erosion::ProbeSpec& probe) {
+    constexpr std::array<std::string_view, 4> keys = {"hold_at_most", "fluid_drag", "moved", "softness"};
+    if (!probe.gravity) {
+        refuse(
+            v, keys, "which has no meaning where fines have no weight",
+            "add [gravity] with down = \"-z\", or take it out"
+        );
     }
 }
 

@@ -25,6 +25,11 @@ void check_weightless(Reader& v, const erosion::ProbeSpec& probe);
 
 inline void check_weightless(Writer&, const erosion::ProbeSpec&) {}
 
+/// Keys that have no meaning where fines have no weight.
+void check_weighed(Reader& v, const erosion::ProbeSpec& probe);
+
+inline void check_weighed(Writer&, const erosion::ProbeSpec&) {}
+
 /// Where nothing is held all fines of weight fall. @param holds_coarse in every pass
 void check_hold(Reader& v, const erosion::ProbeSpec& probe, bool holds_coarse);
 

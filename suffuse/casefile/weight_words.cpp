@@ -3,8 +3,17 @@
 #include "suffuse/casefile/stage_traits.hpp"
 
 #include <algorithm>
+#include <variant>
 
 namespace suffuse::casefile {
+
+bool weighs_fines(const Stage& stage) {
+    if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {
+        return detach->probe.gravity.has_value();
+    }
+    const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec);
+    return erode != nullptr && erode->probe.gravity && !erode->forced;
+}
 
 std::string weight_sentence(const Case& what) {
     const auto probes = [](const Stage& stage) { return traits_of(stage).probes_fines(); };

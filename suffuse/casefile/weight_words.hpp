@@ -7,6 +7,9 @@
 
 namespace suffuse::casefile {
 
+/// Whether the stage asks what moves of fines that have weight: it needs fines, and a coarse skeleton.
+bool weighs_fines(const Stage& stage);
+
 /// Which stages know weight, or what it would change; empty where no stage asks what water takes.
 std::string weight_sentence(const Case& what);
 

@@ -22,12 +22,12 @@ constexpr double rest_motion = 0.02;                 ///< of a diameter in a bur
 constexpr double rest_share = 0.002;                 ///< of the number of free fines
 
 // A step of the ramp, likewise.
-constexpr double hold_burst = 4, longest_hold = 20;
-constexpr double hold_motion = 0.01;
-constexpr double hold_share = 0.001; ///< of the number of fines, on which the curve depends no further
+constexpr double hold_burst = 4;      ///< in units of WeightScale::time
+constexpr int bursts_of_a_flow = 5;   ///< after which it is solved anew, through the fines as they lie then
+constexpr double hold_advance = 0.01; ///< of a diameter in a burst
 
-constexpr double mobile_motion = 0.5; ///< along the flow, of a diameter: out of the place where it rested
-constexpr double lifted_motion = 0.1; ///< likewise: against the roof of its cage
+constexpr double lifted_motion = 0.1; ///< along the flow, of a diameter: against the roof of its cage
+constexpr double fallen_motion = 0.5; ///< of a diameter
 
 /// Masses of the fines of the result, those for which `counts` holds over all.
 template <class Counts>
@@ -119,7 +119,7 @@ void rest(WeighedCopy& copy, const Vec3& down, const Pulse& pulse, MobilityResul
     const double cell_width = std::min({widths.x, widths.y, widths.z});
     const auto fall = [&](std::size_t k) { return dot(copy.position(k) - start[k], down); };
     result.fallen_mass_share =
-        mass_share(result, [&](std::size_t k) { return fall(k) > mobile_motion * result.diameter[k]; });
+        mass_share(result, [&](std::size_t k) { return fall(k) > fallen_motion * result.diameter[k]; });
     result.sifting_mass_share =
         mass_share(result, [&](std::size_t k) { return fall(k) > cell_width || (!rests && moving[k] != 0); });
     result.sifts = is_notable_sifting(result.sifting_mass_share);
@@ -149,46 +149,101 @@ void compare_with_weight(const WeighedCopy& copy, const UnitSeepage& water, doub
     }
 }
 
-/// Holds one gradient until nothing new moves, and enters what is mobile by then.
-/// @param rest where the fines rested
-MobilityStep bear(
-    WeighedCopy& copy, double gradient, const UnitSeepage& water, double strength, const std::vector<Vec3>& rest,
-    const Pulse& pulse, MobilityResult& result
-) {
-    MobilityStep step;
-    step.gradient = gradient;
-    step.permeability = water.permeability;
-    const auto moved_along = [&](std::size_t k) {
-        return dot(copy.position(k) - rest[k], result.direction) / result.diameter[k];
-    };
-    const auto is_mobile = [&](std::size_t k) { return !std::isnan(result.mobile_gradient[k]); };
-    bool goes_on = copy.free_count() > 0;
-    while (goes_on && step.held_for < longest_hold) {
-        const std::vector<Vec3> before = copy.positions();
-        copy.hold(hold_burst, water.force, gradient * strength, pulse, "ramp");
-        step.held_for += hold_burst;
-        std::int64_t moving = 0;
-        for (std::size_t k = 0; k < rest.size(); ++k) {
-            if (!is_mobile(k) && moved_along(k) > mobile_motion) {
-                result.mobile_gradient[k] = gradient;
+/// The fines of a copy under a ramp, from where they rest.
+class Climb {
+public:
+    Climb(WeighedCopy& copy, const MobilitySetting& setting, const SolveFlow& solve, MobilityResult& result)
+        : copy_(copy), result_(result), solve_(solve), moved_(setting.motion.moved),
+          longest_hold_(setting.motion.hold_at_most),
+          strength_(setting.gravity.acceleration / suffuse::gravity), // the flow is of standard gravity
+          rest_(copy.positions()), ramp_(setting.gradients, result.heave_gradient, setting.asked_gradient) {}
+
+    void go(const Pulse& pulse) {
+        water_ = solve_(copy_.world());
+        result_.flow = water_.source;
+        compare_with_weight(copy_, water_, strength_, result_);
+        WeighedCopy::State below = copy_.state();
+        UnitSeepage water_below = water_;
+        while (const std::optional<double> gradient = ramp_.next()) {
+            const MobilityStep step = bear(*gradient, note_level(pulse, *gradient));
+            if (!ramp_.take(step.mobile_mass_share)) {
+                std::ranges::replace(result_.mobile_gradient, *gradient, std::numeric_limits<double>::quiet_NaN());
+                copy_.go_back(below);
+                water_ = water_below;
+                continue;
             }
-            const bool moves = norm(copy.position(k) - before[k]) > hold_motion * result.diameter[k];
-            moving += moves && !is_mobile(k) ? 1 : 0;
+            result_.ramp.push_back(step);
+            if (ramp_.next()) {
+                below = copy_.state();
+                water_ = water_below = solve_(copy_.world());
+            }
         }
-        step.still_moving = static_cast<double>(moving) / static_cast<double>(rest.size());
-        goes_on = step.still_moving > hold_share;
     }
-    const auto mobile = std::count_if(result.mobile_gradient.begin(), result.mobile_gradient.end(), [](double i) {
-        return !std::isnan(i);
-    });
-    step.mobile_number_share = static_cast<double>(mobile) / static_cast<double>(result.id.size());
-    step.mobile_mass_share = mass_share(result, is_mobile);
-    step.lifted_mass_share = mass_share(result, [&](std::size_t k) { return moved_along(k) > lifted_motion; });
-    step.displaced_mass_share = mass_share(result, [&](std::size_t k) {
-        return norm(copy.position(k) - rest[k]) > mobile_motion * result.diameter[k];
-    });
-    return step;
-}
+
+private:
+    [[nodiscard]] Pulse note_level(const Pulse& pulse, double gradient) const {
+        const std::size_t count = ramp_.given_count() - ramp_.given_left() + 1;
+        return [&pulse, gradient, count, all = ramp_.given_count()](std::string_view, long long steps) {
+            beat(pulse, fmt::format("gradient {:.3g}, {} of {}", gradient, count, all), steps);
+        };
+    }
+
+    [[nodiscard]] double advance(std::size_t k) const {
+        return dot(copy_.position(k) - rest_[k], result_.direction) / result_.diameter[k];
+    }
+
+    [[nodiscard]] bool is_mobile(std::size_t k) const { return !std::isnan(result_.mobile_gradient[k]); }
+
+    /// Holds one gradient until nothing new advances, or until it is known to be undone, and enters what is mobile. The
+    /// flow follows the fines.
+    MobilityStep bear(double gradient, const Pulse& pulse) {
+        MobilityStep step{.gradient = gradient, .permeability = water_.permeability};
+        std::vector<double> furthest;
+        for (std::size_t k = 0; k < rest_.size(); ++k) {
+            furthest.push_back(advance(k));
+        }
+        const auto mobile = [&](std::size_t k) { return is_mobile(k); };
+        const double undone_at = ramp_.undone_at().value_or(std::numeric_limits<double>::infinity());
+        int bursts = 0; // of the flow
+        for (bool goes_on = copy_.free_count() > 0; goes_on && step.held_for < longest_hold_;) {
+            if (bursts++ == bursts_of_a_flow) {
+                water_ = solve_(copy_.world());
+                bursts = 1;
+            }
+            const double time = std::min(hold_burst, longest_hold_ - step.held_for);
+            copy_.hold(time, water_.force, gradient * strength_, pulse, "ramp");
+            step.held_for += time;
+            std::int64_t advancing = 0;
+            for (std::size_t k = 0; k < rest_.size(); ++k) {
+                const double now = advance(k);
+                if (!is_mobile(k) && now > moved_) {
+                    result_.mobile_gradient[k] = gradient;
+                }
+                advancing += !is_mobile(k) && now > furthest[k] + hold_advance ? 1 : 0;
+                furthest[k] = std::max(furthest[k], now);
+            }
+            step.still_moving = static_cast<double>(advancing) / static_cast<double>(rest_.size());
+            step.mobile_mass_share = mass_share(result_, mobile);
+            goes_on = is_still_growing(step) && step.mobile_mass_share < undone_at;
+        }
+        const auto count = std::ranges::count_if(result_.mobile_gradient, [](double i) { return !std::isnan(i); });
+        step.mobile_number_share = static_cast<double>(count) / static_cast<double>(rest_.size());
+        step.mobile_mass_share = mass_share(result_, mobile);
+        step.lifted_mass_share = mass_share(result_, [&](std::size_t k) { return advance(k) > lifted_motion; });
+        step.displaced_mass_share = mass_share(result_, [&](std::size_t k) {
+            return norm(copy_.position(k) - rest_[k]) > moved_ * result_.diameter[k];
+        });
+        return step;
+    }
+
+    WeighedCopy& copy_;
+    MobilityResult& result_;
+    const SolveFlow& solve_;
+    double moved_, longest_hold_, strength_;
+    std::vector<Vec3> rest_; ///< where the fines rested
+    RefinedRamp ramp_;
+    UnitSeepage water_; ///< that pulls
+};
 
 } // namespace
 
@@ -196,25 +251,11 @@ MobilityResult find_mobility(
     const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse
 ) {
     check(equilibrium, setting);
-    WeighedCopy copy(equilibrium, buoyant_weights(equilibrium, setting.gravity, setting.fluid), setting.softness);
+    WeighedCopy copy(equilibrium, buoyant_weights(equilibrium, setting.gravity, setting.fluid), setting.motion);
     MobilityResult result = describe(equilibrium, setting, copy);
     check_heave(result, setting);
     rest(copy, setting.gravity.down, pulse, result);
-    const std::vector<Vec3> rested = copy.positions();
-    // The flow is of standard gravity: another pulls at grains and water alike.
-    const double strength = setting.gravity.acceleration / suffuse::gravity;
-    for (const double gradient : setting.gradients) {
-        const UnitSeepage water = solve(copy.world());
-        if (result.ramp.empty()) {
-            result.flow = water.source;
-            compare_with_weight(copy, water, strength, result);
-        }
-        const auto count = result.ramp.size() + 1;
-        const Pulse beat_of_gradient = [&](std::string_view, long long steps) {
-            beat(pulse, fmt::format("gradient {:.3g}, {} of {}", gradient, count, setting.gradients.size()), steps);
-        };
-        result.ramp.push_back(bear(copy, gradient, water, strength, rested, beat_of_gradient, result));
-    }
+    Climb(copy, setting, solve, result).go(pulse);
     result.ramp_steps = copy.steps() - result.rest_steps;
     result.time_step = copy.time_step();
     result.moves_1 = gradient_that_moves(result, 0.01);

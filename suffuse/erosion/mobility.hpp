@@ -8,6 +8,7 @@
 #include "suffuse/dem/world.hpp"
 #include "suffuse/erosion/mobility_result.hpp"
 #include "suffuse/erosion/ramp.hpp"
+#include "suffuse/erosion/refined_ramp.hpp"
 #include "suffuse/erosion/spec.hpp"
 #include "suffuse/erosion/weight.hpp"
 #include "suffuse/flow/fluid.hpp"
@@ -33,8 +34,8 @@ struct MobilitySetting {
     Gravity gravity;
     flow::Fluid fluid;
     Vec3 direction = {0, 0, 1};
-    std::vector<double> gradients; ///< rising, above 0
-    double softness = usual_softness;
+    std::vector<double> gradients; ///< rising, above 0; the ramp is refined between them, see refined_ramp.hpp
+    WeighedMotion motion;
     std::optional<double> asked_gradient;
 };
 

@@ -46,7 +46,7 @@ struct Pocket {
 /// In units of the fine grain's weight, of which a gradient of 1 pulls with `unit` along the flow.
 constexpr double unit = 100;
 
-SolveFlow pull_along(const Pocket& pocket, const Vec3& direction) {
+SolveFlow pull_along(const Pocket& pocket, const Vec3& direction, double unit = suffuse::erosion::unit) {
     const std::vector<Vec3> weight = buoyant_weights(pocket.world, {}, {});
     return [=](const dem::World&) {
         UnitSeepage water;
@@ -160,10 +160,86 @@ TEST(Mobility, DoesNotDependOnHowFarForcesAreScaledUp) {
     const Pocket pocket(1);
     const double theory = pocket.center / pocket.level;
     MobilitySetting setting{.direction = {-1, 0, 0}, .gradients = around(theory)};
-    for (const double softness : {usual_softness, usual_softness / 10}) {
-        setting.softness = softness;
+    for (const double softness : {1e-3, 1e-4}) {
+        setting.motion.softness = softness;
         const MobilityResult result = find_mobility(pocket.world, setting, pull_along(pocket, setting.direction));
         expect_just_above(unit * result.mobile_gradient.front(), theory);
+    }
+}
+
+/// The gradient is the pull over the weight.
+MobilityResult across_the_saddle(std::vector<double> gradients) {
+    const Pocket pocket(1);
+    const MobilitySetting setting{.direction = {-1, 0, 0}, .gradients = std::move(gradients)};
+    return find_mobility(pocket.world, setting, pull_along(pocket, setting.direction, 1));
+}
+
+TEST(Mobility, IsFoundToAHundredthBetweenLevelsThatAreFarApart) {
+    const Pocket pocket(1);
+    const double theory = pocket.center / pocket.level;
+    const MobilityResult found = across_the_saddle({0.1, 10}), fine = across_the_saddle(even_gradients(0.6, 60));
+    EXPECT_NEAR(*found.moves_1, *fine.moves_1, gradient_width);
+    EXPECT_GT(*found.moves_1, 0.995 * theory - gradient_width);
+    EXPECT_LT(*found.moves_1, 1.035 * theory);
+    EXPECT_FALSE(is_upper_bound(found, 0.01));
+}
+
+TEST(Mobility, IsThatOfTheLevelsThatWereKeptAlone) {
+    const MobilityResult found = across_the_saddle({0.1, 10});
+    std::vector<double> kept;
+    for (const MobilityStep& step : found.ramp) {
+        kept.push_back(step.gradient);
+    }
+    ASSERT_GT(kept.size(), 4U);
+    const MobilityResult direct = across_the_saddle(kept);
+    ASSERT_EQ(direct.ramp.size(), kept.size());
+    EXPECT_LT(direct.ramp_steps, found.ramp_steps) << "nothing was undone";
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        EXPECT_EQ(direct.ramp[k].held_for, found.ramp[k].held_for) << kept[k];
+        EXPECT_EQ(direct.ramp[k].still_moving, found.ramp[k].still_moving) << kept[k];
+        EXPECT_EQ(direct.ramp[k].mobile_mass_share, found.ramp[k].mobile_mass_share) << kept[k];
+        EXPECT_EQ(direct.ramp[k].lifted_mass_share, found.ramp[k].lifted_mass_share) << kept[k];
+    }
+    EXPECT_EQ(direct.mobile_gradient, found.mobile_gradient);
+}
+
+TEST(Mobility, ThatIsReachedAboveHeaveAloneIsNotReached) {
+    const Pocket pocket(1);
+    const MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {0.01, 5}, .asked_gradient = 0.005};
+    const MobilityResult found = find_mobility(pocket.world, setting, pull_along(pocket, setting.direction, 1));
+    ASSERT_LT(*found.heave_gradient, 0.03);
+    ASSERT_EQ(found.ramp.size(), 4U) << "what is asked for, 0.01, just below heave, and 5";
+    EXPECT_EQ(found.ramp[0].gradient, 0.005);
+    EXPECT_EQ(found.ramp[2].gradient, 0.02);
+    EXPECT_EQ(found.ramp[3].mobile_mass_share, 1);
+    EXPECT_FALSE(found.moves_1);
+    EXPECT_FALSE(factor_of_safety(found)->factor);
+    EXPECT_NEAR(factor_of_safety(found)->at_least, 0.02 / 0.005, 1e-12);
+}
+
+TEST(Mobility, IsABoundWhereMotionHadNotEndedWhenTheGradientRose) {
+    const Pocket pocket(1);
+    MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {1.05 / unit, 2 / unit}};
+    const MobilityResult held = find_mobility(pocket.world, setting, pull_along(pocket, setting.direction));
+    EXPECT_EQ(held.ramp.front().mobile_mass_share, 1) << "it rises slowly, and is given the time";
+    EXPECT_FALSE(is_still_growing(held.ramp.front()));
+    setting.motion.hold_at_most = 6;
+    const MobilityResult hasty = find_mobility(pocket.world, setting, pull_along(pocket, setting.direction));
+    EXPECT_EQ(hasty.ramp.front().held_for, 6);
+    EXPECT_EQ(hasty.ramp.front().mobile_mass_share, 0);
+    EXPECT_TRUE(is_still_growing(hasty.ramp.front()));
+    EXPECT_TRUE(is_lower_bound(hasty, 1.05 / unit));
+    EXPECT_EQ(hasty.ramp.back().mobile_mass_share, 1);
+    EXPECT_TRUE(is_upper_bound(hasty, 0.5));
+}
+
+TEST(Mobility, BeginsAsFarAlongTheFlowAsOneLikes) {
+    const Pocket pocket(1);
+    MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {2 / unit}};
+    for (const auto& [moved, mobile] : {std::pair{0.5, true}, {1e6, false}}) {
+        setting.motion.moved = moved;
+        const MobilityResult found = find_mobility(pocket.world, setting, pull_along(pocket, setting.direction));
+        EXPECT_EQ(found.ramp.back().mobile_mass_share == 1, mobile) << moved;
     }
 }
 
@@ -244,6 +320,23 @@ TEST(Mobility, IsReadOffItsCurveBetweenSteps) {
     EXPECT_NEAR(*mobile_share_at(result, 0.2), 0.5, 1e-15);
     EXPECT_NEAR(*mobile_share_at(result, 0.3), 0.75, 1e-15);
     EXPECT_FALSE(mobile_share_at(result, 0.5));
+}
+
+TEST(Mobility, IsReadOffNoStepThatHeaveEnds) {
+    MobilityResult result = two_steps();
+    result.heave_gradient = 0.4;
+    EXPECT_TRUE(gradient_that_moves(result, 0.5));
+    EXPECT_FALSE(gradient_that_moves(result, 0.75)) << "the soil heaves first";
+}
+
+TEST(Mobility, IsAnUpperBoundOfItsGradientWhereTheLevelBelowWasLeftEarly) {
+    MobilityResult result = two_steps();
+    EXPECT_FALSE(is_upper_bound(result, 0.75));
+    result.ramp[0].still_moving = 0.02;
+    EXPECT_TRUE(is_upper_bound(result, 0.75));
+    EXPECT_TRUE(is_upper_bound(result, 0.01)) << "a step of 0.2 within which more would move";
+    result.ramp[0].gradient = gradient_width;
+    EXPECT_FALSE(is_upper_bound(result, 0.01)) << "known to a hundredth all the same";
 }
 
 TEST(Mobility, LeavesWhatIsMobileAndFitsThrough) {

@@ -1,18 +1,53 @@
 #include "suffuse/erosion/mobility_result.hpp"
 
+#include "suffuse/erosion/refined_ramp.hpp"
+
 #include <algorithm>
 
 namespace suffuse::erosion {
 
-std::optional<double> gradient_that_moves(const MobilityResult& mobility, double share) {
-    double gradient = 0, moved = 0; // of the step before: nothing moves without flow
+namespace {
+
+/// Two steps of the ramp, or its start, between which something is reached.
+struct Between {
+    MobilityStep below, above;
+};
+
+std::optional<Between> where_reached(const MobilityResult& mobility, double share) {
+    MobilityStep below; // nothing moves without flow
     for (const MobilityStep& step : mobility.ramp) {
-        if (step.mobile_mass_share >= share) {
-            return gradient + (share - moved) / (step.mobile_mass_share - moved) * (step.gradient - gradient);
+        if (floats(mobility, step.gradient)) {
+            break;
         }
-        gradient = step.gradient, moved = step.mobile_mass_share;
+        if (step.mobile_mass_share >= share) {
+            return Between{below, step};
+        }
+        below = step;
     }
     return std::nullopt;
+}
+
+} // namespace
+
+bool floats(const MobilityResult& mobility, double gradient) {
+    return mobility.heave_gradient && gradient >= *mobility.heave_gradient;
+}
+
+std::optional<double> gradient_that_moves(const MobilityResult& mobility, double share) {
+    const std::optional<Between> found = where_reached(mobility, share);
+    if (!found) {
+        return std::nullopt;
+    }
+    const auto& [below, above] = *found;
+    const double part = (share - below.mobile_mass_share) / (above.mobile_mass_share - below.mobile_mass_share);
+    return below.gradient + part * (above.gradient - below.gradient);
+}
+
+bool is_upper_bound(const MobilityResult& mobility, double share) {
+    constexpr double known = 1.0001 * gradient_width; // within such a step more motion changes it by no more
+    const std::optional<Between> found = where_reached(mobility, share);
+    return found && (is_still_growing(found->below) ||
+                     (is_still_growing(found->above) && found->above.gradient - found->below.gradient > known));
 }
 
 std::optional<double> mobile_share_at(const MobilityResult& mobility, double gradient) {
@@ -27,6 +62,11 @@ std::optional<double> mobile_share_at(const MobilityResult& mobility, double gra
     return std::nullopt;
 }
 
+bool is_lower_bound(const MobilityResult& mobility, double gradient) {
+    const auto step = std::ranges::find_if(mobility.ramp, [&](const MobilityStep& s) { return s.gradient >= gradient; });
+    return step != mobility.ramp.end() && is_still_growing(*step);
+}
+
 std::optional<FactorOfSafety> factor_of_safety(const MobilityResult& mobility) {
     if (!mobility.asked_gradient || !(*mobility.asked_gradient > 0) || mobility.ramp.empty()) {
         return std::nullopt;
@@ -35,7 +75,12 @@ std::optional<FactorOfSafety> factor_of_safety(const MobilityResult& mobility) {
     if (mobility.moves_1) {
         return FactorOfSafety{*mobility.moves_1 / asked, *mobility.moves_1 / asked};
     }
-    return FactorOfSafety{std::nullopt, mobility.ramp.back().gradient / asked};
+    const auto below_heave = std::ranges::find_if(
+        mobility.ramp.rbegin(), mobility.ramp.rend(),
+        [&](const MobilityStep& step) { return !floats(mobility, step.gradient); }
+    );
+    const double borne = below_heave == mobility.ramp.rend() ? 0 : below_heave->gradient;
+    return FactorOfSafety{std::nullopt, borne / asked};
 }
 
 } // namespace suffuse::erosion

@@ -20,9 +20,14 @@ struct MobilityStep {
     double lifted_mass_share = 0;             ///< moved along the flow by a tenth of a diameter
     double displaced_mass_share = 0;          ///< moved half a diameter whatever the direction
     double held_for = 0;                      ///< time that the gradient was held, in units of WeightScale::time [-]
-    double still_moving = 0; ///< of the number of fines, in the last of it, mobile ones not counted [-]
+    double still_moving = 0; ///< of the number of fines, that advance in the last of it, mobile ones not counted [-]
     double permeability = 0; ///< along the flow, of the packing at the start of the step [m2]
 };
+
+/// Whether the gradient rose before motion had ended: the mobile share is then a lower bound.
+constexpr bool is_still_growing(const MobilityStep& step) {
+    return step.still_moving > 0.001;
+}
 
 /// Whether so large a share of the fines' mass falls through the skeleton that it must be said.
 constexpr bool is_notable_sifting(double mass_share) {
@@ -63,16 +68,26 @@ struct MobilityResult {
     std::vector<std::uint8_t> bears_load; ///< 1: held
 };
 
-/// The gradient at which the mobile share of the mass reaches `share`, linear between steps; nothing beyond the ramp.
+/// Whether seepage at this gradient lifts the whole soil.
+bool floats(const MobilityResult& mobility, double gradient);
+
+/// The gradient at which the mobile share of the mass reaches `share`, linear between steps; nothing beyond the ramp,
+/// nor where the whole soil floats first.
 std::optional<double> gradient_that_moves(const MobilityResult& mobility, double share);
+
+/// Whether that gradient is an upper bound: with a longer hold a lower one would have moved as much.
+bool is_upper_bound(const MobilityResult& mobility, double share);
 
 /// Of the mass at one gradient, linear between steps; nothing beyond the ramp.
 std::optional<double> mobile_share_at(const MobilityResult& mobility, double gradient);
 
+/// Whether that share is a lower bound: with a longer hold as much or more would move.
+bool is_lower_bound(const MobilityResult& mobility, double gradient);
+
 /// The gradient that moves 1 % of the fines over the asked one.
 struct FactorOfSafety {
     std::optional<double> factor; ///< nothing where the ramp ends before
-    double at_least = 0;          ///< then it is at least this: the end of the ramp over the asked one
+    double at_least = 0; ///< then it is at least this: the last step of the ramp below heave over the asked one
 };
 
 /// Nothing where no gradient is asked for.

@@ -23,6 +23,14 @@ struct Gravity {
     double acceleration = suffuse::gravity; ///< [m/s2]
 };
 
+/// How fines of weight move, and when they count as mobile; docs/theory/weight.md says what each choice changes.
+struct WeighedMotion {
+    double hold_at_most = 100; ///< of a gradient under which motion does not end, in units of WeightScale::time [-]
+    double fluid_drag = 1;     ///< factor on the viscous drag of WeightScale [-]
+    double moved = 0.5;        ///< along the flow, beyond which a grain is mobile: out of its place at rest [diameters]
+    double softness = 1e-3;    ///< overlap over radius by which weight presses two equal fines together, at most [-]
+};
+
 /// Step 3: coarse grains held, fluid forces ramped on the fines of a copy and kept, beside a twin without fluid.
 struct ProbeSpec {
     std::int64_t ramp = 1000;       ///< steps from no force to the full force
@@ -33,6 +41,7 @@ struct ProbeSpec {
     flow::SolverChoice flow;                          ///< that gives the forces and permeabilities
     std::optional<Gravity> gravity; ///< fines have weight, and mobility.hpp finds what moves; else they have none, and
                                     ///< `ramp`, `watch` and what follows them hold
+    WeighedMotion weighed;          ///< of use with `gravity` alone
 };
 
 enum class DetachBy { Velocity, Displacement };

@@ -57,7 +57,7 @@ double time_step_of_free_grains(const dem::World& world) {
 
 } // namespace
 
-WeighedCopy::WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, double softness)
+WeighedCopy::WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion)
     : world_(sample), weight_(std::move(weight)) {
     grains::Grains& grains = world_.grains;
     world_.cell.velocity_gradient = {};
@@ -74,7 +74,16 @@ WeighedCopy::WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, dou
     }
     part_held_grains(world_);
     caches_.neighborhood.leave_out_held_pairs();
-    scale_ = scale_weight(world_, weight_, fines_, softness);
+    scale_ = scale_weight(world_, weight_, fines_, motion);
+}
+
+void WeighedCopy::go_back(const State& state) {
+    undone_steps_ += steps_ - state.steps;
+    world_ = state.world;
+    step_ = state.step;
+    steps_ = state.steps;
+    caches_ = {};
+    caches_.neighborhood.leave_out_held_pairs();
 }
 
 std::vector<Vec3> WeighedCopy::positions() const {
@@ -104,7 +113,7 @@ void WeighedCopy::hold(
     plan.loading = dem::constant_volume();
     plan.load = &load;
     for (double left = time * scale_.time; left > 0;) {
-        beat(pulse, part, steps_);
+        beat(pulse, part, steps());
         const std::int64_t contacts = dem::measure_equilibrium(world_).contacts;
         dem::renew_time_step(step_, steps_, contacts, [&] { return time_step_of_free_grains(world_); });
         plan.dt = step_.time_step;

@@ -20,11 +20,23 @@ inline constexpr double load_of_skeleton = 100;
 
 class WeighedCopy {
 public:
-    /// @param weight of each grain, less buoyancy [N]; @param softness see scale_weight
-    WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, double softness);
+    /// @param weight of each grain, less buoyancy [N]; @param motion see scale_weight
+    WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion);
 
     /// Lets weight act, and `share` of the given force on each grain [N], if any, for a time in units of scale().time.
     void hold(double time, std::span<const Vec3> force, double share, const Pulse& pulse, std::string_view part);
+
+    /// All that a later motion depends on.
+    struct State {
+        dem::World world;
+        dem::ComputedStep step;
+        std::int64_t steps = 0;
+    };
+
+    [[nodiscard]] State state() const { return {world_, step_, steps_}; }
+
+    /// Goes back to a state of this copy: what moves from there moves to the same bits.
+    void go_back(const State& state);
 
     [[nodiscard]] const dem::World& world() const { return world_; }
 
@@ -32,7 +44,7 @@ public:
 
     [[nodiscard]] double time_step() const { return step_.time_step; }
 
-    [[nodiscard]] std::int64_t steps() const { return steps_; } ///< made so far
+    [[nodiscard]] std::int64_t steps() const { return steps_ + undone_steps_; } ///< made so far, undone ones too
 
     /// Of row `g` of the grain table [N].
     [[nodiscard]] const Vec3& weight(std::uint32_t g) const { return weight_[g]; }
@@ -57,7 +69,7 @@ private:
     WeightScale scale_;
     dem::StepCaches caches_;
     dem::ComputedStep step_;
-    std::int64_t steps_ = 0;
+    std::int64_t steps_ = 0, undone_steps_ = 0;
 };
 
 } // namespace suffuse::erosion

@@ -30,6 +30,7 @@ MobilityResult weigh_fines(
          .fluid = around.fluid,
          .direction = direction,
          .gradients = std::move(gradients),
+         .motion = probe.weighed,
          .asked_gradient = asked},
         solve, around.pulse
     );

@@ -30,7 +30,8 @@ std::vector<Vec3> buoyant_weights(const dem::World& world, const Gravity& gravit
 }
 
 WeightScale scale_weight(
-    const dem::World& world, std::span<const Vec3> weight, std::span<const std::uint32_t> fines, double softness
+    const dem::World& world, std::span<const Vec3> weight, std::span<const std::uint32_t> fines,
+    const WeighedMotion& motion
 ) {
     const grains::Grains& grains = world.grains;
     const contact::Spring& spring = contact::spring_of(world.material);
@@ -39,13 +40,13 @@ WeightScale scale_weight(
     std::vector<double> diameter;
     for (const std::uint32_t g : fines) {
         const double r = grains.radius[g];
-        scale.factor = std::min(scale.factor, spring.force(world.material, r, r, softness * r) / norm(weight[g]));
+        scale.factor = std::min(scale.factor, spring.force(world.material, r, r, motion.softness * r) / norm(weight[g]));
         diameter.push_back(2 * r);
     }
     const double median = upper_quantile(std::move(diameter), 0.5);
     scale.acceleration = scale.factor * norm(weight[fines.front()]) / grains.mass[fines.front()]; // the same for all
     scale.time = std::sqrt(median / scale.acceleration);
-    scale.drag = std::sqrt(scale.acceleration / (0.5 * median));
+    scale.drag = motion.fluid_drag * std::sqrt(scale.acceleration / (0.5 * median));
     return scale;
 }
 

@@ -25,13 +25,10 @@ struct WeightScale {
     double drag = 0;         ///< viscous; falling grains get as fast as they are after a quarter of that diameter [1/s]
 };
 
-/// Overlap over radius by which weight presses two equal fines together, at most.
-inline constexpr double usual_softness = 1e-3;
-
 /// @param weight of each grain [N]; @param fines rows of the grain table, at least one
 WeightScale scale_weight(
     const dem::World& world, std::span<const Vec3> weight, std::span<const std::uint32_t> fines,
-    double softness = usual_softness
+    const WeighedMotion& motion = {}
 );
 
 } // namespace suffuse::erosion

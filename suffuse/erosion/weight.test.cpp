@@ -65,7 +65,7 @@ TEST(Weight, IsScaledUntilItPressesTheLargestFinesIntoEachOtherAsFarAsAsked) {
         world.material.law = law;
         const std::vector<Vec3> weight = buoyant_weights(world, {}, {});
         const std::vector<std::uint32_t> fines = {2, 3};
-        const WeightScale scale = scale_weight(world, weight, fines, 1e-3);
+        const WeightScale scale = scale_weight(world, weight, fines);
         const double r = world.grains.radius[2], push = scale.factor * norm(weight[2]);
         // Half the overlap gives half the force, or the power of it that the law has.
         const double stiffness = contact::normal_stiffness(world.material, r, r, 1e-3 * r);
@@ -73,6 +73,9 @@ TEST(Weight, IsScaledUntilItPressesTheLargestFinesIntoEachOtherAsFarAsAsked) {
         EXPECT_NEAR(push, stiffness * 1e-3 * r / exponent, 1e-12 * push);
         const double d = 2 * world.grains.radius[2]; // the upper of two is the median
         EXPECT_NEAR(0.5 * scale.acceleration * scale.time * scale.time, d / 2, 1e-12 * d);
+        const WeightScale stiffer = scale_weight(world, weight, fines, {.fluid_drag = 3, .softness = 1e-4});
+        EXPECT_NEAR(stiffer.factor, std::pow(0.1, exponent) * scale.factor, 1e-12 * scale.factor);
+        EXPECT_NEAR(stiffer.drag * stiffer.time, 3 * scale.drag * scale.time, 1e-12);
         EXPECT_NEAR(scale.acceleration / scale.drag, std::sqrt(scale.acceleration * d / 2), 1e-12);
     }
 }

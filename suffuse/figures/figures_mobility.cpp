@@ -22,6 +22,7 @@ constexpr double least_mobile_percent = 0.1;    ///< of a logarithmic axis: less
 struct MobilityColumns {
     std::vector<std::string> curve;
     std::vector<double> gradient, mobile, leaving, drawn;
+    std::vector<std::string> ended; ///< whether motion had, when the gradient rose
 
     void add(const std::string& name, const MobilityResult& mobility) {
         for (const erosion::MobilityStep& step : mobility.ramp) {
@@ -30,6 +31,7 @@ struct MobilityColumns {
             mobile.push_back(100 * step.mobile_mass_share);
             leaving.push_back(step.leaving_mass_share ? 100 * *step.leaving_mass_share : missing);
             drawn.push_back(std::max(least_mobile_percent, mobile.back()));
+            ended.emplace_back(erosion::is_still_growing(step) ? "still growing" : "ended");
         }
     }
 };
@@ -64,16 +66,24 @@ json mobility_chart(const json& marks, double last) {
             {"mark": {"type": "text", "align": "left", "dx": 4, "dy": 4, "baseline": "top"},
              "encoding": {"x": {"field": "at", "type": "quantitative"}, "text": {"field": "label"},
                           "y": {"field": "level", "type": "quantitative", "scale": null, "axis": null}}},
-            {"mark": {"type": "line", "strokeWidth": 2.4, "point": {"size": 28}},
+            {"mark": {"type": "line", "strokeWidth": 2.4},
              "encoding": {
                 "x": {"field": "gradient", "type": "quantitative"},
                 "y": {"field": "drawn", "type": "quantitative", "title": "fines that move, by mass [%]",
                       "scale": {"type": "log", "domain": [0.1, 100]}, "axis": {"values": [0.1, 1, 10, 100], "format": "~g"}},
+                "color": {"field": "curve", "type": "nominal", "title": null}}},
+            {"mark": {"type": "point", "size": 32, "filled": true},
+             "encoding": {
+                "x": {"field": "gradient", "type": "quantitative"},
+                "y": {"field": "drawn", "type": "quantitative"},
                 "color": {"field": "curve", "type": "nominal", "title": null},
+                "shape": {"field": "motion", "type": "nominal", "legend": null,
+                          "scale": {"domain": ["ended", "still growing"], "range": ["circle", "triangle-up"]}},
                 "tooltip": [{"field": "curve", "title": "sample"},
                             {"field": "gradient", "title": "i", "format": ".3g"},
                             {"field": "mobile", "title": "moves [%]", "format": ".3g"},
-                            {"field": "leaving", "title": "leaves [%]", "format": ".3g"}]}}
+                            {"field": "leaving", "title": "leaves [%]", "format": ".3g"},
+                            {"field": "motion", "title": "motion"}]}}
         ]
     })json");
     chart["encoding"]["x"]["scale"] = {{"domain", {0, last}}};
@@ -151,7 +161,8 @@ std::optional<Figure> mobility_curves(const std::vector<MobilityStory>& stories)
                        : "What a gradient moves of the fines";
     figure.caption = fmt::format(
         "Fines count as mobile once the water has moved them half a diameter along the flow, against their weight. 1 % "
-        "and 10 % of their mass decide; what is below 0.1 % is drawn there. Coarse grains and the {:.0f} % of the "
+        "and 10 % of their mass decide; what is below 0.1 % is drawn there. Where motion had not ended when the gradient "
+        "rose, a triangle marks a lower bound. Coarse grains and the {:.0f} % of the "
         "fines "
         "that carry the skeleton's forces are held.{}",
         100 * main->one().load_bearing_mass_share,
@@ -162,14 +173,18 @@ std::optional<Figure> mobility_curves(const std::vector<MobilityStory>& stories)
     figure.table.add("mobile", "%", std::move(curves.mobile));
     figure.table.add("leaving", "%", std::move(curves.leaving));
     figure.table.add("drawn", "%", std::move(curves.drawn));
+    figure.table.add("motion", std::move(curves.ended));
     const json marks = marked_gradients(*main);
     for (const json& mark : marks) {
         last = std::max(last, mark.at("at").get<double>());
     }
     figure.chart = mobility_chart(marks, last);
-    figure.chart["layer"][2]["encoding"]["color"]["scale"] = {{"range", color::sequence()}};
-    if (drawn == 1) {
-        figure.chart["layer"][2]["encoding"]["color"]["legend"] = nullptr;
+    for (const std::size_t layer : {2U, 3U}) {
+        json& color = figure.chart["layer"][layer]["encoding"]["color"];
+        color["scale"] = {{"range", color::sequence()}};
+        if (drawn == 1) {
+            color["legend"] = nullptr;
+        }
     }
     return figure;
 }
@@ -236,12 +251,16 @@ std::optional<PageTable> mobility_table(const std::vector<MobilityStory>& storie
         return std::nullopt;
     }
     const auto text = [](const study::Scatter& value) { return study::with_scatter(value, 1, 3); };
+    const auto reached = [&](const study::Scatter& value, bool at_most) {
+        return at_most && value.seeds > 0 ? "≤ " + text(value) : text(value);
+    };
     PageTable table;
     table.section = "Water";
     table.title = "What gradients move";
     table.note =
-        "Gradients that move 1, 10 and 50 % of the fines' mass half a diameter along the flow; a dash: not up "
-        "to the end of the ramp. Beside them Terzaghi's i_c along the flow, Skempton and Brogan's α i_c with the "
+        "Gradients that move 1, 10 and 50 % of the fines' mass half a diameter along the flow; a dash: not below heave, "
+        "nor up to the end of the ramp; ≤: motion had not ended when the gradient rose, and a longer hold would give "
+        "less. Beside them Terzaghi's i_c along the flow, Skempton and Brogan's α i_c with the "
         "sample's own α, and FC i_c/s, at which the seepage force on the fines outweighs all of them.";
     table.header = {"stage", "samples", "i, 1 %",   "i, 10 %", "i, 50 %", "i_c",
                     "α",     "α i_c",   "FC i_c/s", "safety",  "sifts"};
@@ -253,8 +272,8 @@ std::optional<PageTable> mobility_table(const std::vector<MobilityStory>& storie
             safety = fmt::format("at least {:.2g}", *story.safety_at_least);
         }
         table.rows.push_back(
-            {story.name, fmt::format("{}", story.of_sample.size()), text(story.moves_1), text(story.moves_10),
-             text(story.moves_50), text(story.heave), text(story.alpha_fines), text(story.skempton_brogan),
+            {story.name, fmt::format("{}", story.of_sample.size()), reached(story.moves_1, story.at_most_1),
+             reached(story.moves_10, story.at_most_10), reached(story.moves_50, story.at_most_50), text(story.heave), text(story.alpha_fines), text(story.skempton_brogan),
              text(story.fines_heave), safety, story.sifts ? "yes" : "no"}
         );
     }

@@ -54,6 +54,8 @@ TEST(MarkFines, CurvesThatOverlapAreRefusedUnlessTheFileNamesItsFines) {
     grains.fine = {1, 0};
     mark_fines(variant, "p.vtp", grains);
     EXPECT_EQ(grains.fine, (std::vector<std::uint8_t>{1, 0}));
+    grains.fine = {1, 1};
+    EXPECT_NE(complaint(variant, grains).find("marks all grains as fine"), std::string::npos);
 }
 
 TEST(MarkFines, APackingWithoutFinesIsRefusedWhereAStageNeedsThem) {

@@ -20,7 +20,8 @@ json ramp_numbers(const erosion::MobilityResult& mobility) {
     json rows = json::array();
     for (const erosion::MobilityStep& step : mobility.ramp) {
         json row = step;
-        row["floats"] = mobility.heave_gradient && step.gradient >= *mobility.heave_gradient;
+        row["floats"] = erosion::floats(mobility, step.gradient);
+        row["still_growing"] = erosion::is_still_growing(step);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -44,6 +45,10 @@ json mobility_numbers(const erosion::MobilityResult& mobility) {
          {{"1 %", or_null(mobility.moves_1)},
           {"10 %", or_null(mobility.moves_10)},
           {"50 %", or_null(mobility.moves_50)}}},
+        {"critical_gradient_at_most",
+         {{"1 %", erosion::is_upper_bound(mobility, 0.01)},
+          {"10 %", erosion::is_upper_bound(mobility, 0.1)},
+          {"50 %", erosion::is_upper_bound(mobility, 0.5)}}},
         {"terzaghi_gradient", mobility.critical_gradient},
         {"heave_gradient", or_null(mobility.heave_gradient)},
         {"alpha_fines", or_null(mobility.alpha_fines)},
@@ -74,7 +79,7 @@ json mobility_numbers(const erosion::MobilityResult& mobility) {
 }
 
 void write_mobility(const std::filesystem::path& folder, std::span<const erosion::MobilityResult* const> ramps) {
-    const std::string columns = "gradient,mobile_mass_share,mobile_number_share,leaving_mass_share";
+    const std::string columns = "gradient,mobile_mass_share,mobile_number_share,leaving_mass_share,still_growing";
     io::CsvWriter table(folder / "mobility.csv", ramps.size() > 1 ? columns + ",pass" : columns);
     int pass = 0;
     for (const erosion::MobilityResult* ramp : ramps) {
@@ -83,7 +88,7 @@ void write_mobility(const std::filesystem::path& folder, std::span<const erosion
             const auto write = [&](const auto&... more) {
                 table.row(
                     step.gradient, step.mobile_mass_share, step.mobile_number_share, field(step.leaving_mass_share),
-                    more...
+                    erosion::is_still_growing(step) ? 1 : 0, more...
                 );
             };
             if (ramps.size() > 1) {
@@ -111,7 +116,7 @@ std::vector<double> mobile_gradients(const dem::World& world, const erosion::Mob
 }
 
 void note_mobility(StageWork& work, const std::string& when, const erosion::MobilityResult& mobility) {
-    constexpr double restless = 0.05; // of the number of fines: a step that was left before they rested
+    constexpr double restless = 0.05; // of the number of fines
     if (mobility.sifts) {
         work.warnings.push_back(fmt::format(
             "{}: {}{:.2g} % of the fines' mass sift through the skeleton under their own weight, without any flow: "
@@ -122,10 +127,9 @@ void note_mobility(StageWork& work, const std::string& when, const erosion::Mobi
     for (const erosion::MobilityStep& step : mobility.ramp) {
         if (step.still_moving > restless) {
             work.warnings.push_back(fmt::format(
-                "{}: {}at i = {:.3g} {:.2g} % of the fines still crept when the gradient rose: shares from there on "
-                "may "
-                "be low",
-                work.place(), when, step.gradient, 100 * step.still_moving
+                "{}: {}at i = {:.3g} {:.2g} % of the fines still advanced after {:.4g} units of time, and the gradient "
+                "rose: shares from there on are lower bounds; a larger `hold_at_most` holds it longer",
+                work.place(), when, step.gradient, 100 * step.still_moving, step.held_for
             ));
             return;
         }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace suffuse::study {
 namespace {
@@ -35,6 +36,12 @@ void compare_samples(MobilityStory& story) {
     story.moves_1 = over_samples(story, [](const MobilityResult& m) { return m.moves_1; });
     story.moves_10 = over_samples(story, [](const MobilityResult& m) { return m.moves_10; });
     story.moves_50 = over_samples(story, [](const MobilityResult& m) { return m.moves_50; });
+    for (const auto& [share, at_most] :
+         {std::pair{0.01, &story.at_most_1}, {0.1, &story.at_most_10}, {0.5, &story.at_most_50}}) {
+        *at_most = std::ranges::any_of(story.of_sample, [&, moved = share](const MobilityResult* mobility) {
+            return is_upper_bound(*mobility, moved);
+        });
+    }
     story.heave = over_samples(story, [](const MobilityResult& m) { return m.heave_gradient; });
     story.skempton_brogan = over_samples(story, [](const MobilityResult& m) { return m.skempton_brogan_gradient; });
     story.fines_heave = over_samples(story, [](const MobilityResult& m) { return m.fines_heave_gradient; });
@@ -47,6 +54,9 @@ void compare_samples(MobilityStory& story) {
     if (story.asked_gradient) {
         story.moved_at_asked =
             over_samples(story, [](const MobilityResult& m) { return mobile_share_at(m, *m.asked_gradient); });
+        story.moved_at_asked_at_least = std::ranges::any_of(story.of_sample, [](const MobilityResult* m) {
+            return is_lower_bound(*m, *m->asked_gradient);
+        });
     }
     for (const MobilityResult* mobility : story.of_sample) {
         const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(*mobility);
