@@ -26,7 +26,7 @@ struct MobilityStep {
 
 /// Whether the gradient rose before motion had ended: the mobile share is then a lower bound.
 constexpr bool is_still_growing(const MobilityStep& step) {
-    return step.still_moving > 0.001;
+    return step.still_moving > 0.003;
 }
 
 /// Whether so large a share of the fines' mass falls through the skeleton that it must be said.

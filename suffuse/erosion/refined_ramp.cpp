@@ -1,5 +1,7 @@
 #include "suffuse/erosion/refined_ramp.hpp"
 
+#include "suffuse/erosion/ramp.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,8 +9,7 @@
 namespace suffuse::erosion {
 namespace {
 
-constexpr std::array sought_shares = {
-    SoughtShare{0.01, gradient_width}, SoughtShare{0.1, gradient_width}, SoughtShare{0.5, gradient_width_of_half}};
+constexpr std::array sought_shares = {0.01, 0.1}; // of the fines' mass
 
 constexpr double grid = 100, rounding = 1e-9; // levels in between are hundredths
 
@@ -22,6 +23,22 @@ std::optional<double> middle(double below, double above) {
 /// The last hundredth below.
 double just_below(double gradient) {
     return std::ceil(grid * gradient * (1 - rounding) - 1) / grid;
+}
+
+/// The gradients, and where two are far apart the multiples of the widest step between them, up to `end`.
+std::vector<double> without_wide_steps(const std::vector<double>& rising, double end) {
+    std::vector<double> all;
+    double below = 0;
+    for (const double gradient : rising) {
+        const bool is_wide = gradient - below > widest_step + rounding;
+        const double last = is_wide ? std::min(gradient, end) - rounding : 0;
+        for (double k = std::floor(below / widest_step + rounding) + 1; k * widest_step < last; ++k) {
+            all.push_back(rounded_gradient(k * widest_step));
+        }
+        all.push_back(gradient);
+        below = gradient;
+    }
+    return all;
 }
 
 void insert(std::vector<double>& rising, double gradient) {
@@ -42,7 +59,7 @@ RefinedRamp::RefinedRamp(std::vector<double> gradients, std::optional<double> he
     if (floats != gradients.begin() && floats != gradients.end() && *heave - *(floats - 1) > gradient_width) {
         insert(gradients, just_below(*heave)); // what is mobile there is all that is mobile below heave
     }
-    for (const double gradient : gradients) {
+    for (const double gradient : without_wide_steps(gradients, heave.value_or(2))) {
         ahead_.push_back({gradient});
     }
     given_count_ = ahead_.size();
@@ -52,18 +69,14 @@ std::optional<double> RefinedRamp::next() const {
     return ahead_.empty() ? std::nullopt : std::optional(ahead_.front().gradient);
 }
 
-/// The first share that is sought and not reached yet, of those whose gradient the step to `level` leaves unknown.
 std::optional<double> RefinedRamp::undone_at() const {
     if (ahead_.empty() || (heave_ && ahead_.front().gradient >= *heave_)) {
         return std::nullopt;
     }
     const double step = ahead_.front().gradient - gradient_;
-    for (const SoughtShare& sought : sought_shares) {
-        if (share_ < sought.share && step > sought.width + rounding && middle(gradient_, ahead_.front().gradient)) {
-            return sought.share;
-        }
-    }
-    return std::nullopt;
+    const auto sought = std::ranges::find_if(sought_shares, [&](double share) { return share_ < share; });
+    const bool is_wide = step > gradient_width + rounding && middle(gradient_, ahead_.front().gradient);
+    return is_wide && sought != sought_shares.end() ? std::optional(*sought) : std::nullopt;
 }
 
 /// Levels that are known to be undone are not borne before others have come before them.
@@ -79,9 +92,7 @@ bool RefinedRamp::take(double share) {
     if (!is_kept) {
         ahead_.front().share = share;
     } else {
-        const bool reaches = std::ranges::any_of(sought_shares, [&](const SoughtShare& sought) {
-            return share_ < sought.share && share >= sought.share;
-        });
+        const bool reaches = std::ranges::any_of(sought_shares, [&](double s) { return share_ < s && share >= s; });
         gradient_ = ahead_.front().gradient, share_ = share;
         ahead_.pop_front();
         if (reaches) { // levels above were borne to find this one

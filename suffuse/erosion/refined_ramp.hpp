@@ -1,7 +1,7 @@
 #pragma once
-// Which gradient fines bear next, so that those that move 1 and 10 % of them are known to 0.01. A level that moves too
-// much at once is undone, and a lower one comes before it: the levels that are kept are one ramp, each borne by what the
-// one before has left, as in a ramp that was finer from the start.
+// Which gradient fines bear next, so that no step is wider than 0.05, and those that move 1 and 10 % of them are known
+// to 0.01. A level that moves too much at once is undone, and a lower one comes before it: the levels that are kept are
+// one ramp, each borne by what the one before has left, as in a ramp that was finer from the start.
 
 #include <deque>
 #include <optional>
@@ -9,13 +9,8 @@
 
 namespace suffuse::erosion {
 
-/// A share of the fines' mass, and the width of the step within which its gradient is to be known [-].
-struct SoughtShare {
-    double share = 0, width = 0;
-};
-
-inline constexpr double gradient_width = 0.01;         ///< of the steps that move 1 and 10 % [-]
-inline constexpr double gradient_width_of_half = 0.05; ///< of the one that moves 50 %, and the widest to interpolate in [-]
+inline constexpr double gradient_width = 0.01; ///< of the steps that move 1 and 10 % [-]
+inline constexpr double widest_step = 0.05;    ///< up to heave, and where there is none up to 2 [-]
 
 class RefinedRamp {
 public:
@@ -44,7 +39,6 @@ private:
         double share = 0; ///< of a trial that was undone; 0: none
     };
 
-    [[nodiscard]] bool is_too_wide(const Level& level, double share) const;
     void refine();
 
     std::deque<Level> ahead_;

@@ -67,7 +67,7 @@ TEST(RefinedRamp, KnowsWhatMovesOneAndTenPercentToAHundredthWhateverStepsAreGive
                 EXPECT_LE(above.gradient - below.gradient, gradient_width * (1 + 1e-9)) << first << " " << given.size();
             }
             const auto [below, above] = climbed.reaching(0.5);
-            EXPECT_LE(above.gradient - below.gradient, gradient_width_of_half * (1 + 1e-9)) << first;
+            EXPECT_LE(above.gradient - below.gradient, widest_step * (1 + 1e-9)) << first;
         }
     }
 }
@@ -84,10 +84,22 @@ TEST(RefinedRamp, RisesAndKeepsEveryLevelThatIsGiven) {
 }
 
 TEST(RefinedRamp, BearsNoMoreThanABisectionNeeds) {
-    const std::vector<double> given = even_gradients(1.2, 16); // steps of 0.075: three halvings, and both ends anew
-    EXPECT_LE(climb({given, {}, {}}, growing_from(0.2)).borne, 16 + 3 * 5);
-    EXPECT_EQ(climb({given, {}, {}}, [](double) { return 0; }).borne, 16);
-    EXPECT_LE(climb({{0.1, 100}, 1.1, {}}, growing_from(0.2)).borne, 2 + 1 + 3 * 8); // 0.98 wide: seven halvings
+    const std::vector<double> given = even_gradients(1.2, 24); // steps of 0.05: three halvings, and both ends anew
+    EXPECT_LE(climb({given, {}, {}}, growing_from(0.21)).borne, 24 + 2 * 5);
+    EXPECT_EQ(climb({given, {}, {}}, [](double) { return 0; }).borne, 24);
+}
+
+TEST(RefinedRamp, HasNoWideStepUpToHeaveAndIsTheSameForAnyCoarserOne) {
+    const auto nothing = [](double) { return 0; };
+    const Climbed usual = climb({even_gradients(1.05, 21), 1.06, {}}, nothing);
+    for (const std::vector<double>& given : {std::vector<double>{0.1, 100}, {0.3, 3}, {1.05, 2}, {0.1, 0.2, 0.9, 2}}) {
+        const Climbed climbed = climb({given, 1.06, {}}, nothing);
+        ASSERT_EQ(climbed.kept.size(), usual.kept.size() + 1) << "and what is beyond heave";
+        for (std::size_t k = 0; k < usual.kept.size(); ++k) {
+            EXPECT_EQ(climbed.kept[k].gradient, usual.kept[k].gradient);
+        }
+    }
+    EXPECT_EQ(climb({{100}, {}, {}}, nothing).borne, 40) << "level flow: up to 2 in steps of 0.05, then at once";
 }
 
 TEST(RefinedRamp, IsLeftAloneWhereItsStepsAreFineEnough) {
@@ -100,23 +112,23 @@ TEST(RefinedRamp, LooksJustBelowHeaveAndSeeksNothingBeyond) {
     ASSERT_EQ(climbed.kept.back().gradient, 100);
     EXPECT_EQ(climbed.kept[climbed.kept.size() - 2].gradient, 1.08);
     const Climbed late = climb({{0.1, 100}, 1.087, {}}, [](double i) { return i >= 1.087 ? 1 : 0; });
-    EXPECT_EQ(late.borne, 3) << "0.1, 1.08 and 100: heave comes first";
-    EXPECT_EQ(late.kept[1].gradient, 1.08);
-    EXPECT_EQ(climb({{0.1, 1.08, 2}, 1.087, {}}, [](double) { return 0; }).borne, 3) << "1.08 is near enough";
+    EXPECT_EQ(late.borne, 23) << "21 up to 1.05, 1.08 and 100: heave comes first";
+    EXPECT_EQ(late.kept[21].gradient, 1.08);
+    EXPECT_EQ(climb({{0.1, 1.083, 2}, 1.087, {}}, [](double) { return 0; }).borne, 23) << "1.083 is near enough";
 }
 
 TEST(RefinedRamp, BearsTheGradientThatIsAsked) {
     const auto nothing = [](double) { return 0; };
-    EXPECT_EQ(climb({{0.1, 0.3}, {}, 0.22}, nothing).kept[1].gradient, 0.22);
-    EXPECT_EQ(climb({{0.1, 0.3}, {}, 0.1}, nothing).borne, 2);
-    EXPECT_EQ(climb({{0.1, 0.3}, {}, 0.4}, nothing).borne, 2) << "beyond the ramp";
+    EXPECT_EQ(climb({{0.1, 0.3}, {}, 0.22}, nothing).kept[4].gradient, 0.22);
+    EXPECT_EQ(climb({{0.1, 0.3}, {}, 0.1}, nothing).borne, 6);
+    EXPECT_EQ(climb({{0.1, 0.3}, {}, 0.4}, nothing).borne, 6) << "beyond the ramp";
 }
 
 TEST(RefinedRamp, GoesOnWhereALevelThatMovedTooMuchAtOnceMovesLessAfterOthers) {
-    RefinedRamp ramp({0.5}, {}, {});
+    RefinedRamp ramp({0.05}, {}, {});
     EXPECT_FALSE(ramp.take(0.3)); // in one step from 0
     while (const std::optional<double> gradient = ramp.next()) {
-        if (ramp.take(0.001) && *gradient == 0.5) { // after steps in between
+        if (ramp.take(0.001) && *gradient == 0.05) { // after steps in between
             break;
         }
     }
