@@ -52,9 +52,8 @@ std::string what_moves(const MobilityStory& story) {
         return fmt::format("moves less than 1 % of the fines {}", heaves_first ? "below heave" : end);
     }
     return fmt::format("moves 1 % of the fines at i = {}, ", reached_text(story.moves_1, story.at_most_1)) +
-           (is_met(story.moves_10, story)
-                ? fmt::format("a tenth at {}", reached_text(story.moves_10, story.at_most_10))
-                : fmt::format("less than a tenth {}", end));
+           (is_met(story.moves_10, story) ? fmt::format("a tenth at {}", reached_text(story.moves_10, story.at_most_10))
+                                          : fmt::format("less than a tenth {}", end));
 }
 
 std::string percent_of_fines(double share) {
@@ -129,8 +128,7 @@ Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, 
     const std::string value = (at_most ? "≤ " : "") + fixed(gradient.mean, 2);
     if (gradient.seeds > 1) {
         return with_certainty(
-            {value, std::move(label), fmt::format("{} samples", gradient.seeds),
-             spread_text(gradient, 1, 2)},
+            {value, std::move(label), fmt::format("{} samples", gradient.seeds), spread_text(gradient, 1, 2)},
             static_cast<std::size_t>(gradient.seeds)
         );
     }
@@ -331,7 +329,9 @@ std::vector<Headline> mobility_headlines(const MobilityStory& story) {
         headlines.push_back(safety_headline(story));
     }
     if (is_met(story.moves_1, story)) {
-        headlines.push_back(gradient_headline(story, story.moves_1, story.at_most_1, "Gradient that moves 1 % of the fines"));
+        headlines.push_back(
+            gradient_headline(story, story.moves_1, story.at_most_1, "Gradient that moves 1 % of the fines")
+        );
     }
     if (is_met(story.moves_10, story)) {
         headlines.push_back(gradient_headline(story, story.moves_10, story.at_most_10, "Gradient that moves 10 %"));

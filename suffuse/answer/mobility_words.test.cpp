@@ -92,8 +92,31 @@ TEST(MobilityWords, SayWhatIsKnownWhereTheRampEndsBefore) {
     still.moves_1.reset(), still.moves_10.reset();
     still.ramp.back().mobile_mass_share = 0.004;
     const std::string told = verdict(story_of({still}).front());
-    EXPECT_NE(told.find("moves less than 1 % of the fines below heave"), std::string::npos) << told;
-    EXPECT_NE(told.find("factor of safety at least 6.0"), std::string::npos) << told;
+    EXPECT_NE(
+        told.find("moves less than 1 % of the fines below heave; the soil heaves at 1.05 first."), std::string::npos
+    ) << told;
+    EXPECT_NE(told.find("factor of safety at least 1.0"), std::string::npos) << told << ": what is borne below heave";
+    const Headline card = mobility_headlines(story_of({still}).front()).front();
+    EXPECT_NE(card.detail.find("the soil heaves before 1 %"), std::string::npos) << card.detail;
+    EXPECT_NE(card.caution.find("heaves before"), std::string::npos) << card.caution;
+}
+
+TEST(MobilityWords, SayWhichGradientsAndSharesAreBounds) {
+    erosion::MobilityResult creeping = upward();
+    creeping.ramp = {
+        {.gradient = 0.2, .mobile_mass_share = 0.002, .still_moving = 0.1},
+        {.gradient = 0.31, .mobile_mass_share = 0.02},
+        {.gradient = 0.5, .mobile_mass_share = 0.09},
+        {.gradient = 0.51, .mobile_mass_share = 0.11}};
+    EXPECT_EQ(
+        verdict(story_of({creeping}).front()), "Upward flow moves 1 % of the fines at i = 0.30 or less, a tenth at "
+                                               "0.51; the soil heaves at 1.05. At the asked "
+                                               "0.20 it moves at least 0.2 % (factor of safety 1.5; one sample)."
+    );
+    const std::vector<Headline> cards = mobility_headlines(story_of({creeping}).front());
+    EXPECT_EQ(cards[1].value, "≤ 0.30");
+    EXPECT_EQ(cards[2].value, "0.51");
+    EXPECT_EQ(cards[2].spread, "± 0.01") << "half of a step of 0.01, rounded up";
 }
 
 TEST(MobilityWords, OfSeveralSamplesGiveMeanAndDeviation) {

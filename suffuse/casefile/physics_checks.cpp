@@ -32,8 +32,7 @@ std::optional<packing::Protocol> protocol_of(const Stage& stage) {
 class Checks {
 public:
     Checks(ReadContext& context, const Case& settings, const Study& study, const Variant& variant)
-        : context_(context), settings_(settings), variant_(variant), path_("study." + study.name),
-          soil_(study.soil) {}
+        : context_(context), settings_(settings), variant_(variant), path_("study." + study.name), soil_(study.soil) {}
 
     void check_pressure(const Stage& stage, std::string_view key, double pressure) {
         const double overlap = contact::mean_overlap_at(variant_.material, std::abs(pressure));
@@ -207,7 +206,8 @@ public:
             context_.problems.error(
                 "E605", stage_place(stage, "do"),
                 fmt::format(
-                    "stage \"{}\" asks what moves of fines that have weight, and stage \"{}\" before it takes all fines "
+                    "stage \"{}\" asks what moves of fines that have weight, and stage \"{}\" before it takes all "
+                    "fines "
                     "out",
                     stage.name, before.name
                 ),

@@ -132,7 +132,8 @@ private:
         );
     }
 
-    /// Of grains that are all fine or all coarse, although the soil has both: too few are drawn of one curve, or of two.
+    /// Of grains that are all fine or all coarse, although the soil has both: too few are drawn of one curve, or of
+    /// two.
     void check_weighed(bool all_are_fine) {
         const grains::Soil& soil = *variant_.soil;
         const bool is_known = soil.coarse && soil.fines && (soil.fines_content <= 0 || soil.fines_content >= 1);

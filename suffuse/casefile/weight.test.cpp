@@ -160,7 +160,8 @@ TEST(Gravity, NeedsFinesAndACoarseSkeleton) {
 
 TEST(Gravity, NeedsThemAtEveryValueOfASweepForWhichTheStageRuns) {
     const std::string sweep = "sweep = { fines_content = [\"0 %\", \"10 %\", \"100 %\"] }\n";
-    const std::string swept = replaced(mixture("0.2", detach_stage), "particles = 20000\n", "particles = 20000\n" + sweep);
+    const std::string swept =
+        replaced(mixture("0.2", detach_stage), "particles = 20000\n", "particles = 20000\n" + sweep);
     std::vector<Diagnostic> found = problems_of(swept);
     std::erase_if(found, [](const Diagnostic& d) { return d.code != "E605"; });
     ASSERT_EQ(found.size(), 2U);
@@ -177,16 +178,17 @@ TEST(Gravity, NeedsThemAmongTheGrainsThatAreDrawn) {
     const std::string limit = "finer_than = \"0.15 mm\"";
     for (const char* beyond : {"finer_than = \"0.05 mm\"", "finer_than = \"0.5 mm\""}) {
         for (const char* count : {"particles = 20000", "particles = 2000000"}) {
-            const std::string text = replaced(replaced(weighed(detach_stage), limit, beyond), "particles = 20000", count);
+            const std::string text =
+                replaced(replaced(weighed(detach_stage), limit, beyond), "particles = 20000", count);
             EXPECT_NE(find_problem(problems_of(text), "E606").message.find("leaves no fines or no"), std::string::npos);
         }
     }
     const std::string few = replaced(
-        replaced(weighed(detach_stage), limit, "finer_than = \"0.3999 mm\" }\ngrading_tolerance = \"100 %\" #"),
-        "particles = 20000", "particles = 300"
+        replaced(weighed(detach_stage), limit, "finer_than = \"0.3999 mm\" }\ngrading_tolerance = \"50 %\" #"),
+        "particles = 20000", "particles = 700"
     );
     const Diagnostic found = find_problem(problems_of(few), "E605");
-    EXPECT_NE(found.message.find("300 grains drawn of this soil are fine"), std::string::npos) << found.message;
+    EXPECT_NE(found.message.find("700 grains drawn of this soil are fine"), std::string::npos) << found.message;
 }
 
 TEST(Gravity, NeedsFinesThatARemovalHasLeft) {

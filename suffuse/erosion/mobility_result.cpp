@@ -63,7 +63,8 @@ std::optional<double> mobile_share_at(const MobilityResult& mobility, double gra
 }
 
 bool is_lower_bound(const MobilityResult& mobility, double gradient) {
-    const auto step = std::ranges::find_if(mobility.ramp, [&](const MobilityStep& s) { return s.gradient >= gradient; });
+    const auto step =
+        std::ranges::find_if(mobility.ramp, [&](const MobilityStep& s) { return s.gradient >= gradient; });
     return step != mobility.ramp.end() && is_still_growing(*step);
 }
 
@@ -75,10 +76,10 @@ std::optional<FactorOfSafety> factor_of_safety(const MobilityResult& mobility) {
     if (mobility.moves_1) {
         return FactorOfSafety{*mobility.moves_1 / asked, *mobility.moves_1 / asked};
     }
-    const auto below_heave = std::ranges::find_if(
-        mobility.ramp.rbegin(), mobility.ramp.rend(),
-        [&](const MobilityStep& step) { return !floats(mobility, step.gradient); }
-    );
+    const auto below_heave =
+        std::ranges::find_if(mobility.ramp.rbegin(), mobility.ramp.rend(), [&](const MobilityStep& step) {
+            return !floats(mobility, step.gradient);
+        });
     const double borne = below_heave == mobility.ramp.rend() ? 0 : below_heave->gradient;
     return FactorOfSafety{std::nullopt, borne / asked};
 }

@@ -21,7 +21,8 @@ public:
     /// The gradient to bear now; nothing at the end of the ramp.
     [[nodiscard]] std::optional<double> next() const;
 
-    /// The share of the mass with which next() is undone, however long it is held; nothing where it is kept in any case.
+    /// The share of the mass with which next() is undone, however long it is held; nothing where it is kept in any
+    /// case.
     [[nodiscard]] std::optional<double> undone_at() const;
 
     /// Takes the mobile share of the mass at next(). @return whether it is kept; else the fines go back to where the

@@ -52,13 +52,15 @@ Climbed climb(RefinedRamp ramp, const std::function<double(double)>& share) {
 
 /// 1 % at `first`, 10 % at twice that, 50 % at 3.2 times.
 std::function<double(double)> growing_from(double first) {
-    return [=](double i) { return i < first ? 0 : std::min(1.0, 0.01 * std::pow(i / first, std::log(10) / std::log(2))); };
+    return
+        [=](double i) { return i < first ? 0 : std::min(1.0, 0.01 * std::pow(i / first, std::log(10) / std::log(2))); };
 }
 
 TEST(RefinedRamp, KnowsWhatMovesOneAndTenPercentToAHundredthWhateverStepsAreGiven) {
     for (const double first : {0.004, 0.013, 0.1499, 0.15, 0.31}) {
         for (const std::vector<double>& given :
-             {even_gradients(1.2, 8), even_gradients(1.2, 16), even_gradients(1.2, 64), std::vector<double>{0.7, 100}}) {
+             {even_gradients(1.2, 8), even_gradients(1.2, 16), even_gradients(1.2, 64),
+              std::vector<double>{0.7, 100}}) {
             const Climbed climbed = climb({given, 1.1, {}}, growing_from(first));
             for (const auto& [share, gradient] : {std::pair{0.01, first}, {0.1, 2 * first}}) {
                 const auto [below, above] = climbed.reaching(share);

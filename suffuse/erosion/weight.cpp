@@ -40,7 +40,8 @@ WeightScale scale_weight(
     std::vector<double> diameter;
     for (const std::uint32_t g : fines) {
         const double r = grains.radius[g];
-        scale.factor = std::min(scale.factor, spring.force(world.material, r, r, motion.softness * r) / norm(weight[g]));
+        scale.factor =
+            std::min(scale.factor, spring.force(world.material, r, r, motion.softness * r) / norm(weight[g]));
         diameter.push_back(2 * r);
     }
     const double median = upper_quantile(std::move(diameter), 0.5);

@@ -161,7 +161,8 @@ std::optional<Figure> mobility_curves(const std::vector<MobilityStory>& stories)
                        : "What a gradient moves of the fines";
     figure.caption = fmt::format(
         "Fines count as mobile once the water has moved them half a diameter along the flow, against their weight. 1 % "
-        "and 10 % of their mass decide; what is below 0.1 % is drawn there. Where motion had not ended when the gradient "
+        "and 10 % of their mass decide; what is below 0.1 % is drawn there. Where motion had not ended when the "
+        "gradient "
         "rose, a triangle marks a lower bound. Coarse grains and the {:.0f} % of the "
         "fines "
         "that carry the skeleton's forces are held.{}",
@@ -258,7 +259,8 @@ std::optional<PageTable> mobility_table(const std::vector<MobilityStory>& storie
     table.section = "Water";
     table.title = "What gradients move";
     table.note =
-        "Gradients that move 1, 10 and 50 % of the fines' mass half a diameter along the flow; a dash: not below heave, "
+        "Gradients that move 1, 10 and 50 % of the fines' mass half a diameter along the flow; a dash: not below "
+        "heave, "
         "nor up to the end of the ramp; ≤: motion had not ended when the gradient rose, and a longer hold would give "
         "less. Beside them Terzaghi's i_c along the flow, Skempton and Brogan's α i_c with the "
         "sample's own α, and FC i_c/s, at which the seepage force on the fines outweighs all of them.";
@@ -273,8 +275,9 @@ std::optional<PageTable> mobility_table(const std::vector<MobilityStory>& storie
         }
         table.rows.push_back(
             {story.name, fmt::format("{}", story.of_sample.size()), reached(story.moves_1, story.at_most_1),
-             reached(story.moves_10, story.at_most_10), reached(story.moves_50, story.at_most_50), text(story.heave), text(story.alpha_fines), text(story.skempton_brogan),
-             text(story.fines_heave), safety, story.sifts ? "yes" : "no"}
+             reached(story.moves_10, story.at_most_10), reached(story.moves_50, story.at_most_50), text(story.heave),
+             text(story.alpha_fines), text(story.skempton_brogan), text(story.fines_heave), safety,
+             story.sifts ? "yes" : "no"}
         );
     }
     return table;

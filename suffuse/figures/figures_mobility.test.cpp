@@ -44,6 +44,17 @@ TEST(MobilityFigures, DrawTheCurveWithWhatOtherAnswersSay) {
     EXPECT_FALSE(mobility_curves({}));
 }
 
+TEST(MobilityFigures, MarkWhatWasStillGrowingWhenTheGradientRose) {
+    erosion::MobilityResult creeping = small_move();
+    creeping.ramp[0].still_moving = 0.1;
+    creeping.ramp[1].mobile_mass_share = 0.6;
+    creeping.moves_50 = 0.34;
+    const auto stories = stories_of(creeping);
+    const std::string chart = mobility_curves(stories)->chart.dump();
+    EXPECT_NE(chart.find("still growing"), std::string::npos);
+    EXPECT_EQ(mobility_table(stories)->rows.front()[4].find("≤ 0.34"), 0U) << mobility_table(stories)->rows.front()[4];
+}
+
 TEST(MobilityFigures, TellWhichSizesMove) {
     const auto stories = stories_of(small_move());
     const std::optional<Figure> figure = mobile_sizes(study::main_mobility(stories));

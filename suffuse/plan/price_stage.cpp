@@ -183,13 +183,15 @@ public:
     StagePrice operator()(const erosion::DetachStageSpec& spec) {
         const auto gradients = static_cast<double>(spec.gradients.size());
         if (spec.probe.gravity) {
+            const double levels = levels_of_ramp(spec.gradients);
+            const Range flows = flows_with_weight(levels, spec.probe.weighed);
             StagePrice price{
-                .reference_steps = work_of_free_fines * steps_with_weight(gradients),
-                .seconds = gradients * one_flow(),
-                .memory_a_grain = 3 * grain_memory + flow_memory,
-                .basis = fmt::format("rest under weight, then {} gradients with a flow each", spec.gradients.size()),
+                .reference_steps = work_of_free_fines * steps_with_weight(levels, spec.probe.weighed),
+                .seconds = flows * one_flow(),
+                .memory_a_grain = 4 * grain_memory + flow_memory,
+                .basis = fmt::format("rest under weight, then {} gradients, and those between that are sought", levels),
                 .kind = "under weight"};
-            add_resolving(price, spec.probe.flow, gradients);
+            add_resolving(price, spec.probe.flow, flows.most);
             return price;
         }
         StagePrice price{
@@ -211,12 +213,13 @@ public:
         sample_.fines_left = {
             std::min(sample_.fines_left.least, swept.least), std::min(sample_.fines_left.most, swept.most)};
         const bool weighs = spec.probe.gravity && !spec.forced;
-        const double ramp = weighs ? steps_of_ramps(spec) : 0;
+        const double ramp = weighs ? levels_of_ramps(spec) : 0;
+        const Range flows = weighs ? flows_with_weight(ramp, spec.probe.weighed) : Range{};
         StagePrice price{
             .steps = 2 * passes * waited(case_, balance_after_removal),
-            .reference_steps = weighs ? work_of_free_fines * (passes * steps_with_weight(ramp))
+            .reference_steps = weighs ? work_of_free_fines * (passes * steps_with_weight(ramp, spec.probe.weighed))
                                       : passes * probe(spec.probe, 1) + first_relaxation + later * next_relaxation,
-            .seconds = ((travels ? 3 : 2) + ramp) * passes * one_flow(),
+            .seconds = ((travels ? 3.0 : 2.0) * Range{1, 1} + flows) * passes * one_flow(),
             .memory_a_grain = 4 * grain_memory + flow_memory,
             .basis = fmt::format(
                 "{}{}: {}, two new equilibria; more where the skeleton gives way",
@@ -225,7 +228,7 @@ public:
                 weighs ? "rest under weight and a ramp of gradients" : "relaxation, probe with its twin"
             ),
             .kind = weighs ? "under weight" : ""};
-        add_resolving(price, spec.probe.flow, (2 + ramp) * passes.most);
+        add_resolving(price, spec.probe.flow, (2 + flows.most) * passes.most);
         return price;
     }
 
@@ -263,14 +266,14 @@ private:
         return spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, variant_.material, lent);
     }
 
-    /// Gradients of the ramp of a pass, in the mean.
-    [[nodiscard]] static double steps_of_ramps(const erosion::ErodeSpec& spec) {
+    /// Of the ramp of a pass, in the mean.
+    [[nodiscard]] static double levels_of_ramps(const erosion::ErodeSpec& spec) {
         const int passes = 1 + static_cast<int>(spec.later_passes.size());
-        double steps = 0;
+        double levels = 0;
         for (int pass = 1; pass <= passes; ++pass) {
-            steps += static_cast<double>(erosion::gradients_up_to(erosion::at_pass(spec, pass).gradient).size());
+            levels += levels_of_ramp(erosion::gradients_up_to(erosion::at_pass(spec, pass).gradient));
         }
-        return steps / passes;
+        return levels / passes;
     }
 
     /// Probes, and the one twin that they share.

@@ -2,21 +2,39 @@
 // What fines of weight cost: a rest, and a ramp of gradients, each with a flow of its own.
 
 #include "suffuse/base/range.hpp"
+#include "suffuse/erosion/refined_ramp.hpp"
+#include "suffuse/erosion/spec.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace suffuse::plan {
 
-/// Steps of the rest and of one gradient of the ramp: so that all 29 ramps of validation/critical_gradient.toml and
-/// examples/critical-gradient, of 12, 16 and 24 gradients, lie within; dense soils of size ratio 3.5 are at the lower
-/// end, ratio 10 at the upper.
-inline constexpr Range rest_under_weight{20'000, 80'000}, gradient_borne{4'500, 16'000};
-
-/// Work of such a step, over that of a step of the whole sample: only what is free moves.
+/// Work of a step under weight, over that of a step of the whole sample: only what is free moves.
 inline constexpr Range work_of_free_fines{0.4, 1.2};
 
-inline Range steps_with_weight(double gradients) {
-    return rest_under_weight + gradients * gradient_borne;
+/// Levels of a ramp between those that are given, but for what the search of the gradients that move 1 and 10 % adds.
+inline double levels_of_ramp(std::vector<double> gradients) {
+    constexpr double about_heave = 1;
+    return static_cast<double>(erosion::RefinedRamp(std::move(gradients), about_heave, {}).given_count());
+}
+
+/// Steps of a rest and a ramp. Those of a level, with its share of the search, lie between 4,500 and 16,000 under a
+/// hold of 20 units of time at most. A longer one is used up where fines creep; where motion ends it costs nothing.
+inline Range steps_with_weight(double levels, const erosion::WeighedMotion& motion) {
+    constexpr Range rest{20'000, 80'000};
+    const double longer = motion.hold_at_most / 20;
+    const Range level{4'500 * std::min(longer, std::sqrt(longer)), 16'000 * longer};
+    const double slower =
+        std::sqrt(erosion::WeighedMotion{}.softness / motion.softness); // all motion, under less force
+    return slower * (rest + levels * level);
+}
+
+/// Flows that are solved: one for each level, and anew after every 20 units of time.
+inline Range flows_with_weight(double levels, const erosion::WeighedMotion& motion) {
+    return {levels, levels * (1 + motion.hold_at_most / 20)};
 }
 
 } // namespace suffuse::plan

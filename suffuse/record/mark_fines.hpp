@@ -33,8 +33,9 @@ inline void mark_fines(const casefile::Variant& variant, const std::string& orig
     if (is_mixture && std::ranges::any_of(grains.fine, is_fine)) { // the file names them: two curves may overlap
         if (needs_fines(variant) && std::ranges::all_of(grains.fine, is_fine)) {
             throw CaseError(
-                origin + ": the file marks all grains as fine, and a stage asks which fines move between coarse grains; "
-                         "mark the coarse grains by 0, or leave the marks out",
+                origin +
+                    ": the file marks all grains as fine, and a stage asks which fines move between coarse grains; "
+                    "mark the coarse grains by 0, or leave the marks out",
                 origin
             );
         }

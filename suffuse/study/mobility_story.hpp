@@ -20,11 +20,11 @@ struct MobilityStory {
     Scatter moves_1, moves_10, moves_50, heave;            ///< gradients; not a number where a sample has none [-]
     bool at_most_1 = false, at_most_10 = false, at_most_50 = false; ///< of one sample at least it is an upper bound
     Scatter skempton_brogan, fines_heave;                           ///< gradients, likewise
-    Scatter alpha_fines;                                   ///< [-]
-    Scatter safety;                                        ///< factor of safety against the asked gradient [-]
-    Scatter moved_at_asked;                                ///< share of the fines' mass [-]
-    bool moved_at_asked_at_least = false;                  ///< of one sample at least it is a lower bound
-    std::optional<double> asked_gradient;                  ///< the same for all
+    Scatter alpha_fines;                                            ///< [-]
+    Scatter safety;                                                 ///< factor of safety against the asked gradient [-]
+    Scatter moved_at_asked;                                         ///< share of the fines' mass [-]
+    bool moved_at_asked_at_least = false;                           ///< of one sample at least it is a lower bound
+    std::optional<double> asked_gradient;                           ///< the same for all
     std::optional<double> safety_at_least; ///< where a ramp ends before it moves 1 %: the least of the samples
     bool sifts = false;                    ///< in one of them at least
 
