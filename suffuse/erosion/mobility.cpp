@@ -22,9 +22,10 @@ constexpr double rest_motion = 0.02;                 ///< of a diameter in a bur
 constexpr double rest_share = 0.002;                 ///< of the number of free fines
 
 // A step of the ramp, likewise.
-constexpr double hold_burst = 4;      ///< in units of WeightScale::time
-constexpr int bursts_of_a_flow = 5;   ///< after which it is solved anew, through the fines as they lie then
-constexpr double hold_advance = 0.01; ///< of a diameter in a burst
+constexpr double hold_burst = 4;       ///< in units of WeightScale::time
+constexpr double of_hold_beyond = 0.2; ///< of the longest hold, once a tenth of the fines' mass is mobile
+constexpr int bursts_of_a_flow = 5;    ///< after which it is solved anew, through the fines as they lie then
+constexpr double hold_advance = 0.01;  ///< of a diameter in a burst
 
 constexpr double lifted_motion = 0.1; ///< along the flow, of a diameter: against the roof of its cage
 constexpr double fallen_motion = 0.5; ///< of a diameter
@@ -188,6 +189,11 @@ private:
         };
     }
 
+    /// Where the gradients that move 1 and 10 % are known, what creeps is left to lower bounds.
+    [[nodiscard]] double longest_hold(double mobile_share) const {
+        return mobile_share < 0.1 ? longest_hold_ : std::max(hold_burst, of_hold_beyond * longest_hold_);
+    }
+
     [[nodiscard]] double advance(std::size_t k) const {
         return dot(copy_.position(k) - rest_[k], result_.direction) / result_.diameter[k];
     }
@@ -205,12 +211,13 @@ private:
         const auto mobile = [&](std::size_t k) { return is_mobile(k); };
         const double undone_at = ramp_.undone_at().value_or(std::numeric_limits<double>::infinity());
         int bursts = 0; // of the flow
-        for (bool goes_on = copy_.free_count() > 0; goes_on && step.held_for < longest_hold_;) {
+        const double longest = longest_hold(mass_share(result_, mobile));
+        for (bool goes_on = copy_.free_count() > 0; goes_on && step.held_for < longest;) {
             if (bursts++ == bursts_of_a_flow) {
                 water_ = solve_(copy_.world());
                 bursts = 1;
             }
-            const double time = std::min(hold_burst, longest_hold_ - step.held_for);
+            const double time = std::min(hold_burst, longest - step.held_for);
             copy_.hold(time, water_.force, gradient * strength_, pulse, "ramp");
             step.held_for += time;
             std::int64_t advancing = 0;

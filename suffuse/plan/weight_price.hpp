@@ -22,19 +22,17 @@ inline double levels_of_ramp(std::vector<double> gradients) {
 }
 
 /// Steps of a rest and a ramp. Those of a level, with its share of the search, lie between 4,500 and 16,000 under a
-/// hold of 20 units of time at most. A longer one is used up where fines creep; where motion ends it costs nothing.
+/// hold of 20 units of time at most. Only a part of the levels uses up a longer one: those under which fines creep.
 inline Range steps_with_weight(double levels, const erosion::WeighedMotion& motion) {
-    constexpr Range rest{20'000, 80'000};
+    constexpr Range rest{20'000, 80'000}, level{4'500, 16'000};
     const double longer = motion.hold_at_most / 20;
-    const Range level{4'500 * std::min(longer, std::sqrt(longer)), 16'000 * longer};
-    const double slower =
-        std::sqrt(erosion::WeighedMotion{}.softness / motion.softness); // all motion, under less force
-    return slower * (rest + levels * level);
+    const double slower = std::sqrt(erosion::WeighedMotion{}.softness / motion.softness); // less force, less speed
+    return slower * (rest + levels * std::min(longer, std::sqrt(longer)) * level);
 }
 
-/// Flows that are solved: one for each level, and anew after every 20 units of time.
+/// Flows that are solved: one for each level, and anew after every 20 units of time of a long hold.
 inline Range flows_with_weight(double levels, const erosion::WeighedMotion& motion) {
-    return {levels, levels * (1 + motion.hold_at_most / 20)};
+    return {levels, levels * (1 + motion.hold_at_most / 40)};
 }
 
 } // namespace suffuse::plan
