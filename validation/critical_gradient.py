@@ -7,6 +7,7 @@ import re
 import common
 
 QUICK = {"study.gaps.sweep": {"soil": ["ratio-6-5"], "fines_content": ["5 %"]}}
+STEP = 0.075  # of the ramps in critical_gradient.toml, which the program refines
 SOFTER = 1e-4  # a tenth of the K that scales forces: curves may not depend on it
 COLUMNS = {
     "grains": "grains", "e": "void_ratio", "alpha": "alpha_fines", "i_c": "heave_gradient",
@@ -30,15 +31,22 @@ def row_of(run, name):
     gradients = stage["critical_gradient"]
     row |= {f"i{share.split()[0]}": NAN if value is None else value for share, value in gradients.items()}
     row["still_moving"] = max(level["still_moving"] for level in stage["mobility"])
-    return row | {f"at_{level['gradient']:.3f}": level["mobile_mass_share"] for level in stage["mobility"]}
+    return row | {f"at_{gradient:.3f}": share for gradient, share in given_levels(stage).items()}
+
+
+def given_levels(stage):
+    """Mobile share of the mass over the gradients of the case, without those that refine the ramp."""
+    steps = {level["gradient"] / STEP: level["mobile_mass_share"] for level in stage["mobility"]}
+    return {STEP * round(step): share for step, share in steps.items() if abs(step - round(step)) < 1e-6}
 
 
 def difference_of_softer(run, name):
     """Largest difference between the curve of a stage and that of a tenth of its K."""
-    levels = run[name]["mobility"]
+    levels = given_levels(run[name])
     world = run[name.removesuffix("-upward")].world
-    found = world.mobility([level["gradient"] for level in levels], direction="z", down="-z", softness=SOFTER)
-    return max(abs(level["mobile_mass_share"] - share) for level, share in zip(levels, found["mobile_mass_share"]))
+    found = world.mobility(list(levels), direction="z", down="-z", softness=SOFTER)
+    softer = dict(zip(found["gradient"].round(6), found["mobile_mass_share"]))
+    return max(abs(share - softer[round(gradient, 6)]) for gradient, share in levels.items())
 
 
 def name_of(row):
