@@ -15,13 +15,15 @@ namespace suffuse::flow {
 namespace {
 
 constexpr std::size_t few_fines = 50;
-constexpr double little_fines = 0.01;  // of the volume
-constexpr double far_overlap = 0.02;   // share of the void that is covered twice: seen up to 2 % of a diameter
-constexpr double too_far = 0.15;       // beyond, nothing is known
-constexpr double channeled = 1.32;     // packings and mixtures are at 1.26 and less, slots and pipes at 1.4 and more
-constexpr double one_size = 1.5;       // ratio up to which grains count as of one
-constexpr double dense_enough = 0.5;   // solid fraction: below, grains do not touch
-constexpr double yade_packing = 0.516; // the loosest packing of equal grains that Yade's law was tried on
+constexpr double little_fines = 0.01;   // of the volume
+constexpr double far_overlap = 0.02;    // share of the void covered twice: lattices that overlap by 2 % of a diameter
+constexpr double too_far = 0.15;        // beyond, nothing is known
+constexpr double channeled = 1.38;      // mixtures are at 1.34 and less, slots and pipes at 1.48 and more ...
+constexpr double channeled_open = 1.28; // ... where less than half is solid at 1.24 and at 1.31
+constexpr double far_apart = 10;        // size ratio: at 20 the network is 15 % too low
+constexpr double one_size = 1.5;        // ratio up to which grains count as of one
+constexpr double dense_enough = 0.5;    // solid fraction: below, grains do not touch
+constexpr double yade_packing = 0.516;  // the loosest packing of equal grains that Yade's law was tried on
 
 /// Yade's law, equal grains: error of the permeability at a solid fraction (validation/resolved_flow.md).
 double yade_error_of_equal_grains(double solid_fraction) {
@@ -38,6 +40,10 @@ double yade_error_of_equal_grains(double solid_fraction) {
         }
     }
     return seen.back()[1];
+}
+
+bool is_channeled(const Mixture& mixture) {
+    return mixture.channeling > (mixture.solid_fraction < dense_enough ? channeled_open : channeled);
 }
 
 KnownError yade_error(const Mixture& mixture) {
@@ -129,11 +135,8 @@ KnownError known_error(Conductance law, const Mixture& mixture) {
     if (law == Conductance::Yade) {
         return yade_error(mixture);
     }
-    if (mixture.overlap > too_far) {
+    if (mixture.overlap > too_far || is_channeled(mixture)) {
         return {};
-    }
-    if (mixture.channeling > channeled) {
-        return {0.40, std::nullopt, std::nullopt};
     }
     if (mixture.overlap > far_overlap) {
         return {0.20, std::nullopt, std::nullopt};
@@ -145,7 +148,7 @@ KnownError known_error(Conductance law, const Mixture& mixture) {
     if (mixture.solid_fraction < dense_enough) {
         return {0.12, std::nullopt, std::nullopt};
     }
-    return {0.12, 0.12, 0.30};
+    return {mixture.size_ratio > far_apart ? 0.20 : 0.12, 0.12, 0.30};
 }
 
 std::optional<double> raised_by_fines(
@@ -178,7 +181,7 @@ Doubt doubt_network(const Mixture& mixture, std::optional<double> raised_by_fine
     if (mixture.overlap > far_overlap) {
         return Doubt::Overlaps;
     }
-    if (mixture.channeling > channeled) {
+    if (is_channeled(mixture)) {
         return Doubt::Channels;
     }
     return raised_by_fines.value_or(0) > most_raised ? Doubt::RaisedByFines : Doubt::None;
