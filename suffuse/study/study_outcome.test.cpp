@@ -104,6 +104,10 @@ TEST(PermeabilityAfter, IsKnownToBeTooHighWhereTheNetworkFails) {
     pass.porosity_after = 0.5; // a solid fraction of 0.5, below the 0.55 from which Yade's law is too permeable
     EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Bounded)->is_too_high);
     EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
+    pass.flow_after.raised_by_fines = 1.2;
+    EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Bounded)->is_too_high);
+    pass.flow_after.is_limited = true; // to what the coarse grains alone let through
+    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Bounded)->is_too_high);
     pass.flow_after.solver = flow::Solver::Resolved;
     EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
 }
