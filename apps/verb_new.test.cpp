@@ -59,7 +59,7 @@ TEST_F(NewSoil, WithAFlowItsFinesHaveWeight) {
         EXPECT_EQ(say({"check", path, "--preset", "standard"}).code, 0);
         const Said plan = say({"plan", path, "--json"});
         ASSERT_EQ(plan.code, 0) << plan.error;
-        expect_in("rest under weight, then 24 gradients", plan.json().dump());
+        expect_in("rest under weight, then 25 gradients", plan.json().dump());
     }
     EXPECT_EQ(read_all(folder / "up/case.toml").find("(Grains have no weight here"), std::string::npos);
     EXPECT_EQ(say({"new", "aside", "--psd", "gap.csv", "--flow", "aside"}).code, 2);

@@ -59,9 +59,7 @@ public:
         const Range trials = asks ? trials_for_a_density : Range{1, 1};
         const double end = 1 - sample_.solid_fraction;
         const double open = adheres() ? start : std::min(start, packing::open_porosity);
-        const double stable = time_step(std::min(
-            settled_time_step(sample_, variant_.material, lent()), loose_time_step(sample_, variant_.material, lent())
-        ));
+        const double stable = time_step(settled_time_step(sample_, variant_.material, lent()));
         const double rate = packing::largest_rate(spec_, variant_.material.density, sample_.median);
         const double gas = strain_between(start, open) / (rate * gas_time_step);
         const double loaded = strain_between(open, end) / (rate * stable);

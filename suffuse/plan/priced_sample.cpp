@@ -194,8 +194,8 @@ double count(const PricedSample& sample) {
     return sample.coarse.grains + sample.fines.grains;
 }
 
-double loose_time_step(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent) {
-    const PairFrequencies of = stiffest_pairs(sample, material, lent);
+double loose_time_step(const PricedSample& sample, const grains::Material& material) {
+    const PairFrequencies of = stiffest_pairs(sample, material, {});
     return usual_share(sample, material) * 2 / (dem::quicker_than_pair * std::max(of.alike, of.unlike));
 }
 

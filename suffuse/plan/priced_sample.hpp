@@ -63,8 +63,8 @@ grains::Material as_pressed(const PricedSample& sample, const grains::Material& 
 /// The stable time step of the settled sample [s].
 double settled_time_step(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent = {});
 
-/// The same of a cloud whose grains just touch, or of which fewer contacts touch than there are grains [s].
-double loose_time_step(const PricedSample& sample, const grains::Material& material, const dem::Lent& lent = {});
+/// The same of a cloud whose grains just touch [s].
+double loose_time_step(const PricedSample& sample, const grains::Material& material);
 
 /// Work of a step, in grains of the packing that measure_speed steps. @param only_pushes contacts have no friction
 Range work_of_step(const PricedSample& sample, bool only_pushes = false);
