@@ -50,6 +50,20 @@ bool is_inside(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, const
            side(c, d, a, p) * whole >= 0;
 }
 
+/// Whether a neighbor is nearer than the gap, along their edge, to the point of sphere k in the direction n.
+bool rests_beside(
+    const std::array<Vec3, 3>& x, const std::array<double, 3>& r, std::size_t k, const Vec3& n, double gap
+) {
+    bool rests = false;
+    for (std::size_t l = 0; l < 3; ++l) {
+        const Vec3 edge = x[l] - x[k];
+        const double d = norm(edge), along = l == k ? -1 : dot(n, edge) / d;
+        const double off2 = r[k] * r[k] * (1 - along * along);
+        rests = rests || (along > 0 && off2 < r[l] * r[l] && d - r[k] * along - std::sqrt(r[l] * r[l] - off2) < gap);
+    }
+    return rests;
+}
+
 TEST(SurfaceBeyondWedges, IsThatOfAQuadratureOverTheSpheres) {
     // Two grains touch, one stands apart. Surfaces are sampled over the whole spheres; those that count lie in the
     // throat's two tetrahedra, and beyond the rim where along an edge the neighbor is nearer than the gap.
@@ -71,15 +85,7 @@ TEST(SurfaceBeyondWedges, IsThatOfAQuadratureOverTheSpheres) {
                     continue;
                 }
                 wetted[k] += each;
-                bool rests = false;
-                for (std::size_t l = 0; l < 3; ++l) {
-                    const Vec3 edge = x[l] - x[k];
-                    const double d = norm(edge), along = l == k ? -1 : dot(n, edge) / d;
-                    const double off2 = r[k] * r[k] * (1 - along * along);
-                    rests = rests ||
-                            (along > 0 && off2 < r[l] * r[l] && d - r[k] * along - std::sqrt(r[l] * r[l] - off2) < gap);
-                }
-                open[k] += rests ? 0 : each;
+                open[k] += rests_beside(x, r, k, n, gap) ? 0 : each;
             }
         }
     }
@@ -156,7 +162,7 @@ TEST(Overlaps, CountedOnceLeaveTheWaterAndSurfaceOfTheUnion) {
                 for (int image = 0; image < 27; ++image) {
                     const Vec3 to =
                         packing.position[o] +
-                        packing.h * Vec3{1. * (image % 3 - 1), 1. * (image / 3 % 3 - 1), 1. * (image / 9 - 1)};
+                        cell::shift(packing.h, cell::Image(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1));
                     const double d = norm(to - packing.position[g]);
                     if (d > 0 && d < 2 * r * (1 - 1e-12)) {
                         const Lens lens = lens_of(r, r, d);
