@@ -25,7 +25,7 @@ struct LawConstantsOf {
     Real twisting_free{};      ///< [N m]
     Real adhesion_normal{};    ///< [Pa]
     Real adhesion_shear{};     ///< [Pa]
-    Real turning{1};           ///< of memory with its contact: 1, by a rotation; 0, to first order, as the reference's
+    Real turning{0.5};         ///< of memory: 0.5 keeps its length to second order; 0, to first, as the reference's
 
     template <class Other>
     [[nodiscard]] LawConstantsOf<Other> as() const {

@@ -295,7 +295,7 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
         world.contacts = {}; // of the geometry, without memory
     }
     contact::LawConstants law = contact::resolve_law(world.material);
-    law.turning = plan.turns_to_first_order ? 0 : 1;
+    law.turning = plan.turns_to_first_order ? 0 : law.turning;
     const MotionBefore before = look_before(world, caches.neighborhood.searches() == 0);
     take(world, plan.mode, caches);
     look_at_sizes(world, plan.loading, caches);
