@@ -3,7 +3,6 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.hpp"
@@ -11,9 +10,11 @@
 namespace suffuse::dem {
 namespace {
 
-using testing::HasSubstr;
-
 constexpr double radius = 1e-4; // [m]
+
+void expect_in(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+}
 
 std::string error_of(const World& world, const StepPlan& plan, const Mat3& stress, const MotionBefore& before) {
     try {
@@ -47,10 +48,10 @@ TEST(MotionBound, NamesTheGrainThatSpinsBeyondAllThatTheLoadingGives) {
     EXPECT_EQ(error_of(rest.world, rest.plan, diagonal({1e5, 1e5, 1e5}), before), "");
     rest.world.grains.id[1] = 17;
     rest.world.grains.spin[1] = {0, 1.1 * most_speed * before.speed / radius, 0};
-    EXPECT_THAT(
-        error_of(rest.world, rest.plan, diagonal({1e5, 1e5, 1e5}), before),
-        AllOf(HasSubstr("at step 120 grain 17 "), HasSubstr("rad/s"), HasSubstr("a smaller time step than 1e-08 s"))
-    );
+    const std::string spun = error_of(rest.world, rest.plan, diagonal({1e5, 1e5, 1e5}), before);
+    for (const char* part : {"at step 120 grain 17 ", "rad/s", "a smaller time step than 1e-08 s"}) {
+        expect_in(spun, part);
+    }
 }
 
 TEST(MotionBound, LetsAGrainGoAsFastAsALoadDrivesIt) {
@@ -69,10 +70,8 @@ TEST(MotionBound, StopsAStressThatIsFarBeyondTheHeldOneAndRises) {
     Rest rest;
     const MotionBefore before = look_before(rest.world, false);
     const Mat3 risen = diagonal({1e5, 1.1 * most_stress * 1e5, 1e5});
-    EXPECT_THAT(
-        error_of(rest.world, rest.plan, risen, before),
-        AllOf(HasSubstr("1.1e+04 kPa along y"), HasSubstr("100 kPa are held"))
-    );
+    expect_in(error_of(rest.world, rest.plan, risen, before), "1.1e+04 kPa along y");
+    expect_in(error_of(rest.world, rest.plan, risen, before), "100 kPa are held");
     MotionBefore pressed = before;
     pressed.stress = Vec3{1e5, 2 * most_stress * 1e5, 1e5}; // put so, and being let go
     EXPECT_EQ(error_of(rest.world, rest.plan, risen, pressed), "");
