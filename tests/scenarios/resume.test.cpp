@@ -103,7 +103,7 @@ passes   = 2
 gradient = 0.05
 ramp     = 50
 watch    = 50
-probe_unbalanced_force = 1e-10
+probe_unbalanced_force = 1e-12
 [[study.s.stage]]
 name   = "emptied"
 do     = "remove"
