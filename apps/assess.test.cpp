@@ -151,15 +151,28 @@ TEST_F(Assess, SetsManySamplesBesideEachOtherAndNamesTheWorst) {
 TEST_F(Assess, JudgesAFilterBetweenTwoSoils) {
     write_to(folder / "filter.csv", "d [mm],passing [%]\n2,0\n8,100\n");
     EXPECT_EQ(call("dyke.csv --filter filter.csv"), 0);
-    expect_out("filter.csv as its filter");
+    expect_out("The filter filter.csv fails by 2 of 7 rules: Terzaghi and Peck, No erosion (NRCS 2017)");
     expect_out("D15F/d85B");
     EXPECT_EQ(call("dyke.csv --filter filter.csv --json"), 0);
     const auto filter = nlohmann::json::parse(out)["soils"][0]["filter"]["criteria"];
-    ASSERT_EQ(filter.size(), 4U);
-    // D15F = 2 * 4^0.15 mm; 85 % lie at 1 * 2^(60/75) mm of the upper box, which runs from 25 % at 1 mm to 100 % at 2
-    // mm
-    EXPECT_NEAR(filter[0]["value"].get<double>(), 2 * std::pow(4, 0.15) / std::pow(2, 0.8), 1e-9);
-    EXPECT_EQ(filter[0]["verdict"], "holds");
+    ASSERT_EQ(filter.size(), 8U);
+    // D15F = 2 * 4^0.15 mm; the base is regraded on the fine end of its gap, 0.3 mm: 85 % of what is finer lie at 0.15
+    // * 2^0.85 mm.
+    EXPECT_NEAR(filter[0]["value"].get<double>(), 2 * std::pow(4, 0.15) / (0.15 * std::pow(2, 0.85)), 1e-9);
+    EXPECT_EQ(filter[0]["verdict"], "fails");
+}
+
+TEST_F(Assess, SaysTheFiltersVerdictInTheReportOnThePageAndUnderThePicture) {
+    write_to(folder / "filter.csv", "d [mm],passing [%]\n2,0\n8,100\n");
+    EXPECT_EQ(call("dyke.csv --filter filter.csv -o dyke"), 0) << error;
+    const std::string report = read_all(folder / "dyke/report.html");
+    expect_in("The filter filter.csv fails by 2 of 7 rules.", report);
+    expect_in("Terzaghi and Peck", report);
+    const auto about = nlohmann::json::parse(read_all(folder / "dyke/assessment.json"));
+    EXPECT_EQ(about["filter"]["verdict"], "fails");
+    expect_in("own-stability-filter", report);
+    EXPECT_EQ(call("dyke.csv --filter filter.csv --page -o page.html"), 0) << error;
+    expect_in("fails by 2 of 7 rules", read_all(folder / "page.html"));
 }
 
 TEST_F(Assess, DrawsTheCurvesAloneIntoAFile) {

@@ -5,8 +5,8 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/modeled_part.hpp"
-#include "suffuse/stability/fine_fraction.hpp"
 #include "suffuse/stability/kenney_lau.hpp"
+#include "suffuse/stability/open_curve.hpp"
 
 #include <fmt/format.h>
 
@@ -38,18 +38,39 @@ std::string name_of(const std::string& path) {
     return name.empty() ? "soil" : name;
 }
 
-/// Where the fines end. A soil that is stable by every sign has no such size: then where it is nearest to unstable.
-stability::FineFraction guess_fines(const Grading& grading) {
-    if (auto found = stability::find_fine_fraction(grading, std::nullopt)) {
-        found->basis = found->basis == "fine end of the gap"
-                           ? "the fine end of the gap in the curve"
-                           : "Kenney and Lau's split: above it the soil holds its finer part no better than H/F = 1";
-        return *found;
+/// Where the fines end, and why there.
+struct FinesLimit {
+    double finer_than = 0; ///< [m]
+    std::string reason;
+};
+
+const char* reason_of(stability::FinesBasis basis) {
+    switch (basis) {
+    case stability::FinesBasis::Given:
+        return "as asked";
+    case stability::FinesBasis::Gap:
+        return "the fine end of the gap in the curve";
+    case stability::FinesBasis::KenneyLau:
+        break;
     }
-    const double limit = stability::finer_limit(grains::uniformity(grading));
-    const stability::LeastRatio least = stability::least_shape_ratio(grading, limit);
+    return "Kenney and Lau's split: above it the soil holds its finer part no better than H/F = 1";
+}
+
+/// The limit that `assess` finds. Where its criteria see none, or another for each way in which an open end may go on,
+/// that of the curve as it was measured; and where that has none either, the size where it is nearest to unstable.
+FinesLimit find_limit(const Grading& measured, std::optional<double> asked) {
+    stability::AssessSpec spec;
+    spec.finer_than = asked;
+    const Grading sharp = stability::complete_ends(measured).front();
+    auto fines = stability::assess_measured(measured, spec).fines;
+    fines = fines ? fines : stability::find_fine_fraction(sharp, std::nullopt);
+    if (fines) {
+        return {fines->finer_than, reason_of(fines->basis)};
+    }
+    const double limit = stability::finer_limit(grains::uniformity(sharp));
+    const stability::LeastRatio least = stability::least_shape_ratio(sharp, limit);
     return {
-        least.at.diameter, least.at.finer,
+        least.at.diameter,
         fmt::format(
             "the curve has no gap and is stable by Kenney and Lau 1986; here it is nearest to unstable, H/F = {:.2g}",
             least.value
@@ -122,7 +143,11 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
                   shell_word(path)
               )
             : "";
-    const auto part = grains::find_modeled_part(grading, soil.finer_than, static_cast<double>(most));
+    const auto gap = stability::find_gap(soil.measured); // what lies in it is no skeleton
+    const auto part = grains::find_modeled_part(
+        grading, {soil.finer_than, gap ? std::max(gap->coarse_end, soil.finer_than) : soil.finer_than},
+        static_cast<double>(most)
+    );
     if (!part) {
         throw CaseError(fmt::format(
             "{}{}\n  = no cut of its ends helps: the fines are too small beside the coarse grains\n  = what the "
@@ -149,11 +174,11 @@ OwnSoil model_own_soil(const Grading& measured, const std::string& path, const O
         throw CaseError(fmt::format("{}: nothing lies between its sizes; measure more of the curve", path), path);
     }
     const Grading whole = grains::part_between(measured, measured.diameter.front(), measured.diameter.back());
-    const stability::FineFraction fines = guess_fines(whole);
+    const FinesLimit limit = find_limit(measured, spec.finer_than);
     OwnSoil soil;
     soil.name = name_of(path);
-    soil.finer_than = rounded(whole, fines.finer_than);
-    soil.reason = fines.basis;
+    soil.finer_than = spec.finer_than ? *spec.finer_than : rounded(whole, limit.finer_than);
+    soil.reason = limit.reason;
     const auto [finest, coarsest] = modeled_sizes(whole, spec.sizes, soil.finer_than);
     soil.grading = grains::part_between(whole, finest, coarsest);
     soil.fines_content = grains::passing(soil.grading, soil.finer_than);

@@ -41,6 +41,16 @@ std::vector<figures::NamedAssessment> named(const std::vector<job::AssessedSoil>
     return list;
 }
 
+std::string filter_sentence(const job::AssessedSoil& soil) {
+    return as_sentence(job::filter_summary(*soil.filter)) + ".";
+}
+
+figures::Figure soil_and_filter(const job::AssessedSoil& soil) {
+    return figures::filter_overlay(
+        {soil.name, &soil.assessment}, {soil.filter->name, &soil.filter->check.own}, filter_sentence(soil)
+    );
+}
+
 } // namespace
 
 fs::path write_soil_page(
@@ -50,6 +60,13 @@ fs::path write_soil_page(
     report::ReportData data = begin_page(folder, command);
     data.title = "Internal stability of " + soil.name;
     data.answer = {"By its grading alone: " + stability::summary(soil.assessment.criteria) + "."};
+    const stability::Tally tally = stability::count_verdicts(soil.assessment.criteria);
+    data.opening.verdict = {fmt::format(
+        "{} of {} criteria say unstable.", tally.unstable, tally.unstable + tally.transition + tally.stable
+    )};
+    data.opening.confidence = "Grading only";
+    data.opening.about_confidence =
+        "Criteria know nothing of density, stress or flow. A simulation tells which grains are free to go.";
     if (spec.seepage) {
         data.answer.push_back(as_sentence(job::seepage_text(*spec.seepage)) + ":");
     }
@@ -63,6 +80,12 @@ fs::path write_soil_page(
     }
     data.tables = {figures::stability_table(soil.assessment)};
     data.figures = {figures::stability_grading(soil.assessment), figures::stability_shape(soil.assessment)};
+    if (soil.filter) {
+        data.opening.verdict.push_back(fmt::format("The filter {} {}.", soil.filter->name, soil.filter->check.outcome));
+        data.answer.push_back(filter_sentence(soil));
+        data.tables.push_back(figures::filter_table(soil.filter->check, soil.filter->name));
+        data.figures.push_back(soil_and_filter(soil));
+    }
     report::write_report(folder, data, page_folder());
     io::write_file(folder / "assessment.json", json_text(about) + "\n");
     return folder / "report.html";
@@ -75,6 +98,11 @@ fs::path write_overlay_page(
     const job::AssessedSoil& worst = soils[job::find_worst(soils)];
     data.title = fmt::format("Internal stability of {} soils", soils.size());
     data.answer = {fmt::format("The worst is {}: {}.", worst.name, stability::summary(worst.assessment.criteria))};
+    for (const job::AssessedSoil& soil : soils) {
+        if (soil.filter) {
+            data.answer.push_back(fmt::format("{}: {}", soil.name, filter_sentence(soil)));
+        }
+    }
     data.tables = {figures::stability_matrix(named(soils))};
     data.figures = {figures::stability_overlay(named(soils))};
     report::write_report(folder, data, page_folder());
@@ -86,7 +114,9 @@ void draw_curves(const std::vector<job::AssessedSoil>& soils, const fs::path& fi
     const job::ScratchFolder scratch;
     report::ReportData data = begin_page(scratch.path(), "");
     if (soils.size() == 1) {
-        data.figures = {figures::stability_grading(soils.front().assessment)};
+        data.figures = {
+            soils.front().filter ? soil_and_filter(soils.front())
+                                 : figures::stability_grading(soils.front().assessment)};
     } else {
         data.figures = {figures::stability_overlay(named(soils))};
     }

@@ -11,7 +11,6 @@
 #include "suffuse/job/assessed_soil.hpp"
 #include "suffuse/job/stability_matrix.hpp"
 #include "suffuse/report/assess_page.hpp"
-#include "suffuse/stability/filter_between.hpp"
 #include "suffuse/stability/open_curve.hpp"
 
 #include <fmt/format.h>
@@ -215,6 +214,15 @@ std::vector<job::AssessedSoil> assess_all(const std::vector<AskedSoil>& asked) {
     return soils;
 }
 
+/// Sets another soil beside all of them.
+void add_filter(const std::string& file, const Console& console, std::vector<job::AssessedSoil>& soils) {
+    const io::GradingFile read = read_one_grading(file, "");
+    tell_remarks(read, console);
+    for (job::AssessedSoil& soil : soils) {
+        soil.filter = {file, stability::check_filter(soil.measured, read.soils.front().grading)};
+    }
+}
+
 /// A folder for each soil, where there are several: its sample's name or its file's, in letters that no shell minds.
 std::string folder_of(const job::AssessedSoil& soil, std::size_t number) {
     std::string name = soil.folder.empty() ? fs::path(soil.name).stem().string() : soil.folder.string();
@@ -241,12 +249,15 @@ fs::path page_file(const AssessVerb& asked) {
 }
 
 std::string write_playground(
-    const AssessVerb& asked, const stability::AssessSpec& spec, const std::vector<job::AssessedSoil>& soils
+    const AssessVerb& asked, const stability::AssessSpec& spec, const std::vector<job::AssessedSoil>& soils,
+    const json& about
 ) {
     std::vector<report::PageSoil> shown_soils;
-    shown_soils.reserve(soils.size());
-    for (const job::AssessedSoil& soil : soils) {
-        shown_soils.push_back({soil.name, soil.measured.diameter, soil.measured.passing});
+    for (std::size_t k = 0; k < soils.size(); ++k) {
+        const grains::Grading& measured = soils[k].measured;
+        shown_soils.push_back(
+            {soils[k].name, measured.diameter, measured.passing, about[k].value("filter", json(nullptr))}
+        );
     }
     report::PageSeepage seepage;
     if (spec.seepage) {
@@ -266,23 +277,18 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();
     const std::vector<AskedSoil> asked = read_all(*this, spec, console, remarks);
-    const std::vector<job::AssessedSoil> soils = assess_all(asked);
+    std::vector<job::AssessedSoil> soils = assess_all(asked);
+    if (!filter.empty()) {
+        add_filter(filter, console, soils);
+    }
     const bool are_many = soils.size() > 1, is_picture = !wants_page && names_picture(output);
     const bool has_folder = !output.empty() && !wants_page && !is_picture;
-    std::optional<grains::Grading> filter_curve;
-    if (!filter.empty()) {
-        const io::GradingFile read = read_one_grading(filter, "");
-        tell_remarks(read, console);
-        filter_curve = read.soils.front().grading;
-    }
     std::string text =
         are_many ? job::matrix_text(soils) : job::text_of(soils.front(), asked.front().spec, terminal_width());
     for (std::size_t k = 0; k < soils.size(); ++k) {
         list.push_back(job::soil_json(soils[k], asked[k].spec));
-        if (filter_curve) {
-            const auto criteria = stability::filter_criteria(soils[k].measured, *filter_curve);
-            list.back()["filter"] = job::filter_json(criteria, filter);
-            text += fmt::format("\n\n{}{}", are_many ? soils[k].name + "\n" : "", job::filter_text(criteria, filter));
+        if (are_many && soils[k].filter) {
+            text += fmt::format("\n\n{}\n{}", soils[k].name, job::filter_text(*soils[k].filter));
         }
         if (has_folder) {
             const fs::path folder = are_many ? fs::path(output) / folder_of(soils[k], k) : fs::path(output);
@@ -304,7 +310,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         text += "\n" + output;
     }
     if (wants_page) {
-        document["page"] = write_playground(*this, asked.front().spec, soils);
+        document["page"] = write_playground(*this, asked.front().spec, soils, list);
         text += "\n" + document["page"].get<std::string>();
     }
     console.result(text);

@@ -55,6 +55,7 @@ struct NewVerb final : Verb {
     std::string given;                     ///< folder
     std::string from;                      ///< template
     std::string psd, sizes;                ///< grading curve, and the part of it that is modeled
+    std::string fines;                     ///< size below which grains are fine, with its unit
     std::string sample;                    ///< of a file of several curves
     std::optional<std::int64_t> particles; ///< of the quick preset
     std::string pressure;                  ///< on the soil, with its unit
@@ -73,6 +74,12 @@ struct NewVerb final : Verb {
             .needs(curve);
         options.value("--sizes", sizes, "with --psd: the part of the curve to model, as in 0.1mm,4mm")
             .type("FROM,TO")
+            .needs(curve);
+        options
+            .value(
+                "--fines", fines, "with --psd: the size below which grains are fine; found on the curve unless given"
+            )
+            .type("D")
             .needs(curve);
         options
             .value("--particles", particles, "with --psd: grains of the preset quick; as few as will do unless given")
@@ -245,7 +252,11 @@ int new_from_soil(const NewVerb& asked, const Console& console) {
     tell_remarks(read, console);
     const std::string& sample = read.soils.front().name;
     const std::string named = sample.empty() ? asked.psd : sample + ".csv"; // as the file is called, so is the soil
-    const OwnSoil soil = model_own_soil(read.soils.front().grading, named, {sizes_of(asked.sizes), asked.particles});
+    const auto limit = asked.fines.empty()
+                           ? std::nullopt
+                           : std::optional(quantity_of(asked.fines, dimension::length, "--fines", false));
+    const OwnSoil soil =
+        model_own_soil(read.soils.front().grading, named, {sizes_of(asked.sizes), limit, asked.particles});
     const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
     const fs::path folder = asked.given.empty() ? soil.name : asked.given;
     const std::vector<std::string> written = write_new(

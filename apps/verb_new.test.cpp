@@ -198,6 +198,25 @@ TEST_F(NewSoil, AnOpenCurveIsModeledAsFarAsItWasMeasured) {
     EXPECT_EQ(say({"check", "open/case.toml"}).code, 0);
 }
 
+TEST_F(NewSoil, TakesTheFinesThatAssessFindsAlsoOnAnOpenCurveOrThoseAskedFor) {
+    // Above 0 % at its fine end: counted from 0 anew, the sizes from 0.25 to 0.5 mm would be steep enough to be no gap.
+    write_to(folder / "open.csv", "d,passing\n0.125,1\n0.25,20\n0.5,22.99\n1,24\n2,26\n4,100\n");
+    const auto assessed = say({"assess", "open.csv", "--json"}).json().at("soils").at(0).at("fine_fraction");
+    EXPECT_EQ(assessed.at("finer_than"), 0.25e-3);
+    const Said made = say({"new", "--psd", "open.csv", "--particles", "1000000", "--json"});
+    ASSERT_EQ(made.code, 0) << made.error;
+    EXPECT_EQ(made.json().at("finer_than"), assessed.at("finer_than"));
+    const Said asked =
+        say({"new", "mine", "--psd", "open.csv", "--fines", "0.2mm", "--particles", "1000000", "--json"});
+    ASSERT_EQ(asked.code, 0) << asked.error;
+    EXPECT_EQ(asked.json().at("finer_than"), 0.2e-3);
+    EXPECT_EQ(asked.json().at("reason"), "as asked");
+    expect_in("finer_than = \"0.2 mm\"", read_all(folder / "mine/case.toml"));
+    const Said beyond = say({"new", "none", "--psd", "open.csv", "--fines", "30mm"});
+    EXPECT_EQ(beyond.code, 3);
+    expect_in("100 % of it is finer than 30 mm", beyond.error);
+}
+
 TEST_F(NewSoil, WrongUseSaysWhatToWrite) {
     const Said neither = say({"new", "dyke"});
     EXPECT_EQ(neither.code, 2);

@@ -41,12 +41,11 @@ def given_levels(stage):
 
 
 def difference_of_softer(run, name):
-    """Largest difference between the curve of a stage and that of a tenth of its K."""
-    levels = given_levels(run[name])
+    """Largest difference between the curves over the gradients of a case by K and by a tenth of it: the same ramps, unrefined."""
     world = run[name.removesuffix("-upward")].world
-    found = world.mobility(list(levels), direction="z", down="-z", softness=SOFTER)
-    softer = dict(zip(found["gradient"].round(6), found["mobile_mass_share"]))
-    return max(abs(share - softer[round(gradient, 6)]) for gradient, share in levels.items())
+    levels = list(given_levels(run[name]))
+    curve = lambda **softness: world.mobility(levels, direction="z", down="-z", **softness)["mobile_mass_share"]
+    return max(abs(share - softer) for share, softer in zip(curve(), curve(softness=SOFTER)))
 
 
 def name_of(row):

@@ -146,6 +146,9 @@ constexpr std::array guides = {
         "own-stability-overlay", "gradings of many samples",
         "The curves of all samples that `suffuse assess` was given, over each other.",
         "`suffuse assess` of several soils"},
+    Guide{
+        "own-stability-filter", "a soil and its filter",
+        "The curves of both, under the verdict of the rules for filters.", "`suffuse assess --filter`"},
 };
 
 } // namespace

@@ -11,11 +11,9 @@ namespace suffuse::figures {
 
 namespace {
 
-constexpr const char* mostly_unstable = "most criteria say unstable";
-constexpr const char* partly_unstable = "some say unstable";
-constexpr const char* nowhere_unstable = "none says unstable";
+enum Verdicts : std::size_t { mostly_unstable, partly_unstable, nowhere_unstable };
 
-const char* group_of(const stability::Assessment& assessment) {
+Verdicts verdicts_of(const stability::Assessment& assessment) {
     const stability::Tally tally = stability::count_verdicts(assessment.criteria);
     const int others = tally.stable + tally.transition;
     return tally.unstable == 0 ? nowhere_unstable : tally.unstable > others ? mostly_unstable : partly_unstable;
@@ -50,34 +48,40 @@ PageTable stability_matrix(const std::vector<NamedAssessment>& soils) {
     return table;
 }
 
-Figure stability_overlay(const std::vector<NamedAssessment>& soils) {
-    std::vector<std::string> names, groups;
+namespace {
+
+/// Curves that share a name in the legend share their color.
+struct Group {
+    const char* name;
+    const char* color;
+    std::vector<int> dash;
+};
+
+/// @param group_of the place in `groups` of each soil
+Figure curves_of(
+    const std::vector<NamedAssessment>& soils, const std::vector<Group>& groups,
+    const std::vector<std::size_t>& group_of
+) {
+    std::vector<std::string> names, legend;
     std::vector<double> sizes, shares;
-    double from = 1e300, to = 0;
-    std::size_t unstable = 0;
-    for (const NamedAssessment& soil : soils) {
-        const stability::Assessment& found = *soil.assessment;
-        unstable += group_of(found) == mostly_unstable ? 1U : 0U;
+    for (std::size_t soil = 0; soil < soils.size(); ++soil) {
+        const stability::Assessment& found = *soils[soil].assessment;
         for (std::size_t k = 0; k < found.grading.diameter.size(); ++k) {
             const double share = found.grading.passing[k];
             if (share >= found.missing_fine && share <= 1 - found.missing_coarse) { // completed ends are not drawn
-                names.push_back(soil.name), groups.emplace_back(group_of(found));
+                names.push_back(soils[soil].name), legend.emplace_back(groups[group_of[soil]].name);
                 sizes.push_back(1e3 * found.grading.diameter[k]), shares.push_back(100 * share);
-                from = std::min(from, sizes.back()), to = std::max(to, sizes.back());
             }
         }
     }
+    const double from = std::ranges::min(sizes) / 1.15, to = std::ranges::max(sizes) * 1.15;
     Figure figure;
-    figure.id = "own-stability-overlay";
     figure.section = "Soils";
-    figure.title = "Gradings of all samples over each other";
-    figure.caption =
-        fmt::format("{} of {} soils are unstable by most of the criteria that can say.", unstable, soils.size());
     figure.table.add("soil", std::move(names));
-    figure.table.add("verdicts", std::move(groups));
+    figure.table.add("verdicts", std::move(legend));
     figure.table.add("diameter", "mm", std::move(sizes));
     figure.table.add("passing", "%", std::move(shares));
-    nlohmann::json layers = class_layers(from / 1.15, to * 1.15);
+    nlohmann::json layers = class_layers(from, to);
     nlohmann::json line = nlohmann::json::parse(R"json({
         "mark": {"type": "line", "strokeWidth": 1.6},
         "encoding": {"x": {"field": "diameter", "type": "quantitative"},
@@ -90,17 +94,48 @@ Figure stability_overlay(const std::vector<NamedAssessment>& soils) {
                                  {"field": "diameter", "title": "d [mm]", "format": ".4g"},
                                  {"field": "passing", "title": "F [%]", "format": ".3g"}]}
     })json");
-    const nlohmann::json order = {mostly_unstable, partly_unstable, nowhere_unstable};
-    line["encoding"]["color"]["scale"] = {
-        {"domain", order}, {"range", {color::detachable, color::coarse, color::staying}}};
-    line["encoding"]["strokeDash"]["scale"] = {
-        {"domain", order}, {"range", nlohmann::json::parse("[[1, 0], [6, 3], [2, 2]]")}};
+    nlohmann::json domain = nlohmann::json::array(), colors = domain, dashes = domain;
+    for (const Group& group : groups) {
+        domain.push_back(group.name), colors.push_back(group.color), dashes.push_back(group.dash);
+    }
+    line["encoding"]["color"]["scale"] = {{"domain", domain}, {"range", colors}};
+    line["encoding"]["strokeDash"]["scale"] = {{"domain", domain}, {"range", dashes}};
     layers.push_back(std::move(line));
     figure.chart = {
-        {"width", 560},
-        {"height", 340},
-        {"encoding", {{"x", size_axis(from / 1.15, to * 1.15, false)}}},
-        {"layer", layers}};
+        {"width", 560}, {"height", 340}, {"encoding", {{"x", size_axis(from, to, false)}}}, {"layer", layers}};
+    return figure;
+}
+
+} // namespace
+
+Figure stability_overlay(const std::vector<NamedAssessment>& soils) {
+    std::vector<std::size_t> group_of;
+    for (const NamedAssessment& soil : soils) {
+        group_of.push_back(verdicts_of(*soil.assessment));
+    }
+    Figure figure = curves_of(
+        soils,
+        {{"most criteria say unstable", color::detachable, {1, 0}},
+         {"some say unstable", color::coarse, {6, 3}},
+         {"none says unstable", color::staying, {2, 2}}},
+        group_of
+    );
+    figure.id = "own-stability-overlay";
+    figure.title = "Gradings of all samples over each other";
+    figure.caption = fmt::format(
+        "{} of {} soils are unstable by most of the criteria that can say.",
+        std::ranges::count(group_of, std::size_t{mostly_unstable}), soils.size()
+    );
+    return figure;
+}
+
+Figure filter_overlay(const NamedAssessment& soil, const NamedAssessment& filter, const std::string& verdict) {
+    Figure figure = curves_of(
+        {soil, filter}, {{"the soil", color::staying, {1, 0}}, {"its filter", color::coarse, {6, 3}}}, {0, 1}
+    );
+    figure.id = "own-stability-filter";
+    figure.title = "The soil and its filter";
+    figure.caption = verdict;
     return figure;
 }
 

@@ -22,4 +22,7 @@ PageTable stability_matrix(const std::vector<NamedAssessment>& soils);
 /// own-stability-overlay]
 Figure stability_overlay(const std::vector<NamedAssessment>& soils);
 
+/// A soil and its filter in one chart. @param verdict the caption [id own-stability-filter]
+Figure filter_overlay(const NamedAssessment& soil, const NamedAssessment& filter, const std::string& verdict);
+
 } // namespace suffuse::figures

@@ -40,8 +40,7 @@ std::string typeset_limit(const Criterion& criterion) {
     return text;
 }
 
-std::vector<std::string> row_of(const Criterion& criterion) {
-    std::string verdict = stability::verdict_word(criterion.verdict);
+std::vector<std::string> row_of(const Criterion& criterion, const std::string& verdict) {
     return {
         criterion.name,
         criterion.verified ? verdict : verdict + " (unverified)",
@@ -121,8 +120,22 @@ PageTable stability_table(const Assessment& assessment) {
     table.numeric = {false, false, true, false, false, false, false};
     for (const auto* list : {&assessment.criteria, &assessment.gradients}) {
         for (const Criterion& criterion : *list) {
-            table.rows.push_back(row_of(criterion));
+            table.rows.push_back(row_of(criterion, stability::verdict_word(criterion.verdict)));
         }
+    }
+    return table;
+}
+
+PageTable filter_table(const stability::FilterCheck& check, const std::string& filter) {
+    PageTable table;
+    table.section = "Soils";
+    table.title = "The filter " + filter;
+    table.note = as_sentence(stability::filter_summary(check)) +
+                 ". Rules whose limits were not read in a source are not counted.";
+    table.header = {"rule", "verdict", "number", "holds if", "measure", "remark", "source"};
+    table.numeric = {false, false, true, false, false, false, false};
+    for (const Criterion& criterion : check.criteria) {
+        table.rows.push_back(row_of(criterion, stability::filter_word(criterion.verdict)));
     }
     return table;
 }
@@ -161,7 +174,7 @@ Figure stability_grading(const Assessment& assessment, GradingAxis axis) {
         assessment.fines
             ? fmt::format(
                   "; {} % of the mass are finer than {} mm ({})", short_number(to_percent * assessment.fines->content),
-                  short_number(to_mm * assessment.fines->finer_than), assessment.fines->basis
+                  short_number(to_mm * assessment.fines->finer_than), stability::basis_text(assessment.fines->basis)
               )
             : "; no fine fraction stands out"
     );

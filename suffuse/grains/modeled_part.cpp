@@ -37,18 +37,19 @@ double counted(const Grading& grading, double finer_than, const Representative& 
 
 /// The curve without these shares of its fine and of its coarse mass.
 struct Cut {
-    Cut(const Grading& grading, double finer_than, int fine_left, int coarse_left) {
-        const double content = passing(grading, finer_than);
+    Cut(const Grading& grading, const FractionEnds& ends, int fine_left, int coarse_left) {
+        const double fines = passing(grading, ends.finer_than), below = passing(grading, ends.coarser_than);
         const auto share = [](int left) { return static_cast<double>(left) / steps; };
         finest =
-            fine_left == 0 ? grading.diameter.front() : round_size(size_at(grading, content * share(fine_left)), true);
+            fine_left == 0 ? grading.diameter.front() : round_size(size_at(grading, fines * share(fine_left)), true);
         coarsest = coarse_left == 0 ? grading.diameter.back()
-                                    : round_size(size_at(grading, 1 - (1 - content) * share(coarse_left)), false);
-        has_both = passing(grading, finest) < content && passing(grading, coarsest) > content;
+                                    : round_size(size_at(grading, 1 - (1 - below) * share(coarse_left)), false);
+        fines_kept = 1 - passing(grading, finest) / fines;
+        coarse_kept = (passing(grading, coarsest) - below) / (1 - below);
     }
 
     double finest, coarsest;
-    bool has_both; ///< some mass of either fraction stays
+    double fines_kept, coarse_kept; ///< of their mass
 };
 
 /// A size between `good` and `bad` as near to `bad` as the curve can be followed, by halves on a logarithmic scale.
@@ -77,14 +78,17 @@ double representative_count(const Grading& grading, double finer_than, const Rep
 }
 
 std::optional<ModeledPart>
-find_modeled_part(const Grading& grading, double finer_than, double most, const Representative& spec) {
+find_modeled_part(const Grading& grading, const FractionEnds& ends, double most, const Representative& spec) {
+    if (passing(grading, ends.coarser_than) >= 1) {
+        return std::nullopt; // the curve ends within the gap
+    }
     const auto is_enough = [&](int fine_left, int coarse_left) {
-        const Cut cut(grading, finer_than, fine_left, coarse_left);
-        if (!cut.has_both) {
+        const Cut cut(grading, ends, fine_left, coarse_left);
+        if (!(cut.fines_kept > 0 && cut.coarse_kept > 0)) {
             return false;
         }
         const Grading part = part_between(grading, cut.finest, cut.coarsest);
-        return counted(part, finer_than, spec) <= most && can_follow(part, most, spec.tolerance);
+        return counted(part, ends.finer_than, spec) <= most && can_follow(part, most, spec.tolerance);
     };
     int both = 0; // share left out of either fraction
     while (both <= most_left && !is_enough(both, both)) {
@@ -101,11 +105,8 @@ find_modeled_part(const Grading& grading, double finer_than, double most, const 
         --coarse_left;
     }
     (fine_left <= coarse_left ? coarse_left : fine_left) = both;
-    const Cut cut(grading, finer_than, fine_left, coarse_left);
-    const double content = passing(grading, finer_than);
-    return ModeledPart{
-        cut.finest, cut.coarsest, 1 - passing(grading, cut.finest) / content,
-        (passing(grading, cut.coarsest) - content) / (1 - content)};
+    const Cut cut(grading, ends, fine_left, coarse_left);
+    return ModeledPart{cut.finest, cut.coarsest, cut.fines_kept, cut.coarse_kept};
 }
 
 std::optional<double> followed_above(const Grading& grading, double particles, double tolerance) {

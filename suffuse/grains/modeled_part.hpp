@@ -24,10 +24,15 @@ struct ModeledPart {
     double fines_kept = 0, coarse_kept = 0; ///< of their mass [-]
 };
 
+/// Where the fines of a grading end and where its skeleton begins; between them a gap may lie [m].
+struct FractionEnds {
+    double finer_than = 0, coarser_than = 0;
+};
+
 /// The part of a grading that `most` grains stand for and that leaves out least, as a share of the fines' mass and of
-/// the coarse grains' mass: the larger of the two counts. Nothing where less than a tenth of either would stay.
+/// the skeleton's mass: the larger of the two counts. Nothing where less than a tenth of either would stay.
 std::optional<ModeledPart>
-find_modeled_part(const Grading& grading, double finer_than, double most, const Representative& spec = {});
+find_modeled_part(const Grading& grading, const FractionEnds& ends, double most, const Representative& spec = {});
 
 /// The same cut at one end only, as far as `particles` grains follow the curve within `tolerance`: without what is
 /// finer, or coarser, than this size [m].

@@ -55,7 +55,7 @@ TEST(ModeledPart, AUniformSkeletonIsAsWideAsErosionNeeds) {
 }
 
 TEST(ModeledPart, NothingIsCutWhereTheGrainsSuffice) {
-    const auto part = find_modeled_part(gap_graded, 0.5e-3, 1.01 * representative_count(gap_graded, 0.5e-3));
+    const auto part = find_modeled_part(gap_graded, {0.3e-3, 1e-3}, 1.01 * representative_count(gap_graded, 0.5e-3));
     ASSERT_TRUE(part);
     EXPECT_EQ(part->finest, 0.15e-3);
     EXPECT_EQ(part->coarsest, 2e-3);
@@ -65,7 +65,7 @@ TEST(ModeledPart, NothingIsCutWhereTheGrainsSuffice) {
 
 TEST(ModeledPart, AWideCurveIsCutToWhatSoManyGrainsStandFor) {
     const double split = 1e-3;
-    const auto part = find_modeled_part(moraine, split, 10'000);
+    const auto part = find_modeled_part(moraine, {split, split}, 10'000);
     ASSERT_TRUE(part);
     const Grading cut = part_between(moraine, part->finest, part->coarsest);
     EXPECT_LE(representative_count(cut, split), 10'000 * 1.1); // grains_needed() rounds up to two digits
@@ -78,9 +78,20 @@ TEST(ModeledPart, AWideCurveIsCutToWhatSoManyGrainsStandFor) {
     EXPECT_GT(representative_count(part_between(moraine, finer, coarser), split), 10'000);
 }
 
+TEST(ModeledPart, ACutKeepsGrainsBelowAndAboveAGapWhateverLiesInIt) {
+    // A tenth of the mass lies in the gap from 0.25 to 2 mm: a cut within it would keep no skeleton.
+    const Grading gravel{{0.05e-3, 0.25e-3, 2e-3, 8e-3}, {0, 0.2, 0.3, 1}, "gravel"};
+    const auto part = find_modeled_part(gravel, {0.25e-3, 2e-3}, 200'000);
+    ASSERT_TRUE(part);
+    EXPECT_GT(part->coarsest, 2e-3);
+    EXPECT_LT(part->finest, 0.25e-3);
+    EXPECT_NEAR(part->coarse_kept, (passing(gravel, part->coarsest) - 0.3) / 0.7, 1e-12);
+    EXPECT_FALSE(find_modeled_part(part_between(gravel, 0.05e-3, 1.9e-3), {0.25e-3, 2e-3}, 200'000));
+}
+
 TEST(ModeledPart, AGapThatIsTooWideCannotBeCutAway) {
     const Grading far_apart{{0.01e-3, 0.02e-3, 10e-3, 20e-3}, {0, 0.3, 0.3, 1}, "far"};
-    EXPECT_FALSE(find_modeled_part(far_apart, 0.02e-3, 10'000));
+    EXPECT_FALSE(find_modeled_part(far_apart, {0.02e-3, 10e-3}, 10'000));
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 #include "suffuse/job/assessed_soil.hpp"
 
+#include "suffuse/base/words.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/record/or_null.hpp"
-#include "suffuse/stability/filter_between.hpp"
 #include "suffuse/stability/size_classes.hpp"
 
 #include <fmt/format.h>
@@ -77,8 +77,10 @@ std::string opening(const AssessedSoil& soil) {
         text += fmt::format("  gap at {}-{} mm", mm(gap->fine_end), mm(gap->coarse_end));
     }
     if (const auto& fines = soil.assessment.fines) {
-        text +=
-            fmt::format("  fines {:.3g} % below {} mm ({})", 100 * fines->content, mm(fines->finer_than), fines->basis);
+        text += fmt::format(
+            "  fines {:.3g} % below {} mm ({})", 100 * fines->content, mm(fines->finer_than),
+            stability::basis_text(fines->basis)
+        );
     }
     return text + "\n";
 }
@@ -118,6 +120,18 @@ json classes_json(const std::vector<stability::SizeClass>& classes) {
         shares[one.name] = or_null(one.share);
     }
     return shares;
+}
+
+json filter_json(const AssessedFilter& filter) {
+    json list = list_json(filter.check.criteria);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        list[k]["verdict"] = stability::filter_word(filter.check.criteria[k].verdict);
+    }
+    return {
+        {"filter", filter.name},
+        {"verdict", stability::filter_word(filter.check.verdict)},
+        {"summary", stability::filter_summary(filter.check)},
+        {"criteria", list}};
 }
 
 } // namespace
@@ -161,7 +175,9 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
     }
     if (found.fines) {
         about["fine_fraction"] = {
-            {"finer_than", found.fines->finer_than}, {"content", found.fines->content}, {"basis", found.fines->basis}};
+            {"finer_than", found.fines->finer_than},
+            {"content", found.fines->content},
+            {"basis", stability::basis_text(found.fines->basis)}};
     }
     if (found.has_constrictions) {
         about["constrictions"] = {
@@ -178,6 +194,9 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
             {"porosity", spec.seepage->porosity},
             {"grain_density", spec.seepage->grain_density},
             {"stress_share", or_null(spec.seepage->stress_share)}};
+    }
+    if (soil.filter) {
+        about["filter"] = filter_json(*soil.filter);
     }
     return about;
 }
@@ -239,29 +258,26 @@ std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec,
     if (found.has_constrictions) {
         text += "\n  " + constrictions_text(found, "\n  ") + "\n";
     }
-    return text + "\n" + stability::summary(found.criteria);
+    text += "\n" + stability::summary(found.criteria);
+    return soil.filter ? text + "\n\n" + filter_text(*soil.filter) : text;
 }
 
-std::string filter_text(const std::vector<Criterion>& criteria, const std::string& filter) {
-    std::string text = fmt::format("  {} as its filter\n", filter);
-    for (const Criterion& criterion : criteria) {
+std::string filter_summary(const AssessedFilter& filter) {
+    return fmt::format("the filter {} {}", filter.name, stability::filter_summary(filter.check));
+}
+
+std::string filter_text(const AssessedFilter& filter) {
+    std::string text = "  " + as_sentence(filter_summary(filter)) + "\n";
+    for (const Criterion& criterion : filter.check.criteria) {
         const std::string number =
             criterion.value ? fmt::format("{} {:.3g}", criterion.measure, *criterion.value) : criterion.measure;
         text += fmt::format(
-            "  {:42}{:22}{:8}{}{}\n      {}\n", criterion.name, number, stability::limit_text(criterion),
+            "  {:54}{:26}{:8}{}{}\n      {}\n", criterion.name, number, stability::limit_text(criterion),
             stability::filter_word(criterion.verdict),
-            criterion.verified ? "" : " (unverified: limit not read in a source)", criterion.remark
+            criterion.verified ? "" : " (unverified: limit not read in a source, so not counted)", criterion.remark
         );
     }
     return text;
-}
-
-json filter_json(const std::vector<Criterion>& criteria, const std::string& filter) {
-    json list = list_json(criteria);
-    for (std::size_t k = 0; k < criteria.size(); ++k) {
-        list[k]["verdict"] = stability::filter_word(criteria[k].verdict);
-    }
-    return {{"filter", filter}, {"criteria", list}};
 }
 
 } // namespace suffuse::job

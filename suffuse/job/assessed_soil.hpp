@@ -2,20 +2,28 @@
 // What the criteria of internal stability say of a soil, as lines for a terminal and as JSON for programs; the names of
 // the JSON are a promise (docs/formats.md).
 
-#include "suffuse/stability/assess.hpp"
+#include "suffuse/stability/filter_between.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace suffuse::job {
+
+/// Another soil beside it, as its filter.
+struct AssessedFilter {
+    std::string name; ///< the file
+    stability::FilterCheck check;
+};
 
 struct AssessedSoil {
     std::string name;             ///< as shown: the file, and the soil where a case has it
     std::filesystem::path folder; ///< below -o, where there are several
     stability::Assessment assessment;
     grains::Grading measured = {}; ///< as given, for its classes of size
+    std::optional<AssessedFilter> filter = {};
 };
 
 nlohmann::json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec);
@@ -25,9 +33,11 @@ nlohmann::json soil_json(const AssessedSoil& soil, const stability::AssessSpec& 
 std::string seepage_text(const stability::UpwardSeepage& seepage);
 std::string constrictions_text(const stability::Assessment& assessment, const char* join = " ");
 
-/// A line for each criterion between the soil and its filter.
-std::string filter_text(const std::vector<stability::Criterion>& criteria, const std::string& filter);
-nlohmann::json filter_json(const std::vector<stability::Criterion>& criteria, const std::string& filter);
+/// "the filter filter.csv fails by 2 of 9 rules: ...".
+std::string filter_summary(const AssessedFilter& filter);
+
+/// That, and a line for each rule.
+std::string filter_text(const AssessedFilter& filter);
 
 /// @param columns of the terminal that it is for
 std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec, std::size_t columns = 80);

@@ -3,8 +3,6 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/read_text.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace suffuse::report {
 
 namespace {
@@ -29,7 +27,9 @@ std::string as_data(const nlohmann::json& data) {
 std::string assess_page(const std::vector<PageSoil>& soils, const PageSeepage& seepage, const std::string& program) {
     nlohmann::json list = nlohmann::json::array();
     for (const PageSoil& soil : soils) {
-        list.push_back({{"name", as_utf8(soil.name)}, {"d", soil.diameter}, {"f", soil.passing}});
+        list.push_back(
+            {{"name", as_utf8(soil.name)}, {"d", soil.diameter}, {"f", soil.passing}, {"filter", soil.filter}}
+        );
     }
     nlohmann::json asked = {
         {"gradient", seepage.gradient},

@@ -2,6 +2,8 @@
 // The page of `suffuse assess --page`: one offline HTML file in which a curve can be edited and what is known of the
 // soil dragged, while the criteria follow. It computes with its own script, page/src/assess.
 
+#include <nlohmann/json.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@ namespace suffuse::report {
 struct PageSoil {
     std::string name;
     std::vector<double> diameter, passing; ///< as measured: sizes rising [m], shares finer [-]
+    nlohmann::json filter = nullptr;       ///< what `assess --json` says of a filter; null: none was asked for
 };
 
 /// What the sliders begin with.

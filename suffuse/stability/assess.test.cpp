@@ -79,7 +79,7 @@ TEST(Assess, CriteriaDisagreeOnTwoBoxesOnPurpose) {
     EXPECT_EQ(of(assessment, "kezdi-1979").verdict, Verdict::Unstable);
     EXPECT_EQ(of(assessment, "chang-zhang-2013").verdict, Verdict::Unstable);
     EXPECT_EQ(of(assessment, "sherard-1979").verdict, Verdict::Stable);
-    EXPECT_EQ(assessment.fines->basis, "fine end of the gap");
+    EXPECT_EQ(assessment.fines->basis, FinesBasis::Gap);
     EXPECT_EQ(assessment.fines->content, 0.25);
     EXPECT_EQ(assessment.finer_limit, 0.20);
     EXPECT_EQ(assess(two_boxes(0.25), {.fabric = PrimaryFabric::Coarse}).finer_limit, 0.30);

@@ -45,8 +45,8 @@ TEST(WanFell, GivesTheLogisticFormOfASiltSandGravel) {
     const double slope = std::pow(1.5, 2.5), z = 2.378 * std::log10(6) * 2.5 - 3.648 * slope + 3.701;
     EXPECT_NEAR(*wan_fell(grading, std::nullopt).value, std::exp(z) / (1 + std::exp(z)), 1e-9);
     EXPECT_EQ(wan_fell(grading, std::nullopt).verdict, Verdict::Stable);
-    EXPECT_EQ(wan_fell(grading, FineFraction{1e-4, 0.14, ""}).verdict, Verdict::CannotSay);
-    EXPECT_EQ(wan_fell(grading, FineFraction{1e-4, 0.16, ""}).verdict, Verdict::Stable);
+    EXPECT_EQ(wan_fell(grading, FineFraction{1e-4, 0.14}).verdict, Verdict::CannotSay);
+    EXPECT_EQ(wan_fell(grading, FineFraction{1e-4, 0.16}).verdict, Verdict::Stable);
 }
 
 TEST(WanFell, TakesTheFitOfSiltsWhereMoreThanATenthIsFinerThanSieve200) {
@@ -74,7 +74,7 @@ TEST(WanFell, CannotSayWhereItWasNotFitted) {
 }
 
 TEST(WanFellAlternative, PartsSteepCoarseAndFlatFineSlopesFromTheOthers) {
-    const FineFraction fines{0.2e-3, 0.25, ""};
+    const FineFraction fines{0.2e-3, 0.25};
     // d90/d60 = x and d20/d5 = y by construction; 12 % finer than 0.075 mm.
     const auto soil = [](double coarse, double fine) {
         const double d5 = 0.02e-3, d60 = 8e-3;

@@ -135,7 +135,7 @@ TEST(Indraratna, SpeaksOfAllDensitiesOrNamesTheOneThatDecides) {
 
 TEST(ConstrictionsAndFines, ShareThatPassesComesFromTheFinesGrading) {
     const grains::Grading grading = two_boxes(0.25);
-    const auto sizes = compare_with_constrictions(grading, FineFraction{0.30e-3, 0.25, ""}, 0);
+    const auto sizes = compare_with_constrictions(grading, FineFraction{0.30e-3, 0.25}, 0);
     const ConstrictionSizes model = model_constrictions(coarse_part(grading, 0.30e-3));
     EXPECT_DOUBLE_EQ(sizes.densest_d35, model.at(0.35, 1)) << "the controlling size is that of 35 %";
     EXPECT_DOUBLE_EQ(sizes.loosest_d35, model.at(0.35, 0));

@@ -1,9 +1,10 @@
 #pragma once
-// Whether one soil is a filter for another: does the filter hold the base, and does it drain it? Its D15 beside d85,
-// d95 and d15 of the base. [Terzaghi and Peck 1948] [NRCS 2017, chapter 26, after Sherard and Dunnigan 1985; its rule
-// for 15 to 39 % of fines as in table 9.2 of Fell et al. 2005] [Foster and Fell 2001]
+// Whether one soil is a filter for another: does it hold the base, drain it, and stay whole itself? [Terzaghi and Peck
+// 1948] [NRCS 2017, chapter 26, after Sherard and Dunnigan 1985; its rule for 15 to 39 % of fines as in table 9.2 of
+// Fell et al. 2005] [Foster and Fell 2001]
 
 #include "suffuse/grains/soil.hpp"
+#include "suffuse/stability/assess.hpp"
 #include "suffuse/stability/criterion.hpp"
 
 #include <optional>
@@ -12,14 +13,16 @@
 
 namespace suffuse::stability {
 
-/// The base soil as the filter sees it: without what is coarser than 4.75 mm, which skips no filter and holds none.
+/// The base soil as the filter sees it: without the grains above a gap, which the finer ones pass between, and without
+/// what is coarser than 4.75 mm, which skips no filter and holds none.
 struct BaseSoil {
-    bool is_regraded = false;
-    int category = 0;            ///< 1 to 4 by fines, 0 where they were not measured
-    std::optional<double> fines; ///< finer than 0.075 mm [-]
-    std::optional<double> d85;   ///< [m]
-    std::optional<double> d95;   ///< [m]
-    std::optional<double> d15;   ///< of the base as it is, not regraded [m]
+    std::optional<double> regraded_on; ///< the size above which grains are left out [m]; nothing: the curve as it is
+    bool has_gap = false;              ///< that size is the fine end of a gap
+    int category = 0;                  ///< 1 to 4 by fines, 0 where they were not measured
+    std::optional<double> fines;       ///< finer than 0.075 mm [-]
+    std::optional<double> d85;         ///< [m]
+    std::optional<double> d95;         ///< [m]
+    std::optional<double> d15;         ///< of the base as it is, not regraded [m]
 };
 
 /// @param measured may be open at its ends; sizes that were not measured are left out
@@ -33,8 +36,22 @@ struct LargestFilter {
 
 std::optional<LargestFilter> largest_filter(const BaseSoil& base);
 
-/// Terzaghi's ratio, no erosion by the category of the base, continuing erosion, and permeability. Stable: it holds.
-std::vector<Criterion> filter_criteria(const grains::Grading& base, const grains::Grading& filter);
+/// A filter beside a base.
+struct FilterCheck {
+    Assessment own;                  ///< the filter's internal stability
+    std::vector<Criterion> criteria; ///< Verdict::Stable: it holds
+    Verdict verdict = Verdict::CannotSay;
+    std::string outcome;               ///< "fails by 2 of 7 rules"
+    std::vector<std::string> deciding; ///< the names of these rules; empty where it holds
+};
+
+/// Retention by Terzaghi's ratio, no erosion by the category of the base and continuing erosion; permeability; the
+/// filter's own fines, segregation and stability; and, where it is not stable, retention once its fines are washed out.
+/// @throws CaseError for a filter's curve that is none.
+FilterCheck check_filter(const grains::Grading& base, const grains::Grading& filter);
+
+/// "fails by 2 of 7 rules: Terzaghi and Peck, No erosion (NRCS 2017)".
+std::string filter_summary(const FilterCheck& check);
 
 /// "holds", "fails", "cannot say".
 const char* filter_word(Verdict verdict);

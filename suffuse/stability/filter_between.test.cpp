@@ -15,7 +15,7 @@ TEST(FilterBetween, ASandUnderAGravelIsJudgedByItsD85) {
     // A base of category 4, log-uniform from 0.1 to 1 mm: d85 = 10^-0.15 mm, d15 = 10^-0.85 mm, d95 = 10^-0.05 mm.
     const grains::Grading base = box(1e-4, 1e-3);
     const double d85 = 1e-3 * std::pow(10, -0.15), d15 = 1e-3 * std::pow(10, -0.85), d95 = 1e-3 * std::pow(10, -0.05);
-    const auto good = filter_criteria(base, box(2e-3, 2.0001e-3));
+    const auto good = check_filter(base, box(2e-3, 2.0001e-3)).criteria;
     EXPECT_NEAR(good[0].value.value(), 2e-3 / d85, 1e-4);
     EXPECT_NEAR(good[1].value.value(), 2e-3 / (4 * d85), 1e-4); // category 4: the same rule
     EXPECT_NEAR(good[2].value.value(), 2e-3 / d95, 1e-4);
@@ -23,7 +23,7 @@ TEST(FilterBetween, ASandUnderAGravelIsJudgedByItsD85) {
     for (const Criterion& criterion : good) {
         EXPECT_STREQ(filter_word(criterion.verdict), "holds") << criterion.name;
     }
-    const auto coarse = filter_criteria(base, box(9e-3, 9.001e-3));
+    const auto coarse = check_filter(base, box(9e-3, 9.001e-3)).criteria;
     EXPECT_STREQ(filter_word(coarse[0].verdict), "fails");
     EXPECT_STREQ(filter_word(coarse[2].verdict), "fails"); // 9/0.891 > 9: it never seals
     EXPECT_STREQ(filter_word(coarse[3].verdict), "holds");
@@ -51,7 +51,8 @@ TEST(FilterBetween, TheBaseIsRegradedOnTheSieveOf475Millimeters) {
     // Half of the mass is gravel; what passes 4.75 mm is log-uniform from 0.05 mm on.
     const grains::Grading base{{0.05e-3, 4.75e-3, 50e-3}, {0, 0.5, 1}, ""};
     const BaseSoil found = characterize_base(base);
-    EXPECT_TRUE(found.is_regraded);
+    EXPECT_EQ(found.regraded_on, 4.75e-3);
+    EXPECT_FALSE(found.has_gap);
     EXPECT_NEAR(found.d85.value(), 0.05e-3 * std::pow(95, 0.85), 1e-9);
     EXPECT_NEAR(found.fines.value(), std::log(1.5) / std::log(95), 1e-12);
     EXPECT_NEAR(found.d15.value(), 0.05e-3 * std::pow(95, 0.30), 1e-9); // of the whole base
@@ -59,12 +60,91 @@ TEST(FilterBetween, TheBaseIsRegradedOnTheSieveOf475Millimeters) {
 
 TEST(FilterBetween, WhatWasNotMeasuredIsNotGuessed) {
     const grains::Grading open{{0.075e-3, 0.6e-3, 4e-3}, {0.2, 0.6, 1}, ""};
-    const auto criteria = filter_criteria(open, box(1e-3, 2e-3));
+    const auto criteria = check_filter(open, box(1e-3, 2e-3)).criteria;
     EXPECT_TRUE(criteria[0].value);                     // d85 was
     EXPECT_EQ(criteria[3].verdict, Verdict::CannotSay); // d15 was not
     EXPECT_NE(criteria[3].remark.find("not measured"), std::string::npos);
     EXPECT_TRUE(criteria[1].verified); // category 3
-    EXPECT_EQ(filter_criteria(box(1e-4, 1e-3), open)[0].verdict, Verdict::CannotSay);
+    EXPECT_EQ(check_filter(box(1e-4, 1e-3), open).criteria[0].verdict, Verdict::CannotSay);
+}
+
+/// A laboratory's gravel with a gap from 0.25 to 2 mm, and a sandy filter for it.
+grains::Grading gap_graded_gravel() {
+    return {
+        {2e-6, 6e-6, 20e-6, 63e-6, 125e-6, 0.25e-3, 0.5e-3, 1e-3, 2e-3, 4e-3, 8e-3, 16e-3, 31.5e-3, 63e-3},
+        {.01, .025, .05, .09, .14, .20, .23, .245, .26, .31, .43, .61, .84, 1},
+        ""};
+}
+
+grains::Grading sandy_filter() {
+    return {
+        {63e-6, 0.25e-3, 0.5e-3, 1e-3, 2e-3, 4e-3, 8e-3, 16e-3, 31.5e-3},
+        {.01, .02, .05, .14, .30, .52, .74, .92, 1},
+        ""};
+}
+
+const Criterion& rule(const FilterCheck& check, const std::string& id) {
+    for (const Criterion& criterion : check.criteria) {
+        if (criterion.id == id) {
+            return criterion;
+        }
+    }
+    throw std::runtime_error("no rule " + id);
+}
+
+TEST(FilterBetween, AGapGradedBaseIsRegradedOnTheFineEndOfItsGap) {
+    const BaseSoil base = characterize_base(gap_graded_gravel());
+    EXPECT_TRUE(base.has_gap);
+    EXPECT_EQ(base.regraded_on, 0.25e-3);
+    EXPECT_EQ(base.category, 2); // 50 % of what is finer than the gap
+    const FilterCheck check = check_filter(gap_graded_gravel(), sandy_filter());
+    EXPECT_NEAR(rule(check, "no-erosion-filter").value.value(), 1.49, 0.005); // as its own curve below 0.25 mm gives
+    EXPECT_NEAR(rule(check, "terzaghi-filter").value.value(), 5.91, 0.005);
+    EXPECT_EQ(check.verdict, Verdict::Unstable);
+    EXPECT_EQ(filter_summary(check), "fails by 2 of 7 rules: Terzaghi and Peck, No erosion (NRCS 2017)");
+    // The part below the gap, as a soil of its own, is judged alike.
+    const grains::Grading below{{2e-6, 6e-6, 20e-6, 63e-6, 125e-6, 0.25e-3}, {.05, .125, .25, .45, .70, 1}, ""};
+    EXPECT_NEAR(
+        rule(check_filter(below, sandy_filter()), "no-erosion-filter").value.value(),
+        rule(check, "no-erosion-filter").value.value(), 1e-12
+    );
+}
+
+TEST(FilterBetween, AFilterThatIsUnstableItselfFailsAndIsJudgedWashedOut) {
+    const grains::Grading sand{{0.05e-3, 0.075e-3, 0.1e-3, 0.2e-3, 0.5e-3}, {0, .08, .20, .60, 1}, ""};
+    const FilterCheck check = check_filter(sand, gap_graded_gravel());
+    EXPECT_EQ(rule(check, "terzaghi-filter").verdict, Verdict::Stable); // by its fines, which do not stay
+    EXPECT_EQ(rule(check, "no-erosion-filter").verdict, Verdict::Stable);
+    EXPECT_EQ(rule(check, "filter-fines").verdict, Verdict::Unstable);
+    EXPECT_NEAR(rule(check, "filter-fines").value.value(), 0.103, 0.001);
+    EXPECT_EQ(rule(check, "filter-kezdi-1979").verdict, Verdict::Unstable);
+    // D15 of what is coarser than 0.25 mm: at 20 + 0.15 x 80 = 32 % of the whole curve.
+    const double d15 = 4e-3 * std::pow(2, 1.0 / 12), d85 = 0.2e-3 * std::pow(2.5, 25.0 / 40);
+    EXPECT_NEAR(rule(check, "terzaghi-filter-washed-out").value.value(), d15 / d85, 1e-9);
+    EXPECT_EQ(rule(check, "no-erosion-filter-washed-out").verdict, Verdict::Unstable);
+    EXPECT_EQ(check.verdict, Verdict::Unstable);
+}
+
+TEST(FilterBetween, ACleanStableFilterHolds) {
+    const grains::Grading base = box(1e-4, 1e-3);
+    const FilterCheck check = check_filter(base, box(1e-3, 4e-3));
+    EXPECT_EQ(check.verdict, Verdict::Stable);
+    EXPECT_EQ(filter_summary(check), "holds by all 7 rules");
+    EXPECT_EQ(rule(check, "filter-fines").value, 0);
+}
+
+TEST(FilterBetween, AFilterPartsWhereItsCoarsestGrainsAreTooLargeBesideItsFinest) {
+    const auto parts = [](double d10, double d90) {
+        const double d0 = d10 * std::pow(d10 / d90, 1.0 / 8), d100 = d90 * std::pow(d90 / d10, 1.0 / 8);
+        return rule(check_filter(box(1e-4, 1e-3), box(d0, d100)), "filter-segregation");
+    };
+    EXPECT_NEAR(parts(0.4e-3, 10e-3).value.value(), 0.5, 1e-9);
+    EXPECT_EQ(parts(0.4e-3, 19e-3).verdict, Verdict::Stable);
+    EXPECT_EQ(parts(0.4e-3, 21e-3).verdict, Verdict::Unstable);
+    EXPECT_EQ(parts(0.6e-3, 24e-3).verdict, Verdict::Stable);
+    EXPECT_EQ(parts(3e-3, 41e-3).verdict, Verdict::Unstable);
+    EXPECT_EQ(parts(20e-3, 59e-3).verdict, Verdict::Stable);
+    EXPECT_FALSE(parts(20e-3, 59e-3).verified);
 }
 
 } // namespace

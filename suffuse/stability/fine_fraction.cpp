@@ -8,6 +8,18 @@
 
 namespace suffuse::stability {
 
+const char* basis_text(FinesBasis basis) {
+    switch (basis) {
+    case FinesBasis::Given:
+        return "as given";
+    case FinesBasis::Gap:
+        return "fine end of the gap";
+    case FinesBasis::KenneyLau:
+        break;
+    }
+    return "Kenney and Lau's split";
+}
+
 std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, std::optional<double> asked) {
     if (asked) {
         const double content = grains::passing(grading, *asked);
@@ -22,15 +34,15 @@ std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, s
                 grading.origin
             );
         }
-        return FineFraction{*asked, content, "as given"};
+        return FineFraction{*asked, content, FinesBasis::Given};
     }
     if (const auto gap = find_gap(grading)) {
-        return FineFraction{gap->fine_end, gap->finer, "fine end of the gap"};
+        return FineFraction{gap->fine_end, gap->finer, FinesBasis::Gap};
     }
     if (const auto split = grains::kenney_lau_split(grading)) {
         const double content = grains::passing(grading, *split);
         if (content > 0 && content < 1) {
-            return FineFraction{*split, content, "Kenney and Lau's split"};
+            return FineFraction{*split, content, FinesBasis::KenneyLau};
         }
     }
     return std::nullopt;

@@ -4,14 +4,18 @@
 #include "suffuse/grains/soil.hpp"
 
 #include <optional>
-#include <string>
 
 namespace suffuse::stability {
+
+enum class FinesBasis { Given, Gap, KenneyLau };
+
+/// "as given", "fine end of the gap", "Kenney and Lau's split".
+const char* basis_text(FinesBasis basis);
 
 struct FineFraction {
     double finer_than = 0; ///< [m]
     double content = 0;    ///< of the mass [-]
-    std::string basis;     ///< "as given", "fine end of the gap", "Kenney and Lau's split"
+    FinesBasis basis = FinesBasis::Given;
 };
 
 /// As asked [m]; else the fine end of a gap; else where Kenney and Lau would split; nothing for a soil without either.

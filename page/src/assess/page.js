@@ -8,7 +8,10 @@ const three = (x) => (x === undefined ? "" : x >= 1000 ? Math.round(x).toLocaleS
 const mm = (x) => three(1e3 * x);
 const escaped = (text) => text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 const here = () => state.soils[state.which];
-const sign = { stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "cannot say": ["un", "? cannot say"] };
+const sign = {
+  stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "cannot say": ["un", "? cannot say"],
+  holds: ["ok", "✓ holds"], fails: ["no", "✗ fails"],
+};
 
 const limitText = (c) =>
   c.limit === undefined ? "" : c.upper !== undefined ? `${three(c.limit)} to ${three(c.upper)}`
@@ -116,9 +119,21 @@ function drawSafety(found) {
   $("safety").innerHTML = text.map((t) => `<p>${t}</p>`).join("");
 }
 
-function drawTable(criteria) {
-  $("criteria").innerHTML = criteria.map((c) =>
-    `<tr><td>${c.name}${c.verified ? "" : " <small>unverified</small>"}${c.why ? `<small>${c.why}</small>` : ""}</td><td>${c.measure}</td><td class="n">${numberText(c)}${limitText(c) ? `<small class="lim-small">${limitText(c)}</small>` : ""}</td><td class="n lim">${limitText(c)}</td><td class="${sign[c.verdict][0]}">${sign[c.verdict][1]}</td></tr>`).join("");
+const rowsOf = (criteria) => criteria.map((c) =>
+  `<tr><td>${c.name}${c.verified ? "" : " <small>unverified</small>"}${c.why ? `<small>${escaped(c.why)}</small>` : ""}</td><td>${c.measure}</td><td class="n">${numberText(c)}${limitText(c) ? `<small class="lim-small">${limitText(c)}</small>` : ""}</td><td class="n lim">${limitText(c)}</td><td class="${sign[c.verdict][0]}">${sign[c.verdict][1]}</td></tr>`).join("");
+
+/** What the program said of the filter. It holds for the curve as given alone, so it goes when that is changed. */
+function drawFilter() {
+  const given = told.soils[state.which], filter = given.filter;
+  $("filter").hidden = !filter;
+  if (!filter) return;
+  const isGiven = here().d.every((d, k) => d === given.d[k]) && here().f.every((f, k) => f === given.f[k]) && here().d.length === given.d.length;
+  const known = (value) => (value === null ? undefined : value);
+  $("filter-rules").hidden = !isGiven;
+  $("filter-note").textContent = isGiven ? `The filter ${filter.filter} ${filter.summary}.`
+    : "The curve was changed. What is known of the filter is of the curve as given: suffuse assess --filter judges another.";
+  $("rules").innerHTML = rowsOf(filter.criteria.map((c) => ({
+    ...c, why: c.remark, value: known(c.value), measured: known(c.measured), limit: known(c.limit), upper: known(c.upper) })));
 }
 
 function drawMatrix() {
@@ -140,7 +155,8 @@ function draw(keepText) {
   $("verdict").innerHTML = words(criteria, found).map((w) => `<span>${w}</span>`).join("");
   $("name").textContent = here().name;
   drawChart();
-  drawTable(criteria);
+  $("criteria").innerHTML = rowsOf(criteria);
+  drawFilter();
   drawSafety(found);
   drawGradients(found);
   drawMatrix();
