@@ -5,6 +5,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/plan/plan_record.hpp"
 #include "suffuse/report/warnings.hpp"
+#include "suffuse/study/finding.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,8 +29,8 @@ std::string findings_text(const nlohmann::json& findings) {
     std::size_t met = 0;
     for (const nlohmann::json& finding : findings) {
         const std::string verdict = finding.at("verdict");
-        met += finding.at("met") == true ? 1U : 0U;
-        if (verdict == "met") {
+        if (verdict == study::name_of(study::Standing::Met)) {
+            ++met;
             continue;
         }
         auto same = std::ranges::find(by_verdict, verdict, &decltype(by_verdict)::value_type::first);

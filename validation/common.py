@@ -74,10 +74,10 @@ class Samples:
         return sum(row["seconds"] for row in self.rows)
 
 
-def conduct(given, name, studies=(), changes=None, until=""):
-    """The run of the case validation/NAME.toml, gone on with where it was stopped."""
+def conduct(given, name, studies=(), changes=None, until="", folder=""):
+    """The run of the case validation/NAME.toml, gone on with where it was stopped. folder: unless it is NAME."""
     case = suffuse.Case(ROOT / "validation" / f"{name}.toml", changes=changes, studies=list(studies))
-    return case.run(given.output / name, until=until, threads=given.threads)
+    return case.run(given.output / (folder or name), until=until, threads=given.threads)
 
 
 def keep(given, name, rows):

@@ -180,8 +180,7 @@ std::optional<Headline> findings_headline(const std::vector<study::Finding>& fin
     if (findings.empty()) {
         return std::nullopt;
     }
-    const auto met =
-        std::count_if(findings.begin(), findings.end(), [](const study::Finding& f) { return f.met == true; });
+    const auto met = std::ranges::count(findings, study::Standing::Met, study::standing_of);
     const std::string all = study::count_standings(findings);
     const std::size_t more = all.find_first_of(",;");
     return Headline{

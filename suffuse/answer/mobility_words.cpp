@@ -56,9 +56,9 @@ std::string what_moves(const MobilityStory& story) {
                                           : fmt::format("less than a tenth {}", end));
 }
 
-std::string percent_of_fines(double share) {
+std::string moved_text(double share) {
     const double percent = 100 * share;
-    return percent < 0.05 ? "less than 0.1 % of them" : fmt::format("{:.2g} %", percent);
+    return percent < 0.05 ? "less than 0.1 %" : fmt::format("{:.2g} %", percent);
 }
 
 /// "; the soil heaves at 1.05".
@@ -73,17 +73,38 @@ std::string heave_text(const MobilityStory& story, const std::string& gradient) 
 /// "moves 0.2 %".
 std::string moved_at_asked_text(const MobilityStory& story) {
     return fmt::format(
-        "moves {}{}", story.moved_at_asked_at_least ? "at least " : "", percent_of_fines(story.moved_at_asked.mean)
+        "moves {}{}", story.moved_at_asked_at_least ? "at least " : "", moved_text(story.moved_at_asked.mean)
     );
 }
 
+/// "half a diameter": what a grain moves along the flow before it counts.
+std::string distance_text(const MobilityStory& story) {
+    return story.moved == 0.5 ? "half a diameter" : short_number(story.moved, 2) + " diameters";
+}
+
+/// "factor of safety 1.5 before 1 % move half a diameter": the number, and what it rests on.
 std::string safety_text(const MobilityStory& story) {
-    if (is_met(story.safety, story)) {
-        return story.safety.standard_deviation > 0
-                   ? fmt::format("factor of safety {:.1f} ± {:.1f}", story.safety.mean, story.safety.standard_deviation)
-                   : fmt::format("factor of safety {:.1f}", story.safety.mean);
-    }
-    return fmt::format("factor of safety at least {:.1f}", story.safety_at_least.value_or(0));
+    const std::string factor = !is_met(story.safety, story)
+                                   ? fmt::format("at least {:.1f}", story.safety_at_least.value_or(0))
+                               : story.safety.standard_deviation > 0
+                                   ? fmt::format("{:.1f} ± {:.1f}", story.safety.mean, story.safety.standard_deviation)
+                                   : fmt::format("{:.1f}", story.safety.mean);
+    return fmt::format("factor of safety {} before 1 % move {}", factor, distance_text(story));
+}
+
+/// Of the shares that move at the asked gradient, others than the one that counts.
+std::string compare_measures(const MobilityStory& story) {
+    const std::vector<erosion::MobilityStep>& ramp = story.one().ramp;
+    const auto step = std::ranges::find_if(ramp, [&](const erosion::MobilityStep& level) {
+        return level.gradient >= story.asked_gradient.value_or(level.gradient) && level.displaced_mass_share >= 0.01;
+    });
+    return step == ramp.end() ? ""
+                              : fmt::format(
+                                    "What counts as moved decides: at i = {:.2f}, {} of the mass moved {} along the "
+                                    "flow, {} half a diameter in any direction, {} a tenth along the flow.",
+                                    step->gradient, moved_text(step->mobile_mass_share), distance_text(story),
+                                    moved_text(step->displaced_mass_share), moved_text(step->lifted_mass_share)
+                                );
 }
 
 /// "moves 1 % of the fines at i = 0.30, a tenth at 0.51": means alone.
@@ -138,7 +159,7 @@ Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, 
 }
 
 Headline safety_headline(const MobilityStory& story) {
-    Headline headline{"", "Factor of safety against first movement", ""};
+    Headline headline{"", fmt::format("Factor of safety before 1 % move {}", distance_text(story)), ""};
     const double asked = *story.asked_gradient;
     if (!is_met(story.safety, story)) {
         headline.value = "≥ " + fixed(*story.safety_at_least, 1);
@@ -250,7 +271,8 @@ std::string verdict(const MobilityStory& story) {
 std::vector<std::string> remarks_on(const MobilityStory& story) {
     std::vector<std::string> remarks;
     for (std::string remark :
-         {compare_with_alpha(story), compare_with_heave_of_fines(story), compare_with_passage(story)}) {
+         {compare_measures(story), compare_with_alpha(story), compare_with_heave_of_fines(story),
+          compare_with_passage(story)}) {
         if (!remark.empty()) {
             remarks.push_back(std::move(remark));
         }
@@ -259,7 +281,7 @@ std::vector<std::string> remarks_on(const MobilityStory& story) {
         remarks.push_back(fmt::format(
             "{} of the fines' mass sift through the skeleton under their own weight, without flow: the soil segregates "
             "when it is placed.",
-            percent_of_fines(story.one().sifting_mass_share)
+            moved_text(story.one().sifting_mass_share)
         ));
     }
     return remarks;

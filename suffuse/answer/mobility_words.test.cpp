@@ -44,9 +44,10 @@ std::vector<MobilityStory> story_of(const std::vector<erosion::MobilityResult>& 
 
 TEST(MobilityWords, GiveTheVerdictThatAnEngineerAsksFor) {
     EXPECT_EQ(
-        verdict(story_of({upward()}).front()), "Upward flow moves 1 % of the fines at i = 0.30, a tenth at 0.51; the "
-                                               "soil heaves at 1.05. At the asked 0.20 it "
-                                               "moves 0.2 % (factor of safety 1.5; one sample)."
+        verdict(story_of({upward()}).front()),
+        "Upward flow moves 1 % of the fines at i = 0.30, a tenth at 0.51; the "
+        "soil heaves at 1.05. At the asked 0.20 it "
+        "moves 0.2 % (factor of safety 1.5 before 1 % move half a diameter; one sample)."
     );
 }
 
@@ -56,7 +57,7 @@ TEST(MobilityWords, OpenWithTwoShortLinesAndCardsThatKnowTheirStep) {
         short_verdict(story),
         (std::vector<std::string>{
             "Upward flow moves 1 % of the fines at i = 0.30, a tenth at 0.51; the soil heaves at 1.05.",
-            "At the asked 0.20 it moves 0.2 %: factor of safety 1.5."})
+            "At the asked 0.20 it moves 0.2 %: factor of safety 1.5 before 1 % move half a diameter."})
     );
     const std::vector<Headline> cards = mobility_headlines(story);
     ASSERT_EQ(cards.size(), 4U);
@@ -109,9 +110,10 @@ TEST(MobilityWords, SayWhichGradientsAndSharesAreBounds) {
         {.gradient = 0.5, .mobile_mass_share = 0.09},
         {.gradient = 0.51, .mobile_mass_share = 0.11}};
     EXPECT_EQ(
-        verdict(story_of({creeping}).front()), "Upward flow moves 1 % of the fines at i = 0.30 or less, a tenth at "
-                                               "0.51; the soil heaves at 1.05. At the asked "
-                                               "0.20 it moves at least 0.2 % (factor of safety 1.5; one sample)."
+        verdict(story_of({creeping}).front()),
+        "Upward flow moves 1 % of the fines at i = 0.30 or less, a tenth at "
+        "0.51; the soil heaves at 1.05. At the asked "
+        "0.20 it moves at least 0.2 % (factor of safety 1.5 before 1 % move half a diameter; one sample)."
     );
     const std::vector<Headline> cards = mobility_headlines(story_of({creeping}).front());
     EXPECT_EQ(cards[1].value, "≤ 0.30");

@@ -56,7 +56,7 @@ json findings_json(const std::vector<study::Finding>& findings) {
              {"claim", finding.claim},
              {"paper", finding.paper},
              {"ours", finding.ours},
-             {"met", or_null(finding.met)},
+             {"met", or_null(study::agreement_of(finding))},
              {"verdict", study::name_of(study::standing_of(finding))},
              {"our_numbers", finding.our_numbers},
              {"why", finding.why}}

@@ -24,7 +24,7 @@ Mark mark_of(study::Standing standing) {
     case study::Standing::Met:
         return {"met", "✓"};
     case study::Standing::MetByNoise:
-        return {"by-number", "✓"};
+        return {"by-number", "?"};
     case study::Standing::NotMet:
         return {"not-met", "✗"};
     case study::Standing::NotMetByOurNumber:
@@ -109,6 +109,10 @@ std::string summed_up(const std::vector<study::Finding>& findings) {
     };
     using enum study::Standing;
     std::string text = as_sentence(study::count_standings(findings)) + ".";
+    if (count(MetByNoise) > 0) {
+        text += " Met by noise: what is left of unbalance meets the criterion, so it says nothing of the water and is "
+                "not counted.";
+    }
     if (const auto ours = count(NotMetByOurNumber); ours > 0) {
         text += fmt::format(
             " Not met by our number: the paper's words hold, a number that we put to them does not ({} of {} unmet).",

@@ -64,6 +64,10 @@ Standing standing_of(const Finding& finding) {
     return finding.in_words == true ? Standing::NotMetByOurNumber : Standing::NotMet;
 }
 
+Verdict agreement_of(const Finding& finding) {
+    return standing_of(finding) == Standing::MetByNoise ? std::nullopt : finding.met;
+}
+
 std::string_view name_of(Standing standing) {
     switch (standing) {
     case Standing::Met:
@@ -90,11 +94,10 @@ std::string count_standings(const std::vector<Finding>& findings) {
     const auto count_of = [&](Standing standing) {
         return std::ranges::count(findings, standing, [](const Finding& finding) { return standing_of(finding); });
     };
-    const auto noise = count_of(Standing::MetByNoise);
-    std::string text = fmt::format("{} of {} met", count_of(Standing::Met) + noise, findings.size());
-    text += noise > 0 ? fmt::format(", {} of them by noise", noise) : "";
+    std::string text = fmt::format("{} of {} met", count_of(Standing::Met), findings.size());
     for (const Standing standing :
-         {Standing::NotMetByOurNumber, Standing::NotMet, Standing::SeedsDisagree, Standing::CannotTell}) {
+         {Standing::MetByNoise, Standing::NotMetByOurNumber, Standing::NotMet, Standing::SeedsDisagree,
+          Standing::CannotTell}) {
         if (const auto there = count_of(standing); there > 0) {
             const char* const which = standing == Standing::SeedsDisagree ? "on which " : "";
             text += fmt::format("; {} {}{}", there, which, name_of(standing));

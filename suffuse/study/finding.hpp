@@ -42,10 +42,13 @@ Standing standing_of(const Finding& finding);
 /// "met", "met by noise", "not met", "not met by our number", "seeds disagree", "cannot tell".
 std::string_view name_of(Standing standing);
 
+/// Whether the run agrees with the paper: agreement by noise is none, and cannot be decided.
+Verdict agreement_of(const Finding& finding);
+
 /// "2 and 10 %": the numbers of ours in a row; empty where there is none.
 std::string list_our_numbers(const Finding& finding);
 
-/// "4 of 7 met, 3 of them by noise; 1 not met by our number; 2 not met": those that there are.
+/// "1 of 7 met; 3 met by noise; 1 not met by our number; 2 not met": those that there are.
 std::string count_standings(const std::vector<Finding>& findings);
 
 /// The reason as told in a row of findings: "As E4." where one before has the same.

@@ -20,6 +20,14 @@ const erosion::MobilityResult* mobility_of(const record::FinishedStage& stage) {
     return first ? &*first : nullptr;
 }
 
+/// Which way along the flow makes a grain mobile [diameters].
+double moved_of(const casefile::Stage& stage) {
+    if (const auto* const detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {
+        return detach->probe.weighed.moved;
+    }
+    return std::get<erosion::ErodeSpec>(stage.spec).probe.weighed.moved;
+}
+
 /// Of what the samples have, not a number where they do not.
 template <class Value>
 Scatter over_samples(const MobilityStory& story, Value value) {
@@ -83,6 +91,7 @@ std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedSta
             story = stories.insert(stories.end(), MobilityStory{});
             story->first = &stage;
             story->name = name;
+            story->moved = moved_of(*stage.stage);
         }
         story->of_sample.push_back(mobility);
     }
