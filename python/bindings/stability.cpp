@@ -32,20 +32,12 @@ seepage_of(const py::object& gradient, const py::object& porosity, const py::obj
     return seepage;
 }
 
-/// A packing's own curve, from nothing at its smallest grain on.
+/// A packing's own curve.
 grains::Grading grading_of(const grains::Grains& grains) {
-    const grains::Gradation own = grains::measure_gradation(grains);
-    if (own.diameter.empty()) {
+    if (grains.size() == 0) {
         throw CaseError("a World without grains has no grading");
     }
-    constexpr double just_below = 1 - 1e-6;
-    grains::Grading grading;
-    grading.diameter = {own.diameter.front() * just_below};
-    grading.passing = {0};
-    grading.diameter.insert(grading.diameter.end(), own.diameter.begin(), own.diameter.end());
-    grading.passing.insert(grading.passing.end(), own.passing.begin(), own.passing.end());
-    grading.passing.back() = 1; // whatever the sum was rounded to
-    return grading;
+    return grains::curve_of_steps(grains::measure_gradation(grains));
 }
 
 constexpr std::string_view gradings = "a file, a World, or a pair (sizes in meters, shares finer by mass)";

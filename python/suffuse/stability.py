@@ -26,6 +26,8 @@ class Assessment(dict):
 def assess(grading, **settings):
     """An Assessment of a grading: a CSV file, a World, or a pair (sizes [m], shares finer by mass), rising.
 
+    The curve of a World has a step at each size of its grains; between the points of a pair it is linear in log d.
+
     finer_than: size below which grains count as fine; found on the curve unless given
     relative_density: 0 loosest, 1 densest; both unless given
     coarse_fabric: D60/D10 of the coarse part decides how far to look at F

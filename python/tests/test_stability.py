@@ -49,6 +49,32 @@ def test_a_packing_of_nearly_equal_grains_is_stable(packing):
     assert found["sizes"]["d50"] == pytest.approx(numpy.interp(0.5, finer, size), rel=2e-3)  # within one grain
 
 
+def world_of(radius):
+    place = numpy.random.default_rng(0).random((len(radius), 3)) * 1e-2
+    return suffuse.World((1e-2,) * 3, place, radius)
+
+
+def test_a_packing_of_two_sizes_is_a_curve_of_steps():
+    radius = numpy.r_[numpy.full(1000, 1e-4), numpy.full(80, 5e-4)]  # 0.2 and 1 mm, 1/11 of the mass fine
+    found = suffuse.assess(world_of(radius))
+    # H = 0 at 0.2 mm, where F = 1/11; D15c/d85f = 5; the gap is five wide. Burenkova's d90/d60 = d90/d15 = 1.
+    verdicts = {one["id"]: one["verdict"] for one in found["criteria"] if one["verified"]}
+    assert [name for name, verdict in verdicts.items() if verdict == "unstable"] == [
+        "kenney-lau-1985", "kenney-lau-1986", "li-fannin-2008", "kezdi-1979", "chang-zhang-2013"
+    ]
+    assert verdicts["burenkova-1993"] == "stable"
+    assert found["sizes"]["d10"] == pytest.approx(1e-3, rel=1e-6) == found["sizes"]["d50"]
+    assert found["gap"]["from"] == pytest.approx(0.2e-3) and found["gap"]["to"] == pytest.approx(1e-3, rel=1e-5)
+    spread = suffuse.assess(world_of(radius * (1 + 0.01 * numpy.random.default_rng(1).random(1080))))
+    assert spread["summary"] == found["summary"]
+
+
+def test_a_packing_of_equal_grains_is_stable():
+    found = suffuse.assess(world_of(numpy.full(50, 1e-4)))
+    assert found["tally"]["unstable"] == 0 and found["uniformity"] == pytest.approx(1, rel=1e-5)
+    assert found.verdict("kenney-lau-1986") == "stable"  # H/F = 0.7/0.3 at F = 30 %
+
+
 def test_an_open_curve_is_judged_where_it_can_be(dyke):
     dyke.write_text(GAP_GRADED.replace("0.02,0\n", ""))
     found = suffuse.assess(dyke)

@@ -1,5 +1,7 @@
 #include "suffuse/grains/gradation.hpp"
 
+#include "suffuse/base/error.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -60,6 +62,24 @@ double size_at(const Gradation& gradation, double fraction) {
     const auto row =
         std::min(first - gradation.passing.begin(), static_cast<std::ptrdiff_t>(gradation.diameter.size()) - 1);
     return gradation.diameter[static_cast<std::size_t>(row)];
+}
+
+Grading curve_of_steps(const Gradation& gradation) {
+    expects(!gradation.diameter.empty(), "a curve has grains");
+    constexpr double width = 1e-6; // of a size: far below what a criterion tells apart, far above rounding
+    Grading curve;
+    double finer = 0;
+    for (std::size_t k = 0; k < gradation.diameter.size(); ++k) {
+        const double size = gradation.diameter[k], below = size * (1 - width);
+        if (curve.diameter.empty() || below > curve.diameter.back()) {
+            curve.diameter.insert(curve.diameter.end(), {below, size});
+            curve.passing.insert(curve.passing.end(), {finer, 0});
+        }
+        finer = gradation.passing[k];
+        curve.passing.back() = finer;
+    }
+    curve.passing.back() = 1; // whatever the sum was rounded to
+    return curve;
 }
 
 double median_diameter(const Grains& grains) {

@@ -3,6 +3,7 @@
 // size.
 
 #include "suffuse/grains/grains.hpp"
+#include "suffuse/grains/soil.hpp"
 
 #include <vector>
 
@@ -23,6 +24,10 @@ double passing(const Gradation& gradation, double diameter);
 
 /// D_x: smallest size such that the share `fraction` of the mass is not larger [m]; 0 without grains.
 double size_at(const Gradation& gradation, double fraction);
+
+/// The gradation as a curve from 0 to 1: a steep step at each size, level between sizes, so that criteria may read it.
+/// Sizes less than a step's width apart share one. @throws Bug without grains.
+Grading curve_of_steps(const Gradation& gradation);
 
 /// D50 of all grains: the size that inertial numbers and lent inertia go by [m].
 double median_diameter(const Grains& grains);

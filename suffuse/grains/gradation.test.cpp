@@ -1,5 +1,7 @@
 #include "suffuse/grains/gradation.hpp"
 
+#include "suffuse/grains/grading.hpp"
+
 #include <gtest/gtest.h>
 
 namespace suffuse::grains {
@@ -51,6 +53,28 @@ TEST(Gradation, OfNoGrainsIsEmpty) {
     const Gradation gradation = measure_gradation({});
     EXPECT_EQ(passing(gradation, 1), 0);
     EXPECT_EQ(size_at(gradation, 0.5), 0);
+}
+
+TEST(Gradation, OfFewSizesIsACurveOfSteps) {
+    const Grading curve = curve_of_steps(measure_gradation(four_grains()));
+    EXPECT_NO_THROW(check(curve));
+    // The masses are 2 of size 1, 8 of size 2, 64 of size 4. A step is 1e-6 of its size wide.
+    EXPECT_NEAR(passing(curve, 1), 2.0 / 74, 1e-15);
+    EXPECT_NEAR(passing(curve, 1.99), 2.0 / 74, 1e-15);
+    EXPECT_NEAR(passing(curve, 3.99), 10.0 / 74, 1e-15);
+    EXPECT_NEAR(size_at(curve, 0.1), 2, 2e-6);
+    EXPECT_NEAR(size_at(curve, 0.5), 4, 4e-6);
+}
+
+TEST(Gradation, OfSizesThatOnlyRoundingTellsApartIsOneStep) {
+    Grains grains;
+    for (const double radius : {1.0, 1 + 2e-16, 1 + 1e-9}) {
+        add_grain(grains, {}, radius, 2600);
+    }
+    const Grading curve = curve_of_steps(measure_gradation(grains));
+    EXPECT_NO_THROW(check(curve));
+    EXPECT_EQ(curve.diameter.size(), 2U);
+    EXPECT_EQ(curve.passing, (std::vector<double>{0, 1}));
 }
 
 } // namespace

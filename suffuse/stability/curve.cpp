@@ -36,22 +36,21 @@ void expect_both_sides(const Grading& grading, double split) {
 } // namespace
 
 std::vector<ShapePoint> shape_curve(const Grading& grading, double from, double to) {
-    std::vector<double> sizes{grains::size_at(grading, from), coarse_end_at(grading, to)};
+    // By size, not by F: the F of a size that was looked up by its F may come back a rounding beyond it.
+    const double first = grains::size_at(grading, from), last = coarse_end_at(grading, to);
+    std::vector<double> sizes{first, last};
     for (const double d : grading.diameter) {
-        sizes.push_back(d);
-        sizes.push_back(d / 4);
+        for (const double size : {d, d / 4}) {
+            if (size > first && size < last) {
+                sizes.push_back(size);
+            }
+        }
     }
     std::ranges::sort(sizes);
     sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
-    const double smallest = grains::size_at(grading, 0);
     std::vector<ShapePoint> points;
     for (const double d : sizes) {
-        // A size looked up by its percentage may come back a rounding beyond it.
-        const double finer = grains::passing(grading, d);
-        constexpr double rounding = 1e-12;
-        if (finer >= from - rounding && finer <= to + rounding && d >= smallest) {
-            points.push_back({d, finer, grains::kenney_lau_increment(grading, d)});
-        }
+        points.push_back({d, grains::passing(grading, d), grains::kenney_lau_increment(grading, d)});
     }
     return points;
 }
