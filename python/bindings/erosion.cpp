@@ -82,7 +82,7 @@ py::dict erode(
     Attention attention(on_progress, call);
     around.pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };
     erosion::ErosionResult result;
-    dem::World next = begin(call);
+    dem::World next = begin_copy(call);
     {
         const Working working;
         result = erosion::begin_erosion(next);

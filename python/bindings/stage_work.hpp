@@ -17,14 +17,25 @@ namespace suffuse::python {
 
 using Handle = std::shared_ptr<WorldHandle>;
 
-/// Begins with the rows along the curve and with contacts, as the stages of a run do.
-inline dem::World& begin(Stepping& call) {
-    dem::World& world = call.world_for_new_rows();
+/// With the rows along the curve and with contacts, as the stages of a run begin.
+inline void prepare(dem::World& world) {
     dem::sort_along_curve(world);
     if (dem::awaits_first_step(world)) {
         dem::add_first_contacts(world);
     }
+}
+
+inline dem::World& begin(Stepping& call) {
+    dem::World& world = call.world_for_new_rows();
+    prepare(world);
     return world;
+}
+
+/// For work that leaves the world itself as it is.
+inline dem::World begin_copy(Stepping& call) {
+    dem::World copy = call.world();
+    prepare(copy);
+    return copy;
 }
 
 /// Takes back what a compaction or a test has lent, unless it came to its end: the world lives on in Python.

@@ -234,7 +234,7 @@ py::list run_stress_probe(
     spec.time_step = time_step_of(time_step, asked_damping, call).value_or(0);
     std::vector<triaxial::StressProbe> probes;
     Attention attention(on_progress, call);
-    const dem::World& world = begin(call);
+    const dem::World world = begin_copy(call);
     {
         const Working working;
         const Pulse pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };

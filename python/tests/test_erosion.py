@@ -1,6 +1,7 @@
 """Erosion of a World and of a case, with the rules of a case and with rules of one's own."""
 
 import json
+import pickle
 
 import numpy
 import pytest
@@ -64,6 +65,14 @@ def test_what_a_rule_returns_is_one_truth_value_a_fine_grain(soil):
     with pytest.raises(suffuse.CaseError, match="a function from a Probe"):
         soil.erode(rule=3)
     assert soil.hash == before
+
+
+def test_a_pass_that_is_interrupted_leaves_the_rows_in_their_order(packing):
+    packing.grains.fine = packing.grains.radius < numpy.median(packing.grains.radius)
+    before = pickle.dumps(packing)
+    with pytest.raises(ZeroDivisionError):
+        packing.erode(rule=lambda probe: 1 / 0, **QUICK)
+    assert pickle.dumps(packing) == before
 
 
 def test_arrays_taken_in_a_rule_keep_the_rows_of_before(soil):

@@ -1,8 +1,10 @@
 """Worlds: views that never dangle, steps that meet closed forms."""
 
+import copy
 import gc
 import math
 import pathlib
+import pickle
 import re
 
 import numpy
@@ -325,13 +327,43 @@ def test_triaxial_paths_bear_the_names_of_cases(settled):
         settled.triaxial(path="proportional")
 
 
-def test_stress_probes_leave_the_world_as_it_is(cloud, settled):
-    before = settled.grains.position.copy()
+LOOKS = {
+    "bytes": lambda world, folder: pickle.dumps(world),
+    "constrictions": lambda world, folder: suffuse.constrictions(world, of="coarse"),
+    "contacts": lambda world, folder: world.contacts.force_n,
+    "coordination": lambda world, folder: world.grains.coordination,
+    "copy": lambda world, folder: copy.deepcopy(world.copy()),
+    "gradation": lambda world, folder: (world.gradation(), suffuse.assess(world)),
+    "measure": lambda world, folder: (world.measure(), world.balance, world.stress, world.strain, world.void_ratio),
+    "mobility": lambda world, folder: world.mobility([0.1]),
+    "overlap": lambda world, folder: suffuse.largest_overlap(world),
+    "pores": lambda world, folder: suffuse.PoreNetwork(world).widest_paths(),
+    "resolved flow": lambda world, folder: suffuse.resolve_flow(world, gradient=0.1, boxes_across=6, tolerance=0.1),
+    "save": lambda world, folder: world.save(folder / "state.h5"),
+    "seep": lambda world, folder: suffuse.seep(world, gradient=0.1, tensor=True),
+    "show": lambda world, folder: (repr(world), world._repr_html_(), str(world.view())),
+    "stress probe": lambda world, folder: world.stress_probe("2 %", directions=4),
+    "time step": lambda world, folder: world.stable_time_step(),
+    "write": lambda world, folder: suffuse.write_packing(folder / "packing.csv", world),
+}
+
+
+@pytest.mark.parametrize("stepped", [False, True], ids=["before its first step", "stepped"])
+@pytest.mark.parametrize("look", LOOKS)
+def test_what_only_looks_leaves_the_world_and_its_rows_as_they_are(packing, tmp_path, look, stepped):
+    packing.grains.fine = packing.grains.radius < numpy.median(packing.grains.radius)
+    if stepped:
+        packing.step(1, time_step=1e-9)
+    before, known, ids = pickle.dumps(packing), packing.hash, packing.grains.id.copy()
+    LOOKS[look](packing, tmp_path)
+    assert packing.hash == known and (packing.grains.id == ids).all() and pickle.dumps(packing) == before
+
+
+def test_a_stress_probe_answers_by_direction(cloud, settled):
     probes = settled.stress_probe("2 %", directions=4)
     assert [round(math.degrees(probe["angle"])) for probe in probes] == [0, 90, 180, 270]
     assert all(probe["answer"] == "rests" and probe["normalized"] > 0.9 for probe in probes)
     assert probes[1]["stress"][2] == pytest.approx(0.02 * settled.mean_stress, rel=0.02)
-    assert (settled.grains.position == before).all()
     with pytest.raises(suffuse.StateError, match="carries a stress"):
         cloud.stress_probe()
     with pytest.raises(suffuse.CaseError, match="directions: found 0"):
