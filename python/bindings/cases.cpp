@@ -1,11 +1,15 @@
 // Case files: read, checked, priced; and the words of the schema.
 
 #include "suffuse/base/read_text.hpp"
+#include "suffuse/base/units.hpp"
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/casefile/schema.hpp"
+#include "suffuse/casefile/sweep_value.hpp"
+#include "suffuse/casefile/variants.hpp"
 #include "suffuse/job/explain_word.hpp"
 #include "suffuse/plan/plan.hpp"
+#include "suffuse/record/refine.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +17,9 @@
 #include "python/bindings/case_handle.hpp"
 #include "python/bindings/convert.hpp"
 #include "python/bindings/work.hpp"
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace suffuse::python {
 namespace {
@@ -66,6 +72,57 @@ py::list stages_of(const CaseHandle& self) {
             for (const casefile::Stage& stage : variant.stages) {
                 list.append(variant.folder + "/" + stage.name);
             }
+        }
+    }
+    return list;
+}
+
+/// "kg/m3", "-" of ratios and counts: as tables name units.
+std::string si_unit(Dimension wanted) {
+    for (std::string unit : usual_units(wanted)) {
+        if (parse_unit(unit, wanted) == 1) {
+            std::erase(unit, '^');
+            std::ranges::replace(unit, '*', ' ');
+            return unit;
+        }
+    }
+    return "-";
+}
+
+/// A swept value and its unit: a number in SI, the fines content in percent as in the folder's name; words as written.
+py::tuple swept_value(const std::string& key, const casefile::Scalar& value) {
+    const std::optional<Quantity> number = casefile::quantity_of(value);
+    if (!number) {
+        return py::make_tuple(casefile::written(value), py::none());
+    }
+    return key == "fines_content" ? py::make_tuple(100 * number->value, "%")
+                                  : py::make_tuple(number->value, si_unit(number->dimension));
+}
+
+/// Of each sample of a run, in the order of the sweep: its folder, stages, and swept values by the key's last word; by
+/// the whole key where two end alike.
+py::list samples_of(const std::filesystem::path& run) {
+    py::list list;
+    for (const casefile::Study& study : record::load_run(run).studies) {
+        std::map<std::string, int> ends;
+        for (const casefile::Sweep& sweep : study.sweep) {
+            ++ends[casefile::short_name(sweep.key)];
+        }
+        for (const casefile::Variant& variant : study.variants) {
+            py::dict values;
+            for (const casefile::Sweep& sweep : study.sweep) {
+                const std::string name = casefile::short_name(sweep.key);
+                values[py::str(ends[name] > 1 ? sweep.key : name)] =
+                    swept_value(sweep.key, variant.values.at(sweep.key));
+            }
+            if (study.replicates > 1) {
+                values["rep"] = py::make_tuple(variant.replicate, "-");
+            }
+            py::list stages;
+            for (const casefile::Stage& stage : variant.stages) {
+                stages.append(stage.name);
+            }
+            list.append(py::make_tuple(variant.folder, stages, values));
         }
     }
     return list;
@@ -130,6 +187,7 @@ void bind_cases(py::module_& m) {
     bind_diagnostic(m);
     bind_case(m);
     bind_schema(m);
+    m.def("samples_of", &samples_of, py::arg("run"));
     m.def(
         "quantity", [](const std::string& text) { return parse_quantity(text).value; }, py::arg("text"),
         "\"100 kPa\" -> 100000.0: a quantity in SI."

@@ -11,12 +11,14 @@ _UNITS = {
     "stiffness excess_pore_pressure q p preparation_adhesion",
     "m": "x y z r d diameter radius overlap hydraulic_radius inscribed_radius length constriction constriction_mean "
     "constriction_median constriction_d35 travel progress path distance kenney_lau_split spacing constrictions_by_merge.none "
-    "constrictions_by_merge.center constrictions_by_merge.overlap",
+    "constrictions_by_merge.center constrictions_by_merge.overlap constrictions.mean constrictions.median constrictions.d35 grading.d10 grading.d30 grading.d50 "
+    "grading.d60 grading.smallest grading.largest",
     "m2": "area permeability permeability_along permeability_before permeability_after network_permeability "
     "finer_permeability",
     "m3": "volume void_volume",
     "m3/s": "flux",
     "m/s": "vx vy vz mean_velocity",
+    "m/s2": "gravity",
     "rad/s": "wx wy wz",
     "rad": "friction_angle preparation_friction angle",
     "N": "fx fy fz fnx fny fnz fsx fsy fsz force_sum force_distribution.mean_normal_force force_distribution.mean_force",
@@ -62,10 +64,17 @@ def library(name, purpose):
 class Records(numpy.ndarray):
     """A structured array: rows["name"] is a column, rows[0] a row. Numbers are in SI unless `units` says otherwise."""
 
+    def __array_finalize__(self, other):
+        self._known_units = getattr(other, "_known_units", {})
+
     @property
     def units(self):
         """The unit of each column of numbers, "-" of shares, ratios and counts."""
-        return {name: unit_of(name) for name in self.dtype.names or () if self.dtype[name].kind != "U"}
+        return {
+            name: self._known_units.get(name) or unit_of(name)
+            for name in self.dtype.names or ()
+            if self.dtype[name].kind != "U"
+        }
 
     def to_pandas(self):
         """A pandas.DataFrame of the same columns; its attrs["units"] has the units."""
@@ -85,14 +94,16 @@ class Records(numpy.ndarray):
         )
 
 
-def records_of(columns):
-    """Of columns by name, all of one length."""
+def records_of(columns, units=None):
+    """Of columns by name, all of one length. `units` are of columns whose names do not say it."""
     columns = {name: numpy.asarray(column) for name, column in columns.items()}
     rows = max((len(column) for column in columns.values()), default=0)
     table = numpy.empty(rows, [(name, column.dtype) for name, column in columns.items()])
     for name, column in columns.items():
         table[name] = column
-    return table.view(Records)
+    records = table.view(Records)
+    records._known_units = units or {}
+    return records
 
 
 def _column(cells):
@@ -112,11 +123,11 @@ def read_records(path):
     return records_of({name: _column(column) for name, column in zip(names, columns)})
 
 
-def gather(rows):
+def gather(rows, units=None):
     """Of dictionaries: a column for each key of any of them, in the order in which they come; not a number, or an empty
     text, where a row has none."""
     names = list(dict.fromkeys(name for row in rows for name in row))
-    return records_of({name: _column([row.get(name) for row in rows]) for name in names})
+    return records_of({name: _column([row.get(name) for row in rows]) for name in names}, units)
 
 
 def numbers_in(values, within=""):
@@ -128,8 +139,3 @@ def numbers_in(values, within=""):
         elif isinstance(value, (bool, int, float)):
             found[within + name] = value
     return found
-
-
-def sample_values(folder):
-    """The swept values that the name of a sample's folder holds, as in "fines/fc=20/rep=2"."""
-    return dict(part.split("=", 1) for part in folder.split("/") if "=" in part)

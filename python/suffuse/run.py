@@ -10,7 +10,7 @@ import numpy
 
 from suffuse import _core
 from suffuse.case import CaseFile
-from suffuse.records import gather, numbers_in, read_records, sample_values
+from suffuse.records import gather, numbers_in, read_records
 from suffuse.spelling import spelled
 from suffuse.views import page_folder, show_run
 
@@ -338,31 +338,35 @@ class Run:
         rows: "stages", a row each with the numbers of its stage.json; "passes", a row a pass of each erosion; "samples", a
             row a sample with the numbers of its stages as "STAGE/void_ratio"
         verb: of stages of this verb alone ("shear"), and so without the columns that others fill
-        In front stand `study`, `sample`, the swept values (`fc` in percent, `rep`, ...), and `stage` and `verb`, or `pass`.
-        Objects within are "response.peak_ratio". A number that a row lacks is not one (NaN).
+        Rows are in the order of the sweep, and of the stages within a sample. In front stand `study`, `sample`, the swept
+        values (numbers in SI, `fc` in percent; words as written), and `stage` and `verb`, or `pass`. Objects within are
+        "response.peak_ratio". A number that a row lacks is not one (NaN).
         """
         kinds = ("stages", "passes", "samples")
         if rows not in kinds:
             raise _core.CaseError(f"rows: found {rows!r}, expected one of {', '.join(kinds)}")
-        verbs = {self[name].numbers["verb"] for name in self.stages}
+        finished = {name: self[name].numbers for name in self.stages}
+        verbs = {numbers["verb"] for numbers in finished.values()}
         if verb and verb not in verbs:
             raise _core.CaseError(f"verb: found {verb!r}, expected one of {', '.join(sorted(verbs))}")
-        found = {}
-        for name in self.stages:
-            sample, _, stage = name.rpartition("/")
-            numbers = self[name].numbers
-            if verb not in ("", numbers["verb"]):
-                continue
-            head = {"study": sample.split("/")[0], "sample": sample, **sample_values(sample)}
-            if rows == "samples":
-                told = {f"{stage}/{key}": value for key, value in numbers_in(numbers).items()}
-                found.setdefault(sample, head).update(told)
-            elif rows == "stages":
-                found[name] = {**head, "stage": stage, "verb": numbers["verb"], **numbers_in(numbers)}
-            elif numbers["verb"] == "erode":
-                for one in numbers["passes"]:
-                    found[name, one["pass"]] = {**head, "stage": stage, **numbers_in(one)}
-        return gather(found.values())
+        found, units = {}, {}
+        for sample, stages, swept in _core.samples_of(self.folder) if finished else []:
+            head = {"study": sample.split("/")[0], "sample": sample, **{name: value for name, (value, _) in swept.items()}}
+            units.update({name: unit for name, (_, unit) in swept.items() if unit})
+            for stage in stages:
+                name = f"{sample}/{stage}"
+                numbers = finished.get(name)
+                if numbers is None or verb not in ("", numbers["verb"]):
+                    continue
+                if rows == "samples":
+                    told = {f"{stage}/{key}": value for key, value in numbers_in(numbers).items()}
+                    found.setdefault(sample, head).update(told)
+                elif rows == "stages":
+                    found[name] = {**head, "stage": stage, "verb": numbers["verb"], **numbers_in(numbers)}
+                elif numbers["verb"] == "erode":
+                    for one in numbers["passes"]:
+                        found[name, one["pass"]] = {**head, "stage": stage, **numbers_in(one)}
+        return gather(found.values(), units)
 
     @spelled
     def resume(

@@ -1,9 +1,13 @@
 """A run as a table, and tables for other libraries."""
 
+import math
+import os
+
 import numpy
 import pytest
 
 import suffuse
+from conftest import PACKING
 from suffuse.records import gather, read_records, unit_of
 
 
@@ -42,6 +46,36 @@ def test_a_sample_is_a_row_of_its_stages(run):
     assert len(run.table("passes")) == 0, "nothing was eroded"
 
 
+SWEPT = """schema = 1
+title = "A sweep"
+[study.dense]
+sweep = { "stage.settled.pressure" = ["100 kPa", "90 kPa"], "stage.settled.shear_stresses" = ["released", "kept"], "contact.friction" = ["30 deg"] }
+[[study.dense.stage]]
+name = "start"
+do = "import"
+packing = "packing.csv"
+cell = ["1.436 mm", "1.436 mm", "1.436 mm"]
+[[study.dense.stage]]
+name = "settled"
+do = "settle"
+pressure = "100 kPa"
+"""
+
+
+def test_samples_are_in_the_order_of_the_sweep_with_their_values_as_numbers(tmp_path):
+    (tmp_path / "case.toml").write_text(SWEPT)
+    (tmp_path / "packing.csv").write_bytes(PACKING.read_bytes())
+    run = suffuse.Case(tmp_path / "case.toml").run(tmp_path / "run")
+    for name in reversed(run.case().stages):  # as if the last sample had been finished first
+        os.utime(tmp_path / "run" / "studies" / name / "stage.json")
+    for rows in ("samples", "stages"):
+        table = run.table(rows)[:: 1 if rows == "samples" else 2]
+        assert table["pressure"].tolist() == 2 * [100e3] + 2 * [90e3] and table.units["pressure"] == "Pa"
+        assert table["shear_stresses"].tolist() == 2 * ["released", "kept"] and "shear_stresses" not in table.units
+        assert table["friction"].tolist() == pytest.approx(4 * [math.pi / 6])
+        assert table.units["friction"] == "rad" and table[:2].units["friction"] == "rad"
+
+
 def test_rows_lack_what_others_have():
     table = gather([{"a": 1, "word": "x"}, {"a": 2, "b": True}, {}])
     assert table["a"][:2].tolist() == [1, 2] and numpy.isnan(table["a"][2])
@@ -54,6 +88,9 @@ def test_units_follow_the_object_that_a_number_is_in():
         "constrictions_by_merge.none.count": "-", "flow_before.known_error.permeability": "-", "response.energy.work": "J/m3",
         "response.instability.q": "Pa", "permeability_before": "m2", "shear/response.stiffness": "Pa", "time/void_ratio": "-",
         "d [mm]": "mm", "eroded_mass_percent": "%", "preparation_adhesion.normal": "Pa",
+        "measured.grading.d10": "m", "measured.grading.largest": "m", "measured.grading.uniformity": "-", "gravity": "m/s2",
+        "measured.constrictions.mean": "m", "measured.constrictions.d35": "m", "measured.constrictions.count": "-",
+        "wall_seconds.constrictions": "s", "probe.viscous_time": "s", "transport.filter_coefficient": "1/m",
     }
     assert {name: unit_of(name) for name in told} == told
 

@@ -219,6 +219,19 @@ TEST(Presets, AResolvedCaseRemembersItsPreset) {
     EXPECT_EQ(load(resolved_toml(quick)).preset, "quick");
 }
 
+TEST(Sweeps, OfASettlingsPressureSurviveWritingAndReading) {
+    const std::string text = good_case + "[study.swept]\nsoil = \"sand\"\nparticles = 3000\n"
+                                         "sweep = { \"stage.rest.pressure\" = [\"100 kPa\", \"9 kPa\"] }\n"
+                                         "[[study.swept.stage]]\nname = \"cloud\"\ndo = \"pack\"\n"
+                                         "[[study.swept.stage]]\nname = \"rest\"\ndo = \"settle\"\n"
+                                         "pressure = \"50 kPa\"\n";
+    const std::string once = resolved_toml(load(text, {"", {}, {"swept"}}));
+    const Case back = load(once);
+    EXPECT_EQ(resolved_toml(back), once);
+    const auto& rest = std::get<dem::SettleSpec>(back.studies[0].variants[1].stages[1].spec);
+    EXPECT_EQ(rest.loading.axis[2].value, 9e3);
+}
+
 TEST(Presets, AreCheckedAlsoWhenTheyAreNotInForce) {
     const auto list = problems_of(good_case + "[presets.x]\nparticles = \"many\"\npressure = \"1 kPa\"\n");
     EXPECT_EQ(find_problem(list, "E205").line, 16);

@@ -234,6 +234,20 @@ Study read_study(ReadContext& context, const StudySurroundings& around, const No
     return study;
 }
 
+namespace {
+
+/// A settling's pressure is written as stresses; where it is swept it stays a pressure, which the values replace.
+void keep_swept_pressure(Node& stage, const std::string& name, const std::vector<Sweep>& sweeps) {
+    for (const Sweep& sweep : sweeps) {
+        if (sweep.key == fmt::format("stage.{}.pressure", name) && stage.find("stress") != nullptr) {
+            std::erase_if(stage.entries, [](const Node::Entry& entry) { return entry.key == "stress"; });
+            stage.set("pressure", make_node(sweep.values.front()));
+        }
+    }
+}
+
+} // namespace
+
 Node write_study(const Study& study) {
     Writer v({"study.*"});
     v.field("soil", study.soil);
@@ -249,6 +263,7 @@ Node write_study(const Study& study) {
     std::vector<Node> stages;
     for (const Stage& stage : study.stages) {
         stages.push_back(write_stage(stage));
+        keep_swept_pressure(stages.back(), stage.name, study.sweep);
     }
     v.set("stage", make_array(std::move(stages)));
     return v.node();

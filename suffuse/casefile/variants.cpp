@@ -28,11 +28,13 @@ bool is_chosen(const Stage& stage, const std::map<std::string, Scalar>& values) 
 
 } // namespace
 
+std::string short_name(const std::string& key) {
+    return key == "fines_content" ? "fc" : key.substr(key.rfind('.') + 1);
+}
+
 std::string folder_of(const std::string& key, const Scalar& value) {
     std::string text = print_value(make_node(value));
-    std::string name = key.substr(key.rfind('.') + 1);
     if (key == "fines_content") {
-        name = "fc";
         const std::optional<Quantity> share = quantity_of(value);
         if (share && share->dimension == dimension::none) { // otherwise reported where the soil is read
             text = fmt::format("{:.6g}", share->value * 100);
@@ -48,7 +50,7 @@ std::string folder_of(const std::string& key, const Scalar& value) {
             plain += "pct";
         }
     }
-    return name + "=" + plain;
+    return short_name(key) + "=" + plain;
 }
 
 std::size_t count_variants(const Study& study) {

@@ -10,6 +10,9 @@
 
 namespace suffuse::casefile {
 
+/// A swept key in folders and tables: its last word; "fc" of a fines content, which then is in percent.
+std::string short_name(const std::string& key);
+
 /// A value of a sweep as part of a folder's name: fc=20, gradient=0.05, finer_than=0.18mm.
 std::string folder_of(const std::string& key, const Scalar& value);
 
