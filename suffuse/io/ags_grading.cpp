@@ -146,6 +146,9 @@ std::optional<std::vector<SievedSoil>> read_ags(const std::shared_ptr<const Sour
             {diameter->diameter, *passing / 100, place_at(*row, *size), place_at(*row, *share), true}
         );
     }
+    for (SievedSoil& soil : soils) { // rows of AGS have no order: those of sieves and hydrometer run as each may
+        std::ranges::stable_sort(soil.sieves, {}, &SieveRow::diameter);
+    }
     return is_good ? std::optional(std::move(soils)) : std::nullopt;
 }
 

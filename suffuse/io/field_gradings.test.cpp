@@ -2,6 +2,7 @@
 
 #include "suffuse/io/sheets_for_tests.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -297,6 +298,50 @@ TEST(FieldGradings, SievesAndAHydrometerInTwoRunsAreJoined) {
         {"", {{0.002, 5}, {0.02, 20}, {0.075, 35}, {0.08, 35.6}, {0.5, 80}, {2, 100}}}, parsed.soils.front(), "runs"
     );
     EXPECT_NE(render(parsed.told).find("a second run of sizes"), std::string::npos);
+}
+
+TEST(FieldGradings, SievesAndAHydrometerMayRunInAnyDirection) {
+    const std::vector<std::string> sieves{"2,100\n", "0.5,80\n", "0.2,50\n", "0.075,35\n"};
+    const std::vector<std::string> hydrometer{"0.02,20\n", "0.006,10\n", "0.002,5\n"};
+    for (const bool sieves_rise : {false, true}) {
+        for (const bool hydrometer_rises : {false, true}) {
+            auto first = sieves, second = hydrometer;
+            if (sieves_rise) {
+                std::ranges::reverse(first);
+            }
+            if (hydrometer_rises) {
+                std::ranges::reverse(second);
+            }
+            std::string text = "Size (mm),Finer (%)\n";
+            first.insert(first.end(), second.begin(), second.end());
+            for (const std::string& line : first) {
+                text += line;
+            }
+            const ParsedSheet parsed = parse_sheet(text);
+            ASSERT_EQ(parsed.soils.size(), 1U) << text << render(parsed.told);
+            expect_soil(
+                {"", {{0.002, 5}, {0.006, 10}, {0.02, 20}, {0.075, 35}, {0.2, 50}, {0.5, 80}, {2, 100}}},
+                parsed.soils.front(), text
+            );
+        }
+    }
+}
+
+TEST(FieldGradings, RowsOfAnAgsFileMayComeInAnyOrder) {
+    const std::string head = "\"GROUP\",\"GRAT\"\n\"HEADING\",\"LOCA_ID\",\"SAMP_TOP\",\"GRAT_SIZE\",\"GRAT_PERP\","
+                             "\"GRAT_TYPE\"\n\"UNIT\",\"\",\"m\",\"mm\",\"%\",\"\"\n";
+    const auto row = [](const char* size, const char* passing, const char* type) {
+        return fmt::format("\"DATA\",\"A1\",\"1.20\",\"{}\",\"{}\",\"{}\"\n", size, passing, type);
+    };
+    const std::string sieves = row("0.063", "3", "WS") + row("0.2", "21", "WS") + row("2", "100", "WS");
+    for (const std::string& hydrometer :
+         {row("0.002", "1", "HY") + row("0.02", "2", "HY"), row("0.02", "2", "HY") + row("0.002", "1", "HY")}) {
+        for (const std::string& rows : {sieves + hydrometer, hydrometer + sieves}) {
+            const ParsedSheet parsed = parse_sheet(head + rows);
+            ASSERT_EQ(parsed.soils.size(), 1U) << render(parsed.told);
+            expect_soil({"", {{0.002, 1}, {0.02, 2}, {0.063, 3}, {0.2, 21}, {2, 100}}}, parsed.soils.front(), "ags");
+        }
+    }
 }
 
 TEST(FieldGradings, NumbersMayHaveExponents) {

@@ -59,26 +59,27 @@ void clip_noise(std::vector<GradingPoint>& points, Problems& problems) {
     }
 }
 
-/// Sizes that rise, or fall, in two runs of one direction: those of the sieves and those of the hydrometer.
+/// Sizes that rise or fall in two runs: those of the sieves and those of the hydrometer.
 void order_two_runs(std::vector<GradingPoint>& points, Problems& problems) {
     const auto rising = [](const GradingPoint& a, const GradingPoint& b) { return a.diameter < b.diameter; };
     const auto falling = [](const GradingPoint& a, const GradingPoint& b) { return a.diameter > b.diameter; };
-    const auto sort_runs = [&](auto in_order) {
-        const auto cut = std::is_sorted_until(points.begin(), points.end(), in_order);
+    // @param shared 1 where the first run's last size is the second's finest: the hydrometer begins with it
+    const auto sort_runs = [&](auto first, auto second, std::ptrdiff_t shared) {
+        const auto turn = std::is_sorted_until(points.begin(), points.end(), first);
         constexpr std::ptrdiff_t least = 3; // of a run; two points out of order are a slip
-        if (cut == points.end() || cut - points.begin() < least || points.end() - cut < least ||
-            !std::is_sorted(cut, points.end(), in_order)) {
+        if (turn == points.end() || turn - points.begin() < least + shared || points.end() - turn < least - shared ||
+            !std::is_sorted(turn - shared, points.end(), second)) {
             return false;
         }
         problems.warning(
-            sheet_remark, cut->diameter_place,
+            sheet_remark, (turn - shared)->diameter_place,
             "a second run of sizes begins here, as of a hydrometer below the sieves: both are joined into one curve"
         );
-        std::stable_sort(points.begin(), points.end(), in_order);
+        std::stable_sort(points.begin(), points.end(), rising);
         return true;
     };
-    if (!sort_runs(rising)) {
-        sort_runs(falling);
+    if (!sort_runs(rising, rising, 0) && !sort_runs(falling, falling, 0) && !sort_runs(rising, falling, 0)) {
+        sort_runs(falling, rising, 1);
     }
 }
 
