@@ -88,9 +88,9 @@ std::string opening(const AssessedSoil& soil) {
 /// "Kezdi 1979   D15c/d85f 11.4   <= 4   unstable   remark"; on narrow terminals the remark stands below.
 std::string line_of(const Criterion& criterion, std::size_t columns) {
     constexpr std::size_t wide = 120;
-    const std::string number = criterion.value      ? fmt::format("{} {:.3g}", criterion.measure, *criterion.value)
-                               : criterion.measured ? fmt::format("{} {:.3g} *", criterion.measure, *criterion.measured)
-                                                    : criterion.measure;
+    const std::string number = criterion.measured ? fmt::format("{} {:.3g} *", criterion.measure, *criterion.measured)
+                               : criterion.value  ? fmt::format("{} {:.3g}", criterion.measure, *criterion.value)
+                                                  : criterion.measure;
     const std::string first =
         fmt::format("  {:25}{:27}{:14}", criterion.name, number, stability::limit_text(criterion));
     const char* const verdict = stability::verdict_word(criterion.verdict);
@@ -250,7 +250,7 @@ std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec,
     }
     const auto is_part = [](const Criterion& criterion) { return criterion.measured.has_value(); };
     if (std::ranges::any_of(found.criteria, is_part)) {
-        text += "\n  * of the part that was measured, which a missing end may turn\n";
+        text += "\n  * of the part that was measured; what is missing may change it\n";
     }
     if (spec.seepage) {
         text += gradient_lines(*spec.seepage, found, columns);

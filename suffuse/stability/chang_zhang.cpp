@@ -33,7 +33,7 @@ void judge_gap(const Gap& gap, double percent, Criterion& criterion) {
 }
 
 void judge_shape(const LeastRatio& least, double percent, Criterion& criterion) {
-    criterion.measure = "(H/F)min";
+    criterion.measure = shape_ratio_measure;
     criterion.value = least.value;
     criterion.diameter = least.at.diameter;
     criterion.remark = fmt::format("no gap, {:.3g} % finer than 0.063 mm", percent);

@@ -29,7 +29,7 @@ struct Criterion {
     std::string remark;                  ///< where the number was found, or why the criterion cannot say
     std::string source;                  ///< key in docs/references.bib
     bool verified = true;                ///< false: its limits were not read in a source; not part of the summary
-    std::optional<double> measured = {}; ///< where it cannot say for want of an end: its number of what was measured
+    std::optional<double> measured = {}; ///< where a missing end may change the number: that of what was measured
     std::optional<double> diameter;      ///< where on the curve the number was found [m]
 };
 

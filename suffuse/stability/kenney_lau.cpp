@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace suffuse::stability {
 
@@ -15,8 +14,26 @@ namespace {
 
 constexpr double secant = 0.15; // Kezdi's mass between d and 4d [-]
 
-std::string place(const ShapePoint& point) {
-    return fmt::format("at d = {:.3g} mm, F = {:.3g} %", 1e3 * point.diameter, 100 * point.finer);
+/// The least H/min(F, cap) with 0 < F <= `limit`, where F and F(4d) are known. Between two points of the curve, and up
+/// to F = cap, the ratio is monotonic: the least is at a point.
+std::optional<LeastRatio> least_ratio(const Grading& grading, double limit, double cap) {
+    const double from = grading.passing.front(), end = std::min(limit, grading.passing.back());
+    std::optional<LeastRatio> least;
+    const auto look = [&](double low, double high) {
+        if (low > high) {
+            return;
+        }
+        for (const ShapePoint& point : shape_curve(grading, low, high)) {
+            const bool is_known = grading.passing.back() >= 1 || 4 * point.diameter <= grading.diameter.back();
+            const double ratio = point.increment / std::min(point.finer, cap);
+            if (is_known && point.finer > 0 && (!least || ratio < least->value)) {
+                least = {ratio, point};
+            }
+        }
+    };
+    look(from, std::min(cap, end));
+    look(std::max(from, cap), end);
+    return least;
 }
 
 Criterion on_shape_ratio(const Grading& grading, double limit_of_finer, const char* year, double limit) {
@@ -24,10 +41,10 @@ Criterion on_shape_ratio(const Grading& grading, double limit_of_finer, const ch
     Criterion criterion;
     criterion.id = fmt::format("kenney-lau-{}", year);
     criterion.name = fmt::format("Kenney and Lau {}", year);
-    criterion.measure = "(H/F)min";
+    criterion.measure = shape_ratio_measure;
     criterion.value = least.value;
     criterion.limit = limit;
-    criterion.remark = fmt::format("{} (F up to {:.0f} %)", place(least.at), 100 * limit_of_finer);
+    criterion.remark = place_of(least, limit_of_finer);
     criterion.source = fmt::format("KenneyLau{}", year);
     criterion.diameter = least.at.diameter;
     criterion.verdict = judge(criterion);
@@ -42,15 +59,22 @@ double finer_limit(double uniformity_of_fabric) {
 }
 
 LeastRatio least_shape_ratio(const Grading& grading, double limit) {
-    LeastRatio least{std::numeric_limits<double>::infinity(), {}};
-    for (const ShapePoint& point : shape_curve(grading, 0, limit)) {
-        // Between two points of the curve H/F is monotonic: the least stands at a point.
-        if (point.finer > 0 && point.increment / point.finer < least.value) {
-            least = {point.increment / point.finer, point};
-        }
+    const std::optional<LeastRatio> least = least_ratio(grading, limit, 1);
+    expects(least.has_value(), "a grading that rises from 0 to 1 passes each limit");
+    return *least;
+}
+
+std::optional<LeastRatio> least_measured_ratio(const Grading& measured, double limit, const std::string& measure) {
+    if (measure != shape_ratio_measure && measure != secant_ratio_measure) {
+        return std::nullopt;
     }
-    expects(least.at.finer > 0, "a grading that rises from 0 to 1 passes each limit");
-    return least;
+    return least_ratio(measured, limit, measure == shape_ratio_measure ? 1 : secant);
+}
+
+std::string place_of(const LeastRatio& least, double limit) {
+    return fmt::format(
+        "at d = {:.3g} mm, F = {:.3g} % (F up to {:.0f} %)", 1e3 * least.at.diameter, 100 * least.at.finer, 100 * limit
+    );
 }
 
 Criterion kenney_lau_1985(const Grading& grading, double limit) {
@@ -62,21 +86,14 @@ Criterion kenney_lau_1986(const Grading& grading, double limit) {
 }
 
 Criterion li_fannin(const Grading& grading, double limit) {
-    // Above F = 15 % the number is H/15 %, so that the curve is looked at on both sides of that point.
-    const LeastRatio below = least_shape_ratio(grading, std::min(secant, limit));
-    LeastRatio least = below;
-    for (const ShapePoint& point : shape_curve(grading, secant, limit)) {
-        if (point.increment / secant < least.value) {
-            least = {point.increment / secant, point};
-        }
-    }
+    const LeastRatio least = *least_ratio(grading, limit, secant);
     Criterion criterion;
     criterion.id = "li-fannin-2008";
     criterion.name = "Li and Fannin 2008";
-    criterion.measure = "min H/min(F, 15 %)";
+    criterion.measure = secant_ratio_measure;
     criterion.value = least.value;
     criterion.limit = 1;
-    criterion.remark = fmt::format("{} (F up to {:.0f} %)", place(least.at), 100 * limit);
+    criterion.remark = place_of(least, limit);
     criterion.source = "LiFannin2008";
     criterion.diameter = least.at.diameter;
     criterion.verdict = judge(criterion);

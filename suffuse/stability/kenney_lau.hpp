@@ -5,6 +5,8 @@
 #include "suffuse/stability/criterion.hpp"
 #include "suffuse/stability/curve.hpp"
 
+#include <optional>
+
 namespace suffuse::stability {
 
 /// How much of the curve counts: F up to 20 % where the primary fabric is widely graded (D60/D10 > 3), up to 30 % where
@@ -19,6 +21,18 @@ struct LeastRatio {
 
 /// The least H/F with 0 < F <= `limit`.
 LeastRatio least_shape_ratio(const grains::Grading& grading, double limit);
+
+/// What the numbers are.
+inline constexpr const char* shape_ratio_measure = "(H/F)min";
+inline constexpr const char* secant_ratio_measure = "min H/min(F, 15 %)";
+
+/// The least number of either measure of the part of a curve that was measured: F up to `limit`, and 4d on the curve.
+/// Nothing where none of it was measured, or for another measure.
+std::optional<LeastRatio>
+least_measured_ratio(const grains::Grading& measured, double limit, const std::string& measure);
+
+/// "at d = 0.25 mm, F = 20 % (F up to 20 %)".
+std::string place_of(const LeastRatio& least, double limit);
 
 /// Unstable where H/F < 1.3 for some F up to the limit.
 Criterion kenney_lau_1985(const grains::Grading& grading, double limit);

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/grouped.hpp"
+#include "suffuse/stability/kenney_lau.hpp"
 
 #include <fmt/format.h>
 
@@ -126,6 +127,20 @@ Criterion agree(const std::vector<Assessment>& completed, std::size_t which, con
     return criterion;
 }
 
+/// A number of the shape curve depends on a missing end: then it is that of what was measured, and none of guesses.
+void give_measured_ratio(Criterion& criterion, const Grading& measured, double limit) {
+    const bool is_ratio = criterion.measure == shape_ratio_measure || criterion.measure == secant_ratio_measure;
+    if (criterion.value || !is_ratio) {
+        return;
+    }
+    criterion.measured.reset();
+    if (const auto least = least_measured_ratio(measured, limit, criterion.measure)) {
+        criterion.value = criterion.measured = least->value;
+        criterion.diameter = least->at.diameter;
+        criterion.remark = place_of(*least, limit) + " of what was measured; " + criterion.remark;
+    }
+}
+
 } // namespace
 
 bool is_open(const Grading& measured) {
@@ -154,8 +169,10 @@ Assessment assess_measured(const Grading& measured, const AssessSpec& spec) {
     found.missing_fine = measured.passing.front();
     found.missing_coarse = 1 - measured.passing.back();
     const std::string missing = missing_text(measured);
+    found.finer_limit = std::ranges::min(completed, {}, &Assessment::finer_limit).finer_limit;
     for (std::size_t k = 0; k < found.criteria.size(); ++k) {
         found.criteria[k] = agree(completed, k, missing);
+        give_measured_ratio(found.criteria[k], measured, found.finer_limit);
     }
     for (const Assessment& other : completed) {
         const bool same_fines = other.fines && found.fines && same(other.fines->finer_than, found.fines->finer_than);

@@ -15,8 +15,8 @@ bool is_open(const grains::Grading& measured);
 /// The curve with its ends as they might be, the sharp ones first; a closed curve alone.
 std::vector<grains::Grading> complete_ends(const grains::Grading& measured);
 
-/// As assess(), for a curve that may be open. Criteria that depend on what was not measured cannot say; `grading` is
-/// the sharply completed curve.
+/// As assess(), for a curve that may be open. Criteria that depend on what was not measured cannot say; those of the
+/// shape curve still give the number of what was measured. `grading` is the sharply completed curve.
 /// @throws as assess().
 Assessment assess_measured(const grains::Grading& measured, const AssessSpec& spec = {});
 

@@ -60,12 +60,41 @@ TEST(OpenCurve, ACriterionThatLooksAtTheMissingEndCannotSay) {
     const Assessment found = assess_measured(sand);
     const Criterion& kenney = one(found, "kenney-lau-1986");
     EXPECT_EQ(kenney.verdict, Verdict::CannotSay);
-    EXPECT_FALSE(kenney.value);
+    // H/F = (1 - F)/F once 4d is beyond the coarsest size: least at the limit. That is F = 20 % where the fines that
+    // were not measured make D60/D10 more than 3.
+    EXPECT_NEAR(kenney.value.value_or(0), 0.8 / 0.2, 1e-12);
     EXPECT_EQ(
-        kenney.remark,
-        "stable where the 12 % below 0.2 mm end sharply, unstable where they taper off or lie beyond a gap"
+        kenney.remark, "at d = 0.224 mm, F = 20 % (F up to 20 %) of what was measured; stable where the 12 % below 0.2 "
+                       "mm end sharply, "
+                       "unstable where they taper off or lie beyond a gap"
     );
     EXPECT_FALSE(found.has_constrictions); // surface area is mostly that of the finest
+}
+
+TEST(OpenCurve, ACriterionOfTheShapeGivesTheNumberOfWhatWasMeasured) {
+    // The gap makes H/F least at 0.5 mm, F = 16 %, 4d = 2 mm in the gap. The whole curve begins at 0.1 mm with 0 %.
+    const Assessment full = assess(whole), found = assess_measured(measured_from(1));
+    for (const char* id : {"kenney-lau-1985", "kenney-lau-1986", "li-fannin-2008"}) {
+        const Criterion &part = one(found, id), &all = one(full, id);
+        ASSERT_TRUE(part.value) << id;
+        EXPECT_NEAR(*part.value, *all.value, 1e-12) << id;
+        EXPECT_DOUBLE_EQ(*part.diameter, *all.diameter) << id;
+        EXPECT_EQ(part.measured, part.value) << id;
+        EXPECT_NE(part.remark.find("of what was measured; "), std::string::npos) << part.remark;
+    }
+}
+
+TEST(OpenCurve, NoNumberIsGivenWhereNothingOfItWasMeasured) {
+    // It begins at 35 %: no F up to 30 % was measured.
+    const Assessment fines = assess_measured({{0.2e-3, 0.4e-3, 0.8e-3}, {0.35, 0.6, 1}, ""});
+    EXPECT_FALSE(one(fines, "kenney-lau-1985").value);
+    EXPECT_FALSE(one(fines, "kenney-lau-1985").measured);
+    // It ends at 1 mm with 50 %: F(4d) is known up to d = 0.25 mm, F = 5 %, alone.
+    const Assessment coarse = assess_measured({{0.125e-3, 0.25e-3, 0.5e-3, 1e-3}, {0, 0.05, 0.2, 0.5}, ""});
+    const Criterion& kenney = one(coarse, "kenney-lau-1985");
+    ASSERT_TRUE(kenney.value) << kenney.remark;
+    EXPECT_NEAR(*kenney.value, 0.45 / 0.05, 1e-12);
+    EXPECT_DOUBLE_EQ(*kenney.diameter, 0.25e-3);
 }
 
 TEST(OpenCurve, NoCompletionThatWasTriedContradictsAVerdict) {

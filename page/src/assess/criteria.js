@@ -35,19 +35,22 @@ const Criteria = (() => {
   const uniformity = (g) => sizeAt(g, 0.6) / sizeAt(g, 0.1);
 
   const shapeCurve = (g, from, to) => {
-    const sizes = [sizeAt(g, from), coarseEndAt(g, to)];
-    for (const d of g.d) sizes.push(d, d / 4);
+    const first = sizeAt(g, from), last = coarseEndAt(g, to);
+    const sizes = [first, last];
+    for (const d of g.d) sizes.push(...[d, d / 4].filter((size) => size > first && size < last));
     sizes.sort((a, b) => a - b);
-    const smallest = sizeAt(g, 0), rounding = 1e-12;
-    return [...new Set(sizes)]
-      .map((d) => ({ d, finer: passing(g, d), more: passing(g, 4 * d) - passing(g, d) }))
-      .filter((p) => p.finer >= from - rounding && p.finer <= to + rounding && p.d >= smallest);
+    return [...new Set(sizes)].map((d) => ({ d, finer: passing(g, d), more: passing(g, 4 * d) - passing(g, d) }));
   };
 
-  const leastShape = (g, limit) => {
-    let least = { value: Infinity };
-    for (const p of shapeCurve(g, 0, limit)) {
-      if (p.finer > 0 && p.more / p.finer < least.value) least = { value: p.more / p.finer, at: p };
+  // The least H/min(F, cap) where F and F(4d) are known; undefined where they are nowhere.
+  const leastRatio = (g, limit, cap) => {
+    const n = g.f.length, from = g.f[0], end = Math.min(limit, g.f[n - 1]);
+    let least;
+    for (const [low, high] of [[from, Math.min(cap, end)], [Math.max(from, cap), end]]) {
+      for (const p of low <= high ? shapeCurve(g, low, high) : []) {
+        const isKnown = g.f[n - 1] >= 1 || 4 * p.d <= g.d[n - 1], ratio = p.more / Math.min(p.finer, cap);
+        if (isKnown && p.finer > 0 && (least === undefined || ratio < least)) least = ratio;
+      }
     }
     return least;
   };
@@ -102,14 +105,14 @@ const Criteria = (() => {
   const onShape = (g, limit, year, least) =>
     judged({
       id: `kenney-lau-${year}`, name: `Kenney and Lau ${year}`, measure: "(H/F)min", sense: "at-least", limit: least,
-      value: leastShape(g, limit).value,
+      value: leastRatio(g, limit, 1),
     });
 
-  const liFannin = (g, limit) => {
-    let value = leastShape(g, Math.min(0.15, limit)).value;
-    for (const p of shapeCurve(g, 0.15, limit)) value = Math.min(value, p.more / 0.15);
-    return judged({ id: "li-fannin-2008", name: "Li and Fannin 2008", measure: "min H/min(F, 15 %)", sense: "at-least", limit: 1, value });
-  };
+  const liFannin = (g, limit) =>
+    judged({
+      id: "li-fannin-2008", name: "Li and Fannin 2008", measure: "min H/min(F, 15 %)", sense: "at-least", limit: 1,
+      value: leastRatio(g, limit, 0.15),
+    });
 
   // 15 % of the mass lie between d85 of the fine and D15 of the coarse part, wherever the split is.
   const kezdi = (g) => {
@@ -155,14 +158,16 @@ const Criteria = (() => {
       const most = percent < 10 ? 3 : 0.3 * percent;
       return { ...c, measure: "gap ratio Gr", sense: "at-most", value, limit: most, verified: percent < 10, verdict: value < most ? "stable" : "unstable" };
     }
-    const value = leastShape(g, limit).value;
+    const value = leastRatio(g, limit, 1);
     if (percent >= 20) return { ...c, measure: "(H/F)min", sense: "at-least", value, verdict: "stable" };
     const least = percent < 5 ? 1 : 4 / 3 - percent / 15;
     return { ...c, measure: "(H/F)min", sense: "at-least", value, limit: least, verified: percent < 5, verdict: value > least ? "stable" : "unstable" };
   };
 
+  const finerLimit = (g) => (uniformity(g) > 3 ? 0.2 : 0.3);
+
   const assessClosed = (g) => {
-    const fines = fineFraction(g), limit = uniformity(g) > 3 ? 0.2 : 0.3;
+    const fines = fineFraction(g), limit = finerLimit(g);
     return [
       onShape(g, limit, "1985", 1.3), onShape(g, limit, "1986", 1), liFannin(g, limit), kezdi(g), burenkova(g),
       wanFell(g, fines), changZhang(g, limit),
@@ -186,17 +191,20 @@ const Criteria = (() => {
   const same = (a, b) => a === b || (a !== undefined && b !== undefined && Math.abs(a - b) <= 1e-3 * Math.abs(a));
 
   const assess = (g) => {
-    const all = completions(g).map(assessClosed);
+    const completed = completions(g), all = completed.map(assessClosed), limit = Math.min(...completed.map(finerLimit));
     return all[0].map((first, k) => {
       const others = all.map((list) => list[k]);
       const sameVerdict = others.every((c) => c.verdict === first.verdict);
       const sameValue = others.every((c) => same(c.value, first.value));
       if (sameVerdict && sameValue) return first;
+      const cap = { "(H/F)min": 1, "min H/min(F, 15 %)": 0.15 }[first.measure];
+      const ratio = cap && leastRatio(g, limit, cap); // of what was measured
       if (sameVerdict && first.verdict !== "cannot say") {
         const values = others.map((c) => c.value);
-        return { ...first, value: undefined, range: [Math.min(...values), Math.max(...values)] };
+        return { ...first, value: ratio, measured: ratio, range: [Math.min(...values), Math.max(...values)] };
       }
-      return { ...first, value: undefined, measured: first.value, verdict: "cannot say", why: "depends on what was not measured" };
+      const measured = cap ? ratio : first.value;
+      return { ...first, value: ratio, measured, verdict: "cannot say", why: "depends on what was not measured" };
     });
   };
 

@@ -18,8 +18,8 @@ const limitText = (c) =>
     : `${c.sense === "at-most" ? (c.strict ? "<" : "≤") : c.strict ? ">" : "≥"} ${three(c.limit)}`;
 
 const numberText = (c) =>
-  c.range ? `${three(c.range[0])} to ${three(c.range[1])}` : c.value !== undefined ? three(c.value)
-    : c.measured !== undefined ? `(${three(c.measured)})` : "–";
+  c.range ? `${three(c.range[0])} to ${three(c.range[1])}` : c.measured !== undefined ? `(${three(c.measured)})`
+    : c.value !== undefined ? three(c.value) : "–";
 
 /** The chart, drawn for a desk or for a phone. */
 let plot;
