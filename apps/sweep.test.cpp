@@ -2,6 +2,7 @@
 
 #include "suffuse/record/stage_sums.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -143,6 +144,11 @@ TEST_F(SweepVerb, SlurmGetsAJobArrayWithATaskForEachSample) {
     // What Slurm does with it: one task.
     EXPECT_EQ(sh("SLURM_ARRAY_TASK_ID=2 sh array/sweep.sbatch"), 0) << said();
     EXPECT_EQ(hashes("array").size(), 2U);
+    // An array that was submitted before tasks.txt was written anew, with fewer tasks.
+    for (const char* index : {"4", "0", ""}) {
+        EXPECT_EQ(sh(fmt::format("SLURM_ARRAY_TASK_ID={} sh array/sweep.sbatch", index)), 2) << said();
+        EXPECT_NE(said().find("array/tasks.txt has no task"), std::string::npos) << said();
+    }
     EXPECT_EQ(suffuse("resume array --sample s/porosity=0.66"), 2);
     EXPECT_NE(said().find("s/porosity=0.6"), std::string::npos) << said();
     EXPECT_EQ(suffuse("sweep case.toml"), 2);

@@ -183,12 +183,18 @@ std::string slurm_text(const Emitted& emitted, const SweepVerb& asked) {
         "#SBATCH --output={}\n"
         "#SBATCH --signal=B:TERM@{:.0f}\n"
         "{}"
-        "task=$(sed -n \"${{SLURM_ARRAY_TASK_ID}}p\" {})\n"
+        "tasks={}\n"
+        "task=$(sed -n \"${{SLURM_ARRAY_TASK_ID:-0}}p\" \"$tasks\")\n"
+        "if [ -z \"$task\" ]; then\n"
+        "    echo \"suffuse: $tasks has no task ${{SLURM_ARRAY_TASK_ID:-0}}: it was written anew after this array was "
+        "submitted. Cancel the array and submit $(dirname \"$tasks\")/sweep.sbatch\" >&2\n"
+        "    exit {}\n"
+        "fi\n"
         "eval \"exec $task\"\n",
         plural(std::ssize(emitted.left), "sample"), shell_word(folder + "/sweep.sbatch"), shell_word(folder),
         for_slurm("suffuse-" + emitted.folder.filename().string()), emitted.left.size(), std::max(1, asked.threads),
         memory_of_task(emitted.what), for_slurm(without_patterns(folder) + "/tasks/%a.txt"), warning, time,
-        shell_word(folder + "/tasks.txt")
+        shell_word(folder + "/tasks.txt"), static_cast<int>(WrongUse)
     );
 }
 

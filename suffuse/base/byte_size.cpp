@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -26,6 +28,17 @@ constexpr std::array<std::pair<std::string_view, double>, 9> byte_units{
      {"GiB", 1024.0 * 1024 * 1024},
      {"TiB", 1024.0 * 1024 * 1024 * 1024}}};
 
+/// The unit that was meant by "mb", "K" or "gib"; none for what is like none of them.
+std::optional<std::string_view> meant_unit(std::string_view text) {
+    const auto begins = [&](std::string_view name) {
+        return text.size() <= name.size() && std::equal(text.begin(), text.end(), name.begin(), [](char a, char b) {
+                   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+               });
+    };
+    const auto found = std::ranges::find_if(byte_units, [&](const auto& unit) { return begins(unit.first); });
+    return text.empty() || found == byte_units.end() ? std::nullopt : std::optional(found->first);
+}
+
 } // namespace
 
 double parse_byte_size(std::string_view text) {
@@ -34,6 +47,14 @@ double parse_byte_size(std::string_view text) {
     const auto [stop, problem] = std::from_chars(text.data(), end, number);
     if (problem != std::errc() || !std::isfinite(number) || !(number > 0)) {
         throw UnitError(fmt::format("{} is no amount of memory", shown(std::string(text))), "write it as in 16GB");
+    }
+    if (end - stop > 1 && *stop == ',' && std::isdigit(static_cast<unsigned char>(stop[1])) != 0) {
+        std::string with_point(text);
+        with_point[static_cast<std::size_t>(stop - text.data())] = '.';
+        throw UnitError(
+            fmt::format("{} has a decimal comma", shown(std::string(text))),
+            fmt::format("write a decimal point, as in {}", with_point)
+        );
     }
     std::string_view unit(stop, static_cast<std::size_t>(end - stop));
     unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
@@ -45,7 +66,9 @@ double parse_byte_size(std::string_view text) {
     throw UnitError(
         unit.empty() ? fmt::format("{} has no unit", text)
                      : fmt::format("{} is no unit of memory", shown(std::string(unit))),
-        fmt::format("write {}GB; there are B, kB, MB, GB, TB, KiB, MiB, GiB and TiB", number)
+        fmt::format(
+            "write {}{}; there are B, kB, MB, GB, TB, KiB, MiB, GiB and TiB", number, meant_unit(unit).value_or("GB")
+        )
     );
 }
 

@@ -26,5 +26,25 @@ TEST(ByteSize, WithoutNumberOrUnitIsRefusedWithAdvice) {
     }
 }
 
+TEST(ByteSize, AdviceNamesTheUnitThatWasMeant) {
+    for (const auto& [text, advice] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"512 mb", "512MB"},
+             {"2K", "2kB"},
+             {"2 k", "2kB"},
+             {"16g", "16GB"},
+             {"1.5 gib", "1.5GiB"},
+             {"3 T", "3TB"},
+             {"4 Mi", "4MiB"},
+             {"16", "16GB"},
+             {"1,5 GB", "a decimal point, as in 1.5 GB"}}) {
+        try {
+            parse_byte_size(text);
+            ADD_FAILURE() << text << " was taken";
+        } catch (const UnitError& error) {
+            EXPECT_TRUE(error.help.starts_with(std::string("write ") + advice)) << text << ": " << error.help;
+        }
+    }
+}
+
 } // namespace
 } // namespace suffuse
