@@ -44,9 +44,10 @@ std::optional<erosion::OwnRule> rule_of(const Rule& rule, Stepping& call, erosio
         return std::nullopt;
     }
     return own_rule_of(rule, [&call](const std::function<void()>& work) {
-        const py::gil_scoped_acquire interpreter;
-        const Stepping::Pause pause(call);
-        work();
+        Working::call([&] {
+            const Stepping::Pause pause(call);
+            work();
+        });
     });
 }
 

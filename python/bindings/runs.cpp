@@ -121,38 +121,33 @@ private:
 /// done.
 class Listener {
 public:
-    explicit Listener(py::object on_progress) : on_progress_(std::move(on_progress)) {}
+    explicit Listener(py::object on_progress)
+        : on_progress_(std::move(on_progress)), has_function_(!on_progress_.is_none()) {}
 
     void hear(const std::deque<run::Progress>& letters) {
-        const py::gil_scoped_acquire interpreter;
         if (stop) {
             return;
         }
         try {
-            if (PyErr_CheckSignals() != 0) {
-                throw py::error_already_set();
-            }
+            look_at_signals()("", 0);
             for (const run::Progress& progress : letters) {
-                if (!on_progress_.is_none()) {
-                    on_progress_(describe(progress));
+                if (has_function_) {
+                    Working::call([&] { on_progress_(describe(progress)); });
                 }
             }
-        } catch (const py::error_already_set&) {
-            raised_ = std::current_exception();
-            stop = true;
+        } catch (...) {
+            stop_by_what_was_raised();
         }
     }
 
     /// Calls a rule of the caller's. @throws Interrupted where it raised, or the run is to stop anyway
     void answer(const std::function<void()>& question) {
-        const py::gil_scoped_acquire interpreter;
         if (!stop) {
             try {
-                question();
+                Working::call(question);
                 return;
             } catch (...) {
-                raised_ = std::current_exception();
-                stop = true;
+                stop_by_what_was_raised();
             }
         }
         throw Interrupted("a rule was not answered");
@@ -167,11 +162,18 @@ public:
     std::atomic<bool> stop{false};
 
 private:
+    void stop_by_what_was_raised() {
+        raised_ = std::current_exception();
+        stop = true;
+    }
+
     py::object on_progress_;
+    bool has_function_;
     std::exception_ptr raised_;
 };
 
-/// Runs on a thread of its own; this one listens to the user meanwhile, and has the turn, for what on_progress steps.
+/// Runs on a thread of its own; this one listens to the user meanwhile, and has the turn but while on_progress is
+/// called.
 job::RunReport
 run_and_listen(const casefile::Case& what, run::RunOptions options, const py::dict& rules, Listener& listener) {
     job::RunReport report;

@@ -1,7 +1,8 @@
 #pragma once
 // Long work from Python: the interpreter is released, one call steps at a time (two would halve each other's threads),
-// and Ctrl-C or an exception of the caller's progress function ends it between two bursts of steps. The turn is the
-// calling thread's: what its on_progress calls may step other worlds. What only reads takes no turn.
+// and Ctrl-C or an exception of the caller's progress function ends it between two bursts of steps. While a function of
+// the caller's runs, the turn is free: what it calls, or waits for in another thread, may step other worlds. What only
+// reads takes no turn.
 
 #include "suffuse/base/pulse.hpp"
 
@@ -11,14 +12,60 @@
 #include <optional>
 #include <pybind11/pybind11.h>
 #include <string_view>
+#include <utility>
 
 namespace suffuse::python {
 
-/// While it lives, this thread alone steps worlds, and the interpreter is released. What it calls may step others.
+/// While it lives, this thread alone steps worlds, and the interpreter is released.
 class Working {
 public:
     /// Waits until no other thread steps. @throws pybind11::error_already_set: KeyboardInterrupt meanwhile
     Working() {
+        take_turn();
+        innermost() = this;
+    }
+
+    ~Working() { innermost() = outer_; }
+
+    Working(const Working&) = delete;
+    Working& operator=(const Working&) = delete;
+
+    /// Calls a function of the caller's with the interpreter held; others may step meanwhile.
+    /// @throws pybind11::error_already_set: what it raised, or KeyboardInterrupt while others step on
+    template <class Function>
+    static void call(Function&& function) {
+        Working* const work = std::exchange(innermost(), nullptr);
+        if (work != nullptr && work->turn_.owns_lock()) {
+            work->turn_.unlock();
+        }
+        const Resumed resumed{work};
+        {
+            const pybind11::gil_scoped_acquire interpreter;
+            function();
+        }
+        if (work != nullptr) {
+            work->take_turn();
+        }
+    }
+
+private:
+    struct Resumed {
+        Working* work;
+
+        ~Resumed() { innermost() = work; }
+    };
+
+    static Working*& innermost() {
+        thread_local Working* one = nullptr;
+        return one;
+    }
+
+    static std::timed_mutex& mutex() {
+        static std::timed_mutex one;
+        return one;
+    }
+
+    void take_turn() {
         while (!turn_.try_lock_for(std::chrono::milliseconds(100))) {
             const pybind11::gil_scoped_acquire interpreter;
             if (PyErr_CheckSignals() != 0) {
@@ -27,14 +74,9 @@ public:
         }
     }
 
-private:
-    static std::recursive_timed_mutex& mutex() {
-        static std::recursive_timed_mutex one;
-        return one;
-    }
-
+    Working* outer_ = innermost();
     pybind11::gil_scoped_release released_; // first: another thread that computes may want the interpreter
-    std::unique_lock<std::recursive_timed_mutex> turn_{mutex(), std::defer_lock};
+    std::unique_lock<std::timed_mutex> turn_{mutex(), std::defer_lock};
 };
 
 /// For long work that has nothing to tell: ends it at Ctrl-C.
@@ -50,7 +92,8 @@ inline Pulse look_at_signals() {
 /// Looks at Ctrl-C and tells the caller how far the work is, at most ten times a second.
 class Attention {
 public:
-    Attention(pybind11::object on_progress, Stepping& call) : on_progress_(std::move(on_progress)), call_(call) {}
+    Attention(pybind11::object on_progress, Stepping& call)
+        : on_progress_(std::move(on_progress)), has_function_(!on_progress_.is_none()), call_(call) {}
 
     /// Called between bursts while Working. @throws pybind11::error_already_set: KeyboardInterrupt, or what the
     /// caller's function raised.
@@ -60,18 +103,25 @@ public:
             return;
         }
         last_ = now;
-        const pybind11::gil_scoped_acquire interpreter;
-        const Stepping::Pause pause(call_);
-        if (PyErr_CheckSignals() != 0) {
-            throw pybind11::error_already_set();
+        if (!has_function_) {
+            const pybind11::gil_scoped_acquire interpreter;
+            if (PyErr_CheckSignals() != 0) {
+                throw pybind11::error_already_set();
+            }
+            return;
         }
-        if (!on_progress_.is_none()) {
+        Working::call([&] {
+            const Stepping::Pause pause(call_);
+            if (PyErr_CheckSignals() != 0) {
+                throw pybind11::error_already_set();
+            }
             on_progress_(part, steps);
-        }
+        });
     }
 
 private:
     pybind11::object on_progress_;
+    bool has_function_;
     Stepping& call_;
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

@@ -1,6 +1,8 @@
 """Threads of Python beside each other: nobody reads what is half done, and nobody waits for a whole run to look."""
 
 import _thread
+import subprocess
+import sys
 import threading
 import time
 
@@ -8,6 +10,7 @@ import numpy
 import pytest
 
 import suffuse
+from conftest import PACKING
 
 
 class Enough(Exception):
@@ -146,22 +149,60 @@ def test_progress_of_a_step_may_make_a_run(settled, small_case, tmp_path):
     assert outcomes == ["done"]
 
 
-def test_waiting_for_another_threads_steps_answers_to_ctrl_c(settled, packing):
-    stepping, enough = threading.Event(), threading.Event()
+def join(target):
+    """Calls it in a thread, and waits for that."""
+    thread = threading.Thread(target=target, daemon=True)
+    thread.start()
+    thread.join(60)
+    assert not thread.is_alive(), "the thread waits for who waits for it"
 
+
+def test_a_function_of_progress_may_wait_for_a_thread_that_steps_another_world(settled, packing):
     def tell(part, steps):
-        stepping.set()
-        if enough.is_set():
-            raise Enough
+        join(lambda: packing.step(5, time_step=1e-9))
+        raise Enough
 
-    thread = step_in_a_thread(settled, tell)
-    stepping.wait()
-    with pytest.raises(KeyboardInterrupt):
+    straight = packing.copy()
+    straight.step(5, time_step=1e-9)
+    with pytest.raises(Enough):
+        settled.step(10**9, time_step=4e-8, on_progress=tell)
+    assert packing.hash == straight.hash
+    settled.step(1, time_step=4e-8)  # the turn is free again
+
+
+def test_a_rule_may_wait_for_a_thread_that_steps_another_world(soil, eroding_case, tmp_path):
+    other, seen = soil.copy(), []
+
+    def rule(probe):
+        join(lambda: seen.append(other.step(5, time_step=4e-8)))
+        return probe.by_velocity
+
+    soil.erode(0.5, rule=rule, ramp=100, watch=100, size="none")
+    suffuse.Case(eroding_case).run(tmp_path / "run", rules={"eroded": rule}, on_progress=lambda _: join(lambda: other.step(1)))
+    assert len(seen) == 3
+
+
+WAITING = """
+import _thread, os, sys, threading, suffuse
+forever, waiting = (suffuse.read_packing(sys.argv[1], cell=3 * (1.436e-3,)) for _ in range(2))
+threading.Thread(target=lambda: forever.step(10**9, time_step=1e-12), daemon=True).start()
+while True:  # until that steps
+    try:
         threading.Timer(0.3, _thread.interrupt_main).start()
-        packing.step(1, time_step=1e-9)
-    enough.set()
-    thread.join()
-    packing.step(1, time_step=1e-9)
+        waiting.step(1, time_step=1e-12)
+        threading.Event().wait(1)
+    except KeyboardInterrupt:
+        try:
+            forever.void_ratio
+        except suffuse.StateError:
+            os.write(1, b"interrupted")
+            os._exit(0)
+"""
+
+
+def test_waiting_for_another_threads_steps_answers_to_ctrl_c():
+    told = subprocess.run([sys.executable, "-c", WAITING, PACKING], capture_output=True, text=True, timeout=120)
+    assert told.stdout == "interrupted", told.stderr
 
 
 def test_a_cloud_of_many_grains_answers_to_ctrl_c():
