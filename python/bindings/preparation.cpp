@@ -98,6 +98,7 @@ py::dict compact(
     const double asked_damping = value_of(key_of("contact", "damping"), damping, "damping");
     packing::CompactState state;
     Stepping call(w);
+    refuse_too_soft(call.world().material, spec.pressure);
     Attention attention(on_progress, call);
     py::dict dict;
     begin(call);

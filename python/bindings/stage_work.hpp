@@ -1,6 +1,7 @@
 #pragma once
 // What the functions of a World that do a stage's work have in common.
 
+#include "suffuse/casefile/physics_checks.hpp"
 #include "suffuse/dem/first_contacts.hpp"
 #include "suffuse/dem/order.hpp"
 
@@ -36,6 +37,13 @@ inline dem::World begin_copy(Stepping& call) {
     dem::World copy = call.world();
     prepare(copy);
     return copy;
+}
+
+/// @throws CaseError where a case would be refused: grains are too soft for the stress [Pa]
+inline void refuse_too_soft(const grains::Material& material, double stress) {
+    if (const auto soft = casefile::check_stiffness(material, stress); soft && soft->is_error) {
+        throw CaseError(soft->message + ", and no contact law describes them: " + soft->advice);
+    }
 }
 
 /// Takes back what a compaction or a test has lent, unless it came to its end: the world lives on in Python.

@@ -68,6 +68,11 @@ std::shared_ptr<Asked> read_asked(
     auto asked = std::make_shared<Asked>();
     asked->plan.mode = mode_of(mode);
     asked->plan.loading = loading;
+    for (const cell::AxisControl& axis : loading.axis) {
+        if (axis.control == cell::Control::Stress) {
+            refuse_too_soft(call.world().material, axis.value);
+        }
+    }
     asked->plan.damping = damping_of(damping);
     asked->plan.dt = time_step_of(time_step, asked->plan.damping, call).value_or(0);
     if (!force.is_none()) {

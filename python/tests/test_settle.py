@@ -78,4 +78,16 @@ def test_squeezed_grains_are_warned_of_as_a_case_is():
     world = small_cloud()
     world.compact("100 kPa", friction="20 deg", protocol="swift")
     with pytest.warns(UserWarning, match="the largest overlap is"):
-        world.settle(suffuse.Loading(stress="30 MPa"))
+        world.settle(suffuse.Loading(stress="3.3 MPa"))
+
+
+def test_a_stress_that_squeezes_grains_into_each_other_is_refused_as_in_a_case(packing):
+    before = packing.hash
+    for call in (
+        lambda: packing.settle(suffuse.Loading(stress="100 MPa")),
+        lambda: packing.step(1, suffuse.Loading(strain_rate=(None, None, 1), stress=("100 MPa", 1e5, None))),
+        lambda: packing.compact("100 MPa"),
+    ):
+        with pytest.raises(suffuse.CaseError, match="overlap by about 147.1 % of their radius.* 53 GPa keeps it below 1 %"):
+            call()
+    assert packing.hash == before

@@ -35,26 +35,14 @@ public:
         : context_(context), settings_(settings), variant_(variant), path_("study." + study.name), soil_(study.soil) {}
 
     void check_pressure(const Stage& stage, std::string_view key, double pressure) {
-        const double overlap = contact::mean_overlap_at(variant_.material, std::abs(pressure));
-        if (overlap <= large_overlap) {
-            check_squeezed(
-                context_.problems, stage_place(stage, key), std::abs(pressure), variant_, protocol_of(stage)
-            );
-            return;
-        }
-        const std::string message = fmt::format(
-            "a stress of {} makes grains overlap by about {:.1f} % of their radius",
-            print_quantity(pressure, dimension::pressure), overlap * 100
-        );
-        const std::string advice = fmt::format(
-            "a stiffer contact `modulus` of {} keeps it below 1 %",
-            print_quantity(stiffer_modulus(variant_.material, overlap / 0.01), dimension::pressure)
-        );
+        const std::optional<TooSoft> soft = check_stiffness(variant_.material, pressure);
         const Place place = stage_place(stage, key);
-        if (overlap > largest_overlap) {
-            context_.problems.error("E603", place, message, advice);
+        if (!soft) {
+            check_squeezed(context_.problems, place, std::abs(pressure), variant_, protocol_of(stage));
+        } else if (soft->is_error) {
+            context_.problems.error("E603", place, soft->message, soft->advice);
         } else {
-            context_.problems.warning("W603", place, message, advice);
+            context_.problems.warning("W603", place, soft->message, soft->advice);
         }
     }
 
@@ -400,6 +388,23 @@ void check_stage(Checks& checks, const Stage& stage) {
 }
 
 } // namespace
+
+std::optional<TooSoft> check_stiffness(const grains::Material& material, double pressure) {
+    const double overlap = contact::mean_overlap_at(material, std::abs(pressure));
+    if (overlap <= large_overlap) {
+        return std::nullopt;
+    }
+    return TooSoft{
+        fmt::format(
+            "a stress of {} makes grains overlap by about {:.1f} % of their radius",
+            print_quantity(pressure, dimension::pressure), overlap * 100
+        ),
+        fmt::format(
+            "a stiffer contact `modulus` of {} keeps it below 1 %",
+            print_quantity(stiffer_modulus(material, overlap / 0.01), dimension::pressure)
+        ),
+        overlap > largest_overlap};
+}
 
 void check_physics(ReadContext& context, const Case& settings, const Study& study, const Variant& variant) {
     Checks checks(context, settings, study, variant);
