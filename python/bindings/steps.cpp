@@ -216,6 +216,7 @@ py::dict run_triaxial(
             attention.beat("shear", state.steps);
         }
     }
+    warn_caller(run::words_on_hold(state.rows, spec.path));
     const nlohmann::json result{
         {"curve", state.rows},
         {"response", triaxial::summarize(state.rows, spec.path)},

@@ -85,8 +85,8 @@ report::StageRow stage_row(const casefile::Case& what, const record::FinishedSta
     }
     row.inertial_number.value = number("inertial_number_max") > 0 ? number("inertial_number_max") : none;
     if (test != nullptr) { // its rate was set by the number that its own rows hold
-        if (const auto error = triaxial::largest_hold_error(stage.findings.curve, test->path)) {
-            row.stress_error = {*error, largest_good_hold_error};
+        if (const auto error = triaxial::find_hold_error(stage.findings.curve, test->path)) {
+            row.stress_error = {error->most, largest_good_hold_error};
         }
         row.inertial_number = {0, test->inertial_number};
         for (const triaxial::PathRow& each : stage.findings.curve) {

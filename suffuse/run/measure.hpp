@@ -2,10 +2,12 @@
 // The numbers of a state that every stage reports. Their names are a promise to users' scripts.
 
 #include "suffuse/dem/world.hpp"
+#include "suffuse/triaxial/response.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace suffuse::run {
 
@@ -17,6 +19,10 @@ inline constexpr double notable_overlap = 0.1, largest_good_overlap = 0.2;
 /// What is to be said of a largest overlap over the smaller radius, with the modulus that would have kept it small;
 /// empty where it is below `notable` [-].
 std::string words_on_overlap(double ratio, const grains::Material& material, double notable = notable_overlap);
+
+/// What is to be said of a test that held its stress less closely than a quasi-static one does, with what to do; empty
+/// where it did, and where the sample lost that stress, which is said elsewhere.
+std::string words_on_hold(const std::vector<triaxial::PathRow>& rows, triaxial::Path path);
 
 /// Grains, contacts, cell, stress, density, coordination, fabric, forces, balance, hash; with fines in the sample also
 /// what they do.

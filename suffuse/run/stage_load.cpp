@@ -4,6 +4,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/record/result_json.hpp"
+#include "suffuse/run/measure.hpp"
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
 
@@ -166,6 +167,9 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
         ));
     }
     work.numbers["response"] = response;
+    if (const std::string words = words_on_hold(state.rows, spec.path); !words.empty()) {
+        work.warnings.push_back(work.place() + ": " + words);
+    }
     note_energy(work, spec, response);
     note_overshoot(work, spec, state.rows);
     work.findings.curve = state.rows;

@@ -115,16 +115,19 @@ double largest_dilatancy(const std::vector<PathRow>& rows) {
 
 } // namespace
 
-std::optional<double> largest_hold_error(const std::vector<PathRow>& rows, Path path) {
+std::optional<HoldError> find_hold_error(const std::vector<PathRow>& rows, Path path) {
     if (!holds_a_stress(path) || rows.empty()) {
         return {};
     }
     const double held = held_stress(rows.front(), path);
-    double error = 0;
+    std::vector<double> errors;
     for (const PathRow& row : rows) {
-        error = std::max(error, std::abs(held_stress(row, path) / held - 1));
+        errors.push_back(std::abs(held_stress(row, path) / held - 1));
     }
-    return error;
+    std::ranges::sort(errors);
+    constexpr double most_rows = 0.95;
+    const auto usual = static_cast<std::size_t>(std::ceil(most_rows * static_cast<double>(errors.size()))) - 1;
+    return HoldError{errors.back(), errors[usual]};
 }
 
 Response summarize(const std::vector<PathRow>& rows, Path path) {

@@ -76,12 +76,19 @@ TEST(Summarize, DilatancyDoesNotDependOnHowFarApartRowsAre) {
     }
 }
 
-TEST(Summarize, TellsHowFarTheHeldStressWasOff) {
+TEST(HoldError, IsTheLargestAndWhatNineteenOfTwentyRowsKeep) {
     std::vector<PathRow> rows = curve(peaked, zero);
-    EXPECT_NEAR(largest_hold_error(rows, Path::Drained).value(), 0, 1e-12);
-    rows[3].mean_stress += 11e3; // of the lateral 100 kPa
-    EXPECT_NEAR(largest_hold_error(rows, Path::Drained).value(), 0.11, 1e-9);
-    EXPECT_FALSE(largest_hold_error(rows, Path::Undrained));
+    ASSERT_GE(rows.size(), 40U);
+    rows.resize(40);
+    EXPECT_NEAR(find_hold_error(rows, Path::Drained).value().most, 0, 1e-12);
+    for (const std::size_t row : {3U, 9U}) { // 2 of 40 rows
+        rows[row].mean_stress += 11e3;       // of the lateral 100 kPa
+    }
+    EXPECT_NEAR(find_hold_error(rows, Path::Drained).value().most, 0.11, 1e-9);
+    EXPECT_NEAR(find_hold_error(rows, Path::Drained).value().usual, 0, 1e-12);
+    rows[20].mean_stress -= 3e3;
+    EXPECT_NEAR(find_hold_error(rows, Path::Drained).value().usual, 0.03, 1e-9);
+    EXPECT_FALSE(find_hold_error(rows, Path::Undrained));
 }
 
 TEST(Summarize, DilatancyAndContractionAreSlopesAndExtremesOfTheVolume) {
