@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/run/water_notes.hpp"
 #include "suffuse/run/water_numbers.hpp"
 
 #include "python/bindings/bindings.hpp"
@@ -11,6 +12,7 @@
 #include "python/bindings/own_rule.hpp"
 #include "python/bindings/stage_work.hpp"
 #include "python/bindings/typed.hpp"
+#include "python/bindings/warn_caller.hpp"
 #include "python/bindings/work.hpp"
 #include <algorithm>
 #include <cstdint>
@@ -93,6 +95,12 @@ py::dict erode(
             const py::gil_scoped_acquire interpreter; // arrays that were taken meanwhile keep their rows
             call.world_for_new_rows() = next;
         }
+    }
+    const auto hits = std::ranges::find_if(result.passes, [](const erosion::PassResult& pass) {
+        return !run::words_on_hits(pass.probe).empty();
+    });
+    if (hits != result.passes.end()) {
+        warn_caller(run::words_on_hits(hits->probe));
     }
     nlohmann::json told = nlohmann::json::array();
     for (const erosion::PassResult& pass : result.passes) {

@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import warnings
 
 import numpy
 import pytest
@@ -73,6 +74,17 @@ def test_a_pass_that_is_interrupted_leaves_the_rows_in_their_order(packing):
     with pytest.raises(ZeroDivisionError):
         packing.erode(rule=lambda probe: 1 / 0, **QUICK)
     assert pickle.dumps(packing) == before
+
+
+def test_a_gradient_so_steep_that_fines_hit_others_is_warned_of(soil):
+    def taken(gradient):
+        return soil.copy().erode(gradient, size="none", max_strain=1)["passes"][0]["probe"]["detachable_by_velocity"]
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        gentle = taken(0.05)  # the paper's gradient, ramp and watch
+    with pytest.warns(UserWarning, match="at i = 100 one fine grain in 20 would travel 0.02.* of its diameter"):
+        assert taken(100) < 0.9 * gentle
 
 
 def test_arrays_taken_in_a_rule_keep_the_rows_of_before(soil):

@@ -2,6 +2,8 @@
 
 #include "suffuse/base/quantile.hpp"
 
+#include <utility>
+
 namespace suffuse::erosion {
 namespace {
 
@@ -66,6 +68,15 @@ bool noise_decides(const DetachSpec& spec, const ProbeResult& result) {
 bool takes_unaccepted(const ProbeResult& result) {
     const auto [refused, accepted] = result.agreement[1];
     return static_cast<double>(refused) > most_refused * static_cast<double>(refused + accepted);
+}
+
+double free_travel(const ProbeResult& result) {
+    constexpr double most = 0.95; // of the fines
+    std::vector<double> travel;
+    for (std::size_t k = 0; k < result.free_displacement.size(); ++k) {
+        travel.push_back(result.free_displacement[k] / result.diameter[k]);
+    }
+    return travel.empty() ? 0 : quantile(std::move(travel), most);
 }
 
 bool threshold_takes_noise(const DetachSpec& spec, const ProbeResult& result) {

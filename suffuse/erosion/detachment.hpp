@@ -19,6 +19,14 @@ bool noise_decides(const DetachSpec& spec, const ProbeResult& result);
 /// at what a grain does beyond its own twin: they move for another reason than the water.
 bool takes_unaccepted(const ProbeResult& result);
 
+/// Of its diameter, how far the water would move a fine grain during the probe were it free of contacts: one in 20 goes
+/// as far or farther [-].
+double free_travel(const ProbeResult& result);
+
+/// Beyond this free travel fines hit others before they are judged, and slow down as if they were held: fewer count as
+/// detachable the steeper the gradient is. Neighbors are a few thousandths of a diameter away. [-]
+inline constexpr double far_travel = 1e-3;
+
 /// Whether the fines move with the water: ten times as fast as their twin in the median, or faster.
 inline bool has_clear_signal(const ProbeResult& result) {
     return result.signal_over_twin >= 10;

@@ -167,5 +167,14 @@ TEST(Detachment, AThresholdTakesNoiseWhereTheTwinDoesNotAcceptItsGrains) {
     EXPECT_FALSE(threshold_takes_noise(spec, ProbeResult{}));
 }
 
+TEST(Detachment, FreeTravelIsWhatOneFineGrainInTwentyGoesBeyond) {
+    ProbeResult probe = probe_of(std::vector(21, rising_to(1))); // of diameter 2
+    for (std::size_t k = 0; k < 21; ++k) {
+        probe.free_displacement[k] = 2e-4 * static_cast<double>(k); // 0 to 20 ten-thousandths of a diameter
+    }
+    EXPECT_NEAR(free_travel(probe), 19e-4, 1e-16);
+    EXPECT_EQ(free_travel({}), 0);
+}
+
 } // namespace
 } // namespace suffuse::erosion

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace suffuse::run {
 namespace {
 
@@ -52,6 +54,20 @@ void note_fast_water(StageWork& work, const std::string& when, double gradient, 
     }
 }
 
+std::string words_on_hits(const erosion::ProbeResult& probe) {
+    const double travel = erosion::free_travel(probe);
+    if (travel <= erosion::far_travel) {
+        return "";
+    }
+    return fmt::format(
+        "at i = {} one fine grain in 20 would travel {} of its diameter or more during the probe; above {} fines hit "
+        "others before they are judged, and fewer count as detachable the steeper the gradient: take i = {} or less, "
+        "or a shorter ramp and watch",
+        short_number(probe.gradient), short_number(travel), short_number(erosion::far_travel),
+        short_number(std::abs(probe.gradient) * erosion::far_travel / travel)
+    );
+}
+
 void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion::ProbeResult& probe, bool decides) {
     if (probe.reached_floor) {
         work.warnings.push_back(fmt::format(
@@ -66,6 +82,9 @@ void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion:
             "what detaches cannot be told; take another seed, more `relax_limit`, or `by = \"displacement\"`",
             work.place(), probe.hidden_by_noise, probe.id.size()
         ));
+    }
+    if (const std::string words = words_on_hits(probe); !words.empty()) {
+        work.warnings.push_back(fmt::format("{}: {}", work.place(), words));
     }
     if (probe.beyond_viscous_time && !probe.id.empty()) { // without fines there is no such time
         work.warnings.push_back(fmt::format(

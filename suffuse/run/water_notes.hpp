@@ -22,6 +22,9 @@ void note_closed_voids(StageWork& work, const std::string& when, const flow::Clo
 /// Where the water's inertia, which slow flow leaves out, would take much of the flux.
 void note_fast_water(StageWork& work, const std::string& when, double gradient, double reynolds, double porosity);
 
+/// What is to be said of a gradient so steep that fines hit others before they are judged, with what to do; else empty.
+std::string words_on_hits(const erosion::ProbeResult& probe);
+
 /// @param decides whether the probe says what leaves
 void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion::ProbeResult& probe, bool decides);
 
