@@ -168,6 +168,9 @@ TEST_F(Compare, WithThePaperEachFindingIsJudged) {
     expect_in("M2  not met by our number", other.out);
     expect_in("our number 25 to 35 %", other.out);
     expect_in("why        The skeleton was kept.", other.out);
+    summary["findings"][1].update({{"met", nullptr}, {"verdict", "met by noise"}});
+    write_to(folder / "first/summary.json", summary.dump());
+    EXPECT_EQ(say({"compare", "first", "--paper"}).code, 5) << "agreement by noise is none";
 }
 
 TEST_F(Compare, WrongUseSaysWhatToGive) {

@@ -101,7 +101,7 @@ std::string compare_measures(const MobilityStory& story) {
     return step == ramp.end() ? ""
                               : fmt::format(
                                     "What counts as moved decides: at i = {:.2f}, {} of the mass moved {} along the "
-                                    "flow, {} half a diameter in any direction, {} a tenth along the flow.",
+                                    "flow, {} half a diameter in any direction, {} a tenth of one along it.",
                                     step->gradient, moved_text(step->mobile_mass_share), distance_text(story),
                                     moved_text(step->displaced_mass_share), moved_text(step->lifted_mass_share)
                                 );

@@ -68,6 +68,18 @@ TEST(MobilityWords, OpenWithTwoShortLinesAndCardsThatKnowTheirStep) {
     EXPECT_TRUE(cards[0].caution.empty()) << cards[0].caution;
 }
 
+TEST(MobilityWords, TellTheSharesByOtherMeasuresOfMotion) {
+    erosion::MobilityResult caged = upward();
+    caged.ramp.front().displaced_mass_share = 0.089, caged.ramp.front().lifted_mass_share = 0.12;
+    const std::vector<std::string> remarks = remarks_on(story_of({caged}).front());
+    EXPECT_EQ(
+        remarks.front(),
+        "What counts as moved decides: at i = 0.20, 0.2 % of the mass moved half a diameter along the flow, "
+        "8.9 % half a diameter in any direction, 12 % a tenth of one along it."
+    );
+    EXPECT_EQ(remarks_on(story_of({upward()}).front()).front().find("What counts"), std::string::npos);
+}
+
 TEST(MobilityWords, TellADisagreementOfRuleAndMotionInTheOpenAndAtTheNumber) {
     erosion::MobilityResult carried = upward();
     carried.skempton_brogan_gradient = 0.14; // below the asked 0.20, while 1 % moves at 0.30

@@ -346,6 +346,9 @@ TEST(Findings, AreCountedByTheirStanding) {
     findings[0].met = findings[1].met = true, findings[1].is_noise = true;
     findings[2].met = false, findings[2].in_words = true;
     findings[3].met = false;
+    EXPECT_EQ(agreement_of(findings[0]), true);
+    EXPECT_EQ(agreement_of(findings[1]), std::nullopt);
+    EXPECT_EQ(agreement_of(findings[3]), false);
     EXPECT_EQ(
         count_standings(findings), "1 of 5 met; 1 met by noise; 1 not met by our number; 1 not met; 1 cannot tell"
     );
