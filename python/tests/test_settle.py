@@ -91,3 +91,12 @@ def test_a_stress_that_squeezes_grains_into_each_other_is_refused_as_in_a_case(p
         with pytest.raises(suffuse.CaseError, match="overlap by about 147.1 % of their radius.* 53 GPa keeps it below 1 %"):
             call()
     assert packing.hash == before
+
+
+@pytest.mark.parametrize("law", ["linear-rolling", "hertz-mindlin"])
+def test_stiff_grains_find_their_balance_under_a_small_stress(law):
+    radius = 1e-4 * numpy.exp(numpy.random.default_rng(2).uniform(0, numpy.log(2), 200))
+    world = suffuse.make_cloud(radius, 0.6, material=suffuse.Material(law=law, modulus="70 GPa"), seed=2)
+    world.compact("100 kPa")
+    # Grains fall to new places in d sqrt(rho/p), here some 10,000 steps; under a drag alone they take a thousand times that.
+    assert world.settle(suffuse.Loading(stress="1 kPa"), max_steps=400_000)["equilibrium"]["unbalanced_force"] < 1e-3

@@ -113,15 +113,20 @@ settle(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec
 void report_not_balanced(
     const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state, std::string_view limit
 ) {
-    const bool holds_stress = borne_by(loading, state.stress).axes > 0;
+    const double error = stress_error(loading, state.stress);
+    const char* const advice =
+        borne_by(loading, state.stress).axes == 0
+            ? "no stress is held: ask for a balance that is less strict, or for a stress that keeps the grains together"
+        : error <= spec.stress_error
+            ? "the stress is held, and grains still move to new places: ask for a balance that is less strict, or "
+              "start "
+              "from a denser sample"
+            : "the stress may be out of reach of this sample: lower it, or ask for a balance that is less strict";
     throw StateError(fmt::format(
         "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted {:.2e}), "
         "mean stress {:.4g} kPa; {}{}",
-        state.steps, state.equilibrium.unbalanced_force, spec.unbalanced_force, stress_error(loading, state.stress),
-        spec.stress_error, mean_stress(state.stress) / 1e3, limit.empty() ? "" : fmt::format("raise {}, or ", limit),
-        holds_stress
-            ? "the stress may be out of reach of this sample: lower it, or ask for a balance that is less strict"
-            : "no stress is held: ask for a balance that is less strict, or for a stress that keeps the grains together"
+        state.steps, state.equilibrium.unbalanced_force, spec.unbalanced_force, error, spec.stress_error,
+        mean_stress(state.stress) / 1e3, limit.empty() ? "" : fmt::format("raise {}, or ", limit), advice
     ));
 }
 
