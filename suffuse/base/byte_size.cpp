@@ -45,16 +45,20 @@ double parse_byte_size(std::string_view text) {
     double number = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, problem] = std::from_chars(text.data(), end, number);
-    if (problem != std::errc() || !std::isfinite(number) || !(number > 0)) {
-        throw UnitError(fmt::format("{} is no amount of memory", shown(std::string(text))), "write it as in 16GB");
-    }
-    if (end - stop > 1 && *stop == ',' && std::isdigit(static_cast<unsigned char>(stop[1])) != 0) {
+    if (problem == std::errc() && end - stop > 1 && *stop == ',' &&
+        std::isdigit(static_cast<unsigned char>(stop[1])) != 0) {
         std::string with_point(text);
         with_point[static_cast<std::size_t>(stop - text.data())] = '.';
-        throw UnitError(
-            fmt::format("{} has a decimal comma", shown(std::string(text))),
-            fmt::format("write a decimal point, as in {}", with_point)
-        );
+        std::string advice = "write a decimal point, as in " + with_point;
+        try {
+            parse_byte_size(with_point);
+        } catch (const UnitError& further) {
+            advice = further.help;
+        }
+        throw UnitError(fmt::format("{} has a decimal comma", shown(std::string(text))), std::move(advice));
+    }
+    if (problem != std::errc() || !std::isfinite(number) || !(number > 0)) {
+        throw UnitError(fmt::format("{} is no amount of memory", shown(std::string(text))), "write it as in 16GB");
     }
     std::string_view unit(stop, static_cast<std::size_t>(end - stop));
     unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));

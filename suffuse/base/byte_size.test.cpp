@@ -36,7 +36,9 @@ TEST(ByteSize, AdviceNamesTheUnitThatWasMeant) {
              {"3 T", "3TB"},
              {"4 Mi", "4MiB"},
              {"16", "16GB"},
-             {"1,5 GB", "a decimal point, as in 1.5 GB"}}) {
+             {"1,5 GB", "a decimal point, as in 1.5 GB"},
+             {"0,5GB", "a decimal point, as in 0.5GB"},
+             {"1,5 gb", "1.5GB"}}) {
         try {
             parse_byte_size(text);
             ADD_FAILURE() << text << " was taken";
