@@ -14,6 +14,14 @@
 #include "python/bindings/world_handle.hpp"
 
 namespace suffuse::python {
+
+grains::Grading grading_of(const grains::Grains& grains) {
+    if (grains.size() == 0) {
+        throw CaseError("a World without grains has no grading");
+    }
+    return grains::curve_of_steps(grains::measure_gradation(grains));
+}
+
 namespace {
 
 std::optional<stability::UpwardSeepage>
@@ -30,14 +38,6 @@ seepage_of(const py::object& gradient, const py::object& porosity, const py::obj
     seepage.grain_density = optional_quantity(density, dimension::density, "density").value_or(seepage.grain_density);
     seepage.stress_share = optional_quantity(alpha, dimension::none, "alpha");
     return seepage;
-}
-
-/// A packing's own curve.
-grains::Grading grading_of(const grains::Grains& grains) {
-    if (grains.size() == 0) {
-        throw CaseError("a World without grains has no grading");
-    }
-    return grains::curve_of_steps(grains::measure_gradation(grains));
 }
 
 constexpr std::string_view gradings = "a file, a World, or a pair (sizes in meters, shares finer by mass)";

@@ -92,6 +92,15 @@ std::vector<std::uint32_t> rows_of(const py::object& given, std::size_t grains) 
     return rows;
 }
 
+/// A Gradation or a Grading: sizes, and shares of the mass.
+template <class Curve>
+py::tuple curve_arrays(const Curve& curve) {
+    const auto rows = static_cast<py::ssize_t>(curve.diameter.size());
+    return py::make_tuple(
+        py::array_t<double>(rows, curve.diameter.data()), py::array_t<double>(rows, curve.passing.data())
+    );
+}
+
 py::dict describe(const dem::Equilibrium& balance) {
     py::dict dict;
     dict["unbalanced_force"] = balance.unbalanced_force;
@@ -210,15 +219,13 @@ void bind_measures(py::class_<WorldHandle, Handle>& type) {
         "in which order forces are summed."
     );
     type.def(
-        "gradation",
-        [](const WorldHandle& w) {
-            const grains::Gradation curve = grains::measure_gradation(w.world().grains);
-            const auto rows = static_cast<py::ssize_t>(curve.diameter.size());
-            return py::make_tuple(
-                py::array_t<double>(rows, curve.diameter.data()), py::array_t<double>(rows, curve.passing.data())
-            );
-        },
+        "gradation", [](const WorldHandle& w) { return curve_arrays(grains::measure_gradation(w.world().grains)); },
         "Diameters [m], ascending, and the share by mass of the grains up to each [-]."
+    );
+    type.def_property_readonly(
+        "psd", [](const WorldHandle& w) { return curve_arrays(grading_of(w.world().grains)); },
+        "The grading of the grains that are there, as suffuse.assess takes it: sizes [m], rising, with a step at each "
+        "size, and the shares of the mass finer."
     );
     type.def(
         "stable_time_step",

@@ -5,6 +5,7 @@
 // world, other threads of Python are refused: they would read what is half done. Who asks holds the interpreter.
 
 #include "suffuse/dem/step.hpp"
+#include "suffuse/grains/soil.hpp"
 
 #include <memory>
 #include <optional>
@@ -145,6 +146,9 @@ private:
     const WorldHandle& handle_;
     const dem::World& world_;
 };
+
+/// The curve of a packing, with a step at each size of its grains. @throws CaseError where there are none
+grains::Grading grading_of(const grains::Grains& grains);
 
 /// The grain table as Python sees it.
 struct GrainTable {

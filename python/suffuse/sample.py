@@ -25,16 +25,6 @@ def _select(contacts, which):
     return rows[which]
 
 
-def _psd(world):
-    """Grading of the grains that are there: sizes [m], rising, and the shares of the mass finer."""
-    order = numpy.argsort(world.grains.radius, kind="stable")
-    sizes, mass = 2 * world.grains.radius[order], world.grains.mass[order]
-    sizes, last = numpy.unique(sizes[::-1], return_index=True)
-    share = numpy.cumsum(mass)
-    share /= share[-1]
-    return sizes, share[len(mass) - 1 - last]
-
-
 @spelled
 def _solve(network, gradient=0.0, direction="z", viscosity=None, density=None, tensor=False, conductance=None):
     """The flow through the packing: a Seepage.
@@ -55,7 +45,6 @@ def _solve(network, gradient=0.0, direction="z", viscosity=None, density=None, t
 
 _core.Contacts.force_n = property(_force_n, doc=_force_n.__doc__)
 _core.Contacts.__getitem__ = _select
-_core.World.psd = property(_psd, doc=_psd.__doc__)
 _core.PoreNetwork.solve = _solve
 
 

@@ -69,6 +69,15 @@ def test_a_packing_of_two_sizes_is_a_curve_of_steps():
     assert spread["summary"] == found["summary"]
 
 
+def test_the_psd_of_a_world_is_the_curve_that_is_assessed():
+    world = world_of(numpy.r_[numpy.full(1000, 1e-4), numpy.full(80, 5e-4)])
+    size, finer = world.psd
+    assert size == pytest.approx([0.2e-3, 0.2e-3, 1e-3, 1e-3], rel=1e-5) and finer == pytest.approx([0, 1 / 11, 1 / 11, 1])
+    assert suffuse.assess(world.psd)["criteria"] == suffuse.assess(world)["criteria"]
+    with pytest.raises(suffuse.CaseError, match="without grains has no grading"):
+        world_of(numpy.empty(0)).psd
+
+
 def test_a_packing_of_equal_grains_is_stable():
     found = suffuse.assess(world_of(numpy.full(50, 1e-4)))
     assert found["tally"]["unstable"] == 0 and found["uniformity"] == pytest.approx(1, rel=1e-5)
