@@ -49,7 +49,7 @@ struct NewVerb final : Verb {
     NewVerb()
         : Verb(
               "new", "write a commented case and its data to start from",
-              "suffuse new my-dyke --psd dyke.csv\nsuffuse new my-dyke --from fontainebleau-2016"
+              "suffuse new my-dyke --psd dyke.csv --flow up -i 12m/30m"
           ) {}
 
     std::string given;                     ///< folder
