@@ -2,26 +2,22 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/io/folders.hpp"
+#include "suffuse/io/leftovers.hpp"
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
-#include <dirent.h>
 #include <fcntl.h>
-#include <memory>
 #include <sys/file.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
-#include <vector>
 
 namespace suffuse::io {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 18;
-constexpr std::string_view partial_suffix = ".partial";
 
 std::string advice(int error) {
     switch (error) {
@@ -55,14 +51,6 @@ int lock(int descriptor, int kind) {
     return 0;
 }
 
-/// Another name for each writer, of any program: writers of one file do not meet.
-std::filesystem::path next_partial(const std::filesystem::path& path) {
-    static std::atomic<int> count{0};
-    std::filesystem::path partial = path;
-    partial += fmt::format("{}-{}-{}", partial_suffix, ::getpid(), ++count);
-    return partial;
-}
-
 /// A new file, held for as long as its writer lives; -1 and errno where there is none, EEXIST where the name is taken.
 int open_held(const std::filesystem::path& partial) {
     constexpr int everybody_may_read = 0644;
@@ -79,45 +67,7 @@ int open_held(const std::filesystem::path& partial) {
     return descriptor;
 }
 
-/// Names of a folder's files that are being written, or were, and begin so. Every writing asks, also in a folder of
-/// thousands of snapshots: a path for each of them, as std::filesystem makes it, would take longer than the writing.
-std::vector<std::string> partials_of(const std::filesystem::path& folder, std::string_view start) {
-    struct Close {
-        void operator()(DIR* open) const { ::closedir(open); }
-    };
-
-    std::vector<std::string> names;
-    const std::unique_ptr<DIR, Close> open(::opendir(folder.c_str()));
-    while (const dirent* entry = open ? ::readdir(open.get()) : nullptr) {
-        const std::string_view name = static_cast<const char*>(entry->d_name);
-        if (name.starts_with(start) && is_partial(name)) {
-            names.emplace_back(name);
-        }
-    }
-    return names;
-}
-
-/// Removes what dead programs left of files whose names begin so: nobody holds it. A program's number would tell less,
-/// for several machines may write into one folder.
-void remove_leftovers(const std::filesystem::path& folder, std::string_view start) {
-    for (const std::string& name : partials_of(folder, start)) {
-        const std::filesystem::path partial = folder / name;
-        const int descriptor = ::open(partial.c_str(), O_RDWR | O_CLOEXEC);
-        if (descriptor < 0) {
-            continue;
-        }
-        if (lock(descriptor, LOCK_EX | LOCK_NB) == 0) {
-            ::unlink(partial.c_str());
-        }
-        ::close(descriptor);
-    }
-}
-
 } // namespace
-
-void remove_leftovers(const std::filesystem::path& folder) {
-    remove_leftovers(folder, "");
-}
 
 bool is_partial(std::string_view name) {
     const std::size_t at = name.rfind(partial_suffix);
@@ -136,7 +86,8 @@ AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
         }
         return;
     }
-    remove_leftovers(folder_of(path_), path_.filename().string() + std::string(partial_suffix));
+    const std::string own_name = path_.filename().string();
+    remove_leftovers(folder_of(path_), [&](std::string_view name) { return name == own_name; });
     do {
         partial_ = next_partial(path_);
         descriptor_ = open_held(partial_);

@@ -37,11 +37,9 @@ private:
     int descriptor_ = -1;
 };
 
-/// Whether a file of this name is one that is being written, or was when its program was killed.
+/// Whether a file of this name may be one that is being written, or was when its program was killed: no result. What
+/// may be removed is narrower: io/leftovers.hpp.
 bool is_partial(std::string_view name);
-
-/// Removes the files that killed programs left half-written in a folder; those that others are writing stay.
-void remove_leftovers(const std::filesystem::path& folder);
 
 /// Brings a file that was written by other means to the disk. Throws IoError.
 void sync_file(const std::filesystem::path& path);

@@ -1,6 +1,7 @@
 #include "suffuse/io/atomic_file.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/io/leftovers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -112,10 +113,35 @@ TEST(AtomicFile, WhatAKilledProgramLeftGoesWithoutAWritingToo) {
     std::ofstream(folder / "plan.json") << "{}";
     AtomicFile another(folder / "summary.json");
     ASSERT_EQ(folder.entries(), 3);
-    remove_leftovers(folder.path());
+    remove_leftovers(folder.path(), [](std::string_view name) { return name.ends_with(".json"); });
     EXPECT_EQ(folder.entries(), 2) << "the whole file and that which is being written stay";
     another.commit();
     EXPECT_TRUE(std::filesystem::exists(folder / "plan.json") && std::filesystem::exists(folder / "summary.json"));
+}
+
+TEST(Leftovers, OnlyTheWholeFormOfANameOfTheProgramIsOne) {
+    EXPECT_EQ(name_of_leftover("plan.json.partial-12-3"), "plan.json");
+    for (const char* const name :
+         {"movie.mkv.partial", "thesis.partial-2024-", "a.partial--1", "a.partial-1", "a.partial-1-2x",
+          "a.partial-1-2-3", ".partial-1-2", "partial.h5"}) {
+        EXPECT_EQ(name_of_leftover(name), "") << name;
+    }
+}
+
+TEST(Leftovers, FilesOfTheUserStayAndSoDoLinksAndFolders) {
+    const TempFolder folder;
+    for (const char* const name : {"movie.mkv.partial", "thesis.partial-2024-11", "plan.json.partial", "precious"}) {
+        std::ofstream(folder / name) << "mine";
+    }
+    std::filesystem::create_symlink(folder / "precious", folder / "plan.json.partial-1-1");
+    std::filesystem::create_directory(folder / "plan.json.partial-1-2");
+    std::ofstream(folder / "plan.json.partial-1-3") << "{";
+    ASSERT_EQ(folder.entries(), 7);
+    remove_leftovers(folder.path(), [](std::string_view name) { return name == "plan.json"; });
+    EXPECT_EQ(folder.entries(), 6);
+    EXPECT_FALSE(std::filesystem::exists(folder / "plan.json.partial-1-3"));
+    EXPECT_FALSE(is_leftover_of(folder / "plan.json.partial-1-1", "plan.json"));
+    EXPECT_FALSE(is_leftover_of(folder / "plan.json.partial-1-2", "plan.json"));
 }
 
 TEST(AtomicFile, NamesOfFilesThatAreWholeAreNotTakenForHalfWrittenOnes) {

@@ -2,18 +2,20 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
-#include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/folders.hpp"
+#include "suffuse/io/leftovers.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stored.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <fcntl.h>
+#include <string_view>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -23,6 +25,15 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path lock_file = ".lock";
+
+/// Whether a run writes a file of this name into its folder, or into that of a sample.
+bool is_written_here(std::string_view name) {
+    constexpr std::array<std::string_view, 14> names = {
+        "case.toml",  "case.resolved.toml", "run_options.json", "refinement.json", "provenance.json",
+        "plan.json",  "progress.json",      "own_rules.json",   "summary.json",    "report.html",
+        "report.pdf", "SHA256SUMS",         "tasks.txt",        "sweep.sbatch"};
+    return std::ranges::count(names, name) > 0;
+}
 
 /// The number at the end of NAME-0012, or 0.
 int number_of(const std::string& folder, const std::string& name) {
@@ -88,8 +99,7 @@ void take_run_folder(const fs::path& folder) {
     }
     io::make_folders(folder);
     const auto is_ours = [](const fs::directory_entry& entry) { // of a run that could not even begin
-        const fs::path name = entry.path().filename();
-        return name == lock_file || io::is_partial(name.string());
+        return entry.path().filename() == lock_file || io::is_leftover_of(entry.path(), record::options_file);
     };
     const bool is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), is_ours);
     const bool is_begun = fs::exists(folder / record::options_file) || fs::exists(folder / record::resolved_case_file);
@@ -169,7 +179,7 @@ FolderLock::FolderLock(const fs::path& folder, const std::function<void(const st
             std::strerror(refused)
         ));
     }
-    io::remove_leftovers(folder); // where the run has ended nothing else would
+    io::remove_leftovers(folder, is_written_here); // where the run has ended nothing else would
 }
 
 FolderLock::~FolderLock() {

@@ -1,0 +1,48 @@
+// Folders made by somebody else, and the user's own files beside ours: nothing of either is written or removed.
+
+#include "suffuse/record/folder.hpp"
+
+#include "tests/support/program.hpp"
+#include <filesystem>
+#include <string>
+#include <sys/stat.h>
+#include <vector>
+
+namespace suffuse {
+namespace {
+
+using namespace test;
+namespace fs = std::filesystem;
+
+class Strangers : public Cli {
+protected:
+    void SetUp() override { ASSERT_EQ(say({"new", "soil", "--from", "replay"}).code, 0); }
+
+    Said run(const std::string& name, std::vector<std::string> more = {"--no-cache"}) {
+        more.insert(more.begin(), {"run", "soil/case.toml", "-o", name});
+        return say(more);
+    }
+
+    /// As an earlier call was stopped behind its first stage.
+    void begin(const std::string& name) { ASSERT_EQ(run(name, {"--no-cache", "--until", "start"}).code, 0); }
+};
+
+TEST_F(Strangers, HalfWrittenFilesOfTheUserAreNotTakenForOurs) {
+    write_to(folder / "dl/movie.mkv.partial", "movie");
+    write_to(folder / "dl/thesis.partial-2024-11", "draft");
+    const Said said = run("dl");
+    EXPECT_EQ(said.code, 2) << said.error;
+    expect_in("dl is not empty and holds no run", said.error);
+    begin("here");
+    fs::copy(folder / "dl", folder / "here");
+    write_to(folder / "here/report.html.partial-1-2", "<");
+    EXPECT_EQ(say({"resume", "here", "--no-cache", "--until", "settled"}).code, 0);
+    EXPECT_FALSE(fs::exists(folder / "here/report.html.partial-1-2")) << "that one is ours";
+    for (const char* const place : {"dl", "here"}) {
+        EXPECT_EQ(read_all(folder / place / "movie.mkv.partial"), "movie");
+        EXPECT_EQ(read_all(folder / place / "thesis.partial-2024-11"), "draft");
+    }
+}
+
+} // namespace
+} // namespace suffuse
