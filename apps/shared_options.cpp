@@ -5,10 +5,13 @@
 #include "suffuse/base/memory_bound.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/render_within.hpp"
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/fit_memory.hpp"
+#include "suffuse/record/folder.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -82,6 +85,23 @@ std::filesystem::path CacheOptions::folder_or(const std::filesystem::path& usual
         return {};
     }
     return folder.empty() ? usual : std::filesystem::absolute(folder).lexically_normal();
+}
+
+std::filesystem::path
+cache_to_go_on(const CacheOptions& asked, const std::filesystem::path& run, bool is_trusted, const Console& console) {
+    const std::filesystem::path beside = job::cache_beside(run);
+    const bool is_begun = std::filesystem::exists(run / record::options_file);
+    const std::optional<std::string> earlier = is_begun ? job::read_asked(run).cache : std::nullopt;
+    if (earlier && (is_trusted || earlier->empty())) {
+        return asked.folder_or(*earlier);
+    }
+    if (earlier && !asked.is_asked() && *earlier != std::filesystem::absolute(beside).lexically_normal()) {
+        console.talk(fmt::format(
+            "This run was begun with another cache, which its folder cannot choose. To use that one again: --cache {}",
+            shell_word(shown(*earlier))
+        ));
+    }
+    return asked.folder_or(beside);
 }
 
 void RunLimits::add_to(Options& options) {

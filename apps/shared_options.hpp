@@ -53,12 +53,18 @@ struct CacheOptions {
     [[nodiscard]] std::filesystem::path folder_or(const std::filesystem::path& usual) const;
 };
 
+/// The cache of a run that goes on: what is asked for, else suffuse-cache beside the run. Its folder, which may be a
+/// stranger's, chooses none unless the user trusts it; what the earlier call had is printed.
+std::filesystem::path
+cache_to_go_on(const CacheOptions& asked, const std::filesystem::path& run, bool is_trusted, const Console& console);
+
 /// How far a run goes.
 struct RunLimits {
     std::string until;      ///< stage
     std::string time_limit; ///< with its unit
 
     void add_to(Options& options);
+
     /// [s], without end unless asked for. @throws UsageError where it is no time.
     [[nodiscard]] double seconds() const;
 };

@@ -27,6 +27,26 @@ protected:
     void begin(const std::string& name) { ASSERT_EQ(run(name, {"--no-cache", "--until", "start"}).code, 0); }
 };
 
+TEST_F(Strangers, AFolderThatIsNoCacheIsRefusedBeforeAnythingIsMade) {
+    write_to(folder / "data/new-2024/a.jpg", "photo");
+    write_to(folder / "data/deadbeefdeadbeef/p", "mine");
+    write_to(folder / "data/0123456789abcdef", "mine");
+    begin("begun");
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"run", "soil/case.toml", "-o", "r", "--cache", "data"},
+             {"resume", "begun", "--cache", "data"},
+             {"sweep", "soil/case.toml", "--emit", "parallel", "-o", "r", "--cache", "data"},
+             {"cache", "data"}}) {
+        const Said said = say(words);
+        EXPECT_EQ(said.code, 2) << words[0] << said.error;
+        expect_in("data is no cache", said.error);
+    }
+    EXPECT_FALSE(fs::exists(folder / "r"));
+    EXPECT_TRUE(fs::exists(folder / "data/new-2024/a.jpg") && fs::exists(folder / "data/deadbeefdeadbeef/p"));
+    EXPECT_TRUE(fs::exists(folder / "data/0123456789abcdef"));
+    EXPECT_FALSE(fs::exists(folder / "data/cache.json"));
+}
+
 TEST_F(Strangers, HalfWrittenFilesOfTheUserAreNotTakenForOurs) {
     write_to(folder / "dl/movie.mkv.partial", "movie");
     write_to(folder / "dl/thesis.partial-2024-11", "draft");
@@ -42,6 +62,22 @@ TEST_F(Strangers, HalfWrittenFilesOfTheUserAreNotTakenForOurs) {
         EXPECT_EQ(read_all(folder / place / "movie.mkv.partial"), "movie");
         EXPECT_EQ(read_all(folder / place / "thesis.partial-2024-11"), "draft");
     }
+}
+
+TEST_F(Strangers, TheFolderOfARunChoosesNoCacheUnlessItIsTrusted) {
+    begin("here");
+    nlohmann::json asked = record::read_json(folder / "here/run_options.json");
+    asked["cache"] = (folder / "else where").string();
+    fs::remove(folder / "here/SHA256SUMS");
+    write_to(folder / "here/run_options.json", asked.dump());
+    const Said said = say({"resume", "here", "--until", "settled"});
+    EXPECT_EQ(said.code, 0) << said.error;
+    expect_in("--cache '" + (folder / "else where").string() + "'", said.error);
+    EXPECT_FALSE(fs::exists(folder / "else where"));
+    EXPECT_TRUE(fs::exists(folder / "suffuse-cache/cache.json"));
+    const Said trusted = say({"resume", "here", "--trust"});
+    EXPECT_EQ(trusted.code, 0) << trusted.error;
+    EXPECT_TRUE(fs::exists(folder / "else where/cache.json"));
 }
 
 } // namespace

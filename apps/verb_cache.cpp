@@ -56,7 +56,8 @@ int CacheVerb::act(const CommandLine&, const Console& console) const {
     record::StageCache cache(folder, record::Owners::Anybody);
     if (!cache.is_one()) {
         throw UsageError(fmt::format(
-            "{} is no cache: it holds what no cache does; give the folder that runs name as their cache",
+            "{} is no cache: it holds files, and no cache.json of suffuse; give the folder that runs name as their "
+            "cache",
             shown(folder.string())
         ));
     }

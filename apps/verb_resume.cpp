@@ -10,6 +10,7 @@
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/refine.hpp"
 #include "suffuse/record/samples.hpp"
+#include "suffuse/record/stage_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -42,11 +43,13 @@ struct ResumeVerb final : Verb {
     RunLimits limits;
     MemoryOption memory;
     std::string sample;
+    bool is_trusted = false;
 
     void add_to(Options& options) override {
         options.argument("DIR", folder, folder_text).required();
         threads.add_to(options);
         cache.add_to(options);
+        options.flag("--trust", is_trusted, "keep stages where run_options.json of the run says; for runs of your own");
         limits.add_to(options);
         memory.add_to(options);
         options.value("--sample", sample, "this sample alone, beside others; as in fines/fc=20/rep=1").type("NAME");
@@ -83,12 +86,9 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
         .folder = folder};
     heed_signals();
     const fs::path resolved = job.folder / record::resolved_case_file;
-    fs::path usual_cache = job::cache_beside(job.folder);
-    if (fs::exists(job.folder / "run_options.json")) {
-        usual_cache = job::read_asked(job.folder).cache.value_or(usual_cache.string());
-    }
-    job.cache = cache.folder_or(usual_cache);
+    job.cache = cache_to_go_on(cache, job.folder, is_trusted, console);
     job.cache_owners = cache.owners();
+    record::StageCache(job.cache).require_one();
     if (fs::exists(resolved)) {
         job.what = record::load_run(job.folder);
     } else { // stopped before it really began

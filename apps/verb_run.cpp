@@ -8,6 +8,7 @@
 #include "suffuse/plan/asked_stages.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/record/folder.hpp"
+#include "suffuse/record/stage_cache.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -89,6 +90,7 @@ int RunVerb::act(const CommandLine& line, const Console& console) const {
     threads.apply();
     job.cache = cache.folder_or(job::cache_beside(output.empty() ? "runs/new" : output));
     job.cache_owners = cache.owners();
+    record::StageCache(job.cache).require_one();
     job.folder = output;
     job.plan = plan_rest(job); // where it throws no folder is left
     if (output.empty()) {

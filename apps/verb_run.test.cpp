@@ -109,7 +109,7 @@ TEST_F(Cli, APathThatIsNotUtf8IsAPathLikeAnyOther) {
     // Begun and stopped before the case was kept: the case file and the cache are found where they are.
     std::filesystem::remove(folder / (place + "/run/case.resolved.toml"));
     std::filesystem::remove(folder / (place + "/run/SHA256SUMS")); // which a run has once it has ended
-    const Said resumed = say({"resume", place + "/run"});
+    const Said resumed = say({"resume", place + "/run", "--trust"});
     EXPECT_EQ(resumed.code, 0) << resumed.error;
     EXPECT_TRUE(std::filesystem::exists(folder / (place + "/c/cache.json")));
     EXPECT_EQ(say({"report", place + "/run"}).code, 0);

@@ -19,6 +19,7 @@
 #include "suffuse/record/missing_stages.hpp"
 #include "suffuse/record/refine.hpp"
 #include "suffuse/record/samples.hpp"
+#include "suffuse/record/stage_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -150,9 +151,14 @@ fs::path prepare_folder(const SweepVerb& asked, const Console& console, casefile
 /// One task, as a shell runs it.
 std::string task_text(const Emitted& emitted, const record::Sample& sample, const SweepVerb& asked) {
     const std::string limit = asked.time_limit.empty() ? "" : " --time-limit " + shell_word(asked.time_limit);
+    const std::string cache = asked.cache.is_off ? " --no-cache"
+                              : asked.cache.folder.empty()
+                                  ? ""
+                                  : " --cache " + shell_word(asked.cache.folder_or({}).string());
     return fmt::format(
-        "{} resume {} --sample {} -j {}{}\n", shell_word(fs::read_symlink("/proc/self/exe").string()),
-        shell_word(emitted.folder.string()), shell_word(sample.variant->folder), std::max(1, asked.threads), limit
+        "{} resume {} --sample {} -j {}{}{}\n", shell_word(fs::read_symlink("/proc/self/exe").string()),
+        shell_word(emitted.folder.string()), shell_word(sample.variant->folder), std::max(1, asked.threads), limit,
+        cache
     );
 }
 
@@ -204,6 +210,10 @@ int emit(const SweepVerb& asked, const Console& console) {
             asked.time_limit, dimension::time, "--time-limit", false
         ); // wrong use is an error before anything is made
     }
+    const fs::path begun = fs::is_directory(asked.subject) ? asked.subject
+                           : asked.output.empty()          ? "runs/new"
+                                                           : asked.output;
+    record::StageCache(cache_to_go_on(asked.cache, begun, false, console)).require_one();
     Emitted emitted;
     const fs::path folder = prepare_folder(asked, console, emitted.what);
     emitted.folder = fs::absolute(folder).lexically_normal();

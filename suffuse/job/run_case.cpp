@@ -8,6 +8,7 @@
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/missing_stages.hpp"
 #include "suffuse/record/refine.hpp"
+#include "suffuse/record/stage_cache.hpp"
 #include "suffuse/record/stored.hpp"
 #include "suffuse/run/own_rules.hpp"
 #include "suffuse/run/runner.hpp"
@@ -108,6 +109,7 @@ double longest_sample(const casefile::Case& what, const std::filesystem::path& f
 } // namespace
 
 RunReport run_case(const casefile::Case& what, const run::RunOptions& options) {
+    record::StageCache(options.cache).require_one();
     record::open_folder(options.folder, what, options.case_text);
     run::take_own_rules(what, options);
     run::Overview overview(options);

@@ -7,6 +7,7 @@
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/folders.hpp"
+#include "suffuse/io/leftovers.hpp"
 #include "suffuse/record/cache_entry.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/samples.hpp"
@@ -30,6 +31,11 @@ using nlohmann::json;
 
 constexpr int layout = 2; // of entries; a change of it makes all of them unknown
 const char* const settings_file = "cache.json";
+const char* const about_cache =
+    "stages that suffuse computed, each with all that it depends on; may be deleted at any time";
+
+/// Lies in a folder where an entry is made or taken apart: nothing else of such a name is removed.
+const char* const maker_file = ".made-by-suffuse";
 
 std::string hash_of_file(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -55,13 +61,34 @@ const std::string& program() {
     return text;
 }
 
-/// How the folder of an entry, and one that becomes an entry, is named; what else lies there is not the cache's.
+/// How the folder of an entry, and one that becomes an entry, is named. A folder of somebody's own may be named so,
+/// too.
 bool names_an_entry(const std::string& name) {
     return name.size() == 16 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 bool names_one_being_made(const std::string& name) {
     return name.rfind("new-", 0) == 0 && name.find_first_not_of("0123456789-", 4) == std::string::npos;
+}
+
+bool holds_file(const fs::directory_entry& place, const char* file) {
+    std::error_code error;
+    return fs::is_directory(place.symlink_status(error)) && fs::is_regular_file(place.path() / file, error);
+}
+
+void mark_made_here(const fs::path& folder) {
+    io::write_file(folder / maker_file, fmt::format("suffuse {}, process {}\n", version(), getpid()));
+}
+
+/// The mark goes last: what a kill leaves of the folder still has it.
+void remove_marked(const fs::path& folder) {
+    std::error_code error;
+    for (const fs::directory_entry& part : fs::directory_iterator(folder, error)) {
+        if (part.path().filename() != maker_file) {
+            fs::remove_all(part.path(), error);
+        }
+    }
+    fs::remove_all(folder, error);
 }
 
 /// Texts begin with the name of the stage, some with that of its study too.
@@ -152,13 +179,31 @@ bool StageCache::may_take(const fs::path& entry) const {
 }
 
 bool StageCache::is_one() const {
+    if (!fs::is_directory(folder_)) {
+        return false;
+    }
     const auto is_of_cache = [](const fs::directory_entry& place) {
-        const std::string name = place.path().filename().string();
-        return name == settings_file || name == prices_file || names_an_entry(name) || names_one_being_made(name) ||
-               io::is_partial(name);
+        return place.path().filename() == prices_file || io::is_leftover_of(place.path(), settings_file);
     };
-    return fs::is_directory(folder_) &&
-           std::all_of(fs::directory_iterator(folder_), fs::directory_iterator(), is_of_cache);
+    // In this order: another program may be making the cache just now.
+    if (std::all_of(fs::directory_iterator(folder_), fs::directory_iterator(), is_of_cache)) {
+        return true;
+    }
+    try {
+        const json settings = read_json(folder_ / settings_file);
+        return settings.is_object() && settings.contains("about") && settings.at("about") == about_cache;
+    } catch (const IoError&) { // there is none
+        return false;
+    }
+}
+
+void StageCache::require_one() const {
+    if (!folder_.empty() && fs::is_directory(folder_) && !is_one()) {
+        throw UsageError(fmt::format(
+            "{} is no cache: it holds files, and no cache.json of suffuse; give --cache a new folder, or --no-cache",
+            folder_.string()
+        ));
+    }
 }
 
 CacheAnswer StageCache::take(
@@ -207,8 +252,9 @@ fs::path StageCache::place_to_work() const {
 void StageCache::drop(const fs::path& entry) const {
     const fs::path apart = place_to_work();
     std::error_code error;
+    io::show_file(entry / maker_file, ""); // where it cannot be written, nothing can be removed
     fs::rename(entry, apart, error);
-    fs::remove_all(error ? entry : apart, error);
+    remove_marked(error ? entry : apart);
 }
 
 void StageCache::keep(const std::string& key, const fs::path& stage_folder) {
@@ -219,15 +265,17 @@ void StageCache::keep(const std::string& key, const fs::path& stage_folder) {
     expects(sums.has_value(), "a stage that is kept has checksums");
     const fs::path making = place_to_work();
     try {
-        io::make_folders(making);
         if (!fs::exists(folder_ / settings_file)) {
             set_limit(usual_limit);
         }
+        io::make_folders(making);
+        mark_made_here(making);
         fill_entry(making, stage_folder, *sums, key);
         if (fs::exists(place_of(key)) && !read_entry(place_of(key))) {
             drop(place_of(key)); // a damaged one
         }
         std::error_code error;
+        fs::remove(making / maker_file, error);
         fs::rename(making, place_of(key), error);
         if (error) { // another sample was first, with the same bits
             fs::remove_all(making, error);
@@ -277,11 +325,7 @@ std::int64_t StageCache::limit() const {
 
 void StageCache::set_limit(std::int64_t bytes) const {
     io::make_folders(folder_);
-    write_json(
-        folder_ / settings_file,
-        {{"about", "stages that suffuse computed, each with all that it depends on; may be deleted at any time"},
-         {"limit_bytes", bytes}}
-    );
+    write_json(folder_ / settings_file, {{"about", about_cache}, {"limit_bytes", bytes}});
 }
 
 int StageCache::clear() {
@@ -295,10 +339,11 @@ int StageCache::drop_leftovers(std::chrono::hours age) {
     const auto now = fs::file_time_type::clock::now();
     for (const fs::directory_entry& place : fs::directory_iterator(folder_, error)) {
         const std::string name = place.path().filename().string();
-        const bool is_damaged = names_an_entry(name) && !read_entry(place.path());
-        const bool is_left = names_one_being_made(name) && now - fs::last_write_time(place.path(), error) >= age;
+        const bool is_damaged = names_an_entry(name) && holds_file(place, "entry.json") && !read_entry(place.path());
+        const bool is_left = names_one_being_made(name) && holds_file(place, maker_file) &&
+                             now - fs::last_write_time(place.path(), error) >= age;
         if (is_damaged || is_left) {
-            fs::remove_all(place.path(), error);
+            remove_marked(place.path());
             damaged += is_damaged ? 1 : 0;
         }
     }

@@ -72,11 +72,15 @@ public:
     /// Drops entries until the rest takes at most so many bytes, and what cannot be read; returns how many went.
     int shrink(std::int64_t bytes);
 
-    /// Drops all entries and what programs that were killed have left; returns how many entries went.
+    /// Drops all entries and what programs that were killed have left; returns how many entries went. Whatever else
+    /// lies in the folder stays.
     int clear();
 
-    /// Whether the folder is a cache, or may become one: it is empty.
+    /// Whether the folder is a cache, for its cache.json says so, or may become one: it is empty.
     [[nodiscard]] bool is_one() const;
+
+    /// @throws UsageError for a folder that holds something and is no cache
+    void require_one() const;
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 

@@ -55,6 +55,7 @@ TEST_F(Cached, AFinishedStageIsFoundAgain) {
     EXPECT_FALSE(take());
     cache.keep("key", done());
     EXPECT_TRUE(take());
+    EXPECT_FALSE(fs::exists(place() / ".made-by-suffuse")) << "it is whole";
     EXPECT_EQ(test::read_all(taken() / "state.h5"), "grains");
     EXPECT_EQ(read_json(taken() / "stage.json").at("from_cache"), true);
     EXPECT_EQ(read_json(taken() / "stage.json").at("sample"), "s");
@@ -73,12 +74,44 @@ TEST_F(Cached, AnEntryOfAnotherUserIsTakenOnlyWhereThatIsAsked) {
     EXPECT_TRUE(StageCache(cache.folder(), Owners::Anybody).take("key", variant, stage, taken()).is_taken);
 }
 
-TEST_F(Cached, AFolderThatHoldsSomethingElseIsNoCache) {
-    cache.keep("key", done());
-    EXPECT_TRUE(cache.is_one());
-    write(cache.folder() / "thesis.tex", "mine");
+TEST_F(Cached, AFolderIsACacheOnlyIfItsCacheJsonSaysSo) {
     EXPECT_FALSE(cache.is_one());
-    EXPECT_FALSE(StageCache(folder / "nowhere").is_one());
+    EXPECT_NO_THROW(cache.require_one()) << "it is made";
+    fs::create_directories(cache.folder());
+    EXPECT_TRUE(cache.is_one()) << "it is empty";
+    fs::create_directories(cache.folder() / "deadbeefdeadbeef");
+    for (const char* const text : {"", "[]", "{}", "{\"about\": \"my caches\"}", "{\"limit_bytes\": 5}"}) {
+        write(cache.folder() / "cache.json", text);
+        EXPECT_FALSE(cache.is_one()) << text;
+        EXPECT_THROW(cache.require_one(), UsageError) << text;
+    }
+    cache.set_limit(7);
+    EXPECT_TRUE(cache.is_one());
+    EXPECT_NO_THROW(cache.require_one());
+    EXPECT_NO_THROW(StageCache({}).require_one());
+}
+
+TEST_F(Cached, ACacheThatAnotherProgramMakesJustNowIsFree) {
+    fs::create_directories(cache.folder());
+    write(cache.folder() / "cache.json.partial-12-3", "{");
+    EXPECT_TRUE(cache.is_one());
+}
+
+TEST_F(Cached, FilesOfTheUserInACacheStayWhateverTheirNames) {
+    cache.keep("key", done());
+    const std::vector<fs::path> mine = {
+        cache.folder() / "new-2024/a.jpg", cache.folder() / "deadbeefdeadbeef/p", cache.folder() / "0123456789abcdef",
+        cache.folder() / "notes.txt"};
+    for (const fs::path& file : mine) {
+        fs::create_directories(file.parent_path());
+        write(file, "mine");
+    }
+    fs::last_write_time(cache.folder() / "new-2024", fs::file_time_type::clock::now() - std::chrono::hours(72));
+    EXPECT_EQ(cache.shrink(0), 1);
+    EXPECT_EQ(cache.clear(), 0);
+    for (const fs::path& file : mine) {
+        EXPECT_EQ(test::read_all(file), "mine") << file;
+    }
 }
 
 TEST_F(Cached, ADamagedEntryIsDroppedAndKeptAnew) {
@@ -183,7 +216,9 @@ TEST_F(Cached, WhatAKilledProgramLeftIsRemovedAndNothingElse) {
                    mine = folder / "cache/new-ideas";
     for (const fs::path& left : {young, old, mine}) {
         fs::create_directories(left);
+        write(left / ".made-by-suffuse", "");
     }
+    fs::create_directories(folder / "cache/new-123-3"); // nobody's mark
     fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(25));
     fs::last_write_time(mine, fs::file_time_type::clock::now() - std::chrono::hours(25));
     write(place() / "entry.json", "");
@@ -194,6 +229,7 @@ TEST_F(Cached, WhatAKilledProgramLeftIsRemovedAndNothingElse) {
     EXPECT_EQ(cache.clear(), 1);
     EXPECT_FALSE(fs::exists(young));
     EXPECT_TRUE(fs::exists(mine));
+    EXPECT_TRUE(fs::exists(folder / "cache/new-123-3"));
     EXPECT_TRUE(cache.entries().empty());
 }
 
