@@ -111,7 +111,7 @@ fs::path write_overlay_page(
 }
 
 void draw_curves(const std::vector<job::AssessedSoil>& soils, const fs::path& file) {
-    const job::ScratchFolder scratch;
+    const job::ScratchFolder scratch(file.has_parent_path() ? file.parent_path() : ".");
     report::ReportData data = begin_page(scratch.path(), "");
     if (soils.size() == 1) {
         data.figures = {

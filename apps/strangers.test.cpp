@@ -80,5 +80,17 @@ TEST_F(Strangers, TheFolderOfARunChoosesNoCacheUnlessItIsTrusted) {
     EXPECT_TRUE(fs::exists(folder / "else where/cache.json"));
 }
 
+TEST_F(Strangers, WithoutAPlaceForTemporaryFilesARunStillHasItsReport) {
+    const char* const before = std::getenv("TMPDIR");
+    const std::string usual = before == nullptr ? "/tmp" : before;
+    setenv("TMPDIR", "/nowhere", 1);
+    const Said said = run("here");
+    setenv("TMPDIR", usual.c_str(), 1);
+    EXPECT_EQ(said.code, 0) << said.error;
+    EXPECT_TRUE(fs::exists(folder / "here/summary.json"));
+    expect_in("<title>", read_all(folder / "here/report.html"));
+    EXPECT_EQ(say({"verify", "here"}).code, 0) << "nothing temporary is left";
+}
+
 } // namespace
 } // namespace suffuse

@@ -4,6 +4,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/figures/figure_options.hpp"
+#include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/folders.hpp"
 #include "suffuse/io/text_file.hpp"
 #include "suffuse/job/other_program.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <unistd.h>
 
@@ -94,6 +96,14 @@ std::vector<Source> chosen(const std::vector<Source>& all, const std::vector<std
     return some;
 }
 
+std::string bytes_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        throw IoError(fmt::format("{}: cannot be read", file.string()));
+    }
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 /// What draws specifications. @throws IoError saying what to install.
 fs::path drawing_program(const fs::path& page) {
     if (!is_installed("node")) {
@@ -130,11 +140,7 @@ void draw_svg(
         if (!source.is_drawing) {
             words.push_back(source.file.string());
         } else if (const fs::path copy = folder / source.file.filename(); copy != source.file) {
-            std::error_code error;
-            fs::copy_file(source.file, copy, fs::copy_options::overwrite_existing, error);
-            if (error && !fs::equivalent(source.file, copy, error)) {
-                throw IoError(fmt::format("cannot write {}: {}", copy.string(), error.message()));
-            }
+            io::write_file(copy, bytes_of(source.file));
         }
     }
     if (words.size() == without_files) {
@@ -173,16 +179,17 @@ std::vector<fs::path> draw_figures(
         ));
     }
     io::make_folders(folder);
-    const ScratchFolder scratch;
-    const fs::path drawn = format == "svg" ? folder : scratch.path();
-    draw_svg(sources, style, drawn, page);
+    const ScratchFolder scratch(folder); // other programs write there: in the folder they would follow links
+    draw_svg(sources, style, scratch.path(), page);
     std::vector<fs::path> written;
     for (const Source& source : sources) {
-        const fs::path file = folder / (source.id + "." + format);
+        const fs::path drawn = scratch.path() / (source.id + ".svg"),
+                       made = scratch.path() / (source.id + "." + format);
         if (format != "svg") {
-            convert(drawn / (source.id + ".svg"), file, format);
+            convert(drawn, made, format);
         }
-        written.push_back(file);
+        written.push_back(folder / made.filename());
+        io::write_file(written.back(), bytes_of(made));
     }
     return written;
 }
@@ -192,7 +199,7 @@ void draw_in_page(std::vector<figures::Figure>& figures, const fs::path& run, co
     if (page.empty() || !fs::exists(page / "figures.mjs") || !is_installed("node")) {
         return;
     }
-    const ScratchFolder scratch;
+    const ScratchFolder scratch(run);
     std::vector<std::string> words = {"node", (page / "figures.mjs").string(), "--in-page", scratch.path().string()};
     const std::size_t without_files = words.size();
     for (const figures::Figure& figure : figures) {
@@ -218,13 +225,9 @@ void draw_figure(const fs::path& run, const std::string& which, const fs::path& 
     if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
         throw UsageError(fmt::format("{}: a figure is drawn as .svg, .png or .pdf", shown(file.string())));
     }
-    const ScratchFolder scratch;
+    const ScratchFolder scratch(file.has_parent_path() ? file.parent_path() : ".");
     const std::vector<fs::path> drawn = draw_figures(run, {which}, {.format = ending.substr(1)}, scratch.path(), page);
-    std::error_code error;
-    fs::copy_file(drawn.front(), file, fs::copy_options::overwrite_existing, error);
-    if (error) {
-        throw IoError(fmt::format("cannot write {}: {}", file.string(), error.message()));
-    }
+    io::write_file(file, bytes_of(drawn.front()));
 }
 
 } // namespace suffuse::job

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/io/leftovers.hpp"
 #include "suffuse/job/other_program.hpp"
 #include "suffuse/job/scratch_folder.hpp"
 
@@ -30,14 +31,23 @@ std::string find_browser(const fs::path& page) {
     ));
 }
 
+std::string reason_of(const ProgramEnd& end) {
+    return !end.complaint.empty() ? end.complaint
+           : end.code > 128       ? fmt::format("signal {} ended it", end.code - 128)
+           : end.code > 0         ? fmt::format("it ended with code {} and said nothing", end.code)
+                                  : "it said that it was done, and wrote nothing";
+}
+
 } // namespace
 
 void print_report(const fs::path& page, const fs::path& pdf, const std::string& browser) {
-    const ScratchFolder profile; // beside a browser that runs, which else would be asked to do it
+    const fs::path target = fs::absolute(pdf);
+    const ScratchFolder profile(target.parent_path()); // beside a browser that runs, which else would be asked to do it
     const fs::path whole = fs::absolute(page).lexically_normal();
     if (!fs::exists(whole)) {
         throw IoError(fmt::format("{}: is not there to be printed", whole.string()));
     }
+    const fs::path printed = io::next_partial(target); // what was there before stays until this is whole
     std::vector<std::string> words = {
         browser.empty() ? find_browser(page) : browser,
         "--headless",
@@ -46,7 +56,7 @@ void print_report(const fs::path& page, const fs::path& pdf, const std::string& 
         "--user-data-dir=" + profile.path().string(),
         "--no-pdf-header-footer",
         "--virtual-time-budget=120000", // until the page's own script has drawn; ends early where nothing waits
-        "--print-to-pdf=" + fs::absolute(pdf).string(),
+        "--print-to-pdf=" + printed.string(),
         "--generate-pdf-document-outline",
     };
     if (geteuid() ==
@@ -61,10 +71,18 @@ void print_report(const fs::path& page, const fs::path& pdf, const std::string& 
     }
     words.push_back(address);
     std::error_code error;
-    fs::remove(pdf, error);
     const ProgramEnd end = run_program(words);
-    if (end.code != 0 || !fs::exists(pdf)) {
-        throw IoError(fmt::format("{} could not print {}: {}", words.front(), page.string(), end.complaint));
+    if (end.code != 0 || !fs::exists(printed)) {
+        fs::remove(printed, error);
+        throw IoError(fmt::format(
+            "{} could not print {}: {}; {}", words.front(), page.string(), reason_of(end),
+            fs::exists(pdf) ? "the PDF that was there before is left as it was" : "no PDF was made"
+        ));
+    }
+    fs::rename(printed, target, error);
+    if (error) {
+        fs::remove(printed, error);
+        throw IoError(fmt::format("cannot write {}: choose a folder that you may write to", pdf.string()));
     }
 }
 

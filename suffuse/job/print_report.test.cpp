@@ -7,6 +7,8 @@
 #include "tests/support/run_text.hpp"
 #include "tests/support/temp_folder.hpp"
 #include <fstream>
+#include <utility>
+#include <vector>
 
 namespace suffuse::job {
 namespace {
@@ -41,7 +43,39 @@ TEST(PrintReport, SaysWhatTheBrowserComplainedOf) {
     } catch (const IoError& error) {
         EXPECT_NE(std::string(error.what()).find("no display"), std::string::npos) << error.what();
     }
+    EXPECT_EQ(folder.entries(), 2) << "nothing half-printed";
     EXPECT_THROW(print_report(folder / "nothing.html", folder / "r.pdf", "true"), IoError);
+}
+
+TEST(PrintReport, APdfThatWasThereStaysWhereTheBrowserFailsAndTheMessageSaysWhy) {
+    const test::TempFolder folder;
+    std::ofstream(folder / "report.html") << "<p>";
+    std::ofstream(folder / "r.pdf") << "old";
+    for (const auto& [browser, why] : std::vector<std::pair<const char*, const char*>>{
+             {"exit 1", "it ended with code 1 and said nothing"},
+             {"echo half > \"$out\"; echo no display >&2; exit 3", "no display"},
+             {"exit 0", "wrote nothing"},
+             {"kill -9 $$", "signal 9 ended it"}}) {
+        try {
+            print_report(folder / "report.html", folder / "r.pdf", stand_in(folder, browser));
+            FAIL() << browser;
+        } catch (const IoError& error) {
+            EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find("is left as it was"), std::string::npos) << error.what();
+        }
+        EXPECT_EQ(test::read_all(folder / "r.pdf"), "old");
+        EXPECT_EQ(folder.entries(), 3) << "nothing half-printed";
+    }
+}
+
+TEST(PrintReport, IsNotWrittenThroughALink) {
+    const test::TempFolder folder;
+    std::ofstream(folder / "report.html") << "<p>";
+    std::ofstream(folder / "precious") << "precious";
+    fs::create_symlink(folder / "precious", folder / "r.pdf");
+    print_report(folder / "report.html", folder / "r.pdf", stand_in(folder, "echo pdf > \"$out\""));
+    EXPECT_EQ(test::read_all(folder / "precious"), "precious");
+    EXPECT_EQ(test::read_all(folder / "r.pdf"), "pdf\n");
 }
 
 } // namespace

@@ -1,32 +1,16 @@
 #pragma once
-// A folder for what another program is to work on, gone at the end.
+// A folder for what another program is to work on, gone at the end: where temporary files belong (TMPDIR, /tmp), or,
+// where that is missing, full or not to be written to, in a folder that the caller writes to anyway.
 
-#include "suffuse/base/error.hpp"
-
-#include <fmt/format.h>
-
-#include <cstdlib>
 #include <filesystem>
-#include <string>
-#include <system_error>
 
 namespace suffuse::job {
 
 class ScratchFolder {
 public:
-    ScratchFolder() {
-        const std::filesystem::path within = std::filesystem::temp_directory_path();
-        std::string name = (within / "suffuse-figures-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) {
-            throw IoError(fmt::format("cannot make a folder in {}", within.string()));
-        }
-        path_ = name;
-    }
-
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
+    /// @throws IoError where neither takes a folder
+    explicit ScratchFolder(const std::filesystem::path& otherwise);
+    ~ScratchFolder();
 
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
