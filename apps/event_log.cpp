@@ -2,6 +2,7 @@
 
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/io/own_file.hpp"
 #include "suffuse/record/documents.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@ namespace suffuse::apps {
 
 std::vector<nlohmann::json> EventLog::read_new() {
     std::vector<nlohmann::json> events;
+    io::require_regular(path_);
     std::ifstream file(path_, std::ios::binary);
     file.seekg(read_);
     for (std::string line; std::getline(file, line) && !file.eof();) { // at the end of the file the line has no end yet

@@ -1,6 +1,7 @@
 #include "apps/progress_file.hpp"
 
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/own_file.hpp"
 #include "suffuse/record/documents.hpp"
 
 #include <fstream>
@@ -80,6 +81,7 @@ void ProgressFile::write(const run::Progress& latest) const {
 }
 
 std::optional<Published> read_progress(const std::filesystem::path& folder) {
+    io::require_regular(folder / progress_file);
     std::ifstream file(folder / progress_file);
     const json all = record::parse_json(std::string(std::istreambuf_iterator<char>(file), {}));
     try {

@@ -104,6 +104,12 @@ cache_to_go_on(const CacheOptions& asked, const std::filesystem::path& run, bool
     return asked.folder_or(beside);
 }
 
+void look_at_run(const std::filesystem::path& run, io::Purpose purpose, const Console& console) {
+    if (const std::string remark = io::look_into_run(run, purpose); !remark.empty()) {
+        console.talk("warning: " + remark);
+    }
+}
+
 void RunLimits::add_to(Options& options) {
     add_until(options, until);
     options.value("--time-limit", time_limit, "save and stop after this wall time, as in 90min or 2h").type("TIME");

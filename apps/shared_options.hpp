@@ -4,6 +4,7 @@
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/io/packing_export.hpp"
+#include "suffuse/io/run_tree.hpp"
 #include "suffuse/record/stage_cache.hpp"
 
 #include "apps/console.hpp"
@@ -57,6 +58,9 @@ struct CacheOptions {
 /// stranger's, chooses none unless the user trusts it; what the earlier call had is printed.
 std::filesystem::path
 cache_to_go_on(const CacheOptions& asked, const std::filesystem::path& run, bool is_trusted, const Console& console);
+
+/// Looks at a run folder before any of it is opened (io/run_tree.hpp), and warns of files of other users.
+void look_at_run(const std::filesystem::path& run, io::Purpose purpose, const Console& console);
 
 /// How far a run goes.
 struct RunLimits {

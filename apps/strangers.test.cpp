@@ -27,6 +27,57 @@ protected:
     void begin(const std::string& name) { ASSERT_EQ(run(name, {"--no-cache", "--until", "start"}).code, 0); }
 };
 
+TEST_F(Strangers, ALinkInARunFolderIsNeverWrittenThrough) {
+    for (const char* const file : {"events.jsonl", ".lock", "studies/replay/settled", "report.html"}) {
+        begin("here");
+        write_to(folder / "home/bashrc", "# mine");
+        fs::remove_all(folder / (std::string("here/") + file));
+        fs::create_symlink(folder / "home/bashrc", folder / (std::string("here/") + file));
+        const Said said = say({"resume", "here", "--no-cache"});
+        EXPECT_EQ(said.code, 74) << file << said.error;
+        expect_in(std::string("here/") + file + " is a link", said.error);
+        EXPECT_EQ(read_all(folder / "home/bashrc"), "# mine");
+        fs::remove_all(folder / "here");
+    }
+}
+
+TEST_F(Strangers, AFileOfARunWithAnotherNameElsewhereIsNotAppendedTo) {
+    begin("here");
+    write_to(folder / "bashrc", "# mine");
+    fs::remove(folder / "here/events.jsonl");
+    fs::create_hard_link(folder / "bashrc", folder / "here/events.jsonl");
+    const Said said = say({"resume", "here", "--no-cache"});
+    EXPECT_EQ(said.code, 74) << said.error;
+    expect_in("here/events.jsonl has another name elsewhere", said.error);
+    EXPECT_EQ(read_all(folder / "bashrc"), "# mine");
+}
+
+TEST_F(Strangers, APipeInARunFolderIsRefusedAtOnceWithItsName) {
+    ASSERT_EQ(run("here").code, 0);
+    for (const auto& [file, verb] : std::vector<std::pair<std::string, std::string>>{
+             {"run_options.json", "resume"},
+             {"events.jsonl", "resume"},
+             {"studies/replay/settled/partial.h5", "resume"},
+             {"summary.json", "report"},
+             {"SHA256SUMS", "verify"},
+             {"events.jsonl", "watch"},
+             {"summary.json", "compare"},
+             {"figures/own-x.vl.json", "figures"}}) {
+        fs::copy(folder / "here", folder / "x", fs::copy_options::recursive);
+        fs::remove(folder / ("x/" + file));
+        fs::remove(folder / "x/SHA256SUMS");
+        ASSERT_EQ(mkfifo((folder / ("x/" + file)).c_str(), 0600), 0);
+        std::vector<std::string> words = {verb, "x"};
+        if (verb == "compare") {
+            words.emplace_back("here");
+        }
+        const Said said = say(words);
+        EXPECT_EQ(said.code, 74) << verb << said.error;
+        expect_in("x/" + file + " is a pipe (FIFO)", said.error);
+        fs::remove_all(folder / "x");
+    }
+}
+
 TEST_F(Strangers, AFolderThatIsNoCacheIsRefusedBeforeAnythingIsMade) {
     write_to(folder / "data/new-2024/a.jpg", "photo");
     write_to(folder / "data/deadbeefdeadbeef/p", "mine");

@@ -217,6 +217,9 @@ int CompareVerb::act(const CommandLine&, const Console& console) const {
     if (with_paper == !second.empty()) {
         throw UsageError("compare: two folders of runs, or one and --paper");
     }
+    for (const std::string& run : {first, second}) {
+        look_at_run(run, io::Purpose::Read, console);
+    }
     return with_paper ? compare_with_paper(*this, console) : compare_two(*this, console);
 }
 

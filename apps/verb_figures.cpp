@@ -78,6 +78,7 @@ int FiguresVerb::act(const CommandLine&, const Console& console) const {
     const std::filesystem::path folder =
         output.empty() ? std::filesystem::path(run) / "figures" : std::filesystem::path(output);
     const std::vector<std::string> wanted = at_commas(figures);
+    look_at_run(run, output.empty() ? io::Purpose::Work : io::Purpose::Read, console);
     record::require_same_figures(run, ids_of(wanted), {".vl.json", ".svg"});
     job::DrawStyle style{.format = format, .width = std::nullopt, .font = font};
     if (!width.empty()) {

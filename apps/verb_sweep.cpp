@@ -214,6 +214,7 @@ int emit(const SweepVerb& asked, const Console& console) {
                            : asked.output.empty()          ? "runs/new"
                                                            : asked.output;
     record::StageCache(cache_to_go_on(asked.cache, begun, false, console)).require_one();
+    look_at_run(begun, io::Purpose::Work, console);
     Emitted emitted;
     const fs::path folder = prepare_folder(asked, console, emitted.what);
     emitted.folder = fs::absolute(folder).lexically_normal();

@@ -40,6 +40,7 @@ std::string without_checksums(std::size_t without, int stages) {
 }
 
 int VerifyVerb::act(const CommandLine&, const Console& console) const {
+    look_at_run(run, io::Purpose::Read, console);
     const record::Verification found = record::verify_run(run);
     for (const record::Damage& damage : found.damages) {
         console.result(fmt::format("  {} {}", damage.file, damage.what));

@@ -4,6 +4,7 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/io/folders.hpp"
 #include "suffuse/io/leftovers.hpp"
+#include "suffuse/io/run_tree.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stored.hpp"
 
@@ -154,7 +155,7 @@ int try_lock(int descriptor, int kind) {
 }
 
 bool is_at_work(const fs::path& folder) {
-    const int descriptor = open((folder / lock_file).c_str(), O_RDONLY | O_CLOEXEC);
+    const int descriptor = open((folder / lock_file).c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) {
         return false;
     }
@@ -163,8 +164,11 @@ bool is_at_work(const fs::path& folder) {
     return refused == EWOULDBLOCK;
 }
 
-FolderLock::FolderLock(const fs::path& folder, const std::function<void(const std::string&)>& tell, Kind kind)
-    : descriptor_(open((folder / lock_file).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+FolderLock::FolderLock(const fs::path& folder, const std::function<void(const std::string&)>& tell, Kind kind) {
+    if (const std::string remark = io::look_into_run(folder, io::Purpose::Work); !remark.empty()) {
+        tell(remark);
+    }
+    descriptor_ = open((folder / lock_file).c_str(), O_CREAT | O_RDWR | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
         throw IoError(fmt::format("{}: cannot be written: {}", folder.string(), std::strerror(errno)));
     }

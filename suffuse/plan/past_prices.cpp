@@ -1,6 +1,7 @@
 #include "suffuse/plan/past_prices.hpp"
 
 #include "suffuse/base/quantile.hpp"
+#include "suffuse/io/own_file.hpp"
 #include "suffuse/plan/plan_record.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stage_cache.hpp"
@@ -41,6 +42,7 @@ PastPrices::PastPrices(const std::filesystem::path& cache) {
     if (cache.empty()) {
         return;
     }
+    io::require_regular(prices_of(cache));
     std::ifstream file(prices_of(cache));
     for (std::string line; std::getline(file, line);) {
         std::istringstream words(line);
@@ -96,7 +98,7 @@ void remember_prices(const std::filesystem::path& cache, const std::filesystem::
         }
     });
     if (!lines.empty()) {
-        std::ofstream(prices_of(cache), std::ios::app) << lines; // at once: several programs may add theirs
+        io::append_to(prices_of(cache), lines); // at once: several programs may add theirs
         record::write_json(file, plan);
     }
 }

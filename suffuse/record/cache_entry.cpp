@@ -27,7 +27,8 @@ void check_part(const fs::path& file, const std::string& sum) {
 
 /// A power cut after this leaves no file shorter than it was.
 void copy_to_disk(const fs::path& from, const fs::path& to) {
-    fs::copy_file(from, to, fs::copy_options::overwrite_existing);
+    fs::remove(to); // which may be a link
+    fs::copy_file(from, to);
     io::sync_file(to);
 }
 

@@ -6,6 +6,7 @@
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/folders.hpp"
+#include "suffuse/io/own_file.hpp"
 #include "suffuse/record/case_hash.hpp"
 #include "suffuse/record/documents.hpp"
 #include "suffuse/record/samples.hpp"
@@ -25,6 +26,7 @@ namespace suffuse::record {
 namespace {
 
 std::string read_all(const std::filesystem::path& path) {
+    io::require_regular(path);
     std::ifstream file(path, std::ios::binary);
     if (!file) {
         throw IoError(fmt::format("{}: cannot be read; is this a run folder?", path.string()));
@@ -230,11 +232,7 @@ std::vector<FailedSample> read_failures(const std::filesystem::path& run, const 
 
 void log_event(const std::filesystem::path& run, nlohmann::json event) {
     event["at"] = now_utc();
-    std::ofstream file(run / "events.jsonl", std::ios::app);
-    file << text_of(event, -1) << '\n';
-    if (!file.flush()) {
-        throw IoError(fmt::format("{}: cannot be written; is the disk full?", (run / "events.jsonl").string()));
-    }
+    io::append_to(run / "events.jsonl", text_of(event, -1) + "\n");
 }
 
 void keep_provenance(

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/sha256.hpp"
+#include "suffuse/io/own_file.hpp"
 
 #include <fmt/format.h>
 
@@ -21,6 +22,7 @@ bool is_sum_line(const std::string& line) {
 } // namespace
 
 std::string checksum_of(const std::filesystem::path& file) {
+    io::require_regular(file);
     std::ifstream stream(file, std::ios::binary);
     if (!stream) {
         throw IoError(fmt::format("{}: cannot be read", file.string()));
@@ -43,6 +45,7 @@ std::string checksum_of_text(std::string_view text) {
 }
 
 Sums read_sums(const std::filesystem::path& file) {
+    io::require_regular(file);
     std::ifstream stream(file, std::ios::binary);
     if (!stream) {
         throw IoError(fmt::format("{}: cannot be read", file.string()));
