@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 
+#include "apps/printable.hpp"
 #include "apps/wording.hpp"
 #include <cerrno>
 #include <cstdio>
@@ -47,11 +48,13 @@ void write_whole(std::FILE* stream, std::string_view text) {
     std::fflush(stream); // in order with what the other stream says
 }
 
-/// Folded to the terminal, where there is one.
-void write_line(std::FILE* stream, std::string_view text) {
+/// Folded to the terminal, where there is one. What programs read from a pipe keeps the bytes of names.
+void write_line(std::FILE* stream, std::string_view text, bool colored) {
     constexpr std::size_t least = 40; // below it, folding makes things worse
     const std::size_t width = width_of(fileno(stream));
-    write_whole(stream, width >= least ? folded(text, width) : std::string(text));
+    const bool is_for_people = stream == stderr || isatty(fileno(stream)) == 1;
+    const std::string shown = is_for_people ? printable(text, colored) : std::string(text);
+    write_whole(stream, width >= least ? folded(shown, width) : shown);
 }
 
 } // namespace
@@ -61,7 +64,7 @@ Console::Console(const CommandLine& line)
 
 void Console::result(std::string_view text) const {
     if (!json_) {
-        write_line(stdout, text);
+        write_line(stdout, text, color_);
     }
 }
 
@@ -74,20 +77,21 @@ void Console::document(std::string_view json) const {
 void Console::talk(std::string_view text) const {
     if (!quiet_) {
         std::fflush(stdout); // in a file that takes both, lines stand in the order in which they were said
-        write_line(stderr, text);
+        write_line(stderr, text, color_);
     }
 }
 
 void Console::detail(std::string_view text) const {
     if (verbose_ && !quiet_) {
         std::fflush(stdout);
-        write_line(stderr, text);
+        write_line(stderr, text, color_);
     }
 }
 
 void Console::error(std::string_view text, bool rendered) const {
     const std::string_view word = rendered ? "" : color_ ? "\x1b[1;31merror\x1b[0m: " : "error: ";
-    write_line(stderr, std::string(word).append(text));
+    constexpr std::size_t longest_line = 2000; // a stranger's text may stand in it
+    write_line(stderr, with_short_lines(std::string(word).append(text), longest_line), color_);
 }
 
 void Console::finish() const {

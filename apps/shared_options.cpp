@@ -110,20 +110,25 @@ void look_at_run(const std::filesystem::path& run, io::Purpose purpose, const Co
     }
 }
 
+double time_limit_of(const std::string& text) {
+    constexpr double longest = 3.2e9; // [s], a hundred years
+    if (text.empty()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double limit = quantity_of(text, dimension::time, "--time-limit", false);
+    if (!(limit > 0)) {
+        throw UsageError(fmt::format("--time-limit {} is no time to work in; write one such as 90min", shown(text)));
+    }
+    if (limit > longest) {
+        throw UsageError(fmt::format("--time-limit {} is more than a hundred years; leave it out for none", shown(text))
+        );
+    }
+    return limit;
+}
+
 void RunLimits::add_to(Options& options) {
     add_until(options, until);
     options.value("--time-limit", time_limit, "save and stop after this wall time, as in 90min or 2h").type("TIME");
-}
-
-double RunLimits::seconds() const {
-    if (time_limit.empty()) {
-        return std::numeric_limits<double>::infinity();
-    }
-    const double limit = quantity_of(time_limit, dimension::time, "--time-limit", false);
-    if (!(limit > 0)) {
-        throw UsageError(fmt::format("--time-limit {} is no time to work in", shown(time_limit)));
-    }
-    return limit;
 }
 
 void MemoryOption::add_to(Options& options) {

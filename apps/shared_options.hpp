@@ -62,6 +62,9 @@ cache_to_go_on(const CacheOptions& asked, const std::filesystem::path& run, bool
 /// Looks at a run folder before any of it is opened (io/run_tree.hpp), and warns of files of other users.
 void look_at_run(const std::filesystem::path& run, io::Purpose purpose, const Console& console);
 
+/// [s], without end where the text is empty. @throws UsageError where it is no time to work in
+double time_limit_of(const std::string& text);
+
 /// How far a run goes.
 struct RunLimits {
     std::string until;      ///< stage
@@ -70,7 +73,7 @@ struct RunLimits {
     void add_to(Options& options);
 
     /// [s], without end unless asked for. @throws UsageError where it is no time.
-    [[nodiscard]] double seconds() const;
+    [[nodiscard]] double seconds() const { return time_limit_of(time_limit); }
 };
 
 /// How much memory a run may take.

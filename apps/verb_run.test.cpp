@@ -116,6 +116,22 @@ TEST_F(Cli, APathThatIsNotUtf8IsAPathLikeAnyOther) {
     EXPECT_EQ(say({"verify", place + "/run"}).code, 0);
 }
 
+TEST_F(Cli, ATimeLimitThatIsNoneIsRefusedBeforeAnythingIsMade) {
+    write_to(folder / "case.toml", cloud_of("200"));
+    const std::vector<std::vector<std::string>> verbs = {
+        {"run", "case.toml", "-o", "r"}, {"sweep", "case.toml", "--emit", "slurm", "-o", "r"}};
+    for (std::vector<std::string> words : verbs) {
+        for (const char* const limit : {"1e300 s", "101 years", "-5 min", "0 s", "nan s", "inf s", "1e999 s"}) {
+            words.push_back(std::string("--time-limit=") + limit);
+            const Said said = say(words);
+            EXPECT_EQ(said.code, 2) << words[0] << limit << said.error;
+            expect_in("--time-limit", said.error);
+            words.pop_back();
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "r"));
+}
+
 TEST_F(Cli, AnUnwritableOrUnreadablePlaceIsCode74) {
     say({"new", "soil", "--from", "replay"});
     EXPECT_EQ(say({"run", "soil/case.toml", "-o", "/proc/nothing"}).code, 74);

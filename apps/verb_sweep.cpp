@@ -6,7 +6,6 @@
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
-#include "suffuse/base/units.hpp"
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/io/atomic_file.hpp"
@@ -29,7 +28,6 @@
 #include "apps/page_folder.hpp"
 #include "apps/run_ending.hpp"
 #include "apps/shared_options.hpp"
-#include "apps/typed_value.hpp"
 #include "apps/verb.hpp"
 #include "apps/verbs.hpp"
 #include <algorithm>
@@ -173,7 +171,7 @@ std::string slurm_text(const Emitted& emitted, const SweepVerb& asked) {
     constexpr double warning = 60; // seconds before the end at which Slurm asks the task to save
     std::string time;
     if (!asked.time_limit.empty()) {
-        const double limit = quantity_of(asked.time_limit, dimension::time, "--time-limit", false);
+        const double limit = time_limit_of(asked.time_limit);
         time = fmt::format("#SBATCH --time={}\n", static_cast<int>(std::ceil((limit + warning) / 60)));
     }
     const std::string folder = emitted.folder.string();
@@ -205,11 +203,7 @@ std::string slurm_text(const Emitted& emitted, const SweepVerb& asked) {
 }
 
 int emit(const SweepVerb& asked, const Console& console) {
-    if (!asked.time_limit.empty()) {
-        quantity_of(
-            asked.time_limit, dimension::time, "--time-limit", false
-        ); // wrong use is an error before anything is made
-    }
+    time_limit_of(asked.time_limit); // wrong use is an error before anything is made
     const fs::path begun = fs::is_directory(asked.subject) ? asked.subject
                            : asked.output.empty()          ? "runs/new"
                                                            : asked.output;
