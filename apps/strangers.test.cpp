@@ -115,6 +115,16 @@ TEST_F(Strangers, HalfWrittenFilesOfTheUserAreNotTakenForOurs) {
     }
 }
 
+TEST_F(Strangers, APictureOfTheUserAmongTheFiguresStaysAndAnOldFigureGoes) {
+    begin("here");
+    write_to(folder / "here/figures/own-sketch.png", "mine");
+    write_to(folder / "here/figures/fig03.csv", "x");
+    write_to(folder / "here/figures/fig03.pdf", "x");
+    ASSERT_EQ(say({"report", "here"}).code, 0);
+    EXPECT_EQ(read_all(folder / "here/figures/own-sketch.png"), "mine");
+    EXPECT_FALSE(fs::exists(folder / "here/figures/fig03.csv") || fs::exists(folder / "here/figures/fig03.pdf"));
+}
+
 TEST_F(Strangers, TheFolderOfARunChoosesNoCacheUnlessItIsTrusted) {
     begin("here");
     nlohmann::json asked = record::read_json(folder / "here/run_options.json");

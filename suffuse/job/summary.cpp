@@ -120,17 +120,20 @@ std::string figure_id(const std::string& file) {
 }
 
 /// Figures that an earlier report had and this one has not, with what was drawn of them: of a run that had fewer
-/// stages.
+/// stages. Every figure has a table, and pictures of the view in 3D have a number: what else lies there is the user's
+/// own.
 void remove_old_figures(const std::filesystem::path& folder, const std::vector<std::string>& now) {
     static const std::regex of_report("(fig[0-9]{2}|own-[^.]*)[.](csv|vl[.]json|svg|png|pdf)");
     std::set<std::string> ids;
     for (const std::string& file : now) {
         ids.insert(figure_id(file));
     }
+    static const std::regex of_view("own-grains-[0-9]+");
     std::vector<std::filesystem::path> old;
     for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string name = entry.path().filename();
-        if (std::regex_match(name, of_report) && !ids.contains(figure_id(name))) {
+        const std::string name = entry.path().filename(), id = figure_id(name);
+        const bool is_ours = std::filesystem::exists(folder / (id + ".csv")) || std::regex_match(id, of_view);
+        if (std::regex_match(name, of_report) && is_ours && !ids.contains(id)) {
             old.push_back(entry.path());
         }
     }
