@@ -17,7 +17,7 @@ void write_figures(const std::filesystem::path& run) {
 
 /// A stand-in for a program of the system, which notes the words that it is called with.
 void write_stand_in(const std::filesystem::path& bin, const std::string& name) {
-    write_to(bin / name, "#!/bin/sh\necho \"$@\" >>\"$0.called\"\n");
+    write_to(bin / name, "#!/bin/sh\necho \"$@\" >>\"$0.called\"\necho drawn >\"$4\"\n"); // behind --output
     std::filesystem::permissions(bin / name, std::filesystem::perms::owner_all);
 }
 
@@ -64,11 +64,16 @@ TEST_F(Cli, FiguresSayWhatIsMissingAndCallTheConverterForPixels) {
     EXPECT_NE(no_converter.error.find("librsvg2-bin"), std::string::npos) << no_converter.error;
     write_stand_in(folder / "bin", "rsvg-convert");
     const std::string path = "PATH=" + (folder / "bin").string() + ":/usr/bin:/bin";
+    write_to(folder / "drawn/precious", "precious");
+    std::filesystem::create_symlink(folder / "drawn/precious", folder / "drawn/fig07.png");
     EXPECT_EQ(say({"figures", "run", "--figure", "7", "--format", "png", "-o", "drawn"}, {path}).code, 0);
+    EXPECT_EQ(read_all(folder / "drawn/fig07.png"), "drawn\n");
+    EXPECT_EQ(read_all(folder / "drawn/precious"), "precious") << "no link is followed";
     EXPECT_EQ(say({"figures", "run", "--figure", "7", "--format", "pdf", "-o", "drawn"}, {path}).code, 0);
     const std::string calls = read_all(folder / "bin/rsvg-convert.called");
-    EXPECT_EQ(calls.rfind("--format png --output drawn/fig07.png --zoom 3 --background-color white ", 0), 0U) << calls;
-    EXPECT_NE(calls.find("--format pdf --output drawn/fig07.pdf /"), std::string::npos) << calls;
+    EXPECT_EQ(calls.rfind("--format png --output /", 0), 0U) << calls;
+    expect_in("/fig07.png --zoom 3 --background-color white /", calls);
+    expect_in("/fig07.pdf /", calls);
 }
 
 TEST_F(Cli, FiguresDrawSpecificationsWhereTheirProgramIsBuilt) {
