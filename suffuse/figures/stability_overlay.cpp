@@ -11,12 +11,12 @@ namespace suffuse::figures {
 
 namespace {
 
-enum Verdicts : std::size_t { mostly_unstable, partly_unstable, nowhere_unstable };
+enum Verdicts : std::size_t { MostlyUnstable, PartlyUnstable, NowhereUnstable };
 
 Verdicts verdicts_of(const stability::Assessment& assessment) {
     const stability::Tally tally = stability::count_verdicts(assessment.criteria);
     const int others = tally.stable + tally.transition;
-    return tally.unstable == 0 ? nowhere_unstable : tally.unstable > others ? mostly_unstable : partly_unstable;
+    return tally.unstable == 0 ? NowhereUnstable : tally.unstable > others ? MostlyUnstable : PartlyUnstable;
 }
 
 } // namespace
@@ -110,6 +110,7 @@ Figure curves_of(
 
 Figure stability_overlay(const std::vector<NamedAssessment>& soils) {
     std::vector<std::size_t> group_of;
+    group_of.reserve(soils.size());
     for (const NamedAssessment& soil : soils) {
         group_of.push_back(verdicts_of(*soil.assessment));
     }
@@ -124,7 +125,7 @@ Figure stability_overlay(const std::vector<NamedAssessment>& soils) {
     figure.title = "Gradings of all samples over each other";
     figure.caption = fmt::format(
         "{} of {} soils are unstable by most of the criteria that can say.",
-        std::ranges::count(group_of, std::size_t{mostly_unstable}), soils.size()
+        std::ranges::count(group_of, std::size_t{MostlyUnstable}), soils.size()
     );
     return figure;
 }

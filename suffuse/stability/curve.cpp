@@ -49,6 +49,7 @@ std::vector<ShapePoint> shape_curve(const Grading& grading, double from, double 
     std::ranges::sort(sizes);
     sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
     std::vector<ShapePoint> points;
+    points.reserve(sizes.size());
     for (const double d : sizes) {
         points.push_back({d, grains::passing(grading, d), grains::kenney_lau_increment(grading, d)});
     }

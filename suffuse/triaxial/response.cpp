@@ -121,6 +121,7 @@ std::optional<HoldError> find_hold_error(const std::vector<PathRow>& rows, Path 
     }
     const double held = held_stress(rows.front(), path);
     std::vector<double> errors;
+    errors.reserve(rows.size());
     for (const PathRow& row : rows) {
         errors.push_back(std::abs(held_stress(row, path) / held - 1));
     }
