@@ -123,9 +123,9 @@ plan::RunPlan plan_rest(const Job& job) {
 }
 
 std::optional<int> look_before(const Job& job, const Console& console) {
-    const std::string unchecked = record::tell_unchecked(record::require_whole_run(job.folder, job.sample));
-    if (!unchecked.empty()) {
-        console.talk("warning: " + unchecked);
+    const std::string doubts = record::require_whole_run(job.folder, job.sample);
+    if (!doubts.empty()) {
+        console.talk("warning: " + doubts);
     }
     const std::optional<job::RunReport> ended = job::find_ended(job.what, options_of(job));
     return ended ? std::optional(tell_untouched(*ended, job, console)) : std::nullopt;

@@ -1,6 +1,9 @@
 // Folders made by somebody else, and the user's own files beside ours: nothing of either is written or removed.
 
+#include "suffuse/io/checkpoint.hpp"
 #include "suffuse/record/folder.hpp"
+#include "suffuse/record/stage_cache.hpp"
+#include "suffuse/record/stage_sums.hpp"
 
 #include "tests/support/program.hpp"
 #include <filesystem>
@@ -151,6 +154,171 @@ TEST_F(Strangers, WithoutAPlaceForTemporaryFilesARunStillHasItsReport) {
     EXPECT_TRUE(fs::exists(folder / "here/summary.json"));
     expect_in("<title>", read_all(folder / "here/report.html"));
     EXPECT_EQ(say({"verify", "here"}).code, 0) << "nothing temporary is left";
+}
+
+TEST_F(Strangers, AFileThatTheCaseOfARunNamesAndThatIsGoneIsSoughtInTheUsersOwnCase) {
+    begin("here");
+    fs::rename(folder / "soil", folder / "moved");
+    const Said said = say({"resume", "here", "--no-cache"});
+    EXPECT_EQ(said.code, 3) << said.error;
+    expect_in("the run began with " + (folder / "soil/case.toml").string(), said.error);
+}
+
+// ---- parts of another run, or of another case, among those of a run
+
+constexpr const char* eroded_case = R"(schema = 1
+seed = 5
+[balance]
+unbalanced_force = 1e-2
+patience         = 50
+[soil.sand]
+coarse = { psd = { d = ["0.28 mm", "0.32 mm"], passing = ["0 %", "100 %"] } }
+fines  = { psd = { d = ["0.14 mm", "0.16 mm"], passing = ["0 %", "100 %"] } }
+fines_content = "18 %"
+grading_tolerance = "30 %"
+[study.e]
+soil = "sand"
+particles = 150
+[[study.e.stage]]
+name = "cloud"
+do   = "pack"
+[[study.e.stage]]
+name     = "initial"
+do       = "compact"
+pressure = "100 kPa"
+protocol = "swift"
+[[study.e.stage]]
+name     = "er"
+do       = "erode"
+gradient = 0.5
+passes   = 2
+ramp     = 60
+watch    = 60
+[output]
+formats = ["csv"]
+)";
+
+/// Whole runs "a" and "b" of two cases that differ in one value; of the second, so many stages.
+class Swapped : public Cli {
+protected:
+    Said run(const std::string& name, std::vector<std::string> more = {}) {
+        write_to(folder / "case.toml", eroded_case);
+        more.insert(more.begin(), {"run", "case.toml", "-o", name, "--no-cache"});
+        return say(more);
+    }
+
+    void take(const std::string& file) {
+        fs::remove_all(folder / "a/studies" / file);
+        fs::copy(folder / "b/studies" / file, folder / "a/studies" / file, fs::copy_options::recursive);
+    }
+
+    /// What every verb that works in a run says of "a", and that none of them signs it.
+    void expect_refused(const std::string& words) {
+        for (const char* const verb : {"resume", "report"}) {
+            const Said said = say({verb, "a"});
+            EXPECT_EQ(said.code, 74) << verb << said.error;
+            expect_in(words, said.error);
+        }
+        EXPECT_NE(say({"verify", "a"}).code, 0);
+    }
+};
+
+TEST_F(Swapped, AStageOfAnotherCaseOrSeedIsRefusedByEveryVerbThoughItIsWhole) {
+    for (const char* const change : {"study.e.stage.er.gradient=0.2", "seed=77"}) {
+        ASSERT_EQ(run("a").code, 0);
+        ASSERT_EQ(run("b", {"--set", change}).code, 0);
+        take("e/er");
+        fs::remove(folder / "a/SHA256SUMS"); // of the run: those of its stages are whole
+        expect_refused("e/er/stage.json is of another case");
+        fs::remove_all(folder / "a/studies/e/er"); // as the message advises
+        EXPECT_EQ(say({"resume", "a", "--no-cache"}).code, 0) << change;
+        EXPECT_EQ(say({"verify", "a"}).code, 0) << change;
+        fs::remove_all(folder / "a");
+        fs::remove_all(folder / "b");
+    }
+}
+
+TEST_F(Swapped, ACaseThatWasChangedInAStoppedRunIsNoticedAndTheUsersOwnIsNamed) {
+    ASSERT_EQ(run("a", {"--until", "initial"}).code, 0);
+    fs::remove(folder / "a/SHA256SUMS");
+    std::string resolved = read_all(folder / "a/case.resolved.toml");
+    const std::size_t digit = resolved.find("modulus");
+    resolved[resolved.find('3', digit)] = '1';
+    write_to(folder / "a/case.resolved.toml", resolved);
+    const Said said = say({"resume", "a", "--no-cache"});
+    EXPECT_EQ(said.code, 74) << said.error;
+    expect_in("a/case.resolved.toml was changed, put it back as it was (the run began with", said.error);
+    expect_in("case.toml)", said.error);
+}
+
+TEST_F(Swapped, AHalfDoneStageOfAnotherSeedIsRefused) {
+    ASSERT_EQ(run("a", {"--until", "cloud"}).code, 0);
+    ASSERT_EQ(run("b", {"--set", "seed=77"}).code, 0);
+    fs::create_directories(folder / "a/studies/e/initial");
+    dem::World half = io::load_world(folder / "b/studies/e/cloud/state.h5").world;
+    const std::string key = record::read_json(folder / "b/studies/e/initial/stage.json").at("key");
+    const nlohmann::json saved{{"key", key}, {"world", record::describe_state(half)}};
+    io::save_world(folder / "a/studies/e/initial/partial.h5", half, {}, {}, nlohmann::json::to_cbor(saved));
+    const Said said = say({"resume", "a", "--no-cache"});
+    EXPECT_EQ(said.code, 74) << said.error;
+    expect_in("initial/partial.h5: is of another case, sample, stage or seed", said.error);
+}
+
+TEST_F(Swapped, AStageThatTheCaseDoesNotHaveIsNotSigned) {
+    ASSERT_EQ(run("a").code, 0);
+    fs::copy(folder / "a/studies/e/er", folder / "a/studies/e/er2", fs::copy_options::recursive);
+    nlohmann::json numbers = record::read_json(folder / "a/studies/e/er2/stage.json");
+    numbers["stage"] = "er2";
+    fs::remove(folder / "a/studies/e/er2/SHA256SUMS");
+    record::seal_stage(folder / "a/studies/e/er2", numbers);
+    fs::remove(folder / "a/SHA256SUMS");
+    expect_refused("er2/stage.json is of a stage that case.resolved.toml does not have");
+}
+
+TEST_F(Swapped, AStateOfAPassThatTheStageDidNotLeaveGetsNoChecksum) {
+    ASSERT_EQ(run("b").code, 0);
+    ASSERT_EQ(run("a", {"--until", "initial"}).code, 0);
+    const fs::path stage = folder / "a/studies/e/er";
+    fs::create_directories(stage);
+    fs::copy(folder / "b/studies/e/initial/state.h5", stage / "pass-9.h5");
+    write_to(stage / "transport.csv", "pass,id\n1,2\n");
+    const Said said = say({"resume", "a", "--no-cache"});
+    EXPECT_NE(said.code, 74) << said.error;
+    expect_in(
+        "pass-9.h5, transport.csv lay in its folder before and are not of this stage",
+        record::read_json(stage / "stage.json").at("warnings").dump()
+    );
+    for (const char* const sums : {"studies/e/er/SHA256SUMS", "SHA256SUMS"}) {
+        const std::string signed_files = read_all(folder / "a" / sums);
+        EXPECT_EQ(signed_files.find("pass-9.h5"), std::string::npos) << sums;
+        EXPECT_EQ(signed_files.find("transport.csv"), std::string::npos) << sums;
+        EXPECT_NE(signed_files.find("eroded.csv"), std::string::npos) << sums;
+    }
+}
+
+TEST_F(Swapped, AReportThatFailsLeavesTheChecksumsOfTheRun) {
+    ASSERT_EQ(run("a").code, 0);
+    const std::string before = read_all(folder / "a/SHA256SUMS");
+    fs::remove(folder / "a/summary.json");
+    fs::create_directories(folder / "a/summary.json/in-the-way");
+    EXPECT_EQ(say({"report", "a"}).code, 74);
+    EXPECT_EQ(read_all(folder / "a/SHA256SUMS"), before);
+}
+
+TEST_F(Swapped, ARunOfBeforeThereWereKeysOpensAsUnverified) {
+    ASSERT_EQ(run("a").code, 0);
+    for (const char* const stage : {"cloud", "initial", "er"}) {
+        const fs::path place = folder / "a/studies/e" / stage;
+        nlohmann::json numbers = record::read_json(place / "stage.json");
+        numbers.erase("key");
+        record::seal_stage(place, numbers);
+    }
+    fs::remove(folder / "a/SHA256SUMS");
+    const Said said = say({"report", "a"});
+    EXPECT_EQ(said.code, 0) << said.error;
+    expect_in("unverified: an earlier version left no key of e/cloud, e/er, e/initial", said.error);
+    expect_in("unverified: 3 of 3 stages", say({"verify", "a"}).out);
+    EXPECT_EQ(say({"resume", "a", "--no-cache"}).code, 0);
 }
 
 } // namespace

@@ -39,9 +39,9 @@ int ReportVerb::act(const CommandLine& line, const Console& console) const {
     const fs::path folder = run;
     record::check_is_run(folder); // before the lock, which would leave a file there
     const job::FolderLock lock(folder, console.warner());
-    const std::string unchecked = record::tell_unchecked(record::require_whole_run(folder));
-    if (!unchecked.empty()) {
-        console.talk("warning: " + unchecked);
+    const std::string doubts = record::require_whole_run(folder);
+    if (!doubts.empty()) {
+        console.talk("warning: " + doubts);
     }
     const job::RunReport report = job::rebuild_report(folder, page_folder(), line.typed);
     tell_results(report, "written", console);

@@ -283,9 +283,9 @@ int collect(const SweepVerb& asked, const std::string& command, const Console& c
         );
     }
     const job::FolderLock lock(folder, console.warner());
-    const std::string unchecked = record::tell_unchecked(record::require_whole_run(folder));
-    if (!unchecked.empty()) {
-        console.talk("warning: " + unchecked);
+    const std::string doubts = record::require_whole_run(folder);
+    if (!doubts.empty()) {
+        console.talk("warning: " + doubts);
     }
     const std::vector<record::Refinement> refined = record::find_refinements(record::load_run(folder), folder);
     if (!refined.empty()) {

@@ -39,6 +39,15 @@ std::string without_checksums(std::size_t without, int stages) {
                           );
 }
 
+/// Of stages that no key ties to the case of the run.
+std::string unverified(std::size_t without, int stages) {
+    return without == 0 ? ""
+                        : fmt::format(
+                              "; unverified: {} of {}, of an earlier version, without a key of this case", without,
+                              plural(stages, "stage")
+                          );
+}
+
 int VerifyVerb::act(const CommandLine&, const Console& console) const {
     look_at_run(run, io::Purpose::Read, console);
     const record::Verification found = record::verify_run(run);
@@ -47,12 +56,13 @@ int VerifyVerb::act(const CommandLine&, const Console& console) const {
     }
     const bool is_complete = found.missing.names.empty();
     console.result(fmt::format(
-        "{}: {} against their checksums, {} against what their stages tell{}",
+        "{}: {} against their checksums, {} against what their stages tell{}{}",
         !found.damages.empty() ? plural(std::ssize(found.damages), "difference")
         : is_complete          ? "whole and unchanged"
                                : "unchanged, but not complete",
         plural(found.files, "file"), plural(found.states, "state"),
-        without_checksums(found.without_checksums.size(), found.stages)
+        without_checksums(found.without_checksums.size(), found.stages),
+        unverified(found.unverified.size(), found.stages)
     ));
     if (!is_complete) {
         console.result(fmt::format("{}; suffuse resume {} goes on", tell_missing(found.missing), shell_word(run)));

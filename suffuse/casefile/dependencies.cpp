@@ -23,7 +23,13 @@ Stage nameless(Stage stage) {
 } // namespace
 
 std::string dependencies_of(const Case& c, const Variant& variant, const Stage& stage) {
-    Case copy = c;
+    Case copy; // of what the fields below need: a case may have thousands of samples
+    copy.mode = c.mode;
+    copy.balance = c.balance;
+    copy.fluid = c.fluid;
+    copy.names_conductance = c.names_conductance;
+    copy.gravity = c.gravity;
+    copy.output = c.output;
     grains::Material material = variant.material;
     double damping = variant.damping;
     const auto write = [](const std::string& pattern, auto body) {

@@ -359,6 +359,14 @@ Checkpoint load_world(const std::filesystem::path& path) {
     return read_world(Hdf5Reader(path));
 }
 
+std::string origin_of(const std::filesystem::path& path, const std::string& name) {
+    try {
+        return Hdf5Reader(path).attribute(name);
+    } catch (const IoError&) {
+        return "";
+    }
+}
+
 std::string world_to_bytes(const dem::World& world) {
     Hdf5Writer file;
     write_world(file, world, {}, {}, {});

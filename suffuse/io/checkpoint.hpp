@@ -35,6 +35,9 @@ void save_world(
 /// Loads what `save_world` wrote. Throws IoError where the file is not such a state, is damaged or of another schema.
 Checkpoint load_world(const std::filesystem::path& path);
 
+/// What `made_by` of `save_world` said under this name; empty where it said nothing, or the file is no whole state.
+std::string origin_of(const std::filesystem::path& path, const std::string& name);
+
 /// The bytes of the file that `save_world` would write, for another process.
 std::string world_to_bytes(const dem::World& world);
 

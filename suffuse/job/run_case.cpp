@@ -1,5 +1,7 @@
 #include "suffuse/job/run_case.hpp"
 
+#include "suffuse/base/read_text.hpp"
+#include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/folders.hpp"
 #include "suffuse/job/ended_run.hpp"
 #include "suffuse/job/summary.hpp"
@@ -92,6 +94,33 @@ RunReport run_one(const casefile::Case& what, const run::RunOptions& options, ru
     return report;
 }
 
+/// Takes the checksums of a run away while its report is written, for they are true no more; a report that fails leaves
+/// them as they were.
+class ChecksumsAside {
+public:
+    explicit ChecksumsAside(const std::filesystem::path& run) : file_(run / record::checksums_file) {
+        if (std::filesystem::exists(file_)) {
+            text_ = read_whole_file(file_);
+            io::remove_file(file_);
+        }
+    }
+
+    ~ChecksumsAside() {
+        if (!text_.empty()) {
+            io::show_file(file_, text_);
+        }
+    }
+
+    ChecksumsAside(const ChecksumsAside&) = delete;
+    ChecksumsAside& operator=(const ChecksumsAside&) = delete;
+
+    void let_go() { text_.clear(); }
+
+private:
+    std::filesystem::path file_;
+    std::string text_;
+};
+
 /// Of samples that were run one by one, beside each other: the wall time of the one that took longest [s].
 double longest_sample(const casefile::Case& what, const std::filesystem::path& folder) {
     double longest = 0;
@@ -114,12 +143,12 @@ RunReport run_case(const casefile::Case& what, const run::RunOptions& options) {
     run::take_own_rules(what, options);
     run::Overview overview(options);
     if (!options.is_checked) {
-        const std::vector<std::string> unchecked = record::require_whole_run(options.folder, options.sample);
+        const std::string doubts = record::require_whole_run(options.folder, options.sample);
         if (std::optional<RunReport> ended = find_ended(what, options)) {
             return std::move(*ended);
         }
-        if (!unchecked.empty()) {
-            overview.remark(record::tell_unchecked(unchecked));
+        if (!doubts.empty()) {
+            overview.remark(doubts);
         }
     }
     return options.sample.empty() ? run_all(what, options, overview) : run_one(what, options, overview);
@@ -130,12 +159,13 @@ RunReport rebuild_report(
 ) {
     const casefile::Case what = record::load_run(folder);
     const record::Sums earlier = record::read_run_sums(folder);
-    io::remove_file(folder / record::checksums_file); // true no more
+    ChecksumsAside aside(folder);
     if (!std::filesystem::exists(folder / record::provenance_file)) {
         record::keep_provenance(folder, what, command, longest_sample(what, folder));
     }
     Summary summary = summarize_run(what, folder, page_folder);
     record::write_run_sums(folder, summary.figures, earlier);
+    aside.let_go();
     RunReport report = report_of(std::move(summary));
     report.outcome = !report.failures.empty() ? record::Outcome::SomeFailed
                      : report.flaws.empty()   ? record::Outcome::Done

@@ -108,10 +108,11 @@ void check_own(const fs::path& run, const std::string& name, const std::string& 
 }
 
 /// What the stages say about their files. The run says the same, unless somebody wrote its checksums anew.
-void check_against_stages(const fs::path& run, const ChecksumOf& now, Verification& found) {
-    const StagesCheck stages = check_stages(run, "", now);
+void check_against_stages(const fs::path& run, const casefile::Case* what, const ChecksumOf& now, Verification& found) {
+    const StagesCheck stages = check_stages(run, what, "", now);
     found.stages = stages.stages;
     found.without_checksums = stages.without;
+    found.unverified = stages.unverified;
     for (const Damage& damage : stages.damages) {
         const bool is_known =
             std::ranges::any_of(found.damages, [&](const Damage& known) { return known.file == damage.file; });
@@ -220,7 +221,11 @@ Verification verify_run(const fs::path& run) {
             found.damages.push_back({name, std::move(what)});
         }
     }
-    check_against_stages(run, now, found);
+    const bool has_case = std::ranges::none_of(found.damages, [](const Damage& damage) {
+        return damage.file == resolved_case_file || damage.file == refinement_file;
+    });
+    const std::optional<casefile::Case> what = has_case ? std::optional(load_run(run)) : std::nullopt;
+    check_against_stages(run, what ? &*what : nullptr, now, found);
     std::set<std::string> broken;
     for (const Damage& damage : found.damages) {
         broken.insert(damage.file);
@@ -230,8 +235,8 @@ Verification verify_run(const fs::path& run) {
             found.more.push_back(name);
         }
     }
-    if (!broken.contains(resolved_case_file)) {
-        found.missing = find_missing_stages(load_run(run), run);
+    if (what) {
+        found.missing = find_missing_stages(*what, run);
     }
     for (const auto& [name, sum] : sums) {
         const fs::path file = name;
@@ -248,14 +253,10 @@ void to_json(nlohmann::json& json, const Verification& found) {
     for (const Damage& damage : found.damages) {
         damages.push_back({{"file", damage.file}, {"what", damage.what}});
     }
-    json = {
-        {"files", found.files},
-        {"states", found.states},
-        {"stages", found.stages},
-        {"without_checksums", found.without_checksums},
-        {"damages", damages},
-        {"came_later", found.more},
-        {"missing_stages", found.missing.names}};
+    json = {{"files", found.files},           {"states", found.states},
+            {"stages", found.stages},         {"without_checksums", found.without_checksums},
+            {"unverified", found.unverified}, {"damages", damages},
+            {"came_later", found.more},       {"missing_stages", found.missing.names}};
 }
 
 } // namespace suffuse::record

@@ -42,6 +42,7 @@ struct Verification {
     int states = 0;                             ///< read, and hashed anew
     int stages = 0;                             ///< finished
     std::vector<std::string> without_checksums; ///< those of them that have no checksums of their own
+    std::vector<std::string> unverified;        ///< those whose key cannot be compared: perhaps of another case
     std::vector<Damage> damages;
     std::vector<std::string> more; ///< files that came after the checksums
     MissingStages missing;         ///< stages that the case has and the folder has not

@@ -31,7 +31,8 @@ const std::set<std::string> passed_over = {"wall_seconds", "particle_steps_per_s
                                            "state_hash",   "start_state",
                                            "end_state",    "checksums",
                                            "warnings",     "flaws",
-                                           "sample",       "stage"};
+                                           "sample",       "stage",
+                                           "key",          "commit"};
 
 // Of stage.json: how a result was reached. They differ between runs whose results agree.
 const std::set<std::string> of_computation = {

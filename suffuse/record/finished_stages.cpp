@@ -3,6 +3,9 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/record/checksums.hpp"
 #include "suffuse/record/folder.hpp"
+#include "suffuse/record/refine.hpp"
+#include "suffuse/record/samples.hpp"
+#include "suffuse/record/stage_key.hpp"
 #include "suffuse/record/stage_sums.hpp"
 #include "suffuse/record/stored.hpp"
 
@@ -10,7 +13,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <span>
+#include <utility>
 
 namespace suffuse::record {
 namespace {
@@ -41,19 +47,63 @@ Sums sums_below(const Sums& of_run, const fs::path& run, const fs::path& folder)
     return sums;
 }
 
-/// A folder that was copied or moved is whole, and yet another stage's.
-std::string tell_stranger(const fs::path& folder, const std::string& name) {
-    const nlohmann::json numbers = read_json(folder / "stage.json");
-    const std::string stage = folder.filename(), sample = name.substr(0, name.size() - stage.size() - 1);
-    return take_from(folder / "stage.json", [&]() -> std::string {
+/// Whose the stages of a run are to be.
+class KnownStages {
+public:
+    explicit KnownStages(const casefile::Case* what) : what_(what) {
+        if (what == nullptr) {
+            return;
+        }
+        for (const Sample& sample : list_samples(*what)) {
+            for (const casefile::Stage& stage : sample.variant->stages) {
+                stages_.emplace(stage_name(*sample.variant, stage), std::pair(sample.variant, &stage));
+            }
+        }
+    }
+
+    /// Of a whole stage: what it is of, where that is not what its place says; empty where it is.
+    [[nodiscard]] std::string find_stranger(const fs::path& folder, const std::string& name, StagesCheck& found) const {
+        const nlohmann::json numbers = read_json(folder / "stage.json");
+        return take_from(folder / "stage.json", [&] { return find_stranger(numbers, name, found); });
+    }
+
+private:
+    [[nodiscard]] std::string
+    find_stranger(const nlohmann::json& numbers, const std::string& name, StagesCheck& found) const {
+        const std::size_t end_of_sample = name.rfind('/');
+        const std::string stage = name.substr(end_of_sample + 1), sample = name.substr(0, end_of_sample);
         const std::string its_stage = numbers.value("stage", stage), its_sample = numbers.value("sample", sample);
-        return its_stage == stage && its_sample == sample ? ""
-                                                          : fmt::format("is of the stage {}/{}", its_sample, its_stage);
-    });
-}
+        if (its_stage != stage || its_sample != sample) {
+            return fmt::format("is of the stage {}/{}", its_sample, its_stage);
+        }
+        if (what_ == nullptr) {
+            return "";
+        }
+        const auto known = stages_.find(name);
+        if (known == stages_.end()) {
+            found.is_of_other_case = true;
+            return fmt::format("is of a stage that {} does not have", resolved_case_file);
+        }
+        const auto& [variant, settings] = known->second;
+        const std::string key = key_of_stage(*what_, *variant, *settings, numbers.value("start_state", ""));
+        const SameStage same = compare_keys(numbers.value("key", ""), key);
+        if (same == SameStage::Unknown) {
+            found.unverified.push_back(name);
+        }
+        if (same != SameStage::No) {
+            return "";
+        }
+        found.is_of_other_case = true;
+        return fmt::format("is of another case: its settings, sample or seed are not those of {}", resolved_case_file);
+    }
+
+    const casefile::Case* what_;
+    std::map<std::string, std::pair<const casefile::Variant*, const casefile::Stage*>> stages_; ///< by name
+};
 
 void check_one(
-    const fs::path& run, const fs::path& folder, const Sums& of_run, const ChecksumOf& now, StagesCheck& found
+    const fs::path& run, const fs::path& folder, const Sums& of_run, const KnownStages& known, const ChecksumOf& now,
+    StagesCheck& found
 ) {
     const std::string name = folder.lexically_relative(run / "studies").string();
     std::optional<std::vector<Damage>> damages = check_stage(folder, now);
@@ -72,7 +122,7 @@ void check_one(
         }
     }
     if (damages->empty()) {
-        if (std::string what = tell_stranger(folder, name); !what.empty()) {
+        if (std::string what = known.find_stranger(folder, name, found); !what.empty()) {
             damages->push_back({"stage.json", std::move(what)});
         }
     }
@@ -84,22 +134,62 @@ void check_one(
     }
 }
 
+/// "s/x, s/y and 3 more".
+std::string first_of(const std::vector<std::string>& stages) {
+    constexpr std::size_t most_named = 3;
+    const std::size_t named = std::min(stages.size(), most_named);
+    return fmt::format(
+        "{}{}", fmt::join(std::span(stages).first(named), ", "),
+        stages.size() > named ? fmt::format(" and {} more", stages.size() - named) : ""
+    );
+}
+
+/// What an earlier version left that cannot be checked.
+std::string words_on_doubts(const StagesCheck& found) {
+    if (!found.unchecked.empty()) {
+        return fmt::format(
+            "an earlier version left no checksums of {}: whether they are as they were is not known",
+            first_of(found.unchecked)
+        );
+    }
+    return found.unverified.empty()
+               ? ""
+               : fmt::format(
+                     "unverified: an earlier version left no key of {} that this one can compare; whether they are of "
+                     "this case is not known",
+                     first_of(found.unverified)
+                 );
+}
+
+/// Where it is the case that was changed, not the stage.
+std::string advice_on_case(const fs::path& run) {
+    const std::string began_with = case_that_began(run);
+    return fmt::format(
+        "where {} was changed, put it back as it was{}; otherwise ", (run / resolved_case_file).string(),
+        began_with.empty() ? "" : fmt::format(" (the run began with {})", began_with)
+    );
+}
+
 } // namespace
 
-StagesCheck check_stages(const fs::path& run, const std::string& sample, const ChecksumOf& now) {
+StagesCheck
+check_stages(const fs::path& run, const casefile::Case* what, const std::string& sample, const ChecksumOf& now) {
     StagesCheck found;
     const Sums of_run = read_run_sums(run);
+    const KnownStages known(what);
     for (const fs::path& folder : finished_folders(run / "studies" / sample)) {
-        check_one(run, folder, of_run, now, found);
+        check_one(run, folder, of_run, known, now, found);
     }
     return found;
 }
 
-std::vector<std::string> require_whole_stages(const fs::path& run, const std::string& sample) {
+std::string require_whole_stages(const fs::path& run, const std::string& sample) {
     constexpr std::size_t most_named = 5;
-    StagesCheck found = check_stages(run, sample);
+    const std::optional<casefile::Case> what =
+        fs::exists(run / resolved_case_file) ? std::optional(load_run(run)) : std::nullopt;
+    const StagesCheck found = check_stages(run, what ? &*what : nullptr, sample);
     if (found.damages.empty()) {
-        return std::move(found.unchecked);
+        return words_on_doubts(found);
     }
     std::vector<std::string> named;
     for (const Damage& damage : found.damages) {
@@ -109,27 +199,15 @@ std::vector<std::string> require_whole_stages(const fs::path& run, const std::st
     }
     const std::size_t more = found.damages.size() - named.size();
     throw IoError(fmt::format(
-        "a finished stage is not as it was: {}{}; {}", fmt::join(named, ", "),
-        more > 0 ? fmt::format(" and {} more", more) : "", advice_for(found.to_remove)
+        "a finished stage is not as it was: {}{}; {}{}", fmt::join(named, ", "),
+        more > 0 ? fmt::format(" and {} more", more) : "", found.is_of_other_case ? advice_on_case(run) : "",
+        advice_for(found.to_remove)
     ));
 }
 
-std::vector<std::string> require_whole_run(const fs::path& run, const std::string& sample) {
+std::string require_whole_run(const fs::path& run, const std::string& sample) {
     require_same_inputs(run);
     return require_whole_stages(run, sample);
-}
-
-std::string tell_unchecked(const std::vector<std::string>& stages) {
-    constexpr std::size_t most_named = 3;
-    if (stages.empty()) {
-        return "";
-    }
-    const std::size_t named = std::min(stages.size(), most_named);
-    return fmt::format(
-        "an earlier version left no checksums of {}{}: nothing tells whether they are as they were",
-        fmt::join(std::span(stages).first(named), ", "),
-        stages.size() > named ? fmt::format(" and {} more", stages.size() - named) : ""
-    );
 }
 
 } // namespace suffuse::record

@@ -124,6 +124,15 @@ std::filesystem::path pass_file(const std::filesystem::path& stage_folder, int p
     return stage_folder / fmt::format("pass-{}.h5", pass);
 }
 
+std::string case_that_began(const std::filesystem::path& run) {
+    const std::filesystem::path file = run / options_file;
+    if (!std::filesystem::exists(file)) {
+        return "";
+    }
+    const nlohmann::json options = read_json(file);
+    return take_from(file, [&] { return options.value("case", ""); });
+}
+
 nlohmann::json read_json(const std::filesystem::path& path) {
     const std::string text = read_all(path);
     nlohmann::json json = parse_json(text);

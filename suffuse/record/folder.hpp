@@ -44,6 +44,9 @@ void check_is_run(const std::filesystem::path& folder);
 /// @throws IoError where the folder of a run that works in it has been moved or removed: it must not be made anew.
 void check_is_in_place(const std::filesystem::path& run);
 
+/// The user's own case file, which the run began with; empty where the folder does not say.
+std::string case_that_began(const std::filesystem::path& run);
+
 /// What `refine` added.
 inline constexpr const char* refinement_file = "refinement.json";
 

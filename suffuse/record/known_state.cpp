@@ -28,6 +28,13 @@ void KnownState::check(const dem::World& world, const std::string& told) const {
     }
 }
 
+void KnownState::refuse_other() const {
+    throw IoError(fmt::format(
+        "{}: is of another case, sample, stage or seed: its key is not that of this stage; {}", file_.string(),
+        advice(to_remove_)
+    ));
+}
+
 void KnownState::complain(const std::string& what) const {
     throw IoError(fmt::format("{}: {}: it was changed or damaged; {}", file_.string(), what, advice(to_remove_)));
 }

@@ -22,6 +22,9 @@ public:
     /// @param told describe_state of what was saved; empty where an earlier version did not tell
     void check(const dem::World& world, const std::string& told) const;
 
+    /// Throws IoError: it is of another case, sample, stage or seed.
+    [[noreturn]] void refuse_other() const;
+
     /// Throws IoError about this file.
     [[noreturn]] void complain(const std::string& what) const;
 

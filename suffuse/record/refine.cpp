@@ -22,7 +22,12 @@ using nlohmann::json;
 using Values = std::map<std::string, Scalar>;
 
 /// What helps where the case that a run was begun with is refused now.
-std::string what_to_do(const Diagnostic& problem) {
+std::string what_to_do(const Diagnostic& problem, const std::filesystem::path& run) {
+    if (problem.code == "E501") {
+        const std::string began_with = case_that_began(run);
+        return began_with.empty() ? ""
+                                  : fmt::format("; the run began with {}: put back the file that it names", began_with);
+    }
     return "; the run began with a version of suffuse that took this: " +
            (problem.code == "E407" ? fmt::format(
                                          "take the word out of {} and call again; the stage never measured it, so "
@@ -240,7 +245,7 @@ casefile::Case load_run(const std::filesystem::path& run) {
     } catch (CaseProblems& refused) { // an earlier version took it
         for (Diagnostic& problem : refused.problems) {
             if (!problem.is_warning) {
-                problem.help += what_to_do(problem);
+                problem.help += what_to_do(problem, run);
             }
         }
         throw CaseProblems(std::move(refused.problems));

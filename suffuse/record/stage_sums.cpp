@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace suffuse::record {
 namespace {
 
@@ -57,11 +59,11 @@ bool is_left_by_stage(const fs::directory_entry& file) {
            name != failure_file && name.front() != '.' && !io::is_partial(name);
 }
 
-void seal_stage(const fs::path& folder, json numbers, Sums known) {
+void seal_stage(const fs::path& folder, json numbers, Sums known, const std::vector<std::string>& strange) {
     Sums sums;
     for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
-        if (is_left_by_stage(file)) {
-            const std::string name = file.path().filename();
+        const std::string name = file.path().filename();
+        if (is_left_by_stage(file) && std::ranges::count(strange, name) == 0) {
             const auto found = known.find(name);
             sums[name] = found != known.end() ? found->second : checksum_of(file.path());
         }

@@ -19,7 +19,11 @@ bool is_left_by_stage(const std::filesystem::directory_entry& file);
 
 /// Completes a stage: checksums of all that it left, then stage.json with these numbers.
 /// @param known checksums of files that were checked just now
-void seal_stage(const std::filesystem::path& folder, nlohmann::json numbers, Sums known = {});
+/// @param strange names of files that the stage did not leave: they get no checksum
+void seal_stage(
+    const std::filesystem::path& folder, nlohmann::json numbers, Sums known = {},
+    const std::vector<std::string>& strange = {}
+);
 
 /// Checksums of a finished stage, stage.json's included; nothing where a version without them finished it.
 /// @throws IoError where they are missing or damaged

@@ -99,10 +99,7 @@ TEST_F(Sealed, ChecksumsThatWereRemovedDoNotMakeItAStageOfAnEarlierVersion) {
 TEST_F(Sealed, AStageOfAnEarlierVersionIsTakenAndNamed) {
     fs::remove(stage() / checksums_file);
     write_json(stage() / "stage.json", {{"stage", "x"}, {"void_ratio", 0.6}});
-    const std::vector<std::string> unchecked = require_whole_stages(run());
-    EXPECT_EQ(unchecked, std::vector<std::string>{"s/x"});
-    EXPECT_NE(tell_unchecked(unchecked).find("no checksums of s/x"), std::string::npos);
-    EXPECT_EQ(tell_unchecked({}), "");
+    EXPECT_NE(require_whole_stages(run()).find("no checksums of s/x"), std::string::npos);
     // The run that it ended with may have them.
     const std::string sum = checksum_of(stage() / "stage.json");
     write(run() / checksums_file, sums_text({{"studies/s/x/stage.json", sum}}));

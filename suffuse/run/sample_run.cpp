@@ -8,11 +8,11 @@
 #include "suffuse/io/folders.hpp"
 #include "suffuse/io/tables.hpp"
 #include "suffuse/io/vtk.hpp"
-#include "suffuse/record/case_hash.hpp"
 #include "suffuse/record/documents.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/known_state.hpp"
 #include "suffuse/record/result_json.hpp"
+#include "suffuse/record/stage_key.hpp"
 #include "suffuse/record/stage_start.hpp"
 #include "suffuse/record/stage_sums.hpp"
 #include "suffuse/record/stored.hpp"
@@ -24,8 +24,10 @@
 #include "suffuse/run/preparation_found.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 namespace suffuse::run {
 namespace {
@@ -62,6 +64,9 @@ void take_up(StageWork& work) {
     try {
         const json saved = record::parse_cbor(partial.unfinished);
         left.check(partial.world, saved.value("world", ""));
+        if (record::compare_keys(saved.value("key", ""), work.key) == record::SameStage::No) {
+            left.refuse_other();
+        }
         work.world = std::move(partial.world);
         work.pictures = StrainPictures(work.what.output, work.folder, work.world);
         work.history.restore(saved.at("history"));
@@ -107,6 +112,8 @@ json describe_stage(StageWork& work) {
     if (!work.start_state.empty()) {
         numbers["start_state"] = work.start_state;
     }
+    numbers["key"] = work.key;
+    numbers["commit"] = commit();
     numbers["verb"] = casefile::verb_of(work.stage.spec);
     numbers["time_step"] = work.time_step;
     numbers["wall_seconds"] = seconds;
@@ -138,10 +145,7 @@ void write_pictures(const StageWork& work, const casefile::OutputSpec& output) {
 
 void write_files(const StageWork& work, const casefile::OutputSpec& output) {
     const dem::World& world = work.world;
-    io::save_world(
-        work.folder / "state.h5", world, {{"stage", work.place()}},
-        {{"case_hash", record::case_hash(work.what)}, {"stage", work.place()}}
-    );
+    io::save_world(work.folder / "state.h5", world, {{"stage", work.place()}}, work.made_by());
     work.history.write_csv(work.folder / "history.csv");
     if (work.write_tables) {
         io::write_grains_csv(work.folder / "grains.csv", world, work.mobile_gradient);
@@ -151,6 +155,31 @@ void write_files(const StageWork& work, const casefile::OutputSpec& output) {
         write_pictures(work, output);
     }
     record::save_findings(work.folder, work.findings);
+}
+
+/// When each file of the folder was written last.
+std::map<std::string, std::filesystem::file_time_type> files_of(const std::filesystem::path& folder) {
+    std::map<std::string, std::filesystem::file_time_type> times;
+    for (const std::filesystem::directory_entry& file : std::filesystem::directory_iterator(folder)) {
+        times.emplace(file.path().filename(), file.last_write_time());
+    }
+    return times;
+}
+
+/// Names of files with results that lay in the folder before the stage and were not written by it: by no key is it
+/// known that they are its own.
+std::vector<std::string> strange_files(const StageWork& work) {
+    std::vector<std::string> names;
+    for (const auto& [name, time] : files_of(work.folder)) {
+        const std::filesystem::path file = work.folder / name;
+        const auto before = work.there_before.find(name);
+        const bool is_untouched = before != work.there_before.end() && before->second == time;
+        const bool is_picture = file.extension() == ".vtp" || file.extension() == ".xyz";
+        if (is_untouched && !is_picture && name != record::partial_file && io::origin_of(file, "key") != work.key) {
+            names.push_back(name);
+        }
+    }
+    return names;
 }
 
 } // namespace
@@ -202,7 +231,8 @@ void SampleRun::run_stage(const casefile::Stage& asked) {
             return;
         }
     }
-    StageWork work = begin_work(stage, folder, std::move(start), state);
+    const std::string own_key = record::key_of_stage(what_, *sample_.variant, asked, state);
+    StageWork work = begin_work(stage, folder, std::move(start), state, own_key);
     work.own_rule = own_rule;
     if (casefile::is_prepared_as_another(*sample_.variant, asked)) {
         work.numbers["prepared_as"] = casefile::sample_to_prepare_by(*sample_.study, *sample_.variant, asked)->folder;
@@ -268,7 +298,8 @@ void SampleRun::keep_in_cache(
 }
 
 StageWork SampleRun::begin_work(
-    const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start, std::string start_state
+    const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start, std::string start_state,
+    std::string key
 ) {
     StrainPictures pictures(what_.output, folder, start);
     StageWork work{
@@ -281,7 +312,9 @@ StageWork SampleRun::begin_work(
         .world = std::move(start),
         .history = History(stage.record_every.value_or(what_.output.histories_every)),
         .pictures = std::move(pictures),
-        .start_state = std::move(start_state)};
+        .start_state = std::move(start_state),
+        .key = std::move(key),
+        .there_before = files_of(folder)};
     if (std::filesystem::exists(folder / record::partial_file)) {
         take_up(work);
     }
@@ -302,9 +335,17 @@ dem::World SampleRun::start_of(const casefile::Stage& stage) const {
 
 /// Everything a stage leaves behind.
 void SampleRun::finish(StageWork& work) {
-    const json numbers = describe_stage(work);
+    json numbers = describe_stage(work);
     write_files(work, what_.output);
-    record::seal_stage(work.folder, numbers);
+    const std::vector<std::string> strange = strange_files(work);
+    if (!strange.empty()) {
+        work.warnings.push_back(fmt::format(
+            "{}: {} lay in its folder before and {} not of this stage: left out of its checksums", work.place(),
+            fmt::join(strange, ", "), strange.size() == 1 ? "is" : "are"
+        ));
+        numbers["warnings"] = work.warnings;
+    }
+    record::seal_stage(work.folder, numbers, {}, strange);
     drop(work.folder / record::partial_file);
     overview_.count_stage();
     tell("stage done", work.stage, {{"wall_seconds", numbers["wall_seconds"]}});

@@ -34,7 +34,8 @@ private:
     bool take_from_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
     void keep_in_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
     [[nodiscard]] StageWork begin_work(
-        const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start, std::string start_state
+        const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start, std::string start_state,
+        std::string key
     );
     [[nodiscard]] dem::World start_of(const casefile::Stage& stage) const;
     void finish(StageWork& work);

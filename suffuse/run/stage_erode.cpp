@@ -6,7 +6,6 @@
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/pores/constrictions.hpp"
-#include "suffuse/record/case_hash.hpp"
 #include "suffuse/record/ending_words.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/result_json.hpp"
@@ -152,11 +151,9 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
     while (goes_on && (spec.until_nothing_leaves || passes_done() < spec.passes)) {
         // the state between two passes; that after the last is the stage's own
         if (passes_done() > 0 && now.at == erosion::PassUnderWay::At::Start) {
-            io::save_world(
-                record::pass_file(work.folder, passes_done()), work.world, {},
-                {{"case_hash", record::case_hash(work.what)},
-                 {"stage", fmt::format("{}, pass {}", work.place(), passes_done())}}
-            );
+            io::Attributes made_by = work.made_by();
+            made_by["stage"] += fmt::format(", pass {}", passes_done());
+            io::save_world(record::pass_file(work.folder, passes_done()), work.world, {}, made_by);
         }
         goes_on = take_pass([&] { return erosion::erode_once(work.world, spec, work.surroundings(), result, now); });
         work.history.record(work.world, true);

@@ -3,6 +3,7 @@
 #include "suffuse/base/version.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/record/case_hash.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stage_cache.hpp"
 
@@ -10,10 +11,19 @@ namespace suffuse::run {
 
 void StageWork::save_partial(const nlohmann::json& state, const dem::World& of) const {
     const nlohmann::json all{
-        {"state", state},       {"history", history.to_json()},        {"grain_steps", grain_steps},
-        {"seconds", seconds()}, {"world", record::describe_state(of)}, {"commit", commit()}};
+        {"state", state},
+        {"history", history.to_json()},
+        {"grain_steps", grain_steps},
+        {"seconds", seconds()},
+        {"world", record::describe_state(of)},
+        {"commit", commit()},
+        {"key", key}};
     // CBOR, as text has no word for numbers that are infinite, or none
-    io::save_world(folder / record::partial_file, of, {}, {}, nlohmann::json::to_cbor(all));
+    io::save_world(folder / record::partial_file, of, {}, made_by(), nlohmann::json::to_cbor(all));
+}
+
+io::Attributes StageWork::made_by() const {
+    return {{"case_hash", record::case_hash(what)}, {"stage", place()}, {"key", key}};
 }
 
 erosion::Surroundings StageWork::surroundings() const {

@@ -4,6 +4,7 @@
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/packing_export.hpp"
 #include "suffuse/record/finished_stage.hpp"
 #include "suffuse/record/samples.hpp"
@@ -13,6 +14,7 @@
 #include "suffuse/triaxial/run_path.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -45,6 +47,9 @@ struct StageWork {
     /// Steps that the grains of the world now have made.
     void count_steps(std::int64_t steps) { grain_steps += steps * static_cast<std::int64_t>(world.grains.size()); }
 
+    /// Where a state that the stage saves is from, for those who find it alone, and to know it by.
+    [[nodiscard]] io::Attributes made_by() const;
+
     /// What an erosion or a removal needs of the case.
     [[nodiscard]] erosion::Surroundings surroundings() const;
 
@@ -64,6 +69,10 @@ struct StageWork {
     bool has_two_makers = false; ///< another version of the program began it: no result of this one alone
     const erosion::OwnRule* own_rule = nullptr; ///< that decides what detaches, in place of the case's
     std::string start_state; ///< describe_state of what it starts from; empty where it makes its own sample
+    std::string key;         ///< key_of_stage: every file that the stage leaves is known by it
+
+    /// Files of its folder, and when they were written, before the stage began or went on.
+    std::map<std::string, std::filesystem::file_time_type> there_before;
 };
 
 /// Runs the stage's verb.

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Damages files of runs in ways that a fixed seed chooses, and looks at what the program makes of them.
 
-    tests/damage/campaign.py PROGRAM [--tries N] [--seed N] [--only cache|stages|partial] [-v]
+    tests/damage/campaign.py PROGRAM [--tries N] [--seed N] [--only cache|stages|partial|foreign|links|pipes] [-v]
 
-PROGRAM is suffuse. Three parts: entries of the cache, finished stages before a resume, partial.h5 before a resume. Each try
-damages one file of a copy: bits flipped, a digit changed, a part zeroed, cut off, emptied, removed, or exchanged with
-another file. Every byte that a stage left, and every number, is then compared with those of an undamaged run. A try ends as
+PROGRAM is suffuse. Three parts damage files: entries of the cache, finished stages before a resume, partial.h5 before a
+resume. Each try damages one file of a copy: bits flipped, a digit changed, a part zeroed, cut off, emptied, removed, or
+exchanged with another file. Three parts put in what somebody else made: stages, states and cases of runs of other
+settings; links to files of the user, soft and hard; pipes. Every byte that a stage left, and every number, is then
+compared with those of an undamaged run; files of the user, with what they were. A try ends as
 
     refused     an exit code that says so, with the file's name; what the message advises then gives the undamaged results
     made anew   the same results, and the program said that it found damage
@@ -19,6 +21,7 @@ import argparse
 import collections
 import hashlib
 import json
+import os
 import pathlib
 import random
 import re
@@ -120,9 +123,9 @@ class Campaign:
         self.must("run", self.case, "-o", self.whole, "--cache", self.cache)
         self.truth = self.results(self.whole)
 
-    def call(self, *words):
+    def call(self, *words, timeout=300):
         return subprocess.run([self.program, *map(str, words)], capture_output=True, text=True, errors="replace",
-                              cwd=self.folder, timeout=300)
+                              cwd=self.folder, timeout=timeout)
 
     def must(self, *words):
         said = self.call(*words)
@@ -252,6 +255,91 @@ class Campaign:
             verdict = "SILENT"
         return verdict, damaged.relative_to(run), how
 
+    # ---- what somebody else made
+
+    def make_foreign_runs(self):
+        """Runs of other settings, whole and stopped half-way; and one of the case itself."""
+        self.stop_in_a_stage()
+        own = self.stopped.rename(self.folder / "own-stopped")
+        self.foreign = []
+        for number, change in enumerate(["seed=77", 'contact.friction="20 deg"', "study.s.stage.erosion.gradient=0.2",
+                                         "study.s.stage.sheared.inertial_number=2e-2"]):
+            run = self.folder / f"foreign-{number}"
+            self.must("run", self.case, "-o", run, "--cache", self.cache, "--set", change)
+            self.stop_in_a_stage("--set", change)
+            self.foreign.append((run, self.stopped.rename(self.folder / f"foreign-stopped-{number}")))
+        self.stopped = own
+
+    def try_foreign(self, number):
+        run = self.folder / "run"
+        theirs, their_half = self.chance.choice(self.foreign)
+        kind = self.chance.choice(["stage", "stage", "stage", "state", "partial", "case", "options"])
+        shutil.copytree(self.stopped if kind in ("partial", "case", "options") else self.whole, run)
+        stage = self.chance.choice(sorted(place.parent for place in (theirs / "studies").rglob("stage.json")))
+        place = run / stage.relative_to(theirs)
+        if kind == "stage":
+            shutil.rmtree(place)
+            shutil.copytree(stage, place)
+        elif kind == "state":
+            shutil.copy(stage / "state.h5", place / "state.h5")
+        elif kind == "partial":
+            place, theirs = next(run.rglob("partial.h5")), next(their_half.rglob("partial.h5"))
+            if place.parent.name != theirs.parent.name:
+                return "harmless", place.relative_to(run), None
+            shutil.copy(theirs, place)
+        else:
+            place = run / ("case.resolved.toml" if kind == "case" else "run_options.json")
+            shutil.copy(theirs / place.name, place)
+        if self.chance.random() < 0.5:
+            (run / "SHA256SUMS").unlink(missing_ok=True)
+        said = self.call("resume", run, "--no-cache")
+        if said.returncode not in (0, 4):
+            signs = self.call("report", run).returncode == 0 and self.call("verify", run).returncode == 0
+            refused = said.returncode == IO_ERROR or (said.returncode == 2 and kind == "case")
+            verdict = "SILENT" if signs and self.results(run) != self.truth else "refused" if refused else "CRASHED"
+        else:
+            same = self.results(run) == self.truth and self.call("verify", run).returncode == 0
+            verdict = "harmless" if same else "SILENT"
+        return verdict, place.relative_to(run), f"{kind} of {theirs.name}"
+
+    def try_link(self, number):
+        run, home = self.folder / "run", self.folder / "home"
+        shutil.rmtree(home, ignore_errors=True)
+        (home / "folder").mkdir(parents=True)
+        (home / "file").write_text("mine\n")
+        shutil.copytree(self.chance.choice([self.whole, self.stopped]), run)
+        place = self.chance.choice(sorted(place for place in run.rglob("*")))
+        was_folder = place.is_dir()
+        shutil.rmtree(place) if was_folder else place.unlink()
+        is_hard = not was_folder and self.chance.random() < 0.4
+        if is_hard:
+            place.hardlink_to(home / "file")
+        else:
+            place.symlink_to(home / ("folder" if was_folder else "file"))
+        verbs = [["resume", run, "--no-cache"], ["report", run], ["figures", run], ["resume", run, "--no-cache"]]
+        calls = [self.call(*words) for words in verbs]
+        how = ("hard" if is_hard else "soft") + " link"
+        untouched = (home / "file").read_text() == "mine\n" and not any((home / "folder").iterdir())
+        if not untouched:
+            return "SILENT", place.relative_to(run), how
+        if any(said.returncode < 0 or said.returncode == DEFECT for said in calls):
+            return "CRASHED", place.relative_to(run), how
+        return ("refused" if calls[0].returncode == IO_ERROR else "harmless"), place.relative_to(run), how
+
+    def try_pipe(self, number):
+        run = self.folder / "run"
+        shutil.copytree(self.chance.choice([self.whole, self.stopped]), run)
+        place = self.chance.choice(sorted(place for place in run.rglob("*") if place.is_file()))
+        place.unlink()
+        os.mkfifo(place)
+        verb = self.chance.choice(["resume", "report", "verify", "figures", "watch"])
+        try:
+            said = self.call(verb, run, timeout=60)
+        except subprocess.TimeoutExpired:
+            return "CRASHED", place.relative_to(run), f"a pipe; {verb} hangs"
+        names_it = place.name in said.stderr
+        return ("refused" if said.returncode == IO_ERROR and names_it else "CRASHED"), place.relative_to(run), verb
+
     def damage_one(self, files, others=None):
         by_name = collections.defaultdict(list)
         for file in files:
@@ -259,21 +347,24 @@ class Campaign:
         damaged = self.chance.choice(by_name[self.chance.choice(sorted(by_name))])  # each kind of file as often
         return damaged, self.damage(damaged, [file for file in others or files if file != damaged])
 
-    def stop_in_a_stage(self):
+    def stop_in_a_stage(self, *options):
         """A run that was stopped in the middle of a stage that saves itself."""
         for hundredths in range(5, 500):
             self.stopped = self.folder / "stopped"
             shutil.rmtree(self.stopped, ignore_errors=True)
-            self.call("run", self.case, "-o", self.stopped, "--no-cache", "--time-limit", f"{10 * hundredths} ms")
+            self.call("run", self.case, "-o", self.stopped, "--no-cache", "--time-limit", f"{10 * hundredths} ms", *options)
             partial = list(self.stopped.rglob("partial.h5"))
             if partial and partial[0].parent.name in ("sheared", "initial"):
                 return
         sys.exit("no stage could be stopped half-way")
 
     def part(self, name, title, tries):
-        if name == "partial":
+        if name == "foreign":
+            self.make_foreign_runs()
+        elif name in ("partial", "links", "pipes"):
             self.stop_in_a_stage()
-        one = {"cache": self.try_cache, "stages": self.try_stage, "partial": self.try_partial}[name]
+        one = {"cache": self.try_cache, "stages": self.try_stage, "partial": self.try_partial,
+               "foreign": self.try_foreign, "links": self.try_link, "pipes": self.try_pipe}[name]
         counts = collections.Counter()
         for number in range(tries):
             for left in ("run", "damaged-cache"):
@@ -292,13 +383,14 @@ class Campaign:
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program", type=pathlib.Path)
-    parser.add_argument("--tries", type=int, help="of each part; 110, 110 and 100 without")
+    parser.add_argument("--tries", type=int, help="of each part; 110, 110 and else 100 without")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--only", choices=["cache", "stages", "partial"])
+    parser.add_argument("--only", choices=["cache", "stages", "partial", "foreign", "links", "pipes"])
     parser.add_argument("-v", "--verbose", action="store_true", help="tell every try")
     asked = parser.parse_args()
     parts = [("cache", "damage to cache entries", 110), ("stages", "damage to finished stages, then resume", 110),
-             ("partial", "damage to partial.h5, then resume", 100)]
+             ("partial", "damage to partial.h5, then resume", 100), ("foreign", "parts of other runs, then resume", 100),
+             ("links", "links to files of the user, then resume and report", 100), ("pipes", "pipes in a run", 100)]
     memory = pathlib.Path("/dev/shm")  # where there is one: files are synced, and disks are slow
     with tempfile.TemporaryDirectory(dir=memory if memory.is_dir() else None) as folder:
         campaign = Campaign(asked.program.resolve(), pathlib.Path(folder), asked.seed, asked.verbose)

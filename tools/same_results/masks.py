@@ -27,6 +27,7 @@ MASKS = (
     Mask("*.html", "wall_time provenance", VALUE, "a column of the table of stages; the tables of the build, the machine and the calls"),
     Mask("plan*.json", "error", GONE, "of stages that took more than 0.2 s"),
     Mask("*", "@program @commit version commit compiler processor", VALUE, "the build and the machine"),
+    Mask("stage.json summary.json *.h5", "key @key", VALUE, "begins with a hash of the keys that cases may have, which a new key changes"),
     Mask("*.h5", "sha256/values", VALUE, "of the whole file, which names version and commit; its columns are compared"),
     Mask("entry.json", "depends_on/0", VALUE, "version, commit and bytes of the program; the other lines are the key"),
     Mask("entry.json cache.json", "bytes folder", VALUE, "the length of version and commit; a hash of them"),
