@@ -5,6 +5,7 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/io/folders.hpp"
+#include "suffuse/io/run_tree.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/asked_stages.hpp"
 #include "suffuse/record/folder.hpp"
@@ -85,6 +86,7 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
         .command = line.typed,
         .folder = folder};
     heed_signals();
+    io::look_into_run(job.folder, io::Purpose::Work); // before any of it is read; what it remarks on comes with the lock
     const fs::path resolved = job.folder / record::resolved_case_file;
     job.cache = cache_to_go_on(cache, job.folder, is_trusted, console);
     job.cache_owners = cache.owners();

@@ -163,6 +163,7 @@ private:
 
 int WatchVerb::act(const CommandLine&, const Console& console) const {
     const fs::path folder = run;
+    look_at_run(folder, io::Purpose::Read, console);
     if (!fs::exists(folder / "events.jsonl") && fs::exists(folder / "tasks.txt")) {
         throw UsageError(fmt::format(
             "{0} holds tasks of a sweep, each a run of its own: suffuse watch {1}, or suffuse sweep --collect {0}",
