@@ -22,6 +22,7 @@ void bind_files(pybind11::module_& m);       ///< packings from and for other pr
 void bind_stability(pybind11::module_& m);   ///< what a grading says
 void bind_cases(pybind11::module_& m);       ///< case files, plans, the schema
 void bind_runs(pybind11::module_& m);
+void bind_pickling(pybind11::module_& m); ///< by any protocol; after all classes
 void bind_keywords(pybind11::module_& m); ///< wrong names of arguments; after all others
 
 } // namespace suffuse::python

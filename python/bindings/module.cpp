@@ -48,6 +48,7 @@ PYBIND11_MODULE(_core, m) {
     python::bind_stability(m);
     python::bind_cases(m);
     python::bind_runs(m);
+    python::bind_pickling(m);
     python::bind_keywords(m);
     set_thread_count(std::max(static_cast<int>(std::thread::hardware_concurrency()), 1));
 }
