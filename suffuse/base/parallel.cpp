@@ -1,6 +1,7 @@
 #include "suffuse/base/parallel.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/interruption.hpp"
 #include "suffuse/base/loop_meter.hpp"
 
 #include <atomic>
@@ -155,7 +156,10 @@ private:
 
     void do_block(std::size_t block) {
         try {
-            (*body_)(block, block + 1);
+            if (!failed_.load(std::memory_order_relaxed)) {
+                Interruption::look_up();
+                (*body_)(block, block + 1);
+            }
         } catch (...) {
             if (!failed_.exchange(true)) {
                 error_ = std::current_exception();
@@ -257,10 +261,21 @@ private:
 
 thread_local Crew* Crew::own_crew = nullptr;
 
+/// On the calling thread. All blocks at once, unless somebody may want them to end.
+void run_alone(std::size_t blocks, const std::function<void(std::size_t, std::size_t)>& body) {
+    if (!Interruption::is_possible()) {
+        return body(0, blocks);
+    }
+    for (std::size_t b = 0; b < blocks; ++b) {
+        Interruption::look_up();
+        body(b, b + 1);
+    }
+}
+
 /// On the calling thread where there is no pool, or where another thread has it: no result depends on that.
 void run_in(Pool* threads, std::size_t blocks, Help help, const std::function<void(std::size_t, std::size_t)>& body) {
     if (threads == nullptr) {
-        return body(0, blocks);
+        return run_alone(blocks, body);
     }
     threads->run(blocks, help, body);
 }
@@ -336,7 +351,7 @@ void detail::run_blocks(std::size_t blocks, Help help, const std::function<void(
         return;
     }
     if (blocks == 1 || inside_a_loop) {
-        return body(0, blocks);
+        return run_alone(blocks, body);
     }
     if (LoopMeter* const meter = LoopMeter::of_this_thread(); meter != nullptr) {
         const Within loop;

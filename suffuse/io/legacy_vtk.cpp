@@ -1,6 +1,7 @@
 #include "suffuse/io/legacy_vtk.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/interruption.hpp"
 #include "suffuse/io/text_file.hpp"
 
 #include <fmt/format.h>
@@ -84,6 +85,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t values_between_looks = 4096; // see Interruption
+
     [[noreturn]] void complain(const std::string& what) const {
         const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
         throw CaseError(fmt::format("{}:{}: {}", file_, line, what), file_, static_cast<int>(line));
@@ -181,6 +184,7 @@ private:
     }
 
     VtkColumn numbers(std::size_t rows, std::size_t components, std::string_view type) {
+        Interruption::look_up();
         VtkColumn column;
         column.components = std::max<std::size_t>(1, components);
         const std::size_t width = width_of(type);
@@ -205,6 +209,9 @@ private:
             return column;
         }
         for (std::size_t k = 0; k < wanted; ++k) {
+            if (k % values_between_looks == 0) {
+                Interruption::look_up();
+            }
             const std::string_view field = word();
             const auto value = number_of<double>(field);
             if (!value) {

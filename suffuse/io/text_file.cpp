@@ -1,6 +1,7 @@
 #include "suffuse/io/text_file.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/interruption.hpp"
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/base/spelling.hpp"
 
@@ -78,6 +79,7 @@ std::string read_text(const std::filesystem::path& path) {
     std::string text;
     std::string block(std::size_t{1} << 18, '\0');
     for (;;) {
+        Interruption::look_up();
         const int count = gzread(file.get(), block.data(), static_cast<unsigned>(block.size()));
         int error = Z_OK;
         const char* reason = gzerror(file.get(), &error);
@@ -100,7 +102,11 @@ LineReader::LineReader(std::string file, std::string_view text) : file_(std::mov
 }
 
 bool LineReader::next() {
+    constexpr int lines_between_looks = 1024;
     while (!rest_.empty()) {
+        if (number_ % lines_between_looks == 0) {
+            Interruption::look_up();
+        }
         const std::size_t end = rest_.find('\n');
         line_ = trimmed(rest_.substr(0, end));
         rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);

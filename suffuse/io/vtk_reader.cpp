@@ -2,6 +2,7 @@
 
 #include "suffuse/base/base64.hpp"
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/interruption.hpp"
 #include "suffuse/io/text_file.hpp"
 
 #include <fmt/format.h>
@@ -67,6 +68,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t values_between_looks = 4096; // see Interruption
+
     [[noreturn]] void complain(std::string_view array, std::string_view what) const {
         throw CaseError(
             array.empty() ? fmt::format("{}: {}", file_, what) : fmt::format("{}: array {}: {}", file_, array, what),
@@ -99,6 +102,7 @@ private:
         if (type == "String") {
             return;
         }
+        Interruption::look_up();
         VtkColumn column;
         column.components = std::max<std::size_t>(1, number(attribute(tag, "NumberOfComponents"), name, 1));
         const std::string_view format = attribute(tag, "format");
@@ -152,6 +156,9 @@ private:
                 complain(name, fmt::format("found \"{}\", expected a number", field));
             }
             column.values.push_back(*value);
+            if (column.values.size() % values_between_looks == 0) {
+                Interruption::look_up();
+            }
         }
     }
 
@@ -184,6 +191,7 @@ private:
         std::size_t at = (3 + blocks) * width;
         std::string all;
         for (std::size_t b = 0; b < blocks; ++b) {
+            Interruption::look_up();
             const std::size_t packed = length_at(bytes, 3 + b, name), size = b + 1 == blocks && last > 0 ? last : block;
             if (at > bytes.size() || packed > bytes.size() - at || all.size() + size > most_bytes) {
                 complain(name, "is cut short; the file is not complete");
