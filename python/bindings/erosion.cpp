@@ -92,7 +92,7 @@ py::dict erode(
         erosion::PassUnderWay now;
         for (bool goes_on = true; goes_on && std::ssize(result.passes) < passes;) {
             goes_on = erosion::erode_once(next, spec, around, result, now);
-            const py::gil_scoped_acquire interpreter; // arrays that were taken meanwhile keep their rows
+            const Holding interpreter; // arrays that were taken meanwhile keep their rows
             call.world_for_new_rows() = next;
         }
     }

@@ -9,6 +9,7 @@
 
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
+#include "python/bindings/work.hpp"
 #include "python/bindings/world_handle.hpp"
 
 namespace suffuse::python {
@@ -29,7 +30,7 @@ py::tuple read_packing(
     }
     io::TakenPacking taken;
     {
-        const py::gil_scoped_release released;
+        const Computing computing;
         taken = io::take_packing(request);
     }
     if (!taken.h) {
@@ -57,7 +58,7 @@ void bind_files(py::module_& m) {
                 ));
             }
             const Reading reading(w);
-            const py::gil_scoped_release released;
+            const Released released;
             dem::World world = reading.world();
             dem::sort_by_id(world);
             io::export_packing(path, world, *format);
@@ -72,7 +73,7 @@ void bind_files(py::module_& m) {
         "largest_overlap",
         [](const WorldHandle& w) {
             const Reading reading(w);
-            const py::gil_scoped_release released;
+            const Computing computing;
             return io::check_overlaps(reading.world().grains, reading.world().cell, 2, "packing");
         },
         "Largest overlap of two grains / the smaller radius [-]."

@@ -5,6 +5,7 @@
 #include "suffuse/base/version.hpp"
 
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/interpreter.hpp"
 #include <algorithm>
 #include <thread>
 
@@ -14,6 +15,7 @@ PYBIND11_MODULE(_core, m) {
 
     m.doc() = "The compiled half of suffuse; import suffuse instead.";
     m.attr("__module__") = "suffuse"; // of all that follows: where users, and pickle, find it
+    python::watch_end_of_interpreter();
     m.attr("__version__") = version();
     m.def("commit", &commit, "Short hash of the source that this module was built from.");
     m.def("compiler", &compiler);
@@ -26,7 +28,7 @@ PYBIND11_MODULE(_core, m) {
                     "threads: found " + std::to_string(threads) + ", expected 1 or more, or 0: one for each core"
                 );
             }
-            const py::gil_scoped_release released;
+            const python::Released released;
             const int cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
             set_thread_count(threads > 0 ? threads : cores);
         },

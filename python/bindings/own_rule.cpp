@@ -6,6 +6,7 @@
 
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/convert.hpp"
+#include "python/bindings/interpreter.hpp"
 #include "python/bindings/views.hpp"
 #include "python/bindings/world_handle.hpp"
 #include <memory>
@@ -112,7 +113,10 @@ erosion::OwnRule own_rule_of(py::handle function, InInterpreter call) {
         name, source_of(function),
         [function, name, call = std::move(call)](const dem::World& world, const erosion::ProbeResult& result) {
             std::vector<std::uint8_t> mask;
-            call([&] { mask = mask_of(function(make_probe(world, result)), result.id.size(), name); });
+            call([&] {
+                const py::tuple arguments = py::make_tuple(make_probe(world, result));
+                mask = mask_of(call_function(function, arguments), result.id.size(), name);
+            });
             return mask;
         }};
 }

@@ -9,6 +9,7 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/packing.hpp"
 #include "python/bindings/typed.hpp"
+#include "python/bindings/work.hpp"
 #include "python/bindings/world_handle.hpp"
 
 namespace suffuse::python {
@@ -89,7 +90,7 @@ std::shared_ptr<Constrictions> constrictions_of(Packing packing, const std::stri
         packing.position.resize(kept);
         packing.radius.resize(kept);
     }
-    const py::gil_scoped_release released;
+    const Computing computing;
     return std::make_shared<Constrictions>(pores::find_constrictions(packing.h, packing.position, packing.radius, way));
 }
 
@@ -142,7 +143,7 @@ void bind_constrictions(py::module_& m) {
 }
 
 std::shared_ptr<PackedNetwork> build(Packing packing) {
-    const py::gil_scoped_release released;
+    const Computing computing;
     PoreNetwork network = pores::build_network(packing.h, packing.position, packing.radius);
     return std::make_shared<PackedNetwork>(PackedNetwork{std::move(network), std::move(packing)});
 }
@@ -241,7 +242,7 @@ void bind_network(py::module_& m) {
             const int axis = pores::axis_along(net.h, direction_of(direction));
             std::vector<double> widest;
             {
-                const py::gil_scoped_release released;
+                const Computing computing;
                 widest = pores::widest_paths(net, axis);
             }
             return py::array_t<double>(static_cast<py::ssize_t>(widest.size()), widest.data());

@@ -163,7 +163,7 @@ Handle make_cloud(
     }
     packing::PackSpec spec;
     spec.porosity = value_of(key_of("stage.pack", "porosity"), porosity, "porosity");
-    const py::gil_scoped_release released;
+    const Released released;
     packing::Cloud cloud = packing::make_cloud(sample, spec, material.density, seed, look_at_signals());
     dem::World world;
     world.cell = cloud.cell;

@@ -22,7 +22,7 @@ std::shared_ptr<ResolvedFlow> resolve_flow(
 ) {
     const Packing packing = packing_of(first, position, radius);
     const flow::FlowSpec spec{quantity_of(gradient, dimension::none, "gradient"), direction_of(direction), tensor};
-    const py::gil_scoped_release released;
+    const Computing computing;
     return std::make_shared<ResolvedFlow>(stokes::resolve_flow(
         {packing.h, {}}, packing.position, packing.radius, spec, fluid,
         {.boxes_across = boxes_across, .tolerance = tolerance}, look_at_signals()

@@ -41,7 +41,7 @@ namespace {
 /// As a warning of Python's, from whichever thread. One that is to be an error goes to standard error: nothing else is
 /// wrong.
 void warn(const std::string& text) {
-    const py::gil_scoped_acquire interpreter;
+    const Holding interpreter;
     if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) {
         PyErr_WriteUnraisable(Py_None);
     }
@@ -132,7 +132,7 @@ public:
             look_at_signals()("", 0);
             for (const run::Progress& progress : letters) {
                 if (has_function_) {
-                    Working::call([&] { on_progress_(describe(progress)); });
+                    Working::call([&] { call_function(on_progress_, py::make_tuple(describe(progress))); });
                 }
             }
         } catch (...) {
@@ -239,7 +239,7 @@ int samples_within(
 ) {
     const casefile::Case& value = what.loaded.value;
     const double bytes = memory_of(memory);
-    const py::gil_scoped_release released;
+    const Released released;
     plan::MachineSpeed any; // memory does not depend on it, and measuring takes a while
     any.particle_steps_per_second = 1;
     any.at_once = plan::samples_at_once(value);
@@ -252,6 +252,23 @@ int samples_within(
     plan::price_asked_alone(plan, value, until, "");
     plan::leave_out_done(plan, value, folder.value_or(fs::path()), record::StageCache(cache));
     return plan::samples_within(plan, bytes);
+}
+
+/// [s] @throws CaseError as the command line refuses it
+std::optional<double> time_limit_of(const py::object& given) {
+    constexpr double longest = 3.2e9; // [s], a hundred years
+    const std::optional<double> limit = optional_quantity(given, dimension::time, "time_limit");
+    if (limit && !(*limit > 0)) {
+        throw CaseError(
+            fmt::format("time_limit: found {} s, which is no time to work in; give one such as \"90 min\"", *limit)
+        );
+    }
+    if (limit && *limit > longest) {
+        throw CaseError(
+            fmt::format("time_limit: found {:g} s, more than a hundred years; leave it out for none", *limit)
+        );
+    }
+    return limit;
 }
 
 py::tuple conduct(
@@ -268,9 +285,7 @@ py::tuple conduct(
     options.page_folder = page_folder;
     options.case_text = what.text;
     options.command = "suffuse.Case.run() in Python";
-    if (const auto limit = optional_quantity(time_limit, dimension::time, "time_limit")) {
-        options.time_limit = *limit;
-    }
+    options.time_limit = time_limit_of(time_limit).value_or(options.time_limit);
     Listener listener(on_progress);
     const job::RunReport report = run_and_listen(what.loaded.value, std::move(options), rules, listener);
     listener.raise_what_was_raised();
@@ -310,7 +325,7 @@ void bind_runs(py::module_& m) {
     m.def("check_until", [](const CaseHandle& what, const std::string& until) {
         plan::check_until(what.loaded.value, until);
     });
-    m.def("check_time_limit", [](const py::object& limit) { optional_quantity(limit, dimension::time, "time_limit"); });
+    m.def("check_time_limit", [](const py::object& limit) { time_limit_of(limit); });
     m.def("asked_run", [](const fs::path& folder) {
         const job::AskedRun asked = job::read_asked(folder);
         return py::make_tuple(asked.case_file, asked.preset, asked.overrides, asked.studies);

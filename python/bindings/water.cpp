@@ -35,7 +35,7 @@ struct SolvedSeepage : Seepage {
 using Water = std::shared_ptr<SolvedSeepage>;
 
 Water solve(Packing packing, const flow::FlowSpec& spec, const flow::Fluid& fluid) {
-    const py::gil_scoped_release released;
+    const Computing computing;
     const cell::Cell cell{packing.h, {}};
     if (packing.fine.empty()) {
         packing.fine.resize(packing.radius.size());

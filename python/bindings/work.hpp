@@ -4,8 +4,10 @@
 // the caller's runs, the turn is free: what it calls, or waits for in another thread, may step other worlds. What only
 // reads takes no turn.
 
+#include "suffuse/base/interruption.hpp"
 #include "suffuse/base/pulse.hpp"
 
+#include "python/bindings/interpreter.hpp"
 #include "python/bindings/world_handle.hpp"
 #include <chrono>
 #include <mutex>
@@ -40,7 +42,7 @@ public:
         }
         const Resumed resumed{work};
         {
-            const pybind11::gil_scoped_acquire interpreter;
+            const Holding interpreter;
             function();
         }
         if (work != nullptr) {
@@ -67,7 +69,7 @@ private:
 
     void take_turn() {
         while (!turn_.try_lock_for(std::chrono::milliseconds(100))) {
-            const pybind11::gil_scoped_acquire interpreter;
+            const Holding interpreter;
             if (PyErr_CheckSignals() != 0) {
                 throw pybind11::error_already_set();
             }
@@ -75,19 +77,36 @@ private:
     }
 
     Working* outer_ = innermost();
-    pybind11::gil_scoped_release released_; // first: another thread that computes may want the interpreter
+    Released released_; // first: another thread that computes may want the interpreter
     std::unique_lock<std::timed_mutex> turn_{mutex(), std::defer_lock};
 };
 
 /// For long work that has nothing to tell: ends it at Ctrl-C.
 inline Pulse look_at_signals() {
     return [](std::string_view, long long) {
-        const pybind11::gil_scoped_acquire interpreter;
+        const Holding interpreter;
         if (PyErr_CheckSignals() != 0) {
             throw pybind11::error_already_set();
         }
     };
 }
+
+/// While it lives, the interpreter is released, and Ctrl-C ends what this thread computes: work that changes nothing.
+class Computing {
+public:
+    Computing()
+        : interruption_([last = std::chrono::steady_clock::now()]() mutable {
+              const auto now = std::chrono::steady_clock::now();
+              if (now - last >= std::chrono::milliseconds(50)) {
+                  last = now;
+                  look_at_signals()("", 0);
+              }
+          }) {}
+
+private:
+    Released released_;
+    Interruption interruption_;
+};
 
 /// Looks at Ctrl-C and tells the caller how far the work is, at most ten times a second.
 class Attention {
@@ -104,7 +123,7 @@ public:
         }
         last_ = now;
         if (!has_function_) {
-            const pybind11::gil_scoped_acquire interpreter;
+            const Holding interpreter;
             if (PyErr_CheckSignals() != 0) {
                 throw pybind11::error_already_set();
             }
@@ -115,7 +134,7 @@ public:
             if (PyErr_CheckSignals() != 0) {
                 throw pybind11::error_already_set();
             }
-            on_progress_(part, steps);
+            call_function(on_progress_, pybind11::make_tuple(part, steps));
         });
     }
 

@@ -15,6 +15,7 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/contacts.hpp"
 #include "python/bindings/convert.hpp"
+#include "python/bindings/interpreter.hpp"
 #include "python/bindings/typed.hpp"
 #include "python/bindings/views.hpp"
 #include "python/bindings/world_handle.hpp"
@@ -232,7 +233,7 @@ void bind_measures(py::class_<WorldHandle, Handle>& type) {
         [](const WorldHandle& w, double safety, const Quantity& damping) {
             const double asked_damping = value_of(key_of("contact", "damping"), damping, "damping");
             const Reading reading(w);
-            const py::gil_scoped_release released;
+            const Released released;
             return dem::stable_time_step(reading.world(), {asked_damping}, safety);
         },
         py::arg("safety") = dem::default_step_safety, py::kw_only(), py::arg("damping") = dem::usual_damping,
@@ -277,14 +278,14 @@ void bind_changes(py::class_<WorldHandle, Handle>& type) {
             std::string bytes;
             {
                 const Reading reading(w);
-                const py::gil_scoped_release released;
+                const Released released;
                 bytes = io::world_to_bytes(reading.world());
             }
             return py::bytes(bytes);
         },
         [](const py::bytes& bytes) {
             const auto held = static_cast<std::string_view>(bytes);
-            const py::gil_scoped_release released;
+            const Released released;
             return std::make_shared<WorldHandle>(io::world_from_bytes(held));
         }
     ));
@@ -292,7 +293,7 @@ void bind_changes(py::class_<WorldHandle, Handle>& type) {
         "save",
         [](const WorldHandle& w, const std::filesystem::path& path) {
             const Reading reading(w);
-            const py::gil_scoped_release released;
+            const Released released;
             io::save_world(path, reading.world());
         },
         py::arg("path"), "Saves the state to the last bit, as a stage's state.h5."
@@ -300,7 +301,7 @@ void bind_changes(py::class_<WorldHandle, Handle>& type) {
     type.def_static(
         "load",
         [](const std::filesystem::path& path) {
-            const py::gil_scoped_release released;
+            const Released released;
             return std::make_shared<WorldHandle>(io::load_world(path).world);
         },
         py::arg("path"), "Loads a state.h5; an IoError where any byte of it has changed since it was written."

@@ -1,6 +1,7 @@
 """Cases and runs: the same bits, words and folders as the program's."""
 
 import json
+import math
 import os
 import pathlib
 import pickle
@@ -295,6 +296,19 @@ def test_a_triaxial_test_leaves_its_curve(small_case, tmp_path):
 def test_a_path_is_a_text_of_a_case(small_case):
     packing = small_case.parent / "packing.csv"
     assert suffuse.Case(small_case, changes={"study.replay.stage.start.packing": packing}).stages[0] == "replay/start"
+
+
+@pytest.mark.parametrize("limit", [-1, 0, math.nan, math.inf, 1e300, "-5 s", "0 h", "1e300 h", -math.inf])
+def test_a_time_limit_that_is_no_time_is_refused(limit, small_case, tmp_path):
+    case = suffuse.Case(small_case)
+    with pytest.raises(suffuse.CaseError, match="time_limit"):
+        case.run(tmp_path / "run", time_limit=limit)
+    assert not (tmp_path / "run").exists()
+    run = case.run(tmp_path / "begun", until="start")
+    before = sorted(tmp_path.glob("begun/**/*"))
+    with pytest.raises(suffuse.CaseError, match="time_limit"):
+        run.resume(time_limit=limit)
+    assert sorted(tmp_path.glob("begun/**/*")) == before
 
 
 def test_a_time_limit_that_is_none_leaves_no_folder(small_case, tmp_path):
