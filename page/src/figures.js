@@ -1,66 +1,68 @@
-// node figures.js [--in-page] [--width PX] [--font NAME] OUT_DIR FILE.vl.json...: draws each specification as
-// OUT_DIR/FILE.svg, without a browser. Its numbers and its look are in the specification; title and caption go inside the
-// SVG, for readers that cannot see it. --in-page: for a page that has them beside it, on its own ground. --width: in CSS
-// pixels, which are 1/96 of an inch.
-import { readFileSync, writeFileSync } from "node:fs";
-import { basename, join } from "node:path";
+// node figures.js [--in-page] [--width PX] [--font NAME] [--seconds N] [--megabytes N] OUT_DIR FILE.vl.json...: draws each
+// specification as OUT_DIR/FILE.svg (draw_figure.js). --in-page: for a page that has title and caption beside it, on its own
+// ground. --width: in CSS pixels, which are 1/96 of an inch. A stranger's specification may ask for endless work: figures are
+// drawn on another thread, which may take --seconds for each and --megabytes of memory.
 import { parseArgs } from "node:util";
-import { parse, textMetrics, View, Warn } from "vega";
-import { compile } from "vega-lite";
-import { fitted } from "./fit.js";
-import { lowerIndicesOf } from "./indices.js";
-import { textWidth } from "./text_width.js";
-
-textMetrics.width = textWidth;
-
-const pageWidth = 640; // of a figure in its column
-const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
-
-// A specification holds its data. One that a stranger wrote could name a file of this machine, or an address: nothing is loaded.
-const refuse = async (place) => {
-  throw new Error(`found data to be loaded from ${place}, expected all of it in the file`);
-};
-const loader = { load: refuse, sanitize: refuse, http: refuse, file: refuse };
-
-/** Coordinates, which stand within tags, to a tenth of a pixel: what the eye cannot see need not be carried. */
-const shortened = (svg) => svg.replace(/<[^>]*>/g, (tag) => tag.replace(/(\.\d)\d+/g, "$1"));
+import { isMainThread, parentPort, Worker, workerData } from "node:worker_threads";
 
 const { values: asked, positionals } = parseArgs({
   allowPositionals: true,
-  options: { "in-page": { type: "boolean" }, width: { type: "string" }, font: { type: "string" } },
+  options: {
+    "in-page": { type: "boolean" },
+    width: { type: "string" },
+    font: { type: "string" },
+    seconds: { type: "string", default: "120" },
+    megabytes: { type: "string", default: "2048" },
+  },
 });
+const [folder, ...files] = positionals;
+const most = { seconds: Number(asked.seconds), megabytes: Number(asked.megabytes) };
+// A thread that comes to its own limit may end the process without a word: the limit of all memory is met long before.
+const resourceLimits = { maxOldGenerationSizeMb: 4 * most.megabytes };
 
-async function draw(file, folder) {
-  const whole = JSON.parse(readFileSync(file, "utf8"));
-  const width = asked.width ? Number(asked.width) : asked["in-page"] ? pageWidth : undefined;
-  const specification = width ? fitted(whole, width) : whole;
-  const config = { ...specification.config };
-  if (asked.font) config.font = asked.font;
-  if (asked["in-page"]) Object.assign(config, { background: null, aria: false });
-  const view = new View(parse(compile({ ...specification, config }).spec), { renderer: "none", logLevel: Warn, loader });
-  let svg = lowerIndicesOf(await view.toSVG());
-  view.finalize();
-  if (asked["in-page"]) {
-    svg = shortened(svg);
-  } else {
-    svg = svg.replace(/^<svg[^>]*>/, (opening) => `${opening}<desc>${escaped(specification.description ?? "")}</desc>`);
-  }
-  if (asked.width) {
-    // To the width asked for, whatever labels and titles took: the drawing is scaled as a whole.
-    const [, drawn, height] = /viewBox="0 0 ([\d.]+) ([\d.]+)"/.exec(svg).map(Number);
-    svg = svg.replace(/^<svg[^>]*>/, (opening) =>
-      opening.replace(/ width="[^"]*"/, ` width="${width}"`).replace(/ height="[^"]*"/, ` height="${(height * width) / drawn}"`),
-    );
-  }
-  writeFileSync(join(folder, basename(file).replace(/\.vl\.json$/, ".svg")), svg + "\n");
+function complain(file, reason) {
+  console.error(`${file}: ${reason}`);
+  process.exitCode = 1;
 }
 
-const [folder, ...files] = positionals;
-for (const file of files) {
-  try {
-    await draw(file, folder);
-  } catch (error) {
-    console.error(`${file}: ${error.message}`);
-    process.exitCode = 1;
+/** Draws figures in turn on a thread of their own. @return those behind the one that ended it */
+function drawInTurn(files) {
+  return new Promise((resolve) => {
+    const drawer = new Worker(new URL(import.meta.url), { argv: process.argv.slice(2), workerData: files, resourceLimits });
+    let done = 0, since = Date.now();
+    const end = async (reason) => {
+      clearInterval(watch);
+      drawer.removeAllListeners();
+      await drawer.terminate(); // and its memory is free
+      if (done < files.length) complain(files[done], reason);
+      resolve(files.slice(done + 1));
+    };
+    const watch = setInterval(() => {
+      const seconds = (Date.now() - since) / 1000, megabytes = process.memoryUsage.rss() / 2 ** 20;
+      if (megabytes > most.megabytes) end(`needs more than ${most.megabytes} MB to be drawn; it asks for too many rows`);
+      else if (seconds > most.seconds) end(`takes more than ${most.seconds} s to be drawn; it asks for too much`);
+    }, 50);
+    drawer.on("message", (problem) => {
+      if (problem) complain(files[done], problem);
+      ++done;
+      since = Date.now();
+    });
+    drawer.on("error", (error) => end(error.message));
+    drawer.on("exit", () => end("its drawing ended early"));
+  });
+}
+
+if (isMainThread) {
+  for (let rest = files; rest.length; ) rest = await drawInTurn(rest);
+} else {
+  const { draw } = await import("./draw_figure.js");
+  for (const file of workerData) {
+    let problem;
+    try {
+      await draw(file, folder, asked);
+    } catch (error) {
+      problem = error.message;
+    }
+    parentPort.postMessage(problem);
   }
 }

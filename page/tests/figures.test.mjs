@@ -13,15 +13,15 @@ let folder;
 before(() => (folder = mkdtempSync(join(tmpdir(), "suffuse-figures-"))));
 after(() => rmSync(folder, { recursive: true }));
 
-/** Draws texts as figures NAME.vl.json: what was drawn, by name, and what was said. */
-function draw(name, texts) {
+/** Draws texts as figures NAME.vl.json with further words: what was drawn, by name, and what was said. */
+function draw(name, texts, ...words) {
   const place = join(folder, name), out = join(place, "out");
   mkdirSync(out, { recursive: true });
   const specifications = Object.entries(texts).map(([id, text]) => {
     writeFileSync(join(place, `${id}.vl.json`), text);
     return join(place, `${id}.vl.json`);
   });
-  const end = spawnSync("node", [join(process.env.SUFFUSE_PAGE, "figures.mjs"), out, ...specifications], {
+  const end = spawnSync("node", [join(process.env.SUFFUSE_PAGE, "figures.mjs"), ...words, out, ...specifications], {
     encoding: "utf8",
     timeout: patience,
     maxBuffer: 1 << 26,
@@ -104,4 +104,27 @@ test("a figure that computes is drawn without the reach of a script", () => {
   const { signal, status } = draw("scripts", texts);
   assert.equal(signal, null);
   assert.notEqual(status, 7);
+});
+
+/** Of as many rows as the sequence has numbers. */
+const rows = (stop) => JSON.stringify({
+  data: { sequence: { start: 0, stop, as: "x" } },
+  mark: "point",
+  encoding: { x: { field: "x", type: "quantitative" } },
+});
+
+test("a figure that asks for endless rows is ended by its memory, and others are drawn", () => {
+  const { signal, status, stderr, drawn } = draw("rows", { a: rows(10), b: rows(1e8), c: rows(10) }, "--megabytes=500");
+  assert.equal(signal, null);
+  assert.equal(status, 1);
+  assert.match(stderr, /^\S+\/b\.vl\.json: needs more than 500 MB to be drawn; it asks for too many rows\n$/);
+  assert.deepEqual(Object.keys(drawn), ["a", "c"]);
+});
+
+test("a figure that takes too long is ended by its time, and others are drawn", () => {
+  const { signal, status, stderr, drawn } = draw("time", { a: rows(1e8), b: rows(10) }, "--seconds=2", "--megabytes=1e6");
+  assert.equal(signal, null);
+  assert.equal(status, 1);
+  assert.match(stderr, /\/a\.vl\.json: takes more than 2 s to be drawn/);
+  assert.ok("b" in drawn || /\/b\.vl\.json: takes more than 2 s/.test(stderr), "on a machine so slow that b is endless, too");
 });
