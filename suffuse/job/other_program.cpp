@@ -7,11 +7,12 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <limits>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -63,6 +64,49 @@ std::string read_all(int descriptor) {
     return text.size() > longest_complaint ? text.substr(text.size() - longest_complaint) : text;
 }
 
+/// In the child: becomes the other program, which ends with the thread that waits for it, however that ends.
+/// @return why it could not
+int become(char* const* words, int complaints, pid_t parent) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) { // has ended already
+        return ECHILD;
+    }
+    const int input = open("/dev/null", O_RDONLY), output = open("/dev/null", O_WRONLY);
+    if (input < 0 || output < 0 || dup2(input, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 ||
+        dup2(complaints, STDERR_FILENO) < 0) {
+        return errno;
+    }
+    for (const int descriptor : {input, output}) {
+        if (descriptor > STDERR_FILENO) {
+            close(descriptor);
+        }
+    }
+    execvp(words[0], words);
+    return errno;
+}
+
+/// @throws IoError where it cannot be started
+pid_t start(char* const* words, int complaints) {
+    Pipe problem;                                                               // closed by what starts
+    const double bound = bound_memory(std::numeric_limits<double>::infinity()); // ours, not the other program's
+    const pid_t parent = getpid(), child = fork();
+    if (child == 0) { // from here on only calls that a signal handler may make, too: other threads may hold locks
+        const int code = become(words, complaints, parent);
+        static_cast<void>(!write(problem.ends[1], &code, sizeof code));
+        _exit(127);
+    }
+    int code = child < 0 ? errno : 0;
+    bound_memory(bound);
+    problem.close_end(1);
+    if (child > 0 && read(problem.ends[0], &code, sizeof code) == static_cast<ssize_t>(sizeof code)) {
+        waitpid(child, nullptr, 0);
+    }
+    if (code != 0) {
+        throw IoError(fmt::format("{} cannot be started: {}", words[0], std::strerror(code)));
+    }
+    return child;
+}
+
 } // namespace
 
 bool is_installed(const std::string& name) {
@@ -81,24 +125,13 @@ bool is_installed(const std::string& name) {
 ProgramEnd run_program(const std::vector<std::string>& words) {
     expects(!words.empty(), "a program has a name");
     Pipe complaints;
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, complaints.ends[1], STDERR_FILENO);
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (const std::string& word : words) {
-        arguments.push_back(const_cast<char*>(word.c_str())); // as posix_spawn wants it; nobody writes there
+        arguments.push_back(const_cast<char*>(word.c_str())); // as execvp wants it; nobody writes there
     }
     arguments.push_back(nullptr);
-    pid_t child = 0;
-    const double bound = bound_memory(std::numeric_limits<double>::infinity()); // ours, not the other program's
-    const int problem = posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
-    bound_memory(bound);
-    posix_spawn_file_actions_destroy(&actions);
-    if (problem != 0) {
-        throw IoError(fmt::format("{} cannot be started: {}", words[0], std::strerror(problem)));
-    }
+    const pid_t child = start(arguments.data(), complaints.ends[1]);
     complaints.close_end(1);
     ProgramEnd end;
     end.complaint = read_all(complaints.ends[0]);

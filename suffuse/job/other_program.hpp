@@ -14,7 +14,8 @@ struct ProgramEnd {
 /// Whether a program of this name can be run.
 bool is_installed(const std::string& name);
 
-/// Runs `words[0]` with the others as its arguments, without input; its standard output is dropped.
+/// Runs `words[0]` with the others as its arguments, without input; its standard output is dropped. It does not outlive
+/// the thread that called this.
 /// @throws IoError where it cannot be started.
 ProgramEnd run_program(const std::vector<std::string>& words);
 

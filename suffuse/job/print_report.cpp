@@ -47,6 +47,7 @@ void print_report(const fs::path& page, const fs::path& pdf, const std::string& 
     if (!fs::exists(whole)) {
         throw IoError(fmt::format("{}: is not there to be printed", whole.string()));
     }
+    io::remove_leftovers(target.parent_path(), [&](std::string_view name) { return target.filename() == name; });
     const fs::path printed = io::next_partial(target); // what was there before stays until this is whole
     std::vector<std::string> words = {
         browser.empty() ? find_browser(page) : browser,

@@ -36,6 +36,27 @@ bool is_written_here(std::string_view name) {
     return std::ranges::count(names, name) > 0;
 }
 
+/// Whether a run writes a file of this name into the folder of a stage.
+bool is_written_in_stage(std::string_view name) {
+    constexpr std::array<std::string_view, 16> names = {
+        "stage.json", "state.h5",     record::partial_file, record::failure_file, "results.cbor", "history.csv",
+        "SHA256SUMS", "grains.csv",   "contacts.csv",       "pores.csv",          "throats.csv",  "grain_forces.csv",
+        "grains.vtp", "contacts.vtp", "cell.vtp",           "pores.vtu"};
+    return std::ranges::count(names, name) > 0;
+}
+
+/// Where the run, or a stage, has ended nothing else would.
+void remove_leftovers_of_run(const fs::path& run) {
+    io::remove_leftovers(run, is_written_here);
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(run / "studies", error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (entry->is_directory(error) && !entry->is_symlink(error)) {
+            io::remove_leftovers(entry->path(), is_written_in_stage);
+        }
+    }
+}
+
 /// The number at the end of NAME-0012, or 0.
 int number_of(const std::string& folder, const std::string& name) {
     if (folder.rfind(name + "-", 0) != 0) {
@@ -183,7 +204,7 @@ FolderLock::FolderLock(const fs::path& folder, const std::function<void(const st
             std::strerror(refused)
         ));
     }
-    io::remove_leftovers(folder, is_written_here); // where the run has ended nothing else would
+    remove_leftovers_of_run(folder);
 }
 
 FolderLock::~FolderLock() {
