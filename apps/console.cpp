@@ -1,6 +1,7 @@
 #include "apps/console.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/readable.hpp"
 
 #include "apps/printable.hpp"
 #include "apps/wording.hpp"
@@ -90,8 +91,7 @@ void Console::detail(std::string_view text) const {
 
 void Console::error(std::string_view text, bool rendered) const {
     const std::string_view word = rendered ? "" : color_ ? "\x1b[1;31merror\x1b[0m: " : "error: ";
-    constexpr std::size_t longest_line = 2000; // a stranger's text may stand in it
-    write_line(stderr, with_short_lines(std::string(word).append(text), longest_line), color_);
+    write_line(stderr, std::string(word).append(readable(text)), color_);
 }
 
 void Console::finish() const {

@@ -57,20 +57,4 @@ std::string printable(std::string_view text, bool colored) {
     return shown;
 }
 
-std::string with_short_lines(std::string_view text, std::size_t most) {
-    std::string shorter;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::size_t kept = std::min(end, most);
-        while (kept < end && kept > 0 && (static_cast<unsigned char>(text[kept]) & 0xC0U) == 0x80U) {
-            --kept; // to where a character begins
-        }
-        shorter += text.substr(0, kept);
-        shorter += kept < end ? fmt::format("... ({} more bytes)", end - kept) : "";
-        shorter += end < text.size() ? "\n" : "";
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return shorter;
-}
-
 } // namespace suffuse::apps

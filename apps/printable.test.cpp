@@ -27,13 +27,5 @@ TEST(Printable, ColorsStayWhereThereAreAnyAndNothingElseOfATerminal) {
     EXPECT_EQ(printable("\x1b[2J\x1b[", true), "\\u{1b}[2J\\u{1b}[");
 }
 
-TEST(Printable, LongLinesAreCutBetweenCharacters) {
-    EXPECT_EQ(with_short_lines("short\nlines\n", 5), "short\nlines\n");
-    EXPECT_EQ(with_short_lines("abcdef\nab", 4), "abcd... (2 more bytes)\nab");
-    EXPECT_EQ(with_short_lines("ab\u00e9\u00e9", 3), "ab... (4 more bytes)");
-    EXPECT_EQ(with_short_lines("ab\u00e9\u00e9", 4), "ab\u00e9... (2 more bytes)");
-    EXPECT_EQ(with_short_lines("", 4), "");
-}
-
 } // namespace
 } // namespace suffuse::apps

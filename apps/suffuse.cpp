@@ -2,6 +2,7 @@
 // with its words and its code.
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/readable.hpp"
 #include "suffuse/base/render_within.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "apps/console.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
+#include "apps/process_limits.hpp"
 #include "apps/standard_streams.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/verb.hpp"
@@ -87,7 +89,7 @@ int complain(const Complaint& complaint, const Console& console) {
         {{"error",
           {{"kind", complaint.kind},
            {"exit_code", complaint.code},
-           {"message", complaint.message},
+           {"message", readable(complaint.message)},
            {"problems", complaint.problems}}}}
     ));
     return complaint.code;
@@ -98,6 +100,7 @@ int run_program(int argc, const char* const* argv) {
     early.json = std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
     Console console(early);
     try {
+        raise_stack_limit();
         const Asked asked = read_command_line(argc, argv);
         console = Console(asked.line);
         if (!asked.text.empty()) {
@@ -105,6 +108,7 @@ int run_program(int argc, const char* const* argv) {
             Console().finish();
             return Done;
         }
+        raise_file_limit();
         const int code = asked.verb->act(asked.line, console);
         console.finish();
         return code;

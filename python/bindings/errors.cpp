@@ -3,6 +3,7 @@
 #include "suffuse/base/diagnostics.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/read_text.hpp"
+#include "suffuse/base/readable.hpp"
 #include "suffuse/base/units.hpp"
 
 #include "python/bindings/bindings.hpp"
@@ -40,7 +41,7 @@ py::object text(const std::string& value) {
 template <class... Attribute>
 void raise(PyObject* kind, const char* message, const Attribute&... attribute) {
     const auto type = py::reinterpret_borrow<py::object>(kind);
-    py::object exception = type(text(message));
+    py::object exception = type(text(readable(message)));
     (py::setattr(exception, attribute.first, attribute.second), ...);
     PyErr_SetObject(kind, exception.ptr());
 }
@@ -61,7 +62,7 @@ void translate(std::exception_ptr thrown) {
     } catch (const CaseError& error) {
         raise(classes.bad_case, error.what(), Field{"file", text(error.file)}, Field{"line", py::int_(error.line)});
     } catch (const UnitError& error) {
-        raise(classes.unit, error.what(), Field{"help", text(error.help)});
+        raise(classes.unit, error.what(), Field{"help", text(readable(error.help))});
     } catch (const GeometryError& error) {
         raise(classes.geometry, error.what());
     } catch (const SolverError& error) {

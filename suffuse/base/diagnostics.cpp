@@ -1,6 +1,7 @@
 #include "suffuse/base/diagnostics.hpp"
 
 #include "suffuse/base/read_text.hpp"
+#include "suffuse/base/readable.hpp"
 #include "suffuse/base/render_within.hpp"
 
 #include <fmt/format.h>
@@ -175,6 +176,9 @@ std::string line_of(const Source& source, int line) {
 }
 
 void Problems::add(Diagnostic diagnostic, const Place& place) {
+    for (std::string* const text : {&diagnostic.message, &diagnostic.label, &diagnostic.help}) {
+        *text = readable(*text);
+    }
     if (place.source) {
         diagnostic.file = place.source->name;
         diagnostic.line = place.line;
