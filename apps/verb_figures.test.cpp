@@ -90,5 +90,19 @@ TEST_F(Cli, FiguresDrawSpecificationsWhereTheirProgramIsBuilt) {
     EXPECT_NE(svg.find("<desc>two &lt; three</desc>"), std::string::npos);
 }
 
+TEST_F(Cli, AFigureThatCannotBeDrawnIsNamedAndOthersAreDrawn) {
+    const std::filesystem::path drawing = std::filesystem::path(SUFFUSE_PROGRAM) / "../../../report-page/figures.mjs";
+    if (!std::filesystem::exists(drawing.lexically_normal())) {
+        GTEST_SKIP() << "npm has not built the report's page; ./test does";
+    }
+    write_figures(folder / "run");
+    write_to(folder / "run/figures/a-broken-one.vl.json", "{");
+    const Said said = say({"figures", "run", "-o", "drawn"});
+    EXPECT_EQ(said.code, 74);
+    expect_in("a-broken-one.vl.json: ", said.error);
+    expect_in("others that were drawn: 2 in drawn", said.error);
+    EXPECT_EQ(read_all(folder / "drawn/fig11.svg").rfind("<svg", 0), 0U);
+}
+
 } // namespace
 } // namespace suffuse

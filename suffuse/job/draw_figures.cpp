@@ -128,10 +128,9 @@ std::vector<std::string> style_words(const DrawStyle& style) {
     return words;
 }
 
-/// Every figure as SVG in `folder`, by the built page's program.
-void draw_svg(
-    const std::vector<Source>& sources, const DrawStyle& style, const fs::path& folder, const fs::path& page
-) {
+/// Every figure as SVG in `folder`, by the built page's program. @return what it says of those that it could not draw
+std::string
+draw_svg(const std::vector<Source>& sources, const DrawStyle& style, const fs::path& folder, const fs::path& page) {
     std::vector<std::string> words = {"node", ""};
     std::ranges::move(style_words(style), std::back_inserter(words));
     words.push_back(folder.string());
@@ -144,12 +143,11 @@ void draw_svg(
         }
     }
     if (words.size() == without_files) {
-        return;
+        return {};
     }
     words[1] = drawing_program(page).string();
-    if (const ProgramEnd end = run_program(words); end.code != 0) {
-        throw IoError(fmt::format("node could not draw the figures: {}", end.complaint));
-    }
+    const ProgramEnd end = run_program(words);
+    return end.code == 0 ? "" : "node could not draw the figures: " + end.complaint;
 }
 
 void convert(const fs::path& svg, const fs::path& to, const std::string& format) {
@@ -180,16 +178,22 @@ std::vector<fs::path> draw_figures(
     }
     io::make_folders(folder);
     const ScratchFolder scratch(folder); // other programs write there: in the folder they would follow links
-    draw_svg(sources, style, scratch.path(), page);
+    const std::string complaint = draw_svg(sources, style, scratch.path(), page);
     std::vector<fs::path> written;
     for (const Source& source : sources) {
         const fs::path drawn = scratch.path() / (source.id + ".svg"),
                        made = scratch.path() / (source.id + "." + format);
+        if (!complaint.empty() && !fs::exists(drawn)) {
+            continue;
+        }
         if (format != "svg") {
             convert(drawn, made, format);
         }
         written.push_back(folder / made.filename());
         io::write_file(written.back(), bytes_of(made));
+    }
+    if (!complaint.empty()) {
+        throw IoError(complaint + fmt::format("\nothers that were drawn: {} in {}", written.size(), folder.string()));
     }
     return written;
 }
