@@ -34,7 +34,7 @@ function(suffuse_module name)
     set_property(GLOBAL APPEND PROPERTY SUFFUSE_ROOMS ${library})
 
     if(SUFFUSE_TESTS AND tests)
-        suffuse_test_program(${library}_test unit ${kind_of_tests} ${tests})
+        suffuse_test_program(${library}_test unit 1 ${kind_of_tests} ${tests})
         target_link_libraries(${library}_test PRIVATE ${library} ${ARG_PRIVATE_LINK})
     endif()
     if(SUFFUSE_BENCHMARKS AND benches)
@@ -43,13 +43,26 @@ function(suffuse_module name)
     endif()
 endfunction()
 
-# suffuse_test_program(TARGET LABEL KIND sources...): a GoogleTest program, each test known to ctest under LABEL. What writes
-# samples for the browser's tests is no test.
-function(suffuse_test_program target label kind)
+# suffuse_test_program(TARGET LABEL SHARDS KIND sources...): a GoogleTest program, known to ctest under LABEL as so many processes
+# that share its tests: a process for each test would take longer to start than most tests take. Each leaves its results in
+# test-results/, which tools/count_tests.py sums. What writes samples for the browser's tests is no test.
+function(suffuse_test_program target label shards kind)
     add_executable(${target} ${ARGN})
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${target} PRIVATE suffuse_test_support suffuse_options suffuse_light GTest::gtest GTest::gtest_main rapidcheck
         Eigen3::Eigen nlohmann_json::nlohmann_json)
     suffuse_kind(${target} ${kind})
-    gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST TEST_FILTER -SampleRun.* PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
+    if(label STREQUAL "unit")
+        add_dependencies(unit_tests ${target})
+    endif()
+    math(EXPR last "${shards} - 1")
+    foreach(shard RANGE ${last})
+        set(name ${target})
+        if(shards GREATER 1)
+            set(name ${target}.${shard})
+        endif()
+        add_test(NAME ${name} COMMAND ${target} --gtest_brief=1 --gtest_filter=-SampleRun.*
+            --gtest_output=xml:${PROJECT_BINARY_DIR}/test-results/${name}.xml)
+        set_tests_properties(${name} PROPERTIES LABELS ${label} ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${shard}")
+    endforeach()
 endfunction()
