@@ -4,6 +4,7 @@
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/cell/cell.hpp"
 #include "suffuse/dem/inspect.hpp"
+#include "suffuse/erosion/mobility_bounds.hpp"
 #include "suffuse/erosion/weighed_copy.hpp"
 #include "suffuse/stats/stress_by_fraction.hpp"
 
@@ -16,19 +17,10 @@
 namespace suffuse::erosion {
 namespace {
 
-// The rest: bursts until so few of the free fines still move. Measured against longer rests in docs/theory/weight.md.
-constexpr double rest_burst = 5, longest_rest = 200; ///< in units of WeightScale::time
-constexpr double rest_motion = 0.02;                 ///< of a diameter in a burst
-constexpr double rest_share = 0.002;                 ///< of the number of free fines
-
-// A step of the ramp, likewise.
-constexpr double hold_burst = 4;       ///< in units of WeightScale::time
-constexpr double of_hold_beyond = 0.2; ///< of the longest hold, once a tenth of the fines' mass is mobile
-constexpr int bursts_of_a_flow = 5;    ///< after which it is solved anew, through the fines as they lie then
-constexpr double hold_advance = 0.01;  ///< of a diameter in a burst
-
-constexpr double lifted_motion = 0.1; ///< along the flow, of a diameter: against the roof of its cage
-constexpr double fallen_motion = 0.5; ///< of a diameter
+// In units of WeightScale::time; measured against longer ones in docs/theory/weight.md.
+constexpr double rest_burst = 5, longest_rest = 200;
+constexpr double hold_burst = 4;
+constexpr int bursts_of_a_flow = 5; ///< after which it is solved anew, through the fines as they lie then
 
 /// Masses of the fines of the result, those for which `counts` holds over all.
 template <class Counts>
@@ -110,17 +102,17 @@ void rest(WeighedCopy& copy, const Vec3& down, const Pulse& pulse, MobilityResul
         result.rested_for += rest_burst;
         std::int64_t count = 0;
         for (std::size_t k = 0; k < before.size(); ++k) {
-            moving[k] = norm(copy.position(k) - before[k]) > rest_motion * result.diameter[k] ? 1 : 0;
+            moving[k] = moves_in_rest(norm(copy.position(k) - before[k]), result.diameter[k]) ? 1 : 0;
             count += moving[k];
         }
-        rests = static_cast<double>(count) <= rest_share * static_cast<double>(copy.free_count());
+        rests = are_resting(count, copy.free_count());
     }
     result.rest_steps = copy.steps();
     const Vec3 widths = cell::widths(copy.world().cell.h);
     const double cell_width = std::min({widths.x, widths.y, widths.z});
     const auto fall = [&](std::size_t k) { return dot(copy.position(k) - start[k], down); };
     result.fallen_mass_share =
-        mass_share(result, [&](std::size_t k) { return fall(k) > fallen_motion * result.diameter[k]; });
+        mass_share(result, [&](std::size_t k) { return has_fallen(fall(k), result.diameter[k]); });
     result.sifting_mass_share =
         mass_share(result, [&](std::size_t k) { return fall(k) > cell_width || (!rests && moving[k] != 0); });
     result.sifts = is_notable_sifting(result.sifting_mass_share);
@@ -189,9 +181,9 @@ private:
         };
     }
 
-    /// Where the gradients that move 1 and 10 % are known, what creeps is left to lower bounds.
     [[nodiscard]] double longest_hold(double mobile_share) const {
-        return mobile_share < 0.1 ? longest_hold_ : std::max(hold_burst, of_hold_beyond * longest_hold_);
+        const double share = share_of_hold(mobile_share);
+        return share < 1 ? std::max(hold_burst, share * longest_hold_) : longest_hold_;
     }
 
     [[nodiscard]] double advance(std::size_t k) const {
@@ -212,7 +204,7 @@ private:
         const double undone_at = ramp_.undone_at().value_or(std::numeric_limits<double>::infinity());
         int bursts = 0; // of the flow
         const double longest = longest_hold(mass_share(result_, mobile));
-        for (bool goes_on = copy_.free_count() > 0; goes_on && step.held_for < longest;) {
+        for (bool holds_on = copy_.free_count() > 0; holds_on && step.held_for < longest;) {
             if (bursts++ == bursts_of_a_flow) {
                 water_ = solve_(copy_.world());
                 bursts = 1;
@@ -226,17 +218,17 @@ private:
                 if (!is_mobile(k) && now > moved_) {
                     result_.mobile_gradient[k] = gradient;
                 }
-                advancing += !is_mobile(k) && now > furthest[k] + hold_advance ? 1 : 0;
+                advancing += !is_mobile(k) && goes_on(now, furthest[k]) ? 1 : 0;
                 furthest[k] = std::max(furthest[k], now);
             }
             step.still_moving = static_cast<double>(advancing) / static_cast<double>(rest_.size());
             step.mobile_mass_share = mass_share(result_, mobile);
-            goes_on = is_still_growing(step) && step.mobile_mass_share < undone_at;
+            holds_on = is_still_growing(step) && step.mobile_mass_share < undone_at;
         }
         const auto count = std::ranges::count_if(result_.mobile_gradient, [](double i) { return !std::isnan(i); });
         step.mobile_number_share = static_cast<double>(count) / static_cast<double>(rest_.size());
         step.mobile_mass_share = mass_share(result_, mobile);
-        step.lifted_mass_share = mass_share(result_, [&](std::size_t k) { return advance(k) > lifted_motion; });
+        step.lifted_mass_share = mass_share(result_, [&](std::size_t k) { return is_lifted(advance(k)); });
         step.displaced_mass_share = mass_share(result_, [&](std::size_t k) {
             return norm(copy_.position(k) - rest_[k]) > moved_ * result_.diameter[k];
         });

@@ -118,6 +118,58 @@ TEST(Mobility, IsNotReachedUnderARoofThatLeavesLessThanHalfADiameter) {
     }
 }
 
+TEST(Mobility, LiftsAGrainThatRisesByMoreThanATenthOfItsDiameter) {
+    for (const auto& [room, lifted] : {std::pair{0.09, 0.0}, std::pair{0.11, 1.0}}) { // below a roof, in diameters
+        Pocket pocket(1);
+        const double R = coarse_radius, roof = 5 * R + 2 * pocket.level + room * 2 * R;
+        for (const double angle : {0.0, 2 * pi / 3, 4 * pi / 3}) {
+            const Vec3 outward{std::cos(angle), std::sin(angle), 0};
+            const Vec3 place = Vec3{5 * R, 5 * R, roof} + 2 * pocket.center * outward;
+            add_grain(pocket.world.grains, place, R, pocket.world.material.density);
+        }
+        const MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {2 / unit}};
+        const MobilityResult result = find_mobility(pocket.world, setting, pull_along(pocket, setting.direction));
+        EXPECT_EQ(result.ramp.back().lifted_mass_share, lifted) << room;
+        EXPECT_EQ(result.ramp.back().mobile_mass_share, 0);
+    }
+}
+
+/// Coarse grains in a row, each with a fine grain of the same size that is pressed onto it: none of them moves.
+dem::World pressed_fines(int count) {
+    const double R = coarse_radius;
+    dem::World world;
+    world.cell.h = diagonal({10 * R, 10 * R, 10 * count * R});
+    for (int k = 0; k < count; ++k) {
+        const Vec3 place{3 * R, 5 * R, (5 + 10 * k) * R};
+        add_grain(world.grains, place, R, world.material.density);
+        add_grain(world.grains, place + Vec3{2 * R * (1 - 1e-4), 0, 0}, R, world.material.density);
+        world.grains.fine.back() = 1;
+    }
+    dem::StepCaches caches;
+    dem::step(world, caches, {.dt = 1e-12}); // finds the contacts
+    return world;
+}
+
+TEST(Mobility, ComparesTheSeepageForceOfFinesWithTheirWeight) {
+    const dem::World world = pressed_fines(21);
+    const std::vector<Vec3> weight = buoyant_weights(world, {}, {});
+    const SolveFlow solve = [&](const dem::World&) { // fines 1, 2 ... 21 times their weight, coarse grains 33 times
+        UnitSeepage water;
+        for (std::size_t g = 0; g < weight.size(); ++g) {
+            const double pull = world.grains.fine[g] != 0 ? 0.5 * (static_cast<double>(g) + 1) : 33;
+            water.force.push_back(Vec3{0, 0, pull * norm(weight[g])});
+        }
+        return water;
+    };
+    const MobilityResult result = find_mobility(world, {.direction = {0, 0, 1}, .gradients = {1e-4}}, solve);
+    EXPECT_EQ(result.load_bearing_mass_share, 1);
+    EXPECT_NEAR(*result.single_grain_gradient, 1.0 / 20, 1e-12) << "the second of 21: a twentieth of the way";
+    EXPECT_NEAR(result.drag_share, 0.25, 1e-12) << "11 against 33";
+    EXPECT_NEAR(*result.fines_heave_gradient, 2 * *result.heave_gradient, 1e-12)
+        << "half of the mass, a quarter of the force";
+    EXPECT_NEAR(*result.skempton_brogan_gradient, *result.alpha_fines * *result.heave_gradient, 1e-12);
+}
+
 TEST(Mobility, AcrossASaddleIsReachedAtTheSlopeOfTheWayToItWithAndWithoutFriction) {
     for (const double ratio : {1.0, 0.3}) {
         for (const double friction : {0.0, std::atan(0.5)}) {

@@ -134,6 +134,23 @@ TEST(TransportFines, GoesAsFarAsAsked) {
     EXPECT_EQ(far_pass.transport.distance, *spec.transport_distance);
 }
 
+TEST(TransportFines, EntersHowFarTheFirstPassTookEachGrain) {
+    const dem::World before = packing_with_small_fines();
+    dem::World world = before;
+    const std::vector<std::uint32_t> fines = rows_of_fines(world);
+    PassResult first;
+    transport_fines(world, fines, {}, {}, {}, first);
+    for (std::size_t k = 0; k < fines.size(); ++k) {
+        const double moved = (world.grains.position[fines[k]] - before.grains.position[fines[k]]).z;
+        const double told = first.transport.progress[k];
+        if (first.transport.fate[k] == Fate::Left) {
+            EXPECT_EQ(told, first.transport.travel[k]) << k;
+        } else { // a place beyond the cell's edge is one in the cell
+            EXPECT_NEAR(std::remainder(told - moved, before.cell.h(2, 2)), 0, 1e-12) << k;
+        }
+    }
+}
+
 TEST(TransportFines, WhatAGrainHasComeInEarlierPassesCounts) {
     dem::World world = packing_with_small_fines();
     const std::vector<std::uint32_t> fines = rows_of_fines(world);
@@ -145,6 +162,7 @@ TEST(TransportFines, WhatAGrainHasComeInEarlierPassesCounts) {
     for (double& progress : first.transport.progress) {
         progress = 1.9 * world.cell.h(2, 2); // nearly there, wherever they lie
     }
+    so_far.passes.emplace_back(); // from which none of them moved
     PassResult second;
     EXPECT_GT(transport_fines(world, fines, spec, {}, so_far, second).size(), in_one_pass);
     for (std::size_t k = 0; k < second.transport.size(); ++k) {
