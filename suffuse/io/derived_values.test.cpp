@@ -62,6 +62,22 @@ TEST(DerivedValues, RatiosAndSharesAreComparedWithAllWaysToDrawTheCurve) {
     EXPECT_NE(told_below("Silt and clay,0.3\n").find("is given as 0.3 %"), std::string::npos);
 }
 
+TEST(DerivedValues, GravelIsItsOwnClassOrAllThatIsCoarserThanSand) {
+    // Cobbles 20 % by 75 mm and by 63 mm, gravel 30 % down to 4.75 mm and to 2 mm.
+    const auto told = [](const std::string& row) {
+        const ParsedSheet parsed =
+            parse_sheet("d [mm],passing [%]\n150,100\n75,80\n63,80\n4.75,50\n2,50\n0.063,6\n" + row);
+        EXPECT_EQ(parsed.soils.size(), 1U) << render(parsed.told);
+        return render(parsed.told);
+    };
+    for (const char* const agrees : {"Gravel %,30\n", "Gravel %,50\n", "Cobbles %,20\n"}) {
+        EXPECT_EQ(told(agrees).find("is given as"), std::string::npos) << told(agrees);
+    }
+    for (const char* const differs : {"Gravel %,28\n", "Gravel %,52\n", "Cobbles %,22\n", "Cobbles %,18\n"}) {
+        EXPECT_NE(told(differs).find("is given as"), std::string::npos) << told(differs);
+    }
+}
+
 TEST(DerivedValues, NamesMayStandAboveTheirValuesOrBesideThem) {
     EXPECT_NE(told_below("\"Gravel %\",\"Sand %\"\n20,30\n").find("Sand % is given as 30 %"), std::string::npos);
     EXPECT_NE(told_below("D60 0.2 mm\nCu = 20\n").find("D60 is given as 0.2 mm"), std::string::npos);
