@@ -65,6 +65,14 @@ TEST(Headlines, OfFinesAreTheThresholdsThatMostSeedsHave) {
     EXPECT_EQ(headlines[1].detail, "fines content, by a parabola; no replicate");
 }
 
+TEST(Headlines, OfFinesHalfOfTheSeedsAreNotMostOfThem) {
+    const auto cards = [](const std::vector<double>& of_seed) {
+        return fines_headlines({{study::ThresholdKind::ActiveFines, study::scatter_of(of_seed)}}).size();
+    };
+    EXPECT_EQ(cards({0.3, std::nan("")}), 0U);
+    EXPECT_EQ(cards({0.3, 0.3, std::nan("")}), 1U);
+}
+
 TEST(Headlines, AChangeThatIsNoiseIsNone) {
     erosion::ErosionResult erosion = test::sample_erosion();
     for (erosion::PassResult& pass : erosion.passes) {

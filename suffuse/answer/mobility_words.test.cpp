@@ -166,6 +166,19 @@ TEST(MobilityWords, SayWhyStressAndMotionDiffer) {
     EXPECT_NE(first(carried).find("near what moves 1 %"), std::string::npos) << first(carried);
 }
 
+TEST(MobilityWords, CallTwoGradientsNearThatDifferByLessThanAFactorOfOnePointThree) {
+    const auto first = [](double factor) {
+        erosion::MobilityResult mobility = upward();
+        mobility.skempton_brogan_gradient = factor * *mobility.moves_1;
+        return remarks_on(story_of({mobility}).front()).front();
+    };
+    for (const double near : {1 / 1.29, 1.0, 1.29}) {
+        EXPECT_NE(first(near).find("near what moves 1 %"), std::string::npos) << first(near);
+    }
+    EXPECT_NE(first(1 / 1.31).find("below what moves 1 %"), std::string::npos) << first(1 / 1.31);
+    EXPECT_NE(first(1.31).find("above what moves 1 %"), std::string::npos) << first(1.31);
+}
+
 TEST(MobilityWords, TellOfFinesThatSift) {
     erosion::MobilityResult sifting = upward();
     sifting.sifts = true, sifting.sifting_mass_share = 0.05;

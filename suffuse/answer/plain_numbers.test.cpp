@@ -14,6 +14,8 @@ TEST(PlainNumbers, AreNeverMinusNothingNorPowersOfTen) {
     EXPECT_EQ(percent_text(0.1349), "13 %");
     EXPECT_EQ(percent_text(1), "100 %");
     EXPECT_EQ(change_text(-1.11022e-14), "none");
+    EXPECT_EQ(change_text(0.00049), "none");
+    EXPECT_EQ(change_text(0.00051), "+0.1 %");
     EXPECT_EQ(change_text(-0.187), "−19 %");
     EXPECT_EQ(change_text(0.0093), "+0.9 %");
 }

@@ -6,6 +6,8 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace suffuse::answer {
 namespace {
 
@@ -48,7 +50,9 @@ TEST(ReportAnswer, TellsTheTestsOfASweepWhereTheyAreFew) {
         variants[k].values = {{"stage.removed.order", orders[k]}, {"fines_content", orders[k]}};
         stages.push_back({&study, &variants[k], &test, response(100e3 * static_cast<double>(k + 1), 0.02), {}});
     }
-    EXPECT_TRUE(answer_of_erosion(results_of(stages)).empty());
+    EXPECT_TRUE(answer_of_erosion(results_of(stages)).empty()) << "five are a table";
+    stages.resize(4);
+    EXPECT_EQ(answer_of_erosion(results_of(stages)).size(), 1U);
     stages.resize(2);
     EXPECT_EQ(
         answer_of_erosion(results_of(stages)),
@@ -112,6 +116,10 @@ TEST(ReportAnswer, SaysThatGrainsWithoutLoadLeaveUnderAnyGradient) {
     pass.coordination_histogram = {{0, 2}, {1, 1}};
     EXPECT_NE(told().find("None of them carried load: without gravity"), std::string::npos) << told();
     pass.coordination_histogram = {{0, 2}, {2, 1}};
+    EXPECT_EQ(told().find("carried load"), std::string::npos) << told();
+    pass.coordination_histogram = {{0, 98}, {2, 2}};
+    EXPECT_NE(told().find("Only 2 of the 100 carried load"), std::string::npos) << told();
+    pass.coordination_histogram = {{0, 97}, {2, 3}};
     EXPECT_EQ(told().find("carried load"), std::string::npos) << told();
     pass.coordination_histogram = {{0, 2}, {1, 1}};
     stages.front().findings.erosion->ledger.push_back({7, 1, 1e-4, 1e-9, 0, erosion::Reason::Forced});
@@ -249,6 +257,27 @@ TEST(ReportAnswer, CountsWhatIsDetachableByTheRuleThatTheStageAsksFor) {
     EXPECT_EQ(told(), "Of 3 fines 2 at the gradient i = 0.05 are detachable.");
     std::get<erosion::DetachStageSpec>(stage.spec).detached.by = erosion::DetachBy::Displacement;
     EXPECT_EQ(told(), "Of 3 fines 1 at the gradient i = 0.05 are detachable, by their displacement.");
+}
+
+TEST(ReportAnswer, SaysThatTheGradientHardlyMattersWhereTenTimesTheGradientDetachesTheSameToAFiftieth) {
+    casefile::Study study;
+    const casefile::Variant variant;
+    const casefile::Stage stage{.name = "probe", .spec = erosion::DetachStageSpec{}};
+    const auto hardly = [&](double gradient, std::size_t fewer) {
+        std::vector<erosion::ProbeResult> probes(2);
+        for (std::size_t k = 0; k < probes.size(); ++k) {
+            probes[k].gradient = k == 0 ? 0.05 : gradient;
+            probes[k].id.resize(200);
+            probes[k].by_velocity.assign(200, 0);
+            std::fill_n(probes[k].by_velocity.begin(), k == 0 ? 100 - fewer : 100, std::uint8_t{1});
+        }
+        const std::vector<record::FinishedStage> stages = {
+            {&study, &variant, &stage, nlohmann::json::object(), {probes, {}, {}, {}}}};
+        return answer_of_erosion(results_of(stages)).front().find("hardly depends") != std::string::npos;
+    };
+    EXPECT_TRUE(hardly(0.501, 2));
+    EXPECT_FALSE(hardly(0.501, 3));
+    EXPECT_FALSE(hardly(0.499, 2));
 }
 
 } // namespace

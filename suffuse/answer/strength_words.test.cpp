@@ -89,6 +89,17 @@ TEST(StrengthChange, IsThatOfTheSameTestOnTheSameSample) {
     EXPECT_EQ(tabulate_strength(changes).value().rows.front().size(), tabulate_strength(changes).value().header.size());
 }
 
+TEST(StrengthChange, SaysHowOftenChanceGivesAsClearAChangeWhereThatIsMoreThanOnceInTwenty) {
+    for (const double t : {12.5, 12.9}) { // of Student with one degree of freedom: 12.7 by chance in 5 %
+        ErodedStudy study;
+        for (const double side : {-1.0, 1.0}) {
+            study.add_sample(400e3, 400e3 * (1 - 0.25 * (1 + side / t)));
+        }
+        const std::string told = tell_strength(study::compare_strength(study.stages)).front();
+        EXPECT_EQ(told.find("of so few, scatter alone gives as clear a change") != std::string::npos, t < 12.7) << told;
+    }
+}
+
 /// Rises to a peak, and comes down to `residual` [Pa]; the volume changes to `strain` and stays there.
 std::vector<triaxial::PathRow> long_test(double peak, double residual, double strain) {
     std::vector<triaxial::PathRow> rows;

@@ -92,6 +92,52 @@ TEST_F(Verdict, OfAnErosionSaysWhatLeftAndWhatThatDid) {
     EXPECT_EQ(verdict().front(), "Water at i = 0.05 carries out none of the fines.");
 }
 
+TEST_F(Verdict, APermeabilityStaysWithinHalfAPercent) {
+    results.story.erosion = test::sample_erosion();
+    const auto told = [&](double change) {
+        sweep(Result::PermeabilityChange, {{"0.05", {change}}});
+        return verdict().at(1);
+    };
+    EXPECT_EQ(told(1.0049), "The permeability stays as it was.");
+    EXPECT_EQ(told(0.9951), "The permeability stays as it was.");
+    EXPECT_EQ(told(0.9949), "The permeability falls to 99 % of what it was.");
+    EXPECT_TRUE(told(1.0051).starts_with("The permeability rises ")) << told(1.0051);
+}
+
+TEST_F(Verdict, OfARemovalKeepsTheVolumeThatChangesByLessThanHalfAPerMille) {
+    const auto told = [&](double strain) {
+        sweep(Result::RemovedMass, {{"0.05", {0.12}}});
+        results.outcomes.front().points.front().result[Result::RemovalStrain] = study::scatter_of({strain});
+        return verdict().at(1);
+    };
+    EXPECT_EQ(told(0.00049), "The soil keeps its volume.");
+    EXPECT_EQ(told(-0.00049), "The soil keeps its volume.");
+    EXPECT_EQ(told(0.00051), "The soil contracts by 0.1 %.");
+    EXPECT_EQ(told(-0.00051), "The soil dilates by 0.1 %.");
+}
+
+TEST_F(Verdict, OfMoreThanThreeComparedTestsIsHowManyFindTheSoilWeaker) {
+    results.story.erosion = test::sample_erosion();
+    const casefile::Stage test{.name = "shear", .spec = triaxial::TriaxialSpec{}};
+    study::StrengthChange change;
+    change.before = change.after = &test;
+    change.peak_deviator = {study::scatter_of({400e3}), study::scatter_of({300e3}), study::scatter_of({-0.25})};
+    results.strength.assign(3, change);
+    EXPECT_EQ(verdict().back(), "The peak strength falls by 25 %, from 400 to 300 kPa.");
+    results.strength.assign(4, change);
+    results.strength.back().peak_deviator.change = study::scatter_of({0.25});
+    EXPECT_EQ(verdict().back(), "3 of 4 tests after the loss find the soil weaker.");
+}
+
+TEST_F(Verdict, OfFinesTellsTheThresholdsThatMoreThanHalfOfTheSeedsHave) {
+    using enum study::ThresholdKind;
+    results.fines.emplace().thresholds = {
+        {LowestLoose, study::scatter_of({0.40, 0.42})}, {ActiveFines, study::scatter_of({0.3, std::nan("")})}};
+    EXPECT_EQ(verdict(), std::vector<std::string>{"The void ratio is lowest at 41 % fines."});
+    results.fines->thresholds.back().at = study::scatter_of({0.3, 0.3, std::nan("")});
+    EXPECT_EQ(verdict().back(), "From 30 % on the fines begin to carry load.");
+}
+
 TEST_F(Verdict, OfARunWithoutErosionIsItsStrengthPermeabilityAndVoidRatio) {
     sweep(Result::Strength, {{"0.05", {338e3}}});
     results.outcomes.front().points.front().result[Result::Permeability] = study::scatter_of({5.6e-11});
