@@ -1,18 +1,21 @@
 #!/usr/bin/python3
-"""tools/mutate.py [--build DIR] [--again] [WORD ...]: do the tests notice a small change?
+"""tools/mutate.py [--build DIR] [--again | --check] [WORD ...]: do the tests notice a small change?
 
 Makes the changes of tools/mutants.toml one at a time in the working tree, builds the tests of the changed file's own
-module, runs them, and takes the change back. A change that they notice is killed; one that they pass is a survivor:
-its module lacks a test, or the list says why no test can tell. WORDs choose changes by a part of their file's name or
-text. What was found is kept in DIR/mutants.json by the content of the module, so that a second call goes on where the
-first was stopped; --again forgets it. DIR is build/release unless given. Exit code 1 where a change survived without a
-reason, or one that has a reason was killed.
+module, runs them, and takes the change back. A change that they notice is killed, and the first test that fails is named; one
+that they pass is a survivor: its module lacks a test, or the list says why no test can tell. WORDs choose changes by a
+part of their file's name or text. What was found is kept in DIR/mutants.json by the content of the module, so that a
+second call goes on where the first was stopped; --again forgets it. DIR is build/release unless given. Exit code 1
+where a change survived without a reason, or one that has a reason was killed.
+
+--check only looks whether each change of the list is still one: it builds nothing.
 """
 
 import argparse
 import hashlib
 import json
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -34,15 +37,34 @@ def stamp_of(mutant):
     return digest.hexdigest()
 
 
-def changed(text, mutant):
-    count = text.count(mutant["was"])
+def complaint_about(mutant):
+    """Why the list names no change; empty where it does."""
+    path = ROOT / mutant["file"]
+    count = path.read_text().count(mutant["was"]) if path.is_file() else 0
     if count != 1:
-        sys.exit(f"tools/mutants.toml: '{mutant['was']}' stands {count} times in {mutant['file']}, once is needed")
+        return f"tools/mutants.toml: '{mutant['was']}' stands {count} times in {mutant['file']}, once is needed"
+    return "" if mutant["was"] != mutant["becomes"] else f"tools/mutants.toml: '{mutant['was']}' becomes itself"
+
+
+def check(mutants):
+    complaints = [complaint for complaint in map(complaint_about, mutants) if complaint]
+    print("\n".join(complaints + [f"{len(mutants)} changes, {len(complaints)} of them no change"]))
+    return 1 if complaints else 0
+
+
+def changed(text, mutant):
+    if complaint := complaint_about(mutant):
+        sys.exit(complaint)
     return text.replace(mutant["was"], mutant["becomes"])
 
 
+def first_failure(said):
+    found = re.search(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE)
+    return f" by {found[1]}" if found else ""
+
+
 def verdict_of(mutant, build):
-    """"killed", "survived" or "does not build"; the file is as it was afterwards, however this ends."""
+    """"killed by TEST", "survived" or "does not build"; the file is as it was afterwards, however this ends."""
     path = ROOT / mutant["file"]
     before = path.read_bytes()
     tests = f"suffuse_{module_of(mutant)}_test"
@@ -51,7 +73,8 @@ def verdict_of(mutant, build):
         if subprocess.run(["ninja", "-C", build, tests], stdout=subprocess.DEVNULL).returncode != 0:
             return "does not build"
         command = [build / tests, "--gtest_brief=1", "--gtest_fail_fast"]
-        return "killed" if subprocess.run(command, cwd=ROOT, capture_output=True, timeout=LONGEST).returncode else "survived"
+        run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, errors="replace", timeout=LONGEST)
+        return "killed" + first_failure(run.stdout) if run.returncode else "survived"
     except subprocess.TimeoutExpired:
         return "killed"
     finally:
@@ -59,20 +82,23 @@ def verdict_of(mutant, build):
 
 
 def is_as_listed(mutant, verdict):
-    return verdict == ("survived" if "reason" in mutant else "killed")
+    return verdict.split()[0] == ("survived" if "reason" in mutant else "killed")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
     parser.add_argument("--again", action="store_true")
+    parser.add_argument("--check", action="store_true")
     parser.add_argument("words", nargs="*")
     asked = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
-    kept = asked.build / "mutants.json"
-    found = json.loads(kept.read_text()) if kept.exists() and not asked.again else {}
     mutants = tomllib.loads((ROOT / "tools/mutants.toml").read_text())["mutant"]
     chosen = [m for m in mutants if all(word in m["file"] + m["was"] + m["becomes"] for word in asked.words)]
+    if asked.check:
+        return check(chosen)
+    kept = asked.build / "mutants.json"
+    found = json.loads(kept.read_text()) if kept.exists() and not asked.again else {}
     wrong = 0
     for number, mutant in enumerate(chosen, 1):
         stamp = stamp_of(mutant)
