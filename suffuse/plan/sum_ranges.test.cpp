@@ -29,6 +29,12 @@ TEST(SumRanges, OfManyPartsNarrowsToTheErrorThatTheyShare) {
     EXPECT_NEAR(many.most / middle(many), 1.3, 1e-3); // 10,000 parts leave a hundredth of their own error
 }
 
+TEST(SumRanges, APartThatMayCostNothingCountsWithATenthOfItsMost) {
+    const auto most = [](double least) { return sum_ranges({{least, 8}, {8, 8}}).most; };
+    EXPECT_EQ(most(0), most(0.79));
+    EXPECT_NE(most(0.79), most(0.81));
+}
+
 TEST(SumRanges, LiesWithinTheSumsOfTheEnds) {
     const Range all = sum_ranges({{0, 5}, {1, 1.2}});
     EXPECT_GE(all.least, 1);
