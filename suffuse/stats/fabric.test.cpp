@@ -82,6 +82,15 @@ TEST(ForceDistribution, OfSixKnownForcesIsWhatOneComputes) {
     EXPECT_GT(forces.mean_force, forces.mean_normal_force);
 }
 
+TEST(ForceDistribution, AContactSlidesWithinAThousandthOfItsLimit) {
+    dem::World world = cross_of_grains({0.01, 0.01, 0.01});
+    const double limit = std::tan(world.material.friction) * world.material.modulus * 0.01;
+    for (const auto& [share, sliding] : {std::pair{0.9985, 0.0}, std::pair{0.9995, 1.0 / 6}}) {
+        world.contacts.shear_force.set(0, {0, share * limit, 0});
+        EXPECT_NEAR(measure_forces(world).sliding_share, sliding, 1e-12) << share;
+    }
+}
+
 TEST(ForceDistribution, WithoutContactsIsZero) {
     EXPECT_EQ(measure_forces(test::empty_world(1)).mean_force, 0);
     EXPECT_EQ(measure_fabric(test::empty_world(1)).deviator, 0);

@@ -64,6 +64,15 @@ TEST(Fines, ShearCountsInWhatMakesAContactStrong) {
     EXPECT_GT(measure_fines(world).strong_contact_share.large_small, 0.4);
 }
 
+TEST(Fines, AContactIsStrongThatCarriesMoreThanTheMean) {
+    // Of forces 0.1, 0.0033 and that with shear, over the modulus: the mean is 0.045, then 0.055.
+    for (const auto& [shear, share] : {std::pair{0.035, 0.0}, std::pair{0.060, 0.5}}) {
+        dem::World world = two_coarse_two_fine();
+        world.contacts.shear_force.set(1, {0, 0, shear * world.material.modulus});
+        EXPECT_DOUBLE_EQ(measure_fines(world).strong_contact_share.large_small, share) << shear;
+    }
+}
+
 TEST(Fines, CoarseSoilHasOneVoidRatioAndFineSoilNoSkeleton) {
     dem::World world = two_coarse_two_fine();
     std::fill(world.grains.fine.begin(), world.grains.fine.end(), std::uint8_t{0});
