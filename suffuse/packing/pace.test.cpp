@@ -28,6 +28,32 @@ TEST(Loaded, IsASampleThatBearsNineTenthsOfItsPressure) {
     EXPECT_TRUE(is_loaded(spec, state));
 }
 
+TEST(Pace, TheStrainRateFallsAtAFiftiethAndAtHalfOfThePressure) {
+    dem::World world = test::empty_world(1e-2);
+    test::add(world, {}, 0.2e-3);
+    CompactSpec spec;
+    spec.pressure = 100e3;
+    CompactState state;
+    state.median_diameter = 0.4e-3;
+    const double most = largest_rate(spec, world.material.density, state.median_diameter);
+    for (const auto& [share, rate] :
+         {std::pair{0.019, 1.0}, std::pair{0.021, 0.2}, std::pair{0.49, 0.2}, std::pair{0.51, 0.08}}) {
+        state.balance.stress = diagonal({share * spec.pressure, share * spec.pressure, share * spec.pressure});
+        EXPECT_DOUBLE_EQ(choose_pace(world, spec, {}, state).plan.loading.servo.max_rate.value(), rate * most) << share;
+    }
+}
+
+TEST(Slow, TakesThreeTenthsOfThePWaveTimeOfTheSmallestGrain) {
+    const grains::Material material;
+    const double p_wave = 1e-4 * std::sqrt(material.density / material.modulus);
+    EXPECT_NEAR(slow_time_step(1e-4, material), 0.3 * p_wave, 1e-12 * p_wave);
+}
+
+TEST(Wide, LendsGentlyUpToAMedianGrainFifteenTimesTheSmallest) {
+    EXPECT_TRUE(lent_to_wide(14.9).gently);
+    EXPECT_FALSE(lent_to_wide(15.1).gently);
+}
+
 /// What `wide` lends grains of 0.4 mm and of `smallest` in a phase, under a share of the pressure.
 dem::Lent lent_by_wide(const Prepare& prepare, CompactState::Phase phase, double share, double smallest = 0.04e-3) {
     dem::World world = test::empty_world(1e-2);
