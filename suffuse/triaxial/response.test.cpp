@@ -102,6 +102,14 @@ TEST(Summarize, DilatancyAndContractionAreSlopesAndExtremesOfTheVolume) {
     EXPECT_NEAR(response.final_volumetric_strain, -0.032, 1e-12);
 }
 
+TEST(Summarize, DilatancyIsThatOverOnePercentOfStrain) {
+    const auto dilates_over = [](double span) { // at 0.6, from 5 % on
+        return summarize(curve(peaked, [=](double e) { return -0.6 * std::clamp(e - 0.05, 0.0, span); })).dilatancy;
+    };
+    EXPECT_NEAR(dilates_over(0.01), 0.6, 1e-9);
+    EXPECT_NEAR(dilates_over(0.005), 0.3, 1e-9);
+}
+
 TEST(Summarize, NoiseOfSingleRowsIsNoDilatancy) {
     int k = 0;
     const auto noisy = [&](double /*strain*/) { return ++k % 2 == 0 ? 1e-5 : -1e-5; }; // slopes of 0.04 row to row
@@ -276,6 +284,16 @@ TEST(BeginPath, RefusesASampleWithoutStress) {
     for (const double pressure : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_THROW(begin_path(world, {}, diagonal({pressure, pressure, pressure})), StateError) << pressure;
     }
+}
+
+TEST(BeginPath, AConstantDeviatorNeedsATwentiethOfTheMeanStress) {
+    const auto begin = [](double ratio) {
+        dem::World world = test::reference_packing("packing500");
+        const double p = 1e5, q = ratio * p;
+        begin_path(world, {.path = Path::ConstantDeviator}, diagonal({p - q / 3, p - q / 3, p + 2 * q / 3}));
+    };
+    EXPECT_THROW(begin(0.0499), StateError);
+    EXPECT_NO_THROW(begin(0.0501));
 }
 
 TEST(BeginPath, RefusesAPaceAStrainOrRowsThatAreNotAboveZero) {
