@@ -47,6 +47,18 @@ TEST(FilterBetween, TheLargestFilterFollowsTheFinesOfTheBase) {
     EXPECT_NEAR(with(0.20, 0.1e-3).d15, 0.7e-3, 1e-12); // no less where 4 d85 is finer
 }
 
+TEST(FilterBetween, TheCategoryOfABaseFollowsItsFines) {
+    const auto category = [](double fines) {
+        return characterize_base({{0.04e-3, 0.075e-3, 0.2e-3}, {0, fines, 1}, ""}).category;
+    };
+    EXPECT_EQ(category(0.851), 1);
+    EXPECT_EQ(category(0.849), 2);
+    EXPECT_EQ(category(0.401), 2);
+    EXPECT_EQ(category(0.399), 3);
+    EXPECT_EQ(category(0.151), 3);
+    EXPECT_EQ(category(0.149), 4);
+}
+
 TEST(FilterBetween, TheBaseIsRegradedOnTheSieveOf475Millimeters) {
     // Half of the mass is gravel; what passes 4.75 mm is log-uniform from 0.05 mm on.
     const grains::Grading base{{0.05e-3, 4.75e-3, 50e-3}, {0, 0.5, 1}, ""};
