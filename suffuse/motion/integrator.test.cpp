@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 namespace suffuse::motion {
 namespace {
@@ -78,6 +79,21 @@ TEST(Integrator, ANewMeanMotionIsGivenToTheGrainsWithItsSpin) {
     const Grain next = moved(step, {{1, 0, 0}, {}, {}}, {}, {});
     EXPECT_EQ(next.velocity, (Vec3{0, 2, 0}));
     EXPECT_EQ(next.spin, (Vec3{0, 0, 2}));
+}
+
+TEST(Integrator, TheSpinOfTheMeanMotionIsThatOfARotationAboutAnyAxis) {
+    const Vec3 rate{3, 5, 7}; // v = rate x position, and a stretch that does not turn
+    const Mat3 gradient{{{{1, -7 + 2, 5}, {7 + 2, -1, -3}, {-5, 3, 0}}}};
+    EXPECT_EQ(plan_motion(1e-6, 0, 0, {}, gradient).spin_change, rate);
+    EXPECT_EQ(plan_motion(1e-6, 0, 0, gradient, {}).spin_change, -rate);
+}
+
+TEST(Integrator, WhetherAForceDrivesOrBrakesIsDecidedInTheMiddleOfTheStep) {
+    constexpr double dt = 0.01, damping = 0.2;
+    for (const auto& [velocity, left] : {std::pair{-0.0049, 1 - damping}, std::pair{-0.0051, 1 + damping}}) {
+        EXPECT_DOUBLE_EQ(damped(1.0, velocity, dt, damping), left);
+        EXPECT_DOUBLE_EQ(damped(Double4{1, 0, 0, 0}, Double4{velocity, 0, 0, 0}, dt, damping)[0], left);
+    }
 }
 
 template <class Vec, class Matrix>
