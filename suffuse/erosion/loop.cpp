@@ -193,23 +193,6 @@ Reason reason_of(const ErodeSpec& spec, const OwnRule* own) {
     return spec.detached.by == DetachBy::Velocity ? Reason::Velocity : Reason::Displacement;
 }
 
-/// Whether nothing will leave any more. Where grains travel, a pass from which none leaves may be chance: it takes
-/// three.
-bool is_exhausted(const ErodeSpec& spec, const ErosionResult& so_far, const PassResult& pass) {
-    constexpr std::ptrdiff_t passes_in_a_row = 3;
-    if (changes_after(spec, pass.pass)) {
-        return false;
-    }
-    if (pass.removed > 0 || !travels(spec) || pass.detachable == 0) {
-        return pass.removed == 0;
-    }
-    const std::vector<PassResult>& before = so_far.passes;
-    return std::ssize(before) + 1 >= passes_in_a_row &&
-           std::all_of(before.end() - (passes_in_a_row - 1), before.end(), [](const PassResult& each) {
-               return each.removed == 0;
-           });
-}
-
 /// Whether this pass is the last, and why.
 void judge_end(
     const dem::World& world, const ErodeSpec& spec, const OwnRule* own, const ErosionResult& so_far, PassResult& pass
@@ -352,6 +335,21 @@ bool erode_once(
     result.passes.push_back(std::move(pass));
     now = {};
     return !result.passes.back().verdict;
+}
+
+bool is_exhausted(const ErodeSpec& spec, const ErosionResult& so_far, const PassResult& pass) {
+    constexpr std::ptrdiff_t passes_in_a_row = 3;
+    if (changes_after(spec, pass.pass)) {
+        return false;
+    }
+    if (pass.removed > 0 || !travels(spec) || pass.detachable == 0) {
+        return pass.removed == 0;
+    }
+    const std::vector<PassResult>& before = so_far.passes;
+    return std::ssize(before) + 1 >= passes_in_a_row &&
+           std::all_of(before.end() - (passes_in_a_row - 1), before.end(), [](const PassResult& each) {
+               return each.removed == 0;
+           });
 }
 
 double eroded_share(const dem::World& world, double initial_mass, ErodedTarget::Of of) {

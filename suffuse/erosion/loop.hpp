@@ -48,6 +48,10 @@ ErosionResult begin_erosion(const dem::World& world);
 /// Mass that has left over that of the fines, or of all grains, before the first pass [-].
 double eroded_share(const dem::World& world, double initial_mass, ErodedTarget::Of of);
 
+/// Whether nothing will leave any more after `pass`, the next one of `so_far`. Where grains travel, a pass from which
+/// none leaves may be chance: it takes three.
+bool is_exhausted(const ErodeSpec& spec, const ErosionResult& so_far, const PassResult& pass);
+
 /// The probe alone at several gradients, nothing removed (Figure 9). One flow solution serves all gradients.
 std::vector<ProbeResult>
 probe_gradients(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around);

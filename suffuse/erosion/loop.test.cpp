@@ -26,6 +26,29 @@ TEST(ErosionLoop, OfFinesAloneIsRefusedForThereIsNoSkeleton) {
     EXPECT_TRUE(result.passes.empty());
 }
 
+TEST(ErosionLoop, IsExhaustedByOnePassThatTakesNothingOrByThreeWhereGrainsTravel) {
+    const auto pass = [](std::int64_t detachable, std::int64_t removed) {
+        PassResult result;
+        result.pass = 3;
+        result.detachable = detachable, result.removed = removed;
+        return result;
+    };
+    ErosionResult one, two, late;
+    one.passes = {pass(9, 0)};
+    two.passes = {pass(9, 4), pass(9, 0), pass(9, 0)};
+    late.passes = {pass(9, 0), pass(9, 4), pass(9, 0)};
+    ErodeSpec spec;
+    EXPECT_TRUE(is_exhausted(spec, {}, pass(9, 0)));
+    EXPECT_FALSE(is_exhausted(spec, two, pass(9, 1)));
+    spec.passes_constriction = ConstrictionSize::FlowPath;
+    EXPECT_FALSE(is_exhausted(spec, one, pass(9, 0))) << "the second in a row";
+    EXPECT_TRUE(is_exhausted(spec, two, pass(9, 0))) << "the third in a row";
+    EXPECT_FALSE(is_exhausted(spec, late, pass(9, 0)));
+    EXPECT_TRUE(is_exhausted(spec, one, pass(0, 0))) << "nothing is on its way";
+    spec.later_passes.resize(3);
+    EXPECT_FALSE(is_exhausted(spec, two, pass(9, 0))) << "the next pass asks something else";
+}
+
 TEST(ErosionLoop, ARuleOfTheCallersOwnIsRefusedWhereNoProbeAsksOne) {
     const OwnRule rule{"mine", "", [](const dem::World& /*world*/, const ProbeResult& probe) {
                            return std::vector<std::uint8_t>(probe.id.size(), 1);

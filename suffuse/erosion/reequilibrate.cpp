@@ -117,15 +117,14 @@ void judge(
     }
 }
 
-/// Whether a skeleton has carried next to nothing for long under the stresses that it should carry.
+} // namespace
+
 bool is_adrift(double held, Resettlement& so_far) {
     if (dem::mean_stress(so_far.balance.stress) >= adrift_below * held) {
         so_far.last_carrying = so_far.balance.steps;
     }
     return so_far.balance.steps - so_far.last_carrying >= most_steps_adrift;
 }
-
-} // namespace
 
 void describe_before(const dem::World& world, PassResult& pass) {
     pass.stress_before = dem::mean_stress_tensor(world);

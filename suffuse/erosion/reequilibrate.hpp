@@ -7,6 +7,9 @@
 
 namespace suffuse::erosion {
 
+/// Whether a skeleton has carried less than a tenth of the mean stress that it should carry [Pa] for 400,000 steps.
+bool is_adrift(double held, Resettlement& so_far);
+
 /// Fills in what the pass starts from.
 void describe_before(const dem::World& world, PassResult& pass);
 

@@ -25,6 +25,20 @@ protected:
     PassResult pass;
 };
 
+TEST(Adrift, IsASkeletonWithoutATenthOfItsStressForFourHundredThousandSteps) {
+    constexpr double held = 1e5;
+    const auto after = [](double share, std::int64_t steps) {
+        Resettlement so_far;
+        so_far.last_carrying = 1000;
+        so_far.balance.steps = 1000 + steps;
+        so_far.balance.stress = diagonal({share * held, share * held, share * held});
+        return is_adrift(held, so_far);
+    };
+    EXPECT_FALSE(after(0.099, 399'950));
+    EXPECT_TRUE(after(0.099, 400'000));
+    EXPECT_FALSE(after(0.101, 400'000));
+}
+
 TEST_F(NewEquilibrium, DescribesWhatThePassStartsFrom) {
     describe_before(world, pass);
     EXPECT_EQ(pass.stress_before, dem::mean_stress_tensor(world));
