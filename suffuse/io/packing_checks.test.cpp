@@ -116,6 +116,8 @@ TEST(PackingChecks, LengthsThatCannotBeMeantAreToldInTheNameOfWhoAsks) {
     request.where = "study/start";
     EXPECT_TRUE(warns(take("0 0 0 1e-4\n", request), "study/start: the grains fill a share of 4.2e-12 of the cell"));
     EXPECT_TRUE(warns(take("0 0 0 0.4\n"), "the median diameter is 0.8 m, coarser than gravel"));
+    EXPECT_TRUE(warns(take("0 0 0 0.0316\n"), "coarser than gravel"));
+    EXPECT_FALSE(warns(take("0 0 0 0.0314\n"), "coarser than gravel"));
     EXPECT_TRUE(warns(take("0 0 0 1e-8\n"), "finer than clay"));
     EXPECT_TRUE(take("0 0 0 0.4e-3\n").warnings.empty());
     std::string crowd = "x,y,z,r\n";
