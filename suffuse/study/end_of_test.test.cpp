@@ -55,6 +55,14 @@ TEST(EndOfTest, AStressThatGoesOnFallingIsNotCritical) {
     EXPECT_FALSE(end->is_critical());
 }
 
+TEST(EndOfTest, IsCriticalUpToADilationOfATenthAndADriftOfAQuarter) {
+    for (const double sign : {-1.0, 1.0}) {
+        EXPECT_TRUE((EndOfTest{.dilation = sign * 0.099, .drift = sign * 0.249}.is_critical()));
+        EXPECT_FALSE((EndOfTest{.dilation = sign * 0.101}.is_critical()));
+        EXPECT_FALSE((EndOfTest{.drift = sign * 0.251}.is_critical()));
+    }
+}
+
 TEST(EndOfTest, TheStressAtAStrainIsReadBetweenRows) {
     std::vector<triaxial::PathRow> rows(2);
     rows[1].axial_strain = 0.1, rows[1].deviator_stress = 100;

@@ -89,6 +89,21 @@ TEST(StudyOutcome, TellsAResultThatTheSweepChangesBeforeOneThatItDoesNot) {
     EXPECT_FALSE(main_result(StudyOutcome{}));
 }
 
+TEST(StudyOutcome, DependsOnTheSweepBeyondFivePercentAndTwoDeviations) {
+    const auto depends = [](const std::vector<double>& at_first, const std::vector<double>& at_last) {
+        StudyOutcome outcome;
+        for (const std::vector<double>& of_seed : {at_first, at_last}) {
+            outcome.points.emplace_back().result[Result::Strength] = scatter_of(of_seed);
+        }
+        return depends_on_sweep(outcome, Result::Strength);
+    };
+    EXPECT_FALSE(depends({1e5}, {0.951e5}));
+    EXPECT_TRUE(depends({1e5}, {0.949e5}));
+    const double apart = 1e4 * std::sqrt(0.5); // of two seeds that deviate by 10 kPa
+    EXPECT_FALSE(depends({1e5 - apart, 1e5 + apart}, {1.19e5}));
+    EXPECT_TRUE(depends({1e5 - apart, 1e5 + apart}, {1.21e5}));
+}
+
 TEST(StudyOutcome, EveryResultHasAScale) {
     for (int k = 0; k < results; ++k) {
         EXPECT_GT(scale_of(static_cast<Result>(k)).factor, 0);
@@ -103,6 +118,10 @@ TEST(PermeabilityAfter, IsKnownToBeTooHighWhereTheNetworkFails) {
     pass.permeability_before = 1e-11, pass.permeability_after = 3e-11;
     pass.porosity_after = 0.5; // a solid fraction of 0.5, below the 0.55 from which Yade's law is too permeable
     EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Bounded)->is_too_high);
+    EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
+    pass.porosity_after = 0.449;
+    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
+    pass.porosity_after = 0.451;
     EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
     pass.flow_after.raised_by_fines = 1.2;
     EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Bounded)->is_too_high);
