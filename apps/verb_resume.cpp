@@ -86,7 +86,9 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
         .command = line.typed,
         .folder = folder};
     heed_signals();
-    io::look_into_run(job.folder, io::Purpose::Work); // before any of it is read; what it remarks on comes with the lock
+    io::look_into_run(
+        job.folder, io::Purpose::Work
+    ); // before any of it is read; what it remarks on comes with the lock
     const fs::path resolved = job.folder / record::resolved_case_file;
     job.cache = cache_to_go_on(cache, job.folder, is_trusted, console);
     job.cache_owners = cache.owners();

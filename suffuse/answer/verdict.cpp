@@ -137,10 +137,15 @@ std::optional<std::string> tell_permeability(const RunResults& results, const Ou
     if (std::abs(change - 1) < 0.005) {
         return "The permeability stays as it was.";
     }
-    const std::string times = fixed(change, std::min(2, decimals_for(change, 2)));
-    return change > 1
-               ? fmt::format("The permeability rises {}{} times.", found && found->is_too_high ? "up to " : "", times)
-               : fmt::format("The permeability falls to {} of what it was.", percent_text(change));
+    if (change < 1) {
+        return fmt::format("The permeability falls to {} of what it was.", percent_text(change));
+    }
+    const char* const at_most = found && found->is_too_high ? "up to " : "";
+    return change < 1.1
+               ? fmt::format("The permeability rises by {}{}.", at_most, percent_text(change - 1))
+               : fmt::format(
+                     "The permeability rises {}{} times.", at_most, fixed(change, std::min(2, decimals_for(change, 2)))
+                 );
 }
 
 std::optional<std::string> tell_change_of_strength(const std::vector<study::StrengthChange>& changes) {

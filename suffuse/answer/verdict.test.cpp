@@ -101,7 +101,9 @@ TEST_F(Verdict, APermeabilityStaysWithinHalfAPercent) {
     EXPECT_EQ(told(1.0049), "The permeability stays as it was.");
     EXPECT_EQ(told(0.9951), "The permeability stays as it was.");
     EXPECT_EQ(told(0.9949), "The permeability falls to 99 % of what it was.");
-    EXPECT_TRUE(told(1.0051).starts_with("The permeability rises ")) << told(1.0051);
+    EXPECT_EQ(told(1.0051), "The permeability rises by 0.5 %.");
+    EXPECT_EQ(told(1.0949), "The permeability rises by 9.5 %.");
+    EXPECT_EQ(told(1.11), "The permeability rises 1.1 times.");
 }
 
 TEST_F(Verdict, OfARemovalKeepsTheVolumeThatChangesByLessThanHalfAPerMille) {
