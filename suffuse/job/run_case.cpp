@@ -46,7 +46,11 @@ RunReport report_of(Summary summary) {
 }
 
 RunReport run_all(const casefile::Case& what, const run::RunOptions& options, run::Overview& overview) {
-    overview.tell({{"event", "run begins"}, {"command", options.command}});
+    overview.tell(
+        {{"event", "run begins"},
+         {"command", options.command},
+         {"case_sha256", record::checksum_of(options.folder / record::resolved_case_file)}}
+    );
     const bool has_ended = run::run_samples(what, options, overview);
     if (has_ended) { // a stop is not kept waiting, and signs nothing
         record::require_whole_stages(options.folder);

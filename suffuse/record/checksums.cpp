@@ -5,6 +5,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/record/documents.hpp"
 #include "suffuse/record/finished_stages.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/missing_stages.hpp"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <set>
 #include <string_view>
 
@@ -88,6 +90,27 @@ void check_state(const fs::path& run, const std::string& numbers_file, Verificat
     ++found.states;
     if (hash != told) {
         found.damages.push_back({numbers_file, fmt::format("tells the state {}, and state.h5 holds {}", told, hash)});
+    }
+}
+
+/// That a run which was stopped, and has no checksums yet, still has the case that its log says it began with.
+/// @throws IoError where it was changed
+void require_case_of_beginning(const fs::path& run) {
+    std::ifstream log(run / "events.jsonl");
+    for (std::string line; std::getline(log, line);) {
+        const nlohmann::json event = parse_json(line);
+        if (!event.is_object() || !event.contains("case_sha256") || !event.at("case_sha256").is_string()) {
+            continue;
+        }
+        const std::string what = what_became_of(run / resolved_case_file, event.at("case_sha256"));
+        if (!what.empty()) {
+            const std::string began_with = case_that_began(run);
+            throw IoError(fmt::format(
+                "{} {} since the run began{}: put it back as it was, or begin a run in another folder",
+                (run / resolved_case_file).string(), what, began_with.empty() ? "" : " with " + began_with
+            ));
+        }
+        return;
     }
 }
 
@@ -165,6 +188,9 @@ void write_run_sums(const fs::path& run, const std::vector<std::string>& figures
 
 void require_same_inputs(const fs::path& run) {
     const Sums sums = read_run_sums(run);
+    if (sums.empty()) {
+        require_case_of_beginning(run);
+    }
     for (const std::string_view input : inputs) {
         const std::string name(input);
         const auto found = sums.find(name);

@@ -157,11 +157,13 @@ void write_files(const StageWork& work, const casefile::OutputSpec& output) {
     record::save_findings(work.folder, work.findings);
 }
 
-/// When each file of the folder was written last.
+/// When each file of a stage's folder was written last.
 std::map<std::string, std::filesystem::file_time_type> files_of(const std::filesystem::path& folder) {
     std::map<std::string, std::filesystem::file_time_type> times;
     for (const std::filesystem::directory_entry& file : std::filesystem::directory_iterator(folder)) {
-        times.emplace(file.path().filename(), file.last_write_time());
+        if (record::is_left_by_stage(file)) {
+            times.emplace(file.path().filename(), file.last_write_time());
+        }
     }
     return times;
 }
@@ -175,7 +177,7 @@ std::vector<std::string> strange_files(const StageWork& work) {
         const auto before = work.there_before.find(name);
         const bool is_untouched = before != work.there_before.end() && before->second == time;
         const bool is_picture = file.extension() == ".vtp" || file.extension() == ".xyz";
-        if (is_untouched && !is_picture && name != record::partial_file && io::origin_of(file, "key") != work.key) {
+        if (is_untouched && !is_picture && io::origin_of(file, "key") != work.key) {
             names.push_back(name);
         }
     }

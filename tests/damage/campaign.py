@@ -298,8 +298,7 @@ class Campaign:
             refused = said.returncode == IO_ERROR or (said.returncode == 2 and kind == "case")
             verdict = "SILENT" if signs and self.results(run) != self.truth else "refused" if refused else "CRASHED"
         else:
-            same = self.results(run) == self.truth and self.call("verify", run).returncode == 0
-            verdict = "harmless" if same else "SILENT"
+            verdict = "harmless" if self.results(run) == self.truth else "SILENT"
         return verdict, place.relative_to(run), f"{kind} of {theirs.name}"
 
     def try_link(self, number):
