@@ -3,8 +3,8 @@
 
 In every tracked Markdown file, a sentence has at most 25 words. Code blocks, tables, headings and HTML do not count, an item
 of a list is a text of its own, code in a line is one word, and a link is its words. A sentence ends at one of . ! ? : ; ·
-before a blank. Documents, and comments of sources, also do without the words of WORDS. Prints each place and how it starts;
-exit code 1 if there is one.
+before a blank. Documents, and comments of sources, also do without the words of WORDS, documents without those of
+WORDS_OF_DOCUMENTS. Prints each place and how it starts; exit code 1 if there is one.
 """
 import pathlib
 import re
@@ -14,6 +14,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MOST_WORDS = 25
 WORDS = re.compile(r"\b(?:is|are)[\s/#*]+told\b(?![\s/#*]+apart)|\breckon\w*|\bheed\w*|\bwhoever\b", re.IGNORECASE)
+# Of documents alone: "beside" for "compared with" or "next to", "hardly", "hangs on" for "depends on".
+WORDS_OF_DOCUMENTS = re.compile(r"\bbeside\b|\bhardly\b|\bhangs? on\b|\bnext to nothing\b|\bof one's own\b", re.IGNORECASE)
 GENERATED = {"docs/case-reference.md"}  # by `suffuse schema`; its tables say what the schema says
 OURS = {"tools/prose.py", "python/tests/test_prose.py"}  # name the words, to find them
 
@@ -69,9 +71,9 @@ def long_sentences(text):
             place = end.end() if end else place
 
 
-def listed_words(text):
+def listed_words(text, words=WORDS):
     """Number of the line of each listed word, and the text from there on."""
-    for word in WORDS.finditer(text):
+    for word in words.finditer(text):
         yield text.count("\n", 0, word.start()) + 1, text[word.start():]
 
 
@@ -92,6 +94,7 @@ def findings(name, text):
     if suffix == ".md":
         if name not in GENERATED:
             yield from ((line, "long", start) for line, start in long_sentences(text))
+            yield from ((line, "word", start) for line, start in listed_words(without_code(text), WORDS_OF_DOCUMENTS))
         yield from ((line, "word", start) for line, start in listed_words(without_code(text)))
     elif suffix in COMMENTS and name not in OURS:
         yield from ((line, "word", start) for line, start in listed_words(only_comments(text, suffix)))

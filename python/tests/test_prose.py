@@ -34,6 +34,7 @@ def test_a_long_sentence_is_found_and_code_counts_as_one_word(prose):
 
 def test_a_listed_word_is_found_in_documents_and_in_comments_alone(prose):
     assert [line for line, _, _ in prose.findings("page.md", "One.\nThe user is\ntold, `is told`.\n")] == [2]
+    assert [line for line, _, _ in prose.findings("page.md", "It hangs on\nwhat stands beside it, `beside`.\n")] == [1, 2]
     source = 'int heed(); // heeds\nauto text = "// whoever"; /* it is told */\n// They are told apart as is\n// told.\n'
     assert [line for line, _, _ in prose.findings("file.cpp", source)] == [1, 2, 3]
     script = '"""Reckons."""\nheed = "# whoever"  # are told\n'
