@@ -57,7 +57,7 @@ TEST_F(Assess, WithAGradientSaysWhatMarginIsLeft) {
     EXPECT_EQ(call("dyke.csv -i 0.33"), 0);
     expect_out("upward seepage, i = 0.33; porosity 0.4, grains 2650 kg/m3");
     expect_out("factor of safety 3");
-    expect_out("they hold if it is at least 0.333");
+    expect_out("the fines stay in place only if alpha >= 0.333");
     EXPECT_EQ(call("dyke.csv -i 0.33 --alpha 0.5 --porosity 0.3 --density 2.6g/cm^3 --json"), 0);
     const auto gradients = nlohmann::json::parse(out)["soils"][0]["gradients"];
     EXPECT_NEAR(gradients[0]["limit"].get<double>(), 1.6 * 0.7, 1e-12);

@@ -28,7 +28,7 @@ CutVerdicts judge_cut(const grains::Grading& measured, const grains::Grading& mo
 std::string turned_text(const CutVerdicts& verdicts) {
     std::map<std::string, std::string> names; // of the criteria, by the way in which they were turned
     for (const CutVerdicts::Turned& turned : verdicts.turned) {
-        std::string& list = names[fmt::format("{} as given but {} as modeled", turned.given, turned.modeled)];
+        std::string& list = names[fmt::format("{} -> {}", turned.given, turned.modeled)];
         list += (list.empty() ? "" : ", ") + turned.name;
     }
     std::string text;

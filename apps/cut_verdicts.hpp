@@ -24,7 +24,7 @@ struct CutVerdicts {
 /// @param finer_than of both [m]
 CutVerdicts judge_cut(const grains::Grading& measured, const grains::Grading& modeled, double finer_than);
 
-/// "unstable as given but stable as modeled: Kezdi 1979, ...; ..."; empty where none was turned.
+/// "unstable -> stable: Kezdi 1979, ...; ..."; empty where none was turned.
 std::string turned_text(const CutVerdicts& verdicts);
 
 } // namespace suffuse::apps

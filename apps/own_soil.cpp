@@ -136,13 +136,12 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
     );
     constexpr double out_of_reach = 2e8; // grains: beyond any computer's memory
     const std::string spoken =
-        needed > out_of_reach
-            ? fmt::format(
-                  "\n  = no computer holds so many: a run can model a part of this soil only, and "
-                  "its answer is of that part\n  = for the whole curve speaks suffuse assess {} alone",
-                  shell_word(path)
-              )
-            : "";
+        needed > out_of_reach ? fmt::format(
+                                    "\n  = no computer holds so many: a run can model a part of this soil only, and "
+                                    "its answer is of that part\n  = only suffuse assess {} can judge the whole curve",
+                                    shell_word(path)
+                                )
+                              : "";
     const auto gap = stability::find_gap(soil.measured); // what lies in it is no skeleton
     const auto part = grains::find_modeled_part(
         grading, {soil.finer_than, gap ? std::max(gap->coarse_end, soil.finer_than) : soil.finer_than},
@@ -162,7 +161,7 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
         "{}{}\n  = help: cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines and "
         "{:.0f} % of the coarse grains{}",
         found, spoken, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
-        turned.empty() ? "" : "\n  = such a part is another soil by the criteria of stability, " + turned
+        turned.empty() ? "" : "\n  = cutting changes these verdicts (whole soil -> modeled part): " + turned
     ));
 }
 

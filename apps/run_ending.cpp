@@ -55,17 +55,19 @@ std::string report_text(const fs::path& report) {
     return fmt::format("{}   ({}, opens offline)", report.string(), size_text(static_cast<double>(bytes)));
 }
 
-/// "plan  13-53 s for stages that took 27 s together: 4 % off its middle; ...": side by side they end sooner.
+/// "Planned 21-65 s, took 55 s.": stages together, which end sooner where samples run side by side.
 std::string plan_error_text(const plan::PlanError& error) {
-    const std::string stages = error.stages < 2
-                                   ? ""
-                                   : fmt::format(
-                                         "; its {} {:.0f} % off in the median, their steps {:.0f} %",
-                                         plural(error.stages, "stage"), 100 * error.of_seconds, 100 * error.of_steps
-                                     );
     return fmt::format(
-        "plan  {} for stages that took {} together: {:.0f} % off its middle{}",
-        duration_range_text(error.planned_seconds), duration_text(error.seconds), 100 * error.of_all_seconds, stages
+        "Planned {}, took {}.", duration_range_text(error.planned_seconds), duration_text(error.seconds)
+    );
+}
+
+std::string plan_errors_in_full(const plan::PlanError& error) {
+    return fmt::format(
+        "The whole took {:.0f} % more or less than the middle of its range; {}, in the median, {:.0f} %, and {:.0f} % "
+        "more "
+        "or fewer steps",
+        100 * error.of_all_seconds, plural(error.stages, "stage"), 100 * error.of_seconds, 100 * error.of_steps
     );
 }
 
@@ -125,6 +127,7 @@ int tell_end(const EndedRun& ended, const job::RunReport& report, const Console&
         ended.sample.empty() ? plan::record_outcome(ended.folder) : std::nullopt;
     if (plan_error && !ended.was_done && !record::is_resumable(report.outcome)) {
         console.talk(plan_error_text(*plan_error));
+        console.detail(plan_errors_in_full(*plan_error));
     }
     if (!report.failures.empty()) {
         tell_failures(report.failures, ended.samples, ended.folder, console);

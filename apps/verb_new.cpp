@@ -189,7 +189,7 @@ void tell_stability(const OwnSoil& soil, const CutVerdicts& verdicts, const Cons
     console.talk("internal stability of the grading as given: " + verdicts.given);
     console.talk("internal stability of the part that is modeled: " + verdicts.modeled);
     console.talk(fmt::format(
-        "warning: the cut turns {}: {}. Of the soil itself the first line holds; the run answers for the part alone",
+        "warning: cutting changes {} (whole soil -> modeled part): {}. The run answers only for the part",
         plural(std::ssize(verdicts.turned), "verdict"), turned_text(verdicts)
     ));
 }

@@ -82,7 +82,7 @@ TEST_F(NewSoil, ACurveThatNoComputerHoldsIsToldSoAndAssessSpeaksForTheWhole) {
     const Said said = say({"new", "till", "--psd", "till.csv"});
     EXPECT_EQ(said.code, 3);
     expect_in("= no computer holds so many: a run can model a part of this soil only", said.error);
-    expect_in("= for the whole curve speaks suffuse assess till.csv alone", said.error);
+    expect_in("= only suffuse assess till.csv can judge the whole curve", said.error);
 }
 
 TEST_F(NewSoil, OfATableOfSeveralSamplesOneIsChosen) {
@@ -116,13 +116,13 @@ TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
 }
 
 TEST_F(NewSoil, TheVerdictsThatACutTurnsAreSaidAndTheWholeCurveStaysWithTheCase) {
-    const std::string turned = "unstable as given but stable as modeled: Kenney and Lau 1985";
+    const std::string turned = "unstable -> stable: Kenney and Lau 1985";
     expect_in(turned, say({"new", "gravel", "--psd", "wide gravel.csv"}).error); // the advice to cut
     const Said made = say({"new", "gravel", "--psd", "wide gravel.csv", "--sizes", "0.209mm,2.66mm"});
     ASSERT_EQ(made.code, 0) << made.error;
     expect_in("grading as given: 6 of 7 criteria say unstable", made.error);
     expect_in("part that is modeled: 2 of 7 criteria say unstable", made.error);
-    expect_in("warning: the cut turns 6 verdicts: ", made.error);
+    expect_in("warning: cutting changes 6 verdicts (whole soil -> modeled part): ", made.error);
     expect_in(turned, made.error);
     expect_in("sizes = [\"0.209 mm\", \"2.66 mm\"] #~ without the ", read_all(folder / "gravel/case.toml"));
     expect_in("0.063,4\n", read_all(folder / "gravel/data/wide-gravel.csv")); // all that was measured

@@ -175,7 +175,7 @@ TEST_F(Cli, AStoppedRunGoesOnToTheSameBits) {
     EXPECT_EQ(hash("cut"), hash("whole"));
     const Said again = say({"resume", "cut"});
     expect_in("done before; nothing to do   cut/report.html", again.out);
-    EXPECT_EQ(again.error.find("off its middle"), std::string::npos) << "how far off the plan was is told once";
+    EXPECT_EQ(again.error.find("Planned "), std::string::npos) << "how good the plan was is said once";
     const auto progress = nlohmann::json::parse(read_all(folder / "cut/progress.json"));
     EXPECT_EQ(progress.at("latest").at("samples_done"), 1); // and none runs any more
     EXPECT_TRUE(progress.at("running").empty());

@@ -36,18 +36,22 @@ def row_of(run, name):
     return row | {f"at_{gradient:.3f}": share for gradient, share in given_levels(stage).items()}
 
 
-def given_levels(stage):
-    """Mobile share of the mass over the gradients of the case, without those that refine the ramp."""
-    steps = {level["gradient"] / STEP: level["mobile_mass_share"] for level in stage["mobility"]}
+def over_given(gradients, shares):
+    """Mobile shares of the mass over the gradients of the case, without those that refine the ramp."""
+    steps = {gradient / STEP: share for gradient, share in zip(gradients, shares)}
     return {STEP * round(step): share for step, share in steps.items() if abs(step - round(step)) < 1e-6}
 
 
+def given_levels(stage):
+    return over_given(*zip(*((level["gradient"], level["mobile_mass_share"]) for level in stage["mobility"])))
+
+
 def difference_of_softer(run, name):
-    """Largest difference between the curves over the gradients of a case by K and by a tenth of it: the same ramps, unrefined."""
-    world = run[name.removesuffix("-upward")].world
-    levels = list(given_levels(run[name]))
-    curve = lambda **softness: world.mobility(levels, direction="z", down="-z", **softness)["mobile_mass_share"]
-    return max(abs(share - softer) for share, softer in zip(curve(), curve(softness=SOFTER)))
+    """Largest difference between the curves over the gradients of a case by K and by a tenth of it; each ramp is refined by itself."""
+    shares = given_levels(run[name])
+    softer = run[name.removesuffix("-upward")].world.mobility(list(shares), direction="z", down="-z", softness=SOFTER)
+    softer_shares = over_given(softer["gradient"], softer["mobile_mass_share"])
+    return max(abs(shares[level] - softer_shares[level]) for level in shares if level in softer_shares)
 
 
 def name_of(row):

@@ -208,13 +208,15 @@ std::string compare_with_alpha(const MobilityStory& story) {
     }
     const double ratio = story.moves_1.mean / story.skempton_brogan.mean;
     if (ratio > as_good_as_equal) {
-        return by_alpha + ": below what moves 1 % here, for fines that carry little still lie in pockets of the "
-                          "skeleton, and water must lift them out.";
+        return by_alpha +
+               ". This is below the gradient that moves 1 % here: even fines that carry little stress sit in "
+               "pockets of the skeleton, and the water has to lift them out.";
     }
     if (ratio < 1 / as_good_as_equal) {
-        return by_alpha + ": above what moves 1 % here, for α is a mean, and the first fines to move carry nothing.";
+        return by_alpha + ". This is above the gradient that moves 1 % here: α is a mean, and the first fines to move "
+                          "carry nothing.";
     }
-    return by_alpha + ": near what moves 1 % here.";
+    return by_alpha + ". This is near the gradient that moves 1 % here.";
 }
 
 std::string compare_with_heave_of_fines(const MobilityStory& story) {
@@ -263,7 +265,7 @@ std::string verdict(const MobilityStory& story) {
         );
     }
     return fmt::format(
-        "{} At the asked {:.2f} it {} ({}; {}).", text, *story.asked_gradient, moved_at_asked_text(story),
+        "{} At the specified {:.2f} it {} ({}; {}).", text, *story.asked_gradient, moved_at_asked_text(story),
         safety_text(story), samples_text(story)
     );
 }
@@ -327,7 +329,7 @@ std::vector<std::string> short_verdict(const MobilityStory& story) {
     MobilityStory means = story;
     means.safety.standard_deviation = 0;
     lines.push_back(fmt::format(
-        "At the asked {:.2f} it {}: {}.", *story.asked_gradient, moved_at_asked_text(story), safety_text(means)
+        "At the specified {:.2f} it {}: {}.", *story.asked_gradient, moved_at_asked_text(story), safety_text(means)
     ));
     return lines;
 }
@@ -338,8 +340,9 @@ std::optional<std::string> disagreement(const MobilityStory& story) {
     }
     const bool rule_warns = *safety_by_rule(story) < 1;
     return fmt::format(
-        "Skempton and Brogan's α i_c = {:.2f} lies {} the asked {:.2f} and calls it {}. {}", story.skempton_brogan.mean,
-        rule_warns ? "below" : "above", *story.asked_gradient, rule_warns ? "unstable" : "stable",
+        "Skempton and Brogan's α i_c = {:.2f} is {} the specified {:.2f} and calls it {}. {}",
+        story.skempton_brogan.mean, rule_warns ? "below" : "above", *story.asked_gradient,
+        rule_warns ? "unstable" : "stable",
         rule_warns ? "The rule asks what stress the fines carry. The ramp also feels the coarse grains that cage them."
                    : "The rule takes a mean over all fines. The ramp finds the first that carry nothing."
     );

@@ -46,7 +46,7 @@ TEST(MobilityWords, GiveTheVerdictThatAnEngineerAsksFor) {
     EXPECT_EQ(
         verdict(story_of({upward()}).front()),
         "Upward flow moves 1 % of the fines at i = 0.30, a tenth at 0.51; the "
-        "soil heaves at 1.05. At the asked 0.20 it "
+        "soil heaves at 1.05. At the specified 0.20 it "
         "moves 0.2 % (factor of safety 1.5 before 1 % move half a diameter; one sample)."
     );
 }
@@ -57,7 +57,7 @@ TEST(MobilityWords, OpenWithTwoShortLinesAndCardsThatKnowTheirStep) {
         short_verdict(story),
         (std::vector<std::string>{
             "Upward flow moves 1 % of the fines at i = 0.30, a tenth at 0.51; the soil heaves at 1.05.",
-            "At the asked 0.20 it moves 0.2 %: factor of safety 1.5 before 1 % move half a diameter."})
+            "At the specified 0.20 it moves 0.2 %: factor of safety 1.5 before 1 % move half a diameter."})
     );
     const std::vector<Headline> cards = mobility_headlines(story);
     ASSERT_EQ(cards.size(), 4U);
@@ -85,7 +85,7 @@ TEST(MobilityWords, TellADisagreementOfRuleAndMotionInTheOpenAndAtTheNumber) {
     carried.skempton_brogan_gradient = 0.14; // below the asked 0.20, while 1 % moves at 0.30
     const MobilityStory story = story_of({carried}).front();
     EXPECT_NE(
-        disagreement(story).value_or("").find("lies below the asked 0.20 and calls it unstable"), std::string::npos
+        disagreement(story).value_or("").find("is below the specified 0.20 and calls it unstable"), std::string::npos
     );
     EXPECT_NE(mobility_headlines(story).front().caution.find("gives 0.7"), std::string::npos);
     EXPECT_FALSE(disagreement(story_of({upward()}).front()));
@@ -124,7 +124,7 @@ TEST(MobilityWords, SayWhichGradientsAndSharesAreBounds) {
     EXPECT_EQ(
         verdict(story_of({creeping}).front()),
         "Upward flow moves 1 % of the fines at i = 0.30 or less, a tenth at "
-        "0.51; the soil heaves at 1.05. At the asked "
+        "0.51; the soil heaves at 1.05. At the specified "
         "0.20 it moves at least 0.2 % (factor of safety 1.5 before 1 % move half a diameter; one sample)."
     );
     const std::vector<Headline> cards = mobility_headlines(story_of({creeping}).front());
@@ -158,12 +158,12 @@ TEST(MobilityWords, SayWhyStressAndMotionDiffer) {
     const auto first = [](const erosion::MobilityResult& mobility) {
         return remarks_on(story_of({mobility}).front()).front();
     };
-    EXPECT_NE(first(upward()).find("below what moves 1 %"), std::string::npos) << first(upward());
+    EXPECT_NE(first(upward()).find("below the gradient that moves 1 %"), std::string::npos) << first(upward());
     erosion::MobilityResult carried = upward();
     carried.alpha_fines = 0.9, carried.skempton_brogan_gradient = 0.95;
-    EXPECT_NE(first(carried).find("above what moves 1 %"), std::string::npos) << first(carried);
+    EXPECT_NE(first(carried).find("above the gradient that moves 1 %"), std::string::npos) << first(carried);
     carried.skempton_brogan_gradient = 0.31;
-    EXPECT_NE(first(carried).find("near what moves 1 %"), std::string::npos) << first(carried);
+    EXPECT_NE(first(carried).find("near the gradient that moves 1 %"), std::string::npos) << first(carried);
 }
 
 TEST(MobilityWords, CallTwoGradientsNearThatDifferByLessThanAFactorOfOnePointThree) {
@@ -173,10 +173,10 @@ TEST(MobilityWords, CallTwoGradientsNearThatDifferByLessThanAFactorOfOnePointThr
         return remarks_on(story_of({mobility}).front()).front();
     };
     for (const double near : {1 / 1.29, 1.0, 1.29}) {
-        EXPECT_NE(first(near).find("near what moves 1 %"), std::string::npos) << first(near);
+        EXPECT_NE(first(near).find("near the gradient that moves 1 %"), std::string::npos) << first(near);
     }
-    EXPECT_NE(first(1 / 1.31).find("below what moves 1 %"), std::string::npos) << first(1 / 1.31);
-    EXPECT_NE(first(1.31).find("above what moves 1 %"), std::string::npos) << first(1.31);
+    EXPECT_NE(first(1 / 1.31).find("below the gradient that moves 1 %"), std::string::npos) << first(1 / 1.31);
+    EXPECT_NE(first(1.31).find("above the gradient that moves 1 %"), std::string::npos) << first(1.31);
 }
 
 TEST(MobilityWords, TellOfFinesThatSift) {

@@ -92,7 +92,7 @@ void tell_confidence(const RunResults& results, Opening& opening) {
     if (seeds < 2) {
         opening.confidence = is_sweep ? "One sample each" : "One sample";
         opening.about_confidence = fmt::format(
-            "{}{}. No replicate: another sample will differ, by how much is not known. {} tells.",
+            "{}{}. The scatter between samples was not measured. To measure it, add {}.",
             is_sweep ? fmt::format("{} samples, ", points) : "", grains, call_for_replicates(*outcome->study)
         );
         return;

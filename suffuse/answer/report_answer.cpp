@@ -160,8 +160,8 @@ std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes, co
     text += rule.by == erosion::DetachBy::Displacement ? " are detachable, by their displacement." : " are detachable.";
     if (hardly_depends_on_gradient(probes, rule)) {
         text +=
-            " That the number hardly depends on the gradient says that these fines carry no load: without gravity any "
-            "water moves them, and none of these gradients is a critical one.";
+            " The number does not depend measurably on the gradient, so these fines carry no load: without gravity any "
+            "water moves them, and none of these gradients is critical.";
     }
     return text;
 }

@@ -72,8 +72,9 @@ std::string tell_result(const StudyOutcome& outcome, Result which, const flow::F
     const std::string key = study::key_in_words(outcome.keys.front());
     if (!study::depends_on_sweep(outcome, which)) {
         return fmt::format(
-            "{} hardly depends on {}: {} to {}.", as_sentence(in_a_sentence(which)),
-            outcome.keys.size() > 1 ? "what is swept" : "the " + key, text(least), text(most)
+            "{} makes no measurable difference to {}: {} to {}.",
+            outcome.keys.size() > 1 ? "What is swept" : as_sentence("the " + key), in_a_sentence(which), text(least),
+            text(most)
         );
     }
     const bool runs_through =

@@ -167,7 +167,7 @@ TEST_F(Verdict, OfASweepSaysHowItsResultDependsOnTheKey) {
 
 TEST_F(Verdict, OfASweepWithinTheScatterOfItsSamplesIsThatItHardlyMatters) {
     sweep(Result::ErodedMass, {{"0.05", {0.10, 0.14}}, {"0.1", {0.11, 0.15}}});
-    EXPECT_EQ(verdict().front(), "The mass carried out hardly depends on the gradient: 12 % to 13 %.");
+    EXPECT_EQ(verdict().front(), "The gradient makes no measurable difference to the mass carried out: 12 % to 13 %.");
 }
 
 TEST_F(Verdict, OfASweepOverWordsNamesTheLowestAndTheHighest) {

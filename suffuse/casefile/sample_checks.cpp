@@ -73,11 +73,11 @@ public:
     void check_width(double ratio) {
         const std::string where = variant_.values.empty() ? "" : fmt::format(" ({} is the narrowest)", variant_.folder);
         const std::string found = fmt::format(
-            "{} grains of this soil make a cell {:.1f} times as wide as the largest of them{}",
-            grouped(variant_.particles), ratio, where
+            "the cell of {} grains of this soil is {:.1f} largest-grain diameters wide{}", grouped(variant_.particles),
+            ratio, where
         );
         const std::string advice =
-            fmt::format("{:.0f} times need about {} grains", narrow_cell, enough(narrow_cell / ratio));
+            fmt::format("use at least {:.0f} diameters: about {} grains", narrow_cell, enough(narrow_cell / ratio));
         if (ratio < narrowest_cell) {
             problems_.error("E601", place_, "a sample too small for its largest grain: " + found, advice);
         } else if (ratio < narrow_cell) {

@@ -180,12 +180,12 @@ std::string how_to_read(const StudyOutcome& outcome, bool is_words) {
     );
 }
 
-/// "Mass carried out hardly depends on the gradient": what the eye is to see.
+/// "Mass carried out: no measurable difference over the gradient": what the eye is to see.
 std::string claim(const StudyOutcome& outcome, Result which) {
     const std::string key = study::key_in_words(outcome.keys.front());
     const std::string label = study::scale_of(which).label;
     if (!study::depends_on_sweep(outcome, which)) {
-        return fmt::format("{} hardly depends on the {}", label, key);
+        return fmt::format("{}: no measurable difference over the {}", label, key);
     }
     return fmt::format("{} over the {}", label, key);
 }

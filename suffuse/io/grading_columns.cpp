@@ -67,8 +67,9 @@ private:
             problems_.warning(
                 sheet_remark, titles.front()->place,
                 fmt::format(
-                    "passed over as {}: the columns are named in line {}",
-                    titles.size() == 1 ? "a title" : fmt::format("titles, {} lines", titles.size()), header_->place.line
+                    "skipped {}; the column headings are on line {}",
+                    titles.size() == 1 ? "1 title line" : fmt::format("{} title lines", titles.size()),
+                    header_->place.line
                 ),
                 "begin titles with # to keep this quiet"
             );

@@ -112,7 +112,7 @@ TEST(LaboratorySheets, EachGivesItsCurve) {
          "0,4;780;78,0;22,0\n"
          "0,08;935;93,5;6,5\n",
          {{"", {{0.08, 6.5}, {0.4, 22}, {2, 48}, {5, 69}, {10, 87.4}, {20, 100}}}},
-         "passed over as title"},
+         "title line"},
         {"frac.dat",
          "d_mm passing\n"
          "0.063 0.04\n"
@@ -273,7 +273,7 @@ TEST(LaboratorySheets, EachGivesItsCurve) {
          "#200,0,9.5\n",
          {{"",
            {{0.075, 9.5}, {0.15, 14}, {0.425, 30}, {2, 55}, {4.75, 70}, {9.5, 81}, {19, 90}, {37.5, 98}, {75, 100}}}},
-         "passed over as title"},
+         "title line"},
         {"wide2.csv",
          "\"Grain size, mm\",\"TP-1, % passing\",\"TP-2, % passing\"\n"
          "75,100,100\n"

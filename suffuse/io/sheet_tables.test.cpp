@@ -121,7 +121,7 @@ TEST(SheetTables, NamesMayStandAboveHeadingsThatSayTheSame) {
          {{"B1 1", {{0.1, 9}, {1, 60}, {4, 100}}},
           {"B1 2", {{0.1, 8}, {1, 50}, {4, 100}}},
           {"B2 1", {{1, 40}, {4, 100}}}},
-         "passed over as titles, 2 lines"},
+         "skipped 2 title lines"},
         {"name-over-two.csv",
          ",P1,,P2,\nSieve (mm),Retained (g),Retained (%),Retained (g),Retained (%)\n"
          "4,0,0,0,0\n1,100,66.7,50,33.3\n0.1,30,20,70,46.7\nPan,20,13.3,30,20\n",

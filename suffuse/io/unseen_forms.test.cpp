@@ -155,7 +155,7 @@ TEST(UnseenSheets, EuropeanFormsGiveTheirCurves) {
          "<0.425,23%\n"
          "<0.075,8.2%\n",
          {{"", {{0.075, 8.2}, {0.425, 23}, {2, 49}, {4.75, 63.5}, {9.5, 77}, {19, 88}, {37.5, 96.5}, {75, 100}}}},
-         "passed over as a title"},
+         "skipped 1 title line"},
         {"italian.csv",
          "Prova: analisi granulometrica per setacciatura (UNI CEN ISO/TS 17892-4);;;\n"
          "Cantiere;Diga di Rav\303\251dis;Campione;S2 C1\n"
@@ -218,7 +218,7 @@ TEST(UnseenSheets, EuropeanFormsGiveTheirCurves) {
          "Pan,45,\n",
          {{"TP1 0.5 m", {{0.063, 10}, {0.2, 20}, {1, 50}, {5, 80}, {10, 100}}},
           {"TP2 1.2 m", {{0.063, 15}, {0.2, 50}, {1, 90}, {5, 100}}}},
-         "passed over as a title: the columns are named in line 11"},
+         "skipped 1 title line; the column headings are on line 11"},
     });
 }
 

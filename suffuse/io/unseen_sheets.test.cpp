@@ -44,7 +44,7 @@ TEST(UnseenSheets, AmericanFormsGiveTheirCurves) {
             {4.75, 88},
             {9.5, 95},
             {19, 100}}}},
-         "passed over as titles, 6 lines: the columns are named in line 8"},
+         "skipped 6 title lines; the column headings are on line 8"},
         {"usace-sieve-blocks.csv",
          "GRADATION CURVES,,\n"
          "Project: Lock and Dam 9,,\n"

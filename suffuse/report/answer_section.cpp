@@ -116,7 +116,9 @@ std::string in_full(const std::vector<std::string>& sentences) {
     for (const std::string& line : sentences) {
         text += "<p>" + typeset(line) + "</p>\n";
     }
-    return fold("In full", fmt::format("What was asked and found, in {} sentences", sentences.size()), text);
+    return fold(
+        "In full", fmt::format("The answer in {} sentence{}", sentences.size(), sentences.size() == 1 ? "" : "s"), text
+    );
 }
 
 std::string assumed_fold(const ReportData& report, Numbering& numbering) {

@@ -59,8 +59,9 @@ Criterion skempton_brogan(const UpwardSeepage& seepage, Verdict by_shape) {
         criterion.limit.reset();
         criterion.verdict = Verdict::CannotSay;
         criterion.remark = fmt::format(
-            "alpha, the mean effective stress in the fines over that of the soil, is not known (1 where (H/F)min >= "
-            "1.3); they hold if it is at least {:.3g}",
+            "alpha (mean effective stress in the fines / in the soil) is unknown; the fines stay in place only if "
+            "alpha "
+            ">= {:.3g}",
             seepage.gradient / whole
         );
     }
