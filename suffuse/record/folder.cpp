@@ -130,7 +130,8 @@ std::string case_that_began(const std::filesystem::path& run) {
         return "";
     }
     const nlohmann::json options = read_json(file);
-    return take_from(file, [&] { return options.value("case", ""); });
+    const bool has_name = options.is_object() && options.contains("case") && options.at("case").is_string();
+    return has_name ? options.at("case").get<std::string>() : ""; // a path that is no text is kept as bytes
 }
 
 nlohmann::json read_json(const std::filesystem::path& path) {

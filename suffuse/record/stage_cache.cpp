@@ -207,7 +207,8 @@ void StageCache::require_one() const {
 }
 
 CacheAnswer StageCache::take(
-    const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage, const fs::path& stage_folder
+    const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage,
+    const fs::path& stage_folder, const std::string& stage_key
 ) const {
     const fs::path place = place_of(key);
     std::error_code error;
@@ -222,6 +223,7 @@ CacheAnswer StageCache::take(
             return {};
         }
         json numbers = numbers_for(read_json(place / "stage.json"), *entry, variant, stage);
+        numbers["key"] = stage_key;
         sums.erase("stage.json");
         copy_checked(place, stage_folder, sums);
         fs::last_write_time(place, fs::file_time_type::clock::now(), error);

@@ -53,9 +53,10 @@ public:
 
     /// Completes a stage, under its own name, with the files of the entry. A damaged one is dropped, and nothing of it
     /// taken.
+    /// @param stage_key key_of_stage: another case may have asked for the same in other words
     [[nodiscard]] CacheAnswer take(
         const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage,
-        const std::filesystem::path& stage_folder
+        const std::filesystem::path& stage_folder, const std::string& stage_key
     ) const;
 
     /// Keeps a finished stage, then drops entries that were not used for the longest time until the limit is met.

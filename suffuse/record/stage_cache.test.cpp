@@ -38,7 +38,7 @@ protected:
 
     [[nodiscard]] fs::path taken() const { return folder / "again/studies/s/x"; }
 
-    [[nodiscard]] CacheAnswer ask() const { return cache.take("key", variant, stage, taken()); }
+    [[nodiscard]] CacheAnswer ask() const { return cache.take("key", variant, stage, taken(), "its own"); }
 
     [[nodiscard]] bool take() const { return ask().is_taken; }
 
@@ -59,6 +59,7 @@ TEST_F(Cached, AFinishedStageIsFoundAgain) {
     EXPECT_EQ(test::read_all(taken() / "state.h5"), "grains");
     EXPECT_EQ(read_json(taken() / "stage.json").at("from_cache"), true);
     EXPECT_EQ(read_json(taken() / "stage.json").at("sample"), "s");
+    EXPECT_EQ(read_json(taken() / "stage.json").at("key"), "its own");
     EXPECT_TRUE(check_stage(taken()).value().empty());
 }
 
@@ -71,7 +72,7 @@ TEST_F(Cached, AnEntryOfAnotherUserIsTakenOnlyWhereThatIsAsked) {
     ASSERT_EQ(chown(place().c_str(), another, another), 0);
     EXPECT_FALSE(take());
     EXPECT_FALSE(cache.find("key").has_value());
-    EXPECT_TRUE(StageCache(cache.folder(), Owners::Anybody).take("key", variant, stage, taken()).is_taken);
+    EXPECT_TRUE(StageCache(cache.folder(), Owners::Anybody).take("key", variant, stage, taken(), "its own").is_taken);
 }
 
 TEST_F(Cached, AFolderIsACacheOnlyIfItsCacheJsonSaysSo) {
@@ -157,7 +158,7 @@ TEST_F(Cached, AFileThatIsMissingOrExchangedIsSeen) {
     fs::copy_file( // the entry would be taken for what it is not
         both[0].folder / "entry.json", both[1].folder / "entry.json", fs::copy_options::overwrite_existing
     );
-    EXPECT_NE(take(), cache.take("another key", variant, stage, taken()).is_taken) << "one of them is whole";
+    EXPECT_NE(take(), cache.take("another key", variant, stage, taken(), "its own").is_taken) << "one of them is whole";
 }
 
 TEST_F(Cached, ChecksumsThatNameAFileElsewhereAreRefused) {

@@ -225,16 +225,16 @@ void SampleRun::run_stage(const casefile::Stage& asked) {
     const casefile::Stage stage = with_preparation_found(what_, options_, sample_, asked);
     dem::World start = start_of(stage);
     const std::string state = stage.parent >= 0 ? record::describe_state(start) : "";
-    std::string key;
+    const std::string stage_key = record::key_of_stage(what_, *sample_.variant, asked, state);
+    std::string key; // of the cache
     const erosion::OwnRule* const own_rule = own_rule_of(stage);
     if (!options_.cache.empty() && record::StageCache::keeps(stage) && own_rule == nullptr) {
         key = record::StageCache::key_of(what_, *sample_.variant, stage, state);
-        if (take_from_cache(stage, folder, key)) {
+        if (take_from_cache(stage, folder, key, stage_key)) {
             return;
         }
     }
-    const std::string own_key = record::key_of_stage(what_, *sample_.variant, asked, state);
-    StageWork work = begin_work(stage, folder, std::move(start), state, own_key);
+    StageWork work = begin_work(stage, folder, std::move(start), state, stage_key);
     work.own_rule = own_rule;
     if (casefile::is_prepared_as_another(*sample_.variant, asked)) {
         work.numbers["prepared_as"] = casefile::sample_to_prepare_by(*sample_.study, *sample_.variant, asked)->folder;
@@ -261,9 +261,10 @@ const erosion::OwnRule* SampleRun::own_rule_of(const casefile::Stage& stage) con
 }
 
 bool SampleRun::take_from_cache(
-    const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key
+    const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key,
+    const std::string& stage_key
 ) {
-    const record::CacheAnswer answer = cache_.take(key, *sample_.variant, stage, folder);
+    const record::CacheAnswer answer = cache_.take(key, *sample_.variant, stage, folder, stage_key);
     if (!answer.damage.empty()) {
         tell("damaged cache entry dropped", stage, {{"what", answer.damage}});
         overview_.remark(fmt::format(

@@ -31,7 +31,10 @@ private:
     void run_stage(const casefile::Stage& asked);
     /// That a stage was asked for with; null: none.
     [[nodiscard]] const erosion::OwnRule* own_rule_of(const casefile::Stage& stage) const;
-    bool take_from_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
+    bool take_from_cache(
+        const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key,
+        const std::string& stage_key
+    );
     void keep_in_cache(const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key);
     [[nodiscard]] StageWork begin_work(
         const casefile::Stage& stage, const std::filesystem::path& folder, dem::World start, std::string start_state,
