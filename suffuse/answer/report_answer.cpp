@@ -390,7 +390,7 @@ std::vector<std::string> answer_of_erosion(const study::RunResults& results) {
     for (std::string& sentence : answers_to_removals(stages)) {
         sentences.push_back(std::move(sentence));
     }
-    for (std::string& sentence : tell_strength(strength)) {
+    for (std::string& sentence : strength_sentences(strength)) {
         sentences.push_back(std::move(sentence));
     }
     for (std::string& sentence : answers_to_tests(stages, strength)) {

@@ -264,7 +264,7 @@ std::vector<Column> columns_of(const std::vector<study::StrengthChange>& changes
 
 } // namespace
 
-std::vector<std::string> tell_strength(const std::vector<study::StrengthChange>& changes) {
+std::vector<std::string> strength_sentences(const std::vector<study::StrengthChange>& changes) {
     if (changes.size() > most_told) {
         return {tell_all(changes)};
     }

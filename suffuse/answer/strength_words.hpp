@@ -12,7 +12,7 @@
 namespace suffuse::answer {
 
 /// One for each change while these are few, else one for all.
-std::vector<std::string> tell_strength(const std::vector<study::StrengthChange>& changes);
+std::vector<std::string> strength_sentences(const std::vector<study::StrengthChange>& changes);
 
 /// Of the first change that a number can express; nothing where there is none, or where there are too many for one
 /// of them to stand for all.

@@ -76,7 +76,7 @@ TEST(StrengthChange, IsThatOfTheSameTestOnTheSameSample) {
     EXPECT_EQ(change.is_weaker(), true);
     EXPECT_EQ(study::strength_json(changes).at(0).at("weaker"), true);
     EXPECT_EQ(
-        tell_strength(changes),
+        strength_sentences(changes),
         (std::vector<std::string>{
             "Strength, “after” against “before”: the soil without 12 % of its mass is weaker. Its highest deviator "
             "stress "
@@ -95,7 +95,7 @@ TEST(StrengthChange, SaysHowOftenChanceGivesAsClearAChangeWhereThatIsMoreThanOnc
         for (const double side : {-1.0, 1.0}) {
             study.add_sample(400e3, 400e3 * (1 - 0.25 * (1 + side / t)));
         }
-        const std::string told = tell_strength(study::compare_strength(study.stages)).front();
+        const std::string told = strength_sentences(study::compare_strength(study.stages)).front();
         EXPECT_EQ(told.find("of so few, scatter alone gives as clear a change") != std::string::npos, t < 12.7) << told;
     }
 }
@@ -132,7 +132,7 @@ TEST(StrengthChange, OfLongTestsTellsPeakAStrainAndWhatIsLeft) {
     EXPECT_EQ(tabulate_strength(changes).value().header.size(), 12U); // the critical state and a change among them
     EXPECT_NEAR(changes.front().residual_deviator.change.mean, 0.05, 1e-9);
     EXPECT_TRUE(changes.front().remarks.empty());
-    const std::string told = tell_strength(changes).front();
+    const std::string told = strength_sentences(changes).front();
     EXPECT_NE(
         told.find(
             "the deviator stress at 10 % axial strain from 350 to 232.5 kPa (−34 %), and what is left in the critical "
@@ -151,7 +151,7 @@ TEST(StrengthChange, OfOneSampleWithinATenthIsNone) {
     study.add_sample(300e3, 400e3);
     EXPECT_EQ(study::compare_strength(study.stages).front().is_weaker(), false);
     EXPECT_NE(
-        tell_strength(study::compare_strength(study.stages)).front().find("is not weaker but stronger"),
+        strength_sentences(study::compare_strength(study.stages)).front().find("is not weaker but stronger"),
         std::string::npos
     );
 }
@@ -164,7 +164,7 @@ TEST(StrengthChange, OfSeveralSamplesIsJudgedByTheirScatter) {
     const Headline headline = strength_headline(study::compare_strength(study.stages)).value();
     EXPECT_EQ(headline.value, "−6.0 %");
     EXPECT_EQ(headline.spread, "± 1.4"); // sqrt(2), with the digits of the mean
-    const auto told = [&] { return tell_strength(study::compare_strength(study.stages)).front(); };
+    const auto told = [&] { return strength_sentences(study::compare_strength(study.stages)).front(); };
     // Student's t is 6: with one degree of freedom it is exceeded in 1 - 2 atan(6)/pi of all cases.
     EXPECT_TRUE(told().ends_with("of so few, scatter alone gives as clear a change in 11 % of the cases.")) << told();
     study.add_sample(400e3, 440e3);
@@ -184,7 +184,7 @@ TEST(StrengthChange, LeavesOutTestsThatAreNoneAndSaysSo) {
     EXPECT_TRUE(study::strength_json(lost).at(0).at("peak_deviator").is_null());
     EXPECT_FALSE(strength_headline(lost).has_value());
     EXPECT_EQ(
-        tell_strength(lost).front(),
+        strength_sentences(lost).front(),
         "Strength, “after” against “before”: the soil without 12 % of its mass cannot be compared; the void ratio goes "
         "from 0.7 to 0.9. Not compared, for after collapsed at 1.1 % axial strain."
     );
@@ -233,7 +233,7 @@ TEST(StrengthChange, WhereTheDeviatorStressIsHeldIsThatOfThePorePressureBorne) {
     EXPECT_EQ(changes.front().peak_deviator.change.seeds, 0);
     EXPECT_EQ(changes.front().is_weaker(), true);
     EXPECT_EQ(
-        tell_strength(changes).front(),
+        strength_sentences(changes).front(),
         "Strength, “after” against “before”: the soil without 12 % of its mass is weaker. With the deviator stress "
         "held, "
         "the excess pore pressure that it bears goes from 45 to 17.5 kPa (−60 ± 14 %), the void ratio from 0.7 to 0.9. "
@@ -276,8 +276,10 @@ TEST(StrengthChange, OfManyTestsOfBothKindsHasATableAndRangesOfBoth) {
     const std::vector<study::StrengthChange> changes = study::compare_strength(stages);
     ASSERT_EQ(changes.size(), 4U);
     EXPECT_NE(
-        tell_strength(changes).front().find("; the highest deviator stress changes by −25 to −25 %; the excess pore "
-                                            "pressure borne changes by −50 to −50 %."),
+        strength_sentences(changes).front().find(
+            "; the highest deviator stress changes by −25 to −25 %; the excess pore "
+            "pressure borne changes by −50 to −50 %."
+        ),
         std::string::npos
     );
     const figures::PageTable table = tabulate_strength(changes).value();

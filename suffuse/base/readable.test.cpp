@@ -25,9 +25,19 @@ TEST(Readable, ALongQuotationIsCutInItsMiddle) {
     }
 }
 
+TEST(Readable, TwoHundredBytesStayAndOfOneMoreTheFirst150AndTheLast50) {
+    EXPECT_EQ(readable(std::string(200, 'a')), std::string(200, 'a'));
+    EXPECT_EQ(
+        readable(std::string(151, 'a') + std::string(50, 'b')), std::string(150, 'a') + "…" + std::string(50, 'b')
+    );
+    EXPECT_EQ(
+        readable(std::string(149, 'a') + "é" + std::string(50, 'b')), std::string(149, 'a') + "…" + std::string(50, 'b')
+    );
+}
+
 TEST(Readable, ALongWordKeepsItsEndAsAPathNeedsIt) {
-    const std::string message = readable("cannot read /home/" + std::string(5000, 'a') + "/case.toml: no such file");
-    EXPECT_TRUE(message.starts_with("cannot read /home/aaa"));
+    const std::string message = readable("cannot read /data/" + std::string(5000, 'a') + "/case.toml: no such file");
+    EXPECT_TRUE(message.starts_with("cannot read /data/aaa"));
     EXPECT_TRUE(message.ends_with("/case.toml: no such file"));
     EXPECT_LT(message.size(), 250U);
 }
