@@ -26,10 +26,10 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import time
 
 from unpowered_disk import WAYS, disk_after, lay_out, read_calls
 from run_results import last_line, results_of
+from stopped_run import stop_in_stage
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE / "case.toml"
@@ -55,25 +55,6 @@ class PowerLoss:
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
         )
 
-    def stop(self, stage, *words, log):
-        """Its exit code, stopped by SIGTERM in the middle of a stage, where it waits at its gate (apps/test_gate.hpp)."""
-        fifo = self.folder / "gate"
-        os.mkfifo(fifo)
-        environment = {"RECORD_TO": str(log), "LD_PRELOAD": str(self.shim), "SUFFUSE_TEST_GATE": f"{stage}={fifo}"}
-        run = subprocess.Popen([self.program, *map(str, words), "-q"], env={**os.environ, **environment})
-        gate = None
-        while gate is None:
-            try:
-                gate = os.open(fifo, os.O_WRONLY | os.O_NONBLOCK)  # as soon as the run reads there
-            except OSError:
-                if run.poll() is not None:
-                    sys.exit(f"the run ended with {run.returncode} before it came to its gate")
-                time.sleep(0.01)
-        run.terminate()
-        os.close(gate)
-        fifo.unlink()
-        return run.wait(timeout=300)
-
     def record(self, name, limit, more=(), stop_in=None):
         """The calls of a run in a folder of this name, and of what else the program then does there."""
         root, log = self.folder / name, self.folder / f"{name}.log"
@@ -81,7 +62,7 @@ class PowerLoss:
         there = root.stat()
         words = ["run", CASE, "-o", root / "run", "-j", 1, *limit]
         if stop_in:
-            code = self.stop(stop_in, *words, log=log)
+            code = stop_in_stage(stop_in, [self.program, *words], {"RECORD_TO": str(log), "LD_PRELOAD": str(self.shim)})
             if code != STOPPED:
                 sys.exit(f"the run that was to be stopped ended with {code}")
         else:
