@@ -1,6 +1,7 @@
-// schema: every key that a case may have.
+// schema: every key that a case may have, and every result of a stage.
 
 #include "suffuse/casefile/schema.hpp"
+#include "suffuse/facts/every_fact.hpp"
 
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
@@ -13,7 +14,16 @@ namespace {
 
 struct SchemaVerb final : Verb {
     SchemaVerb()
-        : Verb("schema", "every key that a case may have, as Markdown", "suffuse schema > case-reference.md") {}
+        : Verb(
+              "schema", "every key that a case may have, or every result of a stage, as Markdown",
+              "suffuse schema > case-reference.md"
+          ) {}
+
+    bool tells_results = false;
+
+    void add_to(Options& options) override {
+        options.flag("--results", tells_results, "the numbers that stages write, with their units, in place of keys");
+    }
 
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
@@ -29,7 +39,22 @@ nlohmann::json key_json(const casefile::Key& key) {
         {"text", key.text}};
 }
 
+nlohmann::json results_json() {
+    nlohmann::json results = nlohmann::json::array();
+    for (const facts::Group& group : facts::every_group()) {
+        for (const facts::Fact& fact : group.facts) {
+            results.push_back({{"group", group.title}, {"key", fact.key}, {"unit", fact.unit}, {"text", fact.words}});
+        }
+    }
+    return results;
+}
+
 int SchemaVerb::act(const CommandLine&, const Console& console) const {
+    if (tells_results) {
+        console.result(facts::results_markdown());
+        console.document(json_text({{"results", results_json()}}));
+        return Done;
+    }
     nlohmann::json keys = nlohmann::json::array();
     for (const casefile::Key& key : casefile::schema()) {
         keys.push_back(key_json(key));

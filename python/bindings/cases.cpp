@@ -7,6 +7,7 @@
 #include "suffuse/casefile/schema.hpp"
 #include "suffuse/casefile/sweep_value.hpp"
 #include "suffuse/casefile/variants.hpp"
+#include "suffuse/facts/every_fact.hpp"
 #include "suffuse/job/explain_word.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/record/refine.hpp"
@@ -191,6 +192,10 @@ void bind_cases(py::module_& m) {
     m.def(
         "quantity", [](const std::string& text) { return parse_quantity(text).value; }, py::arg("text"),
         "\"100 kPa\" -> 100000.0: a quantity in SI."
+    );
+    m.def(
+        "units", &facts::units,
+        "The unit of each result of stage.json and of each column of a table, by its key; \"-\" of shares and counts."
     );
     m.def("pressure_unit", [](const py::object& unit) { return unit_of(unit, dimension::pressure, "unit"); });
 }

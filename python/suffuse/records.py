@@ -1,39 +1,17 @@
 """Tables of numbers: structured NumPy arrays that know their units, and how other libraries want them."""
 
 import csv
+import functools
 import importlib
 
 import numpy
 
-# Of the names that files of a run give to numbers that have a unit; the others are shares, ratios and counts.
-_UNITS = {
-    "Pa": "stress mean_stress deviator_stress stress_1 stress_2 stress_3 pressure axial_stress peak_deviator final_deviator "
-    "stiffness excess_pore_pressure q p preparation_adhesion",
-    "m": "x y z r d diameter radius overlap hydraulic_radius inscribed_radius length constriction constriction_mean "
-    "constriction_median constriction_d35 travel progress path distance kenney_lau_split spacing constrictions_by_merge.none "
-    "constrictions_by_merge.center constrictions_by_merge.overlap constrictions.mean constrictions.median constrictions.d35 grading.d10 grading.d30 grading.d50 "
-    "grading.d60 grading.smallest grading.largest",
-    "m2": "area permeability permeability_along permeability_before permeability_after network_permeability "
-    "finer_permeability",
-    "m3": "volume void_volume",
-    "m3/s": "flux",
-    "m/s": "vx vy vz mean_velocity",
-    "m/s2": "gravity",
-    "rad/s": "wx wy wz",
-    "rad": "friction_angle preparation_friction angle",
-    "N": "fx fy fz fnx fny fnz fsx fsy fsz force_sum force_distribution.mean_normal_force force_distribution.mean_force",
-    "N m": "tx ty tz mx my mz",
-    "kg": "mass",
-    "J": "kinetic_energy",
-    "J/m3": "second_order_work energy",
-    "s": "time time_step wall_seconds seconds viscous_time",
-    "1/s": "strain_rate particle_steps_per_second",
-    "1/m": "filter_coefficient",
-    "Pa/m": "pressure_gradient",
-    "%": "eroded_mass_percent eroded_mass_percent_of_initial fc",
-    "-": "count",  # within constrictions_by_merge
-}
-_UNIT_OF = {name: unit for unit, names in _UNITS.items() for name in names.split()}
+from suffuse import _core
+
+
+@functools.cache
+def _units():
+    return _core.units()
 
 
 def unit_of(name):
@@ -41,13 +19,14 @@ def unit_of(name):
     "-" of shares, ratios and counts. A name may carry its unit itself, as "d [mm]" does."""
     if name.endswith("]") and "[" in name:
         return name[name.rindex("[") + 1 : -1]
+    units = _units()
     words = name.rpartition("/")[2].split(".")  # "STAGE/void_ratio"
     if "known_error" in words:  # relative, of whatever
         return "-"
     for end in range(len(words), 0, -1):
         for known in (".".join(words[max(end - 2, 0) : end]), words[end - 1]):
-            if known in _UNIT_OF:
-                return _UNIT_OF[known]
+            if known in units:
+                return units[known]
     return "-"
 
 

@@ -1,12 +1,16 @@
 #pragma once
 // Results and stage states as JSON: what stage files, checkpoints and the rebuilt report are read from. Numbers keep
-// all their bits. A field is written once, here; its meaning and unit stand at its declaration.
+// all their bits. Results that users see are rows of suffuse/facts; what is left is listed here.
 
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/erosion/pass_under_way.hpp"
 #include "suffuse/erosion/removal.hpp"
+#include "suffuse/facts/mobility.hpp"
+#include "suffuse/facts/pass.hpp"
+#include "suffuse/facts/test.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/record/ending_words.hpp"
+#include "suffuse/record/fact_json.hpp"
 #include "suffuse/record/or_null.hpp"
 #include "suffuse/triaxial/response.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
@@ -82,21 +86,7 @@ inline void to_json(nlohmann::json& json, const Instability& at) {
 }
 
 inline void to_json(nlohmann::json& json, const Response& response) {
-    json = {
-        {"peak_deviator", response.peak_deviator},
-        {"peak_strain", response.peak_strain},
-        {"peak_ratio", response.peak_ratio},
-        {"friction_angle", response.friction_angle},
-        {"final_deviator", response.final_deviator},
-        {"stiffness", response.stiffness},
-        {"dilatancy", response.dilatancy},
-        {"largest_contraction", response.largest_contraction},
-        {"final_volumetric_strain", response.final_volumetric_strain},
-        {"lost_at", or_null(response.lost_at)},
-        {"instability", or_null(response.instability)},
-        {"liquefied", or_null(response.liquefied)},
-        {"excess_pore_pressure", or_null(response.excess_pore_pressure)},
-        {"energy", response.energy}};
+    json = record::facts_json(facts::response, response);
 }
 } // namespace triaxial
 
@@ -157,12 +147,14 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 } // namespace flow
 
 namespace erosion {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // probes of earlier runs lack what the noise hides
-    ProbeResult, gradient, flow, unbalanced_force, reached_floor, relax_steps, ramp, watch, time_step,
-    fluid_over_contact, signal_over_twin, viscous_time, beyond_viscous_time, id, diameter, fluid_force, coordination,
-    speed, twin_speed, displacement, free_speed, free_displacement, twin_noise, by_velocity, by_displacement, agreement,
-    hidden_by_noise
-)
+inline void to_json(nlohmann::json& json, const ProbeResult& of) {
+    record::save_facts(json, facts::probe, of);
+}
+
+inline void from_json(const nlohmann::json& json, ProbeResult& of) {
+    record::load_facts(json, facts::probe, of);
+}
+
 NLOHMANN_JSON_SERIALIZE_ENUM(
     Phase, {{Phase::Removal, name_of(Phase::Removal)},
             {Phase::ConstantVolume, name_of(Phase::ConstantVolume)},
@@ -190,16 +182,21 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Transport, distance, id, diameter, mass, travel, progress, path, throats, constriction, fate
 )
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(
-    MobilityStep, gradient, mobile_mass_share, mobile_number_share, leaving_mass_share, lifted_mass_share,
-    displaced_mass_share, held_for, still_moving, permeability
-)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(
-    MobilityResult, down, direction, acceleration, flow, ramp, critical_gradient, heave_gradient, alpha_fines,
-    skempton_brogan_gradient, fines_heave_gradient, single_grain_gradient, fines_content, drag_share, moves_1, moves_10,
-    moves_50, asked_gradient, load_bearing_mass_share, sifting_mass_share, sifts, fallen_mass_share, rested_for,
-    weight_scale, time_step, rest_steps, ramp_steps, id, diameter, mass, mobile_gradient, bears_load
-)
+inline void to_json(nlohmann::json& json, const MobilityStep& of) {
+    record::save_facts(json, facts::mobility_step, of);
+}
+
+inline void from_json(const nlohmann::json& json, MobilityStep& of) {
+    record::load_facts(json, facts::mobility_step, of);
+}
+
+inline void to_json(nlohmann::json& json, const MobilityResult& of) {
+    record::save_facts(json, facts::mobility, of);
+}
+
+inline void from_json(const nlohmann::json& json, MobilityResult& of) {
+    record::load_facts(json, facts::mobility, of);
+}
 
 inline void to_json(nlohmann::json& json, const Ending& ending) {
     json = record::words_of(ending);
@@ -209,14 +206,16 @@ inline void from_json(const nlohmann::json& json, Ending& ending) {
     ending = record::ending_told(json);
 }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT( // passes of earlier runs lack fluxes, merged voids, transport ...
-    PassResult, pass, probe, mobility, constrictions, merge, constrictions_by_merge, detachable, held_back, removed,
-    transport, eroded_mass_percent, eroded_mass_percent_of_initial, coordination_histogram, stress_before,
-    stress_after_removal, stress_constant_volume, stress_after, porosity_before, porosity_after_removal, porosity_after,
-    void_ratio_after, fines_content_after, volumetric_strain, permeability_before, permeability_after, flow_after,
-    reynolds_before, reynolds_after, closed_voids, tortuosity_before, tortuosity_after, throat_flux_before,
-    throat_flux_after, steps, time_step, wall_seconds, failed, reached_target, verdict
-)
+inline void to_json(nlohmann::json& json, const PassResult& of) {
+    record::save_facts(json, facts::pass, of);
+    record::save_facts(json, facts::pass_with_water, of);
+}
+
+inline void from_json(const nlohmann::json& json, PassResult& of) {
+    record::load_facts(json, facts::pass, of);
+    record::load_facts(json, facts::pass_with_water, of);
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Resettlement, phase, steps, balance, computed, last_carrying, start_h, rows)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE( // but for its world

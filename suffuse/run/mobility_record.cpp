@@ -1,8 +1,6 @@
 #include "suffuse/run/mobility_record.hpp"
 
 #include "suffuse/io/csv_writer.hpp"
-#include "suffuse/record/or_null.hpp"
-#include "suffuse/record/result_json.hpp"
 
 #include <fmt/format.h>
 
@@ -12,20 +10,7 @@
 
 namespace suffuse::run {
 
-using nlohmann::json;
-
 namespace {
-
-json ramp_numbers(const erosion::MobilityResult& mobility) {
-    json rows = json::array();
-    for (const erosion::MobilityStep& step : mobility.ramp) {
-        json row = step;
-        row["floats"] = erosion::floats(mobility, step.gradient);
-        row["still_growing"] = erosion::is_still_growing(step);
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
 
 /// A field of a table, empty where there is no number.
 std::string field(const std::optional<double>& value) {
@@ -36,46 +21,6 @@ std::string field(const std::optional<double>& value) {
 
 const char* model_name(bool weighs) {
     return weighs ? "with weight" : "weightless";
-}
-
-json mobility_numbers(const erosion::MobilityResult& mobility) {
-    json numbers = {
-        {"mobility", ramp_numbers(mobility)},
-        {"critical_gradient",
-         {{"1 %", or_null(mobility.moves_1)},
-          {"10 %", or_null(mobility.moves_10)},
-          {"50 %", or_null(mobility.moves_50)}}},
-        {"critical_gradient_at_most",
-         {{"1 %", erosion::is_upper_bound(mobility, 0.01)},
-          {"10 %", erosion::is_upper_bound(mobility, 0.1)},
-          {"50 %", erosion::is_upper_bound(mobility, 0.5)}}},
-        {"terzaghi_gradient", mobility.critical_gradient},
-        {"heave_gradient", or_null(mobility.heave_gradient)},
-        {"alpha_fines", or_null(mobility.alpha_fines)},
-        {"skempton_brogan_gradient", or_null(mobility.skempton_brogan_gradient)},
-        {"fines_heave_gradient", or_null(mobility.fines_heave_gradient)},
-        {"single_grain_gradient", or_null(mobility.single_grain_gradient)},
-        {"fines_drag_share", mobility.drag_share},
-        {"load_bearing_mass_share", mobility.load_bearing_mass_share},
-        {"sifting_mass_share", mobility.sifting_mass_share},
-        {"sifts_under_its_weight", mobility.sifts},
-        {"fallen_mass_share", mobility.fallen_mass_share},
-        {"rested_for", mobility.rested_for},
-        {"weight_scale", mobility.weight_scale},
-        {"down", mobility.down},
-        {"direction", mobility.direction},
-        {"gravity", mobility.acceleration},
-    };
-    if (mobility.asked_gradient) {
-        const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(mobility);
-        numbers["asked_gradient"] = *mobility.asked_gradient;
-        numbers["mobile_mass_share_at_asked"] = or_null(erosion::mobile_share_at(mobility, *mobility.asked_gradient));
-        numbers["factor_of_safety"] = safety ? or_null(safety->factor) : json();
-        if (safety && !safety->factor) {
-            numbers["factor_of_safety_at_least"] = safety->at_least;
-        }
-    }
-    return numbers;
 }
 
 void write_mobility(const std::filesystem::path& folder, std::span<const erosion::MobilityResult* const> ramps) {

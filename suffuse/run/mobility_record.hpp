@@ -1,10 +1,8 @@
 #pragma once
-// What stages whose fines have weight record: numbers for stage.json, mobility.csv, and the gradient of each grain.
+// What stages whose fines have weight record: mobility.csv, and the gradient of each grain.
 
 #include "suffuse/erosion/mobility_result.hpp"
 #include "suffuse/run/stage_work.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <span>
@@ -14,9 +12,6 @@ namespace suffuse::run {
 
 /// "with weight", "weightless": in stage.json of every stage that probes fines.
 const char* model_name(bool weighs);
-
-/// Names in files are a promise: docs/formats.md.
-nlohmann::json mobility_numbers(const erosion::MobilityResult& mobility);
 
 /// mobility.csv: a row a step of the ramp. Several ramps are told apart by a column `pass`.
 void write_mobility(const std::filesystem::path& folder, std::span<const erosion::MobilityResult* const> ramps);

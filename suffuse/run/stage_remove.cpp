@@ -5,7 +5,7 @@
 #include "suffuse/erosion/removal.hpp"
 #include "suffuse/record/ending_words.hpp"
 #include "suffuse/record/result_json.hpp"
-#include "suffuse/run/pass_record.hpp"
+#include "suffuse/run/eroded_table.hpp"
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/run/take_pass.hpp"
 #include "suffuse/run/within_pass.hpp"
@@ -33,7 +33,7 @@ double lost_share(const erosion::PassResult& pass) {
 }
 
 json removal_pass(const erosion::PassResult& pass) {
-    json numbers = pass_record(pass);
+    json numbers = record::facts_json(facts::pass, pass);
     numbers["stress_loss"] = lost_share(pass);
     return numbers;
 }
@@ -60,7 +60,7 @@ json removal_numbers(const dem::World& end, const erosion::RemovalResult& remova
     return {
         {"removed", removed},
         {"removed_mass_share", erosion::removed_share(end, removal)},
-        {"coordination_histogram", histogram_of(coordination)},
+        {"coordination_histogram", facts::histogram_by_name(coordination)},
         {"stress_before", first.stress_before},
         {"stress_constant_volume", last.stress_constant_volume},
         {"stress_after", dem::mean_stress_tensor(end)},

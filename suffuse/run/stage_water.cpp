@@ -76,7 +76,7 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
     note_network(work, "of the sample", source, porosity, spec.how.solver == flow::Solver::Auto);
     note_closed_voids(work, "", flow::named_by_id(seepage.closed_voids, grains.id));
     json& numbers = work.numbers;
-    numbers.update(source_numbers(source));
+    numbers.update(record::facts_json(facts::flow_source, source));
     numbers["gradient"] = spec.gradient;
     const double permeability = water.permeability();
     const std::optional<Mat3>& tensor = is_resolved ? water.resolved->tensor : seepage.tensor;
@@ -136,7 +136,7 @@ void detach_with_weight(StageWork& work, const erosion::DetachStageSpec& spec) {
     const erosion::MobilityResult& mobility =
         work.findings.mobility.emplace(erosion::probe_mobility(work.world, spec, work.surroundings()));
     work.numbers.update(mobility_numbers(mobility));
-    work.numbers.update(source_numbers(mobility.flow));
+    work.numbers.update(record::facts_json(facts::flow_source, mobility.flow));
     note_network(
         work, "of the sample", mobility.flow, dem::porosity(work.world), spec.probe.flow.solver == flow::Solver::Auto
     );
@@ -158,14 +158,14 @@ void do_detach(StageWork& work, const erosion::DetachStageSpec& spec) {
     work.findings.probes = erosion::probe_gradients(work.world, spec, work.surroundings());
     json probes = json::array();
     for (const erosion::ProbeResult& probe : work.findings.probes) {
-        probes.push_back(probe_numbers(probe));
+        probes.push_back(record::facts_json(facts::probe, probe));
         note_probe(work, spec.detached, probe, true);
         note_threshold(work, fmt::format("i = {}", short_number(probe.gradient)), spec.detached, probe);
     }
     work.numbers["probes"] = probes;
     work.pictured = probe_columns(work.world, work.findings.probes.back());
     const erosion::ProbeResult& first = work.findings.probes.front();
-    work.numbers.update(source_numbers(first.flow));
+    work.numbers.update(record::facts_json(facts::flow_source, first.flow));
     note_network(
         work, "of the sample", first.flow, dem::porosity(work.world), spec.probe.flow.solver == flow::Solver::Auto
     );

@@ -1,19 +1,17 @@
 #pragma once
-// What stages with water tell in numbers: the objects of their stage.json.
+// What stages with water write in stage.json.
 
 #include "suffuse/erosion/loop.hpp"
-#include "suffuse/flow/known_error.hpp"
+#include "suffuse/erosion/mobility_result.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace suffuse::run {
 
-nlohmann::json probe_numbers(const erosion::ProbeResult& probe);
+/// Of a stage, or a pass, whose fines have weight.
+nlohmann::json mobility_numbers(const erosion::MobilityResult& mobility);
 
-/// Which flow a number is of, and what is known of it.
-nlohmann::json source_numbers(const flow::FlowSource& source);
-
-/// The row of a pass of an erosion, in `passes`.
+/// A pass of an erosion, in `passes`.
 nlohmann::json pass_numbers(const erosion::PassResult& pass);
 
 } // namespace suffuse::run

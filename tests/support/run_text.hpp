@@ -2,15 +2,18 @@
 // A case as text, run in a folder of its own: what scenarios that go through the whole program share.
 
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/facts/every_fact.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/record/folder.hpp"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "tests/support/reference.hpp"
 #include "tests/support/temp_folder.hpp"
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -85,11 +88,39 @@ inline std::string study_of_packing(const std::string& name) {
            "]\n[[study.s.stage]]\nname = \"settled\"\ndo = \"settle\"\npressure = \"100 kPa\"\n";
 }
 
+/// Every key of an object of stage.json, and of those within it, has its row in suffuse/facts.
+inline void expect_facts(const nlohmann::json& numbers, const std::string& within) {
+    static const std::set<std::string> objects = [] {
+        std::set<std::string> names{"probes"};
+        for (const facts::Group& group : facts::every_group()) {
+            names.insert(group.within);
+        }
+        return names;
+    }();
+    for (const auto& [key, value] : numbers.items()) {
+        const std::string whole = within.empty() ? key : within + "." + key;
+        const bool is_known = facts::is_fact(key) || facts::is_fact(whole) || within == "measured";
+        const bool is_object = value.is_object() || (value.is_array() && !value.empty() && value.front().is_object());
+        EXPECT_TRUE(is_known || is_object) << whole << " has no row in suffuse/facts";
+        if (is_object && (!is_known || objects.contains(key) || within == "measured")) {
+            for (const nlohmann::json& part : value.is_array() ? value : nlohmann::json::array({value})) {
+                expect_facts(part, key);
+            }
+        }
+    }
+}
+
 inline job::RunReport
 run_text(const std::string& text, const std::filesystem::path& folder, run::RunOptions options = {}) {
     const casefile::LoadedCase loaded = casefile::load_case_text(text, "scenario.toml", folder.string());
     options.folder = folder / "run";
-    return job::run_case(loaded.value, options);
+    const job::RunReport report = job::run_case(loaded.value, options);
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(options.folder)) {
+        if (entry.path().filename() == "stage.json") {
+            expect_facts(record::read_json(entry.path()), "");
+        }
+    }
+    return report;
 }
 
 inline nlohmann::json stage_of(const std::filesystem::path& folder, const std::string& stage) {
