@@ -15,32 +15,25 @@ namespace {
 std::vector<std::string> row_of(const record::FinishedStage& stage) {
     const erosion::ErosionResult& erosion = *stage.findings.erosion;
     const erosion::PassResult &first = erosion.passes.front(), &last = erosion.passes.back();
-    double strain = 0, largest_loss = 0;
+    const std::optional<double> change = erosion::permeability_change(erosion);
+    const erosion::PassResult* const worst = erosion::pass_of_largest_loss(erosion);
+    double strain = 0;
     for (const erosion::PassResult& pass : erosion.passes) {
         strain += pass.volumetric_strain;
-        largest_loss = std::max(largest_loss, erosion::stress_loss(pass).value_or(0));
     }
     return {
         study::in_words_of_sample(stage),
         erosion::is_forced(erosion) ? "forced" : fmt::format("{:g}", first.probe.gradient),
         fmt::format("{}", erosion.passes.size()),
-        fmt::format("{:.2f}", eroded_percent(erosion)),
+        fmt::format("{:.2f}", erosion::eroded_percent(erosion)),
         fmt::format("{:.4f}", last.porosity_after),
-        first.permeability_before > 0 ? short_number(last.permeability_after / first.permeability_before) : "–",
-        percent_beyond_noise(100 * largest_loss),
+        change ? short_number(*change) : "–",
+        percent_beyond_noise(worst == nullptr ? 0 : 100 * std::max(0.0, *erosion::stress_loss(*worst))),
         percent_beyond_noise(100 * strain),
         last.verdict ? record::words_of(last.verdict) : "passes asked for"};
 }
 
 } // namespace
-
-double eroded_percent(const erosion::ErosionResult& erosion) {
-    double percent = 0;
-    for (const erosion::PassResult& pass : erosion.passes) {
-        percent += pass.eroded_mass_percent_of_initial;
-    }
-    return percent;
-}
 
 std::optional<figures::PageTable> tabulate_erosions(const std::vector<record::FinishedStage>& stages) {
     figures::PageTable table;

@@ -9,9 +9,6 @@
 
 namespace suffuse::answer {
 
-/// Mass that left with all passes of a stage, of that before the first [%].
-double eroded_percent(const erosion::ErosionResult& erosion);
-
 /// A row for each erosion; nothing where there are fewer than two, of which the page tells in detail.
 std::optional<figures::PageTable> tabulate_erosions(const std::vector<record::FinishedStage>& stages);
 

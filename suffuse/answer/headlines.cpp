@@ -101,33 +101,26 @@ erosion_headlines(const ErosionResult& erosion, const flow::Fluid& fluid, const 
         return headlines;
     }
     const auto& passes = erosion.passes;
-    double eroded = 0;
-    for (const PassResult& pass : passes) {
-        eroded += pass.eroded_mass_percent_of_initial / 100;
-    }
     const std::string turns =
         fmt::format("in {} {}", count_in_words(passes.size()), passes.size() == 1 ? "pass" : "passes");
     const bool probed = !passes.front().probe.id.empty() && !erosion::is_forced(erosion);
     headlines.push_back(seeds_headline(
-        Result::ErodedMass, over_seeds(outcome, Result::ErodedMass, eroded),
+        Result::ErodedMass, over_seeds(outcome, Result::ErodedMass, erosion::eroded_percent(erosion) / 100),
         probed ? fmt::format("{} at i = {}", turns, passes.front().probe.gradient) : turns, fluid
     ));
     if (erosion::is_forced(erosion)) {
         headlines.back().label = result_label(Result::RemovedMass);
     }
     if (const auto permeability = study::permeability_after(erosion, fluid.conductance)) {
-        const double change = permeability->after / permeability->before;
-        headlines.push_back(
-            permeability_headline(*permeability, over_seeds(outcome, Result::PermeabilityChange, change), fluid)
-        );
+        headlines.push_back(permeability_headline(
+            *permeability, over_seeds(outcome, Result::PermeabilityChange, permeability->change), fluid
+        ));
     }
-    const auto worst = std::max_element(passes.begin(), passes.end(), [](const PassResult& a, const PassResult& b) {
-        return erosion::stress_loss(a) < erosion::stress_loss(b);
-    });
-    if (const std::optional<double> loss = erosion::stress_loss(*worst)) {
+    if (const PassResult* const worst = erosion::pass_of_largest_loss(erosion)) {
+        const double loss = *erosion::stress_loss(*worst);
         Headline headline = seeds_headline(
-            Result::StressChange, over_seeds(outcome, Result::StressChange, -*loss),
-            is_noise(100 * *loss) ? "in all passes" : fmt::format("after pass {}, the largest loss", worst->pass), fluid
+            Result::StressChange, over_seeds(outcome, Result::StressChange, -loss),
+            is_noise(100 * loss) ? "in all passes" : fmt::format("after pass {}, the largest loss", worst->pass), fluid
         );
         headline.value = headline.value == "none" ? "unchanged" : headline.value;
         headlines.push_back(std::move(headline));

@@ -319,7 +319,7 @@ tell_range(const study::ErosionStory& story, const std::vector<record::FinishedS
     std::vector<double> percent;
     for (const record::FinishedStage& stage : stages) {
         if (stage.findings.erosion && !stage.findings.erosion->passes.empty()) {
-            percent.push_back(eroded_percent(*stage.findings.erosion));
+            percent.push_back(erosion::eroded_percent(*stage.findings.erosion));
         }
     }
     if (story.eroded == nullptr || percent.size() < 2 ||

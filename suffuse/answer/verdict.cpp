@@ -110,10 +110,7 @@ std::vector<std::string> tell_sweep(const StudyOutcome& outcome, const flow::Flu
 
 std::string tell_eroded(const RunResults& results, const OutcomePoint* point) {
     const erosion::ErosionResult& erosion = results.story.erosion;
-    double share = 0;
-    for (const erosion::PassResult& pass : erosion.passes) {
-        share += pass.eroded_mass_percent_of_initial / 100;
-    }
+    double share = erosion::eroded_percent(erosion) / 100;
     if (const Scatter* const all = point == nullptr ? nullptr : point->find(Result::ErodedMass)) {
         share = all->mean;
     }
@@ -134,8 +131,8 @@ std::optional<std::string> tell_permeability(const RunResults& results, const Ou
     if (!found && all == nullptr) {
         return std::nullopt;
     }
-    const double change = all != nullptr ? all->mean : found->after / found->before;
-    if (std::abs(change - 1) < 0.005) {
+    const double change = all != nullptr ? all->mean : found->change;
+    if (std::abs(change - 1) < erosion::least_permeability_change) {
         return "The permeability stays as it was.";
     }
     if (change < 1) {

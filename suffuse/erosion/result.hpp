@@ -189,4 +189,36 @@ inline std::optional<double> stress_loss(const PassResult& pass) {
     return before > 0 ? std::optional(1 - dem::mean_stress(pass.stress_constant_volume) / before) : std::nullopt;
 }
 
+/// Mass that left in all passes, of the initial mass [%].
+inline double eroded_percent(const ErosionResult& erosion) {
+    double percent = 0;
+    for (const PassResult& pass : erosion.passes) {
+        percent += pass.eroded_mass_percent_of_initial;
+    }
+    return percent;
+}
+
+/// The first pass that lost the largest share of the mean stress; null where none had stress to lose.
+inline const PassResult* pass_of_largest_loss(const ErosionResult& erosion) {
+    const PassResult* worst = nullptr;
+    for (const PassResult& pass : erosion.passes) {
+        if (stress_loss(pass) && (worst == nullptr || *stress_loss(pass) > *stress_loss(*worst))) {
+            worst = &pass;
+        }
+    }
+    return worst;
+}
+
+/// Permeability after the last pass over that before the first [-]; nothing where one of the two was not measured.
+inline std::optional<double> permeability_change(const ErosionResult& erosion) {
+    if (erosion.passes.empty()) {
+        return std::nullopt;
+    }
+    const double before = erosion.passes.front().permeability_before, after = erosion.passes.back().permeability_after;
+    return before > 0 && after > 0 ? std::optional(after / before) : std::nullopt;
+}
+
+/// A permeability that changes by less stays as it was, in words.
+inline constexpr double least_permeability_change = 0.005;
+
 } // namespace suffuse::erosion

@@ -50,13 +50,12 @@ std::optional<Figure> eroded_mass(const ErosionResult& erosion) {
     }
     std::vector<double> removed, share, of_initial;
     std::string claim;
-    double total = 0;
     for (const PassResult& pass : erosion.passes) {
         removed.push_back(static_cast<double>(pass.removed));
         share.push_back(pass.eroded_mass_percent);
         of_initial.push_back(pass.eroded_mass_percent_of_initial);
-        total += pass.eroded_mass_percent_of_initial;
     }
+    const double total = erosion::eroded_percent(erosion);
     const study::SomePasses few = study::few_passes(erosion, most_drawn);
     for (const PassResult* pass : few) {
         claim += fmt::format(

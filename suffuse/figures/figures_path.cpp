@@ -264,13 +264,7 @@ bool changes_skeleton(const PassResult& pass) {
 
 /// Of the pass that costs most; empty without passes that changed the skeleton.
 std::string loss_claim(const ErosionResult& erosion) {
-    const PassResult* worst = nullptr;
-    for (const PassResult& pass : erosion.passes) {
-        if (erosion::stress_loss(pass) &&
-            (worst == nullptr || *erosion::stress_loss(pass) > *erosion::stress_loss(*worst))) {
-            worst = &pass;
-        }
-    }
+    const PassResult* const worst = erosion::pass_of_largest_loss(erosion);
     if (worst == nullptr || is_noise(100 * *erosion::stress_loss(*worst))) {
         return {};
     }

@@ -65,13 +65,13 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
     figure.section = "Water";
     figure.title = "Permeability before and after erosion";
     const double times = permeability.back() / permeability.front();
-    figure.claim = std::abs(times - 1) < 0.005
+    figure.claim = std::abs(times - 1) < erosion::least_permeability_change
                        ? "The pore network is as permeable as before"
                        : fmt::format("The pore network's permeability is {} times what it was", short_number(times, 2));
     figure.caption = fmt::format(
         "The loss of {} % of the mass changes the permeability along the flow from {} to {} m², {} times.",
         short_number(eroded.back()), short_number(permeability.front()), short_number(permeability.back()),
-        short_number(permeability.back() / permeability.front())
+        short_number(times)
     );
     const double highest = *std::max_element(permeability.begin(), permeability.end());
     const int decade = static_cast<int>(std::floor(std::log10(highest)));

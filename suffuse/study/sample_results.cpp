@@ -36,22 +36,12 @@ void add_erosion(const Stages& stages, const casefile::Variant& sample, Results&
     if (erosion.passes.empty()) {
         return;
     }
-    double percent = 0, loss = 0;
-    bool has_loss = false;
-    for (const erosion::PassResult& pass : erosion.passes) {
-        percent += pass.eroded_mass_percent_of_initial;
-        if (const auto of_pass = erosion::stress_loss(pass)) {
-            has_loss = true;
-            loss = std::max(loss, *of_pass);
-        }
+    to.emplace(Result::ErodedMass, erosion::eroded_percent(erosion) / 100);
+    if (const erosion::PassResult* const worst = erosion::pass_of_largest_loss(erosion)) {
+        to.emplace(Result::StressChange, -std::max(0.0, *erosion::stress_loss(*worst)));
     }
-    to.emplace(Result::ErodedMass, percent / 100);
-    if (has_loss) {
-        to.emplace(Result::StressChange, -loss);
-    }
-    const double before = erosion.passes.front().permeability_before, after = erosion.passes.back().permeability_after;
-    if (before > 0 && after > 0) {
-        to.emplace(Result::PermeabilityChange, after / before);
+    if (const auto change = erosion::permeability_change(erosion)) {
+        to.emplace(Result::PermeabilityChange, *change);
     }
 }
 
@@ -100,14 +90,12 @@ void add_state(const record::FinishedStage& stage, bool& is_prepared, Results& t
 std::optional<PermeabilityAfter>
 permeability_after(const erosion::ErosionResult& erosion, flow::Conductance conductance) {
     constexpr double open_packing = 0.55; // validation/permeability.md: Yade's law is too permeable below
-    if (erosion.passes.empty()) {
+    const std::optional<double> change = erosion::permeability_change(erosion);
+    if (!change) {
         return std::nullopt;
     }
     const erosion::PassResult& last = erosion.passes.back();
-    PermeabilityAfter found{erosion.passes.front().permeability_before, last.permeability_after, {}, false};
-    if (!(found.before > 0 && found.after > 0)) {
-        return std::nullopt;
-    }
+    PermeabilityAfter found{erosion.passes.front().permeability_before, last.permeability_after, *change, {}, false};
     const flow::FlowSource& source = last.flow_after;
     found.known_error = source.known_error.permeability;
     const bool is_open = conductance == flow::Conductance::Yade && 1 - last.porosity_after < open_packing;
