@@ -126,6 +126,10 @@ constexpr std::array guides = {
         "logarithm of the mean stress.",
         "`triaxial` stages"},
     Guide{
+        "own-pore-pressure", "rise of the pore pressure at constant deviator stress",
+        "Excess pore pressure and axial strain of samples that hold their deviator stress while the pressure rises.",
+        "`triaxial` stages with `path = \"constant-deviator\"`"},
+    Guide{
         "own-energy", "where the work of the tests goes",
         "Shares of the work that sliding and rolling contacts and damping take and that springs hold, a bar a test.",
         "`triaxial` stages"},
@@ -156,7 +160,7 @@ constexpr std::array guides = {
 std::optional<std::string> explain_figure(std::string_view name) {
     const std::string id = figure_id(std::string(name));
     for (const Guide& guide : guides) {
-        if (guide.id == id) {
+        if (id == guide.id || id.starts_with(fmt::format("{}-", guide.id))) { // "own-paths-STUDY" is one of its kind
             const std::optional<int> number = figure_of_paper(id);
             const std::string title = number ? fmt::format("Figure {} of the paper: {}", *number, guide.title)
                                              : fmt::format("{}: {}", id, guide.title);

@@ -16,6 +16,12 @@ TEST(FigureGuide, ExplainsEveryFigureThatAReportHas) {
     }
 }
 
+TEST(FigureGuide, KnowsTheFigureOfOneStudyOrStage) {
+    EXPECT_TRUE(explain_figure("own-paths-strength"));
+    EXPECT_TRUE(explain_figure("own-triaxial-strength-sheared"));
+    EXPECT_FALSE(explain_figure("own-pathsx"));
+}
+
 TEST(FigureGuide, KnowsAFigureByItsNumberHoweverItIsWritten) {
     const auto ninth = explain_figure("figure-9");
     ASSERT_TRUE(ninth);

@@ -17,7 +17,6 @@ using stability::Assessment;
 using stability::Criterion;
 
 json criterion_json(const Criterion& criterion) {
-    static const char* const senses[] = {"at-least", "at-most", "between"};
     return {
         {"id", criterion.id},
         {"name", criterion.name},
@@ -26,7 +25,7 @@ json criterion_json(const Criterion& criterion) {
         {"measured", or_null(criterion.measured)},
         {"limit", or_null(criterion.limit)},
         {"upper", or_null(criterion.upper)},
-        {"sense", senses[static_cast<int>(criterion.sense)]},
+        {"sense", stability::name_of(criterion.sense)},
         {"verdict", stability::verdict_word(criterion.verdict)},
         {"verified", criterion.verified},
         {"remark", criterion.remark},

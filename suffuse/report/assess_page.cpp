@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/read_text.hpp"
+#include "suffuse/stability/criterion_guide.hpp"
 
 namespace suffuse::report {
 
@@ -20,6 +21,24 @@ std::string as_data(const nlohmann::json& data) {
         text += c == '<' ? std::string("\\u003c") : std::string(1, c);
     }
     return text;
+}
+
+/// What the page's script computes with: the fixed part of each criterion.
+nlohmann::json definitions() {
+    nlohmann::json all = nlohmann::json::object();
+    for (const std::string& id : stability::criterion_ids()) {
+        const stability::Criterion criterion = stability::define(id);
+        nlohmann::json& row = all[id];
+        row = {
+            {"name", criterion.name},
+            {"measure", criterion.measure},
+            {"sense", stability::name_of(criterion.sense)},
+            {"verified", criterion.verified}};
+        if (criterion.limit) {
+            row["limit"] = *criterion.limit;
+        }
+    }
+    return all;
 }
 
 } // namespace
@@ -41,7 +60,7 @@ std::string assess_page(const std::vector<PageSoil>& soils, const PageSeepage& s
     }
     std::string page(assess_template().substr(1));
     put(page, "@PROGRAM@", program);
-    put(page, "@DATA@", as_data({{"soils", list}, {"seepage", asked}}));
+    put(page, "@DATA@", as_data({{"soils", list}, {"seepage", asked}, {"criteria", definitions()}}));
     return page;
 }
 

@@ -1,6 +1,7 @@
 #include "suffuse/stability/burenkova.hpp"
 
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/stability/criterion_guide.hpp"
 #include "suffuse/stability/curve.hpp"
 
 #include <fmt/format.h>
@@ -55,15 +56,10 @@ outside_of_fit(const Grading& grading, const Slopes& slopes, const std::optional
 
 Criterion burenkova(const Grading& grading) {
     const Slopes slopes = slopes_of(grading);
-    Criterion criterion;
-    criterion.id = "burenkova-1993";
-    criterion.name = "Burenkova 1993";
-    criterion.measure = "h' = d90/d60";
+    Criterion criterion = define("burenkova-1993");
     criterion.value = slopes.coarse;
     criterion.limit = slopes.lower();
     criterion.upper = slopes.upper();
-    criterion.sense = Sense::Between;
-    criterion.source = "Burenkova1993";
     const double largest = grains::size_at(grading, 1), uniformity = grains::uniformity(grading);
     if (largest > 0.1) {
         criterion.remark = fmt::format("grains up to {:.3g} mm; tested up to 100 mm", 1e3 * largest);
@@ -84,14 +80,8 @@ Criterion wan_fell(const Grading& grading, const std::optional<FineFraction>& fi
     const double log_whole = std::log10(slopes.whole);
     const double z = has_silt ? 2.378 * log_whole - 3.648 * slopes.coarse + 3.701
                               : 3.875 * log_whole - 3.591 * slopes.coarse + 2.436;
-    Criterion criterion;
-    criterion.id = "wan-fell-logistic";
-    criterion.name = "Wan and Fell (logistic)";
-    criterion.measure = "P(unstable)";
+    Criterion criterion = define("wan-fell-logistic");
     criterion.value = 1 / (1 + std::exp(-z));
-    criterion.limit = 0.5;
-    criterion.sense = Sense::AtMost;
-    criterion.source = "WanFell2008";
     criterion.remark = outside_of_fit(grading, slopes, fines, has_silt);
     if (!criterion.remark.empty()) {
         return criterion;
@@ -107,16 +97,9 @@ Criterion wan_fell(const Grading& grading, const std::optional<FineFraction>& fi
 Criterion wan_fell_alternative(const Grading& grading, const std::optional<FineFraction>& fines) {
     const double coarse = 30 / std::log10(grains::size_at(grading, 0.90) / grains::size_at(grading, 0.60));
     const double fine = 15 / std::log10(grains::size_at(grading, 0.20) / grains::size_at(grading, 0.05));
-    Criterion criterion;
-    criterion.id = "wan-fell-alternative";
-    criterion.name = "Wan and Fell (slopes)";
-    criterion.measure = "30/log(d90/d60)";
+    Criterion criterion = define("wan-fell-alternative");
     criterion.value = coarse;
-    criterion.limit = 70;
-    criterion.sense = Sense::AtMost;
     criterion.strict = true;
-    criterion.source = "WanFell2008";
-    criterion.verified = false;
     if (find_gap(grading)) {
         criterion.remark = "made for soils without a gap";
     } else if (!(grains::passing(grading, sand_size) < 1 && grains::passing(grading, fines_size) > 0.10)) {

@@ -1,6 +1,7 @@
 #include "suffuse/stability/chang_zhang.hpp"
 
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/stability/criterion_guide.hpp"
 #include "suffuse/stability/curve.hpp"
 #include "suffuse/stability/kenney_lau.hpp"
 
@@ -50,10 +51,7 @@ void judge_shape(const LeastRatio& least, double percent, Criterion& criterion) 
 } // namespace
 
 Criterion chang_zhang(const Grading& grading, double limit) {
-    Criterion criterion;
-    criterion.id = "chang-zhang-2013";
-    criterion.name = "Chang and Zhang 2013";
-    criterion.source = "ChangZhang2013";
+    Criterion criterion = define("chang-zhang-2013");
     criterion.strict = true;
     const double percent = 100 * grains::passing(grading, fines_size);
     if (const auto gap = find_gap(grading)) {

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/stability/criterion_guide.hpp"
 #include "suffuse/stability/curve.hpp"
 
 #include <fmt/format.h>
@@ -207,14 +208,7 @@ compare_with_constrictions(const Grading& grading, const std::optional<FineFract
 }
 
 Criterion indraratna(const FinesBesideConstrictions& sizes, std::optional<double> relative_density) {
-    Criterion criterion;
-    criterion.id = "indraratna-2011";
-    criterion.name = "Indraratna et al. 2011";
-    criterion.measure = "Dc35/d85f";
-    criterion.limit = 1;
-    criterion.sense = Sense::AtMost;
-    criterion.source = "Indraratna2011";
-    criterion.verified = false;
+    Criterion criterion = define("indraratna-2011");
     criterion.diameter = sizes.split;
     const double dense = sizes.densest_d35 / sizes.fines_d85, loose = sizes.loosest_d35 / sizes.fines_d85;
     if (relative_density) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace suffuse::stability {
 
@@ -15,6 +16,11 @@ enum class Verdict {
 
 /// On which side of its limit a number means stable.
 enum class Sense { AtLeast, AtMost, Between };
+
+/// "at-least", "at-most", "between".
+constexpr std::string_view name_of(Sense sense) {
+    return sense == Sense::AtLeast ? "at-least" : sense == Sense::AtMost ? "at-most" : "between";
+}
 
 struct Criterion {
     std::string id;              ///< "kenney-lau-1986": a promise to scripts

@@ -1,5 +1,8 @@
 #pragma once
-// What each criterion of internal stability asks, in words: the text of `suffuse explain CRITERION`.
+// The criteria of internal stability, one row each: id, name, what is measured, limit, source, and what it asks, in
+// words. The criteria themselves, `suffuse explain CRITERION` and the page of `assess --page` take them from here.
+
+#include "suffuse/stability/criterion.hpp"
 
 #include <optional>
 #include <string>
@@ -7,6 +10,10 @@
 #include <vector>
 
 namespace suffuse::stability {
+
+/// A criterion as it is defined, without a soil: id, name, measure, sense, fixed limit, source, whether it is verified.
+/// @throws Bug where there is no row of this id.
+Criterion define(std::string_view id);
 
 /// One screen on a criterion by its id, "kenney-lau-1986"; on each that a word of ids means, "kezdi", "kenney-lau", or
 /// that reads the number asked for, "alpha", "h/f"; nothing where there is none.

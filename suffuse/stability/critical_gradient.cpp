@@ -1,5 +1,7 @@
 #include "suffuse/stability/critical_gradient.hpp"
 
+#include "suffuse/stability/criterion_guide.hpp"
+
 #include <fmt/format.h>
 
 namespace suffuse::stability {
@@ -9,12 +11,10 @@ namespace {
 constexpr double water_density = 1000; // [kg/m3]
 
 /// Number i, limit i_c, and what is left of it.
-Criterion against(const UpwardSeepage& seepage, double critical) {
-    Criterion criterion;
-    criterion.measure = "gradient i";
+Criterion against(std::string_view id, const UpwardSeepage& seepage, double critical) {
+    Criterion criterion = define(id);
     criterion.value = seepage.gradient;
     criterion.limit = critical;
-    criterion.sense = Sense::AtMost;
     criterion.verdict = judge(criterion);
     return criterion;
 }
@@ -32,10 +32,7 @@ double terzaghi_gradient(double porosity, double grain_density) {
 }
 
 Criterion terzaghi(const UpwardSeepage& seepage) {
-    Criterion criterion = against(seepage, terzaghi_gradient(seepage.porosity, seepage.grain_density));
-    criterion.id = "terzaghi";
-    criterion.name = "Terzaghi";
-    criterion.source = "Terzaghi1939";
+    Criterion criterion = against("terzaghi", seepage, terzaghi_gradient(seepage.porosity, seepage.grain_density));
     criterion.remark = factor_of_safety(criterion);
     return criterion;
 }
@@ -44,10 +41,7 @@ Criterion skempton_brogan(const UpwardSeepage& seepage, Verdict by_shape) {
     const double whole = terzaghi_gradient(seepage.porosity, seepage.grain_density);
     const bool all_carry = by_shape == Verdict::Stable;
     const double share = seepage.stress_share.value_or(1);
-    Criterion criterion = against(seepage, share * whole);
-    criterion.id = "skempton-brogan-1994";
-    criterion.name = "Skempton and Brogan 1994";
-    criterion.source = "SkemptonBrogan1994";
+    Criterion criterion = against("skempton-brogan-1994", seepage, share * whole);
     if (seepage.stress_share) {
         criterion.remark = fmt::format("alpha = {:.3g}, {}", share, factor_of_safety(criterion));
     } else if (all_carry) {

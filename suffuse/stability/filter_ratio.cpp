@@ -1,6 +1,7 @@
 #include "suffuse/stability/filter_ratio.hpp"
 
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/stability/criterion_guide.hpp"
 #include "suffuse/stability/curve.hpp"
 
 #include <fmt/format.h>
@@ -23,12 +24,9 @@ std::string worst_of_all(const FilterRatio& ratio) {
     );
 }
 
-Criterion on_filter_ratio(const FilterRatio& ratio, double limit) {
-    Criterion criterion;
-    criterion.measure = "D15c/d85f";
+Criterion on_filter_ratio(std::string_view id, const FilterRatio& ratio) {
+    Criterion criterion = define(id);
     criterion.value = ratio.value;
-    criterion.limit = limit;
-    criterion.sense = Sense::AtMost;
     criterion.diameter = ratio.fine;
     criterion.verdict = judge(criterion);
     return criterion;
@@ -66,21 +64,14 @@ FilterRatio worst_filter_ratio(const Grading& grading) {
 
 Criterion kezdi(const Grading& grading) {
     const FilterRatio worst = worst_filter_ratio(grading);
-    Criterion criterion = on_filter_ratio(worst, 4);
-    criterion.id = "kezdi-1979";
-    criterion.name = "Kezdi 1979";
-    criterion.source = "Kezdi1979";
+    Criterion criterion = on_filter_ratio("kezdi-1979", worst);
     criterion.remark = worst_of_all(worst);
     return criterion;
 }
 
 Criterion sherard(const Grading& grading, const std::optional<FineFraction>& fines) {
     const FilterRatio ratio = fines ? filter_ratio(grading, fines->finer_than) : worst_filter_ratio(grading);
-    Criterion criterion = on_filter_ratio(ratio, 5);
-    criterion.id = "sherard-1979";
-    criterion.name = "Sherard 1979";
-    criterion.source = "Sherard1979";
-    criterion.verified = false;
+    Criterion criterion = on_filter_ratio("sherard-1979", ratio);
     criterion.remark = fines ? fmt::format(
                                    "D15c {:.3g} mm, d85f {:.3g} mm, split at F = {:.3g} %", 1e3 * ratio.coarse,
                                    1e3 * ratio.fine, 100 * ratio.split

@@ -1,6 +1,7 @@
 #include "suffuse/stability/kenney_lau.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/stability/criterion_guide.hpp"
 
 #include <fmt/format.h>
 
@@ -36,16 +37,11 @@ std::optional<LeastRatio> least_ratio(const Grading& grading, double limit, doub
     return least;
 }
 
-Criterion on_shape_ratio(const Grading& grading, double limit_of_finer, const char* year, double limit) {
+Criterion on_shape_ratio(std::string_view id, const Grading& grading, double limit_of_finer) {
     const LeastRatio least = least_shape_ratio(grading, limit_of_finer);
-    Criterion criterion;
-    criterion.id = fmt::format("kenney-lau-{}", year);
-    criterion.name = fmt::format("Kenney and Lau {}", year);
-    criterion.measure = shape_ratio_measure;
+    Criterion criterion = define(id);
     criterion.value = least.value;
-    criterion.limit = limit;
     criterion.remark = place_of(least, limit_of_finer);
-    criterion.source = fmt::format("KenneyLau{}", year);
     criterion.diameter = least.at.diameter;
     criterion.verdict = judge(criterion);
     return criterion;
@@ -78,23 +74,18 @@ std::string place_of(const LeastRatio& least, double limit) {
 }
 
 Criterion kenney_lau_1985(const Grading& grading, double limit) {
-    return on_shape_ratio(grading, limit, "1985", 1.3);
+    return on_shape_ratio("kenney-lau-1985", grading, limit);
 }
 
 Criterion kenney_lau_1986(const Grading& grading, double limit) {
-    return on_shape_ratio(grading, limit, "1986", 1.0);
+    return on_shape_ratio("kenney-lau-1986", grading, limit);
 }
 
 Criterion li_fannin(const Grading& grading, double limit) {
     const LeastRatio least = *least_ratio(grading, limit, secant);
-    Criterion criterion;
-    criterion.id = "li-fannin-2008";
-    criterion.name = "Li and Fannin 2008";
-    criterion.measure = secant_ratio_measure;
+    Criterion criterion = define("li-fannin-2008");
     criterion.value = least.value;
-    criterion.limit = 1;
     criterion.remark = place_of(least, limit);
-    criterion.source = "LiFannin2008";
     criterion.diameter = least.at.diameter;
     criterion.verdict = judge(criterion);
     return criterion;

@@ -3,6 +3,7 @@
 
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/facts/every_fact.hpp"
+#include "suffuse/figures/figure_guide.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/record/folder.hpp"
 
@@ -116,8 +117,11 @@ run_text(const std::string& text, const std::filesystem::path& folder, run::RunO
     options.folder = folder / "run";
     const job::RunReport report = job::run_case(loaded.value, options);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(options.folder)) {
-        if (entry.path().filename() == "stage.json") {
-            expect_facts(record::read_json(entry.path()), "");
+        const std::filesystem::path& file = entry.path();
+        if (file.filename() == "stage.json") {
+            expect_facts(record::read_json(file), "");
+        } else if (file.extension() == ".csv" && file.parent_path().filename() == "figures") {
+            EXPECT_TRUE(figures::explain_figure(file.stem().string())) << file << " has no row in figure_guide.cpp";
         }
     }
     return report;

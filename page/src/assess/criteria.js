@@ -1,9 +1,12 @@
-// The criteria of internal stability as suffuse/stability computes them, for the page of `suffuse assess --page`.
-// page/check_assess.py compares every number with the program's. A grading: d [m] rising, f from 0 to 1, linear in
+// The criteria of internal stability as suffuse/stability computes them, for the page of `suffuse assess --page`. Names,
+// measures, fixed limits and senses are the program's (criterion_guide.cpp). page/check_assess.py compares every number with
+// the program's. A grading: d [m] rising, f from 0 to 1, linear in
 // log d between its points.
 "use strict";
 
 const Criteria = (() => {
+  const defined = (id) => ({ id, ...told.criteria[id] });
+
   const passing = (g, size) => {
     const { d, f } = g, n = d.length;
     if (size <= d[0]) return f[0];
@@ -102,17 +105,9 @@ const Criteria = (() => {
     return { ...c, verdict: isStable ? "stable" : "unstable" };
   };
 
-  const onShape = (g, limit, year, least) =>
-    judged({
-      id: `kenney-lau-${year}`, name: `Kenney and Lau ${year}`, measure: "(H/F)min", sense: "at-least", limit: least,
-      value: leastRatio(g, limit, 1),
-    });
+  const onShape = (id, g, limit) => judged({ ...defined(id), value: leastRatio(g, limit, 1) });
 
-  const liFannin = (g, limit) =>
-    judged({
-      id: "li-fannin-2008", name: "Li and Fannin 2008", measure: "min H/min(F, 15 %)", sense: "at-least", limit: 1,
-      value: leastRatio(g, limit, 0.15),
-    });
+  const liFannin = (g, limit) => judged({ ...defined("li-fannin-2008"), value: leastRatio(g, limit, 0.15) });
 
   // 15 % of the mass lie between d85 of the fine and D15 of the coarse part, wherever the split is.
   const kezdi = (g) => {
@@ -124,7 +119,7 @@ const Criteria = (() => {
     for (const f of below) {
       if (f >= first && f <= last) value = Math.max(value, coarseEndAt(g, f + between) / sizeAt(g, f));
     }
-    return judged({ id: "kezdi-1979", name: "Kezdi 1979", measure: "D15c/d85f", sense: "at-most", limit: 4, value });
+    return judged({ ...defined("kezdi-1979"), value });
   };
 
   const slopes = (g) => {
@@ -134,7 +129,7 @@ const Criteria = (() => {
 
   const burenkova = (g) => {
     const s = slopes(g);
-    const c = { id: "burenkova-1993", name: "Burenkova 1993", measure: "d90/d60", sense: "between", value: s.coarse, limit: s.lower, upper: s.upper };
+    const c = { ...defined("burenkova-1993"), value: s.coarse, limit: s.lower, upper: s.upper };
     const isTested = sizeAt(g, 1) <= 0.1 && uniformity(g) <= 200;
     return isTested ? judged(c) : { ...c, verdict: "cannot say", why: "outside of what was tested" };
   };
@@ -142,7 +137,7 @@ const Criteria = (() => {
   const wanFell = (g, fines) => {
     const s = slopes(g), hasSilt = passing(g, 0.075e-3) > 0.1, log = Math.log10(s.whole);
     const z = hasSilt ? 2.378 * log - 3.648 * s.coarse + 3.701 : 3.875 * log - 3.591 * s.coarse + 2.436;
-    const c = { id: "wan-fell-logistic", name: "Wan and Fell (logistic)", measure: "P(unstable)", sense: "at-most", limit: 0.5, value: 1 / (1 + Math.exp(-z)) };
+    const c = { ...defined("wan-fell-logistic"), value: 1 / (1 + Math.exp(-z)) };
     const why = !(passing(g, 2e-3) < 1) ? "no gravel" : s.coarse > s.upper ? "beyond what was tested"
       : hasSilt && passing(g, 0.002e-3) > 0.1 ? "clay above 10 %"
       : hasSilt && fines && fines.content < 0.15 ? "fine fraction below 15 %" : "";
@@ -150,7 +145,7 @@ const Criteria = (() => {
   };
 
   const changZhang = (g, limit) => {
-    const c = { id: "chang-zhang-2013", name: "Chang and Zhang 2013", strict: true, verified: true };
+    const c = { ...defined("chang-zhang-2013"), strict: true };
     const percent = 100 * passing(g, 0.063e-3), gap = findGap(g);
     if (gap) {
       const value = gap.coarse / gap.fine;
@@ -169,9 +164,9 @@ const Criteria = (() => {
   const assessClosed = (g) => {
     const fines = fineFraction(g), limit = finerLimit(g);
     return [
-      onShape(g, limit, "1985", 1.3), onShape(g, limit, "1986", 1), liFannin(g, limit), kezdi(g), burenkova(g),
+      onShape("kenney-lau-1985", g, limit), onShape("kenney-lau-1986", g, limit), liFannin(g, limit), kezdi(g), burenkova(g),
       wanFell(g, fines), changZhang(g, limit),
-    ].map((c) => ({ verified: true, ...c }));
+    ];
   };
 
   // Ends that were not measured: cut sharply, tapering off, beyond a gap.
