@@ -23,16 +23,16 @@ std::shared_ptr<const Source> source_of(const std::string& path) {
 
 } // namespace
 
-io::GradingFile read_gradings_of(const std::string& path, const std::string& sample) {
-    return io::read_gradings(source_of(path), io::CurveEnds::MayBeOpen, sample);
+gradings::GradingFile read_gradings_of(const std::string& path, const std::string& sample) {
+    return gradings::read_gradings(source_of(path), gradings::CurveEnds::MayBeOpen, sample);
 }
 
-io::GradingFile read_one_grading(const std::string& path, const std::string& sample) {
-    io::GradingFile file = read_gradings_of(path, sample);
+gradings::GradingFile read_one_grading(const std::string& path, const std::string& sample) {
+    gradings::GradingFile file = read_gradings_of(path, sample);
     if (file.soils.size() > 1) {
         constexpr std::size_t most = 12;
         std::vector<std::string> names;
-        for (const io::NamedGrading& soil : file.soils) {
+        for (const gradings::NamedGrading& soil : file.soils) {
             names.push_back(soil.name);
         }
         const std::size_t more = names.size() - std::min(most, names.size());
@@ -50,7 +50,7 @@ std::string remark_text(const Diagnostic& remark) {
     return fmt::format("{}: {}{}{}", place, remark.message, remark.help.empty() ? "" : "; ", remark.help);
 }
 
-void tell_remarks(const io::GradingFile& file, const Console& console) {
+void tell_remarks(const gradings::GradingFile& file, const Console& console) {
     for (const Diagnostic& remark : file.remarks) {
         console.talk(remark_text(remark));
     }

@@ -190,12 +190,12 @@ read_all(const AssessVerb& asked, const stability::AssessSpec& spec, const Conso
             add_case_soils(asked, file, spec, console, soils);
             continue;
         }
-        io::GradingFile read = read_gradings_of(file, asked.sample);
+        gradings::GradingFile read = read_gradings_of(file, asked.sample);
         tell_remarks(read, console);
         for (const Diagnostic& remark : read.remarks) {
             remarks.push_back(remark_text(remark));
         }
-        for (io::NamedGrading& soil : read.soils) {
+        for (gradings::NamedGrading& soil : read.soils) {
             const std::string name = soil.name.empty() ? file : fmt::format("{}, {}", file, soil.name);
             soils.push_back({name, soil.name, std::move(soil.grading), with_alpha(asked, file, spec, "", console)});
         }
@@ -216,7 +216,7 @@ std::vector<job::AssessedSoil> assess_all(const std::vector<AskedSoil>& asked) {
 
 /// Sets another soil beside all of them.
 void add_filter(const std::string& file, const Console& console, std::vector<job::AssessedSoil>& soils) {
-    const io::GradingFile read = read_one_grading(file, "");
+    const gradings::GradingFile read = read_one_grading(file, "");
     tell_remarks(read, console);
     for (job::AssessedSoil& soil : soils) {
         soil.filter = {file, stability::check_filter(soil.measured, read.soils.front().grading)};

@@ -2,8 +2,8 @@
 // processor's time of this thread, sixteen times would be a loop within a loop: the limit lies halfway between, on a
 // scale of powers. It is no limit on time, so that neither the machine nor its load matters.
 
+#include "suffuse/gradings/read_grading.hpp"
 #include "suffuse/io/packing_file.hpp"
-#include "suffuse/io/read_grading.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -52,8 +52,9 @@ void expect_linear(
 
 void read_as_gradings(const std::string& text) {
     Problems problems;
-    const auto soils =
-        parse_gradings(std::make_shared<Source>(Source{"sheet.csv", text}), problems, CurveEnds::MayBeOpen);
+    const auto soils = gradings::parse_gradings(
+        std::make_shared<Source>(Source{"sheet.csv", text}), problems, gradings::CurveEnds::MayBeOpen
+    );
     EXPECT_FALSE(soils.empty()) << render(problems.sorted());
 }
 

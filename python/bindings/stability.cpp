@@ -1,8 +1,8 @@
 // Internal stability of a soil by its grading.
 
 #include "suffuse/base/units.hpp"
+#include "suffuse/gradings/read_grading.hpp"
 #include "suffuse/grains/gradation.hpp"
-#include "suffuse/io/read_grading.hpp"
 #include "suffuse/job/assessed_soil.hpp"
 #include "suffuse/stability/open_curve.hpp"
 
@@ -62,7 +62,7 @@ job::AssessedSoil soil_of(const py::object& what) {
         }
         const auto path = what.cast<std::filesystem::path>();
         soil.name = path.string();
-        soil.assessment.grading = io::read_grading(path.string(), io::CurveEnds::MayBeOpen);
+        soil.assessment.grading = gradings::read_grading(path.string(), gradings::CurveEnds::MayBeOpen);
     }
     return soil;
 }

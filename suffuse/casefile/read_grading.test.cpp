@@ -1,4 +1,4 @@
-#include "suffuse/io/read_grading.hpp"
+#include "suffuse/gradings/read_grading.hpp"
 
 #include "suffuse/casefile/case_for_tests.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 using namespace suffuse;
 using namespace suffuse::casefile;
-using namespace suffuse::io;
+using namespace suffuse::gradings;
 using namespace suffuse::casefile::testing;
 
 struct Parsed {

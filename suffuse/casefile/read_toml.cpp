@@ -2,7 +2,7 @@
 
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/base/spelling.hpp"
-#include "suffuse/io/sheet.hpp"
+#include "suffuse/io/text_file.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

@@ -6,7 +6,7 @@
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/node.hpp"
 #include "suffuse/casefile/schema.hpp"
-#include "suffuse/io/read_grading.hpp"
+#include "suffuse/gradings/read_grading.hpp"
 
 #include <algorithm>
 #include <map>
@@ -22,7 +22,7 @@ struct ReadContext {
     Problems& problems;
     std::string folder;                  ///< of the case file: relative paths start here
     std::map<std::string, Place> places; ///< "study.erosion.particles" -> where its value stands
-    std::map<std::pair<std::string, io::CurveEnds>, std::optional<grains::Grading>>
+    std::map<std::pair<std::string, gradings::CurveEnds>, std::optional<grains::Grading>>
         gradings;             ///< by path, and whether its ends may be open; empty where it could not be read
     bool is_resolved = false; ///< a run's own copy, and not what a user wrote
     std::optional<erosion::Gravity> gravity = {}; ///< of the case

@@ -1,7 +1,7 @@
 #include "suffuse/casefile/sample_checks.hpp"
 
 #include "suffuse/casefile/case_for_tests.hpp"
-#include "suffuse/io/read_grading.hpp"
+#include "suffuse/gradings/read_grading.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ int advised_number(const Diagnostic& diagnostic) {
 // the estimate takes 0.4 and a curve where the reference has size classes: 2 % covers both.
 TEST(SampleChecks, CellWidthMeetsTheReferencesSample) {
     grains::Soil soil;
-    soil.whole = io::read_grading(test::in_checkout("examples/fontainebleau-2016/data/fontainebleau.csv"));
+    soil.whole = gradings::read_grading(test::in_checkout("examples/fontainebleau-2016/data/fontainebleau.csv"));
     EXPECT_NEAR(width_in_grains(soil, 10'000), 3.895 / 0.4, 0.02 * 3.895 / 0.4);
     EXPECT_NEAR(width_in_grains(soil, 80'000) / width_in_grains(soil, 10'000), 2, 1e-12); // cube root of 8
 }

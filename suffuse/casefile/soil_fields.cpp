@@ -2,8 +2,8 @@
 
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/casefile/special_fields.hpp"
+#include "suffuse/gradings/read_grading.hpp"
 #include "suffuse/grains/grading.hpp"
-#include "suffuse/io/read_grading.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 using grains::Grading;
 
 /// A curve from a file; each file is read once a case, however many sweeps ask for it.
-std::optional<Grading> read_curve_file(Reader& v, const Node& node, io::CurveEnds ends) {
+std::optional<Grading> read_curve_file(Reader& v, const Node& node, gradings::CurveEnds ends) {
     const std::string path = resolved_path(v.context().folder, node.text);
     auto& known = v.context().gradings;
     if (const auto found = known.find({path, ends}); found != known.end()) {
@@ -37,7 +37,7 @@ std::optional<Grading> read_curve_file(Reader& v, const Node& node, io::CurveEnd
     const std::string shown = (std::filesystem::path(v.context().folder) / node.text).lexically_normal().string();
     try {
         const auto source = std::make_shared<Source>(Source{shown, read_whole_file(path)});
-        auto grading = io::parse_grading(source, v.context().problems, ends);
+        auto grading = gradings::parse_grading(source, v.context().problems, ends);
         if (grading) {
             grading->origin = node.text;
         }
@@ -49,7 +49,7 @@ std::optional<Grading> read_curve_file(Reader& v, const Node& node, io::CurveEnd
 }
 
 /// A curve written out: { d = [...], passing = [...], origin = "..." }.
-std::optional<Grading> read_curve_table(Reader& v, const Node& node, io::CurveEnds ends) {
+std::optional<Grading> read_curve_table(Reader& v, const Node& node, gradings::CurveEnds ends) {
     const Node::Entry *sizes = node.find("d"), *shares = node.find("passing"), *origin = node.find("origin");
     for (const auto& [key, place, value] : node.entries) {
         if (key != "d" && key != "passing" && key != "origin") {
@@ -84,7 +84,7 @@ std::optional<Grading> read_curve_table(Reader& v, const Node& node, io::CurveEn
     size.dimension = dimension::length;
     share.name = "passing";
     share.kind = ValueKind::Ratio;
-    std::vector<io::GradingPoint> points;
+    std::vector<gradings::GradingPoint> points;
     for (std::size_t k = 0; k < d->size(); ++k) {
         const auto diameter = v.number(size, (*d)[k]);
         const auto fraction = v.number(share, (*passing)[k]);
@@ -96,10 +96,10 @@ std::optional<Grading> read_curve_table(Reader& v, const Node& node, io::CurveEn
         return std::nullopt;
     }
     const std::string from = origin != nullptr && origin->value.is_text() ? origin->value.text : "";
-    return io::make_grading(std::move(points), from, node.place, v.context().problems, ends);
+    return gradings::make_grading(std::move(points), from, node.place, v.context().problems, ends);
 }
 
-std::optional<Grading> read_curve(Reader& v, io::CurveEnds ends = io::CurveEnds::Closed) {
+std::optional<Grading> read_curve(Reader& v, gradings::CurveEnds ends = gradings::CurveEnds::Closed) {
     const Node* node = v.take("psd");
     if (node == nullptr) {
         return std::nullopt;
@@ -228,7 +228,7 @@ Node write_curve(const Grading& grading) {
 grains::Soil read_soil(ReadContext& context, const Node& table, const Place& place, const std::string& path) {
     Reader v(context, table, place, {"soil.*"}, path);
     grains::Soil soil;
-    soil.whole = read_curve(v, v.has("sizes") ? io::CurveEnds::MayBeOpen : io::CurveEnds::Closed);
+    soil.whole = read_curve(v, v.has("sizes") ? gradings::CurveEnds::MayBeOpen : gradings::CurveEnds::Closed);
     read_part(v, soil);
     v.table("coarse", [&](Reader& inner) { soil.coarse = read_curve(inner); });
     read_fines(v, soil);

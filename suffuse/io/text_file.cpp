@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <memory>
@@ -20,14 +21,6 @@ namespace suffuse::io {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) {
-        return {};
-    }
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& reason) {
     throw IoError(fmt::format("cannot read {}: {}; check the name and that the file is complete", path.string(), reason)
@@ -124,6 +117,11 @@ bool LineReader::next() {
 
 void LineReader::complain(const std::string& message) const {
     throw CaseError(fmt::format("{}:{}: {}", file_, number_, message), file_, number_);
+}
+
+std::string_view trimmed(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
 std::vector<std::string_view> split_at(std::string_view line, char mark) {

@@ -42,6 +42,9 @@ private:
     int number_ = 0;
 };
 
+/// Without blanks at its ends.
+std::string_view trimmed(std::string_view text);
+
 /// Fields of a line, between marks (blanks around them do not count) or between blanks.
 std::vector<std::string_view> split_at(std::string_view line, char mark);
 std::vector<std::string_view> split_at_blanks(std::string_view line);

@@ -2,7 +2,7 @@
 
 #include "suffuse/grains/grading.hpp"
 
-#include "suffuse/io/read_grading.hpp"
+#include "suffuse/gradings/read_grading.hpp"
 
 #include <cstdlib>
 
@@ -10,19 +10,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     using namespace suffuse;
     const auto source =
         std::make_shared<Source>(Source{"sand.csv", std::string(reinterpret_cast<const char*>(bytes), size)});
-    for (const auto ends : {io::CurveEnds::Closed, io::CurveEnds::MayBeOpen}) {
+    for (const auto ends : {gradings::CurveEnds::Closed, gradings::CurveEnds::MayBeOpen}) {
         Problems problems;
-        const auto grading = io::parse_grading(source, problems, ends);
+        const auto grading = gradings::parse_grading(source, problems, ends);
         render(problems.sorted());
         if (grading.has_value() == problems.has_errors()) {
             std::abort(); // a curve, or a reason why not
         }
         Problems of_all;
-        const auto samples = io::parse_gradings(source, of_all, ends);
+        const auto samples = gradings::parse_gradings(source, of_all, ends);
         if (samples.empty() != of_all.has_errors()) {
             std::abort(); // the same of a file of several samples
         }
-        if (grading && ends == io::CurveEnds::Closed) {
+        if (grading && ends == gradings::CurveEnds::Closed) {
             grains::check(*grading); // what is read is a curve in the sense of those who use it
         }
     }

@@ -1,0 +1,374 @@
+#include "suffuse/gradings/grading_columns.hpp"
+
+#include "suffuse/base/units.hpp"
+#include "suffuse/gradings/sheet_header.hpp"
+#include "suffuse/gradings/soil_columns.hpp"
+#include "suffuse/gradings/unnamed_columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace suffuse::gradings {
+
+namespace {
+
+constexpr std::size_t most_columns = 2000;
+
+class ColumnFinder {
+public:
+    ColumnFinder(const Sheet& sheet, Problems& problems) : sheet_(sheet), problems_(problems) {}
+
+    std::optional<GradingColumns> find() {
+        if (const auto header = find_sheet_header(sheet_)) {
+            return by_header(*header);
+        }
+        return find_unnamed_columns(sheet_, problems_);
+    }
+
+private:
+    std::optional<GradingColumns> by_header(const SheetHeader& header) {
+        header_ = &sheet_.rows[header.row];
+        header_row_ = header.row;
+        second_ = header.lines > 1 ? &sheet_.rows[header.row + 1] : nullptr;
+        headings_ = header.headings;
+        found_.first_row = header.row + header.lines;
+        if (found_.first_row < sheet_.rows.size() && take_unit_row(sheet_.rows[found_.first_row], headings_)) {
+            ++found_.first_row;
+        }
+        pass_over_bare_masses();
+        tell_titles(header.row);
+        if (!check_units() || !choose_size() || !choose_shares()) {
+            return std::nullopt;
+        }
+        tell_unread();
+        return found_;
+    }
+
+    /// "Mass (g)" beside the masses of empty sieves is no mass retained.
+    void pass_over_bare_masses() {
+        const bool are_weighed = !columns_of(ColumnKind::Tare).empty() || !columns_of(ColumnKind::Gross).empty();
+        for (Heading& heading : headings_) {
+            heading.kind = heading.is_bare_mass && are_weighed ? ColumnKind::Other : heading.kind;
+        }
+    }
+
+    /// Titles and notes above the headings, in one line.
+    void tell_titles(std::size_t header_row) {
+        std::vector<const SheetRow*> titles;
+        for (std::size_t k = 0; k < header_row; ++k) {
+            if (!sheet_.rows[k].is_comment) {
+                titles.push_back(&sheet_.rows[k]);
+            }
+        }
+        if (!titles.empty()) {
+            problems_.warning(
+                sheet_remark, titles.front()->place,
+                fmt::format(
+                    "skipped {}; the column headings are on line {}",
+                    titles.size() == 1 ? "1 title line" : fmt::format("{} title lines", titles.size()),
+                    header_->place.line
+                ),
+                "begin titles with # to keep this quiet"
+            );
+        }
+    }
+
+    /// Units in brackets that no size and no share has.
+    bool check_units() {
+        bool is_good = true;
+        for (std::size_t k = 0; k < headings_.size(); ++k) {
+            const Heading& heading = headings_[k];
+            const bool is_size = heading.kind == ColumnKind::Size;
+            const bool is_share = heading.kind == ColumnKind::Share && heading.meaning == ShareMeaning::Passing;
+            if (is_share && heading.unit == ShareUnit::Mass) {
+                complain_about_unit(
+                    k, "is a mass, a share is expected",
+                    "name it `mass retained on sieve [g]` if it is what sieves keep"
+                );
+                is_good = false;
+            }
+            if ((is_size || is_share) && !heading.own_unit.empty()) {
+                try {
+                    parse_quantity("1 " + heading.own_unit, is_size ? dimension::length : dimension::none);
+                } catch (const UnitError& problem) {
+                    const bool is_unit =
+                        std::string_view(problem.what()).find("unknown") == std::string_view::npos &&
+                        std::string_view(problem.what()).find("not a unit") == std::string_view::npos &&
+                        heading.own_unit.find(' ') == std::string::npos;
+                    if (is_unit) {
+                        complain_about_unit(k, problem.what(), problem.help);
+                        is_good = false;
+                    }
+                }
+            }
+        }
+        return is_good;
+    }
+
+    void complain_about_unit(std::size_t column, const std::string& what, const std::string& advice) {
+        const SheetCell& cell = header_->cells[column];
+        problems_.error("E506", cell.place, fmt::format("the column `{}`: {}", cell.text, what), advice);
+    }
+
+    /// How sure a column is to hold the sizes; 0: it holds none.
+    [[nodiscard]] int rank_of_size(std::size_t column) const {
+        const Heading& heading = headings_[column];
+        if (heading.kind != ColumnKind::Size) {
+            return 0;
+        }
+        std::size_t sizes = 0, others = 0;
+        for (std::size_t k = found_.first_row; k < sheet_.rows.size() && k < found_.first_row + most_titles; ++k) {
+            const SheetRow& row = sheet_.rows[k];
+            if (!row.is_comment && !is_blank(text_at(row, column)) &&
+                read_row_word(text_at(row, column)) == RowWord::None) {
+                ++(is_size(sheet_, row, column) ? sizes : others);
+            }
+        }
+        const bool is_metric = heading.scale == SizeScale::Millimeters || heading.scale == SizeScale::Micrometers ||
+                               heading.scale == SizeScale::Meters || heading.scale == SizeScale::Centimeters;
+        const bool is_nominal = heading.scale == SizeScale::SieveNumber || heading.scale == SizeScale::Inches;
+        const bool names_sieve_alone = plain_words(header_->cells[column].text).find("sieve") != std::string::npos;
+        const int named = is_nominal ? 2 : names_sieve_alone ? 3 : 5;
+        return sizes < others ? 1 : heading.is_length_alone ? 4 : is_metric ? 6 : named;
+    }
+
+    bool choose_size() {
+        std::size_t best = headings_.size();
+        int best_rank = 0;
+        for (std::size_t k = 0; k < headings_.size(); ++k) {
+            const int rank = rank_of_size(k);
+            if (rank > 0 && rank == best_rank) {
+                problems_.error(
+                    "E506", header_->cells[k].place,
+                    fmt::format("`{}` and `{}` mean the same", header_->cells[best].text, header_->cells[k].text),
+                    "leave one of the two columns, or give the other one a name that is not read"
+                );
+                return false;
+            }
+            if (rank > best_rank) {
+                best = k, best_rank = rank;
+            }
+        }
+        if (best_rank == 0) {
+            problems_.error(
+                "E506", header_->place,
+                "a grading curve needs a column of sizes and one of percent passing, and `d` is missing",
+                expected_header
+            );
+            return false;
+        }
+        found_.size = {best, headings_[best].scale};
+        return true;
+    }
+
+    [[nodiscard]] std::vector<std::size_t> columns_of(ColumnKind kind, std::optional<ShareMeaning> meaning = {}) const {
+        std::vector<std::size_t> columns;
+        for (std::size_t k = 0; k < headings_.size(); ++k) {
+            if (headings_[k].kind == kind && (!meaning || headings_[k].meaning == *meaning)) {
+                columns.push_back(k);
+            }
+        }
+        return columns;
+    }
+
+    bool choose_shares() {
+        for (const ShareMeaning meaning :
+             {ShareMeaning::Passing, ShareMeaning::CumulativeRetained, ShareMeaning::OnSieve, ShareMeaning::Retained,
+              ShareMeaning::Cumulative}) {
+            const auto columns = columns_of(ColumnKind::Share, meaning);
+            if (!columns.empty()) {
+                return take_shares(columns);
+            }
+        }
+        const auto gross = columns_of(ColumnKind::Gross), tare = columns_of(ColumnKind::Tare);
+        if (!gross.empty()) {
+            return take_weighings(gross, tare);
+        }
+        return take_unnamed();
+    }
+
+    /// A form has columns that nobody filled in.
+    [[nodiscard]] bool has_number(std::size_t column) const {
+        return std::any_of(
+            sheet_.rows.begin() + static_cast<std::ptrdiff_t>(std::min(found_.first_row, sheet_.rows.size())),
+            sheet_.rows.end(), [&](const SheetRow& row) { return number_at(sheet_, row, column).has_value(); }
+        );
+    }
+
+    /// One column, or one for each soil; of percents rather than of masses.
+    bool take_shares(std::vector<std::size_t> columns) {
+        if (std::ranges::any_of(columns, [this](std::size_t k) { return has_number(k); })) {
+            std::erase_if(columns, [this](std::size_t k) { return !has_number(k); });
+        }
+        const auto soils = find_soil_columns(sheet_, headings_, columns, header_row_, found_.first_row);
+        for (const SoilColumns& soil : soils) {
+            if (soil.columns.size() > 1) {
+                complain_about_two(soil.columns[0], soil.columns[1]);
+                return false;
+            }
+            const std::size_t k = soil.columns.front();
+            const std::string name = soils.size() > 1 ? soil.name : "";
+            const Heading& heading = headings_[k];
+            found_.shares.push_back({k, {}, name, heading.meaning, heading.unit, true, heading.mass_unit});
+        }
+        find_sample_key();
+        return true;
+    }
+
+    void complain_about_two(std::size_t first, std::size_t second) {
+        problems_.error(
+            "E506", header_->cells[second].place,
+            fmt::format("`{}` and `{}` mean the same", header_->cells[first].text, header_->cells[second].text),
+            "leave one of the two columns; where each is a soil, put its name into the heading: `TP1 passing [%]`"
+        );
+    }
+
+    bool take_weighings(const std::vector<std::size_t>& gross, const std::vector<std::size_t>& tare) {
+        if (gross.size() != 1 || tare.size() != 1) {
+            problems_.error(
+                "E506", header_->cells[gross.front()].place,
+                fmt::format("{} of sieves with soil and {} of empty sieves", gross.size(), tare.size()),
+                "one column of each, as in `mass of sieve [g],mass of sieve + soil [g]`"
+            );
+            return false;
+        }
+        found_.shares.push_back(
+            {gross.front(), tare.front(), "", ShareMeaning::OnSieve, ShareUnit::Mass, true,
+             headings_[gross.front()].mass_unit}
+        );
+        find_sample_key();
+        return true;
+    }
+
+    void find_sample_key() {
+        for (std::size_t k = 0; k < headings_.size(); ++k) {
+            if (headings_[k].kind == ColumnKind::Sample && !differs_everywhere(k)) {
+                found_.sample_key.push_back(k);
+            }
+        }
+    }
+
+    /// Rows that are a sample each make no curve: such a column counts or measures something else.
+    [[nodiscard]] bool differs_everywhere(std::size_t column) const {
+        std::set<std::string_view> values;
+        std::size_t rows = 0;
+        for (std::size_t k = found_.first_row; k < sheet_.rows.size(); ++k) {
+            if (!sheet_.rows[k].is_comment) {
+                values.insert(text_at(sheet_.rows[k], column)), ++rows;
+            }
+        }
+        return rows > 1 && values.size() == rows;
+    }
+
+    /// Columns whose headings say neither: soils, where their numbers rise or fall with the size throughout.
+    bool take_unnamed() {
+        for (std::size_t k = 0; k < headings_.size(); ++k) {
+            const bool may_be = headings_[k].kind == ColumnKind::Other ||
+                                (headings_[k].kind == ColumnKind::Sample && !headings_[k].rest.empty());
+            if (may_be && is_cumulative(sheet_, found_.first_row, found_.size, k)) {
+                found_.shares.push_back(
+                    {k, {}, header_->cells[k].text, ShareMeaning::Cumulative, headings_[k].unit, false}
+                );
+            }
+        }
+        if (found_.shares.empty()) {
+            problems_.error(
+                "E506", header_->place,
+                "a grading curve needs a column of sizes and one of percent passing, and `passing` is missing",
+                expected_header
+            );
+            return false;
+        }
+        for (std::size_t k = 0; k < headings_.size(); ++k) {
+            const bool is_share =
+                std::ranges::any_of(found_.shares, [k](const auto& share) { return share.index == k; });
+            if (headings_[k].kind == ColumnKind::Sample && !is_share && !differs_everywhere(k)) {
+                found_.sample_key.push_back(k);
+            }
+        }
+        if (found_.shares.size() == 1) {
+            tell_meaning(found_.shares.front().index);
+        } else {
+            problems_.warning(
+                sheet_remark, header_->place,
+                fmt::format(
+                    "{} columns are read as cumulative shares, each of a soil of its own, for their numbers rise or "
+                    "fall throughout",
+                    found_.shares.size()
+                )
+            );
+        }
+        return true;
+    }
+
+    void tell_meaning(std::size_t column) {
+        problems_.warning(
+            sheet_remark, header_ != nullptr ? place_at(*header_, column) : sheet_.rows[found_.first_row].place,
+            fmt::format("column {} is read as a cumulative share, for its numbers rise or fall throughout", column + 1),
+            "name it `passing [%]` to say so"
+        );
+    }
+
+    void tell_unread() {
+        std::vector<std::string> unread;
+        for (std::size_t k = 0; k < headings_.size(); ++k) {
+            const bool is_share = std::ranges::any_of(found_.shares, [k](const auto& share) {
+                return share.index == k || share.tare == k;
+            });
+            const bool is_key = std::ranges::find(found_.sample_key, k) != found_.sample_key.end();
+            if (!is_share && !is_key && k != found_.size.index && !name_of(k).empty()) {
+                unread.push_back(fmt::format("`{}`", name_of(k)));
+            }
+        }
+        if (!unread.empty()) {
+            problems_.warning(
+                sheet_remark, header_->place,
+                fmt::format(
+                    "sizes are read from `{}`, shares from `{}`; not read: {}", name_of(found_.size.index),
+                    name_of(found_.shares.front().index), fmt::join(unread, ", ")
+                )
+            );
+        }
+    }
+
+    /// A heading as written, in one line or two.
+    [[nodiscard]] std::string name_of(std::size_t column) const {
+        const std::string& above = text_at(*header_, column);
+        const bool goes_on = second_ != nullptr && !text_at(*second_, column).empty();
+        return goes_on ? fmt::format("{}{}{}", above, above.empty() ? "" : " ", text_at(*second_, column)) : above;
+    }
+
+    const Sheet& sheet_;
+    Problems& problems_;
+    const SheetRow *header_ = nullptr, *second_ = nullptr; ///< lines of the headings
+    std::size_t header_row_ = 0;
+    std::vector<Heading> headings_;
+    GradingColumns found_;
+};
+
+} // namespace
+
+bool is_too_wide(const Sheet& sheet, Problems& problems) {
+    for (std::size_t k = 0; k < sheet.rows.size() && k < most_titles; ++k) {
+        if (sheet.rows[k].cells.size() > most_columns) {
+            problems.error(
+                "E506", {sheet.rows[k].place.source, sheet.rows[k].place.line, 1, 1},
+                fmt::format(
+                    "{} columns, and a table of gradings has at most {}", sheet.rows[k].cells.size(), most_columns
+                ),
+                "is this the file that you meant? Write a line for each sieve"
+            );
+            return true;
+        }
+    }
+    return false;
+}
+
+std::optional<GradingColumns> find_grading_columns(const Sheet& sheet, Problems& problems) {
+    return ColumnFinder(sheet, problems).find();
+}
+
+} // namespace suffuse::gradings

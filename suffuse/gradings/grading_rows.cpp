@@ -1,0 +1,322 @@
+#include "suffuse/gradings/grading_rows.hpp"
+
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/gradings/plain_sizes.hpp"
+#include "suffuse/gradings/table_cells.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace suffuse::gradings {
+
+namespace {
+
+bool keeps(ShareMeaning meaning) {
+    return meaning == ShareMeaning::OnSieve || meaning == ShareMeaning::Retained ||
+           meaning == ShareMeaning::CumulativeRetained;
+}
+
+class RowReader {
+public:
+    RowReader(const Sheet& sheet, GradingColumns& columns, bool mixes_units, Problems& problems)
+        : sheet_(sheet), columns_(columns), problems_(problems), cells_(sheet, columns, mixes_units, problems) {
+        for (ShareColumn& share : columns_.shares) {
+            share.unit = cells_.decide_unit(share);
+        }
+        take_classes();
+    }
+
+    std::optional<std::vector<SievedSoil>> read() {
+        for (std::size_t k = columns_.first_row; k < sheet_.rows.size(); ++k) {
+            if (sheet_.rows[k].is_comment) {
+                tell_comment(sheet_.rows[k]);
+            } else {
+                read_row(sheet_.rows[k]);
+            }
+        }
+        tell_skipped();
+        if (columns_.sample_key.empty()) { // in the order of their columns, whichever has the coarsest sieve
+            std::ranges::stable_sort(soils_, {}, &SievedSoil::column);
+        }
+        return cells_.has_failed() ? std::nullopt : std::optional(std::move(soils_));
+    }
+
+private:
+    /// "63 - 31.5": what lies between two sieves is each one's own.
+    void take_classes() {
+        const auto is_class = [this](const SheetRow& row) {
+            return !row.is_comment && split_size_text(text_at(row, columns_.size.index)).sense == SizeSense::Class;
+        };
+        const auto begin = sheet_.rows.begin() + static_cast<std::ptrdiff_t>(columns_.first_row);
+        const auto row = std::find_if(begin, sheet_.rows.end(), is_class);
+        for (ShareColumn& share : columns_.shares) {
+            const bool is_open = share.meaning == ShareMeaning::Retained || share.meaning == ShareMeaning::Cumulative;
+            if (row != sheet_.rows.end() && is_open) {
+                share.meaning = ShareMeaning::OnSieve;
+                tell(
+                    place_at(*row, columns_.size.index), "read as what lies between two sieves: the finer one keeps it"
+                );
+            }
+        }
+    }
+
+    void tell(const Place& place, const std::string& what, const std::string& advice = {}) {
+        problems_.warning(sheet_remark, place, what, advice);
+    }
+
+    /// `# 4`, with a blank, is a comment, and may have been meant as a sieve.
+    void tell_comment(const SheetRow& row) {
+        if (!row.cells.empty() && row.cells.size() > 1 && !row.cells[0].text.empty() &&
+            is_digit(row.cells[0].text[0])) {
+            tell(
+                row.place, "passed over as a comment",
+                "where this is a sieve, write its # without a blank behind it: #4"
+            );
+        }
+    }
+
+    /// What says which soil a row is of. Where cells were merged, only the first row of a soil says it.
+    void read_key(const SheetRow& row) {
+        std::vector<std::string> key;
+        for (const std::size_t column : columns_.sample_key) {
+            key.push_back(text_at(row, column));
+        }
+        const bool is_left_out =
+            !key.empty() && std::ranges::all_of(key, [](const std::string& part) { return is_blank(part); });
+        if (is_left_out && !key_.empty() && !has_told_merged_) {
+            tell(row.place, "a row that names no sample is of the one above", "name it in every row to say so");
+            has_told_merged_ = true;
+        }
+        key_ = is_left_out ? key_ : key;
+    }
+
+    void read_row(const SheetRow& row) {
+        read_key(row);
+        if (row.cells.size() > width()) {
+            return cells_.complain(
+                row.place, fmt::format("{} values where the header names {} columns", row.cells.size(), width()),
+                sheet_.mark == ','
+                    ? "one value for each column; where numbers have a decimal comma, columns are separated by ; as "
+                      "in 0,063;12,5, the header too"
+                    : "one value for each column"
+            );
+        }
+        const std::string& word = word_of(row);
+        const bool is_empty = std::ranges::all_of(columns_.shares, [&row](const ShareColumn& share) {
+            return is_blank(text_at(row, share.index));
+        });
+        switch (read_row_word(word)) {
+        case RowWord::Pan:
+            return read_pan(row, word);
+        case RowWord::Total:
+            return read_total(row, word);
+        case RowWord::None:
+            break;
+        }
+        if (is_blank(text_at(row, columns_.size.index)) && (is_empty || is_sum(row))) {
+            return tell(
+                row.place, is_empty ? "passed over: it has no size and no share"
+                                    : "passed over: it has no size, and is what the rows above add up to"
+            );
+        }
+        const auto size = cells_.read_size(row);
+        if (!size) {
+            return;
+        }
+        if (is_empty) {
+            skipped_.emplace_back(trimmed(word));
+            skipped_place_ = skipped_.size() == 1 ? row.place : skipped_place_;
+            return;
+        }
+        if (!take_bound(row, *size) && (size->diameter != 0 || !take_zero(row))) {
+            for (const ShareColumn& share : columns_.shares) {
+                if (!is_blank(text_at(row, share.index))) {
+                    take(row, share, *size);
+                }
+            }
+        }
+    }
+
+    /// What stands in place of the size; in a column before it where that cell is empty: "Total,,100".
+    [[nodiscard]] const std::string& word_of(const SheetRow& row) const {
+        const std::string& own = text_at(row, columns_.size.index);
+        const auto first = std::ranges::find_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
+        const bool is_elsewhere = is_blank(own) && first != row.cells.end();
+        return is_elsewhere ? first->text : own;
+    }
+
+    /// Columns of the header, or of the first row where there is none.
+    [[nodiscard]] std::size_t width() const {
+        std::size_t most = columns_.first_row > 0 ? 0 : sheet_.rows.front().cells.size();
+        for (std::size_t k = 0; k < columns_.first_row; ++k) {
+            most = std::max(most, sheet_.rows[k].cells.size());
+        }
+        return std::max(most, columns_.size.index + 1);
+    }
+
+    /// Whether a row without a size is a total that nobody named: it says what stands above, added up.
+    [[nodiscard]] bool is_sum(const SheetRow& row) const {
+        constexpr double rounding = 0.002;
+        return std::ranges::all_of(columns_.shares, [&](const ShareColumn& share) {
+            const auto value = number_at(sheet_, row, share.index);
+            double sum = 0;
+            for (std::size_t k = columns_.first_row; &sheet_.rows[k] != &row; ++k) {
+                sum += sheet_.rows[k].is_comment ? 0 : number_at(sheet_, sheet_.rows[k], share.index).value_or(0);
+            }
+            const bool is_own_sum = value && *value > 0 && std::abs(*value - sum) <= rounding * *value;
+            return is_blank(text_at(row, share.index)) || (keeps(share.meaning) && is_own_sum);
+        });
+    }
+
+    /// "< 0.063" keeps what passed the finest sieve where masses or shares are retained, and is a size where they pass;
+    /// what passes "> 63" is no question. @return whether the row is done with.
+    bool take_bound(const SheetRow& row, const CellSize& size) {
+        const bool is_retained = keeps(columns_.shares.front().meaning);
+        const bool is_pan = is_retained || std::ranges::all_of(columns_.shares, [&](const ShareColumn& share) {
+                                return number_at(sheet_, row, share.index).value_or(0) == 0;
+                            });
+        const std::string& word = text_at(row, columns_.size.index);
+        if (size.sense == SizeSense::Finer && is_pan) {
+            read_pan(row, word);
+            return true;
+        }
+        if (is_retained || size.sense == SizeSense::At || size.sense == SizeSense::Finer) {
+            return false;
+        }
+        cells_.complain(
+            place_at(row, columns_.size.index), fmt::format("\"{}\" in a table of what passes", word),
+            "write the size alone; a column of what is kept is named `retained on sieve [%]` or [g]"
+        );
+        return true;
+    }
+
+    /// A size 0 keeps what passed all sieves. @return whether it is passed over.
+    bool take_zero(const SheetRow& row) {
+        if (keeps(columns_.shares.front().meaning)) {
+            read_pan(row, text_at(row, columns_.size.index));
+            return true;
+        }
+        const bool has_none = std::ranges::all_of(columns_.shares, [&](const ShareColumn& share) {
+            const auto value = number_at(sheet_, row, share.index);
+            return value && *value == 0;
+        });
+        if (has_none) {
+            tell(row.place, "size 0 is passed over: no grain is that small", "write the size of the smallest grains");
+        }
+        return has_none;
+    }
+
+    void read_pan(const SheetRow& row, const std::string& word) {
+        for (const ShareColumn& share : columns_.shares) {
+            if (is_blank(text_at(row, share.index))) {
+                continue;
+            }
+            const auto amount = cells_.read_amount(row, share);
+            if (!amount) {
+                continue;
+            }
+            SievedSoil& soil = soil_of(row, share);
+            // what was washed away and what lies in the pan are two parts of one
+            const bool is_own = share.meaning == ShareMeaning::OnSieve || share.meaning == ShareMeaning::Retained;
+            soil.pan = is_own ? soil.pan.value_or(0) + *amount : std::max(soil.pan.value_or(0), *amount);
+            soil.end = row.place;
+            if (share.meaning == ShareMeaning::Passing && *amount != 0) {
+                cells_.complain(
+                    place_at(row, share.index), fmt::format("{:.4g} % passes the pan", 100 * *amount),
+                    "nothing passes it: what it holds belongs into a column `retained on sieve [%]`"
+                );
+            }
+        }
+        tell(row.place, fmt::format("`{}` is what passed the finest sieve: it has no size of its own", word));
+    }
+
+    void read_total(const SheetRow& row, const std::string& word) {
+        for (const ShareColumn& share : columns_.shares) {
+            if (!is_blank(text_at(row, share.index)) && number_at(sheet_, row, share.index)) {
+                if (const auto amount = cells_.read_amount(row, share)) {
+                    soil_of(row, share).total = *amount;
+                }
+            }
+        }
+        tell(row.place, fmt::format("`{}` is passed over: it is no sieve", word));
+    }
+
+    void take(const SheetRow& row, const ShareColumn& share, const CellSize& size) {
+        if (const auto amount = cells_.read_amount(row, share)) {
+            SievedSoil& soil = soil_of(row, share);
+            soil.end = row.place;
+            soil.sieves.push_back(
+                {size.diameter, *amount, place_at(row, columns_.size.index), place_at(row, share.index), size.has_unit}
+            );
+        }
+    }
+
+    /// The soil that a row and a column speak of.
+    SievedSoil& soil_of(const SheetRow& row, const ShareColumn& share) {
+        std::string name = share.name;
+        for (const std::string& part : key_) {
+            name += name.empty() || part.empty() ? "" : " ";
+            name += part;
+        }
+        const auto [found, is_new] = index_.try_emplace(name, soils_.size());
+        if (is_new) {
+            SievedSoil soil;
+            soil.name = name, soil.meaning = share.meaning, soil.unit = share.unit, soil.column = share.index;
+            soil.heading_place =
+                columns_.first_row > 0 ? place_at(sheet_.rows[columns_.first_row - 1], share.index) : row.place;
+            soil.end = row.place;
+            soils_.push_back(std::move(soil));
+        }
+        return soils_[found->second];
+    }
+
+    void tell_skipped() {
+        if (!skipped_.empty()) {
+            tell(
+                skipped_place_, fmt::format(
+                                    "{} {} without a value: passed over as not used",
+                                    skipped_.size() == 1 ? "the sieve" : "the sieves", fmt::join(skipped_, ", ")
+                                )
+            );
+        }
+    }
+
+    const Sheet& sheet_;
+    GradingColumns& columns_;
+    Problems& problems_;
+    TableCells cells_;
+    std::vector<SievedSoil> soils_;
+    std::map<std::string, std::size_t> index_;
+    std::vector<std::string> skipped_, key_;
+    Place skipped_place_;
+    bool has_told_merged_ = false;
+};
+
+/// The scale of sizes without a unit, told where it was found in the numbers. @return whether some have a unit
+bool settle_scale(const Sheet& sheet, GradingColumns& columns, Problems& problems) {
+    const PlainSizes sizes = judge_plain_sizes(sheet, columns);
+    if (sizes.scale != columns.size.scale) {
+        problems.warning(
+            sheet_remark, sheet.rows[columns.first_row].place,
+            sizes.scale == SizeScale::SieveNumber
+                ? "plain sizes are read as sieve numbers of ASTM E11, for only so do they go with the shares"
+                : "plain sizes are read in mm, for no sieve has a broken number",
+            "name the column `d [mm]` or `sieve no.` to say so"
+        );
+        columns.size.scale = sizes.scale;
+    }
+    return sizes.mix_units;
+}
+
+} // namespace
+
+std::optional<std::vector<SievedSoil>> read_sieve_rows(const Sheet& sheet, GradingColumns columns, Problems& problems) {
+    const bool mixes_units = settle_scale(sheet, columns, problems);
+    return RowReader(sheet, columns, mixes_units, problems).read();
+}
+
+} // namespace suffuse::gradings

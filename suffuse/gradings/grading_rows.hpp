@@ -1,0 +1,36 @@
+#pragma once
+// The values of a table, soil by soil: which rows are sieves, which the pan, a total or a sieve that was not used. A
+// remark names what is skipped; what cannot be read is an error.
+
+#include "suffuse/gradings/grading_columns.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::gradings {
+
+/// What one sieve says of one soil, as written.
+struct SieveRow {
+    double diameter = 0; ///< [m]
+    double amount = 0;   ///< share [-] or mass [kg]
+    Place diameter_place, amount_place;
+    bool has_unit = false; ///< of the size: at it or in the heading
+};
+
+struct SievedSoil {
+    std::string name;
+    ShareMeaning meaning = ShareMeaning::Passing;
+    ShareUnit unit = ShareUnit::Percent;
+    std::vector<SieveRow> sieves;     ///< in the order of the sheet
+    std::optional<double> pan, total; ///< as the sieves' amounts
+    std::string heading;              ///< of its column
+    Place heading_place, end;
+    std::size_t column = 0;    ///< of the sheet, from 0
+    std::optional<double> dry; ///< mass of the whole sample, stated above the table [kg]
+};
+
+/// Empty where something is wrong, all of which is reported.
+std::optional<std::vector<SievedSoil>> read_sieve_rows(const Sheet& sheet, GradingColumns columns, Problems& problems);
+
+} // namespace suffuse::gradings

@@ -1,0 +1,185 @@
+#include "suffuse/gradings/grading_tables.hpp"
+
+#include "suffuse/gradings/grading_shares.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace suffuse::gradings {
+
+namespace {
+
+double coarsest(const std::vector<GradingPoint>& points) {
+    return std::ranges::max_element(points, {}, &GradingPoint::diameter)->diameter;
+}
+
+double finest(const std::vector<GradingPoint>& points) {
+    return std::ranges::min_element(points, {}, &GradingPoint::diameter)->diameter;
+}
+
+/// Tables of one sheet, taken one after the other.
+class TableJoiner {
+public:
+    TableJoiner(std::size_t tables, Problems& problems) : tables_(tables), problems_(problems) {}
+
+    void take(const SheetTable& table, std::vector<SoilPoints> soils) {
+        ++number_;
+        const std::size_t before = soils_.size();
+        for (SoilPoints& soil : soils) {
+            const bool has_name = !table.name.empty() && tables_ > 1;
+            const std::string own = soil.name;
+            soil.name = has_name ? fmt::format("{}{}{}", table.name, own.empty() ? "" : " ", own) : own;
+            SoilPoints* above = find_above(table, soil, before);
+            if (above != nullptr) {
+                if (check_joint(*above, soil)) {
+                    join(*above, std::move(soil));
+                }
+                continue;
+            }
+            if (tables_ > 1 && (soil.name.empty() || is_taken(soil.name))) {
+                soil.name += fmt::format("{}table {}", soil.name.empty() ? "" : " ", number_);
+            }
+            soils_.push_back(std::move(soil));
+        }
+    }
+
+    /// Empty where two tables do not go on, which is reported.
+    std::optional<std::vector<SoilPoints>> finish() {
+        if (soils_.size() == 1) {
+            soils_.front().name.clear();
+        }
+        return is_good_ ? std::optional(std::move(soils_)) : std::nullopt;
+    }
+
+private:
+    [[nodiscard]] bool is_taken(const std::string& name) const {
+        return std::ranges::any_of(soils_, [&name](const SoilPoints& soil) { return soil.name == name; });
+    }
+
+    /// The curve that a table without a sample's name, or with the same, goes on with: a hydrometer's, or one whose
+    /// sizes begin where the other ends.
+    SoilPoints* find_above(const SheetTable& table, const SoilPoints& soil, std::size_t before) {
+        constexpr double overlap = 1.6; // of sizes: a hydrometer starts above the finest sieve
+        for (std::size_t k = before; k-- > 0;) {
+            SoilPoints& above = soils_[k];
+            const bool is_last = k + 1 == before && table.name.empty() && soil.name.empty();
+            const bool goes_on = !soil.points.empty() && !above.points.empty() &&
+                                 (table.is_hydrometer || coarsest(soil.points) <= overlap * finest(above.points));
+            if ((is_last || above.name == soil.name) && goes_on) {
+                return &above;
+            }
+        }
+        return nullptr;
+    }
+
+    /// A hydrometer's shares are often of the part that went into its cylinder: then more passes than above.
+    bool check_joint(const SoilPoints& above, const SoilPoints& soil) {
+        constexpr double tolerance = 0.02; // as of a size that both have
+        const GradingPoint& last = *std::ranges::min_element(above.points, {}, &GradingPoint::diameter);
+        for (const GradingPoint& point : soil.points) {
+            if (point.diameter < last.diameter && point.passing > last.passing + tolerance) {
+                problems_.error(
+                    "E503", point.passing_place,
+                    fmt::format(
+                        "the second table does not go on with the curve above: {:.4g} % pass {:.4g} mm, and {:.4g} % "
+                        "the coarser {:.4g} mm",
+                        100 * point.passing, 1e3 * point.diameter, 100 * last.passing, 1e3 * last.diameter
+                    ),
+                    fmt::format(
+                        "is it of the part alone that passes a sieve? Multiply its shares by what passes that sieve, "
+                        "{:.4g} where it is the one of {:.4g} mm; or keep this table in a file of its own",
+                        last.passing, 1e3 * last.diameter
+                    )
+                );
+                is_good_ = false;
+                return false;
+            }
+        }
+        return true;
+    }
+
+    void join(SoilPoints& above, SoilPoints soil) {
+        problems_.warning(
+            sheet_remark, soil.points.front().diameter_place,
+            "a second table begins here and goes on with the curve above: both are joined into one"
+        );
+        const auto in_order = [](const std::vector<GradingPoint>& points) {
+            const auto rising = [](const GradingPoint& a, const GradingPoint& b) { return a.diameter < b.diameter; };
+            const auto falling = [](const GradingPoint& a, const GradingPoint& b) { return a.diameter > b.diameter; };
+            return std::is_sorted(points.begin(), points.end(), rising) ||
+                   std::is_sorted(points.begin(), points.end(), falling);
+        };
+        const bool are_ordered = in_order(above.points) && in_order(soil.points);
+        above.points.insert(above.points.end(), soil.points.begin(), soil.points.end());
+        above.derived.insert(above.derived.end(), soil.derived.begin(), soil.derived.end());
+        if (are_ordered) { // each for itself; where they overlap both are measured
+            std::ranges::stable_sort(above.points, std::greater{}, &GradingPoint::diameter);
+        }
+    }
+
+    std::size_t tables_, number_ = 0;
+    Problems& problems_;
+    std::vector<SoilPoints> soils_;
+    bool is_good_ = true;
+};
+
+/// The derived values that stand in a soil's column; all of them where it is alone.
+std::vector<DerivedValue> derived_of(const TableNotes& notes, std::size_t column, bool is_alone) {
+    std::vector<DerivedValue> own;
+    for (const DerivedValue& value : notes.derived) {
+        if (is_alone || value.column == column) {
+            own.push_back(value);
+        }
+    }
+    return own;
+}
+
+} // namespace
+
+std::optional<std::vector<SoilPoints>> points_of(std::vector<SievedSoil> soils, Problems& problems) {
+    std::vector<SoilPoints> found;
+    bool is_good = true;
+    for (SievedSoil& soil : soils) {
+        std::string name = soil.name;
+        auto points = find_passing(std::move(soil), problems);
+        is_good = is_good && points;
+        if (points) {
+            found.push_back({std::move(name), std::move(*points), {}});
+        }
+    }
+    return is_good ? std::optional(std::move(found)) : std::nullopt;
+}
+
+std::optional<std::vector<SoilPoints>> read_tables(std::vector<SheetTable>& tables, Problems& problems) {
+    TableJoiner joiner(tables.size(), problems);
+    bool is_good = true;
+    for (SheetTable& table : tables) {
+        tell_notes(table.notes, problems);
+        auto soils = read_sieve_rows(table.sheet, *table.columns, problems);
+        if (!soils) {
+            is_good = false;
+            continue;
+        }
+        std::vector<std::size_t> columns;
+        for (SievedSoil& soil : *soils) {
+            columns.push_back(soil.column);
+            soil.dry = soils->size() == 1 ? table.dry : std::nullopt;
+        }
+        auto points = points_of(std::move(*soils), problems);
+        if (!points) {
+            is_good = false;
+            continue;
+        }
+        for (std::size_t k = 0; k < points->size(); ++k) {
+            (*points)[k].derived = derived_of(table.notes, columns[k], points->size() == 1);
+        }
+        joiner.take(table, std::move(*points));
+    }
+    auto joined = joiner.finish();
+    return is_good ? std::move(joined) : std::nullopt;
+}
+
+} // namespace suffuse::gradings

@@ -1,0 +1,28 @@
+#pragma once
+// The curves of all tables of a sheet: each table's rows read, and tables that go on with a curve joined to it.
+
+#include "suffuse/gradings/derived_values.hpp"
+#include "suffuse/gradings/grading_curve.hpp"
+#include "suffuse/gradings/grading_rows.hpp"
+#include "suffuse/gradings/sheet_tables.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::gradings {
+
+/// The points of a soil in the order of its rows, and what its sheet says was read off the curve.
+struct SoilPoints {
+    std::string name;
+    std::vector<GradingPoint> points;
+    std::vector<DerivedValue> derived;
+};
+
+/// Of tables whose columns are known. Empty where something is wrong, all of which is reported.
+std::optional<std::vector<SoilPoints>> read_tables(std::vector<SheetTable>& tables, Problems& problems);
+
+/// The points of soils that came from a file of another kind.
+std::optional<std::vector<SoilPoints>> points_of(std::vector<SievedSoil> soils, Problems& problems);
+
+} // namespace suffuse::gradings

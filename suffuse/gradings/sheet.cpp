@@ -1,0 +1,241 @@
+#include "suffuse/gradings/sheet.hpp"
+
+#include "suffuse/base/spelling.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace suffuse::gradings {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\f\v";
+
+/// Walks along a line and knows the column in characters.
+class Ruler {
+public:
+    explicit Ruler(std::string_view line) : line_(line) {}
+
+    /// Of the byte at `at`, from 1; asked with rising places.
+    int column(std::size_t at) {
+        for (; at_ < at; ++at_) {
+            column_ += (static_cast<unsigned char>(line_[at_]) & 0xC0U) != 0x80U ? 1 : 0;
+        }
+        return column_ + 1;
+    }
+
+private:
+    std::string_view line_;
+    std::size_t at_ = 0;
+    int column_ = 0;
+};
+
+/// A quote opens at the beginning of a cell only: 3/8" is a size.
+class QuoteWatch {
+public:
+    explicit QuoteWatch(char mark) : mark_(mark) {}
+
+    /// @return whether the next character stands within quotes.
+    bool passes(char c) {
+        if (c == '\n') {
+            is_open_ = just_closed_ = false, at_begin_ = true;
+            return false;
+        }
+        const bool turns = c == '"' && (is_open_ || at_begin_ || just_closed_); // "" within quotes stands for "
+        just_closed_ = turns && is_open_;
+        is_open_ = is_open_ != turns;
+        at_begin_ = !is_open_ && (is_mark(c) || (at_begin_ && blanks.find(c) != std::string_view::npos));
+        return is_open_;
+    }
+
+    [[nodiscard]] bool is_mark(char c) const { return mark_ == ' ' ? c == ' ' || c == '\t' : c == mark_; }
+
+private:
+    char mark_;
+    bool is_open_ = false, just_closed_ = false, at_begin_ = true;
+};
+
+/// The line without its comment. A # before a digit, even one that blanks keep from it at the start of a cell's text,
+/// is a sieve's.
+std::string_view without_comment(std::string_view line, char mark) {
+    QuoteWatch watch(mark);
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        const bool is_number = k + 1 < line.size() && is_digit(line[k + 1]);
+        if (!watch.passes(line[k]) && line[k] == '#' && !is_number) {
+            return line.substr(0, k);
+        }
+    }
+    return line;
+}
+
+std::string unquoted(std::string_view text) {
+    std::string plain;
+    for (std::size_t k = 1; k + 1 < text.size(); ++k) {
+        plain += text[k];
+        k += text[k] == '"' && text[k + 1] == '"' ? 1U : 0U; // "" stands for "
+    }
+    return std::string(trimmed(plain));
+}
+
+/// Past the cell that begins here.
+std::size_t end_of_cell(std::string_view line, std::size_t begin, char mark) {
+    QuoteWatch watch(mark);
+    for (std::size_t k = begin; k < line.size(); ++k) {
+        if (!watch.passes(line[k]) && watch.is_mark(line[k])) {
+            return k;
+        }
+    }
+    return line.size();
+}
+
+SheetRow split_line(const std::shared_ptr<const Source>& source, std::string_view line, int number, char mark) {
+    SheetRow row;
+    row.place = {source, number, 1, std::max(1, Ruler(line).column(line.size()) - 1)};
+    Ruler ruler(line);
+    for (std::size_t begin = 0; begin <= line.size();) {
+        const std::size_t end = end_of_cell(line, begin, mark);
+        std::string_view text = trimmed(line.substr(begin, end - begin));
+        begin = end + 1;
+        if ((mark == ' ' || mark == wide_blanks) && text.empty()) {
+            continue;
+        }
+        const auto first = static_cast<std::size_t>(text.data() - line.data());
+        const int column = ruler.column(text.empty() ? end : first);
+        const int length = text.empty() ? 1 : ruler.column(first + text.size()) - column;
+        const bool is_quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
+        row.cells.push_back(
+            {is_quoted ? unquoted(text) : std::string(text), {source, number, column, length}, is_quoted}
+        );
+    }
+    return row;
+}
+
+/// A line drawn between rows: "--------", "|---|---|".
+bool is_rule(std::string_view line) {
+    const bool has_run = line.find("---") != std::string_view::npos || line.find("===") != std::string_view::npos ||
+                         line.find("___") != std::string_view::npos;
+    return has_run && line.find_first_not_of("-=_+|: \t") == std::string_view::npos;
+}
+
+/// Begins with a number, and whether that is all of it.
+bool begins_with_number(std::string_view text) {
+    return !text.empty() &&
+           (is_digit(text[0]) || (text.size() > 1 && (text[0] == '.' || text[0] == '-') && is_digit(text[1])));
+}
+
+bool is_plain_number(std::string_view text) {
+    return begins_with_number(text) && text.find_first_not_of("0123456789.,-+eE") == std::string_view::npos;
+}
+
+/// Whether a cell that a blank keeps from the one before belongs to it: "No. 4", "75 um", "passing [%]", "% passing".
+bool belongs_to(const SheetCell& before, std::string_view text) {
+    const std::string_view last = before.text;
+    const bool is_bracket = text.starts_with('[') || text.starts_with('(');
+    const bool is_number_word =
+        last == "No." || last == "No" || last == "Nr." || last == "N\u00b0" || last == "#" || last == "%";
+    const bool is_unit = text == "mm" || text == "um" || text == "\u00b5m" || text == "\u03bcm" || text == "cm" ||
+                         text == "in" || text == "in." || text == "inch" || text == "micron" || text == "microns" ||
+                         text == "%";
+    return is_bracket || is_number_word || (is_unit && is_plain_number(last));
+}
+
+/// Joins what single blanks tore apart.
+void join_cells(SheetRow& row) {
+    std::vector<SheetCell> joined;
+    for (SheetCell& cell : row.cells) {
+        if (!joined.empty() && !cell.is_quoted && belongs_to(joined.back(), cell.text)) {
+            joined.back().place.length = cell.place.column + cell.place.length - joined.back().place.column;
+            joined.back().text += " " + cell.text;
+        } else {
+            joined.push_back(std::move(cell));
+        }
+    }
+    row.cells = std::move(joined);
+}
+
+/// A wide gap is a mark, a narrow one none.
+std::string with_wide_gaps(std::string_view text) {
+    std::string line(text);
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+        const bool is_wide = line[k] == '\t' || (line[k] == ' ' && (line[k + 1] == ' ' || line[k + 1] == '\t'));
+        line[k] = is_wide || (k > 0 && line[k] == ' ' && line[k - 1] == wide_blanks) ? wide_blanks : line[k];
+    }
+    return line;
+}
+
+/// Whether all rows have the same cells, two at least.
+bool is_even(const Sheet& sheet) {
+    std::size_t columns = 0;
+    for (const SheetRow& row : sheet.rows) {
+        if (!row.is_comment && (row.cells.size() < 2 || (columns > 0 && row.cells.size() != columns))) {
+            return false;
+        }
+        columns = row.is_comment ? columns : row.cells.size();
+    }
+    return columns > 0;
+}
+
+} // namespace
+
+Sheet split_sheet(const std::shared_ptr<const Source>& source, char mark) {
+    Sheet sheet{{}, mark};
+    int number = 0;
+    const std::string_view text = source->text;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        std::string_view line = text.substr(begin, end - begin);
+        begin = end + 1;
+        ++number;
+        const std::string_view start = trimmed(line);
+        const bool is_comment = start.starts_with('#') && !(start.size() > 1 && is_digit(start[1]));
+        if (is_comment) { // its column numbers stay true: # is a blank
+            line.remove_prefix(static_cast<std::size_t>(start.data() - line.data()) + 1);
+        } else {
+            line = without_comment(line, mark);
+        }
+        line = line.substr(0, line.find_last_not_of(" \r") + 1);
+        if (line.find_first_not_of(" \t;,|\"") == std::string_view::npos || is_rule(line)) {
+            continue; // the empty rows of a sheet have marks
+        }
+        sheet.rows.push_back(
+            split_line(source, mark == wide_blanks ? with_wide_gaps(line) : std::string(line), number, mark)
+        );
+        sheet.rows.back().is_comment = is_comment;
+        std::vector<SheetCell>& cells = sheet.rows.back().cells;
+        while (cells.size() > 1 && cells.back().text.empty()) {
+            cells.pop_back();
+        }
+    }
+    if (mark == ' ') {
+        if (Sheet wide = split_sheet(source, wide_blanks); is_even(wide)) {
+            return {std::move(wide.rows), mark};
+        }
+        for (SheetRow& row : sheet.rows) {
+            join_cells(row);
+        }
+    }
+    return sheet;
+}
+
+std::vector<char> possible_marks(std::string_view text) {
+    std::vector<char> found;
+    for (const char mark : std::array{';', '\t', '|', ','}) {
+        bool is_there = false;
+        for (std::size_t begin = 0; begin < text.size() && !is_there;) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size());
+            const std::string_view line = without_comment(text.substr(begin, end - begin), mark);
+            is_there = line.find(mark) != std::string_view::npos && end_of_cell(line, 0, mark) < line.size();
+            begin = end + 1;
+        }
+        if (is_there) {
+            found.push_back(mark);
+        }
+    }
+    if (text.find("  ") != std::string_view::npos) {
+        found.push_back(wide_blanks);
+    }
+    found.push_back(' ');
+    return found;
+}
+
+} // namespace suffuse::gradings

@@ -1,0 +1,146 @@
+#include "suffuse/gradings/sheet_header.hpp"
+
+#include "suffuse/gradings/grading_columns.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace suffuse::gradings {
+
+namespace {
+
+bool has_kind(const std::vector<Heading>& headings, ColumnKind kind) {
+    return std::ranges::any_of(headings, [kind](const Heading& heading) { return heading.kind == kind; });
+}
+
+/// A row of headings: one says size, and no cell of it is one.
+std::optional<SheetHeader> read_header(const SheetRow& cells, std::size_t row) {
+    SheetHeader header{row, 1, {}, false};
+    bool has_size = false;
+    for (const SheetCell& cell : cells.cells) {
+        header.headings.push_back(read_heading(cell.text));
+        has_size = has_size || header.headings.back().kind == ColumnKind::Size;
+    }
+    const bool has_share = has_kind(header.headings, ColumnKind::Share) || has_kind(header.headings, ColumnKind::Gross);
+    header.is_complete = has_size && has_share;
+    return has_size && header.headings.size() > 1 ? std::optional(std::move(header)) : std::nullopt;
+}
+
+/// Whether a row may be one of headings: none of its cells holds a number.
+bool has_no_digit(const SheetRow& row) {
+    return std::ranges::none_of(row.cells, [](const SheetCell& cell) {
+        return cell.text.find_first_of("0123456789") != std::string::npos;
+    });
+}
+
+/// Headings in two lines of which the second alone has the size: complete, or none.
+std::optional<SheetHeader> join_above(const Sheet& sheet, std::size_t row) {
+    const SheetRow &above = sheet.rows[row - 1], &below = sheet.rows[row];
+    if (above.is_comment || above.place.line + 1 != below.place.line || above.cells.size() < below.cells.size() ||
+        !has_no_digit(above) || !has_no_digit(below)) {
+        return std::nullopt;
+    }
+    SheetHeader joined{row - 1, 2, {}, false};
+    bool has_size_below = false, has_share_above = false;
+    for (std::size_t k = 0; k < above.cells.size(); ++k) {
+        const bool is_size = read_heading(text_at(below, k)).kind == ColumnKind::Size;
+        has_size_below = has_size_below || is_size;
+        has_share_above = has_share_above || (!is_size && read_heading(text_at(above, k)).kind == ColumnKind::Share);
+        joined.headings.push_back(read_heading(text_at(above, k) + " " + text_at(below, k)));
+    }
+    joined.is_complete = has_size_below && has_share_above && has_kind(joined.headings, ColumnKind::Size) &&
+                         has_kind(joined.headings, ColumnKind::Share);
+    return joined.is_complete ? std::optional(std::move(joined)) : std::nullopt;
+}
+
+/// The first complete row of headings, else the first with a size.
+std::optional<SheetHeader> find_first_line(const Sheet& sheet) {
+    std::optional<SheetHeader> best;
+    for (const bool in_comments : {false, true}) {
+        const std::size_t end = std::min(sheet.rows.size(), most_titles);
+        for (std::size_t k = 0; k < end; ++k) {
+            if (sheet.rows[k].is_comment != in_comments) {
+                continue;
+            }
+            const bool is_value = !in_comments && sheet.rows[k].cells.size() > 1 && is_size(sheet, sheet.rows[k], 0) &&
+                                  number_at(sheet, sheet.rows[k], 1);
+            auto header = is_value ? std::nullopt : read_header(sheet.rows[k], k);
+            if (header && header->is_complete) {
+                return header;
+            }
+            if (!is_value && !in_comments && k > 0) { // "Particle,% passing" above "Size mm,"
+                if (auto joined = join_above(sheet, k)) {
+                    return joined;
+                }
+            }
+            if (header && !best && !in_comments) {
+                best = std::move(header);
+            }
+        }
+        if (best) {
+            return best;
+        }
+    }
+    return best;
+}
+
+/// Whether a row goes on with the headings above it: words in most columns, and no number.
+bool goes_on(const Sheet& sheet, std::size_t row, std::size_t columns) {
+    if (row >= sheet.rows.size() || sheet.rows[row].is_comment || 2 * sheet.rows[row].cells.size() < columns) {
+        return false;
+    }
+    return std::ranges::none_of(sheet.rows[row].cells, [](const SheetCell& cell) {
+        return cell.text.find_first_of("0123456789") != std::string::npos || read_row_word(cell.text) != RowWord::None;
+    });
+}
+
+} // namespace
+
+std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
+    auto header = find_first_line(sheet);
+    if (!header || header->lines > 1 || !goes_on(sheet, header->row + 1, header->headings.size())) {
+        return header;
+    }
+    const SheetRow &first = sheet.rows[header->row], &second = sheet.rows[header->row + 1];
+    std::vector<Heading> units = header->headings;
+    if (take_unit_row(second, units)) {
+        return header; // told apart by who reads the values
+    }
+    std::vector<Heading> joined;
+    for (std::size_t k = 0; k < header->headings.size(); ++k) {
+        joined.push_back(read_heading(text_at(first, k) + " " + text_at(second, k)));
+    }
+    if (!has_kind(joined, ColumnKind::Size)) {
+        return header; // the second line is none of theirs
+    }
+    header->lines = 2;
+    header->headings = std::move(joined);
+    header->is_complete =
+        has_kind(header->headings, ColumnKind::Share) || has_kind(header->headings, ColumnKind::Gross);
+    return header;
+}
+
+bool is_complete_header(const SheetRow& row) {
+    const auto header = read_header(row, 0);
+    return header && header->is_complete;
+}
+
+bool take_unit_row(const SheetRow& row, std::vector<Heading>& headings) {
+    std::vector<Heading> units;
+    for (std::size_t k = 0; k < headings.size(); ++k) {
+        const std::string& text = text_at(row, k);
+        const std::string bracketed = text.starts_with('[') || text.starts_with('(') ? text : "(" + text + ")";
+        units.push_back(read_heading("x " + bracketed));
+        const bool is_unit = units.back().unit != ShareUnit::Unknown || units.back().scale != SizeScale::Unknown;
+        if ((!is_unit && !is_blank(text)) || text.find_first_of("0123456789") != std::string::npos) {
+            return false;
+        }
+    }
+    for (std::size_t k = 0; k < headings.size(); ++k) {
+        headings[k].unit = units[k].unit == ShareUnit::Unknown ? headings[k].unit : units[k].unit;
+        headings[k].scale = units[k].scale == SizeScale::Unknown ? headings[k].scale : units[k].scale;
+    }
+    return true;
+}
+
+} // namespace suffuse::gradings

@@ -1,0 +1,380 @@
+#include "suffuse/gradings/sheet_tables.hpp"
+
+#include "suffuse/gradings/sheet_header.hpp"
+#include "suffuse/gradings/sheet_titles.hpp"
+#include "suffuse/gradings/turned_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace suffuse::gradings {
+
+namespace {
+
+using Rows = std::vector<const SheetRow*>;
+
+std::vector<std::size_t> columns_of_kind(const std::vector<Heading>& headings, ColumnKind kind) {
+    std::vector<std::size_t> columns;
+    for (std::size_t k = 0; k < headings.size(); ++k) {
+        if (headings[k].kind == kind) {
+            columns.push_back(k);
+        }
+    }
+    return columns;
+}
+
+/// Whether a text has two letters side by side: a word, and no number in which a letter was typed for a digit.
+bool has_word(std::string_view text) {
+    const auto are_letters = [](char a, char b) {
+        return std::isalpha(static_cast<unsigned char>(a)) != 0 && std::isalpha(static_cast<unsigned char>(b)) != 0;
+    };
+    return std::adjacent_find(text.begin(), text.end(), are_letters) != text.end();
+}
+
+/// The rows of one table among those of a sheet: from its first title to the last row before the next table's headings.
+class TableCutter {
+public:
+    TableCutter(const Sheet& sheet, std::size_t first, std::size_t header, std::size_t end)
+        : sheet_(sheet), first_(first), header_(header), end_(end) {}
+
+    SheetTable cut() {
+        table_.sheet.mark = sheet_.mark;
+        for (std::size_t k = first_; k < end_; ++k) {
+            table_.sheet.rows.push_back(sheet_.rows[k]);
+        }
+        read_titles();
+        const auto header = find_sheet_header(table_.sheet);
+        if (header) {
+            table_.sheet.rows.clear();
+            sizes_ = columns_of_kind(header->headings, ColumnKind::Size);
+            shares_ = columns_of_kind(header->headings, ColumnKind::Share);
+            sort_rows(first_ + header->row + header->lines);
+        }
+        return std::move(table_);
+    }
+
+private:
+    void read_titles() {
+        Rows titles;
+        for (std::size_t k = first_; k < header_; ++k) {
+            titles.push_back(&sheet_.rows[k]);
+            const std::string name = sample_named_in(sheet_.rows[k]);
+            table_.name = name.empty() ? table_.name : name;
+        }
+        table_.dry = find_dry_mass(sheet_, titles);
+        for (std::size_t k = first_; k < end_ && k <= header_; ++k) {
+            table_.is_hydrometer = table_.is_hydrometer || names_hydrometer(sheet_.rows[k]);
+        }
+    }
+
+    [[nodiscard]] bool is_sieve(const SheetRow& row) const {
+        const bool has_size = std::ranges::any_of(sizes_, [&](std::size_t k) {
+            return is_size(sheet_, row, k) || read_row_word(text_at(row, k)) != RowWord::None;
+        });
+        const auto first = std::ranges::find_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
+        const bool has_word = first != row.cells.end() && read_row_word(first->text) != RowWord::None;
+        const bool has_none = std::ranges::all_of(sizes_, [&](std::size_t k) { return is_blank(text_at(row, k)); });
+        return has_size || has_word || (has_none && has_share(row));
+    }
+
+    /// A size with a share behind it, whatever stands before: "Sand,4.75,100" is of a sample of that name.
+    [[nodiscard]] bool is_whole_sieve(const SheetRow& row) const {
+        return std::ranges::any_of(shares_, [&](std::size_t share) {
+            const auto size =
+                std::ranges::find_if(sizes_.rbegin(), sizes_.rend(), [share](std::size_t k) { return k < share; });
+            return size != sizes_.rend() && is_size(sheet_, row, *size) && number_at(sheet_, row, share).has_value();
+        });
+    }
+
+    [[nodiscard]] bool has_share(const SheetRow& row) const {
+        return std::ranges::any_of(shares_, [&](std::size_t k) { return number_at(sheet_, row, k).has_value(); });
+    }
+
+    /// Values go into the table, derived values and notes out of it. Below its last sieve a row without a share is a
+    /// note; one with a number where the shares stand is a note only apart from the table, else a sieve that cannot be
+    /// read, and an error.
+    void sort_rows(std::size_t values) {
+        for (std::size_t k = first_; k < values; ++k) {
+            table_.sheet.rows.push_back(sheet_.rows[k]);
+        }
+        auto rows =
+            find_derived_rows(sheet_, values, end_, [this](const SheetRow& row) { return is_whole_sieve(row); });
+        const std::vector<bool>& derived = rows.are_derived;
+        table_.notes.derived = std::move(rows.values);
+        std::size_t last = values;
+        for (std::size_t k = values; k < end_; ++k) {
+            last = !sheet_.rows[k].is_comment && !derived[k - values] && is_sieve(sheet_.rows[k]) ? k + 1 : last;
+        }
+        bool is_apart = false, has_begun = false;
+        for (std::size_t k = values; k < end_; ++k) {
+            const SheetRow& row = sheet_.rows[k];
+            if (derived[k - values]) {
+                is_apart = k >= last;
+                continue;
+            }
+            is_apart = is_apart || (k >= last && k > values && row.place.line > sheet_.rows[k - 1].place.line + 1);
+            has_begun = has_begun || is_sieve(row); // a word below the headings belongs to them
+            if (!row.is_comment && has_begun && is_note(row, k >= last, is_apart)) {
+                table_.notes.others.push_back(&row);
+                is_apart = k >= last;
+            } else {
+                table_.sheet.rows.push_back(row);
+            }
+        }
+    }
+
+    [[nodiscard]] bool is_note(const SheetRow& row, bool is_below, bool is_apart) const {
+        if (is_sieve(row)) {
+            return false;
+        }
+        const auto count = std::ranges::count_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
+        const auto first = std::ranges::find_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
+        const bool is_worded = first != row.cells.end() && has_word(first->text);
+        return is_below ? is_worded && (is_apart || !has_share(row)) : is_worded && count == 1;
+    }
+
+    const Sheet& sheet_;
+    std::size_t first_, header_, end_;
+    std::vector<std::size_t> sizes_, shares_;
+    SheetTable table_;
+};
+
+/// Rows in which the tables of a sheet begin with their headings.
+std::vector<std::size_t> find_headers(const Sheet& sheet) {
+    std::vector<std::size_t> headers;
+    const auto first = find_sheet_header(sheet);
+    if (!first) {
+        return headers;
+    }
+    headers.push_back(first->row);
+    bool has_values = false;
+    for (std::size_t k = first->row + first->lines; k < sheet.rows.size(); ++k) {
+        const SheetRow& row = sheet.rows[k];
+        if (row.is_comment) {
+            continue;
+        }
+        const bool has_number = std::ranges::any_of(row.cells, [](const SheetCell& cell) {
+            return plain_number(cell.text, true).has_value();
+        });
+        if (has_values && !has_number && is_complete_header(row)) {
+            headers.push_back(k), has_values = false;
+        }
+        has_values = has_values || has_number;
+    }
+    return headers;
+}
+
+/// Titles of a table that is not the first: the rows behind what ends the one before it, above its headings. A number
+/// stands in a title only where it is the dry mass.
+std::size_t first_title(const Sheet& sheet, std::size_t header) {
+    std::size_t first = header;
+    while (first > 0 && !sheet.rows[first - 1].is_comment) {
+        const SheetRow& row = sheet.rows[first - 1];
+        const bool is_worded = std::ranges::none_of(row.cells, [](const SheetCell& cell) {
+            return plain_number(cell.text, true).has_value() || read_row_word(cell.text) != RowWord::None;
+        });
+        const bool is_title = is_worded || dry_mass_in(sheet, row);
+        if (!is_title || !read_derived(sheet, row).empty()) {
+            break;
+        }
+        --first;
+    }
+    return first;
+}
+
+/// The cells of some columns; rows that have nothing there are left out.
+Sheet take_columns(const Sheet& sheet, std::size_t from, std::size_t to, std::size_t first_row) {
+    Sheet part{{}, sheet.mark};
+    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
+        SheetRow row{{}, sheet.rows[k].place, sheet.rows[k].is_comment};
+        for (std::size_t c = from; c < std::min(to, sheet.rows[k].cells.size()); ++c) {
+            row.cells.push_back(sheet.rows[k].cells[c]);
+        }
+        while (!row.cells.empty() && row.cells.back().text.empty()) {
+            row.cells.pop_back();
+        }
+        if (!row.cells.empty()) {
+            part.rows.push_back(std::move(row));
+        }
+    }
+    return part;
+}
+
+/// Where a second table begins beside the first: sizes and shares, and again sizes and shares of the same kind, that
+/// are not the same sizes in another unit.
+std::vector<std::size_t> find_tables_beside(const Sheet& sheet, const SheetHeader& header) {
+    std::vector<std::size_t> begins;
+    const auto sizes = columns_of_kind(header.headings, ColumnKind::Size);
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+        const std::size_t end = k + 1 < sizes.size() ? sizes[k + 1] : header.headings.size();
+        const bool has_share = std::any_of(
+            header.headings.begin() + static_cast<std::ptrdiff_t>(sizes[k]),
+            header.headings.begin() + static_cast<std::ptrdiff_t>(end),
+            [](const Heading& heading) {
+                return heading.kind == ColumnKind::Share && heading.meaning == ShareMeaning::Passing;
+            }
+        );
+        if (!has_share) {
+            return {};
+        }
+        begins.push_back(k == 0 ? 0 : sizes[k]);
+    }
+    const std::size_t first = header.row + header.lines;
+    const bool are_same =
+        begins.size() == 2 &&
+        std::all_of(
+            sheet.rows.begin() + static_cast<std::ptrdiff_t>(std::min(first, sheet.rows.size())), sheet.rows.end(),
+            [&](const SheetRow& row) { // a line for each sieve: the other size of it
+                const auto value = [&](std::size_t size) { return number_at(sheet, row, size + 1); };
+                return row.is_comment || value(sizes[0]) == value(sizes[1]);
+            }
+        );
+    return begins.size() > 1 && !are_same ? begins : std::vector<std::size_t>{};
+}
+
+/// The row right above the headings where it has a title for each of the tables beside each other.
+const SheetRow* find_titles_beside(const Sheet& sheet, std::size_t header, const std::vector<std::size_t>& begins) {
+    const SheetRow* above = header > 0 ? &sheet.rows[header - 1] : nullptr;
+    const bool is_next = above != nullptr && above->place.line + 1 == sheet.rows[header].place.line;
+    const bool has_title =
+        is_next && std::ranges::any_of(begins, [above](std::size_t k) { return !is_blank(text_at(*above, k)); });
+    return has_title ? above : nullptr;
+}
+
+/// Whether sizes and shares go on from each table to the next, so that they are one: a curve in several columns.
+bool go_on(const Sheet& sheet, std::size_t first_row, const std::vector<std::size_t>& begins) {
+    std::vector<std::pair<double, double>> points;
+    for (const std::size_t begin : begins) {
+        for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
+            const auto size = number_at(sheet, sheet.rows[k], begin),
+                       share = number_at(sheet, sheet.rows[k], begin + 1);
+            if (!sheet.rows[k].is_comment && size && share) {
+                points.emplace_back(*size, *share);
+            }
+        }
+    }
+    const auto rises = [](const auto& a, const auto& b) { return a.first < b.first && a.second <= b.second; };
+    const auto falls = [](const auto& a, const auto& b) { return a.first > b.first && a.second >= b.second; };
+    const auto is_all = [&points](const auto& in_order) {
+        return std::adjacent_find(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+                   return !in_order(a, b);
+               }) == points.end();
+    };
+    return points.size() > begins.size() && (is_all(rises) || is_all(falls));
+}
+
+/// The tables beside the first one below it.
+SheetTable stack(SheetTable table, const SheetHeader& header, const std::vector<std::size_t>& begins) {
+    Sheet stacked{{}, table.sheet.mark};
+    for (std::size_t part = 0; part < begins.size(); ++part) {
+        const std::size_t end = part + 1 < begins.size() ? begins[part + 1] : std::string::npos;
+        const std::size_t from = part == 0 ? 0 : header.row + header.lines;
+        Sheet rows = take_columns(table.sheet, begins[part], end, from);
+        stacked.rows.insert(stacked.rows.end(), rows.rows.begin(), rows.rows.end());
+    }
+    table.sheet = std::move(stacked);
+    return table;
+}
+
+std::vector<SheetTable> cut_beside(SheetTable table, Problems& problems) {
+    const auto header = find_sheet_header(table.sheet);
+    const auto begins = header ? find_tables_beside(table.sheet, *header) : std::vector<std::size_t>{};
+    if (begins.empty()) {
+        return {std::move(table)};
+    }
+    const SheetRow* titles = find_titles_beside(table.sheet, header->row, begins);
+    if (titles == nullptr && go_on(table.sheet, header->row + header->lines, begins)) {
+        problems.warning(
+            sheet_remark, table.sheet.rows[header->row].place,
+            fmt::format("{} tables beside each other go on from one to the next: read as one", begins.size())
+        );
+        return {stack(std::move(table), *header, begins)};
+    }
+    std::vector<SheetTable> parts;
+    for (std::size_t k = 0; k < begins.size(); ++k) {
+        const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : std::string::npos; // no cell is lost
+        SheetTable part;
+        part.sheet = take_columns(table.sheet, begins[k], end, header->row);
+        part.dry = table.dry;
+        if (titles != nullptr) {
+            part.name = text_at(*titles, begins[k]);
+            part.is_hydrometer = names_hydrometer(
+                {{titles->cells.size() > begins[k] ? titles->cells[begins[k]] : SheetCell{}}, titles->place, false}
+            );
+        }
+        parts.push_back(std::move(part));
+    }
+    if (std::ranges::any_of(parts, &SheetTable::is_hydrometer)) { // titles of methods, not of samples
+        for (SheetTable& part : parts) {
+            part.name = table.name;
+        }
+    }
+    parts.front().notes = std::move(table.notes);
+    return parts;
+}
+
+} // namespace
+
+std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
+    if (auto turned = turn_table(sheet, problems)) {
+        std::vector<SheetTable> tables;
+        tables.push_back(std::move(*turned));
+        return tables;
+    }
+    const auto headers = find_headers(sheet);
+    if (headers.empty()) {
+        std::vector<SheetTable> tables(1);
+        tables.front().sheet = sheet;
+        return tables;
+    }
+    std::vector<SheetTable> tables;
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < headers.size(); ++k) {
+        const std::size_t end = k + 1 < headers.size() ? first_title(sheet, headers[k + 1]) : sheet.rows.size();
+        for (SheetTable& part : cut_beside(TableCutter(sheet, first, headers[k], end).cut(), problems)) {
+            tables.push_back(std::move(part));
+        }
+        first = end;
+    }
+    return tables;
+}
+
+void tell_notes(const TableNotes& notes, Problems& problems) {
+    constexpr std::size_t most = 8;
+    std::vector<std::string> names;
+    for (const SheetRow* row : notes.others) {
+        const auto first = std::ranges::find_if(row->cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
+        if (names.size() < most && first != row->cells.end()) {
+            names.push_back(fmt::format("`{}`", first->text));
+        }
+    }
+    if (!names.empty()) {
+        const std::size_t left = notes.others.size() - names.size();
+        problems.warning(
+            sheet_remark, notes.others.front()->place,
+            fmt::format(
+                "passed over as notes, for they are no sieves: {}{}", fmt::join(names, ", "),
+                left > 0 ? fmt::format(" and {} more", left) : ""
+            ),
+            "begin notes with # to keep this quiet"
+        );
+    }
+    names.clear();
+    for (const DerivedValue& value : notes.derived) {
+        if (std::ranges::find(names, fmt::format("`{}`", value.name)) == names.end()) {
+            names.push_back(fmt::format("`{}`", value.name));
+        }
+    }
+    if (!names.empty()) {
+        problems.warning(
+            sheet_remark, notes.derived.front().place,
+            fmt::format("passed over as results, which are no sieves: {}", fmt::join(names, ", "))
+        );
+    }
+}
+
+} // namespace suffuse::gradings

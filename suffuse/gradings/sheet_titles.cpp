@@ -1,0 +1,118 @@
+#include "suffuse/gradings/sheet_titles.hpp"
+
+#include "suffuse/base/units.hpp"
+#include "suffuse/gradings/grading_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace suffuse::gradings {
+
+namespace {
+
+bool has_word(const std::string& words, std::initializer_list<std::string_view> stems) {
+    return std::ranges::any_of(stems, [&words](std::string_view stem) {
+        return words.find(fmt::format(" {}", stem)) != std::string::npos;
+    });
+}
+
+/// In English, French, German, Spanish, Italian; by the beginnings of words.
+bool names_dry_mass(const std::string& words) {
+    const bool is_mass = has_word(
+        words, {"mass", "masse", "weight", "poids", "peso", "massa", "masa", "einwaage", "trockenmasse", "gesamtmasse",
+                "trockengewicht"}
+    );
+    const bool is_whole = has_word(
+        words, {"dry", "total", "initial", "sech", "sec ", "seco", "seca", "secca", "secco", "trocken", "gesamt",
+                "specimen", "sample", "einwaage", "echantillon"}
+    );
+    const bool is_other = has_word(words, {"after",   "wash", "wet ",  "moist",    "apres", "lava",   "nach ",
+                                           "despues", "dopo", "humid", "humed",    "umid",  "feucht", "container",
+                                           "tare",    "tara", "dish",  "moisture", "water", "sieve ", "retained"}) &&
+                          !has_word(words, {"before"});
+    return is_mass && is_whole && !is_other;
+}
+
+std::optional<double> mass_in(std::string_view text, const char* unit, bool comma) {
+    std::string number(trimmed(text));
+    if (comma) {
+        std::replace(number.begin(), number.end(), ',', '.');
+    }
+    try {
+        const bool has_unit = parse_quantity(number).has_unit;
+        const double mass = parse_quantity(has_unit ? number : fmt::format("{} {}", number, unit), dimension::mass);
+        return mass > 0 ? std::optional(mass) : std::nullopt;
+    } catch (const UnitError&) {
+        return std::nullopt;
+    }
+}
+
+/// The text behind a colon, else the next cell that holds something.
+std::string value_after(const SheetRow& row, std::size_t column) {
+    const std::string& text = row.cells[column].text;
+    const std::size_t colon = text.find(':');
+    if (colon != std::string::npos && !trimmed(std::string_view(text).substr(colon + 1)).empty()) {
+        return std::string(trimmed(std::string_view(text).substr(colon + 1)));
+    }
+    for (std::size_t k = column + 1; k < row.cells.size(); ++k) {
+        if (!is_blank(row.cells[k].text)) {
+            return row.cells[k].text;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+std::string sample_named_in(const SheetRow& row) {
+    for (std::size_t k = 0; k < row.cells.size(); ++k) {
+        const std::string& text = row.cells[k].text;
+        const std::string_view named = std::string_view(text).substr(0, std::min(text.find(':'), text.size()));
+        const Heading heading = read_heading(named);
+        const bool is_mass = names_dry_mass(fmt::format(" {} ", plain_words(named))); // of the sample
+        if (heading.kind == ColumnKind::Sample && !heading.names_depth && !is_mass &&
+            (k == 0 || heading.rest.empty())) {
+            const std::string value = value_after(row, k);
+            return value.empty() ? heading.rest : value;
+        }
+    }
+    return {};
+}
+
+std::optional<double> dry_mass_in(const Sheet& sheet, const SheetRow& row) {
+    for (std::size_t k = 0; k < row.cells.size(); ++k) {
+        const std::string& text = row.cells[k].text;
+        const std::string_view named = std::string_view(text).substr(0, std::min(text.find(':'), text.size()));
+        if (!names_dry_mass(fmt::format(" {} ", plain_words(named)))) {
+            continue;
+        }
+        const Heading heading = read_heading(named);
+        const bool is_quoted = k + 1 < row.cells.size() && row.cells[k + 1].is_quoted;
+        return mass_in(value_after(row, k), heading.mass_unit, commas_are_decimal(sheet) || is_quoted);
+    }
+    return std::nullopt;
+}
+
+std::optional<double> find_dry_mass(const Sheet& sheet, const std::vector<const SheetRow*>& rows) {
+    std::optional<double> found;
+    for (const SheetRow* row : rows) {
+        const auto mass = dry_mass_in(sheet, *row);
+        if (mass && found && std::abs(*mass - *found) > 1e-9 * *found) {
+            return std::nullopt;
+        }
+        found = mass ? mass : found;
+    }
+    return found;
+}
+
+bool names_hydrometer(const SheetRow& row) {
+    return std::ranges::any_of(row.cells, [](const SheetCell& cell) {
+        const std::string words = fmt::format(" {} ", plain_words(cell.text));
+        return has_word(words, {"hydromet", "sediment", "areomet", "araomet", "schlamm", "densimet", "pipett"});
+    });
+}
+
+} // namespace suffuse::gradings

@@ -1,0 +1,161 @@
+#include "suffuse/gradings/soil_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace suffuse::gradings {
+
+namespace {
+
+using Columns = std::vector<std::size_t>;
+using Names = std::vector<std::string>;
+
+bool are_distinct(const Names& names) {
+    const std::set<std::string> all(names.begin(), names.end());
+    return all.size() == names.size() && !all.contains("");
+}
+
+/// What a row above the headings says over each column; cells that were merged have their text in the first one.
+Names texts_over(const SheetRow& row, const Columns& columns) {
+    Names texts;
+    for (const std::size_t column : columns) {
+        std::size_t k = column;
+        while (k > columns.front() && is_blank(text_at(row, k))) {
+            --k;
+        }
+        texts.push_back(text_at(row, k));
+    }
+    return texts;
+}
+
+/// Whether these may be names of soils: over every column one, two at least, and none that heads a column.
+bool are_names(const Names& texts) {
+    const bool are_all = std::ranges::none_of(texts, [](const std::string& text) {
+        const ColumnKind kind = read_heading(text).kind;
+        return is_blank(text) || (kind != ColumnKind::Other && kind != ColumnKind::Sample);
+    });
+    return are_all && std::set<std::string>(texts.begin(), texts.end()).size() > 1;
+}
+
+bool keeps_each(ShareMeaning meaning) {
+    return meaning == ShareMeaning::OnSieve || meaning == ShareMeaning::Retained;
+}
+
+enum class RowLabel { None, Sample, Other };
+
+/// What stands before the columns: "Borehole", "Depth (m)".
+RowLabel label_of(const SheetRow& row, const Columns& columns) {
+    for (std::size_t k = 0; k < columns.front(); ++k) {
+        const std::string& text = text_at(row, k);
+        if (!is_blank(text)) {
+            const auto named = std::string_view(text).substr(0, text.find(':'));
+            return read_heading(named).kind == ColumnKind::Sample ? RowLabel::Sample : RowLabel::Other;
+        }
+    }
+    return RowLabel::None;
+}
+
+/// Names in the row right above the headings; else those of all rows that say that they name samples, joined.
+Names names_above(const Sheet& sheet, std::size_t header_row, const Columns& columns) {
+    Names joined(columns.size());
+    bool is_next = true;
+    for (std::size_t k = header_row; k-- > 0;) {
+        const SheetRow& row = sheet.rows[k];
+        if (row.is_comment) {
+            continue;
+        }
+        const Names texts = texts_over(row, columns);
+        const RowLabel label = label_of(row, columns);
+        if (are_names(texts) && label == RowLabel::None && is_next) {
+            return texts;
+        }
+        is_next = false;
+        for (std::size_t c = 0; c < columns.size() && label == RowLabel::Sample && are_names(texts); ++c) {
+            joined[c] = fmt::format("{}{}{}", texts[c], joined[c].empty() ? "" : " ", joined[c]);
+        }
+    }
+    return joined;
+}
+
+/// Whether masses are those of which the percents are, to the digit that is printed: they say the same with more.
+bool agree(const Sheet& sheet, std::size_t masses, std::size_t percents, std::size_t first_row) {
+    constexpr double rounding = 0.0006; // of percents with one digit, and a little
+    double sum = 0;
+    std::vector<std::pair<double, double>> pairs;
+    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
+        const SheetRow& row = sheet.rows[k];
+        const auto first = std::ranges::find_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
+        const bool is_total = first != row.cells.end() && read_row_word(first->text) == RowWord::Total;
+        const auto mass = number_at(sheet, row, masses), percent = number_at(sheet, row, percents);
+        if (!row.is_comment && !is_total && mass.has_value() != percent.has_value()) {
+            return false;
+        }
+        if (!row.is_comment && !is_total && mass) {
+            sum += *mass, pairs.emplace_back(*mass, *percent);
+        }
+    }
+    return pairs.size() > 2 && sum > 0 && std::ranges::all_of(pairs, [sum](const std::pair<double, double>& pair) {
+               return std::abs(pair.first / sum - pair.second / 100) <= rounding;
+           });
+}
+
+/// "% finer total" beside "% finer -#10": of the whole sample.
+bool is_of_total(const Heading& heading, const std::string& text) {
+    const std::string words = fmt::format(" {} ", plain_words(text));
+    return heading.unit != ShareUnit::Mass &&
+           std::ranges::any_of(
+               std::vector<std::string_view>{" total ", " totale ", " gesamt ", " whole "},
+               [&words](std::string_view word) { return words.find(word) != std::string::npos; }
+           );
+}
+
+/// Of the columns of one soil that of the whole sample; percents rather than masses, whose whole may be another, unless
+/// both are the same.
+void choose_best(
+    const Sheet& sheet, const std::vector<Heading>& headings, std::size_t header_row, std::size_t first_row,
+    Columns& columns
+) {
+    const auto is_percent = [&headings](std::size_t k) { return headings[k].unit != ShareUnit::Mass; };
+    const auto is_whole = [&](std::size_t k) { return is_of_total(headings[k], text_at(sheet.rows[header_row], k)); };
+    if (columns.size() > 1 && std::ranges::count_if(columns, is_percent) == 1) {
+        const std::size_t percents = *std::ranges::find_if(columns, is_percent);
+        const std::size_t masses = columns.front() == percents ? columns.back() : columns.front();
+        const bool are_one =
+            columns.size() == 2 && keeps_each(headings[masses].meaning) && agree(sheet, masses, percents, first_row);
+        columns = {are_one ? masses : percents};
+    } else if (columns.size() > 1 && std::ranges::count_if(columns, is_whole) == 1) {
+        columns = {*std::ranges::find_if(columns, is_whole)};
+    }
+}
+
+} // namespace
+
+std::vector<SoilColumns> find_soil_columns(
+    const Sheet& sheet, const std::vector<Heading>& headings, const std::vector<std::size_t>& columns,
+    std::size_t header_row, std::size_t first_row
+) {
+    Names names;
+    for (const std::size_t k : columns) {
+        names.push_back(columns.size() > 1 ? headings[k].rest : "");
+    }
+    if (columns.size() > 1 && !are_distinct(names)) {
+        const Names above = names_above(sheet, header_row, columns);
+        names = std::ranges::find(above, "") == above.end() ? above : Names(columns.size()); // of one soil
+    }
+    std::vector<SoilColumns> soils;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        auto soil = std::ranges::find(soils, names[k], &SoilColumns::name);
+        soil = soil == soils.end() ? soils.insert(soils.end(), {names[k], {}}) : soil;
+        soil->columns.push_back(columns[k]);
+    }
+    for (SoilColumns& soil : soils) {
+        choose_best(sheet, headings, header_row, first_row, soil.columns);
+    }
+    return soils;
+}
+
+} // namespace suffuse::gradings

@@ -1,0 +1,146 @@
+#include "suffuse/gradings/unnamed_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace suffuse::gradings {
+
+namespace {
+
+class UnnamedColumns {
+public:
+    UnnamedColumns(const Sheet& sheet, Problems& problems) : sheet_(sheet), problems_(problems) {}
+
+    /// No heading: two columns of numbers, of which one can be the sizes alone.
+    std::optional<GradingColumns> find() {
+        for (found_.first_row = 0; found_.first_row < sheet_.rows.size(); ++found_.first_row) {
+            const SheetRow& row = sheet_.rows[found_.first_row];
+            if (!row.is_comment && row.cells.size() == 2 && number_at(sheet_, row, 1) && is_size(sheet_, row, 0)) {
+                break;
+            }
+        }
+        const bool has_rows = found_.first_row < sheet_.rows.size();
+        const auto all_of_two = [](const SheetRow& row) { return row.is_comment || row.cells.size() == 2; };
+        const bool are_two = has_rows && std::all_of(
+                                             sheet_.rows.begin() + static_cast<std::ptrdiff_t>(found_.first_row),
+                                             sheet_.rows.end(), all_of_two
+                                         );
+        const bool first = are_two && may_be_sizes(0, 1), second = are_two && may_be_sizes(1, 0);
+        if (first == second) {
+            complain_about_header(are_two);
+            return std::nullopt;
+        }
+        found_.size = {first ? 0U : 1U, SizeScale::Unknown};
+        found_.shares.push_back({first ? 1U : 0U, {}, "", ShareMeaning::Cumulative, ShareUnit::Unknown, false});
+        for (std::size_t k = 0; k < found_.first_row; ++k) {
+            if (!sheet_.rows[k].is_comment) {
+                if (!is_title(sheet_.rows[k])) {
+                    complain_about_header(false);
+                    return std::nullopt;
+                }
+                problems_.warning(
+                    sheet_remark, sheet_.rows[k].place, "passed over: it is no row of two numbers",
+                    "name the columns in it: `d [mm],passing [%]`"
+                );
+            }
+        }
+        problems_.warning(
+            sheet_remark, sheet_.rows[found_.first_row].place,
+            fmt::format(
+                "no names of columns: the {} is read as the size in mm, the other as a cumulative share",
+                first ? "first" : "second"
+            ),
+            "begin with a line `d [mm],passing [%]` to say so"
+        );
+        return found_;
+    }
+
+private:
+    /// One cell, or the names that a plotting program gives: nothing that could say of which kind or unit a column is.
+    static bool is_title(const SheetRow& row) {
+        return row.cells.size() == 1 || std::ranges::all_of(row.cells, [](const SheetCell& cell) {
+                   return cell.text.size() < 2; // x, y
+               });
+    }
+
+    /// Sizes each once, shares from near nothing to 100 (or to 1).
+    bool may_be_sizes(std::size_t size, std::size_t share) {
+        found_.size = {size, SizeScale::Unknown};
+        std::set<double> sizes;
+        double most = 0;
+        std::size_t rows = 0;
+        for (std::size_t k = found_.first_row; k < sheet_.rows.size(); ++k) {
+            const SheetRow& row = sheet_.rows[k];
+            if (row.is_comment) {
+                continue;
+            }
+            const auto d = read_sieve_size(text_at(row, size), SizeScale::Unknown, commas_are_decimal(sheet_));
+            const auto value = number_at(sheet_, row, share);
+            if (!d || !value || !(d->diameter > 0)) {
+                return false;
+            }
+            sizes.insert(d->diameter), most = std::max(most, *value), ++rows;
+        }
+        const bool ends_full = (most >= 90 && most <= 100.1) || (most >= 0.9 && most <= 1.001);
+        return rows > 1 && sizes.size() == rows && ends_full &&
+               is_cumulative(sheet_, found_.first_row, found_.size, share);
+    }
+
+    void complain_about_header(bool are_two_columns) {
+        const auto first = std::ranges::find_if(sheet_.rows, [](const SheetRow& row) { return !row.is_comment; });
+        problems_.error(
+            "E506", first != sheet_.rows.end() ? first->place : sheet_.rows.front().place,
+            are_two_columns ? "no names of columns, and the numbers do not say which are the sizes"
+                            : "a grading curve needs a column of sizes and one of percent passing, and `d` is missing",
+            expected_header
+        );
+    }
+
+    const Sheet& sheet_;
+    Problems& problems_;
+    GradingColumns found_;
+};
+
+} // namespace
+
+bool is_cumulative(const Sheet& sheet, std::size_t first_row, const SizeColumn& size, std::size_t share) {
+    std::vector<std::pair<double, double>> points;
+    const bool has_pan = std::ranges::count_if(sheet.rows, [&size](const SheetRow& row) {
+                             return split_size_text(text_at(row, size.index)).sense == SizeSense::Finer;
+                         }) == 1;
+    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
+        const SheetRow& row = sheet.rows[k];
+        if (row.is_comment || is_blank(text_at(row, share)) ||
+            read_row_word(text_at(row, size.index)) != RowWord::None) {
+            continue;
+        }
+        const SizeText text = split_size_text(text_at(row, size.index));
+        if (has_pan && text.sense == SizeSense::Finer) {
+            continue;
+        }
+        const auto d = read_sieve_size(text.text, size.scale, commas_are_decimal(sheet));
+        const auto value = number_at(sheet, row, share);
+        if (!d || !value || !(*value >= 0 && *value <= 100.5)) {
+            return false;
+        }
+        points.emplace_back(d->diameter, *value);
+    }
+    if (size.scale != SizeScale::SieveNumber) {
+        std::ranges::stable_sort(points, {}, &std::pair<double, double>::first);
+    }
+    const auto falls = [](const auto& a, const auto& b) { return b.second < a.second - 0.1; };
+    const auto rises = [](const auto& a, const auto& b) { return b.second > a.second + 0.1; };
+    const bool never_falls = std::ranges::adjacent_find(points, falls) == points.end();
+    const bool never_rises = std::ranges::adjacent_find(points, rises) == points.end();
+    return points.size() > 1 && never_falls != never_rises;
+}
+
+std::optional<GradingColumns> find_unnamed_columns(const Sheet& sheet, Problems& problems) {
+    return UnnamedColumns(sheet, problems).find();
+}
+
+} // namespace suffuse::gradings
