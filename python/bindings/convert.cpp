@@ -58,7 +58,7 @@ double parse_text(const std::string& text, Dimension dimension, std::string_view
     try {
         return parse(text, dimension);
     } catch (const UnitError& error) {
-        throw UnitError(fmt::format("{} \"{}\": {}; {}", what, text, error.what(), error.help), error.help);
+        throw UnitError(error.kind, fmt::format("{} \"{}\": {}; {}", what, text, error.what(), error.help), error.help);
     }
 }
 

@@ -55,10 +55,16 @@ double parse_byte_size(std::string_view text) {
         } catch (const UnitError& further) {
             advice = further.help;
         }
-        throw UnitError(fmt::format("{} has a decimal comma", shown(std::string(text))), std::move(advice));
+        throw UnitError(
+            UnitError::Kind::Malformed, fmt::format("{} has a decimal comma", shown(std::string(text))),
+            std::move(advice)
+        );
     }
     if (problem != std::errc() || !std::isfinite(number) || !(number > 0)) {
-        throw UnitError(fmt::format("{} is no amount of memory", shown(std::string(text))), "write it as in 16GB");
+        throw UnitError(
+            UnitError::Kind::NoNumber, fmt::format("{} is no amount of memory", shown(std::string(text))),
+            "write it as in 16GB"
+        );
     }
     std::string_view unit(stop, static_cast<std::size_t>(end - stop));
     unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
@@ -68,6 +74,7 @@ double parse_byte_size(std::string_view text) {
         }
     }
     throw UnitError(
+        unit.empty() ? UnitError::Kind::NoUnit : UnitError::Kind::UnknownUnit,
         unit.empty() ? fmt::format("{} has no unit", text)
                      : fmt::format("{} is no unit of memory", shown(std::string(unit))),
         fmt::format(

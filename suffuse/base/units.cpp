@@ -134,6 +134,7 @@ int take_power(std::string_view& text, std::string_view whole) {
     }
     if (digits.empty() || digits.size() > 1) {
         throw UnitError(
+            UnitError::Kind::Malformed,
             fmt::format("the unit \"{}\" has a power that is no whole number below 10", whole),
             "write powers as in \"kg/m^3\" or \"1/s\""
         );
@@ -190,11 +191,11 @@ const Unit& find_unit(std::string_view symbol, std::string_view whole) {
                              : symbol == whole ? fmt::format("unknown unit \"{}\"", symbol)
                                                : fmt::format("unknown unit \"{}\" in \"{}\"", symbol, whole);
     throw UnitError(
-        what, similar.size() == 1 ? fmt::format("a unit with a similar name exists: \"{}\"", similar[0])
-              : !similar.empty()
-                  ? fmt::format("units with similar names exist: \"{}\"", fmt::join(similar, "\", \""))
-                  : "known are m mm um cm km, s ms us min h, kg g mg t, Pa kPa MPa GPa bar, N kN, rad deg, %, "
-                    "their products and powers such as \"kg/m^3\" or \"mPa*s\""
+        UnitError::Kind::UnknownUnit, what,
+        similar.size() == 1 ? fmt::format("a unit with a similar name exists: \"{}\"", similar[0])
+        : !similar.empty()  ? fmt::format("units with similar names exist: \"{}\"", fmt::join(similar, "\", \""))
+                           : "known are m mm um cm km, s ms us min h, kg g mg t, Pa kPa MPa GPa bar, N kN, rad deg, %, "
+                             "their products and powers such as \"kg/m^3\" or \"mPa*s\""
     );
 }
 
@@ -249,11 +250,14 @@ Quantity parse_one(std::string_view text) {
     const auto number = take_number(rest);
     if (!number) {
         throw UnitError(
-            fmt::format("\"{}\" does not start with a number", text), "write a number and its unit, as in \"100 kPa\""
+            UnitError::Kind::NoNumber, fmt::format("\"{}\" does not start with a number", text),
+            "write a number and its unit, as in \"100 kPa\""
         );
     }
     if (rest.size() > 1 && rest[0] == ',' && is_digit(rest[1])) {
-        throw UnitError(fmt::format("\"{}\" has a decimal comma", text), "write a decimal point");
+        throw UnitError(
+            UnitError::Kind::Malformed, fmt::format("\"{}\" has a decimal comma", text), "write a decimal point"
+        );
     }
     rest = trimmed(rest);
     Quantity quantity;
@@ -264,7 +268,8 @@ Quantity parse_one(std::string_view text) {
     quantity.value *= unit.factor;
     if (error == std::errc::result_out_of_range || !std::isfinite(quantity.value)) {
         throw UnitError(
-            fmt::format("\"{}\" is beyond what a number can hold", text), "write a value between 1e-300 and 1e300"
+            UnitError::Kind::OutOfRange, fmt::format("\"{}\" is beyond what a number can hold", text),
+            "write a value between 1e-300 and 1e300"
         );
     }
     if (error != std::errc{} || end != digits.data() + digits.size()) {
@@ -289,6 +294,7 @@ double parse_quotient(std::string_view text, std::size_t at) {
     const Quantity dividend = parse_one(text.substr(0, at)), divisor = parse_one(text.substr(at + 1));
     if (dividend.dimension != divisor.dimension) {
         throw UnitError(
+            UnitError::Kind::Malformed,
             fmt::format(
                 "\"{}\" divides {} by {}, a ratio is expected", text, with_article(dividend.dimension),
                 with_article(divisor.dimension)
@@ -297,7 +303,9 @@ double parse_quotient(std::string_view text, std::size_t at) {
         );
     }
     if (!(std::abs(divisor.value) > 0) || !std::isfinite(dividend.value / divisor.value)) {
-        throw UnitError(fmt::format("\"{}\" divides by nothing", text), "write a divisor above 0");
+        throw UnitError(
+            UnitError::Kind::OutOfRange, fmt::format("\"{}\" divides by nothing", text), "write a divisor above 0"
+        );
     }
     return dividend.value / divisor.value;
 }
@@ -324,9 +332,13 @@ double parse_quantity(std::string_view text, Dimension wanted) {
               )
             : fmt::format("write it in {}", usual.front());
     if (!quantity.has_unit) {
-        throw UnitError(fmt::format("\"{}\" has no unit, {} is expected", text, with_article(wanted)), advice);
+        throw UnitError(
+            UnitError::Kind::NoUnit, fmt::format("\"{}\" has no unit, {} is expected", text, with_article(wanted)),
+            advice
+        );
     }
     throw UnitError(
+        UnitError::Kind::OtherDimension,
         fmt::format("\"{}\" is {}, {} is expected", text, with_article(quantity.dimension), with_article(wanted)),
         advice
     );
@@ -338,7 +350,8 @@ double parse_unit(std::string_view text, Dimension wanted) {
     const double unit = has_number ? parse_quantity(text, wanted) : parse_quantity(fmt::format("1 {}", text), wanted);
     if (!(unit > 0)) {
         throw UnitError(
-            fmt::format("\"{}\" is not a unit, which is above 0", text), "write it as in \"mm\" or \"1 mm\""
+            UnitError::Kind::OutOfRange, fmt::format("\"{}\" is not a unit, which is above 0", text),
+            "write it as in \"mm\" or \"1 mm\""
         );
     }
     return unit;

@@ -34,10 +34,15 @@ inline constexpr Dimension density{-3, 1, 0, 0};
 inline constexpr Dimension mass_per_length{-1, 1, 0, 0};
 } // namespace dimension
 
-/// A text that is no quantity, or the wrong one. `help` is one thing to do.
+/// A text that is no quantity, or the wrong one. `help` is one thing to do. Who decides by an error reads its kind,
+/// never its words.
 struct UnitError : Error {
-    UnitError(const std::string& message, std::string what_to_do) : Error(message), help(std::move(what_to_do)) {}
+    enum class Kind { NoNumber, UnknownUnit, Malformed, OutOfRange, NoUnit, OtherDimension };
 
+    UnitError(Kind its_kind, const std::string& message, std::string what_to_do)
+        : Error(message), kind(its_kind), help(std::move(what_to_do)) {}
+
+    Kind kind;
     std::string help;
 };
 

@@ -148,6 +148,29 @@ TEST(Units, PrintingPicksAUsualUnitThatIsShort) {
     EXPECT_EQ(print_quantity(0.005, dimension::none), "0.005");
 }
 
+TEST(Units, AnErrorHasItsKind) {
+    using Kind = suffuse::UnitError::Kind;
+    for (const auto& [text, kind] : std::vector<std::pair<std::string, Kind>>{
+             {"wide", Kind::NoNumber},
+             {"3 parsec", Kind::UnknownUnit},
+             {"3 )", Kind::UnknownUnit},
+             {"3 m^22", Kind::Malformed},
+             {"3,5 m", Kind::Malformed},
+             {"3 m / 2 s", Kind::Malformed},
+             {"3 m / 0 m", Kind::OutOfRange},
+             {"1e999 m", Kind::OutOfRange},
+             {"3", Kind::NoUnit},
+             {"3 kPa", Kind::OtherDimension},
+         }) {
+        try {
+            parse_quantity(text, dimension::length);
+            ADD_FAILURE() << text;
+        } catch (const suffuse::UnitError& error) {
+            EXPECT_EQ(error.kind, kind) << error.what();
+        }
+    }
+}
+
 TEST(Units, PrintingAndReadingGiveTheSameBits) {
     const std::vector<suffuse::Dimension> all{
         dimension::none,     dimension::length,          dimension::time,     dimension::mass,      dimension::angle,

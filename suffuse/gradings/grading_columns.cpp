@@ -94,11 +94,8 @@ private:
                 try {
                     parse_quantity("1 " + heading.own_unit, is_size ? dimension::length : dimension::none);
                 } catch (const UnitError& problem) {
-                    const bool is_unit =
-                        std::string_view(problem.what()).find("unknown") == std::string_view::npos &&
-                        std::string_view(problem.what()).find("not a unit") == std::string_view::npos &&
-                        heading.own_unit.find(' ') == std::string::npos;
-                    if (is_unit) {
+                    if (problem.kind != UnitError::Kind::UnknownUnit &&
+                        heading.own_unit.find(' ') == std::string::npos) {
                         complain_about_unit(k, problem.what(), problem.help);
                         is_good = false;
                     }

@@ -39,8 +39,7 @@ std::string no_size(const std::string& text) {
     try {
         parse_quantity(fmt::format("1 {}", unit), dimension::length);
     } catch (const UnitError& problem) {
-        if (is_digit(text[0]) && std::string_view(problem.what()).find(" is a") != std::string_view::npos &&
-            std::string_view(problem.what()).find("not a unit") == std::string_view::npos) {
+        if (is_digit(text[0]) && problem.kind == UnitError::Kind::OtherDimension) {
             return fmt::format("\"{}\": {}", text, problem.what());
         }
     }
@@ -191,7 +190,7 @@ std::optional<double> TableCells::read_value(const SheetRow& row, std::size_t co
         return parse_quantity(has_unit ? text : fmt::format("{} {}", text, own), dimension);
     } catch (const UnitError& problem) {
         const std::string what = text.empty() ? "a value is missing" : problem.what();
-        const bool is_no_number = what.find("start with a number") != std::string::npos;
+        const bool is_no_number = !text.empty() && problem.kind == UnitError::Kind::NoNumber;
         complain(place_at(row, column), is_no_number ? fmt::format("\"{}\" is not a number", text) : what, advice);
         return std::nullopt;
     }
