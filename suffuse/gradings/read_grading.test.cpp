@@ -1,0 +1,92 @@
+// The order in which rows come, the choice of a sample, and how much is read at all: sheets that are made up here.
+// Those of laboratories are in tests/sheets/.
+
+#include "suffuse/gradings/sheets_for_tests.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace suffuse::gradings {
+namespace {
+
+using namespace testing;
+
+TEST(ReadGrading, SievesAndAHydrometerMayRunInAnyDirection) {
+    const std::vector<std::string> sieves{"2,100\n", "0.5,80\n", "0.2,50\n", "0.075,35\n"};
+    const std::vector<std::string> hydrometer{"0.02,20\n", "0.006,10\n", "0.002,5\n"};
+    for (const bool sieves_rise : {false, true}) {
+        for (const bool hydrometer_rises : {false, true}) {
+            auto first = sieves, second = hydrometer;
+            if (sieves_rise) {
+                std::ranges::reverse(first);
+            }
+            if (hydrometer_rises) {
+                std::ranges::reverse(second);
+            }
+            std::string text = "Size (mm),Finer (%)\n";
+            first.insert(first.end(), second.begin(), second.end());
+            for (const std::string& line : first) {
+                text += line;
+            }
+            const ParsedSheet parsed = parse_sheet(text);
+            ASSERT_EQ(parsed.soils.size(), 1U) << text << render(parsed.told);
+            expect_soil(
+                {"", {{0.002, 5}, {0.006, 10}, {0.02, 20}, {0.075, 35}, {0.2, 50}, {0.5, 80}, {2, 100}}},
+                parsed.soils.front(), text
+            );
+        }
+    }
+}
+
+TEST(ReadGrading, RowsOfAnAgsFileMayComeInAnyOrder) {
+    const std::string head = "\"GROUP\",\"GRAT\"\n\"HEADING\",\"LOCA_ID\",\"SAMP_TOP\",\"GRAT_SIZE\",\"GRAT_PERP\","
+                             "\"GRAT_TYPE\"\n\"UNIT\",\"\",\"m\",\"mm\",\"%\",\"\"\n";
+    const auto row = [](const char* size, const char* passing, const char* type) {
+        return fmt::format("\"DATA\",\"A1\",\"1.20\",\"{}\",\"{}\",\"{}\"\n", size, passing, type);
+    };
+    const std::string sieves = row("0.063", "3", "WS") + row("0.2", "21", "WS") + row("2", "100", "WS");
+    for (const std::string& hydrometer :
+         {row("0.002", "1", "HY") + row("0.02", "2", "HY"), row("0.02", "2", "HY") + row("0.002", "1", "HY")}) {
+        for (const std::string& rows : {sieves + hydrometer, hydrometer + sieves}) {
+            const ParsedSheet parsed = parse_sheet(head + rows);
+            ASSERT_EQ(parsed.soils.size(), 1U) << render(parsed.told);
+            expect_soil({"", {{0.002, 1}, {0.02, 2}, {0.063, 3}, {0.2, 21}, {2, 100}}}, parsed.soils.front(), "ags");
+        }
+    }
+}
+
+TEST(ReadGrading, OneSampleIsChosenByNameAndAWrongNameIsAnsweredWithThoseThereAre) {
+    const auto source =
+        std::make_shared<Source>(Source{"w.csv", "d [mm],TP1,TP2\n0.063,4,6\n0.2,15,20\n2,70,75\n6.3,100,100\n"});
+    const GradingFile one = read_gradings(source, CurveEnds::MayBeOpen, "tp2");
+    ASSERT_EQ(one.soils.size(), 1U);
+    EXPECT_EQ(one.soils.front().name, "TP2");
+    try {
+        read_gradings(source, CurveEnds::MayBeOpen, "TP7");
+        FAIL();
+    } catch (const CaseError& problem) {
+        EXPECT_NE(std::string(problem.what()).find("it has TP1, TP2"), std::string::npos) << problem.what();
+    }
+    Problems problems;
+    EXPECT_FALSE(parse_grading(source, problems, CurveEnds::MayBeOpen));
+    EXPECT_NE(render(problems.sorted()).find("--sample NAME"), std::string::npos);
+}
+
+/// Where each cell's column was counted from the start of its line, 32,000 columns took a minute: these would take
+/// hours.
+TEST(ReadGrading, ATableOfFourHundredThousandColumnsIsRefused) {
+    std::string text(400'000, ',');
+    text += "\n";
+    EXPECT_TRUE(parse_sheet("d" + text + "1" + text).soils.empty());
+    std::string names = "d";
+    for (int k = 0; k < 400'000; ++k) {
+        names += ",a";
+    }
+    const ParsedSheet parsed = parse_sheet(names + "\n1,2\n");
+    EXPECT_NE(render(parsed.told).find("400001 columns"), std::string::npos) << render(parsed.told).substr(0, 300);
+}
+
+} // namespace
+} // namespace suffuse::gradings

@@ -1,0 +1,113 @@
+// Every sheet of tests/sheets/ gives what the file beside it expects: tests/sheets/README.md.
+
+#include "suffuse/gradings/sheets_for_tests.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/reference.hpp"
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace suffuse::gradings {
+namespace {
+
+using namespace testing;
+namespace fs = std::filesystem;
+
+const std::string answer_ending = ".expected.json";
+
+fs::path sheets_folder() {
+    return test::in_checkout("tests/sheets");
+}
+
+/// With its byte order mark.
+std::string all_bytes(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    EXPECT_TRUE(stream) << file;
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Paths below the folder, in their order.
+std::vector<std::string> all_sheets() {
+    std::vector<std::string> sheets;
+    for (const auto& entry : fs::recursive_directory_iterator(sheets_folder())) {
+        const std::string name = entry.path().filename().string();
+        if (entry.is_regular_file() && name != "README.md" && !name.ends_with(answer_ending)) {
+            sheets.push_back(entry.path().lexically_relative(sheets_folder()).string());
+        }
+    }
+    std::ranges::sort(sheets);
+    return sheets;
+}
+
+std::string answer_to(const std::string& sheet) {
+    return fs::path(sheet).replace_extension().string() + answer_ending;
+}
+
+class Sheets : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Sheets, GivesWhatTheFileBesideItExpects) {
+    const nlohmann::json expected = nlohmann::json::parse(all_bytes(sheets_folder() / answer_to(GetParam())));
+    const ParsedSheet parsed =
+        parse_sheet(all_bytes(sheets_folder() / GetParam()), fs::path(GetParam()).filename().string());
+    const std::string told = render(parsed.told) + "\n" + told_by(parsed);
+    for (const auto& [key, value] : expected.items()) {
+        EXPECT_TRUE(std::set<std::string>({"soils", "told", "refused", "tolerance"}).contains(key)) << key;
+    }
+
+    SheetTolerance tolerance;
+    if (expected.contains("tolerance")) {
+        tolerance = {expected["tolerance"].at("size"), expected["tolerance"].at("passing")};
+    }
+    ASSERT_EQ(parsed.soils.size(), expected.at("soils").size()) << told;
+    for (std::size_t k = 0; k < parsed.soils.size(); ++k) {
+        const nlohmann::json& soil = expected["soils"][k];
+        expect_soil({soil.at("name"), soil.at("curve")}, parsed.soils[k], GetParam(), tolerance);
+    }
+    const nlohmann::json none = nlohmann::json::array();
+    for (const std::string words : expected.value("told", none)) {
+        EXPECT_NE(told.find(words), std::string::npos) << words << "\n" << told;
+    }
+    if (expected.contains("told") && expected["told"].empty()) {
+        EXPECT_EQ(told.find("W508"), std::string::npos) << told;
+    }
+    for (const nlohmann::json& refusal : expected.value("refused", none)) {
+        const bool is_told = std::ranges::any_of(parsed.told, [&](const Diagnostic& error) {
+            const std::string text = "error: " + error.message + error.help;
+            return !error.is_warning && text.find(refusal.at("says").get<std::string>()) != std::string::npos &&
+                   error.line == refusal.value("line", error.line);
+        });
+        EXPECT_TRUE(is_told) << refusal << "\n" << told;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, Sheets, ::testing::ValuesIn(all_sheets()), [](const auto& about) {
+    std::string name = about.param;
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_'
+    );
+    return name;
+});
+
+TEST(SheetsFolder, HasAnAnswerForEachSheetAndNoOther) {
+    const std::vector<std::string> sheets = all_sheets();
+    EXPECT_GE(sheets.size(), 100U);
+    std::set<std::string> answers;
+    for (const std::string& sheet : sheets) {
+        EXPECT_TRUE(answers.insert(answer_to(sheet)).second) << "two sheets of one name: " << sheet;
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(sheets_folder())) {
+        const std::string path = entry.path().lexically_relative(sheets_folder()).string();
+        EXPECT_TRUE(!path.ends_with(answer_ending) || answers.contains(path)) << "no sheet for " << path;
+    }
+}
+
+} // namespace
+} // namespace suffuse::gradings
