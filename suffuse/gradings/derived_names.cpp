@@ -2,6 +2,7 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/heading.hpp"
+#include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet.hpp"
 #include "suffuse/gradings/sieve_size.hpp"
 #include "suffuse/gradings/size_among_words.hpp"
@@ -16,101 +17,6 @@ namespace suffuse::gradings {
 namespace {
 
 using Kind = DerivedValue::Kind;
-
-struct KnownWord {
-    std::string_view word;
-    Kind kind;
-};
-
-// English, French, German, Spanish, Italian; whole words without accents.
-constexpr std::array known_words{
-    KnownWord{"cu", Kind::Uniformity},
-    KnownWord{"u", Kind::Uniformity},
-    KnownWord{"uniformity", Kind::Uniformity},
-    KnownWord{"uniformite", Kind::Uniformity},
-    KnownWord{"ungleichformigkeitszahl", Kind::Uniformity},
-    KnownWord{"ungleichformigkeit", Kind::Uniformity},
-    KnownWord{"uniformidad", Kind::Uniformity},
-    KnownWord{"uniformita", Kind::Uniformity},
-    KnownWord{"hazen", Kind::Uniformity},
-    KnownWord{"cc", Kind::Curvature},
-    KnownWord{"cz", Kind::Curvature},
-    KnownWord{"c", Kind::Curvature},
-    KnownWord{"curvature", Kind::Curvature},
-    KnownWord{"courbure", Kind::Curvature},
-    KnownWord{"krummungszahl", Kind::Curvature},
-    KnownWord{"curvatura", Kind::Curvature},
-    KnownWord{"cobbles", Kind::Cobbles},
-    KnownWord{"boulders", Kind::Cobbles},
-    KnownWord{"cailloux", Kind::Cobbles},
-    KnownWord{"steine", Kind::Cobbles},
-    KnownWord{"bolos", Kind::Cobbles},
-    KnownWord{"ciottoli", Kind::Cobbles},
-    KnownWord{"gravel", Kind::Gravel},
-    KnownWord{"gravier", Kind::Gravel},
-    KnownWord{"graviers", Kind::Gravel},
-    KnownWord{"kies", Kind::Gravel},
-    KnownWord{"grava", Kind::Gravel},
-    KnownWord{"gravas", Kind::Gravel},
-    KnownWord{"ghiaia", Kind::Gravel},
-    KnownWord{"sand", Kind::Sand},
-    KnownWord{"sable", Kind::Sand},
-    KnownWord{"sables", Kind::Sand},
-    KnownWord{"arena", Kind::Sand},
-    KnownWord{"arenas", Kind::Sand},
-    KnownWord{"sabbia", Kind::Sand},
-    KnownWord{"fines", Kind::Fines},
-    KnownWord{"finos", Kind::Fines},
-    KnownWord{"fini", Kind::Fines},
-    KnownWord{"feinanteil", Kind::Fines},
-    KnownWord{"silt", Kind::Silt},
-    KnownWord{"limon", Kind::Silt},
-    KnownWord{"limons", Kind::Silt},
-    KnownWord{"schluff", Kind::Silt},
-    KnownWord{"limo", Kind::Silt},
-    KnownWord{"clay", Kind::Clay},
-    KnownWord{"argile", Kind::Clay},
-    KnownWord{"argiles", Kind::Clay},
-    KnownWord{"ton", Kind::Clay},
-    KnownWord{"arcilla", Kind::Clay},
-    KnownWord{"argilla", Kind::Clay},
-    KnownWord{"dmax", Kind::Largest},
-    KnownWord{"maximum", Kind::Largest},
-    KnownWord{"coarse", Kind::Other},
-    KnownWord{"medium", Kind::Other},
-    KnownWord{"fine", Kind::Other},
-    KnownWord{"fm", Kind::Other},
-    KnownWord{"fineness", Kind::Other},
-    KnownWord{"modulus", Kind::Other},
-    KnownWord{"finura", Kind::Other},
-    KnownWord{"finesse", Kind::Other},
-    KnownWord{"ll", Kind::Other},
-    KnownWord{"pl", Kind::Other},
-    KnownWord{"pi", Kind::Other},
-    KnownWord{"ip", Kind::Other},
-    KnownWord{"liquid", Kind::Other},
-    KnownWord{"plastic", Kind::Other},
-    KnownWord{"plasticity", Kind::Other},
-    KnownWord{"gs", Kind::Other},
-    KnownWord{"gravity", Kind::Other},
-    KnownWord{"uscs", Kind::Other},
-    KnownWord{"aashto", Kind::Other},
-    KnownWord{"classification", Kind::Other},
-    KnownWord{"moisture", Kind::Other},
-    KnownWord{"water", Kind::Other},
-    KnownWord{"dmin", Kind::Other},
-    KnownWord{"siebverlust", Kind::Other},
-    KnownWord{"loss", Kind::Other},
-    KnownWord{"mean", Kind::Other},
-    KnownWord{"median", Kind::Other},
-    KnownWord{"sorting", Kind::Other},
-    KnownWord{"skewness", Kind::Other},
-    KnownWord{"kurtosis", Kind::Other}};
-
-constexpr std::array<std::string_view, 33> fillers{
-    "coefficient", "coeff", "coef",  "coefficiente", "of", "de",  "di",   "d",      "der",      "content", "percent",
-    "percentage",  "pct",   "total", "size",         "mm", "um",  "m",    "value",  "the",      "index",   "number",
-    "particle",    "grain", "limit", "specific",     "by", "dry", "mass", "weight", "fraction", "f",       "and"};
 
 std::vector<std::string> words_of(std::string_view text) {
     std::vector<std::string> words;
@@ -157,18 +63,18 @@ std::optional<Kind> kind_of(const std::vector<std::string>& words) {
     }
     std::optional<Kind> found;
     for (const std::string& word : words) {
-        const auto known = std::ranges::find(known_words, std::string_view(word), &KnownWord::word);
-        if (known == known_words.end()) {
-            if (std::ranges::find(fillers, std::string_view(word)) == fillers.end()) {
+        const auto known = result_named(word);
+        if (!known) {
+            if (!is_word_of(Topic::ResultFiller, word)) {
                 return std::nullopt;
             }
             continue;
         }
-        const bool are_fines = found && ((*found == Kind::Silt && known->kind == Kind::Clay) ||
-                                         (*found == Kind::Clay && known->kind == Kind::Silt) ||
-                                         (*found == Kind::Fines && known->kind != Kind::Other));
-        const bool agree = !found || *found == known->kind;
-        found = are_fines ? Kind::Fines : agree ? known->kind : Kind::Other;
+        const bool are_fines = found && ((*found == Kind::Silt && *known == Kind::Clay) ||
+                                         (*found == Kind::Clay && *known == Kind::Silt) ||
+                                         (*found == Kind::Fines && *known != Kind::Other));
+        const bool agree = !found || *found == *known;
+        found = are_fines ? Kind::Fines : agree ? *known : Kind::Other;
     }
     return found;
 }

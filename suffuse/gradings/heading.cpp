@@ -1,6 +1,6 @@
 #include "suffuse/gradings/heading.hpp"
 
-#include "suffuse/base/spelling.hpp"
+#include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet.hpp"
 
 #include <fmt/format.h>
@@ -15,123 +15,6 @@ namespace suffuse::gradings {
 
 namespace {
 
-enum class Role {
-    Size,
-    Sieve,
-    Number,
-    Passing,
-    Retained,
-    Coarser,
-    Cumulative,
-    OnOne,
-    Percent,
-    Fraction,
-    Mass,
-    By,
-    Tare,
-    And,
-    Soil,
-    Sample,
-    Depth,
-    Phi,
-    Filler,
-};
-
-struct Stem {
-    std::string_view text; ///< five letters or more: also within a longer word; fewer: the whole word
-    Role role;
-};
-
-// clang-format off
-constexpr std::array stems{
-    // English
-    Stem{"d", Role::Size}, Stem{"diam", Role::Size}, Stem{"diameter", Role::Size}, Stem{"size", Role::Size},
-    Stem{"sizes", Role::Size}, Stem{"grainsize", Role::Size}, Stem{"opening", Role::Size}, Stem{"aperture", Role::Size},
-    Stem{"sieve", Role::Sieve}, Stem{"sieves", Role::Sieve}, Stem{"screen", Role::Sieve}, Stem{"mesh", Role::Number},
-    Stem{"no", Role::Number}, Stem{"number", Role::Number}, Stem{"id", Role::Number}, Stem{"name", Role::Filler},
-    Stem{"ref", Role::Filler}, Stem{"nos", Role::Number},
-    Stem{"designation", Role::Number}, Stem{"passing", Role::Passing}, Stem{"passed", Role::Passing},
-    Stem{"passes", Role::Passing}, Stem{"pass", Role::Passing}, Stem{"finer", Role::Passing},
-    Stem{"undersize", Role::Passing}, Stem{"under", Role::Passing}, Stem{"smaller", Role::Passing}, Stem{"retained", Role::Retained},
-    Stem{"retaining", Role::Retained}, Stem{"ret", Role::Retained}, Stem{"coarser", Role::Coarser},
-    Stem{"oversize", Role::Coarser}, Stem{"larger", Role::Coarser}, Stem{"cum", Role::Cumulative},
-    Stem{"cumul", Role::Cumulative}, Stem{"total", Role::Cumulative}, Stem{"accumulated", Role::Cumulative},
-    Stem{"individual", Role::OnOne}, Stem{"each", Role::OnOne}, Stem{"on", Role::OnOne}, Stem{"partial", Role::OnOne},
-    Stem{"percent", Role::Percent}, Stem{"percentage", Role::Percent}, Stem{"pct", Role::Percent},
-    Stem{"fraction", Role::Fraction}, Stem{"ratio", Role::Fraction}, Stem{"proportion", Role::Fraction},
-    Stem{"mass", Role::Mass}, Stem{"weight", Role::Mass}, Stem{"wt", Role::Mass}, Stem{"g", Role::Mass},
-    Stem{"kg", Role::Mass}, Stem{"grams", Role::Mass}, Stem{"gram", Role::Mass}, Stem{"gr", Role::Mass},
-    Stem{"by", Role::By}, Stem{"than", Role::Filler}, Stem{"of", Role::Filler}, Stem{"the", Role::Filler},
-    Stem{"tare", Role::Tare}, Stem{"empty", Role::Tare}, Stem{"plus", Role::And}, Stem{"and", Role::And},
-    Stem{"with", Role::And}, Stem{"gross", Role::And}, Stem{"soil", Role::Soil}, Stem{"sample", Role::Sample},
-    Stem{"specimen", Role::Sample}, Stem{"borehole", Role::Sample}, Stem{"bh", Role::Sample},
-    Stem{"boring", Role::Sample}, Stem{"point", Role::Sample}, Stem{"pointid", Role::Sample},
-    Stem{"hole", Role::Sample}, Stem{"location", Role::Sample}, Stem{"test", Role::Sample}, Stem{"pit", Role::Sample},
-    Stem{"depth", Role::Depth}, Stem{"top", Role::Depth}, Stem{"bottom", Role::Depth}, Stem{"phi", Role::Phi},
-    Stem{"particle", Role::Filler}, Stem{"grain", Role::Filler}, Stem{"standard", Role::Filler},
-    // French
-    Stem{"diametre", Role::Size}, Stem{"ouverture", Role::Size}, Stem{"maille", Role::Size}, Stem{"taille", Role::Size},
-    Stem{"dimension", Role::Size}, Stem{"tamis", Role::Sieve}, Stem{"passant", Role::Passing},
-    Stem{"tamisat", Role::Passing}, Stem{"inferieur", Role::Passing}, Stem{"refus", Role::Retained},
-    Stem{"retenu", Role::Retained}, Stem{"partiel", Role::OnOne}, Stem{"pourcentage", Role::Percent},
-    Stem{"masse", Role::Mass}, Stem{"poids", Role::Mass}, Stem{"vide", Role::Tare}, Stem{"avec", Role::And},
-    Stem{"et", Role::And}, Stem{"sol", Role::Soil}, Stem{"echantillon", Role::Sample}, Stem{"sondage", Role::Sample},
-    Stem{"profondeur", Role::Depth}, Stem{"prof", Role::Depth}, Stem{"numero", Role::Number}, Stem{"des", Role::Filler}, Stem{"de", Role::Filler},
-    Stem{"du", Role::Filler}, Stem{"la", Role::Filler}, Stem{"les", Role::Filler}, Stem{"en", Role::Filler},
-    Stem{"sur", Role::OnOne}, Stem{"grain", Role::Filler}, Stem{"grains", Role::Filler},
-    // German
-    Stem{"durchmesser", Role::Size}, Stem{"korngro", Role::Size}, Stem{"siebweite", Role::Size},
-    Stem{"maschenweite", Role::Size}, Stem{"lochweite", Role::Size}, Stem{"offnung", Role::Size},
-    Stem{"oeffnung", Role::Size}, Stem{"siebgro", Role::Size}, Stem{"sieb", Role::Sieve}, Stem{"siebe", Role::Sieve},
-    Stem{"durchgang", Role::Passing}, Stem{"durchgange", Role::Passing}, Stem{"feiner", Role::Passing},
-    Stem{"ruckstand", Role::Retained}, Stem{"rueckstand", Role::Retained}, Stem{"grober", Role::Coarser},
-    Stem{"groeber", Role::Coarser}, Stem{"summe", Role::Cumulative}, Stem{"kumul", Role::Cumulative},
-    Stem{"gesamt", Role::Cumulative}, Stem{"einzel", Role::OnOne}, Stem{"auf", Role::OnOne}, Stem{"je", Role::OnOne},
-    Stem{"prozent", Role::Percent}, Stem{"anteil", Role::Fraction}, Stem{"gewicht", Role::Mass},
-    Stem{"leer", Role::Tare}, Stem{"mit", Role::And}, Stem{"und", Role::And}, Stem{"boden", Role::Soil},
-    Stem{"probe", Role::Sample}, Stem{"entnahmestelle", Role::Sample}, Stem{"schurf", Role::Sample}, Stem{"bohrung", Role::Sample}, Stem{"tiefe", Role::Depth}, Stem{"teufe", Role::Depth},
-    Stem{"nr", Role::Number}, Stem{"als", Role::Filler}, Stem{"in", Role::Filler}, Stem{"der", Role::Filler},
-    // Spanish
-    Stem{"diametro", Role::Size}, Stem{"abertura", Role::Size}, Stem{"tamano", Role::Size}, Stem{"malla", Role::Sieve},
-    Stem{"tamiz", Role::Sieve}, Stem{"tamices", Role::Sieve}, Stem{"pasa", Role::Passing}, Stem{"pasante", Role::Passing},
-    Stem{"pasando", Role::Passing}, Stem{"retenid", Role::Retained}, Stem{"acumulad", Role::Cumulative},
-    Stem{"parcial", Role::OnOne}, Stem{"porcentaje", Role::Percent}, Stem{"peso", Role::Mass}, Stem{"masa", Role::Mass},
-    Stem{"tara", Role::Tare}, Stem{"vacio", Role::Tare}, Stem{"con", Role::And}, Stem{"suelo", Role::Soil},
-    Stem{"muestra", Role::Sample}, Stem{"calicata", Role::Sample}, Stem{"cata", Role::Sample}, Stem{"sondeo", Role::Sample}, Stem{"profundidad", Role::Depth},
-    Stem{"que", Role::Filler}, Stem{"del", Role::Filler}, Stem{"el", Role::Filler},
-    // Portuguese, where it is not Spanish
-    Stem{"peneira", Role::Sieve}, Stem{"retid", Role::Retained}, Stem{"passa", Role::Passing},
-    Stem{"amostra", Role::Sample}, Stem{"sondagem", Role::Sample}, Stem{"furo", Role::Sample},
-    // Italian
-    Stem{"apertura", Role::Size}, Stem{"maglia", Role::Size}, Stem{"dimensione", Role::Size}, Stem{"luce", Role::Size},
-    Stem{"setaccio", Role::Sieve}, Stem{"vaglio", Role::Sieve}, Stem{"crivello", Role::Sieve},
-    Stem{"passante", Role::Passing}, Stem{"passanti", Role::Passing}, Stem{"trattenut", Role::Retained},
-    Stem{"ritenut", Role::Retained}, Stem{"cumulat", Role::Cumulative}, Stem{"progressiv", Role::Cumulative},
-    Stem{"parziale", Role::OnOne}, Stem{"singolo", Role::OnOne}, Stem{"percentuale", Role::Percent},
-    Stem{"massa", Role::Mass}, Stem{"vuoto", Role::Tare}, Stem{"terreno", Role::Soil}, Stem{"campione", Role::Sample},
-    Stem{"sondaggio", Role::Sample}, Stem{"profondita", Role::Depth}, Stem{"di", Role::Filler},
-    Stem{"al", Role::Filler}, Stem{"dei", Role::Filler},
-};
-
-// clang-format on
-
-std::optional<Role> role_of(std::string_view word) {
-    constexpr std::size_t whole = 5; // shorter stems are words of their own
-    for (const Stem& stem : stems) {
-        if (word == stem.text) {
-            return stem.role;
-        }
-    }
-    std::optional<Role> found;
-    std::size_t longest = 0;
-    for (const Stem& stem : stems) {
-        if (stem.text.size() >= whole && stem.text.size() > longest && word.find(stem.text) != std::string_view::npos) {
-            found = stem.role, longest = stem.text.size();
-        }
-    }
-    return found;
-}
-
 /// Letters of Latin-1 beyond ASCII, from U+00C0 on, without their accents; a blank where there is no letter.
 constexpr std::string_view latin = "aaaaaaaceeeeiiiidnooooo ouuuuypsaaaaaaaceeeeiiiidnooooo ouuuuypy";
 
@@ -141,17 +24,13 @@ bool take_unit(std::string_view text, Heading& heading) {
     std::transform(plain.begin(), plain.end(), plain.begin(), [](unsigned char c) {
         return static_cast<char>(std::tolower(c));
     });
-    if (plain.find('%') != std::string::npos || plain == "percent" || plain == "pct") {
-        heading.unit = ShareUnit::Percent;
-        return true;
-    }
-    if (plain == "-" || plain == "1" || plain == "fraction") {
-        heading.unit = ShareUnit::Fraction;
-        return true;
-    }
-    if (plain == "g" || plain == "kg" || plain == "gr" || plain == "grams" || plain == "gm" || plain == "mg") {
-        heading.unit = ShareUnit::Mass;
-        heading.mass_unit = plain == "kg" ? "kg" : plain == "mg" ? "mg" : "g";
+    const ShareUnit unit = plain.find('%') != std::string::npos ? ShareUnit::Percent : share_unit_named(plain);
+    if (unit != ShareUnit::Unknown) {
+        heading.unit = unit;
+        heading.mass_unit = unit != ShareUnit::Mass ? heading.mass_unit
+                            : plain == "kg"         ? "kg"
+                            : plain == "mg"         ? "mg"
+                                                    : "g";
         return true;
     }
     if (const SizeScale scale = size_scale_of(trimmed(text)); scale != SizeScale::Unknown) {

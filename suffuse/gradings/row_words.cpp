@@ -2,6 +2,7 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/heading.hpp"
+#include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet.hpp"
 #include "suffuse/gradings/sieve_size.hpp"
 
@@ -16,39 +17,6 @@
 namespace suffuse::gradings {
 
 namespace {
-
-template <std::size_t N>
-bool is_among(const std::array<std::string_view, N>& words, std::string_view word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-struct Prefix {
-    std::string_view text;
-    SizeSense sense;
-};
-
-// A sign stands anywhere before a size, a word of its own is followed by a blank.
-constexpr std::array prefixes{
-    Prefix{"<=", SizeSense::Finer},
-    Prefix{"\u2264", SizeSense::Finer},
-    Prefix{"<", SizeSense::Finer},
-    Prefix{">=", SizeSense::Coarser},
-    Prefix{"\u2265", SizeSense::Coarser},
-    Prefix{">", SizeSense::Coarser},
-    Prefix{"passing ", SizeSense::Finer},
-    Prefix{"pass ", SizeSense::Finer},
-    Prefix{"finer than ", SizeSense::Finer},
-    Prefix{"less than ", SizeSense::Finer},
-    Prefix{"minus ", SizeSense::Finer},
-    Prefix{"passant ", SizeSense::Finer},
-    Prefix{"pasa ", SizeSense::Finer},
-    Prefix{"passante ", SizeSense::Finer},
-    Prefix{"retained on ", SizeSense::Coarser},
-    Prefix{"coarser than ", SizeSense::Coarser},
-    Prefix{"plus ", SizeSense::Coarser},
-    Prefix{"-#", SizeSense::Finer},
-    Prefix{"+#", SizeSense::Coarser},
-};
 
 /// The number that a text begins with, and its length; with what follows as its unit.
 struct Bound {
@@ -86,8 +54,7 @@ SizeText finer_by_unit(std::string_view first, std::string_view second) {
 
 /// "63 - 31.5", "2 to 0.85 mm": the finer bound with its unit.
 std::optional<SizeText> split_class(std::string_view text) {
-    constexpr std::array<std::string_view, 7> marks{" to ", " bis ", " \u00e0 ", " a ", "\u2013", "\u2014", "-"};
-    for (const std::string_view mark : marks) {
+    for (const std::string_view mark : range_marks()) {
         const std::size_t at = text.find(mark);
         if (at == std::string_view::npos || at == 0) {
             continue;
@@ -117,34 +84,21 @@ RowWord read_row_word(std::string_view text) {
     const std::string plain = plain_words(text);
     const std::string_view words = trimmed(plain);
     const std::string_view word = words.substr(0, words.find(' '));
-    constexpr std::array<std::string_view, 16> pans{
-        "pan",        "receiver",      "bottom",  "fond",  "fondo",   "schale", "boden", "bodenschale",
-        "bodenblech", "auffangschale", "bandeja", "ciego", "cazuela", "rest",   "base",  "fondello"};
-    constexpr std::array<std::string_view, 10> totals{"total", "totals", "sum",    "summe", "somme",
-                                                      "suma",  "totale", "gesamt", "somma", "gesamtmasse"};
-    constexpr std::array<std::string_view, 8> washed{" wash",   " washed",   " washing",     " lavage",
-                                                     " lavado", " lavaggio", " abschlammen", " abgeschlammt"};
-    constexpr std::array<std::string_view, 14> losses{"loss",   "lost",     "wash",         "washed",  "washing",
-                                                      "fines",  "perte",    "perdida",      "perdita", "lavage",
-                                                      "lavado", "lavaggio", "abgeschlammt", "material"};
     const std::string spaced = fmt::format(" {} ", words);
-    const bool names_wash = std::any_of(washed.begin(), washed.end(), [&spaced](std::string_view known) {
-        return spaced.find(fmt::format("{} ", known)) != std::string::npos;
-    });
-    const bool is_washed = names_wash && is_among(losses, word); // "Remarks: washed" is a note
-    constexpr std::array<std::string_view, 4> doubtful{"bottom", "boden", "rest", "base"}; // of notes, too
-    const bool is_note = is_among(doubtful, word) && words.find(' ') != std::string_view::npos;
-    if ((is_among(pans, word) && !is_note) || is_washed) {
+    const bool is_washed =
+        mentions(Topic::Washing, spaced) && is_word_of(Topic::Loss, word); // "Remarks: washed" is a note
+    const bool is_note = is_word_of(Topic::PanOrNote, word) && words.find(' ') != std::string_view::npos;
+    if ((is_word_of(Topic::Pan, word) && !is_note) || is_washed) {
         return RowWord::Pan;
     }
     const bool is_sum = trimmed(text) == "\u03a3" || trimmed(text) == "\u2211";
-    return is_sum || is_among(totals, word) ? RowWord::Total : RowWord::None;
+    return is_sum || is_word_of(Topic::Total, word) ? RowWord::Total : RowWord::None;
 }
 
 SizeText split_size_text(std::string_view text) {
     text = trimmed(text);
     const std::string small = in_small_letters(text);
-    for (const Prefix& prefix : prefixes) {
+    for (const SizePrefix& prefix : size_prefixes()) {
         if (small.starts_with(prefix.text)) {
             const std::size_t skipped = prefix.text.ends_with('#') ? prefix.text.size() - 1 : prefix.text.size();
             return {std::string(trimmed(text.substr(skipped))), prefix.sense};

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/units.hpp"
 #include "suffuse/gradings/grading_columns.hpp"
+#include "suffuse/gradings/lexicon.hpp"
 
 #include <fmt/format.h>
 
@@ -13,27 +14,9 @@ namespace suffuse::gradings {
 
 namespace {
 
-bool has_word(const std::string& words, std::initializer_list<std::string_view> stems) {
-    return std::ranges::any_of(stems, [&words](std::string_view stem) {
-        return words.find(fmt::format(" {}", stem)) != std::string::npos;
-    });
-}
-
-/// In English, French, German, Spanish, Italian; by the beginnings of words.
 bool names_dry_mass(const std::string& words) {
-    const bool is_mass = has_word(
-        words, {"mass", "masse", "weight", "poids", "peso", "massa", "masa", "einwaage", "trockenmasse", "gesamtmasse",
-                "trockengewicht"}
-    );
-    const bool is_whole = has_word(
-        words, {"dry", "total", "initial", "sech", "sec ", "seco", "seca", "secca", "secco", "trocken", "gesamt",
-                "specimen", "sample", "einwaage", "echantillon"}
-    );
-    const bool is_other = has_word(words, {"after",   "wash", "wet ",  "moist",    "apres", "lava",   "nach ",
-                                           "despues", "dopo", "humid", "humed",    "umid",  "feucht", "container",
-                                           "tare",    "tara", "dish",  "moisture", "water", "sieve ", "retained"}) &&
-                          !has_word(words, {"before"});
-    return is_mass && is_whole && !is_other;
+    return mentions(Topic::Mass, words) && mentions(Topic::WholeSample, words) &&
+           (!mentions(Topic::OtherMass, words) || mentions(Topic::Before, words));
 }
 
 std::optional<double> mass_in(std::string_view text, const char* unit, bool comma) {
@@ -111,7 +94,7 @@ std::optional<double> find_dry_mass(const Sheet& sheet, const std::vector<const 
 bool names_hydrometer(const SheetRow& row) {
     return std::ranges::any_of(row.cells, [](const SheetCell& cell) {
         const std::string words = fmt::format(" {} ", plain_words(cell.text));
-        return has_word(words, {"hydromet", "sediment", "areomet", "araomet", "schlamm", "densimet", "pipett"});
+        return mentions(Topic::Hydrometer, words);
     });
 }
 

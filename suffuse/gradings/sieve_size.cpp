@@ -2,6 +2,7 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
+#include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet.hpp"
 #include "suffuse/io/text_file.hpp"
 
@@ -222,32 +223,7 @@ SizeScale size_scale_of(std::string_view unit) {
     while (plain.ends_with('.')) {
         plain.pop_back();
     }
-    const auto is_one_of = [&plain](std::initializer_list<std::string_view> words) {
-        return std::find(words.begin(), words.end(), plain) != words.end();
-    };
-    if (is_one_of({"mm", "millimeter", "millimeters", "millimetre", "millimetres", "millimetri", "milimetros"})) {
-        return SizeScale::Millimeters;
-    }
-    if (is_one_of(
-            {"um", "micron", "microns", "micrometer", "micrometers", "micrometre", "micrometres", "mic", "mu", "mikron",
-             "mikrometer", "micras", "micra", "micrometri"}
-        )) {
-        return SizeScale::Micrometers;
-    }
-    if (is_one_of({"m", "meter", "meters", "metre", "metres"})) {
-        return SizeScale::Meters;
-    }
-    if (is_one_of({"cm"})) {
-        return SizeScale::Centimeters;
-    }
-    if (is_one_of({"in", "inch", "inches", "\"", "zoll", "pouce", "pouces", "pulgada", "pulgadas", "pulg", "pollici"}
-        )) {
-        return SizeScale::Inches;
-    }
-    if (is_one_of({"phi", "\u03c6", "\u03d5", "\u03a6", "\u00f8", "\u00d8"})) {
-        return SizeScale::Phi;
-    }
-    return is_one_of({"no", "#", "number", "nr", "mesh"}) ? SizeScale::SieveNumber : SizeScale::Unknown;
+    return size_scale_named(plain);
 }
 
 std::optional<SieveSize> read_sieve_size(std::string_view text, SizeScale scale, bool comma) {

@@ -1,5 +1,7 @@
 #include "suffuse/gradings/soil_columns.hpp"
 
+#include "suffuse/gradings/lexicon.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -106,11 +108,7 @@ bool agree(const Sheet& sheet, std::size_t masses, std::size_t percents, std::si
 /// "% finer total" beside "% finer -#10": of the whole sample.
 bool is_of_total(const Heading& heading, const std::string& text) {
     const std::string words = fmt::format(" {} ", plain_words(text));
-    return heading.unit != ShareUnit::Mass &&
-           std::ranges::any_of(
-               std::vector<std::string_view>{" total ", " totale ", " gesamt ", " whole "},
-               [&words](std::string_view word) { return words.find(word) != std::string::npos; }
-           );
+    return heading.unit != ShareUnit::Mass && mentions(Topic::TotalSample, words);
 }
 
 /// Of the columns of one soil that of the whole sample; percents rather than masses, whose whole may be another, unless

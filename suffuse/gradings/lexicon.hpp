@@ -1,0 +1,83 @@
+#pragma once
+// The words by which headings, units, rows, titles and results are recognized, in English, French, German, Spanish,
+// Portuguese and Italian: a new word of a laboratory is a word in a table of lexicon.cpp. They are plain: small letters
+// without accents (plain_words of heading.hpp).
+
+#include "suffuse/gradings/derived_names.hpp"
+#include "suffuse/gradings/heading.hpp"
+#include "suffuse/gradings/row_words.hpp"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace suffuse::gradings {
+
+/// What a word says in the heading of a column.
+enum class Role {
+    Size,
+    Sieve,
+    Number,
+    Passing,
+    Retained,
+    Coarser,
+    Cumulative,
+    OnOne,
+    Percent,
+    Fraction,
+    Mass,
+    By,
+    Tare,
+    And,
+    Soil,
+    Sample,
+    Depth,
+    Phi,
+    Filler,
+};
+
+std::optional<Role> role_of(std::string_view word);
+
+/// What a unit in a heading says: "%", "g". It is in small letters.
+ShareUnit share_unit_named(std::string_view unit);
+
+/// Likewise, of a length or another measure of sizes.
+SizeScale size_scale_named(std::string_view unit);
+
+/// What is given below a curve: "cu", "gravel".
+std::optional<DerivedValue::Kind> result_named(std::string_view word);
+
+/// What words of rows and titles are about.
+enum class Topic {
+    Pan,
+    PanOrNote, ///< of these, ones that begin notes, too
+    Total,
+    Loss, ///< of what was washed away
+    Washing,
+    Mass,
+    WholeSample,
+    OtherMass, ///< not that of the dry sample
+    Before,
+    Hydrometer,
+    TotalSample,  ///< "% finer total" beside "% finer -#10"
+    ResultFiller, ///< beside the name of a result
+};
+
+/// Whether this is a word of the topic.
+bool is_word_of(Topic topic, std::string_view word);
+
+/// Whether one of these, with blanks around each, begins as a word of the topic.
+bool mentions(Topic topic, std::string_view words);
+
+/// What stands before a size: a sign, or words with a blank behind them.
+struct SizePrefix {
+    std::string_view text;
+    SizeSense sense;
+};
+
+std::span<const SizePrefix> size_prefixes();
+
+/// What stands between the bounds of a range of sizes.
+std::span<const std::string_view> range_marks();
+
+} // namespace suffuse::gradings
