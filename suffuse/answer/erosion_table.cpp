@@ -1,7 +1,7 @@
 #include "suffuse/answer/erosion_table.hpp"
 
 #include "suffuse/base/words.hpp"
-#include "suffuse/record/ending_words.hpp"
+#include "suffuse/facts/ending_words.hpp"
 #include "suffuse/study/passes.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
@@ -30,7 +30,7 @@ std::vector<std::string> row_of(const record::FinishedStage& stage) {
         change ? short_number(*change) : "–",
         percent_beyond_noise(worst == nullptr ? 0 : 100 * std::max(0.0, *erosion::stress_loss(*worst))),
         percent_beyond_noise(100 * strain),
-        last.verdict ? record::words_of(last.verdict) : "passes asked for"};
+        last.verdict ? facts::words_of(last.verdict) : "passes asked for"};
 }
 
 } // namespace

@@ -7,9 +7,9 @@
 #include "suffuse/base/words.hpp"
 #include "suffuse/erosion/detachment.hpp"
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/facts/ending_words.hpp"
 #include "suffuse/figures/stress_probes.hpp"
 #include "suffuse/grains/grading.hpp"
-#include "suffuse/record/ending_words.hpp"
 #include "suffuse/study/findings_reason.hpp"
 #include "suffuse/study/passes.hpp"
 #include "suffuse/study/probed_states.hpp"
@@ -118,7 +118,7 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
     }
     const erosion::Ending& ending = erosion.passes.back().verdict;
     if (ending && ending != erosion::Ending{erosion::NothingLeaves{}}) { // told already
-        sentences.push_back(fmt::format("It ended there: {}.", record::words_of(ending)));
+        sentences.push_back(fmt::format("It ended there: {}.", facts::words_of(ending)));
     }
     return fmt::format("{}", fmt::join(sentences, " "));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Why an erosion or a removal stops, with the numbers that say so. Its words: record/ending_words.hpp.
+// Why an erosion or a removal stops, with the numbers that say so. Its words: facts/ending_words.hpp.
 
 #include "suffuse/erosion/spec.hpp"
 

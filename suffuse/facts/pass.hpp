@@ -2,6 +2,7 @@
 // Passes of an erosion or a removal, and the probes before them.
 
 #include "suffuse/erosion/result.hpp"
+#include "suffuse/facts/ending_words.hpp"
 #include "suffuse/facts/fact.hpp"
 
 #include <algorithm>
@@ -162,7 +163,16 @@ inline constexpr std::tuple pass{
         "wall_seconds", "s",
         "by part: `relax`, `flow`, `probe`, `constrictions`, `extraction`, `constant volume`, `servo`"
     ),
-    row<&erosion::PassResult::verdict>("verdict", "", "why the procedure stops here; empty where it goes on"),
+    row<[](const erosion::PassResult& p) { return words_of(p.verdict); }>(
+        "verdict", "", "why the procedure stops here; empty where it goes on"
+    ),
+    row<&erosion::PassResult::verdict>(
+        "ended", "",
+        "the same for programs: null, or `why` with its numbers: `nothing leaves`, `noise decides`, `skeleton doubt` "
+        "(`coarse` grains, `width` of the cell in coarse diameters or 0), `skeleton failed` (`most_strain`), `skeleton "
+        "restless` (`steps`, `carried`), `target reached` (`share`, `asked`, `of`, `doubt`), `none to remove` "
+        "(`pass`, `passes`), `told otherwise`"
+    ),
     saved_alone<&erosion::PassResult::coordination_histogram>("coordination_histogram"),
     saved_alone<&erosion::PassResult::time_step>("time_step"),
     saved_alone<&erosion::PassResult::failed>("failed"),

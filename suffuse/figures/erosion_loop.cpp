@@ -1,8 +1,8 @@
 // Figure 7: the erosion loop as a drawing, with a column of counts for each pass beside its arrows.
 #include "suffuse/base/escaped.hpp"
 #include "suffuse/base/words.hpp"
+#include "suffuse/facts/ending_words.hpp"
 #include "suffuse/figures/figures.hpp"
-#include "suffuse/record/ending_words.hpp"
 #include "suffuse/study/passes.hpp"
 
 #include <fmt/format.h>
@@ -216,7 +216,7 @@ std::optional<Figure> erosion_loop(const ErosionResult& erosion) {
         );
     }
     const erosion::Ending& ending = erosion.passes.back().verdict;
-    figure.caption += ending ? "; it stopped because: " + record::words_of(ending) + "." : ".";
+    figure.caption += ending ? "; it stopped because: " + facts::words_of(ending) + "." : ".";
     figure.table = table_of(steps_of(all, erosion::is_forced(erosion)), all);
     figure.drawing = draw(steps_of(shown, erosion::is_forced(erosion)), shown);
     return figure;

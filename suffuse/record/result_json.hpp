@@ -9,7 +9,8 @@
 #include "suffuse/facts/pass.hpp"
 #include "suffuse/facts/test.hpp"
 #include "suffuse/packing/compact.hpp"
-#include "suffuse/record/ending_words.hpp"
+#include "suffuse/record/earlier_endings.hpp"
+#include "suffuse/record/ending_json.hpp"
 #include "suffuse/record/fact_json.hpp"
 #include "suffuse/record/or_null.hpp"
 #include "suffuse/triaxial/response.hpp"
@@ -198,22 +199,20 @@ inline void from_json(const nlohmann::json& json, MobilityResult& of) {
     record::load_facts(json, facts::mobility, of);
 }
 
-inline void to_json(nlohmann::json& json, const Ending& ending) {
-    json = record::words_of(ending);
-}
-
-inline void from_json(const nlohmann::json& json, Ending& ending) {
-    ending = record::ending_told(json);
-}
-
 inline void to_json(nlohmann::json& json, const PassResult& of) {
     record::save_facts(json, facts::pass, of);
     record::save_facts(json, facts::pass_with_water, of);
+    json["verdict"] = facts::words_of(of.verdict); // what earlier versions read
 }
 
 inline void from_json(const nlohmann::json& json, PassResult& of) {
     record::load_facts(json, facts::pass, of);
     record::load_facts(json, facts::pass_with_water, of);
+    if (!json.contains("ended")) {
+        of.verdict = record::ending_of_sentence(json.at("verdict"));
+    } else if (auto* const told = std::get_if<ToldOtherwise>(&of.verdict.why)) {
+        told->words = json.at("verdict");
+    }
 }
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErosionResult, passes, ledger, path, initial_mass)

@@ -3,10 +3,10 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/loop.hpp"
 #include "suffuse/erosion/passage.hpp"
+#include "suffuse/facts/ending_words.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/pores/constrictions.hpp"
-#include "suffuse/record/ending_words.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/eroded_table.hpp"
@@ -184,7 +184,7 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
                                   (pass.reached_target && !pass.failed && !erosion::doubt_skeleton(work.world));
         if (pass.verdict && !is_usual_end) {
             work.warnings.push_back(
-                fmt::format("{}: pass {}: {}", work.place(), pass.pass, record::words_of(pass.verdict))
+                fmt::format("{}: pass {}: {}", work.place(), pass.pass, facts::words_of(pass.verdict))
             );
         }
     }

@@ -3,7 +3,7 @@
 #include "suffuse/cell/strain.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/removal.hpp"
-#include "suffuse/record/ending_words.hpp"
+#include "suffuse/facts/ending_words.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/eroded_table.hpp"
 #include "suffuse/run/stage_work.hpp"
@@ -102,7 +102,7 @@ void do_remove(StageWork& work, const erosion::RemoveSpec& spec) {
     work.time_step = removal.erosion.passes.back().time_step;
     work.numbers.update(removal_numbers(work.world, removal));
     if (const erosion::Ending& ending = removal.erosion.passes.back().verdict) {
-        work.warnings.push_back(fmt::format("{}: {}", work.place(), record::words_of(ending)));
+        work.warnings.push_back(fmt::format("{}: {}", work.place(), facts::words_of(ending)));
     }
     write_eroded(work.folder, removal.erosion);
 }

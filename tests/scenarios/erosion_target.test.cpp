@@ -31,6 +31,8 @@ TEST(ErosionTarget, EndsTheStageWithThePassThatReachesIt) {
     EXPECT_EQ(little.at("passes").size(), 1U);
     EXPECT_TRUE(pass.at("reached_target"));
     EXPECT_NE(pass.at("verdict").get<std::string>().find("5 % was asked for"), std::string::npos);
+    EXPECT_EQ(pass.at("ended").at("why"), "target reached");
+    EXPECT_EQ(pass.at("ended").at("asked"), 0.05);
     EXPECT_EQ(little.at("warnings").dump().find("asked for"), std::string::npos)
         << "a target that is met is no warning";
     const double solids = little.at("eroded_share_of_solids"), fines = little.at("eroded_share_of_fines");
@@ -69,6 +71,7 @@ TEST(ErosionTarget, AnErosionFromWhichNothingLeavesAnyMoreHasEndedAndWarnsOfNoth
     const json stage = stage_of(folder.path(), "rattlers"), last = stage.at("passes").back();
     EXPECT_EQ(last.at("removed"), 0);
     EXPECT_EQ(last.at("verdict"), "nothing leaves any more");
+    EXPECT_EQ(last.at("ended"), json({{"why", "nothing leaves"}}));
     EXPECT_EQ(stage.at("warnings").dump().find("nothing leaves"), std::string::npos);
 }
 
@@ -83,10 +86,10 @@ TEST(ForcedErosion, GoesOnWhateverTheNoiseOfTheProbe) {
         folder.path()
     );
     const auto first = [&](const std::string& stage) {
-        return stage_of(folder.path(), stage).at("passes").at(0).at("verdict").get<std::string>();
+        return stage_of(folder.path(), stage).at("passes").at(0).at("ended");
     };
-    EXPECT_NE(first("probed").find("noise"), std::string::npos) << first("probed");
-    EXPECT_EQ(first("forced"), "");
+    EXPECT_EQ(first("probed"), json({{"why", "noise decides"}}));
+    EXPECT_EQ(first("forced"), nullptr);
     EXPECT_EQ(stage_of(folder.path(), "forced").at("passes").size(), 2U);
 }
 

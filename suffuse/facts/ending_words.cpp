@@ -1,19 +1,13 @@
-#include "suffuse/record/ending_words.hpp"
+#include "suffuse/facts/ending_words.hpp"
 
 #include "suffuse/erosion/passage.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cstdlib>
-#include <vector>
-
-namespace suffuse::record {
+namespace suffuse::facts {
 namespace {
 
 using erosion::Ending;
-using erosion::ErodedTarget;
 using erosion::NoiseDecides;
 using erosion::NoneToRemove;
 using erosion::NothingLeaves;
@@ -72,57 +66,10 @@ struct Words {
     std::string operator()(const ToldOtherwise& told) const { return told.words; }
 };
 
-std::vector<double> numbers_in(const std::string& words) {
-    std::vector<double> numbers;
-    for (const char* at = words.c_str(); *at != '\0';) {
-        char* end = nullptr;
-        const bool begins = std::isdigit(static_cast<unsigned char>(*at)) != 0;
-        const double number = begins ? std::strtod(at, &end) : 0;
-        if (begins) {
-            numbers.push_back(std::min(number, 1e9)); // beyond are none of ours, nor whole numbers that fit
-        }
-        at = begins ? end : at + 1;
-    }
-    return numbers;
-}
-
-/// All endings that may have these numbers in words; those that lack some get zeros.
-std::vector<Ending> endings_with(std::vector<double> numbers) {
-    numbers.resize(4);
-    const auto whole = [&](std::size_t k) { return static_cast<std::int64_t>(numbers[k]); };
-    std::vector<Ending> endings{
-        {},
-        {NothingLeaves{}},
-        {NoiseDecides{}},
-        {SkeletonDoubt{whole(0), 0}},
-        {SkeletonDoubt{0, numbers[0]}},
-        {SkeletonFailed{numbers[0] / 100}},
-        {SkeletonRestless{whole(0), numbers[1] / 100}},
-        {NoneToRemove{static_cast<int>(whole(0)), static_cast<int>(whole(1))}}};
-    for (const ErodedTarget::Of of : {ErodedTarget::Of::Fines, ErodedTarget::Of::Solids}) {
-        const TargetReached reached{numbers[0] / 100, numbers[1] / 100, of, {}};
-        endings.push_back({reached});
-        for (const SkeletonDoubt& doubt : {SkeletonDoubt{whole(2), 0}, SkeletonDoubt{0, numbers[2]}}) {
-            endings.push_back({TargetReached{reached.share, reached.asked, of, doubt}});
-        }
-    }
-    return endings;
-}
-
 } // namespace
 
 std::string words_of(const Ending& ending) {
     return std::visit(Words{}, ending.why);
 }
 
-// The words have rounded numbers, so the words, not the numbers, say whether it is this ending.
-Ending ending_told(const std::string& words) {
-    for (Ending& ending : endings_with(numbers_in(words))) {
-        if (words_of(ending) == words) {
-            return std::move(ending);
-        }
-    }
-    return {ToldOtherwise{words}};
-}
-
-} // namespace suffuse::record
+} // namespace suffuse::facts

@@ -1,0 +1,13 @@
+#pragma once
+// Files of earlier versions, without `ended`, tell why an erosion stopped in a sentence alone.
+
+#include "suffuse/erosion/ending.hpp"
+
+#include <string>
+
+namespace suffuse::record {
+
+/// The ending that the sentence of such a file tells, with its rounded numbers; else ToldOtherwise.
+erosion::Ending ending_of_sentence(const std::string& sentence);
+
+} // namespace suffuse::record
