@@ -63,6 +63,7 @@ void LiveReport::learn(const run::Progress& progress) {
     }
     Stage& stage = stage_of(progress);
     stage.status = !progress.failure.empty() ? "failed" : progress.stage_finished ? "done" : "running";
+    stage.is_done = progress.failure.empty() && progress.stage_finished;
     stage.time = progress.from_cache ? "from the cache" : duration_text(progress.stage_seconds);
     stage.state = progress.failure.empty() ? state_text(progress.state) : progress.failure;
 }
@@ -90,10 +91,9 @@ void LiveReport::write(const std::string& ending) const {
     page.left = duration_range_text(left_.left());
     page.ending = ending;
     page.command = command_;
-    const auto is_over = [](const Stage& stage) { return stage.status == "done"; };
     std::ptrdiff_t spare = std::ssize(stages_) - static_cast<std::ptrdiff_t>(most_rows);
     for (const Stage& stage : stages_) {
-        if (spare > 0 && is_over(stage)) {
+        if (spare > 0 && stage.is_done) {
             --spare;
         } else if (page.rows.size() < most_rows) {
             page.rows.push_back({stage.study + "/" + stage.stage, stage.verb, stage.status, stage.time, stage.state});

@@ -30,6 +30,7 @@ public:
 private:
     struct Stage {
         std::string study, stage, verb, status, time, state;
+        bool is_done = false;
     };
 
     void learn(const run::Progress& progress);

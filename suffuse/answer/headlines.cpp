@@ -118,11 +118,12 @@ erosion_headlines(const ErosionResult& erosion, const flow::Fluid& fluid, const 
     }
     if (const PassResult* const worst = erosion::pass_of_largest_loss(erosion)) {
         const double loss = *erosion::stress_loss(*worst);
+        const Scatter change = over_seeds(outcome, Result::StressChange, -loss);
         Headline headline = seeds_headline(
-            Result::StressChange, over_seeds(outcome, Result::StressChange, -loss),
+            Result::StressChange, change,
             is_noise(100 * loss) ? "in all passes" : fmt::format("after pass {}, the largest loss", worst->pass), fluid
         );
-        headline.value = headline.value == "none" ? "unchanged" : headline.value;
+        headline.value = is_none(Result::StressChange, change.mean) ? "unchanged" : headline.value;
         headlines.push_back(std::move(headline));
     }
     return headlines;
@@ -134,13 +135,21 @@ std::vector<Headline> sweep_headlines(const study::StudyOutcome& outcome, const 
     if (!main) {
         return headlines;
     }
-    headlines.push_back(range_headline(outcome, *main, fluid));
-    for (int k = 0; k < study::results; ++k) {
-        if (const auto which = static_cast<Result>(k); which != *main && outcome.has(which)) {
+    const auto tell = [&](Result which) {
+        const auto is_something = [&](const study::OutcomePoint& point) {
+            const Scatter* const value = point.find(which);
+            return value != nullptr && !is_none(which, value->mean);
+        };
+        if (std::ranges::any_of(outcome.points, is_something)) {
             headlines.push_back(range_headline(outcome, which, fluid));
         }
+    };
+    tell(*main);
+    for (int k = 0; k < study::results; ++k) {
+        if (const auto which = static_cast<Result>(k); which != *main && outcome.has(which)) {
+            tell(which);
+        }
     }
-    std::erase_if(headlines, [](const Headline& headline) { return headline.value == "none"; }); // nowhere
     for (Headline& headline : headlines) {
         headline.detail += outcome.seeds() < 2 ? "; no replicate" : "";
     }

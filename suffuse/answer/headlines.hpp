@@ -49,6 +49,9 @@ std::string value_in_words(const study::SweepPoint& at, std::size_t key);
 /// The value of a result at one point, as told: "13 %", "0.30", "338 kPa".
 std::string result_text(study::Result which, double value, const flow::Fluid& fluid);
 
+/// Whether its text is "none".
+bool is_none(study::Result which, double value);
+
 /// "± 2 %" in the same unit; empty for a single sample.
 std::string result_spread(study::Result which, const study::Scatter& value, const flow::Fluid& fluid);
 

@@ -2,6 +2,7 @@
 
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/words.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 
 #include <fmt/format.h>
 
@@ -371,8 +372,7 @@ std::vector<Headline> mobility_headlines(const MobilityStory& story) {
 
 std::optional<std::string> what_weight_would_change(const std::vector<record::FinishedStage>& stages) {
     const bool asks = std::ranges::any_of(stages, [](const record::FinishedStage& stage) {
-        const std::string& verb = stage.numbers.value("verb", std::string());
-        return verb == "detach" || verb == "erode";
+        return casefile::traits_of(*stage.stage).probes_fines();
     });
     const bool weighs = std::ranges::any_of(stages, [](const record::FinishedStage& stage) {
         return stage.numbers.value("model", std::string("weightless")) != "weightless";

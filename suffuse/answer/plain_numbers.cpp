@@ -46,8 +46,12 @@ std::string percent_text(double share) {
     return fixed(value, std::min(1, decimals_for(value, digits_of_percent))) + " %";
 }
 
+bool is_no_change(double change) {
+    return std::abs(change) < least_change / 2;
+}
+
 std::string change_text(double change) {
-    if (std::abs(change) < least_change / 2) {
+    if (is_no_change(change)) {
         return "none";
     }
     return (change > 0 ? "+" : "") + fixed(in_percent * change, std::min(1, decimals_for(in_percent * change, 2))) +

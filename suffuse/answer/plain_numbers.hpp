@@ -18,6 +18,9 @@ int decimals_for(double value, int digits);
 /// A share as a percentage of two digits: "14 %", "0.2 %", "< 0.1 %", "none".
 std::string percent_text(double share);
 
+/// Whether a change is rounding and the balance's noise.
+bool is_no_change(double change);
+
 /// The same with its sign, of a change: "−19 %", "+9 %", "none" where nothing changed to a thousandth.
 std::string change_text(double change);
 

@@ -16,6 +16,21 @@ std::string result_label(Result which) {
     return study::scale_of(which).label;
 }
 
+bool is_none(Result which, double value) {
+    switch (which) {
+    case Result::ErodedMass:
+    case Result::RemovedMass:
+    case Result::RemovalStrain:
+        return !(std::abs(value) > 0);
+    case Result::StressChange:
+        return is_no_change(value);
+    case Result::Permeability:
+        return !(value > 0);
+    default:
+        return false;
+    }
+}
+
 std::string result_text(Result which, double value, const flow::Fluid& fluid) {
     switch (which) {
     case Result::Safety:
@@ -60,8 +75,8 @@ std::string result_spread(Result which, const study::Scatter& value, const flow:
     case Result::Strength:
         return spread_text(value, study::scale_of(which).factor, 0);
     case Result::Permeability: {
-        const std::string deviation = conductivity_text(value.standard_deviation, fluid);
-        return value.seeds > 1 && deviation != "none" ? "± " + deviation : "";
+        const bool is_told = value.seeds > 1 && !is_none(which, value.standard_deviation);
+        return is_told ? "± " + conductivity_text(value.standard_deviation, fluid) : "";
     }
     case Result::VoidRatio:
         return spread_text(value, 1, 3);

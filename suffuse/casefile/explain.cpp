@@ -3,6 +3,7 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema.hpp"
+#include "suffuse/casefile/stage_traits.hpp"
 
 #include <fmt/format.h>
 
@@ -324,9 +325,7 @@ std::string keys_of_table(std::string_view what) {
         text +=
             fmt::format("  {:{}}  {:{}}  {}\n", row.path, widest(&Row::path), row.usual, widest(&Row::usual), row.text);
     }
-    return text.empty() || name == "stage" || !text.starts_with("a stage")
-               ? text
-               : text + "  what every stage has: suffuse explain stage\n";
+    return text.empty() || find_verb(name) == nullptr ? text : text + "  what every stage has: suffuse explain stage\n";
 }
 
 } // namespace

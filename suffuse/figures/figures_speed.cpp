@@ -256,16 +256,17 @@ const char* const how_drawn =
     "shown.";
 
 /// "12 % of the fines are detachable at i = 0.1, 98 % at i = 10": of the first and the last panel.
-std::string detached_claim(const std::vector<Panel>& panels) {
+/// @param in "at " a gradient, or "in " a pass
+std::string detached_claim(const std::vector<Panel>& panels, const char* in) {
     const auto share = [](const Panel& panel) {
         const study::Detached detached = study::count_detached(*panel.probe);
         return 100.0 * static_cast<double>(detached.yes) / static_cast<double>(detached.yes + detached.no);
     };
     const Panel& first = panels.front();
     const Panel& last = panels.back();
-    const auto place = [](const Panel& panel) { return (panel.name.starts_with("pass") ? "in " : "at ") + panel.name; };
-    std::string claim = fmt::format("{} % of the fines are detachable {}", short_number(share(first), 2), place(first));
-    return panels.size() < 2 ? claim : claim + fmt::format(", {} % {}", short_number(share(last), 2), place(last));
+    std::string claim =
+        fmt::format("{} % of the fines are detachable {}{}", short_number(share(first), 2), in, first.name);
+    return panels.size() < 2 ? claim : claim + fmt::format(", {} % {}{}", short_number(share(last), 2), in, last.name);
 }
 
 } // namespace
@@ -289,7 +290,7 @@ std::optional<Figure> speed_by_gradient(const std::vector<ProbeResult>& probes) 
     Figure figure = speed_figure(panels);
     figure.id = "fig09";
     figure.title = "Speed of the fines under the fluid force, by hydraulic gradient";
-    figure.claim = detached_claim(panels);
+    figure.claim = detached_claim(panels, "at ");
     figure.caption = "Detachable fines by the velocity rule: " + counts + "." + how_drawn;
     return figure;
 }
@@ -313,7 +314,7 @@ std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
     Figure figure = speed_figure(panels);
     figure.id = "fig10";
     figure.title = fmt::format("Speed of the fines in each erosion pass, i = {}", panels.front().probe->gradient);
-    figure.claim = detached_claim(panels);
+    figure.claim = detached_claim(panels, "in ");
     figure.caption = "Detachable fines by the velocity rule: " + counts + study::told_of(few, erosion.passes.size()) +
                      "." + how_drawn;
     return figure;

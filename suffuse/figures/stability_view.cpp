@@ -34,8 +34,8 @@ struct Points {
 /// "≥ 1.3", where the terminal has ">= 1.3".
 std::string typeset_limit(const Criterion& criterion) {
     std::string text = stability::limit_text(criterion);
-    if (text.starts_with(">=") || text.starts_with("<=")) {
-        text.replace(0, 2, text.front() == '>' ? "≥" : "≤");
+    if (criterion.limit && !criterion.upper && !criterion.strict) {
+        text.replace(0, 2, criterion.sense == stability::Sense::AtMost ? "≤" : "≥");
     }
     return text;
 }
