@@ -334,7 +334,8 @@ std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
     std::vector<SheetTable> tables;
     std::size_t first = 0;
     for (std::size_t k = 0; k < headers.size(); ++k) {
-        const std::size_t end = k + 1 < headers.size() ? first_title(sheet, headers[k + 1]) : sheet.rows.size();
+        const std::size_t end =
+            k + 1 < headers.size() ? std::max(first_title(sheet, headers[k + 1]), headers[k] + 1) : sheet.rows.size();
         for (SheetTable& part : cut_beside(TableCutter(sheet, first, headers[k], end).cut(), problems)) {
             tables.push_back(std::move(part));
         }
