@@ -104,8 +104,11 @@ def of_vtk(data):
 
 
 def of_svg(text):
-    told = re.compile(r"<metadata>(.*?)</metadata>", re.S)
-    return {"metadata": told.findall(text), "tags": told.sub("", text).replace("><", ">\n<").splitlines()}
+    tree = {}
+    for key, tag in (("metadata", "metadata"), ("captions", "desc")):
+        told = re.compile(f"<{tag}>(.*?)</{tag}>", re.S)
+        tree[key], text = told.findall(text), told.sub("", text)
+    return {**tree, "tags": text.replace("><", ">\n<").splitlines()}
 
 
 def of_checksums(text):

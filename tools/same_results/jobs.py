@@ -5,12 +5,15 @@ quick enough, samples are made smaller.
 """
 
 import dataclasses
+import pathlib
 
 ONE_THREAD = ("-j", "1")
 QUIET = (*ONE_THREAD, "-q", "--json")
 REPLAY = "@examples/replay/case.toml"
 PACKING, CELL = "@examples/replay/packing.csv", "1.4360856339985508e-3,1.4358137235332051e-3,1.436026846625529e-3"
 FONTAINEBLEAU = "@examples/fontainebleau-2016/data/fontainebleau.csv"
+DAMAGE = "@source/tools/same_results/damage.py"
+SHEETS = tuple(sorted(path.name for path in (pathlib.Path(__file__).parents[2] / "tests/fixtures/sheets").iterdir()))
 FORMATS = {"csv": "csv", "yade": "txt", "xyz": "xyz", "lammps": "data", "dump": "dump", "vtp": "vtp"}
 
 
@@ -120,6 +123,20 @@ VERBS = (
         step("assess-fines", "assess", FONTAINEBLEAU, "--fines", "0.2mm", "-i", "3m/10m", "--alpha", "0.5", "--porosity",
              "35%", "--relative-density", "0.5", "--coarse-fabric", "--json"),
         step("assess-case", "assess", "@examples/silty-sand-fc20/case.toml", "--json"),
+    )),
+    Job("sheets", tuple(
+        step(f"assess-{sheet}", "assess", f"@source/tests/fixtures/sheets/{sheet}", "--json", codes=(0, 3)) for sheet in SHEETS
+    )),
+    Job("damaged", (
+        step("run", "run", REPLAY, "--no-cache", "-o", "run", *QUIET),
+        step("damage-state", DAMAGE, "run/studies/replay/settled/state.h5", "run/studies/replay/compressed/stage.json"),
+        step("verify", "verify", "run", "--json", codes=(5,)),
+        step("report", "report", "run", "--json", codes=(0, 3, 74)),
+        step("resume", "resume", "run", *QUIET, codes=(0, 1, 3, 74)),
+        step("resume-again", "resume", "run", *QUIET, codes=(0, 1, 3, 74)),
+        step("verify-again", "verify", "run", "--json", codes=(0, 5)),
+        step("damage-case", DAMAGE, "run/case.resolved.toml"),
+        step("resume-case", "resume", "run", *QUIET, codes=(0, 3, 74)),
     )),
     Job("bench", (
         step("bench-step", "bench", "step", "--packing", PACKING, "--cell", CELL, "--steps", "200", *ONE_THREAD, "--json"),

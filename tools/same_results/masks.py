@@ -37,20 +37,24 @@ MASKS = (
     Mask("*", "error/message problems/*/message problems/*/help failures/*/message", TEXT, "sentences"),
     Mask("failed.json", "message", TEXT, "a sentence"),
     Mask("*", "passes/*/verdict", TEXT, "why the procedure stops, a sentence"),
+    Mask("events.jsonl", "what", TEXT, "a sentence; the event is compared"),
+    Mask("summary.json", "answer/verdict answer/confidence cards/*/detail cards/*/caution", TEXT, "sentences; values are compared"),
     Mask("verify*.json", "damages/*/what", TEXT, "a sentence; the file is compared"),
-    Mask("*", "findings/*/claim findings/*/paper findings/*/ours", TEXT, "sentences; id and met are compared"),
+    Mask("*", "findings/*/claim findings/*/paper findings/*/ours findings/*/why", TEXT, "sentences; id and met are compared"),
     Mask("*", "thresholds/*/from strength/*/remarks", TEXT, "sentences"),
     Mask("*", "stages/*/basis", TEXT, "where the steps come from, in words"),
     Mask("refinement.json new*.json", "*/reason reason left_out", TEXT, "sentences"),
-    Mask("assess*.json", "soils/*/summary criteria/*/remark gradients/*/remark criteria/*/name", TEXT, "sentences"),
+    Mask("new*.json", "stability/given stability/modeled", TEXT, "sentences"),
+    Mask("assess*.json", "remarks soils/*/summary criteria/*/remark gradients/*/remark criteria/*/name", TEXT, "sentences"),
     Mask("assessment.json", "summary criteria/*/remark gradients/*/remark", TEXT, "sentences"),
     Mask("explain*.json", "text", TEXT, "a screen for people"),
-    Mask("schema.json", "keys/*/text", TEXT, "a sentence"),
+    Mask("schema.json", "keys/*/text keys/*/value", TEXT, "sentences"),
     Mask("compare*.json", "circumstances", TEXT, "sentences"),
     Mask("*.html", "words", TEXT, "cells of tables without numbers alone"),
     Mask("*.html", "figures/*/caption figures/*/title states/*/label", TEXT, "captions"),
     Mask("*.html *.vl.json", "title description text", TEXT, "captions and titles of axes"),
     Mask("*.csv *.html", "comments/title", TEXT, "a caption"),
+    Mask("*.svg", "captions", TEXT, "what the drawing shows, for who cannot see it"),
     Mask("*.svg", "metadata", VALUE, "version, commit, times"),
 )
 
@@ -58,6 +62,7 @@ MASKS = (
 LEFT_OUT = {
     ".lock": "empty",
     "progress.json": "where the run is, in times",
+    "prices.txt": "what stages took here, in times",
 }
 
 DURATION = re.compile(rb"\d[\d.,]*(-\d[\d.,]*)? (ms|s|min|h|days?)\b")
