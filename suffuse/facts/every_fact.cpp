@@ -357,9 +357,9 @@ bool is_fact(const std::string& key) {
 }
 
 std::string results_markdown() {
-    std::string text =
-        "# Results of a stage\n\nEvery number of `stage.json`, by `suffuse schema --results`. Compression is "
-        "positive. What could not be measured is null.\n";
+    std::string text = "# Results of a stage\n\nEvery key of `stage.json`, printed by `suffuse schema --results`. "
+                       "Numbers are in SI units; - marks "
+                       "shares, ratios and counts. Compression is positive. What could not be measured is null.\n";
     auto out = std::back_inserter(text);
     for (const Group& group : every_group()) {
         if (group.within == tables) {

@@ -132,6 +132,7 @@ Criterion define(std::string_view id) {
 
 std::vector<std::string> criterion_ids() {
     std::vector<std::string> ids;
+    ids.reserve(guides.size());
     for (const Guide& guide : guides) {
         ids.emplace_back(guide.id);
     }
