@@ -50,7 +50,7 @@ std::string remark_text(const Diagnostic& remark) {
     return fmt::format("{}: {}{}{}", place, remark.message, remark.help.empty() ? "" : "; ", remark.help);
 }
 
-void tell_remarks(const gradings::GradingFile& file, const Console& console) {
+void print_remarks(const gradings::GradingFile& file, const Console& console) {
     for (const Diagnostic& remark : file.remarks) {
         console.talk(remark_text(remark));
     }

@@ -19,7 +19,7 @@ gradings::GradingFile read_gradings_of(const std::string& path, const std::strin
 gradings::GradingFile read_one_grading(const std::string& path, const std::string& sample);
 
 /// A line for each remark.
-void tell_remarks(const gradings::GradingFile& file, const Console& console);
+void print_remarks(const gradings::GradingFile& file, const Console& console);
 
 /// "dyke.csv:9: `Pan` is what passed the finest sieve".
 std::string remark_text(const Diagnostic& remark);

@@ -191,7 +191,7 @@ read_all(const AssessVerb& asked, const stability::AssessSpec& spec, const Conso
             continue;
         }
         gradings::GradingFile read = read_gradings_of(file, asked.sample);
-        tell_remarks(read, console);
+        print_remarks(read, console);
         for (const Diagnostic& remark : read.remarks) {
             remarks.push_back(remark_text(remark));
         }
@@ -217,7 +217,7 @@ std::vector<job::AssessedSoil> assess_all(const std::vector<AskedSoil>& asked) {
 /// Sets another soil beside all of them.
 void add_filter(const std::string& file, const Console& console, std::vector<job::AssessedSoil>& soils) {
     const gradings::GradingFile read = read_one_grading(file, "");
-    tell_remarks(read, console);
+    print_remarks(read, console);
     for (job::AssessedSoil& soil : soils) {
         soil.filter = {file, stability::check_filter(soil.measured, read.soils.front().grading)};
     }

@@ -249,7 +249,7 @@ void tell_assumed(const OwnConditions& conditions, const fs::path& path, const C
 int new_from_soil(const NewVerb& asked, const Console& console) {
     const OwnConditions conditions = conditions_of(asked); // what was typed is judged before what the file holds
     const gradings::GradingFile read = read_one_grading(asked.psd, asked.sample);
-    tell_remarks(read, console);
+    print_remarks(read, console);
     const std::string& sample = read.soils.front().name;
     const std::string named = sample.empty() ? asked.psd : sample + ".csv"; // as the file is called, so is the soil
     const auto limit = asked.fines.empty()

@@ -60,8 +60,8 @@ std::string change_text(double change) {
 
 std::string spread_text(const study::Scatter& value, double factor, int decimals) {
     const std::string deviation = fixed(factor * value.standard_deviation, decimals);
-    const bool is_told = value.seeds > 1 && deviation.find_first_not_of("0.") != std::string::npos;
-    return is_told ? "± " + deviation : "";
+    const bool has_scatter = value.seeds > 1 && deviation.find_first_not_of("0.") != std::string::npos;
+    return has_scatter ? "± " + deviation : "";
 }
 
 std::string conductivity_text(double permeability, const flow::Fluid& fluid) {

@@ -75,8 +75,8 @@ std::string result_spread(Result which, const study::Scatter& value, const flow:
     case Result::Strength:
         return spread_text(value, study::scale_of(which).factor, 0);
     case Result::Permeability: {
-        const bool is_told = value.seeds > 1 && !is_none(which, value.standard_deviation);
-        return is_told ? "± " + conductivity_text(value.standard_deviation, fluid) : "";
+        const bool has_scatter = value.seeds > 1 && !is_none(which, value.standard_deviation);
+        return has_scatter ? "± " + conductivity_text(value.standard_deviation, fluid) : "";
     }
     case Result::VoidRatio:
         return spread_text(value, 1, 3);

@@ -195,7 +195,7 @@ bool is_many_lined(const StudyOutcome& outcome) {
 }
 
 /// Whether a result is more than noise at one value at least.
-bool is_told(const StudyOutcome& outcome, Result which) {
+bool is_drawn(const StudyOutcome& outcome, Result which) {
     return std::ranges::any_of(outcome.points, [&](const OutcomePoint& point) {
         const Scatter* const value = point.find(which);
         return value != nullptr && std::abs(value->mean) >= study::scale_of(which).least;
@@ -245,7 +245,7 @@ std::optional<Figure> sweep_multiples(const StudyOutcome& outcome) {
     json panels = json::array();
     for (int k = 0; k < study::results; ++k) {
         const auto which = static_cast<Result>(k);
-        if (which != *main && outcome.has(which) && is_told(outcome, which)) {
+        if (which != *main && outcome.has(which) && is_drawn(outcome, which)) {
             columns.add(outcome, which);
             panels.push_back(SweepColumns::title_of(study::scale_of(which)));
         }

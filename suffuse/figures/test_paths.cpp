@@ -39,7 +39,7 @@ bool has_stages(const std::vector<study::ResponseCurve>& tests) {
 }
 
 /// Color by fines content and dashes by stage: `field` "mixture" or "stage".
-json told_by(const char* field, const std::vector<std::pair<std::string, json>>& names) {
+json encoded_by(const char* field, const std::vector<std::pair<std::string, json>>& names) {
     json domain = json::array(), range = json::array();
     for (const auto& [name, look] : names) {
         if (std::find(domain.begin(), domain.end(), name) == domain.end()) {
@@ -71,8 +71,8 @@ void color_by_mixture(const std::vector<study::ResponseCurve>& tests, json& enco
             seen.push_back(stage);
         }
     }
-    encoding["color"] = told_by("mixture", mixtures);
-    encoding["strokeDash"] = told_by("stage", stages);
+    encoding["color"] = encoded_by("mixture", mixtures);
+    encoding["strokeDash"] = encoded_by("stage", stages);
     encoding["strokeDash"]["legend"]["orient"] = "bottom"; // beside the other it would not fit
 }
 

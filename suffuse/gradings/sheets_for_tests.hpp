@@ -32,7 +32,7 @@ inline ParsedSheet parse_sheet(const std::string& text, const std::string& file 
 }
 
 /// A message a line; a page of them keeps the rest of many to itself.
-inline std::string told_by(const ParsedSheet& parsed) {
+inline std::string messages_of(const ParsedSheet& parsed) {
     std::string told;
     for (const Diagnostic& remark : parsed.told) {
         told += remark.message + "\n";

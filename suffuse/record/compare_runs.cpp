@@ -331,11 +331,12 @@ void compare_circumstances(const fs::path& first, const fs::path& second, std::v
     if (!fs::exists(first / "provenance.json") || !fs::exists(second / "provenance.json")) {
         return;
     }
-    const auto told_by = [](const fs::path& file) {
+    const auto provenance_in = [](const fs::path& file) {
         const json provenance = read_json(file);
         return take_from(file, [&] { return provenance.get<std::map<std::string, json>>(); });
     };
-    std::map<std::string, json> a = told_by(first / "provenance.json"), b = told_by(second / "provenance.json");
+    std::map<std::string, json> a = provenance_in(first / "provenance.json"),
+                                b = provenance_in(second / "provenance.json");
     for (const char* const key : circumstances) {
         const json &left = a[key], &right = b[key];
         if (left != right) {
