@@ -10,17 +10,17 @@
 namespace suffuse::apps {
 
 stability::AssessSpec with_alpha_of_run(
-    const AskedAlpha& asked, stability::AssessSpec spec, const std::string& soil, const Console& console
+    const AlphaSource& source, stability::AssessSpec spec, const std::string& soil, const Console& console
 ) {
-    if (asked.run.empty()) {
+    if (source.run.empty()) {
         return spec;
     }
-    if (asked.alpha) {
+    if (source.alpha) {
         throw UsageError("--alpha and the alpha of a run: give one of them");
     }
-    const job::SampleStress stress = job::read_sample_stress(asked.run, soil);
-    spec.seepage = job::seepage_of(stress, asked.gradient, asked.porosity, asked.density);
-    console.talk(job::words_of(stress, shown(asked.run)));
+    const job::SampleStress stress = job::read_sample_stress(source.run, soil);
+    spec.seepage = job::seepage_of(stress, source.gradient, source.porosity, source.density);
+    console.talk(job::words_of(stress, shown(source.run)));
     return spec;
 }
 

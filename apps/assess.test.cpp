@@ -25,9 +25,9 @@ protected:
         for (std::string word; text >> word;) {
             all.push_back(word);
         }
-        const Said said = say(all);
-        out = said.out, error = said.error;
-        return said.code;
+        const ProgramResult result = run_suffuse(all);
+        out = result.out, error = result.error;
+        return result.code;
     }
 
     void expect_out(const std::string& part) const { expect_in(part, out); }
@@ -49,7 +49,7 @@ TEST_F(Assess, SaysNumberLimitAndVerdictOfEachCriterion) {
     EXPECT_EQ(out.find("seepage"), std::string::npos);
 }
 
-TEST_F(Assess, SaysThatHardlyAnyFinesPassWhereTheConstrictionsAreTooNarrow) {
+TEST_F(Assess, SaysThatAlmostNoFinesPassWhereTheConstrictionsAreTooNarrow) {
     write_to(folder / "uniform.csv", "d [mm],passing [%]\n0.8,0\n1,50\n1.25,100\n");
     EXPECT_EQ(call("uniform.csv --fines 0.9mm"), 0);
     expect_out("hardly any of the finer grains are smaller than that");
@@ -123,22 +123,22 @@ TEST_F(Assess, TakesTheSoilsOfACase) {
     EXPECT_EQ(soils[0]["tally"]["unstable"], 0);
 }
 
-TEST_F(Assess, SetsManySamplesBesideEachOtherAndNamesTheWorst) {
+TEST_F(Assess, ComparesManySamplesAndNamesTheWorst) {
     write_to(folder / "wide.csv", "d [mm],A,B\n0.1,0,0\n0.2,15,22\n0.63,60,25\n2,90,30\n6.3,100,100\n");
     EXPECT_EQ(call("dyke.csv wide.csv"), 0);
     expect_out("wide.csv, A");
     expect_out("worst: ");
     expect_in("2 columns are read as cumulative shares", error);
     EXPECT_EQ(call("dyke.csv wide.csv --json"), 0);
-    const auto told = nlohmann::json::parse(out);
-    EXPECT_EQ(told["soils"].size(), 3U);
-    EXPECT_EQ(told["matrix"]["soils"][1]["soil"], "wide.csv, A");
-    EXPECT_EQ(told["remarks"].size(), 1U);
-    const std::string worst = told["matrix"]["worst"];
-    for (const auto& soil : told["soils"]) { // as counted here
+    const auto parsed = nlohmann::json::parse(out);
+    EXPECT_EQ(parsed["soils"].size(), 3U);
+    EXPECT_EQ(parsed["matrix"]["soils"][1]["soil"], "wide.csv, A");
+    EXPECT_EQ(parsed["remarks"].size(), 1U);
+    const std::string worst = parsed["matrix"]["worst"];
+    for (const auto& soil : parsed["soils"]) { // as counted here
         const int unstable = soil["tally"]["unstable"];
         EXPECT_LE(
-            unstable, (worst == "dyke.csv" ? told["soils"][0] : told["soils"][2])["tally"]["unstable"].get<int>()
+            unstable, (worst == "dyke.csv" ? parsed["soils"][0] : parsed["soils"][2])["tally"]["unstable"].get<int>()
         );
     }
     EXPECT_EQ(call("wide.csv --sample b"), 0);
@@ -194,11 +194,11 @@ TEST_F(Assess, DrawsTheCurvesAloneIntoAFile) {
 
 TEST_F(Assess, ReadsStandardInputAndPipesUpToTheSizeOfAGrading) {
     const auto from = [this](const std::string& file) {
-        const Said said =
+        const ProgramResult result =
             wait_for(start({"assess", "-", "--json"}, {}, [file] { dup2(open(file.c_str(), O_RDONLY), STDIN_FILENO); })
             );
-        out = said.out, error = said.error;
-        return said.code;
+        out = result.out, error = result.error;
+        return result.code;
     };
     EXPECT_EQ(from("dyke.csv"), 0) << error;
     const auto soil = nlohmann::json::parse(out)["soils"][0];
@@ -223,7 +223,7 @@ TEST_F(Assess, WritesAPageToPlayWith) {
     }
 }
 
-TEST_F(Assess, TellsClassesOfSizeAndTheNumberOfTheMeasuredPart) {
+TEST_F(Assess, ReportsClassesOfSizeAndTheNumberOfTheMeasuredPart) {
     EXPECT_EQ(call("dyke.csv"), 0);
     expect_out("ASTM D2487: sand 100 %");
     write_to(folder / "open.csv", "d [mm],passing [%]\n0.063,4\n0.2,15\n0.63,40\n2,70\n6.3,100\n");

@@ -11,34 +11,34 @@ using namespace test;
 
 TEST_F(Cli, AloneAndWithHelpItSaysHowToBegin) {
     for (const std::vector<std::string>& words : {std::vector<std::string>{}, {"--help"}}) {
-        const Said said = say(words);
-        EXPECT_EQ(said.code, 0);
-        EXPECT_EQ(said.error, "");
-        expect_in("suffuse run", said.out);
-        expect_in("exit codes", said.out);
+        const ProgramResult result = run_suffuse(words);
+        EXPECT_EQ(result.code, 0);
+        EXPECT_EQ(result.error, "");
+        expect_in("suffuse run", result.out);
+        expect_in("exit codes", result.out);
     }
-    expect_in("suffuse 0.", say({"--version"}).out);
-    EXPECT_EQ(say({"help"}).out, say({"--help"}).out);
-    EXPECT_EQ(say({"help", "run"}).out, say({"run", "--help"}).out);
-    EXPECT_EQ(say({"-q", "--color", "never", "help", "run"}).out, say({"run", "--help"}).out);
-    EXPECT_EQ(say({"help", "bench", "step"}).out, say({"bench", "step", "--help"}).out);
+    expect_in("suffuse 0.", run_suffuse({"--version"}).out);
+    EXPECT_EQ(run_suffuse({"help"}).out, run_suffuse({"--help"}).out);
+    EXPECT_EQ(run_suffuse({"help", "run"}).out, run_suffuse({"run", "--help"}).out);
+    EXPECT_EQ(run_suffuse({"-q", "--color", "never", "help", "run"}).out, run_suffuse({"run", "--help"}).out);
+    EXPECT_EQ(run_suffuse({"help", "bench", "step"}).out, run_suffuse({"bench", "step", "--help"}).out);
 }
 
 TEST_F(Cli, EveryVerbHasAHelpOfOneScreen) {
     for (const std::string verb :
          {"run", "resume", "report", "new", "check", "plan", "explain", "schema", "bench", "import", "export"}) {
-        const Said said = say({verb, "--help"});
-        EXPECT_EQ(said.code, 0) << verb;
-        expect_in("suffuse " + verb + ":", said.out);
+        const ProgramResult result = run_suffuse({verb, "--help"});
+        EXPECT_EQ(result.code, 0) << verb;
+        expect_in("suffuse " + verb + ":", result.out);
         const int most = verb == "run" ? 26 : 24; // run alone has two flags more than a screen of old holds
-        EXPECT_LE(std::count(said.out.begin(), said.out.end(), '\n'), most) << verb;
-        EXPECT_EQ(said.out.find("OPTION"), std::string::npos) << said.out; // the parsing library's own words
+        EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), most) << verb;
+        EXPECT_EQ(result.out.find("OPTION"), std::string::npos) << result.out; // the parsing library's own words
     }
 }
 
 TEST_F(Cli, EveryVerbHasItsSectionInTheDocumentation) {
     const std::string page = test::read_all(test::in_checkout("docs/verbs.md"));
-    const std::string overview = say({}).out;
+    const std::string overview = run_suffuse({}).out;
     std::istringstream lines(overview.substr(overview.find("verbs\n") + 6));
     int verbs = 0;
     for (std::string line; std::getline(lines, line) && line.starts_with("  "); ++verbs) {
@@ -87,14 +87,14 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
              {{"bench", "step", "--packing", "p.csv", "--cell", "1,2,-3"}, "--cell"},
              {{"bench", "step", "--packing", "p.csv", "--cell", "1,2,nan"}, "--cell"},
          }) {
-        const Said said = say(wrong.words);
-        EXPECT_EQ(said.code, 2) << wrong.words[0] << ": " << said.error;
-        EXPECT_EQ(said.out, "");
-        expect_in(wrong.part, said.error);
+        const ProgramResult result = run_suffuse(wrong.words);
+        EXPECT_EQ(result.code, 2) << wrong.words[0] << ": " << result.error;
+        EXPECT_EQ(result.out, "");
+        expect_in(wrong.part, result.error);
     }
 }
 
-TEST_F(Cli, NumbersOutOfRangeAreToldWithTheRangeInWords) {
+TEST_F(Cli, NumbersOutOfRangeAreReportedWithTheRangeInWords) {
     struct Wrong {
         std::vector<std::string> words;
         std::string part;
@@ -108,10 +108,10 @@ TEST_F(Cli, NumbersOutOfRangeAreToldWithTheRangeInWords) {
              {{"run", "a.toml", "-j", "0"}, "0 is not a whole number from 1 to 1024"},
              {{"run", "a.toml", "-j", "1.5"}, "1.5 is not a whole number from 1 to 1024"},
          }) {
-        const Said said = say(wrong.words);
-        EXPECT_EQ(said.code, 2) << said.error;
-        expect_in(wrong.part, said.error);
-        EXPECT_LT(said.error.size(), 200U) << said.error;
+        const ProgramResult result = run_suffuse(wrong.words);
+        EXPECT_EQ(result.code, 2) << result.error;
+        expect_in(wrong.part, result.error);
+        EXPECT_LT(result.error.size(), 200U) << result.error;
     }
 }
 
@@ -139,26 +139,26 @@ TEST_F(Cli, HostileWordsAreAnsweredAndShownHarmless) {
               {"run", "x.toml", "--set", word},
               {"bench", "step", "--packing", word, "--cell", word},
               {"--json", word}}) {
-            const Said said = say(words);
-            const bool is_known = said.code == 0 || said.code == 2 || said.code == 3 || said.code == 74;
-            EXPECT_TRUE(is_known) << said.code << " for " << words[0] << " " << said.error.substr(0, 500);
-            EXPECT_EQ(said.error.find('\x1b'), std::string::npos) << said.error.substr(0, 500);
-            EXPECT_LT(said.error.size(), 5000U);
+            const ProgramResult result = run_suffuse(words);
+            const bool is_known = result.code == 0 || result.code == 2 || result.code == 3 || result.code == 74;
+            EXPECT_TRUE(is_known) << result.code << " for " << words[0] << " " << result.error.substr(0, 500);
+            EXPECT_EQ(result.error.find('\x1b'), std::string::npos) << result.error.substr(0, 500);
+            EXPECT_LT(result.error.size(), 5000U);
         }
     }
 }
 
-TEST_F(Cli, AFolderStandsForTheCaseInItAndOfARunItIsSaidToBeOne) {
-    say({"new", "a", "--from", "replay"});
-    const Said said = say({"check", "a"});
-    EXPECT_EQ(said.code, 0) << said.error;
-    expect_in("a/case.toml: no errors", said.out);
+TEST_F(Cli, AFolderStandsForItsCaseAndARunFolderIsRecognized) {
+    run_suffuse({"new", "a", "--from", "replay"});
+    const ProgramResult result = run_suffuse({"check", "a"});
+    EXPECT_EQ(result.code, 0) << result.error;
+    expect_in("a/case.toml: no errors", result.out);
     write_to(folder / "a/run_options.json", "{}");
-    const Said run = say({"run", "a"});
+    const ProgramResult run = run_suffuse({"run", "a"});
     EXPECT_EQ(run.code, 2);
     expect_in("a is the folder of a run: suffuse resume", run.error);
     std::filesystem::create_directory(folder / "empty");
-    expect_in("it is a folder", say({"check", "empty"}).error);
+    expect_in("it is a folder", run_suffuse({"check", "empty"}).error);
 }
 
 TEST_F(Cli, OpenShowsTheReportByTheDesktopsProgramOrSaysWhereItLies) {
@@ -166,37 +166,37 @@ TEST_F(Cli, OpenShowsTheReportByTheDesktopsProgramOrSaysWhereItLies) {
     write_to(folder / "bin/xdg-open", "#!/bin/sh\necho \"$1\" > " + (folder / "opened").string() + "\n");
     std::filesystem::permissions(folder / "bin/xdg-open", std::filesystem::perms::owner_all);
     const std::string path = "PATH=" + (folder / "bin").string() + ":/usr/bin:/bin";
-    const Said said = say({"open", "run"}, {path});
-    EXPECT_EQ(said.code, 0) << said.error;
-    expect_in("run/report.html", said.out);
+    const ProgramResult result = run_suffuse({"open", "run"}, {path});
+    EXPECT_EQ(result.code, 0) << result.error;
+    expect_in("run/report.html", result.out);
     expect_in("run/report.html", read_all(folder / "opened"));
-    const Said alone = say({"open", "run"}, {"PATH=" + (folder / "none").string()});
+    const ProgramResult alone = run_suffuse({"open", "run"}, {"PATH=" + (folder / "none").string()});
     EXPECT_EQ(alone.code, 0);
     expect_in("no browser could be opened", alone.error);
-    EXPECT_EQ(say({"open", "nothing"}).code, 74);
+    EXPECT_EQ(run_suffuse({"open", "nothing"}).code, 74);
 }
 
 TEST_F(Cli, JsonIsOneDocumentInSuccessAndInFailure) {
-    say({"new", "a", "--from", "replay"});
-    EXPECT_EQ(say({"check", "a/case.toml", "--json"}).json().at("errors"), 0);
-    EXPECT_GT(say({"schema", "--json"}).json().at("keys").size(), 50U);
-    EXPECT_EQ(say({"explain", "watch", "--json"}).json().at("topic"), "watch");
-    const Said bad = say({"check", "a/case.toml", "--set", "contact.shear_ratio=-1", "--json"});
+    run_suffuse({"new", "a", "--from", "replay"});
+    EXPECT_EQ(run_suffuse({"check", "a/case.toml", "--json"}).json().at("errors"), 0);
+    EXPECT_GT(run_suffuse({"schema", "--json"}).json().at("keys").size(), 50U);
+    EXPECT_EQ(run_suffuse({"explain", "watch", "--json"}).json().at("topic"), "watch");
+    const ProgramResult bad = run_suffuse({"check", "a/case.toml", "--set", "contact.shear_ratio=-1", "--json"});
     EXPECT_EQ(bad.code, 3);
     EXPECT_EQ(bad.json().at("error").at("problems").at(0).at("file"), "--set");
-    const Said usage = say({"--json", "rnu"});
+    const ProgramResult usage = run_suffuse({"--json", "rnu"});
     EXPECT_EQ(usage.json().at("error").at("exit_code"), 2);
-    const Said missing = say({"check", "nowhere.toml", "--json"});
+    const ProgramResult missing = run_suffuse({"check", "nowhere.toml", "--json"});
     EXPECT_EQ(missing.code, 74);
     EXPECT_EQ(missing.json().at("error").at("kind"), "io");
 }
 
-TEST_F(Cli, ColorsComeOnlyWhenAskedFor) {
+TEST_F(Cli, ColorsComeOnlyOnRequest) {
     write_to(folder / "case.toml", "schema = 2\n");
-    EXPECT_EQ(say({"check", "case.toml"}).error.find('\x1b'), std::string::npos); // no terminal
-    EXPECT_NE(say({"check", "case.toml", "--color", "always"}).error.find('\x1b'), std::string::npos);
-    EXPECT_EQ(say({"check", "case.toml", "--color", "never"}).error.find('\x1b'), std::string::npos);
-    EXPECT_EQ(say({"check", "case.toml"}, {"NO_COLOR=1"}).error.find('\x1b'), std::string::npos);
+    EXPECT_EQ(run_suffuse({"check", "case.toml"}).error.find('\x1b'), std::string::npos); // no terminal
+    EXPECT_NE(run_suffuse({"check", "case.toml", "--color", "always"}).error.find('\x1b'), std::string::npos);
+    EXPECT_EQ(run_suffuse({"check", "case.toml", "--color", "never"}).error.find('\x1b'), std::string::npos);
+    EXPECT_EQ(run_suffuse({"check", "case.toml"}, {"NO_COLOR=1"}).error.find('\x1b'), std::string::npos);
 }
 
 TEST_F(Cli, AFullDiskBehindStandardOutputIsCode74) {
@@ -221,7 +221,7 @@ TEST_F(Cli, NothingIsWrittenIntoAFileThatTakesThePlaceOfAClosedStream) {
     };
     EXPECT_EQ(wait_for(start({"run", "soil/case.toml", "-o", "run"}, {}, close_all)).code, 0);
     EXPECT_EQ(std::filesystem::file_size(folder / "run/.lock"), 0U);
-    EXPECT_EQ(say({"verify", "run"}).code, 0);
+    EXPECT_EQ(run_suffuse({"verify", "run"}).code, 0);
 }
 
 } // namespace

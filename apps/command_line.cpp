@@ -120,7 +120,7 @@ std::vector<std::string> with_verb(std::vector<std::string> words) {
 }
 
 /// Whether help is asked for on a verb that there is not.
-bool asks_for_unknown_verb(const CLI::App& app) {
+bool names_unknown_verb(const CLI::App& app) {
     const std::vector<std::string> extra = app.remaining(true);
     return !extra.empty() && !extra.front().starts_with('-') && !names_of_verbs(innermost(app)).empty();
 }
@@ -133,7 +133,7 @@ std::string parse(CLI::App& app, std::vector<std::string> words) {
     } catch (const CLI::CallForVersion&) {
         return version_text();
     } catch (const CLI::CallForHelp&) {
-        if (asks_for_unknown_verb(app)) {
+        if (names_unknown_verb(app)) {
             complain_about_extra(app);
         }
         const CLI::App& verb = innermost(app);
@@ -142,11 +142,11 @@ std::string parse(CLI::App& app, std::vector<std::string> words) {
         complain_about_extra(app);
     } catch (const CLI::ParseError& error) {
         const CLI::App& verb = innermost(app);
-        std::string told = shown(error.what());
-        if (const std::size_t mark = told.find(": 1 required"); mark != std::string::npos) {
-            told = told.substr(0, mark) + " needs a value"; // "--gradient: 1 required I missing"
+        std::string message = shown(error.what());
+        if (const std::size_t mark = message.find(": 1 required"); mark != std::string::npos) {
+            message = message.substr(0, mark) + " needs a value"; // "--gradient: 1 required I missing"
         }
-        throw UsageError(fmt::format("{}; see suffuse {}--help", told, &verb == &app ? "" : path_of(verb) + " "));
+        throw UsageError(fmt::format("{}; see suffuse {}--help", message, &verb == &app ? "" : path_of(verb) + " "));
     }
     return app.get_subcommands().empty() ? overview(app) : "";
 }
@@ -182,26 +182,26 @@ std::string typed_command(const std::vector<std::string>& words) {
 
 } // namespace
 
-Asked read_command_line(int argc, const char* const* argv) {
+ParsedCommand read_command_line(int argc, const char* const* argv) {
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    Asked asked;
+    ParsedCommand command;
     std::string color = "auto";
     CLI::App app;
     app.fallthrough();
     app.set_version_flag("--version", std::string(), "which program this is");
-    add_everywhere(app, asked.line, color);
+    add_everywhere(app, command.line, color);
     const std::vector<std::shared_ptr<Verb>> verbs = add_verbs(app);
-    asked.line.typed = typed_command(words);
-    asked.text = parse(app, with_verb(words));
-    if (!asked.text.empty()) {
-        return asked;
+    command.line.typed = typed_command(words);
+    command.text = parse(app, with_verb(words));
+    if (!command.text.empty()) {
+        return command;
     }
     const std::string called = app.get_subcommands().front()->get_name();
-    asked.verb = *std::ranges::find(verbs, called, [](const auto& verb) { return verb->name(); });
-    asked.verb->check();
-    asked.line.color = color_of(color);
-    asked.text = asked.verb->printed(app);
-    return asked;
+    command.verb = *std::ranges::find(verbs, called, [](const auto& verb) { return verb->name(); });
+    command.verb->check();
+    command.line.color = color_of(color);
+    command.text = command.verb->printed(app);
+    return command;
 }
 
 } // namespace suffuse::apps

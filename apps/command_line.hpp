@@ -18,13 +18,13 @@ struct CommandLine {
     Color color = Color::Auto;
 };
 
-struct Asked {
+struct ParsedCommand {
     CommandLine line;
     std::string text;                 ///< help, version, completions, man page: all there is to say; empty: `verb` acts
     std::shared_ptr<const Verb> verb; ///< with its options
 };
 
 /// @throws UsageError.
-Asked read_command_line(int argc, const char* const* argv);
+ParsedCommand read_command_line(int argc, const char* const* argv);
 
 } // namespace suffuse::apps

@@ -78,14 +78,14 @@ TEST(Completions, BashOffersEveryFlagThatTheHelpNamesAndNoOther) {
     EXPECT_GE(all.size(), 12U);
     const TempFolder folder;
     for (const std::string& verb : all) {
-        std::set<std::string> told = flags_in(text_of({verb.c_str(), "--help"}));
+        std::set<std::string> listed = flags_in(text_of({verb.c_str(), "--help"}));
         std::set<std::string> given = offered(folder, "suffuse " + verb + " --");
         given.erase("--help"), given.erase("--version");
-        told.erase("--help"), told.erase("--version");
+        listed.erase("--help"), listed.erase("--version");
         std::set<std::string> missing;
-        std::ranges::set_difference(given, told, std::inserter(missing, missing.end()));
+        std::ranges::set_difference(given, listed, std::inserter(missing, missing.end()));
         EXPECT_TRUE(missing.empty()) << verb << ": offered but not in its help: " << *missing.begin();
-        for (const std::string& flag : told) { // examples in the help may name flags of other verbs
+        for (const std::string& flag : listed) { // examples in the help may name flags of other verbs
             if (!given.contains(flag)) {
                 EXPECT_EQ(text_of({verb.c_str(), "--help"}).find("\n  " + flag), std::string::npos) << verb << flag;
             }

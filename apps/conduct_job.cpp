@@ -7,11 +7,11 @@
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/job/ended_run.hpp"
 #include "suffuse/job/run_case.hpp"
-#include "suffuse/plan/asked_stages.hpp"
 #include "suffuse/plan/fit_memory.hpp"
 #include "suffuse/plan/past_prices.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/plan/plan_record.hpp"
+#include "suffuse/plan/requested_stages.hpp"
 #include "suffuse/record/finished_stages.hpp"
 #include "suffuse/record/samples.hpp"
 #include "suffuse/record/stage_cache.hpp"
@@ -42,14 +42,14 @@ namespace fs = std::filesystem;
 constexpr double stack_of_threads = 16e6; // [B] a thread, and one that waits for it: counted in the bound, hardly used
 
 /// The plan of what is asked for alone.
-plan::RunPlan asked_plan(const Job& job) {
+plan::RunPlan requested_plan(const Job& job) {
     plan::RunPlan plan = job.plan;
-    plan::keep_asked_alone(plan, job.what, job.until, job.sample);
+    plan::keep_requested_alone(plan, job.what, job.until, job.sample);
     return plan;
 }
 
 Screen standard_error(const Console& console) {
-    return {can_redraw(), speaks_utf8(), console.is_quiet(), terminal_width, [](const std::string& text) {
+    return {can_redraw(), supports_utf8(), console.is_quiet(), terminal_width, [](const std::string& text) {
                 if (takes_words(STDERR_FILENO)) { // the run waits for no terminal
                     std::fwrite(text.data(), 1, text.size(), stderr);
                 }
@@ -92,9 +92,9 @@ run::RunOptions options_of(const Job& job) {
     return options;
 }
 
-int tell_untouched(const job::RunReport& report, const Job& job, const Console& console) {
+int report_untouched(const job::RunReport& report, const Job& job, const Console& console) {
     const std::string word(record::word_of(report.outcome));
-    tell_results(report, word + " before; nothing to do", console);
+    print_results(report, word + " before; nothing to do", console);
     const int code = exit_code_of(report);
     console.document(json_text(
         {{"outcome", word},
@@ -116,7 +116,7 @@ plan::RunPlan plan_rest(const Job& job) {
     return plan::plan_within(job.memory, job.sample.empty() ? plan::samples_at_once(job.what) : 1, [&](int at_once) {
         plan::RunPlan plan = plan::plan_case(job.what, at_once);
         plan::PastPrices(job.cache).correct(plan);
-        plan::price_asked_alone(plan, job.what, job.until, job.sample);
+        plan::price_requested_alone(plan, job.what, job.until, job.sample);
         plan::leave_out_done(plan, job.what, job.folder, record::StageCache(job.cache, job.cache_owners));
         return plan;
     });
@@ -128,7 +128,7 @@ std::optional<int> look_before(const Job& job, const Console& console) {
         console.talk("warning: " + doubts);
     }
     const std::optional<job::RunReport> ended = job::find_ended(job.what, options_of(job));
-    return ended ? std::optional(tell_untouched(*ended, job, console)) : std::nullopt;
+    return ended ? std::optional(report_untouched(*ended, job, console)) : std::nullopt;
 }
 
 int conduct(const Job& job, const Console& console) {
@@ -145,9 +145,9 @@ int conduct(const Job& job, const Console& console) {
     if (gate.is_set()) {
         options.progress_interval = 0;
     }
-    bool told_stop = false;
+    bool has_reported_stop = false;
     options.on_progress = [&](const run::Progress& progress) {
-        if (stop_flag() && !std::exchange(told_stop, true)) {
+        if (stop_flag() && !std::exchange(has_reported_stop, true)) {
             view.begin_anew();
         } // the signal's message stands below
         view.show(progress);
@@ -168,8 +168,8 @@ int conduct(const Job& job, const Console& console) {
         console.talk("warning: " + remark);
     }
     const double seconds = watch.seconds();
-    const bool was_done = std::ranges::all_of(asked_plan(job).stages, &plan::StageEstimate::is_done);
-    const int code = tell_end(
+    const bool was_done = std::ranges::all_of(requested_plan(job).stages, &plan::StageEstimate::is_done);
+    const int code = report_end(
         {job.folder, job.sample, std::ssize(record::list_samples(job.what)), seconds, was_done}, report, console
     );
     if (job.sample.empty()) {
@@ -178,26 +178,27 @@ int conduct(const Job& job, const Console& console) {
     return code;
 }
 
-void tell_plan(const Job& job, const std::string& preposition, const Console& console) {
-    const plan::RunPlan asked = asked_plan(job);
+void print_plan(const Job& job, const std::string& preposition, const Console& console) {
+    const plan::RunPlan requested = requested_plan(job);
     console.talk(fmt::format(
         "case  {}   preset {}   seed {}   {}{}", job.what.title.empty() ? "without a title" : job.what.title,
         job.what.preset, job.what.seed, plural(thread_count(), "thread"),
         job.plan.speed.at_once > 1 ? fmt::format("   {} samples at once", job.plan.speed.at_once) : ""
     ));
-    console.talk(fmt::format("plan  {}", plan::plan_sentence(asked)));
+    console.talk(fmt::format("plan  {}", plan::plan_sentence(requested)));
     if (const int most = plan::samples_at_once(job.what); job.sample.empty() && job.plan.speed.at_once < most) {
         console.talk(fmt::format(
             "      {} of {} samples at once, for the run may take {} of memory", job.plan.speed.at_once, most,
             size_text(job.memory)
         ));
     }
-    for (const std::string& shortage : shortages(asked, job.folder)) {
+    for (const std::string& shortage : shortages(requested, job.folder)) {
         console.talk("warning: " + shortage);
     }
     console.talk(fmt::format("{:5} {}   report.html there shows how far it is", preposition, job.folder.string()));
-    const auto cached =
-        std::count_if(asked.stages.begin(), asked.stages.end(), [](const auto& stage) { return stage.is_cached; });
+    const auto cached = std::count_if(requested.stages.begin(), requested.stages.end(), [](const auto& stage) {
+        return stage.is_cached;
+    });
     if (cached > 0) {
         console.talk(fmt::format(
             "cache {}   holds {} of the {}; --no-cache computes all", job.cache.string(), cached,

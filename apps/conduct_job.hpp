@@ -36,7 +36,7 @@ plan::RunPlan plan_rest(const Job& job);
 std::optional<int> look_before(const Job& job, const Console& console);
 
 /// @param preposition before the folder: "into" a new one, or "in" the one that is there
-void tell_plan(const Job& job, const std::string& preposition, const Console& console);
+void print_plan(const Job& job, const std::string& preposition, const Console& console);
 
 /// Runs it. @return the exit code
 int conduct(const Job& job, const Console& console);

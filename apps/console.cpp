@@ -36,8 +36,8 @@ std::size_t width_of(int stream) {
 
 /// What poll says of a descriptor that would be written to.
 short state_of(int descriptor) {
-    pollfd asked{descriptor, POLLOUT, 0};
-    return poll(&asked, 1, 0) > 0 ? asked.revents : short{0};
+    pollfd request{descriptor, POLLOUT, 0};
+    return poll(&request, 1, 0) > 0 ? request.revents : short{0};
 }
 
 /// As it is, in lines that end.
@@ -115,7 +115,7 @@ bool can_redraw() {
     return isatty(STDERR_FILENO) == 1 && !terminal.empty() && terminal != "dumb";
 }
 
-bool speaks_utf8() {
+bool supports_utf8() {
     for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
         const std::string value = environment(name);
         if (value.empty()) {

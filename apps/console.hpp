@@ -61,7 +61,7 @@ bool has_lost_reader(int descriptor);
 bool can_redraw();
 
 /// Whether the terminal understands UTF-8, by the usual variables of the environment.
-bool speaks_utf8();
+bool supports_utf8();
 
 /// Width of the terminal on standard error [columns].
 std::size_t terminal_width();

@@ -19,13 +19,13 @@ namespace fs = std::filesystem;
 class Damaged : public Cli {
 protected:
     void SetUp() override {
-        ASSERT_EQ(say({"new", "soil", "--from", "replay"}).code, 0);
+        ASSERT_EQ(run_suffuse({"new", "soil", "--from", "replay"}).code, 0);
         ASSERT_EQ(run("here").code, 0);
     }
 
-    Said run(const std::string& name, std::vector<std::string> more = {"--no-cache"}) {
+    ProgramResult run(const std::string& name, std::vector<std::string> more = {"--no-cache"}) {
         more.insert(more.begin(), {"run", "soil/case.toml", "-o", name});
-        return say(more);
+        return run_suffuse(more);
     }
 
     [[nodiscard]] fs::path stage(const std::string& name, const std::string& of = "here") const {
@@ -88,13 +88,13 @@ TEST_F(Damaged, AFinishedStageIsRefusedByEveryVerbAndSignedByNone) {
         const auto before = files_of("damaged");
         for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
                  {"resume", "damaged"}, {"report", "damaged"}, {"sweep", "--collect", "damaged"}}) {
-            const Said said = say(words);
-            EXPECT_EQ(said.code, 74) << words[0] << " " << file << said.out;
-            expect_in("damaged/studies/replay/settled/", said.error);
-            expect_in("remove damaged/studies/replay/settled and resume", said.error);
+            const ProgramResult result = run_suffuse(words);
+            EXPECT_EQ(result.code, 74) << words[0] << " " << file << result.out;
+            expect_in("damaged/studies/replay/settled/", result.error);
+            expect_in("remove damaged/studies/replay/settled and resume", result.error);
         }
         EXPECT_EQ(run("damaged").code, 74);
-        EXPECT_EQ(say({"verify", "damaged"}).code, 5) << file;
+        EXPECT_EQ(run_suffuse({"verify", "damaged"}).code, 5) << file;
         EXPECT_EQ(files_of("damaged"), before) << "nothing is written over it";
         fs::remove_all(folder / "damaged");
     }
@@ -123,10 +123,10 @@ TEST_F(Damaged, AFileOfAnotherShapeIsRefusedByNameThoughItsChecksumsFit) {
             }
             sign(folder / "other/SHA256SUMS", file);
             for (const char* const verb : {"verify", "resume", "report"}) {
-                const Said said = say({verb, "other"});
-                EXPECT_NE(said.code, 70) << verb << " " << file << " " << shape.substr(0, 40) << said.error;
-                if (said.code == 74) {
-                    expect_in(fs::path(file).filename(), said.error);
+                const ProgramResult result = run_suffuse({verb, "other"});
+                EXPECT_NE(result.code, 70) << verb << " " << file << " " << shape.substr(0, 40) << result.error;
+                if (result.code == 74) {
+                    expect_in(fs::path(file).filename(), result.error);
                 }
             }
             fs::remove_all(folder / "other");
@@ -136,17 +136,18 @@ TEST_F(Damaged, AFileOfAnotherShapeIsRefusedByNameThoughItsChecksumsFit) {
 
 TEST_F(Damaged, VerbsThatReadOneFileRefuseItWhereItIsDamaged) {
     flip_bit(stage("settled") / "state.h5", 5000);
-    const Said state = say({"export", "here/studies/replay/settled", "-o", "grains.csv"});
+    const ProgramResult state = run_suffuse({"export", "here/studies/replay/settled", "-o", "grains.csv"});
     EXPECT_EQ(state.code, 74);
     expect_in("state.h5 was changed since its stage ended", state.error);
     EXPECT_FALSE(fs::exists(folder / "grains.csv"));
-    EXPECT_EQ(say({"export", "here/studies/replay/seep", "-o", "grains.csv"}).code, 0) << "another one is whole";
+    EXPECT_EQ(run_suffuse({"export", "here/studies/replay/seep", "-o", "grains.csv"}).code, 0)
+        << "another one is whole";
     change_digit(stage("seep") / "stage.json");
-    const Said numbers = say({"compare", "here", "here"});
+    const ProgramResult numbers = run_suffuse({"compare", "here", "here"});
     EXPECT_EQ(numbers.code, 74);
     expect_in("seep/stage.json was changed since its stage ended", numbers.error);
     change_digit(folder / "here/summary.json");
-    const Said paper = say({"compare", "here", "--paper"});
+    const ProgramResult paper = run_suffuse({"compare", "here", "--paper"});
     EXPECT_EQ(paper.code, 74);
     expect_in("suffuse report here writes it anew", paper.error);
 }
@@ -154,24 +155,24 @@ TEST_F(Damaged, VerbsThatReadOneFileRefuseItWhereItIsDamaged) {
 TEST_F(Damaged, AFigureThatWasChangedIsNotDrawnUntilTheReportIsWrittenAnew) {
     const fs::path figure = folder / "here/figures/own-throat-flux.vl.json";
     change_digit(figure);
-    const Said said = say({"figures", "here", "--figure", "own-throat-flux"});
-    EXPECT_EQ(said.code, 74);
+    const ProgramResult result = run_suffuse({"figures", "here", "--figure", "own-throat-flux"});
+    EXPECT_EQ(result.code, 74);
     expect_in(
-        "own-throat-flux.vl.json was changed since the run ended; suffuse report here writes it anew", said.error
+        "own-throat-flux.vl.json was changed since the run ended; suffuse report here writes it anew", result.error
     );
-    ASSERT_EQ(say({"report", "here"}).code, 0);
-    EXPECT_EQ(say({"verify", "here"}).code, 0);
+    ASSERT_EQ(run_suffuse({"report", "here"}).code, 0);
+    EXPECT_EQ(run_suffuse({"verify", "here"}).code, 0);
 }
 
 TEST_F(Damaged, WhatTheMessageAdvisesGivesTheSameBits) {
     const std::string settled = hash_of("settled"), seep = hash_of("seep");
     change_digit(stage("settled") / "stage.json");
-    ASSERT_EQ(say({"resume", "here"}).code, 74);
+    ASSERT_EQ(run_suffuse({"resume", "here"}).code, 74);
     fs::remove_all(stage("settled")); // others were computed from it
-    ASSERT_EQ(say({"resume", "here", "--no-cache"}).code, 0);
+    ASSERT_EQ(run_suffuse({"resume", "here", "--no-cache"}).code, 0);
     EXPECT_EQ(hash_of("settled"), settled);
     EXPECT_EQ(hash_of("seep"), seep);
-    EXPECT_EQ(say({"verify", "here"}).code, 0);
+    EXPECT_EQ(run_suffuse({"verify", "here"}).code, 0);
 }
 
 TEST_F(Damaged, AStageThatWasComputedFromAnotherStateIsRefused) {
@@ -183,9 +184,11 @@ TEST_F(Damaged, AStageThatWasComputedFromAnotherStateIsRefused) {
     record::seal_stage(stage("compressed"), numbers);
     fs::remove(folder / "here/SHA256SUMS");
     for (const char* const verb : {"resume", "report"}) {
-        const Said said = say({verb, "here"});
-        EXPECT_EQ(said.code, 74) << verb;
-        expect_in("compressed: was computed from the state 0123456789abcdef, and replay/settled now ends", said.error);
+        const ProgramResult result = run_suffuse({verb, "here"});
+        EXPECT_EQ(result.code, 74) << verb;
+        expect_in(
+            "compressed: was computed from the state 0123456789abcdef, and replay/settled now ends", result.error
+        );
     }
     EXPECT_FALSE(fs::exists(folder / "here/SHA256SUMS"));
 }
@@ -202,37 +205,38 @@ TEST_F(Damaged, ACacheEntryIsMadeAnewWithARemark) {
         }
         ASSERT_TRUE(fs::exists(damaged)) << file;
         flip_bit(damaged, chance());
-        const Said said = run("again", {"--cache", "cache"});
-        ASSERT_EQ(said.code, 0) << file << said.error;
-        expect_in("warning: replay/settled: its entry in the cache is damaged and was dropped", said.error);
+        const ProgramResult result = run("again", {"--cache", "cache"});
+        ASSERT_EQ(result.code, 0) << file << result.error;
+        expect_in("warning: replay/settled: its entry in the cache is damaged and was dropped", result.error);
         expect_in("damaged cache entry dropped", read_all(folder / "again/events.jsonl"));
         EXPECT_EQ(hash_of("settled", "again"), hash_of("settled"));
-        EXPECT_EQ(say({"verify", "again"}).code, 0);
-        EXPECT_EQ(say({"compare", "here", "again"}).code, 0);
+        EXPECT_EQ(run_suffuse({"verify", "again"}).code, 0);
+        EXPECT_EQ(run_suffuse({"compare", "here", "again"}).code, 0);
         fs::remove_all(folder / "again");
     }
-    const Said whole = run("again", {"--cache", "cache"});
+    const ProgramResult whole = run("again", {"--cache", "cache"});
     EXPECT_EQ(whole.error.find("damaged"), std::string::npos) << "it was kept anew";
     expect_in("from the cache", whole.error);
 }
 
-TEST_F(Damaged, ACacheThatCannotBeWrittenIsToldAndCostsNoResult) {
+TEST_F(Damaged, ACacheThatCannotBeWrittenIsReportedAndCostsNoResult) {
     write_to(folder / "file", "no folder");
-    const Said said = run("other", {"--cache", "file"});
-    EXPECT_EQ(said.code, 0) << said.error;
-    expect_in("warning: stages are not kept in the cache, and another run will compute them again: ", said.error);
-    EXPECT_EQ(said.error.find("not kept", said.error.find("not kept") + 1), std::string::npos) << "once for all stages";
+    const ProgramResult result = run("other", {"--cache", "file"});
+    EXPECT_EQ(result.code, 0) << result.error;
+    expect_in("warning: stages are not kept in the cache, and another run will compute them again: ", result.error);
+    EXPECT_EQ(result.error.find("not kept", result.error.find("not kept") + 1), std::string::npos)
+        << "once for all stages";
     EXPECT_EQ(hash_of("settled", "other"), hash_of("settled"));
-    EXPECT_EQ(say({"verify", "other"}).code, 0);
+    EXPECT_EQ(run_suffuse({"verify", "other"}).code, 0);
 }
 
 TEST_F(Damaged, AFolderThatIsNoCacheIsLeftAlone) {
     write_to(folder / "papers/thesis.tex", "mine");
     for (const std::vector<std::string>& words :
          std::vector<std::vector<std::string>>{{"cache", "papers", "--limit", "1"}, {"cache", "papers", "--clear"}}) {
-        const Said said = say(words);
-        EXPECT_EQ(said.code, 2);
-        expect_in("papers is no cache", said.error);
+        const ProgramResult result = run_suffuse(words);
+        EXPECT_EQ(result.code, 2);
+        expect_in("papers is no cache", result.error);
     }
     EXPECT_FALSE(fs::exists(folder / "papers/cache.json"));
 }
@@ -241,30 +245,30 @@ TEST_F(Damaged, ARunThatNeedsNothingIsLeftAlone) {
     const auto before = files_of("here");
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
              {"resume", "here"}, {"run", "soil/case.toml", "-o", "here"}, {"resume", "here", "--until", "settled"}}) {
-        const Said said = say(words);
-        EXPECT_EQ(said.code, 0) << said.error;
-        expect_in("done before; nothing to do   here/report.html", said.out);
+        const ProgramResult result = run_suffuse(words);
+        EXPECT_EQ(result.code, 0) << result.error;
+        expect_in("done before; nothing to do   here/report.html", result.out);
         EXPECT_EQ(files_of("here"), before) << words[0];
     }
-    EXPECT_EQ(say({"resume", "here", "--json"}).json().at("outcome"), "done");
+    EXPECT_EQ(run_suffuse({"resume", "here", "--json"}).json().at("outcome"), "done");
     fs::remove(folder / "here/report.html");
-    expect_in("done before; written again   here/report.html", say({"resume", "here"}).out);
+    expect_in("done before; written again   here/report.html", run_suffuse({"resume", "here"}).out);
     EXPECT_TRUE(fs::exists(folder / "here/report.html"));
-    EXPECT_EQ(say({"verify", "here"}).code, 0);
+    EXPECT_EQ(run_suffuse({"verify", "here"}).code, 0);
 }
 
 TEST_F(Damaged, WhatAKilledProgramLeftOfAnEndedRunGoesWithTheNextCall) {
     const auto before = files_of("here");
     std::ofstream(folder / "here/plan.json.partial-12-3") << "{";
-    EXPECT_EQ(say({"resume", "here"}).code, 0);
+    EXPECT_EQ(run_suffuse({"resume", "here"}).code, 0);
     EXPECT_EQ(files_of("here"), before);
 }
 
 TEST_F(Damaged, EveryCallOfARunStandsInItsProvenance) {
     ASSERT_EQ(run("cut", {"--no-cache", "--until", "settled"}).code, 0);
     const double first = record::read_json(folder / "cut/provenance.json").at("wall_seconds");
-    ASSERT_EQ(say({"resume", "cut", "--no-cache"}).code, 0);
-    ASSERT_EQ(say({"resume", "cut"}).code, 0); // which needs nothing
+    ASSERT_EQ(run_suffuse({"resume", "cut", "--no-cache"}).code, 0);
+    ASSERT_EQ(run_suffuse({"resume", "cut"}).code, 0); // which needs nothing
     const nlohmann::json provenance = record::read_json(folder / "cut/provenance.json");
     const nlohmann::json& calls = provenance.at("calls");
     ASSERT_EQ(calls.size(), 2U);
@@ -274,16 +278,16 @@ TEST_F(Damaged, EveryCallOfARunStandsInItsProvenance) {
     EXPECT_DOUBLE_EQ(provenance.at("wall_seconds"), first + calls[1].at("wall_seconds").get<double>());
 }
 
-TEST_F(Damaged, ARunOfAnEarlierVersionGoesOnAndSaysThatNothingTellsWhetherItIsWhole) {
+TEST_F(Damaged, ARunOfAnEarlierVersionContinuesAndWarnsThatItsIntegrityIsUnknown) {
     forget_checksums("here");
     fs::remove_all(stage("seep"));
-    const Said said = say({"resume", "here", "--no-cache"});
-    EXPECT_EQ(said.code, 0) << said.error;
-    expect_in("warning: an earlier version left no checksums of replay/compressed, replay/settled, ", said.error);
+    const ProgramResult result = run_suffuse({"resume", "here", "--no-cache"});
+    EXPECT_EQ(result.code, 0) << result.error;
+    expect_in("warning: an earlier version left no checksums of replay/compressed, replay/settled, ", result.error);
     const std::string sums = read_all(folder / "here/SHA256SUMS");
     expect_in("studies/replay/seep/state.h5", sums);
     EXPECT_EQ(sums.find("studies/replay/settled/"), std::string::npos) << "what was not checked is not signed";
-    const Said verified = say({"verify", "here"});
+    const ProgramResult verified = run_suffuse({"verify", "here"});
     EXPECT_EQ(verified.code, 0) << verified.out;
     expect_in("3 of 4 stages, of an earlier version, have no checksums from their end", verified.out);
 }
@@ -297,44 +301,44 @@ TEST_F(Damaged, ARunOfAnEarlierVersionThatEndedIsCheckedAgainstItsOwnChecksums) 
         }
     }
     write_to(folder / "here/SHA256SUMS", sums);
-    ASSERT_EQ(say({"report", "here"}).code, 0);
+    ASSERT_EQ(run_suffuse({"report", "here"}).code, 0);
     expect_in("studies/replay/settled/state.h5", read_all(folder / "here/SHA256SUMS"));
-    EXPECT_EQ(say({"verify", "here"}).code, 0);
+    EXPECT_EQ(run_suffuse({"verify", "here"}).code, 0);
     change_digit(stage("settled") / "stage.json");
-    EXPECT_EQ(say({"report", "here"}).code, 74);
-    EXPECT_EQ(say({"resume", "here"}).code, 74);
-    EXPECT_EQ(say({"verify", "here"}).code, 5);
+    EXPECT_EQ(run_suffuse({"report", "here"}).code, 74);
+    EXPECT_EQ(run_suffuse({"resume", "here"}).code, 74);
+    EXPECT_EQ(run_suffuse({"verify", "here"}).code, 5);
 }
 
 TEST_F(Damaged, WhatSaysWhatToComputeIsCheckedToo) {
     const fs::path resolved = folder / "here/case.resolved.toml";
     const std::string text = read_all(resolved), other = replaced(text, "\"100 kPa\"", "\"900 kPa\"");
     write_to(resolved, other);
-    const Said said = say({"resume", "here"});
-    EXPECT_EQ(said.code, 74);
-    expect_in("here/case.resolved.toml was changed since the run ended", said.error);
-    EXPECT_EQ(say({"report", "here"}).code, 74);
+    const ProgramResult result = run_suffuse({"resume", "here"});
+    EXPECT_EQ(result.code, 74);
+    expect_in("here/case.resolved.toml was changed since the run ended", result.error);
+    EXPECT_EQ(run_suffuse({"report", "here"}).code, 74);
     write_to(resolved, text);
-    EXPECT_EQ(say({"resume", "here"}).code, 0);
+    EXPECT_EQ(run_suffuse({"resume", "here"}).code, 0);
 }
 
 TEST_F(Damaged, FiguresThatAReportHasNotAnyMoreGoAndThoseOfTheUserStayUnsigned) {
     for (const char* const name : {"own-paths.csv", "own-paths.vl.json", "own-paths.pdf", "mine.csv"}) {
         write_to(folder / ("here/figures/" + std::string(name)), "x\n1\n");
     }
-    ASSERT_EQ(say({"report", "here"}).code, 0);
+    ASSERT_EQ(run_suffuse({"report", "here"}).code, 0);
     for (const char* const name : {"own-paths.csv", "own-paths.vl.json", "own-paths.pdf"}) {
         EXPECT_FALSE(fs::exists(folder / ("here/figures/" + std::string(name)))) << name;
     }
     EXPECT_TRUE(fs::exists(folder / "here/figures/mine.csv"));
     EXPECT_EQ(read_all(folder / "here/SHA256SUMS").find("mine.csv"), std::string::npos);
-    EXPECT_EQ(say({"verify", "here"}).code, 0);
+    EXPECT_EQ(run_suffuse({"verify", "here"}).code, 0);
 }
 
 TEST_F(Damaged, AKillBeforeTheRemovalOfPartialH5LeavesNoneForGood) {
     fs::copy_file(stage("settled") / "state.h5", stage("settled") / "partial.h5");
     fs::remove(folder / "here/SHA256SUMS"); // the run had not ended
-    ASSERT_EQ(say({"resume", "here"}).code, 0);
+    ASSERT_EQ(run_suffuse({"resume", "here"}).code, 0);
     EXPECT_FALSE(fs::exists(stage("settled") / "partial.h5"));
 }
 
@@ -343,9 +347,9 @@ TEST_F(Damaged, AKillBetweenTheChecksumsOfAStageAndItsNumbersLosesNothing) {
     fs::remove(stage("seep") / "stage.json");
     ASSERT_TRUE(fs::exists(stage("seep") / "SHA256SUMS"));
     fs::remove(folder / "here/SHA256SUMS");
-    ASSERT_EQ(say({"resume", "here", "--no-cache"}).code, 0);
+    ASSERT_EQ(run_suffuse({"resume", "here", "--no-cache"}).code, 0);
     EXPECT_EQ(hash_of("seep"), seep);
-    EXPECT_EQ(say({"verify", "here"}).code, 0);
+    EXPECT_EQ(run_suffuse({"verify", "here"}).code, 0);
 }
 
 } // namespace

@@ -18,7 +18,7 @@ int code_of(const std::vector<record::FailedSample>& failures) {
     return !is_one_kind ? Failed : kind == "case" ? BadCase : kind == "io" || kind == "memory" ? InputOutput : Failed;
 }
 
-void tell_failures(
+void print_failures(
     const std::vector<record::FailedSample>& failures, std::int64_t samples, const std::filesystem::path& folder,
     const Console& console
 ) {

@@ -13,7 +13,7 @@ namespace suffuse::apps {
 int code_of(const std::vector<record::FailedSample>& failures);
 
 /// @param samples of the whole run
-void tell_failures(
+void print_failures(
     const std::vector<record::FailedSample>& failures, std::int64_t samples, const std::filesystem::path& folder,
     const Console& console
 );

@@ -57,8 +57,8 @@ void LiveReport::learn(const run::Progress& progress) {
     left_.see(progress);
     done_ = progress.stages_done;
     all_ = progress.stages;
-    const bool tells_no_stage = progress.sample_ended && progress.failure.empty(); // they have reported themselves
-    if (progress.stage.empty() || tells_no_stage) {
+    const bool has_no_stage = progress.sample_ended && progress.failure.empty(); // they have reported themselves
+    if (progress.stage.empty() || has_no_stage) {
         return;
     }
     Stage& stage = stage_of(progress);

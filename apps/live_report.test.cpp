@@ -35,7 +35,7 @@ run::Progress at(const std::string& stage, bool finished, double void_ratio) {
     return progress;
 }
 
-TEST(LiveReport, IsThereFromTheStartAndTellsWhatIsDoneAndWhatWaits) {
+TEST(LiveReport, IsThereFromTheStartAndShowsWhatIsDoneAndWhatWaits) {
     const test::TempFolder folder;
     LiveReport live(folder.path(), "Dyke", "suffuse resume x", two_stages());
     std::string page = test::read_all(folder / "report.html");

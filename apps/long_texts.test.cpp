@@ -23,8 +23,8 @@ protected:
         write_to(folder / "run/run_options.json", "{\"case\": \"" + text + "\"}");
     }
 
-    static std::size_t longest_line(const std::string& said) {
-        std::istringstream lines(said);
+    static std::size_t longest_line(const std::string& output_text) {
+        std::istringstream lines(output_text);
         std::size_t longest = 0;
         for (std::string line; std::getline(lines, line);) {
             longest = std::max(longest, line.size());
@@ -41,12 +41,12 @@ protected:
 
 TEST_F(LongTexts, AreCutInErrors) {
     for (std::vector<std::string> words : calls) {
-        const Said said = say(words);
-        EXPECT_TRUE(said.code == 3 || said.code == 74) << words.back() << said.code;
-        EXPECT_LT(longest_line(said.error), 600U) << words.back();
-        expect_in("…", said.error);
+        const ProgramResult output_text = run_suffuse(words);
+        EXPECT_TRUE(output_text.code == 3 || output_text.code == 74) << words.back() << output_text.code;
+        EXPECT_LT(longest_line(output_text.error), 600U) << words.back();
+        expect_in("…", output_text.error);
         words.emplace_back("--json");
-        const Said json = say(words);
+        const ProgramResult json = run_suffuse(words);
         EXPECT_LT(json.out.size(), 6'000U) << words[1];
         expect_in("x…x", json.json().at("error").at("message").get<std::string>());
     }

@@ -20,22 +20,22 @@ protected:
 };
 
 TEST_F(Memory, ACaseThatNeedsMoreIsRefusedBeforeItStarts) {
-    const Said said = say({"run", "soil/case.toml", "-o", "run", "--no-cache", "--memory", "41MB"});
-    EXPECT_EQ(said.code, 74);
+    const ProgramResult result = run_suffuse({"run", "soil/case.toml", "-o", "run", "--no-cache", "--memory", "41MB"});
+    EXPECT_EQ(result.code, 74);
     for (const char* const part : {"needs up to 4", "the run may use 41 MB", "lower `particles`", "--memory 4"}) {
-        expect_in(part, said.error);
+        expect_in(part, result.error);
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "run"));
-    const Said planned = say({"plan", "soil/case.toml", "--memory", "41MB"});
+    const ProgramResult planned = run_suffuse({"plan", "soil/case.toml", "--memory", "41MB"});
     EXPECT_EQ(planned.code, 0);
     expect_in("run will refuse this case: ", planned.error);
 }
 
 TEST_F(Memory, AnAmountIsWrittenWithItsUnit) {
     for (const char* const amount : {"16", "much", "-1GB"}) {
-        const Said said = say({"run", "soil/case.toml", "-o", "run", "--memory", amount});
-        EXPECT_EQ(said.code, 2) << amount;
-        expect_in("GB", said.error);
+        const ProgramResult result = run_suffuse({"run", "soil/case.toml", "-o", "run", "--memory", amount});
+        EXPECT_EQ(result.code, 2) << amount;
+        expect_in("GB", result.error);
     }
 }
 
@@ -58,9 +58,10 @@ do   = "pack"
         const rlimit limit{75'000'000, 75'000'000};
         setrlimit(RLIMIT_DATA, &limit);
     };
-    const Said said = wait_for(start({"run", "soil/case.toml", "-o", "run", "--no-cache", "-j", "1"}, {}, bound));
-    EXPECT_EQ(said.code, 74) << said.error;
-    expect_in("s, stage cloud: out of memory; suffuse plan CASE tells how much a case needs", said.error);
+    const ProgramResult result =
+        wait_for(start({"run", "soil/case.toml", "-o", "run", "--no-cache", "-j", "1"}, {}, bound));
+    EXPECT_EQ(result.code, 74) << result.error;
+    expect_in("s, stage cloud: out of memory; suffuse plan CASE tells how much a case needs", result.error);
     EXPECT_TRUE(std::filesystem::exists(folder / "run/studies/s/cloud/failed.json"));
 }
 

@@ -118,14 +118,15 @@ std::string direction_text(const std::optional<FlowWay>& flow) {
 
 /// The stage that asks which gradient moves the fines; nothing where they have no weight.
 std::string mobility_stage(const OwnConditions& conditions, std::string_view gradient_mark) {
-    constexpr double usual_last = 1.2, beyond_asked = 1.5;
+    constexpr double usual_last = 1.2, beyond_specified = 1.5;
     if (!conditions.flow) {
         return "";
     }
-    const double asked = conditions.gradient.value_or(assumed_gradient);
+    const double specified = conditions.gradient.value_or(assumed_gradient);
     return fmt::format(
-        mobility_form, fmt::arg("last", std::max(usual_last, beyond_asked * asked)), fmt::arg("gradient", asked),
-        fmt::arg("gradient_mark", gradient_mark), fmt::arg("direction", direction_text(conditions.flow))
+        mobility_form, fmt::arg("last", std::max(usual_last, beyond_specified * specified)),
+        fmt::arg("gradient", specified), fmt::arg("gradient_mark", gradient_mark),
+        fmt::arg("direction", direction_text(conditions.flow))
     );
 }
 
@@ -167,7 +168,7 @@ std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions) 
     const auto mark = [](const std::optional<double>& given) { return given ? "# as asked:" : "#~ yours:"; };
     return fmt::format(
         case_form, fmt::arg("name", soil.name), fmt::arg("quick", soil.quick_grains),
-        fmt::arg("quick_mark", soil.is_size_asked ? "# as asked" : few),
+        fmt::arg("quick_mark", soil.is_size_given ? "# as asked" : few),
         fmt::arg("standard", standard_over_quick * soil.quick_grains), fmt::arg("limit", 1e3 * soil.finer_than),
         fmt::arg("content", 100 * soil.fines_content), fmt::arg("reason", soil.reason),
         fmt::arg("pressure", '"' + print_quantity(pressure, dimension::pressure) + '"'),

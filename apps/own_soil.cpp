@@ -58,9 +58,9 @@ const char* reason_of(stability::FinesBasis basis) {
 
 /// The limit that `assess` finds. Where its criteria see none, or another for each way in which an open end may go on,
 /// that of the curve as it was measured; and where that has none either, the size where it is nearest to unstable.
-FinesLimit find_limit(const Grading& measured, std::optional<double> asked) {
+FinesLimit find_limit(const Grading& measured, std::optional<double> typed_limit) {
     stability::AssessSpec spec;
-    spec.finer_than = asked;
+    spec.finer_than = typed_limit;
     const Grading sharp = stability::complete_ends(measured).front();
     auto fines = stability::assess_measured(measured, spec).fines;
     fines = fines ? fines : stability::find_fine_fraction(sharp, std::nullopt);
@@ -99,18 +99,18 @@ std::string left_out_of(const Grading& measured, double finest, double coarsest)
 }
 
 /// The ends of the measured curve, or those asked for within them.
-SizeRange modeled_sizes(const Grading& measured, const std::optional<SizeRange>& asked, double finer_than) {
+SizeRange modeled_sizes(const Grading& measured, const std::optional<SizeRange>& typed_limit, double finer_than) {
     const double finest = grains::size_at(measured, 0), coarsest = grains::size_at(measured, 1);
-    if (!asked) {
+    if (!typed_limit) {
         return {finest, coarsest};
     }
     const double content = grains::passing(measured, finer_than);
-    const SizeRange sizes{std::max(asked->first, finest), std::min(asked->second, coarsest)};
+    const SizeRange sizes{std::max(typed_limit->first, finest), std::min(typed_limit->second, coarsest)};
     if (!(grains::passing(measured, sizes.first) < content && grains::passing(measured, sizes.second) > content)) {
         throw CaseError(fmt::format(
             "--sizes: from {} to {} there are no fines or no skeleton; the curve runs from {} to {}, its fines are "
             "finer than {}: choose sizes on both sides of that",
-            mm(asked->first), mm(asked->second), mm(finest), mm(coarsest), mm(finer_than)
+            mm(typed_limit->first), mm(typed_limit->second), mm(finest), mm(coarsest), mm(finer_than)
         ));
     }
     return sizes;
@@ -135,7 +135,7 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
                        : fmt::format("a quick sample has at most {} (--particles N allows others)", grouped(most))
     );
     constexpr double out_of_reach = 2e8; // grains: beyond any computer's memory
-    const std::string spoken =
+    const std::string described =
         needed > out_of_reach ? fmt::format(
                                     "\n  = no computer holds so many: a run can model a part of this soil only, and "
                                     "its answer is of that part\n  = only suffuse assess {} can judge the whole curve",
@@ -152,7 +152,7 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
             "{}{}\n  = no cut of its ends helps: the fines are too small beside the coarse grains\n  = what the "
             "criteria "
             "of stability say: suffuse assess {}",
-            found, spoken, shell_word(path)
+            found, described, shell_word(path)
         ));
     }
     const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
@@ -160,7 +160,7 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
     throw CaseError(fmt::format(
         "{}{}\n  = help: cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines and "
         "{:.0f} % of the coarse grains{}",
-        found, spoken, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
+        found, described, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
         turned.empty() ? "" : "\n  = cutting changes these verdicts (whole soil -> modeled part): " + turned
     ));
 }
@@ -187,7 +187,7 @@ OwnSoil model_own_soil(const Grading& measured, const std::string& path, const O
     if (needed > (spec.particles ? static_cast<double>(*spec.particles) : most_quick_grains)) {
         refuse(path, soil.grading, soil, needed, spec);
     }
-    soil.is_size_asked = spec.particles.has_value();
+    soil.is_size_given = spec.particles.has_value();
     soil.quick_grains = spec.particles.value_or(std::llround(std::max(least_grains, std::ceil(needed / 100) * 100)));
     return soil;
 }

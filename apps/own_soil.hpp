@@ -24,7 +24,7 @@ struct OwnSoil {
     double fines_content = 0;      ///< of the modeled curve [-]
     std::string reason;            ///< why that size
     std::int64_t quick_grains = 0; ///< of the quick preset
-    bool is_size_asked = false;    ///< so many were asked for
+    bool is_size_given = false;    ///< so many were asked for
 };
 
 /// Sizes [m] between which a curve is modeled.

@@ -22,7 +22,8 @@ protected:
     }
 
     /// @param least that the program may not raise, either, unless `is_soft`
-    Said say_within(decltype(RLIMIT_STACK) kind, rlim_t least, bool is_soft, const std::vector<std::string>& words) {
+    ProgramResult
+    run_within(decltype(RLIMIT_STACK) kind, rlim_t least, bool is_soft, const std::vector<std::string>& words) {
         return wait_for(start(words, {}, [&] {
             close_range(STDERR_FILENO + 1, ~0U, 0); // what the tests were started with
             rlimit limit{};
@@ -44,10 +45,10 @@ TEST_F(ProcessLimits, AStackThatIsTooSmallIsRefused) {
         std::vector<std::vector<std::string>> all = readers;
         all.push_back({"--version"});
         for (const std::vector<std::string>& words : all) {
-            const Said said = say_within(RLIMIT_STACK, kilobytes << 10U, false, words);
-            EXPECT_EQ(said.code, 74) << words.front();
-            expect_in("the stack may only take " + std::to_string(kilobytes) + " kB", said.error);
-            expect_in("ulimit -s 8192", said.error);
+            const ProgramResult result = run_within(RLIMIT_STACK, kilobytes << 10U, false, words);
+            EXPECT_EQ(result.code, 74) << words.front();
+            expect_in("the stack may only take " + std::to_string(kilobytes) + " kB", result.error);
+            expect_in("ulimit -s 8192", result.error);
         }
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "run"));
@@ -56,12 +57,12 @@ TEST_F(ProcessLimits, AStackThatIsTooSmallIsRefused) {
 TEST_F(ProcessLimits, TooFewFilesAreRefusedWhereACaseIsRead) {
     for (const rlim_t files : {6, 15}) {
         for (const std::vector<std::string>& words : readers) {
-            const Said said = say_within(RLIMIT_NOFILE, files, false, words);
-            EXPECT_EQ(said.code, 74) << words.front();
-            expect_in("only " + std::to_string(files) + " files may be open at once", said.error);
-            expect_in("ulimit -n 256", said.error);
+            const ProgramResult result = run_within(RLIMIT_NOFILE, files, false, words);
+            EXPECT_EQ(result.code, 74) << words.front();
+            expect_in("only " + std::to_string(files) + " files may be open at once", result.error);
+            expect_in("ulimit -n 256", result.error);
         }
-        EXPECT_EQ(say_within(RLIMIT_NOFILE, files, false, {"--version"}).code, 0);
+        EXPECT_EQ(run_within(RLIMIT_NOFILE, files, false, {"--version"}).code, 0);
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "run"));
 }
@@ -69,16 +70,17 @@ TEST_F(ProcessLimits, TooFewFilesAreRefusedWhereACaseIsRead) {
 TEST_F(ProcessLimits, WhatMayBeRaisedIsRaised) {
     for (const auto& [kind, low] : {std::pair{RLIMIT_STACK, rlim_t{80U << 10U}}, std::pair{RLIMIT_NOFILE, rlim_t{6}}}) {
         for (const std::vector<std::string>& words : readers) {
-            const Said said = say_within(kind, low, true, words);
-            EXPECT_EQ(said.code, 0) << words.front() << said.error;
+            const ProgramResult result = run_within(kind, low, true, words);
+            EXPECT_EQ(result.code, 0) << words.front() << result.error;
         }
         std::filesystem::remove_all(folder / "run");
     }
 }
 
 TEST_F(ProcessLimits, FewestFilesThatAreAllowedAreEnough) {
-    const Said said = say_within(RLIMIT_NOFILE, 16, false, {"run", "soil/case.toml", "-o", "run", "--no-cache"});
-    EXPECT_EQ(said.code, 0) << said.error;
+    const ProgramResult result =
+        run_within(RLIMIT_NOFILE, 16, false, {"run", "soil/case.toml", "-o", "run", "--no-cache"});
+    EXPECT_EQ(result.code, 0) << result.error;
 }
 
 } // namespace

@@ -35,23 +35,23 @@ json describe(const run::Progress& progress) {
     };
 }
 
-run::Progress understand(const json& told) {
+run::Progress understand(const json& stored) {
     run::Progress progress;
-    told.at("study").get_to(progress.study);
-    told.at("sample").get_to(progress.sample);
-    told.at("samples").get_to(progress.samples);
-    told.at("samples_done").get_to(progress.samples_done);
-    told.at("samples_failed").get_to(progress.samples_failed);
-    told.at("stage").get_to(progress.stage);
-    told.at("verb").get_to(progress.verb);
-    told.at("stages").get_to(progress.stages);
-    told.at("stages_done").get_to(progress.stages_done);
-    told.at("part").get_to(progress.part);
-    told.at("steps").get_to(progress.steps);
-    told.at("stage_seconds").get_to(progress.stage_seconds);
-    told.at("run_seconds").get_to(progress.run_seconds);
-    told.at("particle_steps_per_second").get_to(progress.particle_steps_per_second);
-    progress.state = told.at("state");
+    stored.at("study").get_to(progress.study);
+    stored.at("sample").get_to(progress.sample);
+    stored.at("samples").get_to(progress.samples);
+    stored.at("samples_done").get_to(progress.samples_done);
+    stored.at("samples_failed").get_to(progress.samples_failed);
+    stored.at("stage").get_to(progress.stage);
+    stored.at("verb").get_to(progress.verb);
+    stored.at("stages").get_to(progress.stages);
+    stored.at("stages_done").get_to(progress.stages_done);
+    stored.at("part").get_to(progress.part);
+    stored.at("steps").get_to(progress.steps);
+    stored.at("stage_seconds").get_to(progress.stage_seconds);
+    stored.at("run_seconds").get_to(progress.run_seconds);
+    stored.at("particle_steps_per_second").get_to(progress.particle_steps_per_second);
+    progress.state = stored.at("state");
     return progress;
 }
 

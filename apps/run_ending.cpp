@@ -73,7 +73,7 @@ std::string plan_errors_in_full(const plan::PlanError& error) {
 
 } // namespace
 
-void tell_results(const job::RunReport& report, const std::string& headline, const Console& console) {
+void print_results(const job::RunReport& report, const std::string& headline, const Console& console) {
     const std::vector<std::string> warnings = report::merged_warnings(report.warnings); // as the page has them
     for (const std::string& warning : warnings) {
         console.detail("warning: " + warning);
@@ -106,7 +106,7 @@ int exit_code_of(const job::RunReport& report) {
     throw Bug("an outcome without an exit code");
 }
 
-int tell_end(const EndedRun& ended, const job::RunReport& report, const Console& console) {
+int report_end(const EndedRun& ended, const job::RunReport& report, const Console& console) {
     const std::string word(record::word_of(report.outcome));
     const bool has_failed = report.outcome == record::Outcome::SomeFailed;
     const int code = exit_code_of(report);
@@ -117,7 +117,7 @@ int tell_end(const EndedRun& ended, const job::RunReport& report, const Console&
         ));
     } else if (has_failed || code == Done || code == Flawed) {
         const std::string headline = fmt::format("{} in {}", word, duration_text(ended.seconds));
-        tell_results(report, ended.was_done ? word + " before; written again" : headline, console);
+        print_results(report, ended.was_done ? word + " before; written again" : headline, console);
     } else {
         console.talk(fmt::format("{} after {}", word, duration_text(ended.seconds)));
         const std::string sample = ended.sample.empty() ? "" : " --sample " + shell_word(ended.sample);
@@ -130,7 +130,7 @@ int tell_end(const EndedRun& ended, const job::RunReport& report, const Console&
         console.detail(plan_errors_in_full(*plan_error));
     }
     if (!report.failures.empty()) {
-        tell_failures(report.failures, ended.samples, ended.folder, console);
+        print_failures(report.failures, ended.samples, ended.folder, console);
     }
     console.document(json_text(
         {{"outcome", word},

@@ -19,11 +19,11 @@ struct EndedRun {
 };
 
 /// Report, warnings, flaws and findings, after a headline.
-void tell_results(const job::RunReport& report, const std::string& headline, const Console& console);
+void print_results(const job::RunReport& report, const std::string& headline, const Console& console);
 
 int exit_code_of(const job::RunReport& report);
 
 /// All of it. @return the exit code
-int tell_end(const EndedRun& ended, const job::RunReport& report, const Console& console);
+int report_end(const EndedRun& ended, const job::RunReport& report, const Console& console);
 
 } // namespace suffuse::apps

@@ -49,7 +49,7 @@ std::string case_in(const std::string& given) {
     return file.string();
 }
 
-casefile::Case load_asked_case(const std::string& file, const CaseChanges& changes, const Console& console) {
+casefile::Case load_given_case(const std::string& file, const CaseChanges& changes, const Console& console) {
     casefile::LoadedCase loaded = casefile::load_case(file, changes);
     if (!loaded.warnings.empty()) {
         console.talk(render_within(loaded.warnings, console.has_color(), source_width()));
@@ -58,14 +58,14 @@ casefile::Case load_asked_case(const std::string& file, const CaseChanges& chang
 }
 
 void ThreadOption::add_to(Options& options) {
-    options.value("-j,--threads", asked, "threads; all cores unless given. Results do not depend on it")
+    options.value("-j,--threads", requested, "threads; all cores unless given. Results do not depend on it")
         .type("N")
         .whole_number(1, 1024);
 }
 
 void ThreadOption::apply() const {
     const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-    set_thread_count(asked > 0 ? asked : std::max(cores, 1));
+    set_thread_count(requested > 0 ? requested : std::max(cores, 1));
 }
 
 void CacheOptions::add_to(Options& options) {
@@ -87,21 +87,22 @@ std::filesystem::path CacheOptions::folder_or(const std::filesystem::path& usual
     return folder.empty() ? usual : std::filesystem::absolute(folder).lexically_normal();
 }
 
-std::filesystem::path
-cache_to_go_on(const CacheOptions& asked, const std::filesystem::path& run, bool is_trusted, const Console& console) {
-    const std::filesystem::path beside = job::cache_beside(run);
+std::filesystem::path cache_to_go_on(
+    const CacheOptions& requested, const std::filesystem::path& run, bool is_trusted, const Console& console
+) {
+    const std::filesystem::path usual_cache = job::cache_next_to(run);
     const bool is_begun = std::filesystem::exists(run / record::options_file);
-    const std::optional<std::string> earlier = is_begun ? job::read_asked(run).cache : std::nullopt;
+    const std::optional<std::string> earlier = is_begun ? job::read_request(run).cache : std::nullopt;
     if (earlier && (is_trusted || earlier->empty())) {
-        return asked.folder_or(*earlier);
+        return requested.folder_or(*earlier);
     }
-    if (earlier && !asked.is_asked() && *earlier != std::filesystem::absolute(beside).lexically_normal()) {
+    if (earlier && !requested.is_requested() && *earlier != std::filesystem::absolute(usual_cache).lexically_normal()) {
         console.talk(fmt::format(
             "This run was begun with another cache, which its folder cannot choose. To use that one again: --cache {}",
             shell_word(shown(*earlier))
         ));
     }
-    return asked.folder_or(beside);
+    return requested.folder_or(usual_cache);
 }
 
 void look_at_run(const std::filesystem::path& run, io::Purpose purpose, const Console& console) {
@@ -134,7 +135,7 @@ void RunLimits::add_to(Options& options) {
 void MemoryOption::add_to(Options& options) {
     options
         .value(
-            "--memory", asked,
+            "--memory", requested,
             fmt::format(
                 "most memory that the run may take, as in 16GB; {:.0f} % of the machine's unless given",
                 100 * plan::usual_memory_share
@@ -144,13 +145,13 @@ void MemoryOption::add_to(Options& options) {
 }
 
 double MemoryOption::bytes() const {
-    if (asked.empty()) {
+    if (requested.empty()) {
         return plan::usual_memory_share * machine_memory();
     }
     try {
-        return parse_byte_size(asked);
+        return parse_byte_size(requested);
     } catch (const UnitError& error) {
-        throw UsageError(fmt::format("--memory {}: {}; {}", shown(asked), error.what(), error.help));
+        throw UsageError(fmt::format("--memory {}: {}; {}", shown(requested), error.what(), error.help));
     }
 }
 

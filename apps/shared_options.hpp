@@ -29,10 +29,10 @@ struct CaseChanges : casefile::LoadOptions {
 std::string case_in(const std::string& given);
 
 /// The case with its changes made; prints its warnings.
-casefile::Case load_asked_case(const std::string& file, const CaseChanges& changes, const Console& console);
+casefile::Case load_given_case(const std::string& file, const CaseChanges& changes, const Console& console);
 
 struct ThreadOption {
-    int asked = 0; ///< 0: all cores
+    int requested = 0; ///< 0: all cores
 
     void add_to(Options& options);
     /// Sets the number of threads.
@@ -48,7 +48,7 @@ struct CacheOptions {
 
     [[nodiscard]] record::Owners owners() const { return is_shared ? record::Owners::Anybody : record::Owners::Self; }
 
-    [[nodiscard]] bool is_asked() const { return is_off || !folder.empty(); }
+    [[nodiscard]] bool is_requested() const { return is_off || !folder.empty(); }
 
     /// What is asked for, or `usual` where nothing is; empty: no cache.
     [[nodiscard]] std::filesystem::path folder_or(const std::filesystem::path& usual) const;
@@ -56,8 +56,9 @@ struct CacheOptions {
 
 /// The cache of a run that goes on: what is asked for, else suffuse-cache beside the run. Its folder, which may be a
 /// stranger's, chooses none unless the user trusts it; what the earlier call had is printed.
-std::filesystem::path
-cache_to_go_on(const CacheOptions& asked, const std::filesystem::path& run, bool is_trusted, const Console& console);
+std::filesystem::path cache_to_go_on(
+    const CacheOptions& requested, const std::filesystem::path& run, bool is_trusted, const Console& console
+);
 
 /// Looks at a run folder before any of it is opened (io/run_tree.hpp), and warns of files of other users.
 void look_at_run(const std::filesystem::path& run, io::Purpose purpose, const Console& console);
@@ -78,7 +79,7 @@ struct RunLimits {
 
 /// How much memory a run may take.
 struct MemoryOption {
-    std::string asked;
+    std::string requested;
 
     void add_to(Options& options);
     /// [B], a share of the machine's unless asked for. @throws UsageError where it is no amount.

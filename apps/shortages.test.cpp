@@ -7,7 +7,7 @@
 namespace suffuse::apps {
 namespace {
 
-TEST(Shortages, AreToldOfDiskBeforeARunIsStarted) {
+TEST(Shortages, OfDiskAreReportedBeforeARunIsStarted) {
     plan::RunPlan plan;
     EXPECT_TRUE(shortages(plan, ".").empty());
     plan.disk = 1e24;

@@ -34,7 +34,7 @@ extern "C" void on_signal(int signal) {
 
 } // namespace
 
-void heed_signals() {
+void handle_signals() {
     struct sigaction action {};
 
     action.sa_handler = on_signal;
@@ -60,7 +60,7 @@ int signal_exit_code() {
     return BySignal + first_signal;
 }
 
-void outlive_failed_writes() {
+void ignore_write_signals() {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
 }

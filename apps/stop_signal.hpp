@@ -8,7 +8,7 @@
 namespace suffuse::apps {
 
 /// From now on those signals set the flag instead of ending the program. Under `nohup` SIGHUP stays ignored.
-void heed_signals();
+void handle_signals();
 
 /// Set by the first signal.
 const std::atomic<bool>& stop_flag();
@@ -18,6 +18,6 @@ int signal_exit_code();
 
 /// From now on what cannot be written is an error of that write and does not end the program: no reader (SIGPIPE), or a
 /// file beyond the limit (SIGXFSZ).
-void outlive_failed_writes();
+void ignore_write_signals();
 
 } // namespace suffuse::apps

@@ -46,14 +46,14 @@ protected:
     }
 
     void expect_to_go_on_to_the_same_bits() {
-        const Said resumed = say({"resume", "cut"});
+        const ProgramResult resumed = run_suffuse({"resume", "cut"});
         ASSERT_EQ(resumed.code, 0) << resumed.error;
         static const std::string whole = hash_of_a_whole_run();
         EXPECT_EQ(hash_in("cut"), whole);
     }
 
     std::string hash_of_a_whole_run() {
-        EXPECT_EQ(say({"run", "soil/case.toml", "-o", "whole", "--no-cache"}).code, 0);
+        EXPECT_EQ(run_suffuse({"run", "soil/case.toml", "-o", "whole", "--no-cache"}).code, 0);
         return hash_in("whole");
     }
 
@@ -156,8 +156,8 @@ TEST_F(Stopping, AShellThatEndsWithItsTerminalTakesNoWorkAlong) {
     EXPECT_EQ(wait_for(shell.child).code, -SIGHUP); // by then its jobs have their SIGHUP too
     shell.let_go();
     wait_until("the run ends", [&] {
-        pollfd asked{life.reading(), POLLIN, 0};
-        return poll(&asked, 1, 0) > 0 && (asked.revents & POLLHUP) != 0;
+        pollfd request{life.reading(), POLLIN, 0};
+        return poll(&request, 1, 0) > 0 && (request.revents & POLLHUP) != 0;
     });
     expect_saved();
     expect_to_go_on_to_the_same_bits();
@@ -215,8 +215,8 @@ TEST_F(Stopping, BatchSystemsMayGiveSignalsAsOftenAsTheyLike) {
             kill(run.child, course.signals[k]);
         }
         run.let_go();
-        const Said said = wait_for(run.child);
-        EXPECT_EQ(said.code, course.code) << said.error;
+        const ProgramResult result = wait_for(run.child);
+        EXPECT_EQ(result.code, course.code) << result.error;
         expect_saved();
     }
     expect_to_go_on_to_the_same_bits();
@@ -226,9 +226,9 @@ TEST_F(Stopping, UnderNohupARunOutlivesItsTerminal) {
     HeldRun run = start_run([] { std::signal(SIGHUP, SIG_IGN); });
     kill(run.child, SIGHUP);
     run.let_go();
-    const Said said = wait_for(run.child);
-    EXPECT_EQ(said.code, 0) << said.error;
-    EXPECT_EQ(said.error.find("stopping"), std::string::npos) << said.error;
+    const ProgramResult result = wait_for(run.child);
+    EXPECT_EQ(result.code, 0) << result.error;
+    EXPECT_EQ(result.error.find("stopping"), std::string::npos) << result.error;
 }
 
 TEST_F(Stopping, ARunThatNobodyListensToEndsAsAnyOther) {
@@ -239,12 +239,12 @@ TEST_F(Stopping, ARunThatNobodyListensToEndsAsAnyOther) {
         if (json) {
             words.emplace_back("--json");
         }
-        const Said said = wait_for(start(words, {}, [&] {
+        const ProgramResult result = wait_for(start(words, {}, [&] {
             dup2(pipe.writing(), 1);
             dup2(pipe.writing(), 2);
         }));
-        EXPECT_EQ(said.code, 0);
-        EXPECT_EQ(say({"verify", words[3]}).code, 0);
+        EXPECT_EQ(result.code, 0);
+        EXPECT_EQ(run_suffuse({"verify", words[3]}).code, 0);
     }
 }
 
@@ -265,9 +265,9 @@ TEST_F(Stopping, AFileBeyondTheLimitIsCode74WithItsNameAndAdvice) {
         const rlimit bytes{100'000, RLIM_INFINITY};
         setrlimit(RLIMIT_FSIZE, &bytes);
     };
-    const Said said = wait_for(start(cut_run, {}, limit));
-    EXPECT_EQ(said.code, 74) << said.error;
-    expect_in("cut/studies/replay/start/state.h5: File too large; raise the limit on the size of files", said.error);
+    const ProgramResult result = wait_for(start(cut_run, {}, limit));
+    EXPECT_EQ(result.code, 74) << result.error;
+    expect_in("cut/studies/replay/start/state.h5: File too large; raise the limit on the size of files", result.error);
     expect_nothing_half_written();
     expect_to_go_on_to_the_same_bits();
 }
@@ -276,20 +276,20 @@ TEST_F(Stopping, ARunWhoseFolderWasMovedSaysSoAndGoesOnWhereItLies) {
     HeldRun run = start_run();
     std::filesystem::rename(folder / "cut", folder / "moved");
     run.let_go();
-    const Said said = wait_for(run.child);
-    EXPECT_EQ(said.code, 74) << said.error;
-    expect_in("cut: was moved or removed while the run worked in it", said.error);
+    const ProgramResult result = wait_for(run.child);
+    EXPECT_EQ(result.code, 74) << result.error;
+    expect_in("cut: was moved or removed while the run worked in it", result.error);
     EXPECT_FALSE(std::filesystem::exists(folder / "cut")) << "half a run in two places";
-    ASSERT_EQ(say({"resume", "moved"}).code, 0);
+    ASSERT_EQ(run_suffuse({"resume", "moved"}).code, 0);
     EXPECT_EQ(hash_in("moved"), hash_of_a_whole_run());
 }
 
 TEST_F(Stopping, AReaderWhoHasEnoughIsNoError) {
     TestPipe pipe;
     pipe.close_end(0);
-    const Said said = wait_for(start({"schema"}, {}, [&] { dup2(pipe.writing(), 1); }));
-    EXPECT_EQ(said.code, 0);
-    EXPECT_EQ(said.error, "");
+    const ProgramResult result = wait_for(start({"schema"}, {}, [&] { dup2(pipe.writing(), 1); }));
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.error, "");
 }
 
 TEST_F(Stopping, AWatchEndsWhenItsReaderHasEnoughAndTheRunGoesOn) {
@@ -299,9 +299,9 @@ TEST_F(Stopping, AWatchEndsWhenItsReaderHasEnoughAndTheRunGoesOn) {
     char first = 0;
     EXPECT_EQ(read(pipe.reading(), &first, 1), 1);
     pipe.close_end(0);
-    const Said said = wait_for(watch);
-    EXPECT_EQ(said.code, 0);
-    EXPECT_EQ(said.error, "");
+    const ProgramResult result = wait_for(watch);
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.error, "");
     run.let_go();
     EXPECT_EQ(wait_for(run.child).code, 0);
 }

@@ -101,15 +101,15 @@ int run_program(int argc, const char* const* argv) {
     Console console(early);
     try {
         raise_stack_limit();
-        const Asked asked = read_command_line(argc, argv);
-        console = Console(asked.line);
-        if (!asked.text.empty()) {
-            Console().result(asked.text);
+        const ParsedCommand command = read_command_line(argc, argv);
+        console = Console(command.line);
+        if (!command.text.empty()) {
+            Console().result(command.text);
             Console().finish();
             return Done;
         }
         raise_file_limit();
-        const int code = asked.verb->act(asked.line, console);
+        const int code = command.verb->act(command.line, console);
         console.finish();
         return code;
     } catch (...) {
@@ -125,6 +125,6 @@ int main(int argc, char** argv) {
     // first, and a sample would hold half as much again.
     mallopt(M_MMAP_THRESHOLD, 1 << 20);
     suffuse::apps::fill_closed_streams();
-    suffuse::apps::outlive_failed_writes();
+    suffuse::apps::ignore_write_signals();
     return suffuse::apps::run_program(argc, argv);
 }

@@ -51,7 +51,7 @@ protected:
 
     int suffuse(const std::string& words) { return sh(SUFFUSE_PROGRAM " " + words); }
 
-    [[nodiscard]] std::string said() const { return read_all(folder / "out") + read_all(folder / "error"); }
+    [[nodiscard]] std::string output() const { return read_all(folder / "out") + read_all(folder / "error"); }
 
     [[nodiscard]] std::map<std::string, std::string> hashes(const std::string& run) const {
         std::map<std::string, std::string> found;
@@ -69,33 +69,33 @@ protected:
 };
 
 TEST_F(SweepVerb, TasksRunByAShellEndWithTheBitsOfAPlainRun) {
-    ASSERT_EQ(suffuse("run case.toml -o whole --no-cache"), 0) << said();
+    ASSERT_EQ(suffuse("run case.toml -o whole --no-cache"), 0) << output();
     const auto whole = hashes("whole");
     ASSERT_EQ(whole.size(), 2U * 4) << "three values, and one between the lowest and its neighbor";
 
-    ASSERT_EQ(suffuse("sweep case.toml --emit parallel -o parts --no-cache"), 0) << said();
-    EXPECT_NE(said().find("3 tasks in parts"), std::string::npos) << said();
-    ASSERT_EQ(sh("head -n 1 parts/tasks.txt | sh"), 0) << said();
-    EXPECT_EQ(suffuse("watch parts/studies/s/*"), 0) << said();
-    EXPECT_NE(said().find("sample ends       done"), std::string::npos) << said();
+    ASSERT_EQ(suffuse("sweep case.toml --emit parallel -o parts --no-cache"), 0) << output();
+    EXPECT_NE(output().find("3 tasks in parts"), std::string::npos) << output();
+    ASSERT_EQ(sh("head -n 1 parts/tasks.txt | sh"), 0) << output();
+    EXPECT_EQ(suffuse("watch parts/studies/s/*"), 0) << output();
+    EXPECT_NE(output().find("sample ends       done"), std::string::npos) << output();
     EXPECT_EQ(suffuse("watch parts"), 2);
-    EXPECT_NE(said().find("suffuse sweep --collect parts"), std::string::npos) << said();
-    EXPECT_EQ(suffuse("sweep --collect parts"), 75) << said();
-    EXPECT_NE(said().find("1 of 3 samples done"), std::string::npos) << said();
-    EXPECT_NE(said().find("suffuse sweep parts --emit parallel writes tasks"), std::string::npos) << said();
+    EXPECT_NE(output().find("suffuse sweep --collect parts"), std::string::npos) << output();
+    EXPECT_EQ(suffuse("sweep --collect parts"), 75) << output();
+    EXPECT_NE(output().find("1 of 3 samples done"), std::string::npos) << output();
+    EXPECT_NE(output().find("suffuse sweep parts --emit parallel writes tasks"), std::string::npos) << output();
     const std::filesystem::path provenance = folder / "parts/provenance.json";
     const std::string old = "2000-01-01T00:00:00Z"; // seconds may be too few to tell one gathering from the next
     auto first = nlohmann::json::parse(read_all(provenance));
     first.at("finished") = old;
     std::ofstream(provenance) << first;
     std::filesystem::remove(folder / "parts/SHA256SUMS"); // of the provenance that was
-    ASSERT_EQ(sh("sh parts/tasks.txt"), 0) << said();
+    ASSERT_EQ(sh("sh parts/tasks.txt"), 0) << output();
     // With the last value the refinement is known, and there is one sample more.
-    EXPECT_EQ(suffuse("sweep --collect parts"), 75) << said();
-    EXPECT_NE(said().find("3 of 4 samples done"), std::string::npos) << said();
-    ASSERT_EQ(suffuse("sweep parts --emit parallel"), 0) << said();
-    ASSERT_EQ(sh("sh parts/tasks.txt"), 0) << said();
-    EXPECT_EQ(suffuse("sweep --collect parts"), 0) << said();
+    EXPECT_EQ(suffuse("sweep --collect parts"), 75) << output();
+    EXPECT_NE(output().find("3 of 4 samples done"), std::string::npos) << output();
+    ASSERT_EQ(suffuse("sweep parts --emit parallel"), 0) << output();
+    ASSERT_EQ(sh("sh parts/tasks.txt"), 0) << output();
+    EXPECT_EQ(suffuse("sweep --collect parts"), 0) << output();
     EXPECT_EQ(hashes("parts"), whole);
     EXPECT_LT(old, nlohmann::json::parse(read_all(provenance)).at("finished").get<std::string>())
         << "each gathering has its own";
@@ -106,19 +106,19 @@ TEST_F(SweepVerb, TasksRunByAShellEndWithTheBitsOfAPlainRun) {
 }
 
 TEST_F(SweepVerb, ARunThatEndsWithAStageIsRefinedByTheCurvesItHasAndAsFar) {
-    ASSERT_EQ(suffuse("run case.toml -o run --until cloud --no-cache"), 0) << said();
+    ASSERT_EQ(suffuse("run case.toml -o run --until cloud --no-cache"), 0) << output();
     EXPECT_EQ(hashes("run").size(), 3U) << "the curve that asks for more is of the next stage";
-    ASSERT_EQ(suffuse("resume run --until moved"), 0) << said();
+    ASSERT_EQ(suffuse("resume run --until moved"), 0) << output();
     EXPECT_EQ(hashes("run").size(), 2U * 4);
     EXPECT_TRUE(std::filesystem::exists(folder / "run/refinement.json"));
 
     ASSERT_EQ(sh("sed 's/at = ..moved../at = [\"cloud\"]/' case.toml > other.toml"), 0);
-    ASSERT_EQ(suffuse("run other.toml -o other --until cloud --no-cache"), 0) << said();
+    ASSERT_EQ(suffuse("run other.toml -o other --until cloud --no-cache"), 0) << output();
     EXPECT_EQ(hashes("other").size(), 4U) << "the new sample goes no further than the others";
 }
 
 TEST_F(SweepVerb, GatheringNamesTheFlaws) {
-    ASSERT_EQ(suffuse("run case.toml -o whole --no-cache"), 0) << said();
+    ASSERT_EQ(suffuse("run case.toml -o whole --no-cache"), 0) << output();
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "whole/studies")) {
         if (entry.path().filename() == "stage.json") {
             nlohmann::json numbers = nlohmann::json::parse(read_all(entry.path()));
@@ -127,63 +127,63 @@ TEST_F(SweepVerb, GatheringNamesTheFlaws) {
             break;
         }
     }
-    EXPECT_EQ(suffuse("sweep --collect whole"), 4) << said();
-    EXPECT_NE(said().find("flaw: s/moved: bent"), std::string::npos) << said();
-    EXPECT_NE(said().find("4 of 4 samples done with flaws"), std::string::npos) << said();
+    EXPECT_EQ(suffuse("sweep --collect whole"), 4) << output();
+    EXPECT_NE(output().find("flaw: s/moved: bent"), std::string::npos) << output();
+    EXPECT_NE(output().find("4 of 4 samples done with flaws"), std::string::npos) << output();
 }
 
 TEST_F(SweepVerb, SlurmGetsAJobArrayWithATaskForEachSample) {
-    ASSERT_EQ(suffuse("sweep case.toml --emit slurm -o array --time-limit 2h -j 2"), 0) << said();
+    ASSERT_EQ(suffuse("sweep case.toml --emit slurm -o array --time-limit 2h -j 2"), 0) << output();
     const std::string script = read_all(folder / "array/sweep.sbatch");
     for (const std::string part :
          {"#!/bin/sh\n", "#SBATCH --array=1-3\n", "#SBATCH --cpus-per-task=2\n", "#SBATCH --time=121\n",
           "#SBATCH --signal=B:TERM@60\n"}) {
         EXPECT_NE(script.find(part), std::string::npos) << part << " in\n" << script;
     }
-    EXPECT_EQ(sh("sh -n array/sweep.sbatch"), 0) << said();
+    EXPECT_EQ(sh("sh -n array/sweep.sbatch"), 0) << output();
     // What Slurm does with it: one task.
-    EXPECT_EQ(sh("SLURM_ARRAY_TASK_ID=2 sh array/sweep.sbatch"), 0) << said();
+    EXPECT_EQ(sh("SLURM_ARRAY_TASK_ID=2 sh array/sweep.sbatch"), 0) << output();
     EXPECT_EQ(hashes("array").size(), 2U);
     // An array that was submitted before tasks.txt was written anew, with fewer tasks.
     for (const char* index : {"4", "0", ""}) {
-        EXPECT_EQ(sh(fmt::format("SLURM_ARRAY_TASK_ID={} sh array/sweep.sbatch", index)), 2) << said();
-        EXPECT_NE(said().find("array/tasks.txt has no task"), std::string::npos) << said();
+        EXPECT_EQ(sh(fmt::format("SLURM_ARRAY_TASK_ID={} sh array/sweep.sbatch", index)), 2) << output();
+        EXPECT_NE(output().find("array/tasks.txt has no task"), std::string::npos) << output();
     }
     EXPECT_EQ(suffuse("resume array --sample s/porosity=0.66"), 2);
-    EXPECT_NE(said().find("s/porosity=0.6"), std::string::npos) << said();
+    EXPECT_NE(output().find("s/porosity=0.6"), std::string::npos) << output();
     EXPECT_EQ(suffuse("sweep case.toml"), 2);
 }
 
 TEST_F(SweepVerb, SlurmGetsNamesOfFoldersWithBlanksAndPatternsAsTheyAre) {
-    ASSERT_EQ(suffuse("sweep case.toml --emit slurm -o 'my \"%j\" array'"), 0) << said();
-    EXPECT_NE(said().find("sbatch 'my \"%j\" array/sweep.sbatch'"), std::string::npos) << said();
+    ASSERT_EQ(suffuse("sweep case.toml --emit slurm -o 'my \"%j\" array'"), 0) << output();
+    EXPECT_NE(output().find("sbatch 'my \"%j\" array/sweep.sbatch'"), std::string::npos) << output();
     const std::string script = read_all(folder / "my \"%j\" array/sweep.sbatch");
     EXPECT_NE(script.find("/my \\\"%%j\\\" array/tasks/%a.txt\"\n"), std::string::npos) << script;
     EXPECT_NE(script.find("#SBATCH --job-name=\"suffuse-my \\\"%j\\\" array\"\n"), std::string::npos) << script;
-    EXPECT_EQ(sh("SLURM_ARRAY_TASK_ID=1 sh 'my \"%j\" array/sweep.sbatch'"), 0) << said();
-    EXPECT_EQ(suffuse("sweep case.toml --emit parallel -o 'two\nlines'"), 2) << said();
+    EXPECT_EQ(sh("SLURM_ARRAY_TASK_ID=1 sh 'my \"%j\" array/sweep.sbatch'"), 0) << output();
+    EXPECT_EQ(suffuse("sweep case.toml --emit parallel -o 'two\nlines'"), 2) << output();
 }
 
-TEST_F(SweepVerb, ASecondRunTakesItsStagesFromTheCacheBesideIt) {
-    ASSERT_EQ(suffuse("run case.toml"), 0) << said();
+TEST_F(SweepVerb, ASecondRunTakesItsStagesFromTheCacheNextToIt) {
+    ASSERT_EQ(suffuse("run case.toml"), 0) << output();
     ASSERT_TRUE(std::filesystem::exists(folder / "runs/suffuse-cache/cache.json"));
-    ASSERT_EQ(suffuse("plan case.toml --json"), 0) << said();
+    ASSERT_EQ(suffuse("plan case.toml --json"), 0) << output();
     const auto plan = nlohmann::json::parse(read_all(folder / "out"));
     ASSERT_EQ(plan.at("samples").size(), 3U);
     EXPECT_EQ(plan.at("samples").at(0).at("cached"), 2);
     EXPECT_EQ(plan.at("steps").at(1), 0);
-    ASSERT_EQ(suffuse("run case.toml"), 0) << said();
-    EXPECT_NE(said().find("holds 6 of the 6 stages"), std::string::npos) << said();
-    EXPECT_NE(said().find("from the cache"), std::string::npos) << said();
+    ASSERT_EQ(suffuse("run case.toml"), 0) << output();
+    EXPECT_NE(output().find("holds 6 of the 6 stages"), std::string::npos) << output();
+    EXPECT_NE(output().find("from the cache"), std::string::npos) << output();
     EXPECT_EQ(
         hashes("runs/" + std::filesystem::relative(folder.path()).filename().string() + "-0002"),
         hashes("runs/" + std::filesystem::relative(folder.path()).filename().string() + "-0001")
     );
-    ASSERT_EQ(suffuse("run case.toml --no-cache -o fresh"), 0) << said();
-    EXPECT_EQ(said().find("from the cache"), std::string::npos) << said();
-    ASSERT_EQ(suffuse("cache"), 0) << said();
-    EXPECT_NE(said().find("8 stages"), std::string::npos) << said();
-    ASSERT_EQ(suffuse("cache --clear --json"), 0) << said();
+    ASSERT_EQ(suffuse("run case.toml --no-cache -o fresh"), 0) << output();
+    EXPECT_EQ(output().find("from the cache"), std::string::npos) << output();
+    ASSERT_EQ(suffuse("cache"), 0) << output();
+    EXPECT_NE(output().find("8 stages"), std::string::npos) << output();
+    ASSERT_EQ(suffuse("cache --clear --json"), 0) << output();
     EXPECT_EQ(nlohmann::json::parse(read_all(folder / "out")).at("dropped"), 8);
     EXPECT_EQ(suffuse("cache nowhere"), 2);
 }

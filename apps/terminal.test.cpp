@@ -180,7 +180,7 @@ TEST(Terminal, ShowsALineForEachSampleThatRunsAndOneForTheRest) {
     EXPECT_EQ(text.find("fc=5"), std::string::npos);
 }
 
-TEST(Terminal, AFailureIsToldAtOnceAndStaysOnTheScreen) {
+TEST(Terminal, AFailureIsReportedAtOnceAndStaysOnTheScreen) {
     for (const bool redraws : {true, false}) {
         Written seen(redraws);
         seen.view.show(somewhere());
@@ -255,7 +255,7 @@ TEST(TimeLeft, DoesNotLearnTheSpeedOfStepsFromAStageThatMakesNone) {
     EXPECT_DOUBLE_EQ(left.left().most, stages_of_100_to_200(2).most);
 }
 
-TEST(TimeLeft, HeedsThePaceOfTheStageThatRunsAsLongAsNoneIsDone) {
+TEST(TimeLeft, UsesThePaceOfTheRunningStageAsLongAsNoneIsDone) {
     plan::RunPlan plan = three_stages();
     for (plan::StageEstimate& stage : plan.stages) {
         stage.grains = 1000;

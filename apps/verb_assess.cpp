@@ -115,47 +115,47 @@ struct AssessVerb final : Verb {
 
 /// With the alpha of the run that was named, or of the one that is assessed.
 stability::AssessSpec with_alpha(
-    const AssessVerb& asked, const std::string& file, const stability::AssessSpec& spec, const std::string& soil,
+    const AssessVerb& verb, const std::string& file, const stability::AssessSpec& spec, const std::string& soil,
     const Console& console
 ) {
-    const AskedAlpha alpha{
-        !asked.alpha_from.empty() ? asked.alpha_from
-        : is_folder(file)         ? file
-                                  : "",
-        asked.seepage_gradient, asked.porosity,
-        asked.density.empty() ? std::nullopt
-                              : std::optional(quantity_of(asked.density, dimension::density, "--density", false)),
-        asked.stress_share};
+    const AlphaSource alpha{
+        !verb.alpha_from.empty() ? verb.alpha_from
+        : is_folder(file)        ? file
+                                 : "",
+        verb.seepage_gradient, verb.porosity,
+        verb.density.empty() ? std::nullopt
+                             : std::optional(quantity_of(verb.density, dimension::density, "--density", false)),
+        verb.stress_share};
     return with_alpha_of_run(alpha, spec, soil, console);
 }
 
-stability::AssessSpec spec_of(const AssessVerb& asked) {
+stability::AssessSpec spec_of(const AssessVerb& verb) {
     stability::AssessSpec spec;
-    if (!asked.fines.empty()) {
-        spec.finer_than = quantity_of(asked.fines, dimension::length, "--fines", false);
+    if (!verb.fines.empty()) {
+        spec.finer_than = quantity_of(verb.fines, dimension::length, "--fines", false);
     }
-    spec.relative_density = asked.relative_density;
-    spec.fabric = asked.has_coarse_fabric ? stability::PrimaryFabric::Coarse : stability::PrimaryFabric::Soil;
-    const bool asks_more = asked.porosity || asked.stress_share || !asked.density.empty();
-    const bool has_run = !asked.alpha_from.empty() || std::ranges::any_of(asked.files, is_folder);
-    if (asks_more && !asked.seepage_gradient && !has_run) {
+    spec.relative_density = verb.relative_density;
+    spec.fabric = verb.has_coarse_fabric ? stability::PrimaryFabric::Coarse : stability::PrimaryFabric::Soil;
+    const bool has_seepage_options = verb.porosity || verb.stress_share || !verb.density.empty();
+    const bool has_run = !verb.alpha_from.empty() || std::ranges::any_of(verb.files, is_folder);
+    if (has_seepage_options && !verb.seepage_gradient && !has_run) {
         throw UsageError("--porosity, --density and --alpha go with a gradient: add -i I");
     }
-    if (asked.seepage_gradient) {
+    if (verb.seepage_gradient) {
         stability::UpwardSeepage seepage;
-        seepage.gradient = *asked.seepage_gradient;
-        seepage.porosity = asked.porosity.value_or(seepage.porosity);
-        if (!asked.density.empty()) {
-            seepage.grain_density = quantity_of(asked.density, dimension::density, "--density", false);
+        seepage.gradient = *verb.seepage_gradient;
+        seepage.porosity = verb.porosity.value_or(seepage.porosity);
+        if (!verb.density.empty()) {
+            seepage.grain_density = quantity_of(verb.density, dimension::density, "--density", false);
         }
-        seepage.stress_share = asked.stress_share;
+        seepage.stress_share = verb.stress_share;
         spec.seepage = seepage;
     }
     return spec;
 }
 
 /// A soil that is to be assessed.
-struct AskedSoil {
+struct MeasuredSoil {
     std::string name;
     fs::path folder;
     grains::Grading measured;
@@ -163,17 +163,17 @@ struct AskedSoil {
 };
 
 void add_case_soils(
-    const AssessVerb& asked, const std::string& file, const stability::AssessSpec& spec, const Console& console,
-    std::vector<AskedSoil>& soils
+    const AssessVerb& verb, const std::string& file, const stability::AssessSpec& spec, const Console& console,
+    std::vector<MeasuredSoil>& soils
 ) {
-    const casefile::Case what = load_asked_case(case_of_run(file), {}, console);
-    const bool of_other_case = !asked.alpha_from.empty(); // whose soils have names of their own
+    const casefile::Case what = load_given_case(case_of_run(file), {}, console);
+    const bool of_other_case = !verb.alpha_from.empty(); // whose soils have names of their own
     for (const auto& [name, soil] : what.soils) {
-        stability::AssessSpec own = with_alpha(asked, file, spec, of_other_case ? "" : name, console);
+        stability::AssessSpec own = with_alpha(verb, file, spec, of_other_case ? "" : name, console);
         own.finer_than = spec.finer_than ? spec.finer_than : soil.finer_than;
         soils.push_back(
             {fmt::format("{}, soil {}", file, name), what.soils.size() > 1 ? name : "",
-             soil.measured ? *soil.measured : grains::asked_grading(soil), own}
+             soil.measured ? *soil.measured : grains::specified_grading(soil), own}
         );
     }
     if (what.soils.empty()) {
@@ -182,34 +182,33 @@ void add_case_soils(
 }
 
 /// All soils of all files, and how these were understood.
-std::vector<AskedSoil>
-read_all(const AssessVerb& asked, const stability::AssessSpec& spec, const Console& console, json& remarks) {
-    std::vector<AskedSoil> soils;
-    for (const std::string& file : asked.files) {
+std::vector<MeasuredSoil>
+read_all(const AssessVerb& verb, const stability::AssessSpec& spec, const Console& console, json& remarks) {
+    std::vector<MeasuredSoil> soils;
+    for (const std::string& file : verb.files) {
         if (file.ends_with(".toml") || is_folder(file)) {
-            add_case_soils(asked, file, spec, console, soils);
+            add_case_soils(verb, file, spec, console, soils);
             continue;
         }
-        gradings::GradingFile read = read_gradings_of(file, asked.sample);
+        gradings::GradingFile read = read_gradings_of(file, verb.sample);
         print_remarks(read, console);
         for (const Diagnostic& remark : read.remarks) {
             remarks.push_back(remark_text(remark));
         }
         for (gradings::NamedGrading& soil : read.soils) {
             const std::string name = soil.name.empty() ? file : fmt::format("{}, {}", file, soil.name);
-            soils.push_back({name, soil.name, std::move(soil.grading), with_alpha(asked, file, spec, "", console)});
+            soils.push_back({name, soil.name, std::move(soil.grading), with_alpha(verb, file, spec, "", console)});
         }
     }
     return soils;
 }
 
-std::vector<job::AssessedSoil> assess_all(const std::vector<AskedSoil>& asked) {
+std::vector<job::AssessedSoil> assess_all(const std::vector<MeasuredSoil>& verb) {
     ThreadOption{}.apply();
-    std::vector<job::AssessedSoil> soils(asked.size());
-    run_side_by_side(asked.size(), thread_count(), [&](std::size_t k) {
+    std::vector<job::AssessedSoil> soils(verb.size());
+    run_side_by_side(verb.size(), thread_count(), [&](std::size_t k) {
         soils[k] = {
-            asked[k].name, asked[k].folder, stability::assess_measured(asked[k].measured, asked[k].spec),
-            asked[k].measured};
+            verb[k].name, verb[k].folder, stability::assess_measured(verb[k].measured, verb[k].spec), verb[k].measured};
     });
     return soils;
 }
@@ -238,18 +237,17 @@ bool names_picture(const fs::path& output) {
 }
 
 /// Where the page of `--page` goes: as asked, or beside the file that it shows.
-fs::path page_file(const AssessVerb& asked) {
-    if (!asked.output.empty()) {
-        const fs::path given = asked.output;
+fs::path page_file(const AssessVerb& verb) {
+    if (!verb.output.empty()) {
+        const fs::path given = verb.output;
         return given.extension() == ".html" || given.extension() == ".htm" ? given : given / "assess.html";
     }
-    const bool has_one_name = asked.files.size() == 1 && asked.files.front() != "-";
-    return has_one_name ? fs::path(asked.files.front()).stem().string() + "-stability.html"
-                        : std::string("assess.html");
+    const bool has_one_name = verb.files.size() == 1 && verb.files.front() != "-";
+    return has_one_name ? fs::path(verb.files.front()).stem().string() + "-stability.html" : std::string("assess.html");
 }
 
 std::string write_playground(
-    const AssessVerb& asked, const stability::AssessSpec& spec, const std::vector<job::AssessedSoil>& soils,
+    const AssessVerb& verb, const stability::AssessSpec& spec, const std::vector<job::AssessedSoil>& soils,
     const json& about
 ) {
     std::vector<report::PageSoil> shown_soils;
@@ -264,7 +262,7 @@ std::string write_playground(
         seepage = {
             spec.seepage->gradient, spec.seepage->porosity, spec.seepage->grain_density, spec.seepage->stress_share};
     }
-    const fs::path file = page_file(asked);
+    const fs::path file = page_file(verb);
     std::error_code none;
     fs::create_directories(file.parent_path(), none); // where that fails, writing says so
     io::write_file(
@@ -276,23 +274,23 @@ std::string write_playground(
 int AssessVerb::act(const CommandLine& line, const Console& console) const {
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();
-    const std::vector<AskedSoil> asked = read_all(*this, spec, console, remarks);
-    std::vector<job::AssessedSoil> soils = assess_all(asked);
+    const std::vector<MeasuredSoil> verb = read_all(*this, spec, console, remarks);
+    std::vector<job::AssessedSoil> soils = assess_all(verb);
     if (!filter.empty()) {
         add_filter(filter, console, soils);
     }
     const bool are_many = soils.size() > 1, is_picture = !wants_page && names_picture(output);
     const bool has_folder = !output.empty() && !wants_page && !is_picture;
     std::string text =
-        are_many ? job::matrix_text(soils) : job::text_of(soils.front(), asked.front().spec, terminal_width());
+        are_many ? job::matrix_text(soils) : job::text_of(soils.front(), verb.front().spec, terminal_width());
     for (std::size_t k = 0; k < soils.size(); ++k) {
-        list.push_back(job::soil_json(soils[k], asked[k].spec));
+        list.push_back(job::soil_json(soils[k], verb[k].spec));
         if (are_many && soils[k].filter) {
             text += fmt::format("\n\n{}\n{}", soils[k].name, job::filter_text(*soils[k].filter));
         }
         if (has_folder) {
             const fs::path folder = are_many ? fs::path(output) / folder_of(soils[k], k) : fs::path(output);
-            const std::string page = write_soil_page(soils[k], asked[k].spec, list.back(), folder, line.typed).string();
+            const std::string page = write_soil_page(soils[k], verb[k].spec, list.back(), folder, line.typed).string();
             list.back()["written"] = page;
             text += are_many ? "" : "\n" + page;
         }
@@ -310,7 +308,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         text += "\n" + output;
     }
     if (wants_page) {
-        document["page"] = write_playground(*this, asked.front().spec, soils, list);
+        document["page"] = write_playground(*this, verb.front().spec, soils, list);
         text += "\n" + document["page"].get<std::string>();
     }
     console.result(text);

@@ -46,7 +46,7 @@ struct CacheVerb final : Verb {
 
 int CacheVerb::act(const CommandLine&, const Console& console) const {
     constexpr double gigabyte = 1e9;
-    const std::filesystem::path folder = given.empty() ? job::cache_beside("runs/any") : std::filesystem::path(given);
+    const std::filesystem::path folder = given.empty() ? job::cache_next_to("runs/any") : std::filesystem::path(given);
     if (!std::filesystem::is_directory(folder)) {
         throw UsageError(fmt::format(
             "{} is no folder; a run makes its cache beside its own folder, and suffuse run --cache DIR in DIR",

@@ -16,12 +16,12 @@ TEST_F(Cli, ExplainsKeysCodesFiguresAndCriteria) {
              {"9", "Figure 9"},
              {"own-rules", "agree"},
              {"kezdi-1979", "<= 4"}}) {
-        const Said said = say({"explain", word});
-        EXPECT_EQ(said.code, 0) << word;
-        expect_in(part, said.out);
-        EXPECT_LE(std::count(said.out.begin(), said.out.end(), '\n'), 24) << word;
+        const ProgramResult result = run_suffuse({"explain", word});
+        EXPECT_EQ(result.code, 0) << word;
+        expect_in(part, result.out);
+        EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), 24) << word;
     }
-    expect_in("figure-12", say({"explain", "figur-12"}).error);
+    expect_in("figure-12", run_suffuse({"explain", "figur-12"}).error);
 }
 
 TEST_F(Cli, NewCheckAndPlanWorkOnEveryTemplate) {
@@ -30,7 +30,7 @@ TEST_F(Cli, NewCheckAndPlanWorkOnEveryTemplate) {
         if (!std::filesystem::exists(entry.path() / "case.toml")) {
             continue; // scripts, not a case
         }
-        const Said made = say({"new", name, "--from", name});
+        const ProgramResult made = run_suffuse({"new", name, "--from", name});
         ASSERT_EQ(made.code, 0) << made.error;
         expect_in(name + "/case.toml", made.out);
         for (const auto& file : std::filesystem::directory_iterator(entry.path())) {
@@ -38,28 +38,28 @@ TEST_F(Cli, NewCheckAndPlanWorkOnEveryTemplate) {
                 EXPECT_TRUE(read_all(folder / name / path.filename()) == read_all(path)) << path;
             }
         }
-        EXPECT_EQ(say({"check", name + "/case.toml"}).code, 0);
-        const Said plan = say({"plan", name + "/case.toml", "--json"});
+        EXPECT_EQ(run_suffuse({"check", name + "/case.toml"}).code, 0);
+        const ProgramResult plan = run_suffuse({"plan", name + "/case.toml", "--json"});
         ASSERT_EQ(plan.code, 0) << plan.error;
         EXPECT_GT(plan.json().at("stages").size(), 3U);
         EXPECT_GT(plan.json().at("seconds").at(1), plan.json().at("seconds").at(0));
-        EXPECT_EQ(say({"new", name, "--from", name}).code, 2); // nothing is overwritten
+        EXPECT_EQ(run_suffuse({"new", name, "--from", name}).code, 2); // nothing is overwritten
     }
 }
 
 TEST_F(Cli, APlanUntilAStageCostsWhatARunUntilItDoes) {
-    say({"new", "soil", "--from", "replay"});
-    const Said all = say({"plan", "soil/case.toml", "--json"});
-    const Said part = say({"plan", "soil/case.toml", "--json", "--until", "start"});
+    run_suffuse({"new", "soil", "--from", "replay"});
+    const ProgramResult all = run_suffuse({"plan", "soil/case.toml", "--json"});
+    const ProgramResult part = run_suffuse({"plan", "soil/case.toml", "--json", "--until", "start"});
     ASSERT_EQ(part.code, 0) << part.error;
     const nlohmann::json stages = part.json().at("stages");
     EXPECT_EQ(stages.back().at("stage"), "start");
     EXPECT_LT(stages.size(), all.json().at("stages").size());
     EXPECT_LT(part.json().at("steps").at(1), all.json().at("steps").at(1));
     EXPECT_EQ(part.json().at("samples").at(0).at("stages"), stages.size());
-    const Said wrong = say({"plan", "soil/case.toml", "--until", "sepe"});
+    const ProgramResult wrong = run_suffuse({"plan", "soil/case.toml", "--until", "sepe"});
     EXPECT_EQ(wrong.code, 2);
-    EXPECT_EQ(wrong.error, say({"run", "soil/case.toml", "--until", "sepe"}).error);
+    EXPECT_EQ(wrong.error, run_suffuse({"run", "soil/case.toml", "--until", "sepe"}).error);
 }
 
 TEST_F(Cli, ErrorsOfACaseAreCodeThreeWithFileAndLine) {
@@ -79,10 +79,10 @@ TEST_F(Cli, ErrorsOfACaseAreCodeThreeWithFileAndLine) {
              {"schema = 1", "schema = \xef\xbb\xca", "case.toml:2:", ""},
              {"[study.replay]\n", "[.a]\n", "case.toml:", ""},
          }) {
-        const Said said = check_with(slip.what, slip.with);
-        EXPECT_EQ(said.code, 3) << slip.with << ": " << said.error;
-        expect_in(slip.line, said.error);
-        expect_in(slip.part, said.error);
+        const ProgramResult result = check_with(slip.what, slip.with);
+        EXPECT_EQ(result.code, 3) << slip.with << ": " << result.error;
+        expect_in(slip.line, result.error);
+        expect_in(slip.part, result.error);
     }
 }
 
@@ -101,12 +101,12 @@ TEST_F(Cli, BadGradingsAreCodeThreeWithFileAndLine) {
              {good, "", "fontainebleau.csv"},
          }) {
         write_to(folder / "data/fontainebleau.csv", replaced(good, slip.what, slip.with));
-        const Said said = say({"check", "case.toml"});
-        EXPECT_EQ(said.code, 3) << slip.with << ": " << said.error;
-        expect_in(slip.part, said.error);
+        const ProgramResult result = run_suffuse({"check", "case.toml"});
+        EXPECT_EQ(result.code, 3) << slip.with << ": " << result.error;
+        expect_in(slip.part, result.error);
     }
     write_to(folder / "data/fontainebleau.csv", good);
-    const Said small = say({"check", "case.toml", "--set", "study.erosion.particles=20"});
+    const ProgramResult small = run_suffuse({"check", "case.toml", "--set", "study.erosion.particles=20"});
     EXPECT_EQ(small.code, 3) << small.error;
     expect_in("grains", small.error);
 }

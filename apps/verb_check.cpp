@@ -50,8 +50,9 @@ int CheckVerb::act(const CommandLine&, const Console& console) const {
     if (!loaded.warnings.empty() && !console.wants_json()) {
         console.talk(render_within(loaded.warnings, console.has_color(), source_width()));
     }
-    for (const std::string& said : record::check_imports(loaded.value).warnings) { // packings are data of the case, too
-        console.talk("warning: " + said);
+    for (const std::string& import_warning :
+         record::check_imports(loaded.value).warnings) { // packings are data of the case, too
+        console.talk("warning: " + import_warning);
     }
     console.result(fmt::format(
         "{}: no errors{}; preset {}, {}, {} in all", file,

@@ -138,7 +138,7 @@ std::string verdict_on(const record::Comparison& found, double tolerance) {
 }
 
 /// What is in each of two runs that share no stage: there is nothing else to say of them.
-std::string nothing_shared(const CompareVerb& asked, const record::Comparison& found) {
+std::string nothing_shared(const CompareVerb& verb, const record::Comparison& found) {
     const auto list = [](const std::string& folder, const std::vector<std::string>& stages) {
         return fmt::format(
             "  {} has {}", folder, stages.empty() ? "no finished stage" : fmt::format("{}", fmt::join(stages, ", "))
@@ -147,19 +147,19 @@ std::string nothing_shared(const CompareVerb& asked, const record::Comparison& f
     return fmt::format(
         "nothing to compare: no stage, by its study, sample and name, is in both\n{}\n{}\nstages are "
         "compared that have one name in both runs, as runs of one case have with other values (--set)",
-        list(asked.first, found.only_first), list(asked.second, found.only_second)
+        list(verb.first, found.only_first), list(verb.second, found.only_second)
     );
 }
 
-int compare_two(const CompareVerb& asked, const Console& console) {
+int compare_two(const CompareVerb& verb, const Console& console) {
     const double tolerance =
-        asked.tolerance.empty() ? 0 : quantity_of(asked.tolerance, dimension::none, "--tolerance", true);
+        verb.tolerance.empty() ? 0 : quantity_of(verb.tolerance, dimension::none, "--tolerance", true);
     if (!(tolerance >= 0 && tolerance < 1)) {
-        throw UsageError(fmt::format("--tolerance {}: from 0 to below 1, or as in 2%", shown(asked.tolerance)));
+        throw UsageError(fmt::format("--tolerance {}: from 0 to below 1, or as in 2%", shown(verb.tolerance)));
     }
-    const record::Comparison found = record::compare_runs(asked.first, asked.second, tolerance);
+    const record::Comparison found = record::compare_runs(verb.first, verb.second, tolerance);
     if (found.stages == 0) {
-        console.result(nothing_shared(asked, found));
+        console.result(nothing_shared(verb, found));
         console.document(json_text(found));
         return Differs;
     }
@@ -188,7 +188,7 @@ std::string finding_text(const nlohmann::json& finding) {
     return out + (text("why").empty() ? "" : "\n    why        " + text("why"));
 }
 
-int tell_findings(const nlohmann::json& findings, const Console& console) {
+int print_findings(const nlohmann::json& findings, const Console& console) {
     bool all_met = true; // as far as the run can tell; agreement by noise is none
     for (const nlohmann::json& finding : findings) {
         const bool by_noise = finding.value("verdict", "") == study::name_of(study::Standing::MetByNoise);
@@ -202,15 +202,15 @@ int tell_findings(const nlohmann::json& findings, const Console& console) {
     return all_met ? Done : Differs;
 }
 
-int compare_with_paper(const CompareVerb& asked, const Console& console) {
-    const fs::path summary = fs::path(asked.first) / "summary.json";
+int compare_with_paper(const CompareVerb& verb, const Console& console) {
+    const fs::path summary = fs::path(verb.first) / "summary.json";
     if (!fs::exists(summary)) {
-        throw IoError(fmt::format("{}: has no summary.json: the run has not ended; suffuse resume goes on", asked.first)
+        throw IoError(fmt::format("{}: has no summary.json: the run has not ended; suffuse resume goes on", verb.first)
         );
     }
-    record::require_same_result(asked.first, "summary.json");
-    const nlohmann::json told = record::read_json(summary);
-    return record::take_from(summary, [&] { return tell_findings(told.at("findings"), console); });
+    record::require_same_result(verb.first, "summary.json");
+    const nlohmann::json stored = record::read_json(summary);
+    return record::take_from(summary, [&] { return print_findings(stored.at("findings"), console); });
 }
 
 int CompareVerb::act(const CommandLine&, const Console& console) const {

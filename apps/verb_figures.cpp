@@ -55,9 +55,9 @@ struct FiguresVerb final : Verb {
 };
 
 /// "9,10" are two.
-std::vector<std::string> at_commas(const std::vector<std::string>& asked) {
+std::vector<std::string> at_commas(const std::vector<std::string>& names) {
     std::vector<std::string> words;
-    for (const std::string& list : asked) {
+    for (const std::string& list : names) {
         std::istringstream rest(list);
         for (std::string word; std::getline(rest, word, ',');) {
             if (!word.empty()) {

@@ -134,29 +134,29 @@ std::vector<std::string> write_new(const std::vector<NewFile>& files) {
     return written;
 }
 
-void tell_next(const fs::path& folder, const Console& console) {
+void print_next_steps(const fs::path& folder, const Console& console) {
     const std::string path = shell_word((folder / "case.toml").string());
     console.talk(fmt::format("next: suffuse check {}, suffuse plan {}, suffuse run {}", path, path, path));
 }
 
-int new_from_template(const NewVerb& asked, const Console& console) {
+int new_from_template(const NewVerb& verb, const Console& console) {
     const std::vector<std::string> names = template_names();
-    if (std::find(names.begin(), names.end(), asked.from) == names.end()) {
+    if (std::find(names.begin(), names.end(), verb.from) == names.end()) {
         throw UsageError(fmt::format(
-            "no template {}{}; there are {}", shown(asked.from), near_hint(asked.from, names), fmt::join(names, ", ")
+            "no template {}{}; there are {}", shown(verb.from), near_hint(verb.from, names), fmt::join(names, ", ")
         ));
     }
-    const fs::path folder = asked.given.empty() ? asked.from : asked.given;
+    const fs::path folder = verb.given.empty() ? verb.from : verb.given;
     std::vector<NewFile> files;
     for (const TemplateFile& file : template_files()) {
-        if (file.name == asked.from) {
+        if (file.name == verb.from) {
             files.push_back({folder / file.path, std::string(file.text)});
         }
     }
     const std::vector<std::string> written = write_new(files);
     console.result(fmt::format("{}", fmt::join(written, "\n")));
     console.document(json_text({{"written", written}}));
-    tell_next(folder, console);
+    print_next_steps(folder, console);
     return Done;
 }
 
@@ -178,7 +178,7 @@ std::optional<SizeRange> sizes_of(const std::string& text) {
 }
 
 /// What the criteria say of the soil, and where a cut turned them.
-void tell_stability(const OwnSoil& soil, const CutVerdicts& verdicts, const Console& console) {
+void print_stability(const OwnSoil& soil, const CutVerdicts& verdicts, const Console& console) {
     if (verdicts.turned.empty()) {
         console.talk(fmt::format(
             "internal stability by the grading{}: {}", soil.left_out.empty() ? "" : ", as given and as modeled",
@@ -216,13 +216,13 @@ std::optional<FlowWay> flow_of(const std::string& word) {
                              : std::nullopt;
 }
 
-OwnConditions conditions_of(const NewVerb& asked) {
-    OwnConditions conditions{{}, asked.gradient, flow_of(asked.flow)};
-    if (!asked.pressure.empty()) {
-        conditions.pressure = quantity_of(asked.pressure, dimension::pressure, "--pressure", false);
+OwnConditions conditions_of(const NewVerb& verb) {
+    OwnConditions conditions{{}, verb.gradient, flow_of(verb.flow)};
+    if (!verb.pressure.empty()) {
+        conditions.pressure = quantity_of(verb.pressure, dimension::pressure, "--pressure", false);
     }
     if (conditions.pressure && !(*conditions.pressure > 0)) {
-        throw UsageError(fmt::format("--pressure {}: it is above 0", shown(asked.pressure)));
+        throw UsageError(fmt::format("--pressure {}: it is above 0", shown(verb.pressure)));
     }
     if (conditions.gradient && !(*conditions.gradient > 0)) {
         throw UsageError("--gradient 0: nothing seeps; it is above 0");
@@ -230,7 +230,7 @@ OwnConditions conditions_of(const NewVerb& asked) {
     return conditions;
 }
 
-void tell_assumed(const OwnConditions& conditions, const fs::path& path, const Console& console) {
+void print_assumed(const OwnConditions& conditions, const fs::path& path, const Console& console) {
     std::vector<std::string> assumed;
     if (!conditions.pressure) {
         assumed.push_back(fmt::format("a pressure of {}", print_quantity(assumed_pressure, dimension::pressure)));
@@ -246,22 +246,21 @@ void tell_assumed(const OwnConditions& conditions, const fs::path& path, const C
     }
 }
 
-int new_from_soil(const NewVerb& asked, const Console& console) {
-    const OwnConditions conditions = conditions_of(asked); // what was typed is judged before what the file holds
-    const gradings::GradingFile read = read_one_grading(asked.psd, asked.sample);
+int new_from_soil(const NewVerb& verb, const Console& console) {
+    const OwnConditions conditions = conditions_of(verb); // what was typed is judged before what the file holds
+    const gradings::GradingFile read = read_one_grading(verb.psd, verb.sample);
     print_remarks(read, console);
     const std::string& sample = read.soils.front().name;
-    const std::string named = sample.empty() ? asked.psd : sample + ".csv"; // as the file is called, so is the soil
-    const auto limit = asked.fines.empty()
-                           ? std::nullopt
-                           : std::optional(quantity_of(asked.fines, dimension::length, "--fines", false));
+    const std::string named = sample.empty() ? verb.psd : sample + ".csv"; // as the file is called, so is the soil
+    const auto limit =
+        verb.fines.empty() ? std::nullopt : std::optional(quantity_of(verb.fines, dimension::length, "--fines", false));
     const OwnSoil soil =
-        model_own_soil(read.soils.front().grading, named, {sizes_of(asked.sizes), limit, asked.particles});
+        model_own_soil(read.soils.front().grading, named, {sizes_of(verb.sizes), limit, verb.particles});
     const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
-    const fs::path folder = asked.given.empty() ? soil.name : asked.given;
+    const fs::path folder = verb.given.empty() ? soil.name : verb.given;
     const std::vector<std::string> written = write_new(
         {{folder / "case.toml", own_case_text(soil, conditions)},
-         {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, asked.psd)}}
+         {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, verb.psd)}}
     );
     console.result(fmt::format("{}", fmt::join(written, "\n")));
     const plan::RunPlan plan = price_of(folder / "case.toml");
@@ -285,13 +284,13 @@ int new_from_soil(const NewVerb& asked, const Console& console) {
     if (!soil.left_out.empty()) {
         console.talk("left out: " + soil.left_out);
     }
-    tell_stability(soil, verdicts, console);
+    print_stability(soil, verdicts, console);
     console.talk(fmt::format(
         "{} grains in the preset quick: {} on this machine", count_text(soil.quick_grains),
         duration_range_text(plan.seconds)
     ));
-    tell_assumed(conditions, folder / "case.toml", console);
-    tell_next(folder, console);
+    print_assumed(conditions, folder / "case.toml", console);
+    print_next_steps(folder, console);
     return Done;
 }
 

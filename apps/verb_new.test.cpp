@@ -27,17 +27,17 @@ TEST_F(NewSoil, TheCaseIsCheckedAndPlannedAsItStands) {
     for (const auto& [name, reason] :
          {std::pair{"gap", "the fine end of the gap"}, std::pair{"well", "stable by Kenney and Lau"}}) {
         const std::string path = std::string(name) + "/case.toml";
-        const Said made = say({"new", "--psd", std::string(name) + ".csv"});
+        const ProgramResult made = run_suffuse({"new", "--psd", std::string(name) + ".csv"});
         ASSERT_EQ(made.code, 0) << made.error;
         expect_in(path, made.out);
         expect_in(reason, made.error);
         expect_in("suffuse run " + path, made.error);
         expect_in(reason, read_all(folder / path));
-        const Said checked = say({"check", path, "--json"});
+        const ProgramResult checked = run_suffuse({"check", path, "--json"});
         ASSERT_EQ(checked.code, 0) << checked.error;
         EXPECT_EQ(checked.json().at("preset"), "quick");
-        EXPECT_EQ(say({"check", path, "--preset", "standard"}).code, 0);
-        const Said plan = say({"plan", path, "--json"});
+        EXPECT_EQ(run_suffuse({"check", path, "--preset", "standard"}).code, 0);
+        const ProgramResult plan = run_suffuse({"plan", path, "--json"});
         ASSERT_EQ(plan.code, 0) << plan.error;
         EXPECT_EQ(plan.json().at("stages").size(), 5U);
     }
@@ -45,58 +45,58 @@ TEST_F(NewSoil, TheCaseIsCheckedAndPlannedAsItStands) {
     expect_in("finer_than = \"0.3 mm\"", gap);
     expect_in("#~ yours: the hydraulic gradient", gap);
     expect_in("0.15,0\n", read_all(folder / "gap/data/gap.csv"));
-    EXPECT_EQ(say({"new", "--psd", "gap.csv"}).code, 2); // nothing is overwritten
+    EXPECT_EQ(run_suffuse({"new", "--psd", "gap.csv"}).code, 2); // nothing is overwritten
 }
 
 TEST_F(NewSoil, WithAFlowItsFinesHaveWeight) {
     for (const auto& [way, direction] : {std::pair{"up", "\"z\""}, {"down", "\"-z\""}, {"level", "\"x\""}}) {
         const std::string path = std::string(way) + "/case.toml";
-        ASSERT_EQ(say({"new", way, "--psd", "gap.csv", "-i", "0.2", "--flow", way}).code, 0);
+        ASSERT_EQ(run_suffuse({"new", way, "--psd", "gap.csv", "-i", "0.2", "--flow", way}).code, 0);
         const std::string text = read_all(folder / path);
         expect_in("[gravity]", text);
         expect_in("asked_gradient = 0.2", text);
         expect_in("direction      = " + std::string(direction), text);
-        EXPECT_EQ(say({"check", path, "--preset", "standard"}).code, 0);
-        const Said plan = say({"plan", path, "--json"});
+        EXPECT_EQ(run_suffuse({"check", path, "--preset", "standard"}).code, 0);
+        const ProgramResult plan = run_suffuse({"plan", path, "--json"});
         ASSERT_EQ(plan.code, 0) << plan.error;
         expect_in("rest under weight, then 25 gradients", plan.json().dump());
     }
     EXPECT_EQ(read_all(folder / "up/case.toml").find("(Grains have no weight here"), std::string::npos);
-    EXPECT_EQ(say({"new", "aside", "--psd", "gap.csv", "--flow", "aside"}).code, 2);
-    const Said no_run = say({"assess", "gap.csv", "--alpha-from", "up"});
+    EXPECT_EQ(run_suffuse({"new", "aside", "--psd", "gap.csv", "--flow", "aside"}).code, 2);
+    const ProgramResult no_run = run_suffuse({"assess", "gap.csv", "--alpha-from", "up"});
     EXPECT_NE(no_run.code, 0);
     expect_in("holds no run", no_run.error);
 }
 
 TEST_F(NewSoil, ItRuns) {
-    ASSERT_EQ(say({"new", "dyke", "--psd", "gap.csv"}).code, 0);
-    const Said ran = say({"run", "dyke/case.toml", "-o", "runs/dyke", "--until", "cloud", "-q"});
+    ASSERT_EQ(run_suffuse({"new", "dyke", "--psd", "gap.csv"}).code, 0);
+    const ProgramResult ran = run_suffuse({"run", "dyke/case.toml", "-o", "runs/dyke", "--until", "cloud", "-q"});
     ASSERT_EQ(ran.code, 0) << ran.error;
     const auto summary = nlohmann::json::parse(read_all(folder / "runs/dyke/summary.json"));
     const auto& cloud = summary.at("stages").at("erosion/cloud");
     EXPECT_NEAR(cloud.at("fines_content").get<double>(), 0.2, 0.02); // the tolerance of a grading
 }
 
-TEST_F(NewSoil, ACurveThatNoComputerHoldsIsToldSoAndAssessSpeaksForTheWhole) {
+TEST_F(NewSoil, ACurveTooLargeForAnyComputerIsRefusedAndAssessJudgesTheWhole) {
     write_to(folder / "till.csv", "d [mm],passing [%]\n0.002,0\n0.063,12\n0.3,20\n2,40\n20,75\n100,100\n");
-    const Said said = say({"new", "till", "--psd", "till.csv"});
-    EXPECT_EQ(said.code, 3);
-    expect_in("= no computer holds so many: a run can model a part of this soil only", said.error);
-    expect_in("= only suffuse assess till.csv can judge the whole curve", said.error);
+    const ProgramResult result = run_suffuse({"new", "till", "--psd", "till.csv"});
+    EXPECT_EQ(result.code, 3);
+    expect_in("= no computer holds so many: a run can model a part of this soil only", result.error);
+    expect_in("= only suffuse assess till.csv can judge the whole curve", result.error);
 }
 
 TEST_F(NewSoil, OfATableOfSeveralSamplesOneIsChosen) {
     write_to(folder / "wide.csv", "d [mm],TP-1,TP-2\n0.5,0,0\n1,40,60\n2,100,100\n");
-    const Said many = say({"new", "x", "--psd", "wide.csv"});
+    const ProgramResult many = run_suffuse({"new", "x", "--psd", "wide.csv"});
     EXPECT_EQ(many.code, 3);
     expect_in("wide.csv holds 2 samples, and one is needed: TP-1, TP-2; choose it by --sample NAME", many.error);
-    EXPECT_EQ(say({"new", "x", "--psd", "wide.csv", "--sample", "tp-2"}).code, 0);
+    EXPECT_EQ(run_suffuse({"new", "x", "--psd", "wide.csv", "--sample", "tp-2"}).code, 0);
     expect_in("1,60", read_all(folder / "x/data/TP-2.csv"));
     expect_in("psd", read_all(folder / "x/case.toml"));
 }
 
 TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
-    const Said refused = say({"new", "gravel", "--psd", "wide gravel.csv"});
+    const ProgramResult refused = run_suffuse({"new", "gravel", "--psd", "wide gravel.csv"});
     EXPECT_EQ(refused.code, 3);
     expect_in("too far apart for one sample", refused.error);
     const std::string& text = refused.error;
@@ -105,20 +105,20 @@ TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
     expect_in("it takes more than 300,000,000 grains", text);
     expect_in("--sizes " + sizes + " added to the command keeps ", text); // with all else that was asked for
     EXPECT_FALSE(std::filesystem::exists(folder / "gravel"));
-    const Said made = say({"new", "gravel", "--psd", "wide gravel.csv", "--sizes", sizes});
+    const ProgramResult made = run_suffuse({"new", "gravel", "--psd", "wide gravel.csv", "--sizes", sizes});
     ASSERT_EQ(made.code, 0) << made.error;
     expect_in("left out: the ", made.error);
     expect_in("[soil.wide-gravel]", read_all(folder / "gravel/case.toml"));
     expect_in("#~ without the ", read_all(folder / "gravel/case.toml"));
-    EXPECT_EQ(say({"check", "gravel/case.toml"}).code, 0);
+    EXPECT_EQ(run_suffuse({"check", "gravel/case.toml"}).code, 0);
     write_to(folder / "far.csv", "d,passing\n0.002,0\n0.004,30\n10,30\n20,100\n");
-    expect_in("= no cut of its ends helps", say({"new", "--psd", "far.csv"}).error);
+    expect_in("= no cut of its ends helps", run_suffuse({"new", "--psd", "far.csv"}).error);
 }
 
-TEST_F(NewSoil, TheVerdictsThatACutTurnsAreSaidAndTheWholeCurveStaysWithTheCase) {
+TEST_F(NewSoil, TheVerdictsThatACutChangesAreListedAndTheWholeCurveStaysWithTheCase) {
     const std::string turned = "unstable -> stable: Kenney and Lau 1985";
-    expect_in(turned, say({"new", "gravel", "--psd", "wide gravel.csv"}).error); // the advice to cut
-    const Said made = say({"new", "gravel", "--psd", "wide gravel.csv", "--sizes", "0.209mm,2.66mm"});
+    expect_in(turned, run_suffuse({"new", "gravel", "--psd", "wide gravel.csv"}).error); // the advice to cut
+    const ProgramResult made = run_suffuse({"new", "gravel", "--psd", "wide gravel.csv", "--sizes", "0.209mm,2.66mm"});
     ASSERT_EQ(made.code, 0) << made.error;
     expect_in("grading as given: 6 of 7 criteria say unstable", made.error);
     expect_in("part that is modeled: 2 of 7 criteria say unstable", made.error);
@@ -127,12 +127,13 @@ TEST_F(NewSoil, TheVerdictsThatACutTurnsAreSaidAndTheWholeCurveStaysWithTheCase)
     expect_in("sizes = [\"0.209 mm\", \"2.66 mm\"] #~ without the ", read_all(folder / "gravel/case.toml"));
     expect_in("0.063,4\n", read_all(folder / "gravel/data/wide-gravel.csv")); // all that was measured
     for (const char* of : {"wide gravel.csv", "gravel/case.toml"}) {
-        EXPECT_EQ(say({"assess", of, "--json"}).json()["soils"][0]["tally"]["unstable"], 6) << of;
+        EXPECT_EQ(run_suffuse({"assess", of, "--json"}).json()["soils"][0]["tally"]["unstable"], 6) << of;
     }
 }
 
 TEST_F(NewSoil, PressureAndGradientCanBeGivenAndAreThenNotAssumed) {
-    const Said made = say({"new", "--psd", "gap.csv", "--pressure", "300 kPa", "-i", "12 m / 30 m", "--json"});
+    const ProgramResult made =
+        run_suffuse({"new", "--psd", "gap.csv", "--pressure", "300 kPa", "-i", "12 m / 30 m", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;
     EXPECT_EQ(made.json().at("pressure"), 300e3);
     EXPECT_EQ(made.json().at("gradient"), 0.4);
@@ -140,46 +141,49 @@ TEST_F(NewSoil, PressureAndGradientCanBeGivenAndAreThenNotAssumed) {
     const std::string text = read_all(folder / "gap/case.toml");
     expect_in("pressure = \"300 kPa\"                  # as asked: the effective stress", text);
     expect_in("gradient  = 0.4                       # as asked: the hydraulic gradient", text);
-    EXPECT_EQ(say({"check", "gap/case.toml", "--json"}).code, 0);
-    ASSERT_EQ(say({"new", "soft", "--psd", "gap.csv", "-i", "0.4"}).code, 0);
+    EXPECT_EQ(run_suffuse({"check", "gap/case.toml", "--json"}).code, 0);
+    ASSERT_EQ(run_suffuse({"new", "soft", "--psd", "gap.csv", "-i", "0.4"}).code, 0);
     const auto modulus = [&](const std::string& name) {
         const std::string whole = read_all(folder / name / "case.toml");
         return whole.substr(whole.find("modulus"), 40);
     };
     EXPECT_NE(modulus("gap"), modulus("soft")); // stiffer for the finest grains under more stress
-    expect_in("a pressure of 100 kPa is assumed", say({"new", "third", "--psd", "gap.csv", "-i", "0.4"}).error);
-    EXPECT_EQ(say({"new", "none", "--psd", "gap.csv", "--pressure", "0 kPa"}).code, 2);
-    EXPECT_EQ(say({"new", "none", "--psd", "gap.csv", "-i", "0"}).code, 2);
-    expect_in("3kN", say({"new", "none", "--psd", "wide gravel.csv", "--pressure", "3kN"}).error); // before the curve
+    expect_in("a pressure of 100 kPa is assumed", run_suffuse({"new", "third", "--psd", "gap.csv", "-i", "0.4"}).error);
+    EXPECT_EQ(run_suffuse({"new", "none", "--psd", "gap.csv", "--pressure", "0 kPa"}).code, 2);
+    EXPECT_EQ(run_suffuse({"new", "none", "--psd", "gap.csv", "-i", "0"}).code, 2);
+    expect_in(
+        "3kN", run_suffuse({"new", "none", "--psd", "wide gravel.csv", "--pressure", "3kN"}).error
+    ); // before the curve
 }
 
-TEST_F(NewSoil, TheNumberOfGrainsCanBeAskedFor) {
-    const Said made = say({"new", "--psd", "gap.csv", "--particles", "23456", "--json"});
+TEST_F(NewSoil, TheNumberOfGrainsCanBeSpecified) {
+    const ProgramResult made = run_suffuse({"new", "--psd", "gap.csv", "--particles", "23456", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;
     EXPECT_EQ(made.json().at("particles"), 23456);
     expect_in("particles       = 23456               # as asked\n", read_all(folder / "gap/case.toml"));
-    EXPECT_EQ(say({"plan", "gap/case.toml", "--json"}).json().at("stages").at(0).at("grains"), 23456);
-    const Said few = say({"new", "few", "--psd", "gap.csv", "--particles", "300"});
+    EXPECT_EQ(run_suffuse({"plan", "gap/case.toml", "--json"}).json().at("stages").at(0).at("grains"), 23456);
+    const ProgramResult few = run_suffuse({"new", "few", "--psd", "gap.csv", "--particles", "300"});
     EXPECT_EQ(few.code, 3);
     expect_in("--particles allows 300", few.error);
-    const Said wider = say({"new", "wider", "--psd", "wide gravel.csv", "--particles", "100000"});
-    EXPECT_NE(wider.error, say({"new", "wider", "--psd", "wide gravel.csv"}).error) << "the advice is for as many";
+    const ProgramResult wider = run_suffuse({"new", "wider", "--psd", "wide gravel.csv", "--particles", "100000"});
+    EXPECT_NE(wider.error, run_suffuse({"new", "wider", "--psd", "wide gravel.csv"}).error)
+        << "the advice is for as many";
 }
 
 // A wide grading gets stiffer contacts, and so shorter steps: more than the number of grains tells.
-TEST_F(NewSoil, ThePriceThatIsToldIsThatOfThePlan) {
-    const Said made = say({"new", "--psd", "gap.csv", "--json"});
+TEST_F(NewSoil, TheReportedPriceIsThatOfThePlan) {
+    const ProgramResult made = run_suffuse({"new", "--psd", "gap.csv", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;
     expect_in("14,800 grains in the preset quick: ", made.error);
     expect_in(" on this machine", made.error);
-    const nlohmann::json planned = say({"plan", "gap/case.toml", "--json"}).json();
+    const nlohmann::json planned = run_suffuse({"plan", "gap/case.toml", "--json"}).json();
     EXPECT_EQ(made.json().at("steps"), planned.at("steps")); // times measure a machine that other programs use too
     EXPECT_GT(made.json().at("seconds").at(0), 0);
     EXPECT_GE(made.json().at("seconds").at(1), made.json().at("seconds").at(0));
 }
 
 TEST_F(NewSoil, OfAWholeCurveThereIsOneVerdict) {
-    const Said made = say({"new", "--psd", "gap.csv", "--json"});
+    const ProgramResult made = run_suffuse({"new", "--psd", "gap.csv", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;
     const auto stability = made.json().at("stability");
     EXPECT_EQ(stability.at("given"), stability.at("modeled"));
@@ -190,35 +194,35 @@ TEST_F(NewSoil, OfAWholeCurveThereIsOneVerdict) {
 
 TEST_F(NewSoil, AnOpenCurveIsModeledAsFarAsItWasMeasured) {
     write_to(folder / "open.csv", "d,passing\n0.1,5\n0.2,30\n0.4,70\n0.8,95\n");
-    const Said made = say({"new", "--psd", "open.csv", "--json"});
+    const ProgramResult made = run_suffuse({"new", "--psd", "open.csv", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;
     EXPECT_EQ(made.json().at("left_out"), "the 5 % finer than 0.1 mm and the 5 % coarser than 0.8 mm");
     expect_in("\n0.1,5\n", read_all(folder / "open/data/open.csv"));
     expect_in("sizes = [\"0.1 mm\", \"0.8 mm\"]", read_all(folder / "open/case.toml"));
-    EXPECT_EQ(say({"check", "open/case.toml"}).code, 0);
+    EXPECT_EQ(run_suffuse({"check", "open/case.toml"}).code, 0);
 }
 
-TEST_F(NewSoil, TakesTheFinesThatAssessFindsAlsoOnAnOpenCurveOrThoseAskedFor) {
+TEST_F(NewSoil, TakesTheFinesThatAssessFindsAlsoOnAnOpenCurveOrTheSpecifiedOnes) {
     // Above 0 % at its fine end: counted from 0 anew, the sizes from 0.25 to 0.5 mm would be steep enough to be no gap.
     write_to(folder / "open.csv", "d,passing\n0.125,1\n0.25,20\n0.5,22.99\n1,24\n2,26\n4,100\n");
-    const auto assessed = say({"assess", "open.csv", "--json"}).json().at("soils").at(0).at("fine_fraction");
+    const auto assessed = run_suffuse({"assess", "open.csv", "--json"}).json().at("soils").at(0).at("fine_fraction");
     EXPECT_EQ(assessed.at("finer_than"), 0.25e-3);
-    const Said made = say({"new", "--psd", "open.csv", "--particles", "1000000", "--json"});
+    const ProgramResult made = run_suffuse({"new", "--psd", "open.csv", "--particles", "1000000", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;
     EXPECT_EQ(made.json().at("finer_than"), assessed.at("finer_than"));
-    const Said asked =
-        say({"new", "mine", "--psd", "open.csv", "--fines", "0.2mm", "--particles", "1000000", "--json"});
-    ASSERT_EQ(asked.code, 0) << asked.error;
-    EXPECT_EQ(asked.json().at("finer_than"), 0.2e-3);
-    EXPECT_EQ(asked.json().at("reason"), "as asked");
+    const ProgramResult explained =
+        run_suffuse({"new", "mine", "--psd", "open.csv", "--fines", "0.2mm", "--particles", "1000000", "--json"});
+    ASSERT_EQ(explained.code, 0) << explained.error;
+    EXPECT_EQ(explained.json().at("finer_than"), 0.2e-3);
+    EXPECT_EQ(explained.json().at("reason"), "as asked");
     expect_in("finer_than = \"0.2 mm\"", read_all(folder / "mine/case.toml"));
-    const Said beyond = say({"new", "none", "--psd", "open.csv", "--fines", "30mm"});
+    const ProgramResult beyond = run_suffuse({"new", "none", "--psd", "open.csv", "--fines", "30mm"});
     EXPECT_EQ(beyond.code, 3);
     expect_in("100 % of it is finer than 30 mm", beyond.error);
 }
 
 TEST_F(NewSoil, WrongUseSaysWhatToWrite) {
-    const Said neither = say({"new", "dyke"});
+    const ProgramResult neither = run_suffuse({"new", "dyke"});
     EXPECT_EQ(neither.code, 2);
     expect_in("--psd FILE", neither.error);
     expect_in("fontainebleau-2016", neither.error);
@@ -230,16 +234,16 @@ TEST_F(NewSoil, WrongUseSaysWhatToWrite) {
              {{"--psd", "gap.csv", "--sizes", "2mm,1mm"}, "comes first"}}) {
         std::vector<std::string> all{"new", "dyke"};
         all.insert(all.end(), words.begin(), words.end());
-        const Said said = say(all);
-        EXPECT_EQ(said.code, 2) << words.back();
-        expect_in(part, said.error);
+        const ProgramResult result = run_suffuse(all);
+        EXPECT_EQ(result.code, 2) << words.back();
+        expect_in(part, result.error);
     }
-    const Said outside = say({"new", "dyke", "--psd", "gap.csv", "--sizes", "0.8mm,2mm"});
+    const ProgramResult outside = run_suffuse({"new", "dyke", "--psd", "gap.csv", "--sizes", "0.8mm,2mm"});
     EXPECT_EQ(outside.code, 3);
     expect_in("choose sizes on both sides", outside.error);
-    EXPECT_EQ(say({"new", "--psd", "nowhere.csv"}).code, 74);
+    EXPECT_EQ(run_suffuse({"new", "--psd", "nowhere.csv"}).code, 74);
     write_to(folder / "flat.csv", "d,passing\n1,50\n2,50\n");
-    EXPECT_EQ(say({"new", "--psd", "flat.csv"}).code, 3);
+    EXPECT_EQ(run_suffuse({"new", "--psd", "flat.csv"}).code, 3);
     EXPECT_FALSE(std::filesystem::exists(folder / "dyke"));
 }
 

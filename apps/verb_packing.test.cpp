@@ -15,59 +15,59 @@ TEST_F(Cli, CheckReadsThePackingsOfACase) {
                                   "\"two.csv\"\n" +
                                       cell
         );
-        return say({"check", "case.toml"});
+        return run_suffuse({"check", "case.toml"});
     };
-    const Said good = checked("cell = [\"0.5 mm\", \"0.5 mm\", \"0.5 mm\"]\n");
+    const ProgramResult good = checked("cell = [\"0.5 mm\", \"0.5 mm\", \"0.5 mm\"]\n");
     EXPECT_EQ(good.code, 0) << good.error;
     EXPECT_EQ(good.error.find("share"), std::string::npos) << good.error;
     EXPECT_EQ(checked("").code, 3);
     EXPECT_EQ(checked("cell = [\"1 mm\", \"1 mm\", \"0.3 mm\"]\n").code, 3); // they overlap through the boundary
-    const Said wide = checked("cell = [\"1 m\", \"1 m\", \"1 m\"]\n");
+    const ProgramResult wide = checked("cell = [\"1 m\", \"1 m\", \"1 m\"]\n");
     EXPECT_EQ(wide.code, 0);
     expect_in("cell and unit say which lengths are meant", wide.error);
 }
 
 TEST_F(Cli, PackingsTravel) {
-    say({"new", "soil", "--from", "replay"});
+    run_suffuse({"new", "soil", "--from", "replay"});
     const std::string cell = "1.4360856339985508e-3,1.4358137235332051e-3,1.436026846625529e-3";
-    const Said looked = say({"import", "soil/packing.csv", "--cell", cell, "--json"});
+    const ProgramResult looked = run_suffuse({"import", "soil/packing.csv", "--cell", cell, "--json"});
     EXPECT_EQ(looked.json().at("grains"), 500);
     expect_in("4.4 times as wide as the largest grain", looked.json().at("warnings").at(0));
     EXPECT_NEAR(looked.json().at("void_ratio").get<double>(), 0.674, 0.001); // packing500.json: n = 0.4026
-    ASSERT_EQ(say({"run", "soil/case.toml", "-o", "here", "--until", "start"}).code, 0);
+    ASSERT_EQ(run_suffuse({"run", "soil/case.toml", "-o", "here", "--until", "start"}).code, 0);
     const auto stage = nlohmann::json::parse(read_all(folder / "here/studies/replay/start/stage.json"));
     expect_in("replay/start: the cell is 4.4 times as wide as the largest grain", stage.at("warnings").dump());
     for (const std::string file : {"a.csv", "a.txt", "a.xyz"}) {
-        EXPECT_EQ(say({"export", "here/studies/replay/start", "-o", file}).code, 0) << file;
+        EXPECT_EQ(run_suffuse({"export", "here/studies/replay/start", "-o", file}).code, 0) << file;
     }
-    EXPECT_EQ(say({"import", "a.csv", "--json"}).json().at("grains"), 500);
-    EXPECT_EQ(say({"export", "here/studies/replay/start", "-o", "a.doc"}).code, 2);
-    const Said where = say({"export", "here/studies/replay/start"});
+    EXPECT_EQ(run_suffuse({"import", "a.csv", "--json"}).json().at("grains"), 500);
+    EXPECT_EQ(run_suffuse({"export", "here/studies/replay/start", "-o", "a.doc"}).code, 2);
+    const ProgramResult where = run_suffuse({"export", "here/studies/replay/start"});
     EXPECT_EQ(where.code, 2);
     expect_in("suffuse export here/studies/replay/start -o grains.csv", where.error);
-    const Said which = say({"export", "here", "-o", "a.csv"});
+    const ProgramResult which = run_suffuse({"export", "here", "-o", "a.csv"});
     EXPECT_EQ(which.code, 2);
     expect_in("here is a run; give one of its stages: here/studies/replay/start", which.error);
 }
 
 TEST_F(Cli, APackingInMillimetersIsWarnedOfAndReadWithItsUnit) {
     write_to(folder / "mm.csv", "x,y,z,r\n1,1,1,0.4\n3,1,1,0.6\n1,3,1,0.6\n");
-    const Said passed = say({"import", "mm.csv", "--cell", "4,4,4", "--json"});
+    const ProgramResult passed = run_suffuse({"import", "mm.csv", "--cell", "4,4,4", "--json"});
     expect_in("median diameter is 1.2 m, coarser than gravel", passed.json().at("warnings").dump());
     expect_in("--unit mm", passed.json().at("warnings").dump());
-    const Said read = say({"import", "mm.csv", "--unit", "mm", "--cell", "4mm,4mm,4mm", "--json"});
+    const ProgramResult read = run_suffuse({"import", "mm.csv", "--unit", "mm", "--cell", "4mm,4mm,4mm", "--json"});
     ASSERT_EQ(read.code, 0) << read.error;
     EXPECT_EQ(read.json().at("warnings").dump().find("median"), std::string::npos);
     EXPECT_DOUBLE_EQ(read.json().at("radius").at(1).get<double>(), 0.6e-3);
     EXPECT_EQ(read.json().at("void_ratio"), passed.json().at("void_ratio"));
-    const Said other = say({"import", "mm.csv", "--unit", "kPa"});
+    const ProgramResult other = run_suffuse({"import", "mm.csv", "--unit", "kPa"});
     EXPECT_EQ(other.code, 2);
     expect_in("--unit kPa: ", other.error);
 }
 
-TEST_F(Cli, ImportTellsARadiusThatIsTooSmallForANormalNumber) {
+TEST_F(Cli, ImportReportsARadiusThatIsTooSmallForANormalNumber) {
     write_to(folder / "tiny.csv", "x,y,z,r\n0,0,0,1e-310\n0,0,3e-4,1e-4\n");
-    const Said looked = say({"import", "tiny.csv"});
+    const ProgramResult looked = run_suffuse({"import", "tiny.csv"});
     EXPECT_EQ(looked.code, 0) << looked.error;
     expect_in("tiny.csv: 2 grains, d 2e-3", looked.out);
 }
@@ -75,7 +75,7 @@ TEST_F(Cli, ImportTellsARadiusThatIsTooSmallForANormalNumber) {
 TEST_F(Cli, ImportSaysWhatACaseWouldRefuse) {
     const std::string rows = "0 0 0 1e-4\n0 0 1.5e-4 1e-4\n";
     write_to(folder / "two.txt", "##PERIODIC:: 3e-3 3e-3 3e-3\n" + rows);
-    const Said looked = say({"import", "two.txt", "--cell", "4e-3,4e-3,4e-3"});
+    const ProgramResult looked = run_suffuse({"import", "two.txt", "--cell", "4e-3,4e-3,4e-3"});
     EXPECT_EQ(looked.code, 0) << looked.error;
     expect_in("warning: two.txt: the cell given, 0.004 x 0.004 x 0.004 m, is taken, not the file's own", looked.error);
     expect_in("warning: two.txt: grains 0 and 1 overlap by 0.5 of the smaller radius", looked.error);
@@ -84,21 +84,21 @@ TEST_F(Cli, ImportSaysWhatACaseWouldRefuse) {
         "schema = 1\n[study.s]\n[[study.s.stage]]\nname = \"i\"\ndo = \"import\"\npacking = \"two.txt\"\n";
     write_to(folder / "case.toml", stage);
     for (const std::string verb : {"check", "plan", "run"}) {
-        const Said refused = say({verb, "case.toml"});
+        const ProgramResult refused = run_suffuse({verb, "case.toml"});
         EXPECT_EQ(refused.code, 3) << verb;
         expect_in("grains 0 and 1 overlap by 0.5 of the smaller radius", refused.error);
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "runs")); // before anything runs
     write_to(folder / "case.toml", stage + "max_overlap = 0.6\ncell = [\"4 mm\", \"4 mm\", \"4 mm\"]\n");
-    const Said allowed = say({"check", "case.toml"});
+    const ProgramResult allowed = run_suffuse({"check", "case.toml"});
     EXPECT_EQ(allowed.code, 0) << allowed.error;
     expect_in("warning: s/i: the cell given, 0.004 x", allowed.error);
 }
 
-TEST_F(Cli, BenchSpeaksTheNamesThatScriptsRelyOn) {
-    say({"new", "soil", "--from", "replay"});
+TEST_F(Cli, BenchPrintsTheNamesThatScriptsRelyOn) {
+    run_suffuse({"new", "soil", "--from", "replay"});
     const std::string cell = "1.4360856339985508e-3,1.4358137235332051e-3,1.436026846625529e-3";
-    const Said step = say(
+    const ProgramResult step = run_suffuse(
         {"bench", "step", "--packing", "soil/packing.csv", "--cell", cell, "--steps", "50", "--threads", "2", "--json"}
     );
     ASSERT_EQ(step.code, 0) << step.error;
@@ -108,23 +108,25 @@ TEST_F(Cli, BenchSpeaksTheNamesThatScriptsRelyOn) {
         EXPECT_TRUE(step.json().contains(name)) << name;
     }
     EXPECT_EQ(step.json().at("mode"), "reference");
-    const Said fast = say(
+    const ProgramResult fast = run_suffuse(
         {"bench", "step", "--packing", "soil/packing.csv", "--cell", cell, "--steps", "50", "--mode", "fast", "--json"}
     );
     ASSERT_EQ(fast.code, 0) << fast.error;
     EXPECT_EQ(fast.json().at("mode"), "fast");
     EXPECT_NE(fast.json().at("state_hash"), step.json().at("state_hash")); // single precision has been at work
-    const Said flow = say({"bench", "flow", "--packing", "soil/packing.csv", "--cell", cell, "--json"});
+    const ProgramResult flow =
+        run_suffuse({"bench", "flow", "--packing", "soil/packing.csv", "--cell", cell, "--json"});
     ASSERT_EQ(flow.code, 0) << flow.error;
     for (const char* name : {"triangulate", "conductance", "solve", "forces"}) {
         EXPECT_TRUE(flow.json().at("seconds").contains(name)) << name;
     }
-    const Said told =
-        say({"bench", "step", "--packing", "soil/packing.csv", "--cell", cell, "--steps", "50", "--threads", "1"});
-    expect_in("500 grains on 1 thread: ", told.out);
+    const ProgramResult imported = run_suffuse(
+        {"bench", "step", "--packing", "soil/packing.csv", "--cell", cell, "--steps", "50", "--threads", "1"}
+    );
+    expect_in("500 grains on 1 thread: ", imported.out);
     expect_in(
         "500 grains on 1 thread: a flow in ",
-        say({"bench", "flow", "--packing", "soil/packing.csv", "--cell", cell, "--threads", "1"}).out
+        run_suffuse({"bench", "flow", "--packing", "soil/packing.csv", "--cell", cell, "--threads", "1"}).out
     );
 }
 
@@ -141,7 +143,8 @@ TEST_F(Cli, AnImportedPackingWithoutTheSoilsFinesIsRefusedBeforeAnythingRuns) {
     );
     write_to(folder / "case.toml", text);
     write_to(folder / "packing.csv", read_all(examples + "replay/packing.csv"));
-    const Said refused = say({"run", "case.toml", "-o", "here"}); // all grains are finer than its fines
+    const ProgramResult refused =
+        run_suffuse({"run", "case.toml", "-o", "here"}); // all grains are finer than its fines
     EXPECT_EQ(refused.code, 3) << refused.error;
     expect_in("leaves no skeleton", refused.error);
     EXPECT_FALSE(std::filesystem::exists(folder / "here/studies"));

@@ -4,10 +4,10 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/job/run_folder.hpp"
-#include "suffuse/plan/asked_stages.hpp"
 #include "suffuse/plan/fit_memory.hpp"
 #include "suffuse/plan/past_prices.hpp"
 #include "suffuse/plan/plan.hpp"
+#include "suffuse/plan/requested_stages.hpp"
 #include "suffuse/plan/sum_ranges.hpp"
 #include "suffuse/record/samples.hpp"
 
@@ -184,7 +184,7 @@ nlohmann::json rows_json(const std::vector<SampleRow>& rows) {
 }
 
 /// What a plan cannot know yet: samples that the results will ask for.
-void tell_refinements(const casefile::Case& what, const plan::RunPlan& plan, const Console& console) {
+void print_refinements(const casefile::Case& what, const plan::RunPlan& plan, const Console& console) {
     for (const casefile::Study& study : what.studies) {
         if (!study.refine) {
             continue;
@@ -203,7 +203,7 @@ void tell_refinements(const casefile::Case& what, const plan::RunPlan& plan, con
 }
 
 /// As `run` would plan it. What it would refuse is planned all the same, and told.
-plan::RunPlan plan_within_or_tell(
+plan::RunPlan plan_within_or_report(
     double bytes, int at_once, std::vector<std::string>& warnings, const std::function<plan::RunPlan(int)>& make
 ) {
     try {
@@ -216,21 +216,21 @@ plan::RunPlan plan_within_or_tell(
 
 int PlanVerb::act(const CommandLine&, const Console& console) const {
     const std::string file = case_in(given);
-    const casefile::Case what = load_asked_case(file, changes, console);
+    const casefile::Case what = load_given_case(file, changes, console);
     plan::check_until(what, until);
     threads.apply();
     const double bytes = memory.bytes();
-    const std::filesystem::path folder = cache.folder_or(job::cache_beside("runs/new"));
+    const std::filesystem::path folder = cache.folder_or(job::cache_next_to("runs/new"));
     std::vector<std::string> warnings;
-    plan::RunPlan plan = plan_within_or_tell(bytes, plan::samples_at_once(what), warnings, [&](int at_once) {
+    plan::RunPlan plan = plan_within_or_report(bytes, plan::samples_at_once(what), warnings, [&](int at_once) {
         plan::RunPlan made = plan::plan_case(what, at_once);
         plan::PastPrices(folder).correct(made);
-        plan::price_asked_alone(made, what, until);
+        plan::price_requested_alone(made, what, until);
         plan::leave_out_done(made, what, {}, record::StageCache(folder, cache.owners())); // sums up, too
         return made;
     });
     const std::vector<SampleRow> rows = rows_of(what, plan, until);
-    plan::keep_asked_alone(plan, what, until);
+    plan::keep_requested_alone(plan, what, until);
     std::ranges::copy(shortages(plan, "."), std::back_inserter(warnings));
     for (const std::string& warning : warnings) {
         console.talk("warning: " + warning);
@@ -254,7 +254,7 @@ int PlanVerb::act(const CommandLine&, const Console& console) const {
             console.is_verbose() ? "" : "; -v lists their stages"
         ));
     }
-    tell_refinements(what, plan, console);
+    print_refinements(what, plan, console);
     if (cached > 0) {
         console.talk(fmt::format("{} are in {}: they take no time", plural(cached, "stage"), folder.string()));
     }

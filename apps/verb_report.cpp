@@ -44,7 +44,7 @@ int ReportVerb::act(const CommandLine& line, const Console& console) const {
         console.talk("warning: " + doubts);
     }
     const job::RunReport report = job::rebuild_report(folder, page_folder(), line.typed);
-    tell_results(report, "written", console);
+    print_results(report, "written", console);
     nlohmann::json document = {
         {"report", report.report.string()},
         {"warnings", report.warnings},

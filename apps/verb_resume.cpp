@@ -7,7 +7,7 @@
 #include "suffuse/io/folders.hpp"
 #include "suffuse/io/run_tree.hpp"
 #include "suffuse/job/run_folder.hpp"
-#include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/plan/requested_stages.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/refine.hpp"
 #include "suffuse/record/samples.hpp"
@@ -85,7 +85,7 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
         .sample = sample,
         .command = line.typed,
         .folder = folder};
-    heed_signals();
+    handle_signals();
     io::look_into_run(
         job.folder, io::Purpose::Work
     ); // before any of it is read; what it remarks on comes with the lock
@@ -96,9 +96,9 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
     if (fs::exists(resolved)) {
         job.what = record::load_run(job.folder);
     } else { // stopped before it really began
-        const job::AskedRun asked = job::read_asked(job.folder);
-        job.what = casefile::load_case(asked.case_file, {asked.preset, asked.overrides, asked.studies}).value;
-        job.case_text = read_whole_file(asked.case_file);
+        const job::RunRequest request = job::read_request(job.folder);
+        job.what = casefile::load_case(request.case_file, {request.preset, request.overrides, request.studies}).value;
+        job.case_text = read_whole_file(request.case_file);
     }
     plan::check_until(job.what, limits.until);
     threads.apply();
@@ -112,7 +112,7 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
         return *code;
     }
     job.plan = plan_rest(job);
-    tell_plan(job, "in", console);
+    print_plan(job, "in", console);
     return conduct(job, console);
 }
 

@@ -5,8 +5,8 @@
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/job/run_folder.hpp"
-#include "suffuse/plan/asked_stages.hpp"
 #include "suffuse/plan/plan.hpp"
+#include "suffuse/plan/requested_stages.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stage_cache.hpp"
 
@@ -60,14 +60,13 @@ struct RunVerb final : Verb {
 
 /// "--preset standard (20-40 min)" after a quick run. The case is read anew for it, and what it holds by then, or
 /// says of that preset, must not turn a run that succeeded into a failure: nothing where it has errors.
-std::string larger_hint(const RunVerb& asked, const Job& job) {
+std::string larger_hint(const RunVerb& verb, const Job& job) {
     if (job.what.preset != "quick") {
         return "";
     }
     try {
         const casefile::Case larger =
-            casefile::load_case(case_in(asked.given), {"standard", asked.changes.overrides, asked.changes.studies})
-                .value;
+            casefile::load_case(case_in(verb.given), {"standard", verb.changes.overrides, verb.changes.studies}).value;
         return fmt::format(
             "--preset standard ({})", duration_range_text(plan::plan_run(larger, job.plan.speed).seconds)
         );
@@ -82,13 +81,13 @@ int RunVerb::act(const CommandLine& line, const Console& console) const {
         .time_limit = limits.seconds(), // wrong use is an error before anything is made
         .memory = memory.bytes(),
         .command = line.typed};
-    heed_signals();
+    handle_signals();
     const std::string file = case_in(given);
-    job.what = load_asked_case(file, changes, console);
+    job.what = load_given_case(file, changes, console);
     plan::check_until(job.what, limits.until);
     job.case_text = read_whole_file(file);
     threads.apply();
-    job.cache = cache.folder_or(job::cache_beside(output.empty() ? "runs/new" : output));
+    job.cache = cache.folder_or(job::cache_next_to(output.empty() ? "runs/new" : output));
     job.cache_owners = cache.owners();
     record::StageCache(job.cache).require_one();
     job.folder = output;
@@ -100,16 +99,16 @@ int RunVerb::act(const CommandLine& line, const Console& console) const {
     }
     const job::FolderLock lock(job.folder, console.warner());
     if (!fs::exists(job.folder / "run_options.json")) {
-        job::keep_asked(
+        job::save_request(
             job.folder, {fs::absolute(file).string(), changes.preset, changes.overrides, changes.studies,
-                         cache.is_asked() ? std::optional(job.cache.string()) : std::nullopt}
+                         cache.is_requested() ? std::optional(job.cache.string()) : std::nullopt}
         );
     }
     record::open_folder(job.folder, job.what, job.case_text); // another case's is refused before the plan is shown
     if (const std::optional<int> code = look_before(job, console)) {
         return *code;
     }
-    tell_plan(job, "into", console);
+    print_plan(job, "into", console);
     const int code = conduct(job, console);
     if (code == Done) {
         std::vector<std::string> hints;

@@ -15,23 +15,23 @@ TEST_F(Cli, RunsListsAFolderAndSaysHowToCompareTwoOfThem) {
             R"({"title": "Dyke", "samples": {"total": 2, "done": 2}, "answer": {"verdict": ["It holds."]}})"
         );
     }
-    const Said listed = say({"runs", "--sort", "name"});
+    const ProgramResult listed = run_suffuse({"runs", "--sort", "name"});
     EXPECT_EQ(listed.code, 0) << listed.error;
     EXPECT_LT(listed.out.find("a-0001"), listed.out.find("b-0001"));
     EXPECT_NE(listed.out.find("It holds."), std::string::npos) << listed.out;
     EXPECT_NE(listed.error.find("suffuse compare runs/a-0001 runs/b-0001"), std::string::npos) << listed.error;
-    const Said asked = say({"runs", "--json"});
-    EXPECT_EQ(asked.json()["runs"].size(), 2U);
-    EXPECT_EQ(asked.json()["runs"][0]["state"], "done");
-    EXPECT_EQ(say({"runs", "nowhere"}).code, 2);
-    EXPECT_EQ(say({"runs", "--sort", "colour"}).code, 2);
+    const ProgramResult listed_json = run_suffuse({"runs", "--json"});
+    EXPECT_EQ(listed_json.json()["runs"].size(), 2U);
+    EXPECT_EQ(listed_json.json()["runs"][0]["state"], "done");
+    EXPECT_EQ(run_suffuse({"runs", "nowhere"}).code, 2);
+    EXPECT_EQ(run_suffuse({"runs", "--sort", "colour"}).code, 2);
 }
 
 TEST_F(Cli, FiguresTakeAWidthThatAJournalHas) {
-    const Said narrow = say({"figures", "run", "--width", "5mm"});
+    const ProgramResult narrow = run_suffuse({"figures", "run", "--width", "5mm"});
     EXPECT_EQ(narrow.code, 2);
     EXPECT_NE(narrow.error.find("from 30 mm to 1 m"), std::string::npos) << narrow.error;
-    const Said bare = say({"figures", "run", "--width", "85"});
+    const ProgramResult bare = run_suffuse({"figures", "run", "--width", "85"});
     EXPECT_EQ(bare.code, 2);
     EXPECT_NE(bare.error.find("--width"), std::string::npos) << bare.error;
 }

@@ -19,10 +19,10 @@ struct SchemaVerb final : Verb {
               "suffuse schema > case-reference.md"
           ) {}
 
-    bool tells_results = false;
+    bool prints_results = false;
 
     void add_to(Options& options) override {
-        options.flag("--results", tells_results, "the numbers that stages write, with their units, in place of keys");
+        options.flag("--results", prints_results, "the numbers that stages write, with their units, in place of keys");
     }
 
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
@@ -50,7 +50,7 @@ nlohmann::json results_json() {
 }
 
 int SchemaVerb::act(const CommandLine&, const Console& console) const {
-    if (tells_results) {
+    if (prints_results) {
         console.result(facts::results_markdown());
         console.document(json_text({{"results", results_json()}}));
         return Done;

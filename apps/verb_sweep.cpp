@@ -117,46 +117,44 @@ struct Emitted {
 };
 
 /// A new run folder for the case, or the one that is given.
-fs::path prepare_folder(const SweepVerb& asked, const Console& console, casefile::Case& what) {
-    if (fs::is_directory(asked.subject)) {
-        const fs::path folder = asked.subject;
+fs::path prepare_folder(const SweepVerb& verb, const Console& console, casefile::Case& what) {
+    if (fs::is_directory(verb.subject)) {
+        const fs::path folder = verb.subject;
         if (!fs::exists(folder / record::resolved_case_file)) {
             throw UsageError(fmt::format(
-                "{} holds no run; give a case file, or the folder that suffuse run has named", shown(asked.subject)
+                "{} holds no run; give a case file, or the folder that suffuse run has named", shown(verb.subject)
             ));
         }
         what = record::load_run(folder);
         return folder;
     }
-    what = load_asked_case(asked.subject, asked.changes, console);
-    fs::path folder = asked.output;
+    what = load_given_case(verb.subject, verb.changes, console);
+    fs::path folder = verb.output;
     if (folder.empty()) {
-        folder = job::make_run_folder(asked.subject);
+        folder = job::make_run_folder(verb.subject);
     } else {
         job::take_run_folder(folder);
     }
     if (!fs::exists(folder / "run_options.json")) {
-        job::keep_asked(
+        job::save_request(
             folder,
-            {fs::absolute(asked.subject).string(), asked.changes.preset, asked.changes.overrides, asked.changes.studies,
-             asked.cache.is_asked() ? std::optional(asked.cache.folder_or({}).string()) : std::nullopt}
+            {fs::absolute(verb.subject).string(), verb.changes.preset, verb.changes.overrides, verb.changes.studies,
+             verb.cache.is_requested() ? std::optional(verb.cache.folder_or({}).string()) : std::nullopt}
         );
     }
-    record::open_folder(folder, what, read_whole_file(asked.subject));
+    record::open_folder(folder, what, read_whole_file(verb.subject));
     return folder;
 }
 
 /// One task, as a shell runs it.
-std::string task_text(const Emitted& emitted, const record::Sample& sample, const SweepVerb& asked) {
-    const std::string limit = asked.time_limit.empty() ? "" : " --time-limit " + shell_word(asked.time_limit);
-    const std::string cache = asked.cache.is_off ? " --no-cache"
-                              : asked.cache.folder.empty()
-                                  ? ""
-                                  : " --cache " + shell_word(asked.cache.folder_or({}).string());
+std::string task_text(const Emitted& emitted, const record::Sample& sample, const SweepVerb& verb) {
+    const std::string limit = verb.time_limit.empty() ? "" : " --time-limit " + shell_word(verb.time_limit);
+    const std::string cache = verb.cache.is_off           ? " --no-cache"
+                              : verb.cache.folder.empty() ? ""
+                                                          : " --cache " + shell_word(verb.cache.folder_or({}).string());
     return fmt::format(
         "{} resume {} --sample {} -j {}{}{}\n", shell_word(fs::read_symlink("/proc/self/exe").string()),
-        shell_word(emitted.folder.string()), shell_word(sample.variant->folder), std::max(1, asked.threads), limit,
-        cache
+        shell_word(emitted.folder.string()), shell_word(sample.variant->folder), std::max(1, verb.threads), limit, cache
     );
 }
 
@@ -167,11 +165,11 @@ int memory_of_task(const casefile::Case& what) {
     return static_cast<int>(std::ceil(room * plan.memory / megabyte));
 }
 
-std::string slurm_text(const Emitted& emitted, const SweepVerb& asked) {
+std::string slurm_text(const Emitted& emitted, const SweepVerb& verb) {
     constexpr double warning = 60; // seconds before the end at which Slurm asks the task to save
     std::string time;
-    if (!asked.time_limit.empty()) {
-        const double limit = time_limit_of(asked.time_limit);
+    if (!verb.time_limit.empty()) {
+        const double limit = time_limit_of(verb.time_limit);
         time = fmt::format("#SBATCH --time={}\n", static_cast<int>(std::ceil((limit + warning) / 60)));
     }
     const std::string folder = emitted.folder.string();
@@ -196,21 +194,21 @@ std::string slurm_text(const Emitted& emitted, const SweepVerb& asked) {
         "fi\n"
         "eval \"exec $task\"\n",
         plural(std::ssize(emitted.left), "sample"), shell_word(folder + "/sweep.sbatch"), shell_word(folder),
-        for_slurm("suffuse-" + emitted.folder.filename().string()), emitted.left.size(), std::max(1, asked.threads),
+        for_slurm("suffuse-" + emitted.folder.filename().string()), emitted.left.size(), std::max(1, verb.threads),
         memory_of_task(emitted.what), for_slurm(without_patterns(folder) + "/tasks/%a.txt"), warning, time,
         shell_word(folder + "/tasks.txt"), static_cast<int>(WrongUse)
     );
 }
 
-int emit(const SweepVerb& asked, const Console& console) {
-    time_limit_of(asked.time_limit); // wrong use is an error before anything is made
-    const fs::path begun = fs::is_directory(asked.subject) ? asked.subject
-                           : asked.output.empty()          ? "runs/new"
-                                                           : asked.output;
-    record::StageCache(cache_to_go_on(asked.cache, begun, false, console)).require_one();
+int emit(const SweepVerb& verb, const Console& console) {
+    time_limit_of(verb.time_limit); // wrong use is an error before anything is made
+    const fs::path begun = fs::is_directory(verb.subject) ? verb.subject
+                           : verb.output.empty()          ? "runs/new"
+                                                          : verb.output;
+    record::StageCache(cache_to_go_on(verb.cache, begun, false, console)).require_one();
     look_at_run(begun, io::Purpose::Work, console);
     Emitted emitted;
-    const fs::path folder = prepare_folder(asked, console, emitted.what);
+    const fs::path folder = prepare_folder(verb, console, emitted.what);
     emitted.folder = fs::absolute(folder).lexically_normal();
     if (emitted.folder.string().find('\n') != std::string::npos) {
         throw UsageError(fmt::format("{}: tasks stand in lines; give -o a folder without line breaks", shown(folder)));
@@ -219,7 +217,7 @@ int emit(const SweepVerb& asked, const Console& console) {
     for (const record::Sample& sample : record::list_samples(emitted.what)) {
         if (!record::is_complete(sample, folder)) {
             emitted.left.push_back(sample);
-            tasks += task_text(emitted, sample, asked);
+            tasks += task_text(emitted, sample, verb);
         }
     }
     if (emitted.left.empty()) {
@@ -230,9 +228,9 @@ int emit(const SweepVerb& asked, const Console& console) {
     io::make_folders(folder / "tasks");
     std::string how =
         fmt::format("parallel < {0}     (or one after the other: sh {0})", shell_word((folder / "tasks.txt").string()));
-    if (asked.form == "slurm") {
-        set_thread_count(std::max(1, asked.threads));
-        io::write_file(folder / "sweep.sbatch", slurm_text(emitted, asked));
+    if (verb.form == "slurm") {
+        set_thread_count(std::max(1, verb.threads));
+        io::write_file(folder / "sweep.sbatch", slurm_text(emitted, verb));
         how = fmt::format("sbatch {}", shell_word((folder / "sweep.sbatch").string()));
     }
     console.result(fmt::format("{} in {}", plural(std::ssize(emitted.left), "task"), folder.string()));
@@ -241,7 +239,7 @@ int emit(const SweepVerb& asked, const Console& console) {
     console.document(json_text(
         {{"folder", folder.string()},
          {"tasks", emitted.left.size()},
-         {"file", (folder / (asked.form == "slurm" ? "sweep.sbatch" : "tasks.txt")).string()}}
+         {"file", (folder / (verb.form == "slurm" ? "sweep.sbatch" : "tasks.txt")).string()}}
     ));
     return Done;
 }
@@ -262,7 +260,7 @@ find_unfinished(const std::vector<record::Sample>& samples, const fs::path& fold
     return unfinished;
 }
 
-void tell_unfinished(const std::vector<std::string>& unfinished, const fs::path& folder, const Console& console) {
+void print_unfinished(const std::vector<std::string>& unfinished, const fs::path& folder, const Console& console) {
     for (const std::string& name : unfinished) {
         console.detail("not finished: " + name);
     }
@@ -275,11 +273,11 @@ void tell_unfinished(const std::vector<std::string>& unfinished, const fs::path&
     }
 }
 
-int collect(const SweepVerb& asked, const std::string& command, const Console& console) {
-    const fs::path folder = asked.collected;
+int collect(const SweepVerb& verb, const std::string& command, const Console& console) {
+    const fs::path folder = verb.collected;
     if (!fs::exists(folder / record::resolved_case_file)) {
         throw UsageError(
-            fmt::format("{} holds no run; give the folder that suffuse sweep --emit has named", shown(asked.collected))
+            fmt::format("{} holds no run; give the folder that suffuse sweep --emit has named", shown(verb.collected))
         );
     }
     const job::FolderLock lock(folder, console.warner());
@@ -301,7 +299,7 @@ int collect(const SweepVerb& asked, const std::string& command, const Console& c
     const job::RunReport report = job::rebuild_report(folder, page_folder(), command);
     const std::vector<std::string> unfinished = find_unfinished(samples, folder, report);
     const auto done = samples.size() - unfinished.size() - report.failures.size();
-    tell_results(
+    print_results(
         report,
         fmt::format(
             "{} of {} done{}", done, plural(std::ssize(samples), "sample"), report.flaws.empty() ? "" : " with flaws"
@@ -309,9 +307,9 @@ int collect(const SweepVerb& asked, const std::string& command, const Console& c
         console
     );
     if (!report.failures.empty()) {
-        tell_failures(report.failures, std::ssize(samples), folder, console);
+        print_failures(report.failures, std::ssize(samples), folder, console);
     }
-    tell_unfinished(unfinished, folder, console);
+    print_unfinished(unfinished, folder, console);
     const int code = !report.failures.empty() ? code_of(report.failures)
                      : !unfinished.empty()    ? OutOfTime
                      : report.flaws.empty()   ? Done

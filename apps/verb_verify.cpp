@@ -65,7 +65,7 @@ int VerifyVerb::act(const CommandLine&, const Console& console) const {
         unverified(found.unverified.size(), found.stages)
     ));
     if (!is_complete) {
-        console.result(fmt::format("{}; suffuse resume {} goes on", tell_missing(found.missing), shell_word(run)));
+        console.result(fmt::format("{}; suffuse resume {} goes on", describe_missing(found.missing), shell_word(run)));
     }
     for (const std::string& name : found.more) {
         console.detail("came later: " + name);

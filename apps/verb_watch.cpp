@@ -55,7 +55,7 @@ public:
         clear();
         for (const std::string& line : progress_lines(
                  published.latest, published.running, published.left, "Ctrl-C ends the watch, not the run",
-                 terminal_width(), speaks_utf8()
+                 terminal_width(), supports_utf8()
              )) {
             write(line + "\n");
             ++lines_;
@@ -85,7 +85,7 @@ public:
     /// @return the events, all of them, once the run is over or nobody works on it.
     nlohmann::json follow() {
         for (;;) {
-            const bool news = tell_events() || tell_progress();
+            const bool news = print_events() || print_progress();
             if (is_over_ || has_lost_reader(STDOUT_FILENO)) {
                 break;
             }
@@ -93,7 +93,7 @@ public:
                 last_news_ = Clock::now();
             } else if (is_first_ || Clock::now() - last_news_ > silence) {
                 if (!job::is_at_work(folder_)) {
-                    tell_events(); // what it said between the look and its end
+                    print_events(); // what it said between the look and its end
                     break;
                 }
                 last_news_ = Clock::now();
@@ -102,7 +102,7 @@ public:
             std::this_thread::sleep_for(look_interval);
         }
         footer_.clear();
-        return told_;
+        return shown_events_;
     }
 
     [[nodiscard]] bool is_over() const { return is_over_; }
@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    bool tell_events() {
+    bool print_events() {
         const std::vector<nlohmann::json> fresh = events_.read_new();
         for (const nlohmann::json& event : fresh) {
             footer_.clear();
@@ -130,13 +130,13 @@ private:
                 task_ = event.value("command", "");
             }
             outcome_ = is_over_ ? event.value("outcome", "") : "";
-            told_.push_back(event);
+            shown_events_.push_back(event);
         }
         std::fflush(stdout);
         return !fresh.empty();
     }
 
-    bool tell_progress() {
+    bool print_progress() {
         std::error_code error;
         const auto written = fs::last_write_time(folder_ / progress_file, error);
         if (error || written == seen_) {
@@ -153,7 +153,7 @@ private:
     const Console& console_;
     EventLog events_;
     Footer footer_;
-    nlohmann::json told_ = nlohmann::json::array();
+    nlohmann::json shown_events_ = nlohmann::json::array();
     fs::file_time_type seen_{};
     Clock::time_point last_news_ = Clock::now();
     bool is_over_ = false, is_first_ = true;

@@ -22,8 +22,8 @@ TICK = os.sysconf("SC_CLK_TCK")
 
 def machine():
     """A virtual machine may tell no more of a processor's name than its make: family and model tell which it is."""
-    told = dict(re.findall(r"^([\w ]+?)\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.M))
-    name, family, model = (told.get(key, "unknown") for key in ("model name", "cpu family", "model"))
+    cpuinfo = dict(re.findall(r"^([\w ]+?)\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.M))
+    name, family, model = (cpuinfo.get(key, "unknown") for key in ("model name", "cpu family", "model"))
     return f"{name}, family {family} model {model}; {os.cpu_count()} cores"
 
 
@@ -64,13 +64,13 @@ def main():
     parser = argparse.ArgumentParser(prog="bench/record.sh")
     parser.add_argument("program")
     parser.add_argument("--build", type=float, metavar="SECONDS", help="what a build from nothing took")
-    asked = parser.parse_args()
+    options = parser.parse_args()
     begin, busy_before, own_before = time.monotonic(), busy(), own()
-    found = [(name, unit, statistics.median(measure() for _ in range(ROUNDS))) for name, unit, measure in figures(asked.program)]
+    found = [(name, unit, statistics.median(measure() for _ in range(ROUNDS))) for name, unit, measure in figures(options.program)]
     wall = time.monotonic() - begin
     others = (busy() - busy_before - own() + own_before) / (wall * os.cpu_count())
-    if asked.build:
-        found.append(("build from nothing", "s", asked.build))
+    if options.build:
+        found.append(("build from nothing", "s", options.build))
     rows = [(datetime.date.today().isoformat(), commit(), machine(), name, f"{value:.4g}", unit) for name, unit, value in found]
     csv.writer(sys.stdout, lineterminator="\n").writerows(rows)
     if others > OTHERS:

@@ -77,9 +77,9 @@ def items_of(body):
     a column of them into doubles or back. A loop that turns whole rows (four lanes of one item) does neither."""
     doubles = 8 if any("%zmm" in text for text in body) else 4
     all_of_it = "\n".join(body)
-    reckons = re.search(r"v(add|sub|mul|div|sqrt|fn?m\w+)ps\s.*%[yz]mm", all_of_it)
+    computes = re.search(r"v(add|sub|mul|div|sqrt|fn?m\w+)ps\s.*%[yz]mm", all_of_it)
     turns = re.search(r"vcvt(pd2ps|ps2pd)", all_of_it) and re.search(r"vpaddq|vsqrtpd", all_of_it)
-    return 2 * doubles if reckons or turns else doubles
+    return 2 * doubles if computes or turns else doubles
 
 
 def as_assembly(body):

@@ -67,8 +67,8 @@ def needed_libraries(files):
     """Names of the shared libraries that the dynamic linker will look for, without those of the compiler and the C library."""
     names = set()
     for file in files:
-        said = subprocess.run(["readelf", "-d", file], check=True, capture_output=True, text=True, env={"LC_ALL": "C"})
-        names.update(re.findall(r"\(NEEDED\).*\[(.+)\]", said.stdout))
+        output = subprocess.run(["readelf", "-d", file], check=True, capture_output=True, text=True, env={"LC_ALL": "C"})
+        names.update(re.findall(r"\(NEEDED\).*\[(.+)\]", output.stdout))
     return sorted(name for name in names if not re.match(r"(libc|libm|libgcc_s|libstdc\+\+|ld-linux.*)\.so", name))
 
 

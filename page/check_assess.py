@@ -53,8 +53,8 @@ def check_view(program, browser, folder):
     wrong = []
     opened = [browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/chromium"]
     for alpha in [None, "0.2"]:
-        asked = ["-i", "0.3"] + (["--alpha", alpha] if alpha else [])
-        subprocess.run([program, "assess", "dyke.csv", *asked, "--page", "-o", "one.html"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        options = ["-i", "0.3"] + (["--alpha", alpha] if alpha else [])
+        subprocess.run([program, "assess", "dyke.csv", *options, "--page", "-o", "one.html"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
         page = Path(folder, "one.html").as_uri()
         dom = subprocess.run([*opened, "--dump-dom", page], check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=300, text=True).stdout
         row = re.search(r'<label class="([^"]*)" id="alpha-row">', dom)
@@ -98,8 +98,8 @@ def main():
         for k in range(COUNT):
             files.append(f"{k:03}.csv")
             Path(folder, files[-1]).write_text(grading(k))
-        asked = ["-i", "0.35", "--porosity", "0.37", "--density", "2700kg/m^3"]
-        command = [program, "assess", *files, *asked, "--page", "-o", "all.html", "--json"]
+        options = ["-i", "0.35", "--porosity", "0.37", "--density", "2700kg/m^3"]
+        command = [program, "assess", *files, *options, "--page", "-o", "all.html", "--json"]
         ours = json.loads(subprocess.run(command, cwd=folder, check=True, stdout=subprocess.PIPE).stdout)["soils"]
         page = Path(folder, "all.html").as_uri() + "#numbers"
         opened = [browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/chromium", "--dump-dom", page]

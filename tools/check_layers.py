@@ -62,7 +62,7 @@ def complaint_about(header, quoted, room, is_test, modules, libraries):
     return None
 
 
-def calls_beside(root, sources, function, caller):
+def calls_outside(root, sources, function, caller):
     """Where `function` is called but for once in `caller`: calls are indented, declarations are not."""
     call = re.compile(rf"^\s+[^/]*\b{function}\(")
     places = [
@@ -84,7 +84,7 @@ def check_found_once(root, found_once):
     ]
     complaints = []
     for function, caller in found_once.items():
-        others, is_called = calls_beside(root, sources, function, caller)
+        others, is_called = calls_outside(root, sources, function, caller)
         complaints += [f"{place}: {function} is called once, by {caller}; take what it found from there" for place in others]
         if not is_called:
             complaints.append(f"{caller}: does not call {function}, as tools/layers.txt says")

@@ -58,8 +58,8 @@ def changed(text, mutant):
     return text.replace(mutant["was"], mutant["becomes"])
 
 
-def first_failure(said):
-    found = re.search(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE)
+def first_failure(output):
+    found = re.search(r"^\[  FAILED  \] ([^\s,]+)", output, re.MULTILINE)
     return f" by {found[1]}" if found else ""
 
 
@@ -91,18 +91,18 @@ def main():
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("words", nargs="*")
-    asked = parser.parse_args()
+    options = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     mutants = tomllib.loads((ROOT / "tools/mutants.toml").read_text())["mutant"]
-    chosen = [m for m in mutants if all(word in m["file"] + m["was"] + m["becomes"] for word in asked.words)]
-    if asked.check:
+    chosen = [m for m in mutants if all(word in m["file"] + m["was"] + m["becomes"] for word in options.words)]
+    if options.check:
         return check(chosen)
-    kept = asked.build / "mutants.json"
-    found = json.loads(kept.read_text()) if kept.exists() and not asked.again else {}
+    kept = options.build / "mutants.json"
+    found = json.loads(kept.read_text()) if kept.exists() and not options.again else {}
     wrong = 0
     for number, mutant in enumerate(chosen, 1):
         stamp = stamp_of(mutant)
-        verdict = found.get(stamp) or verdict_of(mutant, asked.build)
+        verdict = found.get(stamp) or verdict_of(mutant, options.build)
         if verdict != "does not build":
             found[stamp] = verdict
         kept.write_text(json.dumps(found, indent=1))

@@ -4,7 +4,8 @@
 In every tracked Markdown file, a sentence has at most 25 words. Code blocks, tables, headings and HTML do not count, an item
 of a list is a text of its own, code in a line is one word, and a link is its words. A sentence ends at one of . ! ? : ; ·
 before a blank. Documents, and comments of sources, also do without the words of WORDS, documents without those of
-WORDS_OF_DOCUMENTS. Prints each place and how it starts; exit code 1 if there is one.
+WORDS_OF_DOCUMENTS, names in sources and names of sources without those of WORDS_OF_NAMES. Prints each place and how it
+starts; exit code 1 if there is one.
 """
 import pathlib
 import re
@@ -16,6 +17,10 @@ MOST_WORDS = 25
 WORDS = re.compile(r"\b(?:is|are)[\s/#*]+told\b(?![\s/#*]+apart)|\breckon\w*|\bheed\w*|\bwhoever\b", re.IGNORECASE)
 # Of documents alone: "beside" for "compared with" or "next to", "hardly", "hangs on" for "depends on".
 WORDS_OF_DOCUMENTS = re.compile(r"\bbeside\b|\bhardly\b|\bhangs? on\b|\bnext to nothing\b|\bof one's own\b", re.IGNORECASE)
+# Of names: words that nobody would search for. A name is requested_plan, mark_leaving, print_results, ForeignFiles.
+WORDS_OF_NAMES = {"told", "tell", "tells", "telling", "heed", "heeds", "heeded", "wish", "wishes", "ask", "asks", "asked",
+                  "stranger", "strangers", "beside", "reckon", "reckons", "reckoned", "said", "spoken", "hardly"}
+KEYS = {"asked_gradient"}  # also names of arguments, in Python
 GENERATED = {"docs/case-reference.md", "docs/results.md"}  # by `suffuse schema`, from the tables of the program
 OURS = {"tools/prose.py", "python/tests/test_prose.py"}  # name the words, to find them
 
@@ -31,6 +36,11 @@ SLASHES = re.compile(rf'R"(\w*)\(.*?\)\1"|{QUOTED}|(?P<lines>(?://[^\n]*\n?\s*)+
 HASHES = re.compile(rf'(?P<docstring>"""(?:\\.|[^\\])*?""")|{QUOTED}|(?P<lines>(?<!\S)(?:\#[^\n]*\n?\s*)+)')
 COMMENTS = {**dict.fromkeys((".c", ".cpp", ".hpp", ".css", ".js", ".mjs"), SLASHES),
             **dict.fromkeys((".py", ".sh", ".cmake", ".toml", ".txt", ""), HASHES)}
+
+NAMED = {".c", ".cpp", ".hpp", ".js", ".mjs", ".py"}
+NAME = re.compile(r"\b[A-Za-z_]\w*")
+WORD_OF_NAME = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
+TEMPLATE = re.compile(r"`(?:\\.|[^`\\])*`", re.DOTALL)
 
 
 def without_code(text):
@@ -88,6 +98,20 @@ def only_comments(text, suffix):
     return "\n".join(lines)
 
 
+def odd_names(text, suffix):
+    """Number of the line of each name in a source with a word of WORDS_OF_NAMES, and the name; not in strings or comments."""
+    code = COMMENTS[suffix].sub(lambda other: " " + "\n" * other.group().count("\n"), text)
+    if suffix in (".js", ".mjs"):
+        code = TEMPLATE.sub(lambda other: " " + "\n" * other.group().count("\n"), code)
+    for name in NAME.finditer(code):
+        if name.group() not in KEYS and is_odd(name.group()):
+            yield code.count("\n", 0, name.start()) + 1, name.group()
+
+
+def is_odd(name):
+    return any(word.lower() in WORDS_OF_NAMES for word in WORD_OF_NAME.findall(name))
+
+
 def findings(name, text):
     """What is hard to read in the file of this name: number of the line, what it is, how it starts."""
     suffix = pathlib.Path(name).suffix
@@ -98,6 +122,9 @@ def findings(name, text):
         yield from ((line, "word", start) for line, start in listed_words(without_code(text)))
     elif suffix in COMMENTS and name not in OURS:
         yield from ((line, "word", start) for line, start in listed_words(only_comments(text, suffix)))
+        if suffix in NAMED:
+            yield from ((line, "name", start) for line, start in odd_names(text, suffix))
+            yield from ((1, "name", part) for part in [pathlib.Path(name).stem] if is_odd(part))
 
 
 def main():

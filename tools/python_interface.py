@@ -35,8 +35,8 @@ def member(name, one):
     if isinstance(one, functools.cached_property):
         return f"{name}: computed once"
     if isinstance(one, property):
-        told = signature(name, one.fget).partition(" -> ")[2] if not inspect.isfunction(one.fget) else ""
-        return f"{name}: {told or 'a property'}{', may be set' if one.fset else ''}"
+        reported = signature(name, one.fget).partition(" -> ")[2] if not inspect.isfunction(one.fget) else ""
+        return f"{name}: {reported or 'a property'}{', may be set' if one.fset else ''}"
     if isinstance(one, (staticmethod, classmethod)):
         return f"{type(one).__name__} {signature(name, one.__func__)}"
     if not callable(one):

@@ -22,9 +22,9 @@ TABLE = pathlib.Path(__file__).parent.parent / "suffuse/plan/preparation_price.h
 COVERED = 5 / 6  # of the samples seen lie in a row's range, around their median
 
 
-def case_of(asked):
+def case_of(request):
     """The example that the run is of, wherever it was copied to."""
-    parts = pathlib.Path(asked["case"]).parts
+    parts = pathlib.Path(request["case"]).parts
     return "/".join(parts[parts.index("examples"):])
 
 
@@ -65,8 +65,8 @@ def main():
     cpu = json.loads(given.cpu.read_text()) if given.cpu else {}
     for run in given.runs:
         plan = json.loads((run / "plan.json").read_text())
-        asked = json.loads((run / "run_options.json").read_text())
-        head = [given.use, case_of(asked), asked["preset"], ";".join(asked["overrides"]).replace(",", "|")]
+        request = json.loads((run / "run_options.json").read_text())
+        head = [given.use, case_of(request), request["preset"], ";".join(request["overrides"]).replace(",", "|")]
         head += [str(plan["threads"]), str(plan["samples_at_once"])]
         head.append(f"{given.speed or plan['particle_steps_per_second']:.4g}")
         head.append(f"{plan.get('reference_steps_per_second', 0):.4g}")

@@ -146,20 +146,20 @@ TEST(ReaderCost, OfPackingsGrowsAsTheirText) {
     );
 }
 
-TEST(ReaderCost, OfTellingProblemsGrowsAsTheirNumber) {
-    std::string told;
-    const auto times = [&told](int count) {
+TEST(ReaderCost, OfReportingProblemsGrowsLinearly) {
+    std::string messages;
+    const auto times = [&messages](int count) {
         std::vector<Diagnostic> list;
         for (int k = 1; k <= count; ++k) {
             Diagnostic problem{"E203", "case.toml", k, 1, 1, "key = 1", "unknown key `key`", "", "", false};
             problem.help = "keys here are `title`";
             list.push_back(problem);
         }
-        return least_time([&] { told = render(list); });
+        return least_time([&] { messages = render(list); });
     };
     const double once = times(2'000), four_times = times(8'000);
     EXPECT_LT(four_times / once, limit);
-    EXPECT_NE(told.find("and 7996 more that ask for the same"), std::string::npos) << told;
+    EXPECT_NE(messages.find("and 7996 more that ask for the same"), std::string::npos) << messages;
 }
 
 } // namespace

@@ -104,13 +104,13 @@ class Lammps:
             command += ["-var", name, value]
         allowed = {f"OMPI_ALLOW_RUN_AS_ROOT{tail}": "1" for tail in ("", "_CONFIRM")}
         environment = {**os.environ, "OMP_NUM_THREADS": "1", **allowed}
-        said, _, _ = harness.run_alone(command, cwd=self.folder, env=environment)
-        return said
+        output, _, _ = harness.run_alone(command, cwd=self.folder, env=environment)
+        return output
 
     def settle(self):
         begin = time.perf_counter()
-        said = self.run("settle.lmp")
-        steps, quiet = re.search(r"@settled (\d+) (\d)", said).groups()
+        output = self.run("settle.lmp")
+        steps, quiet = re.search(r"@settled (\d+) (\d)", output).groups()
         seconds = time.perf_counter() - begin
         self.choose_neighbors()
         return {"steps": int(steps), "seconds": seconds, "quiet": quiet == "1"}
@@ -132,14 +132,14 @@ class Lammps:
 
     def window(self, steps):
         """Steps a second, and the share of its processors that it had."""
-        said = self.run("window.lmp", window=steps, held=0, rate_x=self.lateral[0], rate_y=self.lateral[1])
-        seconds, processors = (float(re.findall(said_of, said)[1]) for said_of in (r"Loop time of (\S+) on", r"(\S+)% CPU use"))
+        output = self.run("window.lmp", window=steps, held=0, rate_x=self.lateral[0], rate_y=self.lateral[1])
+        seconds, processors = (float(re.findall(value_after, output)[1]) for value_after in (r"Loop time of (\S+) on", r"(\S+)% CPU use"))
         return (steps - WARM_UP) / seconds, processors / 100
 
     def measure(self, steps):
         if not any(self.lateral):
-            said = self.run("window.lmp", window=steps, held=1, rate_x=0, rate_y=0)
-            self.lateral = tuple(float(rate) for rate in re.search(r"@rates (\S+) (\S+)", said).groups())
+            output = self.run("window.lmp", window=steps, held=1, rate_x=0, rate_y=0)
+            self.lateral = tuple(float(rate) for rate in re.search(r"@rates (\S+) (\S+)", output).groups())
         rate, processors = self.window(steps)
         return {"steps_per_second": rate, "processors": processors, **self.state()}
 

@@ -33,8 +33,8 @@ def measure_ours(options, case, packing_csv):
     cell = ",".join(repr(edge) for edge in case["cell"])
     command = [options.program, "bench", "step", "--packing", packing_csv, "--cell", cell]
     command += ["--steps", options.steps, "--threads", options.threads, "--mode", options.mode, "--json"]
-    said, wall, processor = harness.run_alone(command)
-    return {"code": "suffuse", "processors": processor / wall / options.threads, **with_stresses(json.loads(said))}
+    printed, wall, processor = harness.run_alone(command)
+    return {"code": "suffuse", "processors": processor / wall / options.threads, **with_stresses(json.loads(printed))}
 
 
 def shown(value):

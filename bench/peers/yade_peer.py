@@ -22,22 +22,22 @@ class Yade:
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment
         )
         self.threads = threads
-        self.said = []
+        self.output_lines = []
 
-    def ask(self, command):
+    def send(self, command):
         self.process.stdin.write(command + "\n")
         self.process.stdin.flush()
         for line in self.process.stdout:
             if line.startswith("@"):
                 return json.loads(line[1:])
-            self.said.append(line)
-        sys.exit("Yade ended early; it said:\n" + "".join(self.said[-20:]))
+            self.output_lines.append(line)
+        sys.exit("Yade ended early; it said:\n" + "".join(self.output_lines[-20:]))
 
     def settle(self):
-        return self.ask("settle")
+        return self.send("settle")
 
     def measure(self, steps):
-        found = self.ask(f"window {steps}")
+        found = self.send(f"window {steps}")
         processors = found["processor_seconds"] / found["seconds"] / self.threads
         return {**found, "steps_per_second": steps / found["seconds"], "processors": processors}
 

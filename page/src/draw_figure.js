@@ -23,22 +23,22 @@ const loader = { load: refuse, sanitize: refuse, http: refuse, file: refuse };
 const shortened = (svg) => svg.replace(/<[^>]*>/g, (tag) => tag.replace(/(\.\d)\d+/g, "$1"));
 
 /** Draws `file`.vl.json into `folder`, as the words of the command ask. */
-export async function draw(file, folder, asked) {
+export async function draw(file, folder, options) {
   const whole = JSON.parse(readFileSync(file, "utf8"));
-  const width = asked.width ? Number(asked.width) : asked["in-page"] ? pageWidth : undefined;
+  const width = options.width ? Number(options.width) : options["in-page"] ? pageWidth : undefined;
   const specification = width ? fitted(whole, width) : whole;
   const config = { ...specification.config };
-  if (asked.font) config.font = asked.font;
-  if (asked["in-page"]) Object.assign(config, { background: null, aria: false });
+  if (options.font) config.font = options.font;
+  if (options["in-page"]) Object.assign(config, { background: null, aria: false });
   const view = new View(parse(compile({ ...specification, config }).spec), { renderer: "none", logLevel: Warn, loader });
   let svg = lowerIndicesOf(await view.toSVG());
   view.finalize();
-  if (asked["in-page"]) {
+  if (options["in-page"]) {
     svg = shortened(svg);
   } else {
     svg = svg.replace(/^<svg[^>]*>/, (opening) => `${opening}<desc>${escaped(specification.description ?? "")}</desc>`);
   }
-  if (asked.width) {
+  if (options.width) {
     // To the width asked for, whatever labels and titles took: the drawing is scaled as a whole.
     const [, drawn, height] = /viewBox="0 0 ([\d.]+) ([\d.]+)"/.exec(svg).map(Number);
     svg = svg.replace(/^<svg[^>]*>/, (opening) =>

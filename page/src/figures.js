@@ -5,7 +5,7 @@
 import { parseArgs } from "node:util";
 import { isMainThread, parentPort, Worker, workerData } from "node:worker_threads";
 
-const { values: asked, positionals } = parseArgs({
+const { values: chosen, positionals } = parseArgs({
   allowPositionals: true,
   options: {
     "in-page": { type: "boolean" },
@@ -16,7 +16,7 @@ const { values: asked, positionals } = parseArgs({
   },
 });
 const [folder, ...files] = positionals;
-const most = { seconds: Number(asked.seconds), megabytes: Number(asked.megabytes) };
+const most = { seconds: Number(chosen.seconds), megabytes: Number(chosen.megabytes) };
 // A thread that comes to its own limit may end the process without a word: the limit of all memory is met long before.
 const resourceLimits = { maxOldGenerationSizeMb: 4 * most.megabytes };
 
@@ -39,8 +39,8 @@ function drawInTurn(files) {
     };
     const watch = setInterval(() => {
       const seconds = (Date.now() - since) / 1000, megabytes = process.memoryUsage.rss() / 2 ** 20;
-      if (megabytes > most.megabytes) end(`needs more than ${most.megabytes} MB to be drawn; it asks for too many rows`);
-      else if (seconds > most.seconds) end(`takes more than ${most.seconds} s to be drawn; it asks for too much`);
+      if (megabytes > most.megabytes) end(`needs more than ${most.megabytes} MB to be drawn; reduce the rows of its data`);
+      else if (seconds > most.seconds) end(`takes more than ${most.seconds} s to be drawn; simplify it`);
     }, 50);
     drawer.on("message", (problem) => {
       if (problem) complain(files[done], problem);
@@ -59,7 +59,7 @@ if (isMainThread) {
   for (const file of workerData) {
     let problem;
     try {
-      await draw(file, folder, asked);
+      await draw(file, folder, chosen);
     } catch (error) {
       problem = error.message;
     }

@@ -33,16 +33,16 @@ export async function open(browser, run, options = {}) {
   context.setDefaultTimeout(patience);
   context.setDefaultNavigationTimeout(patience);
   const page = await context.newPage();
-  const heard = { requests: [], complaints: [] };
-  page.on("request", (request) => heard.requests.push(request.url()));
-  page.on("console", (message) => heard.complaints.push(message.text()));
-  page.on("pageerror", (error) => heard.complaints.push(error.message));
-  page.on("dialog", (dialog) => heard.complaints.push(dialog.message()) && dialog.dismiss());
+  const seen = { requests: [], complaints: [] };
+  page.on("request", (request) => seen.requests.push(request.url()));
+  page.on("console", (message) => seen.complaints.push(message.text()));
+  page.on("pageerror", (error) => seen.complaints.push(error.message));
+  page.on("dialog", (dialog) => seen.complaints.push(dialog.message()) && dialog.dismiss());
   await page.goto(pathToFileURL(join(samples, run, "report.html")).href);
   if (options.javaScriptEnabled !== false && run !== "plain") {
     await page.waitForFunction(() => document.documentElement.dataset.drawn === "all");
   }
-  return { page, context, ...heard };
+  return { page, context, ...seen };
 }
 
 export const files = (run, ending) => readdirSync(join(samples, run, "figures")).filter((name) => name.endsWith(ending));

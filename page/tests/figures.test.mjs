@@ -83,8 +83,8 @@ test("a figure changed at random is drawn, or complained of by its name", () => 
   assert.ok(status === 0 || status === 1, `ends with ${status}`);
   const complaints = stderr.split("\n").filter((line) => / *\S+\.vl\.json: /.test(line));
   for (const id of Object.keys(texts)) {
-    const isSaid = complaints.some((line) => line.includes(`/${id}.vl.json: `));
-    assert.ok(isSaid || id in drawn, `${id} is neither drawn nor complained of`);
+    const isReported = complaints.some((line) => line.includes(`/${id}.vl.json: `));
+    assert.ok(isReported || id in drawn, `${id} is neither drawn nor complained of`);
   }
   assert.ok(Object.keys(drawn).length > 50, "most changes leave a figure");
   for (const [id, svg] of Object.entries(drawn)) {
@@ -117,7 +117,7 @@ test("a figure that asks for endless rows is ended by its memory, and others are
   const { signal, status, stderr, drawn } = draw("rows", { a: rows(10), b: rows(1e8), c: rows(10) }, "--megabytes=500");
   assert.equal(signal, null);
   assert.equal(status, 1);
-  assert.match(stderr, /^\S+\/b\.vl\.json: needs more than 500 MB to be drawn; it asks for too many rows\n$/);
+  assert.match(stderr, /^\S+\/b\.vl\.json: needs more than 500 MB to be drawn; reduce the rows of its data\n$/);
   assert.deepEqual(Object.keys(drawn), ["a", "c"]);
 });
 

@@ -97,17 +97,17 @@ py::dict erode(
         }
     }
     const auto hits = std::ranges::find_if(result.passes, [](const erosion::PassResult& pass) {
-        return !run::words_on_hits(pass.probe).empty();
+        return !run::describe_hits(pass.probe).empty();
     });
     if (hits != result.passes.end()) {
-        warn_caller(run::words_on_hits(hits->probe));
+        warn_caller(run::describe_hits(hits->probe));
     }
-    nlohmann::json told = nlohmann::json::array();
+    nlohmann::json by_pass = nlohmann::json::array();
     for (const erosion::PassResult& pass : result.passes) {
-        told.push_back(run::pass_numbers(pass));
+        by_pass.push_back(run::pass_numbers(pass));
     }
     py::dict dict;
-    dict["passes"] = to_python(told);
+    dict["passes"] = to_python(by_pass);
     dict["removed"] = ledger_of(result.ledger);
     dict["rule"] = own ? py::cast(own->name) : py::object(rule);
     return dict;

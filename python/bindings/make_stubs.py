@@ -68,10 +68,10 @@ def function(name, one, indent, decorator=""):
     if inspect.isfunction(one):  # of Python's own, beside those of C++
         return f"{indent}def {name}{inspect.signature(one)}:\n{quoted(one.__doc__, indent + '    ')}{indent}    ...\n"
     arguments, result = signature(one.__doc__)
-    told = one.__doc__.partition("\n")[2]
+    signature_text = one.__doc__.partition("\n")[2]
     return (
         f"{decorator}{indent}def {name}({', '.join(arguments)}) -> {result}:\n"
-        f"{quoted(told, indent + '    ')}{indent}    ...\n"
+        f"{quoted(signature_text, indent + '    ')}{indent}    ...\n"
     )
 
 

@@ -89,7 +89,7 @@ std::vector<double> gradients_of(const py::object& gradients) {
 
 py::dict mobility(
     WorldHandle& w, const NumbersOrNone& gradients, const Direction& direction, const Direction& down,
-    const QuantityOrNone& asked_gradient, const Quantity& acceleration, const flow::Fluid& fluid,
+    const QuantityOrNone& specified_gradient, const Quantity& acceleration, const flow::Fluid& fluid,
     const std::string& solver, const Quantity& hold_at_most, const Quantity& fluid_drag, const Quantity& moved,
     const Quantity& softness, const CallableOrNone& on_progress
 ) {
@@ -98,8 +98,8 @@ py::dict mobility(
     setting.fluid = fluid;
     setting.direction = direction_of(direction);
     setting.gradients = gradients_of(gradients);
-    setting.asked_gradient =
-        optional_value_of(key_of("stage.detach", "asked_gradient"), asked_gradient, "asked_gradient");
+    setting.specified_gradient =
+        optional_value_of(key_of("stage.detach", "asked_gradient"), specified_gradient, "asked_gradient");
     const auto motion_value = [](const Quantity& value, const char* key) {
         return value_of(key_of("stage.detach", key), value, key);
     };

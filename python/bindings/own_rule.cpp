@@ -80,7 +80,7 @@ void measured(py::class_<Probe, Held>& type, const char* name, T erosion::ProbeR
 }
 
 template <class T>
-void told(py::class_<Probe, Held>& type, const char* name, T erosion::ProbeResult::*number, const char* doc) {
+void add_number(py::class_<Probe, Held>& type, const char* name, T erosion::ProbeResult::*number, const char* doc) {
     type.def_property_readonly(
         name, [number](const Held& probe) { return probe->result.*number; }, doc
     );
@@ -157,12 +157,14 @@ void bind_own_rule(py::module_& m) {
     judged(
         type, "by_displacement", &Result::by_displacement, "fines: the verdict of the built-in rule on displacements."
     );
-    told(type, "gradient", &Result::gradient, "Hydraulic gradient i [-].");
-    told(type, "time_step", &Result::time_step, "[s].");
-    told(type, "ramp", &Result::ramp, "Steps from no force to the full one.");
-    told(type, "watch", &Result::watch, "Steps at the full force.");
-    told(type, "unbalanced_force", &Result::unbalanced_force, "Of the state that the probe started from [-].");
-    told(type, "signal_over_twin", &Result::signal_over_twin, "Median speed with fluid over that of the twin [-].");
+    add_number(type, "gradient", &Result::gradient, "Hydraulic gradient i [-].");
+    add_number(type, "time_step", &Result::time_step, "[s].");
+    add_number(type, "ramp", &Result::ramp, "Steps from no force to the full one.");
+    add_number(type, "watch", &Result::watch, "Steps at the full force.");
+    add_number(type, "unbalanced_force", &Result::unbalanced_force, "Of the state that the probe started from [-].");
+    add_number(
+        type, "signal_over_twin", &Result::signal_over_twin, "Median speed with fluid over that of the twin [-]."
+    );
 }
 
 } // namespace suffuse::python

@@ -95,7 +95,7 @@ py::dict compact(
         pressure, friction, adhesion_normal, adhesion_shear, void_ratio, void_ratio_tolerance, protocol, max_rate,
         shear_stresses
     );
-    const double asked_damping = value_of(key_of("contact", "damping"), damping, "damping");
+    const double given_damping = value_of(key_of("contact", "damping"), damping, "damping");
     packing::CompactState state;
     Stepping call(w);
     refuse_too_soft(call.world().material, spec.pressure);
@@ -104,7 +104,7 @@ py::dict compact(
     begin(call);
     if (!spec.void_ratio) {
         const Working working;
-        state = compact_once(call, spec, balance, asked_damping, attention);
+        state = compact_once(call, spec, balance, given_damping, attention);
     } else {
         packing::FoundDensity found;
         {
@@ -117,7 +117,7 @@ py::dict compact(
             try {
                 found = packing::search_void_ratio(spec, cloud.material, [&](const packing::CompactSpec& trial) {
                     start_again();
-                    state = compact_once(call, trial, balance, asked_damping, attention);
+                    state = compact_once(call, trial, balance, given_damping, attention);
                     return dem::void_ratio(call.world());
                 });
             } catch (...) {

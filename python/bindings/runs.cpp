@@ -6,8 +6,8 @@
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/job/scene_data.hpp"
-#include "suffuse/plan/asked_stages.hpp"
 #include "suffuse/plan/fit_memory.hpp"
+#include "suffuse/plan/requested_stages.hpp"
 #include "suffuse/record/checksums.hpp"
 #include "suffuse/record/compare_runs.hpp"
 #include "suffuse/record/finished_stages.hpp"
@@ -79,7 +79,7 @@ public:
     }
 
     /// Waits until it was answered; what answering throws is thrown here.
-    void ask(const std::function<void()>& question) {
+    void request_answer(const std::function<void()>& question) {
         std::packaged_task<void()> task(question);
         std::future<void> answer = task.get_future();
         {
@@ -182,7 +182,7 @@ run_and_listen(const casefile::Case& what, run::RunOptions options, const py::di
     for (const auto& [stage, function] : rules) {
         erosion::OwnRule& own = options.rules[stage.cast<std::string>()];
         own = own_rule_of(function, [&](const std::function<void()>& rule) { // by this thread, as on_progress
-            mailbox.ask([&] { listener.answer(rule); });
+            mailbox.request_answer([&] { listener.answer(rule); });
         });
         options.command += fmt::format("; {} by the rule {}", stage.cast<std::string>(), own.name);
     }
@@ -249,7 +249,7 @@ int samples_within(
     } catch (const CaseError&) { // a sample that cannot be made: the run tells which, and makes the others
         return any.at_once;
     }
-    plan::price_asked_alone(plan, value, until, "");
+    plan::price_requested_alone(plan, value, until, "");
     plan::leave_out_done(plan, value, folder.value_or(fs::path()), record::StageCache(cache));
     return plan::samples_within(plan, bytes);
 }
@@ -306,7 +306,7 @@ void bind_runs(py::module_& m) {
                 folder = job::make_run_folder(what.path);
             }
             if (!fs::exists(folder / "run_options.json")) {
-                job::keep_asked(
+                job::save_request(
                     folder, {fs::absolute(what.path).string(),
                              what.options.preset,
                              what.options.overrides,
@@ -326,9 +326,9 @@ void bind_runs(py::module_& m) {
         plan::check_until(what.loaded.value, until);
     });
     m.def("check_time_limit", [](const py::object& limit) { time_limit_of(limit); });
-    m.def("asked_run", [](const fs::path& folder) {
-        const job::AskedRun asked = job::read_asked(folder);
-        return py::make_tuple(asked.case_file, asked.preset, asked.overrides, asked.studies);
+    m.def("run_request", [](const fs::path& folder) {
+        const job::RunRequest request = job::read_request(folder);
+        return py::make_tuple(request.case_file, request.preset, request.overrides, request.studies);
     });
     m.def(
         "conduct", &conduct, py::arg("case"), py::arg("folder"), py::arg("until"), py::arg("time_limit"),

@@ -104,11 +104,11 @@ const Key& key_of_member(std::string_view name) {
 
 void bind_member(py::class_<grains::Material>& type, const char* name, double) {
     const Key& key = key_of_member(name);
-    const char* said = key.table == "contact.adhesion" ? "adhesion" : name;
+    const char* given_name = key.table == "contact.adhesion" ? "adhesion" : name;
     type.def_property(
         name, [name](grains::Material material) { return number_in(material, name); },
-        [name, said, &key](grains::Material& material, const Quantity& value) {
-            number_in(material, name) = value_of(key, value, said);
+        [name, given_name, &key](grains::Material& material, const Quantity& value) {
+            number_in(material, name) = value_of(key, value, given_name);
         },
         key_doc(key).c_str()
     );
@@ -233,9 +233,9 @@ py::object axes_of(const cell::Loading& loading, cell::Control control) {
     py::list values;
     bool any = false;
     for (const cell::AxisControl& axis : loading.axis) {
-        const bool is_told = !loading.velocity_gradient && axis.control == control;
-        values.append(is_told ? py::object(py::float_(axis.value)) : py::object(py::none()));
-        any = any || is_told;
+        const bool is_held = !loading.velocity_gradient && axis.control == control;
+        values.append(is_held ? py::object(py::float_(axis.value)) : py::object(py::none()));
+        any = any || is_held;
     }
     return any ? py::object(py::tuple(values)) : py::object(py::none());
 }
@@ -291,8 +291,8 @@ void bind_loading(py::module_& m) {
         std::string text;
         for (std::size_t k = 0; k < fields.size(); ++k) {
             if (const py::object value = values[k]; !value.is_none() && !value.equal(py::str("kept"))) {
-                const auto told = py::repr(value).cast<std::string>();
-                text += fmt::format("{}{}={}", text.empty() ? "" : ", ", fields[k], told);
+                const auto value_text = py::repr(value).cast<std::string>();
+                text += fmt::format("{}{}={}", text.empty() ? "" : ", ", fields[k], value_text);
             }
         }
         return fmt::format("Loading({})", text);

@@ -79,9 +79,9 @@ py::object assess(
     job::AssessedSoil soil = soil_of(grading);
     soil.measured = soil.assessment.grading;
     soil.assessment = stability::assess_measured(soil.measured, spec);
-    nlohmann::json told = job::soil_json(soil, spec);
-    told["text"] = job::text_of(soil, spec);
-    return to_python(told);
+    nlohmann::json document = job::soil_json(soil, spec);
+    document["text"] = job::text_of(soil, spec);
+    return to_python(document);
 }
 
 } // namespace

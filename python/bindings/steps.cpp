@@ -48,38 +48,38 @@ std::optional<double> time_step_of(const py::object& value, double damping, Step
     if (py::isinstance<py::str>(value) && value.cast<std::string>() == "computed") {
         return std::nullopt;
     }
-    const auto asked = optional_value_of(key_of("stage.advance", "time_step"), value, "time_step");
-    if (asked) {
-        call.check_time_step(*asked, damping);
+    const auto given = optional_value_of(key_of("stage.advance", "time_step"), value, "time_step");
+    if (given) {
+        call.check_time_step(*given, damping);
     }
-    return asked;
+    return given;
 }
 
 /// What the caller of a step asked for.
-struct Asked {
+struct StepRequest {
     dem::StepPlan plan; ///< its time step is 0 where it is to be computed
     grains::GrainLoad load;
 };
 
-std::shared_ptr<Asked> read_asked(
+std::shared_ptr<StepRequest> read_request(
     Stepping& call, const cell::Loading& loading, const py::object& time_step, const py::object& damping,
     const py::object& force, const std::string& mode
 ) {
-    auto asked = std::make_shared<Asked>();
-    asked->plan.mode = mode_of(mode);
-    asked->plan.loading = loading;
+    auto given = std::make_shared<StepRequest>();
+    given->plan.mode = mode_of(mode);
+    given->plan.loading = loading;
     for (const cell::AxisControl& axis : loading.axis) {
         if (axis.control == cell::Control::Stress) {
             refuse_too_soft(call.world().material, axis.value);
         }
     }
-    asked->plan.damping = damping_of(damping);
-    asked->plan.dt = time_step_of(time_step, asked->plan.damping, call).value_or(0);
+    given->plan.damping = damping_of(damping);
+    given->plan.dt = time_step_of(time_step, given->plan.damping, call).value_or(0);
     if (!force.is_none()) {
-        asked->load.force = vectors_of(force, "force", call.world().grains.size());
-        asked->plan.load = &asked->load;
+        given->load.force = vectors_of(force, "force", call.world().grains.size());
+        given->plan.load = &given->load;
     }
-    return asked;
+    return given;
 }
 
 py::array_t<double> step(
@@ -90,14 +90,14 @@ py::array_t<double> step(
         throw CaseError(fmt::format("steps: found {}, expected 1 or more", steps));
     }
     Stepping call(w);
-    const auto asked = read_asked(call, loading, time_step, damping, force, mode);
+    const auto given = read_request(call, loading, time_step, damping, force, mode);
     dem::Advancing advancing;
     Mat3 stress;
     Attention attention(on_progress, call);
     {
         const Working working;
         stress = dem::advance_world(
-            call.world(), call.caches(), asked->plan, steps, advancing,
+            call.world(), call.caches(), given->plan, steps, advancing,
             [] { return std::numeric_limits<std::int64_t>::max(); },
             [&](std::int64_t /*steps*/) {
                 call.remember_place(); // before an exception may end the work
@@ -115,7 +115,7 @@ py::dict settle(
     const CallableOrNone& on_progress
 ) {
     Stepping call(w);
-    const auto asked = read_asked(call, loading, time_step, damping, force, mode);
+    const auto given = read_request(call, loading, time_step, damping, force, mode);
     count_of(key_of("stage.settle", "max_steps"), max_steps, "max_steps");
     dem::Settling settling = dem::begin_settling(SeenWorld(call.world()));
     if (force.is_none()) {
@@ -125,7 +125,7 @@ py::dict settle(
     {
         const Working working;
         dem::settle_world(
-            call.world(), call.caches(), asked->plan, balance, max_steps, settling,
+            call.world(), call.caches(), given->plan, balance, max_steps, settling,
             [&](bool /*is_over*/) {
                 call.remember_place();
                 attention.beat("settle", settling.balance.steps);
@@ -144,7 +144,7 @@ py::dict relax(
     const CallableOrNone& on_progress
 ) {
     Stepping call(w);
-    const auto asked = read_asked(call, {}, time_step, damping, py::none(), usual_mode);
+    const auto given = read_request(call, {}, time_step, damping, py::none(), usual_mode);
     count_of(key_of("stage.settle", "max_steps"), max_steps, "max_steps");
     if (!(wanted > 0)) {
         throw CaseError(fmt::format("wanted: found {}, expected an unbalanced force above 0", wanted));
@@ -154,9 +154,9 @@ py::dict relax(
     {
         const Working working;
         const double dt =
-            asked->plan.dt > 0 ? asked->plan.dt : dem::stable_time_step(call.world(), {asked->plan.damping});
+            given->plan.dt > 0 ? given->plan.dt : dem::stable_time_step(call.world(), {given->plan.damping});
         dem::relax(
-            call.world(), call.caches(), dt, asked->plan.damping, wanted, max_steps, relaxation,
+            call.world(), call.caches(), dt, given->plan.damping, wanted, max_steps, relaxation,
             [&](std::string_view part, long long steps) {
                 call.remember_place();
                 attention.beat(part, steps);
@@ -190,7 +190,7 @@ py::dict run_triaxial(
     const std::string& mode, const CallableOrNone& on_progress
 ) {
     Stepping call(w);
-    const dem::Mode asked_mode = mode_of(mode);
+    const dem::Mode given_mode = mode_of(mode);
     triaxial::TriaxialSpec spec;
     spec.inertia = word_of(inertia, casefile::names::grain_inertia, "inertia");
     const auto key = [](const char* name) -> const casefile::Key& { return key_of("stage.triaxial", name); };
@@ -200,8 +200,8 @@ py::dict run_triaxial(
     spec.deviator_stress = optional_value_of(key("deviator_stress"), deviator_stress, "deviator_stress");
     spec.stress_ratio = optional_value_of(key("stress_ratio"), stress_ratio, "stress_ratio");
     spec.inertial_number = inertial_number_of(inertial_number);
-    const double asked_damping = damping_of(damping);
-    spec.time_step = time_step_of(time_step, asked_damping, call).value_or(0);
+    const double given_damping = damping_of(damping);
+    spec.time_step = time_step_of(time_step, given_damping, call).value_or(0);
     spec.rows = static_cast<int>(count_of(key("rows"), rows, "rows"));
     triaxial::PathState state;
     Attention attention(on_progress, call);
@@ -211,7 +211,7 @@ py::dict run_triaxial(
         const Loan loan(call, state);
         state = triaxial::begin_path(world, spec, dem::mean_stress_tensor(world));
         for (bool over = false; !over;) {
-            over = triaxial::path_burst(world, call.caches(), spec, {}, asked_damping, asked_mode, state);
+            over = triaxial::path_burst(world, call.caches(), spec, {}, given_damping, given_mode, state);
             call.remember_place();
             attention.beat("shear", state.steps);
         }
@@ -236,17 +236,17 @@ py::list run_stress_probe(
     spec.increment = value_of(key("increment"), increment, "increment");
     spec.directions = static_cast<int>(count_of(key("directions"), directions, "directions"));
     spec.unbalanced_force = value_of(key("unbalanced_force"), unbalanced_force, "unbalanced_force");
-    const double asked_damping = damping_of(damping);
-    spec.time_step = time_step_of(time_step, asked_damping, call).value_or(0);
+    const double given_damping = damping_of(damping);
+    spec.time_step = time_step_of(time_step, given_damping, call).value_or(0);
     std::vector<triaxial::StressProbe> probes;
     Attention attention(on_progress, call);
     const dem::World world = begin_copy(call);
     {
         const Working working;
         const Pulse pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };
-        const triaxial::ProbedState state = triaxial::rest_for_probes(world, spec, asked_damping, pulse);
+        const triaxial::ProbedState state = triaxial::rest_for_probes(world, spec, given_damping, pulse);
         for (int number = 0; number < directions; ++number) {
-            probes.push_back(triaxial::probe_direction(state, spec, number, asked_damping, pulse));
+            probes.push_back(triaxial::probe_direction(state, spec, number, given_damping, pulse));
         }
     }
     return to_python(nlohmann::json(probes));
@@ -260,12 +260,12 @@ void bind_steps(py::module_& m) {
         "\ntime_step: computed from the contact network, and again every 1000 steps and as contacts come, unless given"
         "\ndamping: " +
         key_doc(key_of("contact", "damping"));
-    const std::string told =
+    const std::string progress =
         "\non_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work";
     const std::string common = pace +
                                "\nforce: n x 3, on each grain from outside the skeleton [N]"
                                "\nmode: \"reference\", or \"fast\": contact law and memory in single precision" +
-                               told;
+                               progress;
     type.def(
         "step", &step, py::arg("steps"), py::arg_v("loading", cell::Loading{}, "Loading()"), py::kw_only(),
         py::arg("time_step") = py::none(), py::arg("damping") = dem::usual_damping, py::arg("force") = py::none(),
@@ -297,7 +297,7 @@ void bind_steps(py::module_& m) {
         ("Relaxes at constant volume until the unbalanced force is below `wanted`, or falls no more. Returns a "
          "dictionary: "
          "`unbalanced_force`, `steps`, `reached_floor` (it fell no more).\n" +
-         pace + told)
+         pace + progress)
             .c_str()
     );
     type.def(

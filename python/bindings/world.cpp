@@ -231,10 +231,10 @@ void bind_measures(py::class_<WorldHandle, Handle>& type) {
     type.def(
         "stable_time_step",
         [](const WorldHandle& w, double safety, const Quantity& damping) {
-            const double asked_damping = value_of(key_of("contact", "damping"), damping, "damping");
+            const double given_damping = value_of(key_of("contact", "damping"), damping, "damping");
             const Reading reading(w);
             const Released released;
-            return dem::stable_time_step(reading.world(), {asked_damping}, safety);
+            return dem::stable_time_step(reading.world(), {given_damping}, safety);
         },
         py::arg("safety") = dem::default_step_safety, py::kw_only(), py::arg("damping") = dem::usual_damping,
         "`safety` times the stability limit under this local damping, of the stiffest mode of the contact network and "

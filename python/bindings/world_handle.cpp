@@ -105,16 +105,16 @@ bool Stepping::was_moved() {
     return handle_.position_ != now.grains.position || !(handle_.h_ == now.cell.h);
 }
 
-void Stepping::check_time_step(double asked, double damping) {
+void Stepping::check_time_step(double time_step, double damping) {
     // What the check costs is some tens of steps: many calls of a few steps make it as seldom as the steps need it.
     const std::int64_t since = world().clock.step - handle_.stable_at_;
     const bool is_fresh = since >= 0 && since < dem::time_step_interval && !was_moved() &&
                           are_alike(handle_.stable_for_, world().material);
-    if (is_fresh && asked <= handle_.stable_step_ && damping <= handle_.stable_damping_) {
+    if (is_fresh && time_step <= handle_.stable_step_ && damping <= handle_.stable_damping_) {
         return;
     }
-    dem::check_time_step(world(), asked, damping);
-    handle_.stable_step_ = asked;
+    dem::check_time_step(world(), time_step, damping);
+    handle_.stable_step_ = time_step;
     handle_.stable_damping_ = damping;
     handle_.stable_for_ = world().material;
     handle_.stable_at_ = world().clock.step;

@@ -97,7 +97,7 @@ public:
     dem::World& world_for_new_rows() { return handle_.part_from_views(); }
 
     /// @param damping local [-] @throws CaseError where the sample is unstable with a time step of the caller's [s]
-    void check_time_step(double asked, double damping);
+    void check_time_step(double time_step, double damping);
 
     /// The step's caches, made afresh where motion or cell were changed by hand since the last step.
     dem::StepCaches& caches();

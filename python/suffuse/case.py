@@ -30,7 +30,7 @@ class CaseFile:
 
     @spelled
     def __init__(self, path, preset="", changes=None, studies=()):
-        self._asked_preset, self._changes, self._asked_studies = preset, dict(changes or {}), list(studies)
+        self._given_preset, self._changes, self._given_studies = preset, dict(changes or {}), list(studies)
         self._core = self._read(pathlib.Path(path), self._changes)
 
     @classmethod
@@ -40,7 +40,7 @@ class CaseFile:
 
     def _read(self, path, changes):
         texts = [f"{key}={_as_toml(value)}" for key, value in changes.items()]
-        return _core.CaseFile.load(path, self._asked_preset, texts, self._asked_studies)
+        return _core.CaseFile.load(path, self._given_preset, texts, self._given_studies)
 
     def check(self):
         """Reads the files of the case again, with the changes made since: what is doubtful, a list of Diagnostic.
@@ -113,7 +113,7 @@ class CaseFile:
 
     def __reduce__(self):
         """To another process it travels as what it was asked as, and is read again there."""
-        return type(self), (self.path, self._asked_preset, self._changes, self._asked_studies)
+        return type(self), (self.path, self._given_preset, self._changes, self._given_studies)
 
     def __repr__(self):
         return f"<suffuse.Case {str(self.path)!r}: {len(self.stages)} stages, preset {self.preset}>"

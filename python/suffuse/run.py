@@ -359,8 +359,8 @@ class Run:
                 if numbers is None or verb not in ("", numbers["verb"]):
                     continue
                 if rows == "samples":
-                    told = {f"{stage}/{key}": value for key, value in numbers_in(numbers).items()}
-                    found.setdefault(sample, head).update(told)
+                    columns = {f"{stage}/{key}": value for key, value in numbers_in(numbers).items()}
+                    found.setdefault(sample, head).update(columns)
                 elif rows == "stages":
                     found[name] = {**head, "stage": stage, "verb": numbers["verb"], **numbers_in(numbers)}
                 elif numbers["verb"] == "erode":
@@ -378,7 +378,7 @@ class Run:
         if resolved.exists():
             case = _core.CaseFile.load(resolved, "", [])
         else:  # stopped before it really began
-            case = _core.CaseFile.load(*_core.asked_run(self.folder))
+            case = _core.CaseFile.load(*_core.run_request(self.folder))
         at_once = _at_once(case, memory, self.folder, cache, until, threads)
         self.outcome = conduct(case, self.folder, until, time_limit, on_progress or on_event, threads, cache, rules, at_once)
         return self

@@ -125,14 +125,14 @@ def show_run(run):
             (name, numbers["verb"], numbers["grains"], numbers["void_ratio"], numbers["mean_stress"] / 1e3, numbers["wall_seconds"])
         )
     head = ("stage", "do", "grains", "void ratio [-]", "mean stress [kPa]", "wall time [s]")
-    told = f"<b>suffuse.Run</b> {html.escape(str(run.folder))}"
+    head_text = f"<b>suffuse.Run</b> {html.escape(str(run.folder))}"
     if (run.folder / "summary.json").exists():
         summary = run.summary
         cards = [(card["label"], card["value"], card["detail"]) for card in summary["answer"]["cards"]]
-        told += f"<p><b>{html.escape(summary['title'])}</b>. {html.escape(' '.join(summary['answer']['verdict']))}</p>"
-        told += table((), cards) if cards else ""
-        told += "".join(f"<p>&#9888; {html.escape(text)}</p>" for text in summary["flaws"])
-    return told + table(head, rows)
+        head_text += f"<p><b>{html.escape(summary['title'])}</b>. {html.escape(' '.join(summary['answer']['verdict']))}</p>"
+        head_text += table((), cards) if cards else ""
+        head_text += "".join(f"<p>&#9888; {html.escape(text)}</p>" for text in summary["flaws"])
+    return head_text + table(head, rows)
 
 
 _core.World._repr_html_ = _show_world

@@ -80,10 +80,10 @@ def test_words_of_a_case_are_taken(settled, packing):
 
 def test_a_docstring_names_arguments_that_the_call_has():
     for name in ("step", "settle", "relax"):
-        said = getattr(suffuse.World, name).__doc__
-        signature = said.splitlines()[0]
+        doc = getattr(suffuse.World, name).__doc__
+        signature = doc.splitlines()[0]
         for word in ("time_step", "damping", "force", "mode", "on_progress"):
-            assert (f"\n{word}: " in said or f"\n    {word}: " in said) == (f"{word}:" in signature), (name, word)
+            assert (f"\n{word}: " in doc or f"\n    {word}: " in doc) == (f"{word}:" in signature), (name, word)
 
 
 def test_a_cloud_of_nothing_is_refused():
@@ -99,7 +99,7 @@ def test_the_velocity_gradient_is_the_loadings(settled):
     assert settled.velocity_gradient.tolist() == gradient
 
 
-def test_a_stress_is_told_in_units_of_pressure_only():
+def test_a_stress_is_reported_in_units_of_pressure_only():
     stress = (1e5 * numpy.eye(3)).view(Tensor)
     assert stress("kPa")[0, 0] == 100
     with pytest.raises(suffuse.UnitError, match="a pressure is expected"):

@@ -27,7 +27,7 @@ def test_contacts_carry_the_stress(settled):
     assert c.compression == pytest.approx(numpy.linalg.norm(c.normal_force, axis=1), rel=1e-12)  # rounding
 
 
-def test_contacts_tell_which_slide_and_which_roll(settled):
+def test_contacts_mark_which_slide_and_which_roll(settled):
     loading = suffuse.Loading(strain_rate=(None, None, "20 1/s"), stress=("100 kPa", "100 kPa", None))
     settled.material.twisting_friction = settled.material.twisting_stiffness = 0  # the moment is that of rolling
     for mode, rounding in (("reference", 1e-12), ("fast", 1e-6)):

@@ -18,7 +18,7 @@ def described(owner):
 
 
 @pytest.mark.parametrize("kind", ["World", "Grains", "Contacts", "PoreNetwork", "Seepage", "ResolvedFlow", "Constrictions"])
-def test_every_array_tells_its_shape_and_every_number_its_unit(settled, kind):
+def test_every_array_documents_its_shape_and_every_number_its_unit(settled, kind):
     water = suffuse.seep(settled, gradient=0.05, tensor=True)
     owner = {
         "World": settled, "Grains": settled.grains, "Contacts": settled.contacts, "PoreNetwork": water.network,
@@ -36,8 +36,8 @@ def test_every_array_tells_its_shape_and_every_number_its_unit(settled, kind):
         if isinstance(value, numpy.ndarray):
             found = SHAPE.match(doc)
             assert found, f"{kind}.{name}: {doc}"
-            told = tuple(int(size) if size.isdigit() else rows[size] for size in found.group(1).split(" x "))
-            assert told == value.shape, f"{kind}.{name}: {doc}"
+            documented = tuple(int(size) if size.isdigit() else rows[size] for size in found.group(1).split(" x "))
+            assert documented == value.shape, f"{kind}.{name}: {doc}"
         if isinstance(value, float) or (isinstance(value, numpy.ndarray) and value.dtype != bool):
             assert re.search(r"\[\S.*?\]", doc), f"{kind}.{name} tells no unit: {doc}"
             count += 1

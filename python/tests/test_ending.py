@@ -75,31 +75,31 @@ def end_meanwhile(lines, seconds):
 @pytest.mark.parametrize("verb", VERBS)
 @pytest.mark.parametrize("seconds", [0, 0.15])
 def test_the_interpreter_ends_while_a_thread_computes(verb, seconds):
-    told = end_meanwhile(VERBS[verb], seconds)
-    assert (told.returncode, told.stderr) == (0, "")
+    done = end_meanwhile(VERBS[verb], seconds)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_a_run_of_a_daemon_thread_is_saved_when_the_interpreter_ends(small_case, tmp_path):
     text = re.sub("steps( *)= 200", r"steps\1= 1_000_000_000", small_case.read_text())
     small_case.write_text(text)
-    tell = "def tell(progress):\n    if progress['verb'] == 'advance': begun.set()\n"
+    listing = "def tell(progress):\n    if progress['verb'] == 'advance': begun.set()\n"
     run = f"work = lambda: suffuse.Case({str(small_case)!r}).run({str(tmp_path / 'run')!r}, on_progress=tell)"
-    told = end_meanwhile(tell + run, 0)
-    assert (told.returncode, told.stderr) == (0, "")
+    done = end_meanwhile(listing + run, 0)
+    assert (done.returncode, done.stderr) == (0, "")
     assert "1_000_000_000" in text and list((tmp_path / "run").glob("**/partial.h5")), "a resume goes on from there"
 
 
 def test_work_of_the_thread_that_ends_the_interpreter_goes_on():
     lines = "import atexit\n" + HEAD  # registered before suffuse is imported: called after what it registers
     lines = lines.replace("import atexit\n", "import atexit\natexit.register(lambda: print(world.step(5, time_step=1e-12).shape))\n")
-    told = subprocess.run([sys.executable, "-W", "ignore", "-c", lines], capture_output=True, text=True, timeout=300)
-    assert (told.returncode, told.stdout, told.stderr) == (0, "(3, 3)\n", "")
+    done = subprocess.run([sys.executable, "-W", "ignore", "-c", lines], capture_output=True, text=True, timeout=300)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "(3, 3)\n", "")
 
 
 def test_a_process_that_was_forked_waits_for_no_thread_of_its_parent():
     lines = VERBS["step"] + TAIL + "child = os.fork()\nif child: assert os.waitpid(child, 0)[1] == 0\n"
-    told = subprocess.run([sys.executable, "-W", "ignore", "-c", HEAD + lines, "0"], capture_output=True, text=True, timeout=300)
-    assert (told.returncode, told.stderr) == (0, "")
+    done = subprocess.run([sys.executable, "-W", "ignore", "-c", HEAD + lines, "0"], capture_output=True, text=True, timeout=300)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 class Enough(Exception):

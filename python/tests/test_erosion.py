@@ -21,7 +21,7 @@ def none_of_them(probe):
     return numpy.zeros(len(probe), bool)
 
 
-def test_a_rule_of_ones_own_decides_which_fines_leave(soil):
+def test_a_custom_rule_decides_which_fines_leave(soil):
     seen = []
 
     def rule(probe):
@@ -93,7 +93,7 @@ def test_arrays_taken_in_a_rule_keep_the_rows_of_before(soil):
     assert len(kept[0]) == 500 and (kept[0] > 0).all() and len(soil.grains.radius) < 500
 
 
-def test_a_run_with_a_rule_of_ones_own_says_so(eroding_case, tmp_path):
+def test_a_run_with_a_custom_rule_says_so(eroding_case, tmp_path):
     case = suffuse.Case(eroding_case)
     run = case.run(tmp_path / "run", rules={"eroded": lightly_held})
     stage = run["erosion/eroded"]
@@ -102,8 +102,8 @@ def test_a_run_with_a_rule_of_ones_own_says_so(eroding_case, tmp_path):
     assert any("rule of the caller's own, lightly_held" in text for text in run.summary["warnings"])
     assert "erosion/eroded by the rule lightly_held" in run.provenance["command"]
     assert "own_rule" not in run["erosion/settled"].numbers
-    told = json.loads((tmp_path / "run" / "own_rules.json").read_text())
-    assert told["erosion/eroded"]["name"] == "lightly_held"
+    own_rules = json.loads((tmp_path / "run" / "own_rules.json").read_text())
+    assert own_rules["erosion/eroded"]["name"] == "lightly_held"
     assert "decided which fines are detachable" in run.report.read_text()
 
 

@@ -57,6 +57,6 @@ def test_twenty_lines(tmp_path):
 
 def test_every_example_is_tested_and_listed():
     names = {path.name for path in FOLDER.glob("*.py")}
-    told = (FOLDER / "README.md").read_text()
+    page = (FOLDER / "README.md").read_text()
     here = pathlib.Path(__file__).read_text()
-    assert names and all(name in told and name in here for name in names)
+    assert names and all(name in page and name in here for name in names)

@@ -39,7 +39,7 @@ def test_the_version_is_one():
     assert suffuse.__version__ == cited == newest
 
 
-def test_the_citation_has_what_journals_ask_for():
+def test_the_citation_has_what_journals_require():
     citation = (ROOT / "CITATION.cff").read_text()
     fields = dict(re.findall(r"^([a-z-]+): *(.*)$", citation, re.M))
     assert fields["cff-version"] == "1.2.0"

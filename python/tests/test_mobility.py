@@ -18,7 +18,7 @@ def pocket():
 def test_a_grain_in_a_pocket_is_lifted_before_the_soil_heaves():
     world = pocket()
     before = numpy.array(world.grains.position)
-    found = world.mobility([0.02, 0.1, 0.2], asked_gradient=0.1)
+    found = world.mobility([0.02, 0.1, 0.2], specified_gradient=0.1)
     assert numpy.array_equal(world.grains.position, before), "the world itself stays"
     assert numpy.isnan(found["mobile_gradient"][numpy.array(world.grains.fine) == 0]).all()
     assert {0.02, 0.1, 0.2} <= set(found["gradient"])
@@ -39,7 +39,7 @@ def test_the_motion_of_the_fines_has_keys():
     assert (pocket().mobility([0.02, 0.2], moved=10, hold_at_most=4)["mobile_mass_share"] == 0).all()
 
 
-def test_what_cannot_be_is_told():
+def test_impossible_input_is_reported():
     with pytest.raises(suffuse.CaseError, match="hold_at_most"):
         pocket().mobility([0.1], hold_at_most=1)
     with pytest.raises(suffuse.CaseError, match="above the one before"):

@@ -41,5 +41,5 @@ def test_a_notebook_is_kept_without_outputs(path):
 
 
 def test_every_notebook_is_listed():
-    told = (FOLDER / "README.md").read_text()
-    assert len(BOOKS) == 3 and all(path.name in told for path in BOOKS)
+    notebook_page = (FOLDER / "README.md").read_text()
+    assert len(BOOKS) == 3 and all(path.name in notebook_page for path in BOOKS)

@@ -52,7 +52,7 @@ def test_what_is_not_used_is_warned_of(tmp_path):
         suffuse.read_packing(tmp_path / "p.csv", cell=(1, 1, 1))
 
 
-def test_a_file_without_a_cell_asks_for_it(tmp_path):
+def test_a_file_without_a_cell_requires_one(tmp_path):
     (tmp_path / "p.csv").write_text("x,y,z,r\n0.5,0.5,0.5,0.03\n")
     with pytest.raises(suffuse.CaseError, match="carries no cell; give cell="):
         suffuse.read_packing(tmp_path / "p.csv")
@@ -107,7 +107,7 @@ def test_a_cloud_is_the_same_for_a_seed_and_can_be_compacted():
     assert cloud.measure()["stiffness_to_pressure"] == pytest.approx(cloud.material.modulus / 2 / cloud.mean_stress)
 
 
-def test_shear_stresses_are_released_where_asked():
+def test_shear_stresses_are_released_on_request():
     cloud = suffuse.make_cloud(numpy.full(200, 1e-4), porosity=0.65, seed=3)
     cloud.compact("100 kPa", protocol="swift", shear_stresses="released")
     released = suffuse.Loading(stress="120 kPa", shear_stresses="released")

@@ -74,5 +74,5 @@ def test_ways_around_are_refused(objects):
 def test_a_class_of_the_callers_travels_too():
     lines = "import pickle, suffuse\nclass Soil(suffuse.Material): pass\n"
     lines += "for p in range(6): assert type(pickle.loads(pickle.dumps(Soil(), p))) is Soil"
-    told = subprocess.run([sys.executable, "-c", lines], capture_output=True, text=True)
-    assert told.returncode == 0, told.stderr
+    done = subprocess.run([sys.executable, "-c", lines], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr

@@ -1,4 +1,4 @@
-"""Documents and comments read well: tools/prose.py finds no sentence that is too long, and no word that is odd."""
+"""Documents, comments and names read well: tools/prose.py finds no sentence that is too long, and no odd word or name."""
 
 import importlib
 import os
@@ -35,7 +35,16 @@ def test_a_long_sentence_is_found_and_code_counts_as_one_word(prose):
 def test_a_listed_word_is_found_in_documents_and_in_comments_alone(prose):
     assert [line for line, _, _ in prose.findings("page.md", "One.\nThe user is\ntold, `is told`.\n")] == [2]
     assert [line for line, _, _ in prose.findings("page.md", "It hangs on\nwhat stands beside it, `beside`.\n")] == [1, 2]
-    source = 'int heed(); // heeds\nauto text = "// whoever"; /* it is told */\n// They are told apart as is\n// told.\n'
+    source = 'int n(); // heeds\nauto text = "// whoever"; /* it is told */\n// They are told apart as is\n// told.\n'
     assert [line for line, _, _ in prose.findings("file.cpp", source)] == [1, 2, 3]
-    script = '"""Reckons."""\nheed = "# whoever"  # are told\n'
+    script = '"""Reckons."""\nn = "# whoever"  # are told\n'
     assert [line for line, _, _ in prose.findings("file.py", script)] == [1, 2]
+
+
+def test_an_odd_name_is_found_in_sources_but_not_in_strings_and_not_where_it_is_a_key(prose):
+    source = 'int most_told; // told\nauto key = "asked", text = R"(heed\nwish)"; stream.tellg();\nvoid tellPlan(Stranger beside2);\n'
+    assert [(line, kind, start) for line, kind, start in prose.findings("file.cpp", source)] == [
+        (1, "name", "most_told"), (4, "name", "tellPlan"), (4, "name", "Stranger"), (4, "name", "beside2")]
+    assert [line for line, _, _ in prose.findings("file.mjs", "show(`asked ${value}`);\nconst asked = 'told';\n")] == [2]
+    assert not list(prose.findings("file.py", "world.mobility(asked_gradient=0.2)  # besides, a mask\nmasked = basket\n"))
+    assert [kind for _, kind, _ in prose.findings("measure_asked.hpp", "")] == ["name"]

@@ -20,7 +20,7 @@ from suffuse.run import page_folder
 PROGRAM = os.environ["SUFFUSE_PROGRAM"]
 
 
-def test_an_imported_stage_tells_its_contacts(small_case, tmp_path):
+def test_an_imported_stage_has_its_contacts(small_case, tmp_path):
     run = suffuse.Case(small_case).run(tmp_path / "run", until="start")
     start = run["replay/start"]
     assert start["contacts"] == len(start.contacts) > 500 and 0 < start.rattlers < 500
@@ -37,14 +37,14 @@ def test_a_case_is_read_checked_and_priced(small_case):
     assert "[contact]" in case.resolved
 
 
-def test_all_that_is_wrong_is_told_at_once_with_places(small_case):
+def test_all_that_is_wrong_is_reported_at_once_with_places(small_case):
     small_case.write_text(small_case.read_text().replace("friction", "frction").replace('"100 kPa"', "100"))
     with pytest.raises(suffuse.CaseProblems) as raised:
         suffuse.Case(small_case)
     problems = raised.value.problems
     assert len(problems) >= 2 and all(problem.line > 0 and problem.code for problem in problems)
-    told = subprocess.run([PROGRAM, "check", small_case], capture_output=True, text=True, check=False)
-    assert str(raised.value).strip() in told.stderr  # the same words as the program's
+    checked = subprocess.run([PROGRAM, "check", small_case], capture_output=True, text=True, check=False)
+    assert str(raised.value).strip() in checked.stderr  # the same words as the program's
     assert suffuse.explain(problems[0].code)
     sent = pickle.loads(pickle.dumps(raised.value))  # as a process of a pool sends it home
     assert str(sent) == str(raised.value) and [str(one) for one in sent.problems] == [str(one) for one in problems]
@@ -60,9 +60,9 @@ def test_bytes_that_are_no_text_are_an_error_of_the_case(small_case):
 
 
 def test_a_run_is_that_of_the_program(small_case, tmp_path):
-    told = []
-    run = suffuse.Case(small_case).run(tmp_path / "ours", on_progress=told.append)
-    assert run.outcome == "done" and [p["stage"] for p in told if p["stage_finished"]][-1] == "seep"
+    events = []
+    run = suffuse.Case(small_case).run(tmp_path / "ours", on_progress=events.append)
+    assert run.outcome == "done" and [p["stage"] for p in events if p["stage_finished"]][-1] == "seep"
     subprocess.run(
         [PROGRAM, "run", small_case, "-o", tmp_path / "theirs", "-q"], check=True, capture_output=True
     )
@@ -124,10 +124,10 @@ def test_an_exception_of_the_progress_function_saves_and_stops(small_case, tmp_p
 
     with pytest.raises(ZeroDivisionError):
         suffuse.Case(small_case).run(tmp_path / "run", on_progress=stop)
-    told = []
-    run = suffuse.Run(tmp_path / "run").resume(threads=1, on_event=told.append)
-    if told:  # the function is heard beside the work, which may have ended meanwhile: then nothing was left to do
-        assert told[-1]["sample_ended"] and told[-1]["failure"] is None
+    events = []
+    run = suffuse.Run(tmp_path / "run").resume(threads=1, on_event=events.append)
+    if events:  # the function is heard beside the work, which may have ended meanwhile: then nothing was left to do
+        assert events[-1]["sample_ended"] and events[-1]["failure"] is None
     whole = suffuse.Case(small_case).run(tmp_path / "whole")
     assert run["replay/seep"]["state_hash"] == whole["replay/seep"]["state_hash"]
 
@@ -203,21 +203,21 @@ def test_keys_are_set_to_dictionaries_and_arrays(small_case):
         case.change({"study.replay.stage.compressed.record": {"evry": 50}})
 
 
-def test_a_failure_is_told_while_the_run_goes_on(small_case, tmp_path):
-    told = []
+def test_a_failure_is_reported_while_the_run_goes_on(small_case, tmp_path):
+    events = []
     packing = small_case.parent / "packing.csv"
     case = suffuse.Case(small_case)
     packing.write_text("x,y,z,r\n1,2,3,0\n")
-    run = case.run(tmp_path / "run", on_event=told.append)
+    run = case.run(tmp_path / "run", on_event=events.append)
     assert run.outcome == "failed in part"
-    assert [p["failure"] for p in told if p["sample_ended"]][0].startswith(str(packing))
+    assert [p["failure"] for p in events if p["sample_ended"]][0].startswith(str(packing))
 
 
 def test_a_cache_spares_what_was_run_before(small_case, tmp_path):
     first = suffuse.Case(small_case).run(tmp_path / "first", cache=tmp_path / "cache", until="settled")
-    told = []
-    second = suffuse.Case(small_case).run(tmp_path / "second", cache=tmp_path / "cache", until="settled", on_progress=told.append)
-    assert any(p["from_cache"] for p in told)
+    events = []
+    second = suffuse.Case(small_case).run(tmp_path / "second", cache=tmp_path / "cache", until="settled", on_progress=events.append)
+    assert any(p["from_cache"] for p in events)
     assert first["replay/settled"]["state_hash"] == second["replay/settled"]["state_hash"]
 
 
@@ -229,7 +229,7 @@ def test_a_misspelt_number_is_answered_with_the_nearest(small_case, tmp_path):
         stage.cordination
 
 
-def test_what_a_run_has_not_is_told_with_what_it_has(small_case, tmp_path):
+def test_what_a_run_has_not_is_reported_with_what_it_has(small_case, tmp_path):
     run = suffuse.Case(small_case).run(tmp_path / "run", until="settled")
     with pytest.raises(KeyError, match="has not come to it: run.resume.*finished: replay/start, replay/settled"):
         run["replay/seep"]

@@ -98,7 +98,7 @@ def test_a_changed_result_is_found_in_json_and_in_cbor(compare, sides):
     assert wrong["run/studies/replay/seep/results.cbor"] == ["throat_flux/throats", "throat_flux/throatz"]
 
 
-def test_a_file_and_a_key_that_only_one_side_has_are_told(compare, sides):
+def test_a_file_and_a_key_that_only_one_side_has_are_reported(compare, sides):
     (stage(sides, "seep") / "pores.csv").unlink()
     change_json(stage(sides, "seep") / "stage.json", lambda tree: tree.update(digest="f00d"))
     seep = "run/studies/replay/seep"

@@ -22,7 +22,7 @@ def test_a_sample_that_loses_its_stress_has_collapsed(settled):
     assert not again["collapsed"] and settled.mean_stress == pytest.approx(100e3, rel=5e-3)
 
 
-def test_what_has_no_stress_to_lower_is_not_told_to(settled):
+def test_a_sample_without_stress_is_not_lowered(settled):
     settled.grains.velocity = numpy.random.default_rng(1).normal(size=(500, 3))
     with pytest.raises(suffuse.StateError, match="no stress is held"):
         settled.settle(max_steps=50)

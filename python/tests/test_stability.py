@@ -22,10 +22,10 @@ def dyke(tmp_path):
 
 def test_says_what_the_program_says(dyke):
     ours = suffuse.assess(dyke, gradient=0.3)
-    told = subprocess.run(
+    printed = subprocess.run(
         [PROGRAM, "assess", dyke, "-i", "0.3", "--json"], check=True, capture_output=True, text=True
     ).stdout
-    theirs = json.loads(told)["soils"][0]
+    theirs = json.loads(printed)["soils"][0]
     assert {key: ours[key] for key in theirs} == theirs
     assert ours.verdict("kenney-lau-1986") == "unstable" and ours.verdict("terzaghi") == "stable"
     assert "Kezdi" in str(ours)

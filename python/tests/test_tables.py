@@ -83,7 +83,7 @@ def test_rows_lack_what_others_have():
 
 
 def test_units_follow_the_object_that_a_number_is_in():
-    told = {
+    units = {
         "wall_seconds.constrictions": "s", "constrictions": "-", "constrictions_by_merge.none.mean": "m",
         "constrictions_by_merge.none.count": "-", "flow_before.known_error.permeability": "-", "response.energy.work": "J/m3",
         "response.instability.q": "Pa", "permeability_before": "m2", "shear/response.stiffness": "Pa", "time/void_ratio": "-",
@@ -92,7 +92,7 @@ def test_units_follow_the_object_that_a_number_is_in():
         "measured.constrictions.mean": "m", "measured.constrictions.d35": "m", "measured.constrictions.count": "-",
         "wall_seconds.constrictions": "s", "probe.viscous_time": "s", "transport.filter_coefficient": "1/m",
     }
-    assert {name: unit_of(name) for name in told} == told
+    assert {name: unit_of(name) for name in units} == units
 
 
 def test_a_table_without_rows_keeps_its_columns(tmp_path):
@@ -127,9 +127,9 @@ def test_a_notebook_shows_numbers_of_a_run_a_plan_a_world_and_a_table(run, settl
     page = run._repr_html_()
     assert "replay/compressed" in page and run.summary["title"] in page and "<table>" in page
     assert "replay/settled" in run.case().plan()._repr_html_()
-    told = settled._repr_html_()
-    assert ">500<" in told and f"{settled.void_ratio:.5g}" in told
-    assert '<td style="text-align:right">500</td>' in told and '<td style="text-align:left">grains</td>' in told
+    page = settled._repr_html_()
+    assert ">500<" in page and f"{settled.void_ratio:.5g}" in page
+    assert '<td style="text-align:right">500</td>' in page and '<td style="text-align:left">grains</td>' in page
     water = suffuse.seep(settled, gradient=0.1)
     assert f">{water.permeability:.5g}<" in water._repr_html_() and ">network<" in water._repr_html_()
     assert "mean_stress [Pa]" in run.table()._repr_html_()

@@ -17,17 +17,17 @@ class Enough(Exception):
     """Ends a step from its on_progress."""
 
 
-def step_in_a_thread(world, tell):
+def step_in_a_thread(world, listener):
     def step():
         with pytest.raises(Enough):
-            world.step(10**9, time_step=4e-8, on_progress=tell)
+            world.step(10**9, time_step=4e-8, on_progress=listener)
 
     thread = threading.Thread(target=step)
     thread.start()
     return thread
 
 
-def what_it_says(world):
+def message_of(world):
     return world.mean_stress, world.balance["kinetic_energy"], world.hash, world.grains.coordination.sum()
 
 
@@ -56,7 +56,7 @@ def test_fewer_than_no_threads_are_refused():
 
 def test_a_world_is_read_while_another_one_steps(clones, two_threads):
     stepped, straight = clones.copy(), clones.copy()
-    truth, begun, enough, bursts = what_it_says(clones), threading.Event(), threading.Event(), []
+    truth, begun, enough, bursts = message_of(clones), threading.Event(), threading.Event(), []
 
     def step():
         while not enough.is_set():
@@ -69,7 +69,7 @@ def test_a_world_is_read_while_another_one_steps(clones, two_threads):
     begun.wait()
     try:
         for _ in range(20):
-            assert what_it_says(clones) == truth
+            assert message_of(clones) == truth
     finally:
         enough.set()
         thread.join()
@@ -78,10 +78,10 @@ def test_a_world_is_read_while_another_one_steps(clones, two_threads):
 
 
 def test_progress_of_a_run_may_look_at_a_world(clones, small_case, tmp_path, two_threads):
-    truth, looks = what_it_says(clones), []
+    truth, looks = message_of(clones), []
 
     def look(progress):
-        looks.append(what_it_says(clones) == truth)
+        looks.append(message_of(clones) == truth)
         clones.save(tmp_path / "state.h5")  # does not wait for the run
         suffuse.set_threads(2)
 
@@ -92,7 +92,7 @@ def test_progress_of_a_run_may_look_at_a_world(clones, small_case, tmp_path, two
 def test_a_world_that_is_stepped_is_refused_to_other_threads(settled, tmp_path):
     stepping, looked, enough = threading.Event(), [], threading.Event()
 
-    def tell(part, steps):
+    def listener(part, steps):
         looked.append(settled.mean_stress)  # by who steps it, between two bursts
         for change in (lambda: settled.remove([0]), settled.sort, lambda: settled.step(1), settled.settle):
             with pytest.raises(suffuse.StateError, match="in use by another call"):
@@ -101,18 +101,18 @@ def test_a_world_that_is_stepped_is_refused_to_other_threads(settled, tmp_path):
         if enough.is_set():
             raise Enough
 
-    thread = step_in_a_thread(settled, tell)
+    thread = step_in_a_thread(settled, listener)
     stepping.wait()
     refused, rounds, limit = 0, 0, time.monotonic() + 120
-    asked = (
+    calls = (
         lambda: settled.hash, lambda: settled.copy(), lambda: settled.contacts, lambda: settled.grains.position,
         lambda: settled.remove([0]), lambda: settled.step(1), lambda: settled.save(tmp_path / "state.h5"),
     )
     while rounds < 20 or (refused == 0 and time.monotonic() < limit):
         rounds += 1
-        for ask in asked:
+        for call in calls:
             try:
-                ask()
+                call()
             except suffuse.StateError as error:
                 refused += "in use by another call" in str(error)
             repr(settled)  # never refused
@@ -158,14 +158,14 @@ def join(target):
 
 
 def test_a_function_of_progress_may_wait_for_a_thread_that_steps_another_world(settled, packing):
-    def tell(part, steps):
+    def listener(part, steps):
         join(lambda: packing.step(5, time_step=1e-9))
         raise Enough
 
     straight = packing.copy()
     straight.step(5, time_step=1e-9)
     with pytest.raises(Enough):
-        settled.step(10**9, time_step=4e-8, on_progress=tell)
+        settled.step(10**9, time_step=4e-8, on_progress=listener)
     assert packing.hash == straight.hash
     settled.step(1, time_step=4e-8)  # the turn is free again
 
@@ -201,8 +201,8 @@ while True:  # until that steps
 
 
 def test_waiting_for_another_threads_steps_answers_to_ctrl_c():
-    told = subprocess.run([sys.executable, "-c", WAITING, PACKING], capture_output=True, text=True, timeout=120)
-    assert told.stdout == "interrupted", told.stderr
+    done = subprocess.run([sys.executable, "-c", WAITING, PACKING], capture_output=True, text=True, timeout=120)
+    assert done.stdout == "interrupted", done.stderr
 
 
 def test_a_cloud_of_many_grains_answers_to_ctrl_c():

@@ -120,12 +120,12 @@ def test_a_world_that_is_stepped_is_not_sent_half_done(settled):
 
     sent = []
 
-    def tell(part, steps):
+    def listener(part, steps):
         sent.append((there_and_back(settled).hash, settled.hash))  # between two bursts
         raise Enough
 
     with pytest.raises(Enough):
-        settled.step(10**9, time_step=4e-8, on_progress=tell)
+        settled.step(10**9, time_step=4e-8, on_progress=listener)
     assert sent[0][0] == sent[0][1]
 
 

@@ -10,9 +10,9 @@ from suffuse import _core
 FOLDER = pathlib.Path(suffuse.__file__).parent
 
 
-def test_the_types_of_the_compiled_half_are_told():
-    told = ast.parse((FOLDER / "_core.pyi").read_text())
-    names = {one.name: one for one in told.body if isinstance(one, (ast.ClassDef, ast.FunctionDef))}
+def test_the_types_of_the_compiled_half_are_documented():
+    stubs = ast.parse((FOLDER / "_core.pyi").read_text())
+    names = {one.name: one for one in stubs.body if isinstance(one, (ast.ClassDef, ast.FunctionDef))}
     for name, one in vars(_core).items():
         if not name.startswith("__"):
             assert name in names, name
@@ -40,7 +40,7 @@ def test_names_are_where_users_find_them():
     assert list(inspect.signature(suffuse.seep).parameters)[3:7] == ["gradient", "direction", "fluid", "tensor"]
 
 
-def test_what_is_printed_tells_what_it_is(settled):
+def test_what_is_printed_names_what_it_is(settled):
     water = suffuse.seep(settled, gradient=0.05)
     for one in (settled, settled.grains, settled.contacts, water, water.network, suffuse.constrictions(settled)):
         assert " object at 0x" not in repr(one)

@@ -60,7 +60,7 @@ def test_water_moves_from_pore_to_pore_as_it_does_on_the_whole(packing):
     assert numpy.isnan(suffuse.seep(packing).tortuosity)  # at rest
 
 
-def test_water_tells_whether_it_is_slow_enough_for_a_flow_without_inertia(packing, small_case, tmp_path):
+def test_water_reports_whether_it_is_slow_enough_for_a_flow_without_inertia(packing, small_case, tmp_path):
     water = suffuse.seep(packing, gradient=0.05, direction="x")
     radius = packing.grains.radius
     sauter = 2 * (radius**3).sum() / (radius**2).sum()
@@ -169,7 +169,7 @@ def test_a_permeability_that_a_grain_raises_is_warned_of():
     assert alone.raised_by_fines is None
 
 
-def test_resolved_flow_carries_the_whole_gradient_and_tells_its_grid():
+def test_resolved_flow_carries_the_whole_gradient_and_reports_its_grid():
     position = [(0.1, 0.2, 0.3), (0.7, 0.6, 0.9), (0.4, 0.75, 0.35)]
     flow = suffuse.resolve_flow(numpy.eye(3), position, [0.3, 0.3, 0.15], gradient=0.3, direction="-x", boxes_across=8)
     assert numpy.allclose(flow.force_sum, -flow.pressure_gradient, rtol=1e-12)

@@ -173,19 +173,19 @@ def test_two_threads_of_python_may_compute_at_once(settled):
     assert len({world.hash for world in worlds}) == 1
 
 
-def test_progress_is_told_and_may_end_the_work(settled):
-    told = []
+def test_progress_is_reported_and_may_end_the_work(settled):
+    reported_calls = []
 
     class Enough(Exception):
         pass
 
-    def tell(part, steps):
-        told.append((part, steps))
+    def listener(part, steps):
+        reported_calls.append((part, steps))
         raise Enough
 
     with pytest.raises(Enough):
-        settled.step(10**9, on_progress=tell)
-    assert told[0][0] == "step" and told[0][1] > 0
+        settled.step(10**9, on_progress=listener)
+    assert reported_calls[0][0] == "step" and reported_calls[0][1] > 0
     settled.step(10)  # the world goes on from where it was
 
 
@@ -256,12 +256,12 @@ def test_an_interrupted_compaction_leaves_nothing_that_it_lent(adhesion):
     class Enough(Exception):
         pass
 
-    def tell(part, steps):
+    def listener(part, steps):
         lent.append(not has_its_own_masses(cloud) and repr(cloud.material) != before)
         raise Enough
 
     with pytest.raises(Enough):  # at this rate it would take for ever: progress comes, however fast the machine
-        cloud.compact("100 kPa", friction="5 deg", adhesion_normal=adhesion, max_rate="1e-6 1/s", on_progress=tell)
+        cloud.compact("100 kPa", friction="5 deg", adhesion_normal=adhesion, max_rate="1e-6 1/s", on_progress=listener)
     assert lent == [True]
     assert has_its_own_masses(cloud) and repr(cloud.material) == before
     cloud.step(100)
@@ -283,7 +283,7 @@ def test_a_void_ratio_is_met_by_searching_the_preparation(cloud):
 
 
 def test_arguments_of_a_compaction_are_held_to_their_ranges_and_to_each_other(cloud):
-    for wrong, said in (
+    for wrong, message in (
         ({"pressure": 0}, "pressure: found 0 .*above 0"),
         ({"friction": 30}, "friction: found 30 rad, .*below 90 deg"),
         ({"adhesion_shear": "-1 kPa"}, "adhesion_shear: found"),
@@ -291,14 +291,14 @@ def test_arguments_of_a_compaction_are_held_to_their_ranges_and_to_each_other(cl
         ({"void_ratio": 0.7, "void_ratio_tolerance": 0}, "void_ratio_tolerance: found 0"),
         ({"void_ratio": 0.7, "friction": "10 deg"}, "friction: found .*, beside a void_ratio, .*faithful.* searches the friction"),
     ):
-        with pytest.raises(suffuse.CaseError, match=said):
+        with pytest.raises(suffuse.CaseError, match=message):
             cloud.compact(**{"pressure": "100 kPa", **wrong})
 
 
 def test_a_triaxial_test_without_stress_or_pace_is_refused(cloud, settled):
     with pytest.raises(suffuse.StateError, match="carries a stress"):
         cloud.triaxial()
-    for wrong, said in (
+    for wrong, message in (
         ({"inertial_number": 0}, "above 0"),
         ({"strain": 0}, "strain: .*above 0 and at most 2"),
         ({"strain": 20}, "strain: .*at most 2"),  # percent were meant
@@ -309,7 +309,7 @@ def test_a_triaxial_test_without_stress_or_pace_is_refused(cloud, settled):
         ({"stress_ratio": 0.5, "deviator_stress": "50 kPa"}, "keep one of them"),
         ({"path": "constant-deviator", "deviator_stress": "50 kPa"}, "give stress_ratio instead"),
     ):
-        with pytest.raises(suffuse.CaseError, match=said):
+        with pytest.raises(suffuse.CaseError, match=message):
             settled.triaxial(**wrong)
 
 

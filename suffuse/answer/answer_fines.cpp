@@ -47,7 +47,7 @@ std::optional<Reading> at(const std::vector<Reading>& all, double fines_content)
     return found == all.end() ? std::nullopt : std::optional(*found);
 }
 
-std::string asked(const study::FinesSweep& sweep) {
+std::string conditions(const study::FinesSweep& sweep) {
     const FinesStudy& study = sweep.curves;
     const auto pressure = readings(study, study.loose, "mean_stress");
     const auto grains = readings(study, study.loose, "grains");
@@ -162,7 +162,7 @@ std::string strength(const study::FinesSweep& sweep) {
 
 std::vector<std::string> answer_of_fines(const study::FinesSweep& sweep) {
     std::vector<std::string> sentences = {
-        asked(sweep), density(sweep.curves), structure(sweep.curves), contacts(sweep.curves), strength(sweep)};
+        conditions(sweep), density(sweep.curves), structure(sweep.curves), contacts(sweep.curves), strength(sweep)};
     std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
     return sentences;
 }

@@ -18,7 +18,7 @@ study::SweepPoint point_at(double content, const char* number, double value) {
     return point;
 }
 
-TEST(FinesFindings, AThresholdThatCannotBePlacedIsSaidToBeNone) {
+TEST(FinesFindings, AThresholdThatCannotBeLocatedIsReportedAsNone) {
     study::FinesResults results;
     for (const double content : {0.0, 0.1, 0.2, 0.3, 1.0}) {
         results.loose.points.push_back(point_at(content, "void_ratio", (content - 0.35) * (content - 0.35)));
@@ -36,7 +36,7 @@ TEST(FinesFindings, AThresholdThatCannotBePlacedIsSaidToBeNone) {
 }
 
 TEST(FinesAnswer, ALeastVoidRatioAtTheFirstFinesContentIsNoFall) {
-    const auto told = [](const std::vector<double>& void_ratios) {
+    const auto reported = [](const std::vector<double>& void_ratios) {
         casefile::Study study;
         study::FinesSweep sweep{.study = &study};
         double content = 0.4;
@@ -48,12 +48,14 @@ TEST(FinesAnswer, ALeastVoidRatioAtTheFirstFinesContentIsNoFall) {
         return answer_of_fines(sweep).front();
     };
     EXPECT_EQ(
-        told({0.9, 0.8, 1}), "The void ratio of the loose state falls from 0.9 at FC = 40 % to its least, 0.8, at FC = "
-                             "60 %."
+        reported({0.9, 0.8, 1}),
+        "The void ratio of the loose state falls from 0.9 at FC = 40 % to its least, 0.8, at FC = "
+        "60 %."
     );
     EXPECT_EQ(
-        told({0.8, 0.9, 1}), "The void ratio of the loose state is 1 at FC = 80 % and has its least, 0.8, at FC = 40 "
-                             "%."
+        reported({0.8, 0.9, 1}),
+        "The void ratio of the loose state is 1 at FC = 80 % and has its least, 0.8, at FC = 40 "
+        "%."
     );
 }
 

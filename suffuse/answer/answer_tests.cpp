@@ -15,7 +15,7 @@ using nlohmann::json;
 
 /// "75.17 kPa at 1.8 % axial strain", or between which values those of samples lie that differ in their seed only.
 /// @param pressure, strain keys of a response that stand in the sentence
-std::string tell_peaks(const std::vector<json>& responses, const char* pressure, const char* strain) {
+std::string describe_peaks(const std::vector<json>& responses, const char* pressure, const char* strain) {
     const auto kilopascals = [&](const json& response) { return response.at(pressure).get<double>() / 1e3; };
     if (responses.size() == 1) {
         const json& only = responses.front();
@@ -34,7 +34,7 @@ std::string tell_peaks(const std::vector<json>& responses, const char* pressure,
 }
 
 /// " (2 of them liquefied)", " (and collapsed at 1.1 % axial strain)"; empty where nothing of the kind happened.
-std::string tell_failures(const std::vector<json>& responses) {
+std::string describe_failures(const std::vector<json>& responses) {
     const auto liquefied =
         std::ranges::count_if(responses, [](const json& r) { return r.value("liquefied", json()) == true; });
     const auto lost = std::ranges::count_if(responses, [](const json& r) {
@@ -55,7 +55,7 @@ std::string tell_failures(const std::vector<json>& responses) {
 }
 
 /// The responses of a test, of all seeds.
-struct ToldTest {
+struct ReportedTest {
     const casefile::Study* study;
     std::string name;    ///< with the values of a sweep
     bool holds_deviator; ///< and fails by its pore pressure
@@ -63,7 +63,7 @@ struct ToldTest {
 };
 
 /// Tests that were compared have their sentence already; those that stop at a stress lead to a state, not a strength.
-bool is_told_alone(const record::FinishedStage& stage, const std::vector<study::StrengthChange>& strength) {
+bool is_reported_alone(const record::FinishedStage& stage, const std::vector<study::StrengthChange>& strength) {
     const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
     const bool stops = spec != nullptr && spec->stops_at_stress();
     return !stops && std::ranges::none_of(strength, [&](const study::StrengthChange& change) {
@@ -80,23 +80,23 @@ std::string name_of_test(const record::FinishedStage& stage) {
 }
 
 /// Those of a sweep get sentences as long as they are few; over fines contents a curve shows them.
-bool too_many_to_tell(const std::vector<ToldTest>& tests, const casefile::Study& study) {
-    constexpr auto most_told = 4;
+bool too_many_to_report(const std::vector<ReportedTest>& tests, const casefile::Study& study) {
+    constexpr auto most_reported = 4;
     return !study.sweep.empty() &&
-           (std::ranges::count(tests, &study, &ToldTest::study) > most_told ||
+           (std::ranges::count(tests, &study, &ReportedTest::study) > most_reported ||
             std::ranges::any_of(study.sweep, [](const auto& swept) { return swept.key == "fines_content"; }));
 }
 
-std::vector<ToldTest> gather_told_tests(
+std::vector<ReportedTest> gather_reported_tests(
     const std::vector<record::FinishedStage>& stages, const std::vector<study::StrengthChange>& strength
 ) {
-    std::vector<ToldTest> tests;
+    std::vector<ReportedTest> tests;
     for (const record::FinishedStage& stage : stages) {
-        if (!stage.numbers.contains("response") || !is_told_alone(stage, strength)) {
+        if (!stage.numbers.contains("response") || !is_reported_alone(stage, strength)) {
             continue;
         }
         const std::string name = name_of_test(stage);
-        auto test = std::find_if(tests.begin(), tests.end(), [&](const ToldTest& other) {
+        auto test = std::find_if(tests.begin(), tests.end(), [&](const ReportedTest& other) {
             return other.study == stage.study && other.name == name;
         });
         if (test == tests.end()) {
@@ -106,30 +106,31 @@ std::vector<ToldTest> gather_told_tests(
         }
         test->responses.push_back(stage.numbers.at("response"));
     }
-    std::vector<ToldTest> told;
-    std::ranges::copy_if(tests, std::back_inserter(told), [&](const ToldTest& test) {
-        return !too_many_to_tell(tests, *test.study);
+    std::vector<ReportedTest> reported;
+    std::ranges::copy_if(tests, std::back_inserter(reported), [&](const ReportedTest& test) {
+        return !too_many_to_report(tests, *test.study);
     });
-    return told;
+    return reported;
 }
 
 } // namespace
 
 std::vector<std::string>
-answers_to_tests(const std::vector<record::FinishedStage>& stages, const std::vector<study::StrengthChange>& changes) {
+describe_tests(const std::vector<record::FinishedStage>& stages, const std::vector<study::StrengthChange>& changes) {
     std::string strength;
     std::vector<std::string> sentences;
-    for (const ToldTest& test : gather_told_tests(stages, changes)) {
+    for (const ReportedTest& test : gather_reported_tests(stages, changes)) {
         if (!test.holds_deviator) {
             strength += fmt::format(
                 "{}{} in {}{}", strength.empty() ? "Highest deviator stress in triaxial compression: " : ", ",
-                tell_peaks(test.responses, "peak_deviator", "peak_strain"), test.name, tell_failures(test.responses)
+                describe_peaks(test.responses, "peak_deviator", "peak_strain"), test.name,
+                describe_failures(test.responses)
             );
             continue;
         }
         sentences.push_back(fmt::format(
             "{}: with the deviator stress held, an excess pore pressure of {} is the most that is borne{}.", test.name,
-            tell_peaks(test.responses, "excess_pore_pressure", "peak_strain"), tell_failures(test.responses)
+            describe_peaks(test.responses, "excess_pore_pressure", "peak_strain"), describe_failures(test.responses)
         ));
     }
     if (!strength.empty()) {

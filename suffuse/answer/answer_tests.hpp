@@ -12,6 +12,6 @@ namespace suffuse::answer {
 /// Of tests, over their seeds: those of strength in one sentence, each that holds the deviator stress in one of its
 /// own. Tests among `changes` have their sentence there; of a sweep, where they are few.
 std::vector<std::string>
-answers_to_tests(const std::vector<record::FinishedStage>& stages, const std::vector<study::StrengthChange>& changes);
+describe_tests(const std::vector<record::FinishedStage>& stages, const std::vector<study::StrengthChange>& changes);
 
 } // namespace suffuse::answer

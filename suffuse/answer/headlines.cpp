@@ -135,7 +135,7 @@ std::vector<Headline> sweep_headlines(const study::StudyOutcome& outcome, const 
     if (!main) {
         return headlines;
     }
-    const auto tell = [&](Result which) {
+    const auto add_headline = [&](Result which) {
         const auto is_something = [&](const study::OutcomePoint& point) {
             const Scatter* const value = point.find(which);
             return value != nullptr && !is_none(which, value->mean);
@@ -144,10 +144,10 @@ std::vector<Headline> sweep_headlines(const study::StudyOutcome& outcome, const 
             headlines.push_back(range_headline(outcome, which, fluid));
         }
     };
-    tell(*main);
+    add_headline(*main);
     for (int k = 0; k < study::results; ++k) {
         if (const auto which = static_cast<Result>(k); which != *main && outcome.has(which)) {
-            tell(which);
+            add_headline(which);
         }
     }
     for (Headline& headline : headlines) {

@@ -81,7 +81,7 @@ TEST(Headlines, AChangeThatIsNoiseIsNone) {
     EXPECT_EQ(erosion_headlines(erosion, {}, nullptr)[2].value, "unchanged");
 }
 
-TEST(Headlines, LeaveOutWhatTheRunCannotTell) {
+TEST(Headlines, LeaveOutWhatTheRunCannotDecide) {
     EXPECT_TRUE(erosion_headlines({}, {}, nullptr).empty());
     erosion::ErosionResult erosion;
     erosion.passes.emplace_back().pass = 1;

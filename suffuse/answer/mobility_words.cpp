@@ -72,9 +72,9 @@ std::string heave_text(const MobilityStory& story, const std::string& gradient) 
 }
 
 /// "moves 0.2 %".
-std::string moved_at_asked_text(const MobilityStory& story) {
+std::string moved_at_specified_text(const MobilityStory& story) {
     return fmt::format(
-        "moves {}{}", story.moved_at_asked_at_least ? "at least " : "", moved_text(story.moved_at_asked.mean)
+        "moves {}{}", story.moved_at_specified_at_least ? "at least " : "", moved_text(story.moved_at_specified.mean)
     );
 }
 
@@ -97,7 +97,8 @@ std::string safety_text(const MobilityStory& story) {
 std::string compare_measures(const MobilityStory& story) {
     const std::vector<erosion::MobilityStep>& ramp = story.one().ramp;
     const auto step = std::ranges::find_if(ramp, [&](const erosion::MobilityStep& level) {
-        return level.gradient >= story.asked_gradient.value_or(level.gradient) && level.displaced_mass_share >= 0.01;
+        return level.gradient >= story.specified_gradient.value_or(level.gradient) &&
+               level.displaced_mass_share >= 0.01;
     });
     return step == ramp.end() ? ""
                               : fmt::format(
@@ -130,10 +131,10 @@ double within_step(const MobilityStory& story, double gradient) {
 
 /// What Skempton and Brogan's rule makes of the asked gradient; nothing where it does not apply.
 std::optional<double> safety_by_rule(const MobilityStory& story) {
-    if (!story.asked_gradient || !(*story.asked_gradient > 0) || story.skempton_brogan.seeds == 0) {
+    if (!story.specified_gradient || !(*story.specified_gradient > 0) || story.skempton_brogan.seeds == 0) {
         return std::nullopt;
     }
-    return story.skempton_brogan.mean / *story.asked_gradient;
+    return story.skempton_brogan.mean / *story.specified_gradient;
 }
 
 /// Whether rule and motion call the asked gradient safe alike.
@@ -161,21 +162,21 @@ Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, 
 
 Headline safety_headline(const MobilityStory& story) {
     Headline headline{"", fmt::format("Factor of safety before 1 % move {}", distance_text(story)), ""};
-    const double asked = *story.asked_gradient;
+    const double specified = *story.specified_gradient;
     if (!is_met(story.safety, story)) {
         headline.value = "≥ " + fixed(*story.safety_at_least, 1);
         headline.detail = fmt::format(
             "{} before 1 % of the fines move; asked {:.2f}", goes_to_heave(story) ? "the soil heaves" : "the ramp ends",
-            asked
+            specified
         );
         headline = with_certainty(std::move(headline), story.of_sample.size());
     } else if (story.safety.seeds > 1) {
         headline.value = fixed(story.safety.mean, 1);
         headline.spread = spread_text(story.safety, 1, 1);
-        headline.detail = fmt::format("{} samples; asked {:.2f}", story.safety.seeds, asked);
+        headline.detail = fmt::format("{} samples; asked {:.2f}", story.safety.seeds, specified);
         headline = with_certainty(std::move(headline), static_cast<std::size_t>(story.safety.seeds));
     } else {
-        const double half = within_step(story, story.moves_1.mean) / asked;
+        const double half = within_step(story, story.moves_1.mean) / specified;
         headline.value = fixed(story.safety.mean, 1);
         headline.detail = fmt::format(
             "{} to {} within a step of the ramp; no replicate", fixed(story.safety.mean - half, 1),
@@ -185,7 +186,7 @@ Headline safety_headline(const MobilityStory& story) {
     const bool moves_late = !is_met(story.safety, story) && goes_to_heave(story);
     if (moves_late || (story.heave.seeds > 0 && story.heave.mean < story.moves_1.mean)) { // what fails first decides
         headline.caution = fmt::format(
-            "The whole soil heaves before, at {} times the asked gradient.", fixed(story.heave.mean / asked, 1)
+            "The whole soil heaves before, at {} times the asked gradient.", fixed(story.heave.mean / specified, 1)
         );
     }
     if (do_disagree(story)) {
@@ -257,16 +258,16 @@ std::string flow_in_words(const erosion::MobilityResult& mobility) {
 std::string verdict(const MobilityStory& story) {
     std::string text = fmt::format("{} flow {}", flow_in_words(story.one()), what_moves(story));
     text += heave_text(story, gradient_text(story.heave)) + ".";
-    if (!story.asked_gradient) {
+    if (!story.specified_gradient) {
         return fmt::format("{} ({}).", text.substr(0, text.size() - 1), samples_text(story));
     }
-    if (story.moved_at_asked.seeds == 0) {
+    if (story.moved_at_specified.seeds == 0) {
         return fmt::format(
-            "{} The asked {:.2f} lies beyond the ramp ({}).", text, *story.asked_gradient, samples_text(story)
+            "{} The asked {:.2f} lies beyond the ramp ({}).", text, *story.specified_gradient, samples_text(story)
         );
     }
     return fmt::format(
-        "{} At the specified {:.2f} it {} ({}; {}).", text, *story.asked_gradient, moved_at_asked_text(story),
+        "{} At the specified {:.2f} it {} ({}; {}).", text, *story.specified_gradient, moved_at_specified_text(story),
         safety_text(story), samples_text(story)
     );
 }
@@ -291,7 +292,7 @@ std::vector<std::string> remarks_on(const MobilityStory& story) {
 }
 
 std::vector<std::string> answer_of_mobility(const std::vector<MobilityStory>& stories) {
-    constexpr std::size_t most_told = 6;
+    constexpr std::size_t most_reported = 6;
     std::vector<std::string> sentences;
     const MobilityStory* const main = study::main_mobility(stories);
     if (main == nullptr) {
@@ -304,7 +305,7 @@ std::vector<std::string> answer_of_mobility(const std::vector<MobilityStory>& st
     for (std::string& remark : remarks_on(*main)) {
         sentences.push_back(std::move(remark));
     }
-    if (stories.size() <= most_told) {
+    if (stories.size() <= most_reported) {
         for (const MobilityStory& story : stories) {
             if (&story != main) {
                 sentences.push_back(named(story, verdict(story)));
@@ -320,17 +321,18 @@ std::vector<std::string> short_verdict(const MobilityStory& story) {
     const std::string flow = flow_in_words(story.one());
     std::vector<std::string> lines = {fmt::format("{} flow {}", flow, what_moves_in_short(story))};
     lines.front() += heave_text(story, fmt::format("{:.2f}", story.heave.mean)) + ".";
-    if (!story.asked_gradient) {
+    if (!story.specified_gradient) {
         return lines;
     }
-    if (story.moved_at_asked.seeds == 0) {
-        lines.push_back(fmt::format("The asked {:.2f} lies beyond the ramp.", *story.asked_gradient));
+    if (story.moved_at_specified.seeds == 0) {
+        lines.push_back(fmt::format("The asked {:.2f} lies beyond the ramp.", *story.specified_gradient));
         return lines;
     }
     MobilityStory means = story;
     means.safety.standard_deviation = 0;
     lines.push_back(fmt::format(
-        "At the specified {:.2f} it {}: {}.", *story.asked_gradient, moved_at_asked_text(story), safety_text(means)
+        "At the specified {:.2f} it {}: {}.", *story.specified_gradient, moved_at_specified_text(story),
+        safety_text(means)
     ));
     return lines;
 }
@@ -342,7 +344,7 @@ std::optional<std::string> disagreement(const MobilityStory& story) {
     const bool rule_warns = *safety_by_rule(story) < 1;
     return fmt::format(
         "Skempton and Brogan's α i_c = {:.2f} is {} the specified {:.2f} and calls it {}. {}",
-        story.skempton_brogan.mean, rule_warns ? "below" : "above", *story.asked_gradient,
+        story.skempton_brogan.mean, rule_warns ? "below" : "above", *story.specified_gradient,
         rule_warns ? "unstable" : "stable",
         rule_warns ? "The rule asks what stress the fines carry. The ramp also feels the coarse grains that cage them."
                    : "The rule takes a mean over all fines. The ramp finds the first that carry nothing."
@@ -351,7 +353,7 @@ std::optional<std::string> disagreement(const MobilityStory& story) {
 
 std::vector<Headline> mobility_headlines(const MobilityStory& story) {
     std::vector<Headline> headlines;
-    if (story.asked_gradient && (is_met(story.safety, story) || story.safety_at_least)) {
+    if (story.specified_gradient && (is_met(story.safety, story) || story.safety_at_least)) {
         headlines.push_back(safety_headline(story));
     }
     if (is_met(story.moves_1, story)) {
@@ -371,13 +373,13 @@ std::vector<Headline> mobility_headlines(const MobilityStory& story) {
 }
 
 std::optional<std::string> what_weight_would_change(const std::vector<record::FinishedStage>& stages) {
-    const bool asks = std::ranges::any_of(stages, [](const record::FinishedStage& stage) {
+    const bool probes_mobility = std::ranges::any_of(stages, [](const record::FinishedStage& stage) {
         return casefile::traits_of(*stage.stage).probes_fines();
     });
     const bool weighs = std::ranges::any_of(stages, [](const record::FinishedStage& stage) {
         return stage.numbers.value("model", std::string("weightless")) != "weightless";
     });
-    if (!asks || weighs) {
+    if (!probes_mobility || weighs) {
         return std::nullopt;
     }
     return "Grains have no weight in this case, as in the paper: with [gravity] loose fines stay in their pockets "

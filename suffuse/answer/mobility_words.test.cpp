@@ -21,7 +21,7 @@ erosion::MobilityResult upward() {
         {.gradient = 0.2, .mobile_mass_share = 0.002, .leaving_mass_share = 0.001},
         {.gradient = 1.2, .mobile_mass_share = 0.2, .leaving_mass_share = 0.1}};
     mobility.moves_1 = 0.3, mobility.moves_10 = 0.51;
-    mobility.asked_gradient = 0.2;
+    mobility.specified_gradient = 0.2;
     mobility.id = {1}, mobility.mass = {1}, mobility.diameter = {1}, mobility.mobile_gradient = {0.3};
     mobility.bears_load = {0};
     return mobility;
@@ -42,7 +42,7 @@ std::vector<MobilityStory> story_of(const std::vector<erosion::MobilityResult>& 
     return study::gather_mobility(stages);
 }
 
-TEST(MobilityWords, GiveTheVerdictThatAnEngineerAsksFor) {
+TEST(MobilityWords, GiveTheVerdictThatAnEngineerNeeds) {
     EXPECT_EQ(
         verdict(story_of({upward()}).front()),
         "Upward flow moves 1 % of the fines at i = 0.30, a tenth at 0.51; the "
@@ -68,7 +68,7 @@ TEST(MobilityWords, OpenWithTwoShortLinesAndCardsThatKnowTheirStep) {
     EXPECT_TRUE(cards[0].caution.empty()) << cards[0].caution;
 }
 
-TEST(MobilityWords, TellTheSharesByOtherMeasuresOfMotion) {
+TEST(MobilityWords, ReportTheSharesByOtherMeasuresOfMotion) {
     erosion::MobilityResult caged = upward();
     caged.ramp.front().displaced_mass_share = 0.089, caged.ramp.front().lifted_mass_share = 0.12;
     const std::vector<std::string> remarks = remarks_on(story_of({caged}).front());
@@ -80,7 +80,7 @@ TEST(MobilityWords, TellTheSharesByOtherMeasuresOfMotion) {
     EXPECT_EQ(remarks_on(story_of({upward()}).front()).front().find("What counts"), std::string::npos);
 }
 
-TEST(MobilityWords, TellADisagreementOfRuleAndMotionInTheOpenAndAtTheNumber) {
+TEST(MobilityWords, ReportADisagreementOfRuleAndMotionInTheOpeningAndAtTheNumber) {
     erosion::MobilityResult carried = upward();
     carried.skempton_brogan_gradient = 0.14; // below the asked 0.20, while 1 % moves at 0.30
     const MobilityStory story = story_of({carried}).front();
@@ -104,11 +104,12 @@ TEST(MobilityWords, SayWhatIsKnownWhereTheRampEndsBefore) {
     erosion::MobilityResult still = upward();
     still.moves_1.reset(), still.moves_10.reset();
     still.ramp.back().mobile_mass_share = 0.004;
-    const std::string told = verdict(story_of({still}).front());
+    const std::string reported = verdict(story_of({still}).front());
     EXPECT_NE(
-        told.find("moves less than 1 % of the fines below heave; the soil heaves at 1.05 first."), std::string::npos
-    ) << told;
-    EXPECT_NE(told.find("factor of safety at least 1.0"), std::string::npos) << told << ": what is borne below heave";
+        reported.find("moves less than 1 % of the fines below heave; the soil heaves at 1.05 first."), std::string::npos
+    ) << reported;
+    EXPECT_NE(reported.find("factor of safety at least 1.0"), std::string::npos)
+        << reported << ": what is borne below heave";
     const Headline card = mobility_headlines(story_of({still}).front()).front();
     EXPECT_NE(card.detail.find("the soil heaves before 1 %"), std::string::npos) << card.detail;
     EXPECT_NE(card.caution.find("heaves before"), std::string::npos) << card.caution;
@@ -136,9 +137,9 @@ TEST(MobilityWords, SayWhichGradientsAndSharesAreBounds) {
 TEST(MobilityWords, OfSeveralSamplesGiveMeanAndDeviation) {
     erosion::MobilityResult other = upward();
     other.moves_1 = 0.4;
-    const std::string told = verdict(story_of({upward(), other}).front());
-    EXPECT_NE(told.find("i = 0.35 ± 0.07"), std::string::npos) << told;
-    EXPECT_NE(told.find("2 samples"), std::string::npos) << told;
+    const std::string reported = verdict(story_of({upward(), other}).front());
+    EXPECT_NE(reported.find("i = 0.35 ± 0.07"), std::string::npos) << reported;
+    EXPECT_NE(reported.find("2 samples"), std::string::npos) << reported;
 }
 
 TEST(MobilityWords, KnowTheWayOfTheFlow) {
@@ -150,8 +151,8 @@ TEST(MobilityWords, KnowTheWayOfTheFlow) {
     }
     mobility.direction = {1, 0, 0};
     mobility.heave_gradient.reset();
-    const std::string told = verdict(story_of({mobility}).front());
-    EXPECT_NE(told.find("it cannot lift the soil"), std::string::npos) << told;
+    const std::string reported = verdict(story_of({mobility}).front());
+    EXPECT_NE(reported.find("it cannot lift the soil"), std::string::npos) << reported;
 }
 
 TEST(MobilityWords, SayWhyStressAndMotionDiffer) {
@@ -179,7 +180,7 @@ TEST(MobilityWords, CallTwoGradientsNearThatDifferByLessThanAFactorOfOnePointThr
     EXPECT_NE(first(1.31).find("above the gradient that moves 1 %"), std::string::npos) << first(1.31);
 }
 
-TEST(MobilityWords, TellOfFinesThatSift) {
+TEST(MobilityWords, MentionFinesThatSift) {
     erosion::MobilityResult sifting = upward();
     sifting.sifts = true, sifting.sifting_mass_share = 0.05;
     EXPECT_NE(remarks_on(story_of({sifting}).front()).back().find("5 % of the fines' mass sift"), std::string::npos);

@@ -26,8 +26,8 @@ void add(std::vector<Headline> headlines, std::vector<Headline>& to) {
 
 std::vector<Headline> cards_of(const RunResults& results, const std::vector<study::Finding>& findings) {
     const flow::Fluid& fluid = results.what->fluid;
-    const StudyOutcome* const outcome = told_outcome(results);
-    const study::OutcomePoint* const point = told_point(results);
+    const StudyOutcome* const outcome = reported_outcome(results);
+    const study::OutcomePoint* const point = reported_point(results);
     const Question question = question_of(results);
     std::vector<Headline> cards;
     if (question == Question::Fines) {
@@ -69,9 +69,11 @@ std::string grains_of(const RunResults& results) {
     if (most == 0) {
         return "";
     }
-    const bool asks_for_motion =
+    const bool has_mobility_question =
         !results.mobility.empty() || !results.story.erosion.passes.empty() || !results.story.probes.empty();
-    const char* const weight = !asks_for_motion ? "" : results.mobility.empty() ? " without weight" : " with weight";
+    const char* const weight = !has_mobility_question     ? ""
+                               : results.mobility.empty() ? " without weight"
+                                                          : " with weight";
     return fmt::format("{}{} grains{}", least == most ? "" : grouped(least) + " to ", grouped(most), weight);
 }
 
@@ -80,8 +82,8 @@ std::string call_for_replicates(const casefile::Study& study) {
     return fmt::format("`--set study.{}.replicates=3`", study.name);
 }
 
-void tell_confidence(const RunResults& results, Opening& opening) {
-    const StudyOutcome* const outcome = told_outcome(results);
+void describe_confidence(const RunResults& results, Opening& opening) {
+    const StudyOutcome* const outcome = reported_outcome(results);
     if (outcome == nullptr) {
         opening.confidence = "No result yet";
         return;
@@ -133,7 +135,7 @@ Opening open_answer(const RunResults& results, const std::vector<study::Finding>
     Opening opening;
     const Question question = question_of(results);
     opening.verdict = verdict_of_run(results);
-    tell_confidence(results, opening);
+    describe_confidence(results, opening);
     opening.cards = cards_of(results, findings);
     if (const study::MobilityStory* const main = study::main_mobility(results.mobility);
         main != nullptr && question == Question::Weight) {

@@ -34,7 +34,7 @@ std::string percent_or_none(double percent) {
 }
 
 /// How many of the fines that the water would carry were carried out.
-std::string tell_removed(const erosion::PassResult& pass, bool is_forced) {
+std::string describe_removed(const erosion::PassResult& pass, bool is_forced) {
     if (pass.detachable == 0) {
         return fmt::format("Pass {}: no fine grain is detachable", pass.pass);
     }
@@ -54,21 +54,21 @@ std::string tell_removed(const erosion::PassResult& pass, bool is_forced) {
     );
 }
 
-std::string tell_pass(const erosion::PassResult& pass, bool is_forced) {
+std::string describe_pass(const erosion::PassResult& pass, bool is_forced) {
     if (pass.removed == 0) {
-        return tell_removed(pass, is_forced) + ".";
+        return describe_removed(pass, is_forced) + ".";
     }
     return fmt::format(
         "{}; porosity {:.4f} to {:.4f}, permeability {} to {} m²; at constant volume the skeleton lost {} of its mean "
         "stress, and resettling strained it by {}.",
-        tell_removed(pass, is_forced), pass.porosity_before, pass.porosity_after,
+        describe_removed(pass, is_forced), pass.porosity_before, pass.porosity_after,
         short_number(pass.permeability_before), short_number(pass.permeability_after),
         percent_or_none(100 * erosion::stress_loss(pass).value_or(0)), percent_or_none(100 * pass.volumetric_strain)
     );
 }
 
 /// All passes but the first, where there are too many for a sentence each.
-std::string tell_later_passes(const erosion::ErosionResult& erosion) {
+std::string describe_later_passes(const erosion::ErosionResult& erosion) {
     const erosion::PassResult &second = erosion.passes[1], &last = erosion.passes.back();
     std::int64_t removed = 0;
     double percent = 0, strain = 0, largest_loss = 0;
@@ -89,7 +89,7 @@ std::string tell_later_passes(const erosion::ErosionResult& erosion) {
 }
 
 /// How often fines were held that travelled with the water; empty where none was on its way.
-std::string tell_transport(const erosion::ErosionResult& erosion) {
+std::string describe_transport(const erosion::ErosionResult& erosion) {
     std::vector<std::string> rates;
     for (const erosion::PassResult* pass : study::few_passes(erosion, 2)) {
         const std::optional<double> held = erosion::filter_coefficient(pass->transport);
@@ -101,19 +101,19 @@ std::string tell_transport(const erosion::ErosionResult& erosion) {
 }
 
 std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
-    constexpr std::size_t most_told = 4; // passes, a sentence each
+    constexpr std::size_t most_reported = 4; // passes, a sentence each
     if (erosion.passes.empty()) {
         return "";
     }
     std::vector<std::string> sentences;
     for (const erosion::PassResult& pass : erosion.passes) {
-        sentences.push_back(tell_pass(pass, erosion::is_forced(erosion)));
-        if (erosion.passes.size() > most_told) {
-            sentences.push_back(tell_later_passes(erosion));
+        sentences.push_back(describe_pass(pass, erosion::is_forced(erosion)));
+        if (erosion.passes.size() > most_reported) {
+            sentences.push_back(describe_later_passes(erosion));
             break;
         }
     }
-    if (std::string transport = tell_transport(erosion); !transport.empty()) {
+    if (std::string transport = describe_transport(erosion); !transport.empty()) {
         sentences.push_back(std::move(transport));
     }
     const erosion::Ending& ending = erosion.passes.back().verdict;
@@ -129,7 +129,7 @@ std::int64_t count_detachable(const erosion::ProbeResult& probe, const erosion::
 }
 
 /// Whether gradients that differ ten times and more detach the same fines, to a fiftieth.
-bool hardly_depends_on_gradient(const std::vector<erosion::ProbeResult>& probes, const erosion::DetachSpec& rule) {
+bool is_independent_of_gradient(const std::vector<erosion::ProbeResult>& probes, const erosion::DetachSpec& rule) {
     constexpr double wide = 10, alike = 0.02;
     double least_gradient = std::numeric_limits<double>::infinity(), most_gradient = 0;
     double fewest = least_gradient, most = 0;
@@ -158,7 +158,7 @@ std::string answer_to_probes(const std::vector<erosion::ProbeResult>& probes, co
         );
     }
     text += rule.by == erosion::DetachBy::Displacement ? " are detachable, by their displacement." : " are detachable.";
-    if (hardly_depends_on_gradient(probes, rule)) {
+    if (is_independent_of_gradient(probes, rule)) {
         text +=
             " The number does not depend measurably on the gradient, so these fines carry no load: without gravity any "
             "water moves them, and none of these gradients is critical.";
@@ -222,7 +222,7 @@ std::vector<std::string> answers_to_removals(const std::vector<record::FinishedS
     return sentences.size() <= most ? sentences : std::vector<std::string>{};
 }
 
-std::string tell_question(const study::ErosionStory& story, bool has_strength) {
+std::string describe_question(const study::ErosionStory& story, bool has_strength) {
     const std::size_t passes = story.erosion.passes.size();
     const std::string& soil = story.eroded->study->soil;
     const std::string which =
@@ -242,7 +242,7 @@ std::string tell_question(const study::ErosionStory& story, bool has_strength) {
 }
 
 /// How much of the soil the sample stands for, where its curve was cut.
-std::optional<std::string> tell_part(const study::ErosionStory& story) {
+std::optional<std::string> describe_part(const study::ErosionStory& story) {
     if (story.eroded == nullptr || !story.eroded->variant->soil || !story.eroded->variant->soil->measured) {
         return std::nullopt;
     }
@@ -259,7 +259,7 @@ std::optional<std::string> tell_part(const study::ErosionStory& story) {
 }
 
 /// What it means where hardly a grain that left carried load: another gradient would have taken the same.
-std::string tell_idle(const erosion::ErosionResult& erosion) {
+std::string describe_idle(const erosion::ErosionResult& erosion) {
     constexpr double nearly_all = 0.98;
     constexpr int least_carrying = 2; // contacts
     std::int64_t removed = 0, idle = 0;
@@ -287,7 +287,7 @@ const casefile::Stage& start_of(const record::FinishedStage& erosion) {
 
 /// The state that the erosion starts from; nothing without an erosion.
 std::optional<std::string>
-tell_start(const study::ErosionStory& story, const std::vector<record::FinishedStage>& stages) {
+describe_start(const study::ErosionStory& story, const std::vector<record::FinishedStage>& stages) {
     if (story.eroded == nullptr) {
         return std::nullopt;
     }
@@ -309,13 +309,13 @@ tell_start(const study::ErosionStory& story, const std::vector<record::FinishedS
 
 /// Whether one sample was eroded from so many states, or in so many ways, that one stands for all.
 bool are_too_many(const study::ErosionStory& story) {
-    constexpr std::size_t most_told = 3;
-    return story.others.size() >= most_told;
+    constexpr std::size_t most_reported = 3;
+    return story.others.size() >= most_reported;
 }
 
 /// Where several samples were eroded: which one the answer describes, and how far apart they lie.
 std::optional<std::string>
-tell_range(const study::ErosionStory& story, const std::vector<record::FinishedStage>& stages) {
+describe_range(const study::ErosionStory& story, const std::vector<record::FinishedStage>& stages) {
     std::vector<double> percent;
     for (const record::FinishedStage& stage : stages) {
         if (stage.findings.erosion && !stage.findings.erosion->passes.empty()) {
@@ -353,15 +353,15 @@ std::vector<std::string> answer_of_erosion(const study::RunResults& results) {
     const std::vector<study::StrengthChange>& strength = results.strength;
     std::vector<std::string> sentences;
     if (!story.erosion.passes.empty() && !story.erosion.passes.front().probe.id.empty()) {
-        sentences.push_back(tell_question(story, !strength.empty()));
+        sentences.push_back(describe_question(story, !strength.empty()));
     }
-    if (auto part = tell_part(story)) {
+    if (auto part = describe_part(story)) {
         sentences.push_back(std::move(*part));
     }
-    if (auto range = tell_range(story, stages)) {
+    if (auto range = describe_range(story, stages)) {
         sentences.push_back(std::move(*range));
     }
-    if (auto start = tell_start(story, stages)) {
+    if (auto start = describe_start(story, stages)) {
         sentences.push_back(std::move(*start));
     }
     if (!story.probes.empty()) {
@@ -370,11 +370,11 @@ std::vector<std::string> answer_of_erosion(const study::RunResults& results) {
     if (!story.erosion.passes.empty()) {
         sentences.push_back(name_chain(story) + answer_to_erosion(story.erosion));
         for (const erosion::PassResult& pass : story.erosion.passes) {
-            if (std::string noise = study::tell_noise(&pass); !noise.empty()) {
+            if (std::string noise = study::describe_noise(&pass); !noise.empty()) {
                 sentences.push_back(std::move(noise));
             }
         }
-        if (std::string idle = tell_idle(story.erosion);
+        if (std::string idle = describe_idle(story.erosion);
             !idle.empty() && !story.erosion.passes.front().probe.id.empty() && !erosion::is_forced(story.erosion)) {
             sentences.push_back(std::move(idle));
         }
@@ -393,11 +393,11 @@ std::vector<std::string> answer_of_erosion(const study::RunResults& results) {
     for (std::string& sentence : strength_sentences(strength)) {
         sentences.push_back(std::move(sentence));
     }
-    for (std::string& sentence : answers_to_tests(stages, strength)) {
+    for (std::string& sentence : describe_tests(stages, strength)) {
         sentences.push_back(std::move(sentence));
     }
     for (const study::ProbedState& state : results.probed_states) {
-        sentences.push_back(figures::tell_stability(state));
+        sentences.push_back(figures::describe_stability(state));
     }
     return sentences;
 }

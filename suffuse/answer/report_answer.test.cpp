@@ -24,7 +24,7 @@ nlohmann::json response(double peak, double strain) {
     return {{"response", {{"peak_deviator", peak}, {"peak_strain", strain}}}};
 }
 
-TEST(ReportAnswer, TellsTestsOfStrengthAndNotThoseThatLeadToAState) {
+TEST(ReportAnswer, ReportsTestsOfStrengthAndNotThoseThatLeadToAState) {
     casefile::Study study;
     const casefile::Stage state{.name = "deviatoric", .spec = triaxial::TriaxialSpec{.stress_ratio = 0.75}};
     const casefile::Stage test{.name = "shear", .spec = triaxial::TriaxialSpec{}};
@@ -38,7 +38,7 @@ TEST(ReportAnswer, TellsTestsOfStrengthAndNotThoseThatLeadToAState) {
     );
 }
 
-TEST(ReportAnswer, TellsTheTestsOfASweepWhereTheyAreFew) {
+TEST(ReportAnswer, ReportsTheTestsOfASweepWhereTheyAreFew) {
     casefile::Study study;
     study.name = "orders";
     study.sweep = {{"stage.removed.order", {"random", "smallest"}}};
@@ -64,7 +64,7 @@ TEST(ReportAnswer, TellsTheTestsOfASweepWhereTheyAreFew) {
     EXPECT_TRUE(answer_of_erosion(results_of(stages)).empty());
 }
 
-TEST(ReportAnswer, TellsATestOnceWhereItIsComparedWithAnother) {
+TEST(ReportAnswer, ReportsATestOnceWhereItIsComparedWithAnother) {
     casefile::Study study;
     const casefile::Stage before{.name = "before", .spec = triaxial::TriaxialSpec{}};
     const casefile::Stage after{.name = "after", .spec = triaxial::TriaxialSpec{}};
@@ -112,23 +112,23 @@ TEST(ReportAnswer, SaysThatGrainsWithoutLoadLeaveUnderAnyGradient) {
     stages.front().study = &study;
     erosion::PassResult& pass = stages.front().findings.erosion->passes.front();
     pass.probe.id = {7};
-    const auto told = [&] { return fmt::format("{}", fmt::join(answer_of_erosion(results_of(stages)), " ")); };
+    const auto reported = [&] { return fmt::format("{}", fmt::join(answer_of_erosion(results_of(stages)), " ")); };
     pass.coordination_histogram = {{0, 2}, {1, 1}};
-    EXPECT_NE(told().find("None of them carried load: without gravity"), std::string::npos) << told();
+    EXPECT_NE(reported().find("None of them carried load: without gravity"), std::string::npos) << reported();
     pass.coordination_histogram = {{0, 2}, {2, 1}};
-    EXPECT_EQ(told().find("carried load"), std::string::npos) << told();
+    EXPECT_EQ(reported().find("carried load"), std::string::npos) << reported();
     pass.coordination_histogram = {{0, 98}, {2, 2}};
-    EXPECT_NE(told().find("Only 2 of the 100 carried load"), std::string::npos) << told();
+    EXPECT_NE(reported().find("Only 2 of the 100 carried load"), std::string::npos) << reported();
     pass.coordination_histogram = {{0, 97}, {2, 3}};
-    EXPECT_EQ(told().find("carried load"), std::string::npos) << told();
+    EXPECT_EQ(reported().find("carried load"), std::string::npos) << reported();
     pass.coordination_histogram = {{0, 2}, {1, 1}};
     stages.front().findings.erosion->ledger.push_back({7, 1, 1e-4, 1e-9, 0, erosion::Reason::Forced});
-    EXPECT_EQ(told().find("carried load"), std::string::npos) << "what leaves by force needs no water";
-    EXPECT_NE(told().find("Pass 1: 3 fines were taken out by force, 3.00 % of"), std::string::npos) << told();
-    EXPECT_NE(told().find("Asked: what 1 pass in which fines"), std::string::npos) << told();
+    EXPECT_EQ(reported().find("carried load"), std::string::npos) << "what leaves by force needs no water";
+    EXPECT_NE(reported().find("Pass 1: 3 fines were taken out by force, 3.00 % of"), std::string::npos) << reported();
+    EXPECT_NE(reported().find("Asked: what 1 pass in which fines"), std::string::npos) << reported();
 }
 
-TEST(ReportAnswer, TellsHowMuchOfACutSoilTheSampleStandsFor) {
+TEST(ReportAnswer, ReportsHowMuchOfACutSoilTheSampleRepresents) {
     casefile::Variant variant;
     grains::Soil& soil = variant.soil.emplace();
     soil.measured = {{1e-4, 1e-3, 1e-2}, {0, 0.25, 1}, "invented"};
@@ -142,7 +142,7 @@ TEST(ReportAnswer, TellsHowMuchOfACutSoilTheSampleStandsFor) {
     );
 }
 
-TEST(ReportAnswer, TellsManyPassesInTwoSentencesAndHowOftenFinesWereHeld) {
+TEST(ReportAnswer, ReportsManyPassesInTwoSentencesAndHowOftenFinesWereHeld) {
     casefile::Variant variant;
     variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
     std::vector<record::FinishedStage> stages = {erosion_of(variant, variant.stages[1], 3)};
@@ -169,7 +169,7 @@ TEST(ReportAnswer, TellsManyPassesInTwoSentencesAndHowOftenFinesWereHeld) {
     ) << answer.front();
 }
 
-TEST(ReportAnswer, TellsOneErosionOfManyAndTheRangeOfAll) {
+TEST(ReportAnswer, ReportsOneErosionOfManyAndTheRangeOfAll) {
     casefile::Study study;
     study.name = "second";
     casefile::Variant variant;
@@ -193,7 +193,7 @@ TEST(ReportAnswer, TellsOneErosionOfManyAndTheRangeOfAll) {
         << answer[1];
 }
 
-TEST(ReportAnswer, TellsARemovalInWordsOverItsSeeds) {
+TEST(ReportAnswer, ReportsARemovalInWordsOverItsSeeds) {
     casefile::Study study;
     study.name = "orders";
     study.replicates = 2;
@@ -243,7 +243,7 @@ TEST(ReportAnswer, IsOfTheFirstSampleThatHasFines) {
     EXPECT_TRUE(study::find_story(stages).others.empty()) << "another sample";
 }
 
-TEST(ReportAnswer, CountsWhatIsDetachableByTheRuleThatTheStageAsksFor) {
+TEST(ReportAnswer, CountsWhatIsDetachableByTheRuleThatTheStageSpecifies) {
     casefile::Study study;
     const casefile::Variant variant;
     casefile::Stage stage{.name = "probe", .spec = erosion::DetachStageSpec{}};
@@ -253,17 +253,17 @@ TEST(ReportAnswer, CountsWhatIsDetachableByTheRuleThatTheStageAsksFor) {
     probe.by_velocity = {1, 1, 0}, probe.by_displacement = {1, 0, 0};
     const std::vector<record::FinishedStage> stages = {
         {&study, &variant, &stage, nlohmann::json::object(), {{probe}, {}, {}, {}}}};
-    const auto told = [&] { return answer_of_erosion(results_of(stages)).front(); };
-    EXPECT_EQ(told(), "Of 3 fines 2 at the gradient i = 0.05 are detachable.");
+    const auto reported = [&] { return answer_of_erosion(results_of(stages)).front(); };
+    EXPECT_EQ(reported(), "Of 3 fines 2 at the gradient i = 0.05 are detachable.");
     std::get<erosion::DetachStageSpec>(stage.spec).detached.by = erosion::DetachBy::Displacement;
-    EXPECT_EQ(told(), "Of 3 fines 1 at the gradient i = 0.05 are detachable, by their displacement.");
+    EXPECT_EQ(reported(), "Of 3 fines 1 at the gradient i = 0.05 are detachable, by their displacement.");
 }
 
-TEST(ReportAnswer, SaysThatTheGradientHardlyMattersWhereTenTimesTheGradientDetachesTheSameToAFiftieth) {
+TEST(ReportAnswer, SaysThatTheGradientDoesNotMatterWhereTenTimesTheGradientDetachesTheSameToAFiftieth) {
     casefile::Study study;
     const casefile::Variant variant;
     const casefile::Stage stage{.name = "probe", .spec = erosion::DetachStageSpec{}};
-    const auto hardly = [&](double gradient, std::size_t fewer) {
+    const auto few_moving = [&](double gradient, std::size_t fewer) {
         std::vector<erosion::ProbeResult> probes(2);
         for (std::size_t k = 0; k < probes.size(); ++k) {
             probes[k].gradient = k == 0 ? 0.05 : gradient;
@@ -275,9 +275,9 @@ TEST(ReportAnswer, SaysThatTheGradientHardlyMattersWhereTenTimesTheGradientDetac
             {&study, &variant, &stage, nlohmann::json::object(), {probes, {}, {}, {}}}};
         return answer_of_erosion(results_of(stages)).front().find("does not depend measurably") != std::string::npos;
     };
-    EXPECT_TRUE(hardly(0.501, 2));
-    EXPECT_FALSE(hardly(0.501, 3));
-    EXPECT_FALSE(hardly(0.499, 2));
+    EXPECT_TRUE(few_moving(0.501, 2));
+    EXPECT_FALSE(few_moving(0.501, 3));
+    EXPECT_FALSE(few_moving(0.499, 2));
 }
 
 } // namespace

@@ -15,7 +15,7 @@ TEST(KozenyCarman, TheSauterDiameterIsThatOfEqualSurfacePerVolume) {
     EXPECT_NEAR(kozeny_carman({0.5e-3, 1.5e-3}, 0.4), kozeny_carman({1.4e-3}, 0.4), 1e-20); // rounding
 }
 
-TEST(WaterTable, TellsAPermeabilityAsAConductivityOfTheFluidToo) {
+TEST(WaterTable, ReportsAPermeabilityAlsoAsAConductivityOfTheFluid) {
     casefile::Study study;
     casefile::Variant variant;
     casefile::Stage seep{.name = "seep", .spec = flow::FlowSpec{}};

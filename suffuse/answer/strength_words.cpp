@@ -16,7 +16,7 @@ namespace suffuse::answer {
 namespace {
 using study::with_scatter;
 
-constexpr std::size_t most_told = 3; ///< changes, each in a sentence of its own
+constexpr std::size_t most_reported = 3; ///< changes, each in a sentence of its own
 constexpr int few_samples = 3;
 constexpr double notable_chance = 0.05;
 constexpr double kilo = 1e3, percent = 100, degree = radians(1);
@@ -107,11 +107,11 @@ std::string volume_in_words(double strain) {
 }
 
 /// The stress at a strain, and what is left in the critical state.
-std::string tell_beyond_peak(const study::StrengthChange& change) {
+std::string describe_beyond_peak(const study::StrengthChange& change) {
     std::string text;
     if (change.deviator_at_strain.change.seeds > 0) {
         text += fmt::format(
-            ", the deviator stress at {} % axial strain from {} ({})", short_number(percent * change.told_strain, 3),
+            ", the deviator stress at {} % axial strain from {} ({})", short_number(percent * change.reading_strain, 3),
             from_to(change.deviator_at_strain, kilo, 4, " kPa"), change_in_percent(change.deviator_at_strain)
         );
     }
@@ -125,7 +125,7 @@ std::string tell_beyond_peak(const study::StrengthChange& change) {
     return text;
 }
 
-std::string tell(const study::StrengthChange& change) {
+std::string describe_change(const study::StrengthChange& change) {
     std::string text = fmt::format(
         "Strength, {}: the soil without {} % of its mass {}", tests_of(change),
         with_scatter(change.removed_mass, percent, 3), verdict_of(change)
@@ -145,7 +145,7 @@ std::string tell(const study::StrengthChange& change) {
     if (change.friction_angle.change.seeds > 0) {
         text += ", the friction angle there from " + from_to(change.friction_angle, degree, 3, "°");
     }
-    text += tell_beyond_peak(change);
+    text += describe_beyond_peak(change);
     text += fmt::format(
         "{} from {}.", change.borne().change.seeds > 0 ? ", the void ratio" : "; the void ratio goes",
         from_to(change.void_ratio, 1, 3, "")
@@ -181,7 +181,7 @@ std::string range_of(
 }
 
 /// Of many: how many fared how.
-std::string tell_all(const std::vector<study::StrengthChange>& changes) {
+std::string describe_all(const std::vector<study::StrengthChange>& changes) {
     std::size_t weaker = 0, stronger = 0;
     for (const study::StrengthChange& change : changes) {
         weaker += change.is_weaker() == true ? 1 : 0;
@@ -208,7 +208,7 @@ std::string tests_in_table(const study::StrengthChange& change) {
 }
 
 std::string strain_in_table(const study::StrengthChange& change) {
-    return change.deviator_at_strain.before.seeds > 0 ? " at " + short_number(percent * change.told_strain, 3) + " %"
+    return change.deviator_at_strain.before.seeds > 0 ? " at " + short_number(percent * change.reading_strain, 3) + " %"
                                                       : "";
 }
 
@@ -254,7 +254,7 @@ std::vector<Column> columns_of(const std::vector<study::StrengthChange>& changes
         pair("excess pore pressure borne [kPa]", &StrengthChange::pore_pressure, kilo, 3);
         change(&StrengthChange::pore_pressure);
     }
-    if (changes.size() > most_told) { // of few, a sentence each tells them
+    if (changes.size() > most_reported) { // of few, a sentence each tells them
         columns.push_back(
             {"remarks", [](const StrengthChange& c) { return c.remarks.empty() ? "–" : remarks_of(c, "; "); }, false}
         );
@@ -265,30 +265,30 @@ std::vector<Column> columns_of(const std::vector<study::StrengthChange>& changes
 } // namespace
 
 std::vector<std::string> strength_sentences(const std::vector<study::StrengthChange>& changes) {
-    if (changes.size() > most_told) {
-        return {tell_all(changes)};
+    if (changes.size() > most_reported) {
+        return {describe_all(changes)};
     }
     std::vector<std::string> sentences;
     sentences.reserve(changes.size());
     for (const study::StrengthChange& change : changes) {
-        sentences.push_back(tell(change));
+        sentences.push_back(describe_change(change));
     }
     return sentences;
 }
 
 std::optional<Headline> strength_headline(const std::vector<study::StrengthChange>& changes) {
-    const auto told =
+    const auto reported =
         std::ranges::find_if(changes, [](const study::StrengthChange& c) { return c.borne().change.seeds > 0; });
-    if (told == changes.end() || changes.size() > most_told) {
+    if (reported == changes.end() || changes.size() > most_reported) {
         return std::nullopt;
     }
-    const study::BeforeAfter& borne = told->borne();
+    const study::BeforeAfter& borne = reported->borne();
     Headline headline{
-        change_text(borne.change.mean), told->holds_deviator() ? "Pore pressure borne" : "Peak strength",
+        change_text(borne.change.mean), reported->holds_deviator() ? "Pore pressure borne" : "Peak strength",
         fmt::format("{} to {} kPa", fixed(borne.before.mean / kilo, 0), fixed(borne.after.mean / kilo, 0)),
         spread_text(borne.change, percent, std::min(1, decimals_for(percent * borne.change.mean, 2)))};
     if (borne.change.seeds < 2) {
-        headline.detail += fmt::format("; samples differ by some {} %", told->holds_deviator() ? 50 : 10);
+        headline.detail += fmt::format("; samples differ by some {} %", reported->holds_deviator() ? 50 : 10);
     }
     return with_certainty(std::move(headline), static_cast<std::size_t>(borne.change.seeds));
 }

@@ -95,8 +95,9 @@ TEST(StrengthChange, SaysHowOftenChanceGivesAsClearAChangeWhereThatIsMoreThanOnc
         for (const double side : {-1.0, 1.0}) {
             study.add_sample(400e3, 400e3 * (1 - 0.25 * (1 + side / t)));
         }
-        const std::string told = strength_sentences(study::compare_strength(study.stages)).front();
-        EXPECT_EQ(told.find("of so few, scatter alone gives as clear a change") != std::string::npos, t < 12.7) << told;
+        const std::string reported = strength_sentences(study::compare_strength(study.stages)).front();
+        EXPECT_EQ(reported.find("of so few, scatter alone gives as clear a change") != std::string::npos, t < 12.7)
+            << reported;
     }
 }
 
@@ -116,7 +117,7 @@ std::vector<triaxial::PathRow> long_test(double peak, double residual, double st
     return rows;
 }
 
-TEST(StrengthChange, OfLongTestsTellsPeakAStrainAndWhatIsLeft) {
+TEST(StrengthChange, OfLongTestsReportsPeakAStrainAndTheResidual) {
     ErodedStudy study;
     study.add_sample(400e3, 240e3);
     for (const int row : {2, 3}) {
@@ -132,15 +133,16 @@ TEST(StrengthChange, OfLongTestsTellsPeakAStrainAndWhatIsLeft) {
     EXPECT_EQ(tabulate_strength(changes).value().header.size(), 12U); // the critical state and a change among them
     EXPECT_NEAR(changes.front().residual_deviator.change.mean, 0.05, 1e-9);
     EXPECT_TRUE(changes.front().remarks.empty());
-    const std::string told = strength_sentences(changes).front();
+    const std::string reported = strength_sentences(changes).front();
     EXPECT_NE(
-        told.find(
+        reported.find(
             "the deviator stress at 10 % axial strain from 350 to 232.5 kPa (−34 %), and what is left in the critical "
             "state, near 45 %, from 200 to 210 kPa (+5 %)"
         ),
         std::string::npos
-    ) << told;
-    EXPECT_NE(told.find("the sample dilates by 9 % before and contracts by 3 % after"), std::string::npos) << told;
+    ) << reported;
+    EXPECT_NE(reported.find("the sample dilates by 9 % before and contracts by 3 % after"), std::string::npos)
+        << reported;
 }
 
 TEST(StrengthChange, OfOneSampleWithinATenthIsNone) {
@@ -164,12 +166,13 @@ TEST(StrengthChange, OfSeveralSamplesIsJudgedByTheirScatter) {
     const Headline headline = strength_headline(study::compare_strength(study.stages)).value();
     EXPECT_EQ(headline.value, "−6.0 %");
     EXPECT_EQ(headline.spread, "± 1.4"); // sqrt(2), with the digits of the mean
-    const auto told = [&] { return strength_sentences(study::compare_strength(study.stages)).front(); };
+    const auto reported = [&] { return strength_sentences(study::compare_strength(study.stages)).front(); };
     // Student's t is 6: with one degree of freedom it is exceeded in 1 - 2 atan(6)/pi of all cases.
-    EXPECT_TRUE(told().ends_with("of so few, scatter alone gives as clear a change in 11 % of the cases.")) << told();
+    EXPECT_TRUE(reported().ends_with("of so few, scatter alone gives as clear a change in 11 % of the cases."))
+        << reported();
     study.add_sample(400e3, 440e3);
     EXPECT_EQ(study::compare_strength(study.stages).front().is_weaker(), std::nullopt);
-    EXPECT_TRUE(told().ends_with("Means of 3 samples, ± one standard deviation.")) << told();
+    EXPECT_TRUE(reported().ends_with("Means of 3 samples, ± one standard deviation.")) << reported();
 }
 
 TEST(StrengthChange, LeavesOutTestsThatAreNoneAndSaysSo) {

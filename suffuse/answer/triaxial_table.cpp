@@ -44,9 +44,9 @@ std::string cell(const SweepPoint& point, const std::string& number, double fact
 std::string count_liquefied(const std::vector<json>& responses) {
     std::size_t able = 0, flowed = 0;
     for (const json& response : responses) {
-        const json told = response.value("liquefied", json());
-        able += told.is_boolean() ? 1 : 0;
-        flowed += told == true ? 1 : 0;
+        const json reported = response.value("liquefied", json());
+        able += reported.is_boolean() ? 1 : 0;
+        flowed += reported == true ? 1 : 0;
     }
     if (able == 0) {
         return empty;

@@ -58,7 +58,7 @@ TEST(TriaxialTable, OfDrainedTestsHasNoColumnsOfPorePressure) {
     EXPECT_EQ(table.header.size(), table.numeric.size());
 }
 
-TEST(TriaxialTable, CountsLiquefiedSamplesAndTellsInstabilityAndPorePressure) {
+TEST(TriaxialTable, CountsLiquefiedSamplesAndReportsInstabilityAndPorePressure) {
     nlohmann::json flows = response(), stays = response();
     flows.update({{"liquefied", true}, {"excess_pore_pressure", 90e3}, {"instability", {{"q", 60e3}}}});
     stays.update({{"liquefied", false}, {"excess_pore_pressure", 70e3}, {"instability", nullptr}});

@@ -29,7 +29,7 @@ bool has_thresholds(const RunResults& results) {
 }
 
 /// "The void ratio is lowest at 37 % fines."
-std::vector<std::string> tell_fines(const RunResults& results) {
+std::vector<std::string> describe_fines(const RunResults& results) {
     std::vector<std::string> lines;
     using enum study::ThresholdKind;
     for (const auto& [kind, words] :
@@ -58,7 +58,7 @@ bool has_numbers(const StudyOutcome& outcome) {
 }
 
 /// "From gradient 0.05 to 0.5 the mass carried out rises from 3 to 14 %."
-std::string tell_result(const StudyOutcome& outcome, Result which, const flow::Fluid& fluid) {
+std::string describe_result(const StudyOutcome& outcome, Result which, const flow::Fluid& fluid) {
     const OutcomePoint *first = nullptr, *last = nullptr, *least = nullptr, *most = nullptr;
     for (const OutcomePoint& point : outcome.points) {
         if (const Scatter* const value = point.find(which)) {
@@ -91,24 +91,24 @@ std::string tell_result(const StudyOutcome& outcome, Result which, const flow::F
     );
 }
 
-std::vector<std::string> tell_sweep(const StudyOutcome& outcome, const flow::Fluid& fluid) {
+std::vector<std::string> describe_sweep(const StudyOutcome& outcome, const flow::Fluid& fluid) {
     std::vector<std::string> lines;
     const std::optional<Result> main = study::main_result(outcome);
     if (!main) {
         return {"No sample has come far enough for a result."};
     }
-    lines.push_back(tell_result(outcome, *main, fluid));
-    constexpr std::size_t most_told = 2; // each sentence is long, and the cards tell the rest
-    for (int k = 0; k < study::results && lines.size() < most_told; ++k) {
+    lines.push_back(describe_result(outcome, *main, fluid));
+    constexpr std::size_t most_reported = 2; // each sentence is long, and the cards tell the rest
+    for (int k = 0; k < study::results && lines.size() < most_reported; ++k) {
         const auto which = static_cast<Result>(k);
         if (which != *main && outcome.has(which) && study::depends_on_sweep(outcome, which)) {
-            lines.push_back(tell_result(outcome, which, fluid));
+            lines.push_back(describe_result(outcome, which, fluid));
         }
     }
     return lines;
 }
 
-std::string tell_eroded(const RunResults& results, const OutcomePoint* point) {
+std::string describe_eroded(const RunResults& results, const OutcomePoint* point) {
     const erosion::ErosionResult& erosion = results.story.erosion;
     double share = erosion::eroded_percent(erosion) / 100;
     if (const Scatter* const all = point == nullptr ? nullptr : point->find(Result::ErodedMass)) {
@@ -125,7 +125,7 @@ std::string tell_eroded(const RunResults& results, const OutcomePoint* point) {
                : fmt::format("Water at i = {:g} carries out none of the fines.", gradient);
 }
 
-std::optional<std::string> tell_permeability(const RunResults& results, const OutcomePoint* point) {
+std::optional<std::string> describe_permeability(const RunResults& results, const OutcomePoint* point) {
     const auto found = study::permeability_after(results.story.erosion, results.what->fluid.conductance);
     const Scatter* const all = point == nullptr ? nullptr : point->find(Result::PermeabilityChange);
     if (!found && all == nullptr) {
@@ -146,34 +146,34 @@ std::optional<std::string> tell_permeability(const RunResults& results, const Ou
                  );
 }
 
-std::optional<std::string> tell_change_of_strength(const std::vector<study::StrengthChange>& changes) {
-    constexpr std::size_t most_told = 3; // of more, none stands for all
-    const auto told = std::ranges::find_if(changes, [](const study::StrengthChange& change) {
+std::optional<std::string> describe_change_of_strength(const std::vector<study::StrengthChange>& changes) {
+    constexpr std::size_t most_reported = 3; // of more, none stands for all
+    const auto reported = std::ranges::find_if(changes, [](const study::StrengthChange& change) {
         return change.borne().change.seeds > 0;
     });
-    if (told == changes.end()) {
+    if (reported == changes.end()) {
         return std::nullopt;
     }
-    if (changes.size() > most_told) {
+    if (changes.size() > most_reported) {
         const auto weaker =
             std::ranges::count_if(changes, [](const study::StrengthChange& c) { return c.is_weaker() == true; });
         return fmt::format("{} of {} tests after the loss find the soil weaker.", weaker, changes.size());
     }
-    const std::string what = told->holds_deviator() ? "pore pressure that it bears" : "peak strength";
-    const study::BeforeAfter& borne = told->borne();
-    if (!told->is_weaker()) {
+    const std::string what = reported->holds_deviator() ? "pore pressure that it bears" : "peak strength";
+    const study::BeforeAfter& borne = reported->borne();
+    if (!reported->is_weaker()) {
         return fmt::format("The {} changes no more than samples differ.", what);
     }
     return fmt::format(
-        "The {} {} by {}, from {} to {} kPa.", what, *told->is_weaker() ? "falls" : "rises",
+        "The {} {} by {}, from {} to {} kPa.", what, *reported->is_weaker() ? "falls" : "rises",
         percent_text(std::abs(borne.change.mean)), fixed(borne.before.mean / 1e3, 0), fixed(borne.after.mean / 1e3, 0)
     );
 }
 
-std::vector<std::string> tell_erosion(const RunResults& results, const OutcomePoint* point) {
-    std::vector<std::string> lines = {tell_eroded(results, point)};
+std::vector<std::string> describe_erosion(const RunResults& results, const OutcomePoint* point) {
+    std::vector<std::string> lines = {describe_eroded(results, point)};
     for (std::optional<std::string> line :
-         {tell_permeability(results, point), tell_change_of_strength(results.strength)}) {
+         {describe_permeability(results, point), describe_change_of_strength(results.strength)}) {
         if (line) {
             lines.push_back(std::move(*line));
         }
@@ -181,7 +181,7 @@ std::vector<std::string> tell_erosion(const RunResults& results, const OutcomePo
     return lines;
 }
 
-std::vector<std::string> tell_probe(const RunResults& results) {
+std::vector<std::string> describe_probe(const RunResults& results) {
     const erosion::ProbeResult* most = &results.story.probes.front();
     for (const erosion::ProbeResult& probe : results.story.probes) {
         most = probe.gradient > most->gradient ? &probe : most;
@@ -195,7 +195,8 @@ std::vector<std::string> tell_probe(const RunResults& results) {
         "Grains have no weight here: this gradient is not a critical one."};
 }
 
-std::vector<std::string> tell_removal(const OutcomePoint& point, const std::vector<study::StrengthChange>& strength) {
+std::vector<std::string>
+describe_removal(const OutcomePoint& point, const std::vector<study::StrengthChange>& strength) {
     const double strain = point.find(Result::RemovalStrain)->mean;
     std::vector<std::string> lines = {fmt::format(
         "Fines of {} of the mass are taken out without water.", percent_text(point.find(Result::RemovedMass)->mean)
@@ -205,13 +206,13 @@ std::vector<std::string> tell_removal(const OutcomePoint& point, const std::vect
             ? "The soil keeps its volume."
             : fmt::format("The soil {} by {}.", strain > 0 ? "contracts" : "dilates", percent_text(std::abs(strain)))
     );
-    if (auto line = tell_change_of_strength(strength)) {
+    if (auto line = describe_change_of_strength(strength)) {
         lines.push_back(std::move(*line));
     }
     return lines;
 }
 
-std::vector<std::string> tell_state(const OutcomePoint& point, const flow::Fluid& fluid) {
+std::vector<std::string> describe_state_of(const OutcomePoint& point, const flow::Fluid& fluid) {
     std::vector<std::string> lines;
     if (const Scatter* const strength = point.find(Result::Strength)) {
         lines.push_back(fmt::format("The soil bears a deviator stress of {} kPa.", fixed(strength->mean / 1e3, 0)));
@@ -232,7 +233,7 @@ std::vector<std::string> tell_state(const OutcomePoint& point, const flow::Fluid
 
 } // namespace
 
-const StudyOutcome* told_outcome(const RunResults& results) {
+const StudyOutcome* reported_outcome(const RunResults& results) {
     const casefile::Study* study = nullptr;
     if (results.fines_sweep && has_thresholds(results)) {
         study = results.fines_sweep->study;
@@ -245,8 +246,8 @@ const StudyOutcome* told_outcome(const RunResults& results) {
     return found == results.outcomes.end() ? study::main_outcome(results.outcomes) : &*found;
 }
 
-const OutcomePoint* told_point(const RunResults& results) {
-    const StudyOutcome* const outcome = told_outcome(results);
+const OutcomePoint* reported_point(const RunResults& results) {
+    const StudyOutcome* const outcome = reported_outcome(results);
     if (outcome == nullptr || outcome->points.empty()) {
         return nullptr;
     }
@@ -260,8 +261,8 @@ const OutcomePoint* told_point(const RunResults& results) {
 }
 
 Question question_of(const RunResults& results) {
-    const StudyOutcome* const outcome = told_outcome(results);
-    const OutcomePoint* const point = told_point(results);
+    const StudyOutcome* const outcome = reported_outcome(results);
+    const OutcomePoint* const point = reported_point(results);
     if (has_thresholds(results)) {
         return Question::Fines;
     }
@@ -281,30 +282,30 @@ Question question_of(const RunResults& results) {
 }
 
 std::vector<std::string> verdict_of_run(const RunResults& results) {
-    const OutcomePoint* const point = told_point(results);
+    const OutcomePoint* const point = reported_point(results);
     std::vector<std::string> lines;
     switch (question_of(results)) {
     case Question::Fines:
-        lines = tell_fines(results);
+        lines = describe_fines(results);
         break;
     case Question::Sweep:
-        lines = tell_sweep(*told_outcome(results), results.what->fluid);
+        lines = describe_sweep(*reported_outcome(results), results.what->fluid);
         break;
     case Question::Weight:
         lines = short_verdict(*study::main_mobility(results.mobility));
         break;
     case Question::Erosion:
-        lines = tell_erosion(results, point);
+        lines = describe_erosion(results, point);
         break;
     case Question::Probe:
-        lines = tell_probe(results);
+        lines = describe_probe(results);
         break;
     case Question::Removal:
-        lines = tell_removal(*point, results.strength);
+        lines = describe_removal(*point, results.strength);
         break;
     case Question::State:
         lines = point == nullptr ? std::vector<std::string>{"No stage is finished yet."}
-                                 : tell_state(*point, results.what->fluid);
+                                 : describe_state_of(*point, results.what->fluid);
         break;
     }
     lines.resize(std::min(lines.size(), most_lines));

@@ -23,10 +23,10 @@ enum class Question {
 Question question_of(const study::RunResults& results);
 
 /// The study that the answer is about: of an erosion its own, else the one with the most samples; null without stages.
-const study::StudyOutcome* told_outcome(const study::RunResults& results);
+const study::StudyOutcome* reported_outcome(const study::RunResults& results);
 
 /// The samples of that study that the verdict is of; null where there are none.
-const study::OutcomePoint* told_point(const study::RunResults& results);
+const study::OutcomePoint* reported_point(const study::RunResults& results);
 
 std::vector<std::string> verdict_of_run(const study::RunResults& results);
 

@@ -94,28 +94,28 @@ TEST_F(Verdict, OfAnErosionSaysWhatLeftAndWhatThatDid) {
 
 TEST_F(Verdict, APermeabilityStaysWithinHalfAPercent) {
     results.story.erosion = test::sample_erosion();
-    const auto told = [&](double change) {
+    const auto reported = [&](double change) {
         sweep(Result::PermeabilityChange, {{"0.05", {change}}});
         return verdict().at(1);
     };
-    EXPECT_EQ(told(1.0049), "The permeability stays as it was.");
-    EXPECT_EQ(told(0.9951), "The permeability stays as it was.");
-    EXPECT_EQ(told(0.9949), "The permeability falls to 99 % of what it was.");
-    EXPECT_EQ(told(1.0051), "The permeability rises by 0.5 %.");
-    EXPECT_EQ(told(1.0949), "The permeability rises by 9.5 %.");
-    EXPECT_EQ(told(1.11), "The permeability rises 1.1 times.");
+    EXPECT_EQ(reported(1.0049), "The permeability stays as it was.");
+    EXPECT_EQ(reported(0.9951), "The permeability stays as it was.");
+    EXPECT_EQ(reported(0.9949), "The permeability falls to 99 % of what it was.");
+    EXPECT_EQ(reported(1.0051), "The permeability rises by 0.5 %.");
+    EXPECT_EQ(reported(1.0949), "The permeability rises by 9.5 %.");
+    EXPECT_EQ(reported(1.11), "The permeability rises 1.1 times.");
 }
 
 TEST_F(Verdict, OfARemovalKeepsTheVolumeThatChangesByLessThanHalfAPerMille) {
-    const auto told = [&](double strain) {
+    const auto reported = [&](double strain) {
         sweep(Result::RemovedMass, {{"0.05", {0.12}}});
         results.outcomes.front().points.front().result[Result::RemovalStrain] = study::scatter_of({strain});
         return verdict().at(1);
     };
-    EXPECT_EQ(told(0.00049), "The soil keeps its volume.");
-    EXPECT_EQ(told(-0.00049), "The soil keeps its volume.");
-    EXPECT_EQ(told(0.00051), "The soil contracts by 0.1 %.");
-    EXPECT_EQ(told(-0.00051), "The soil dilates by 0.1 %.");
+    EXPECT_EQ(reported(0.00049), "The soil keeps its volume.");
+    EXPECT_EQ(reported(-0.00049), "The soil keeps its volume.");
+    EXPECT_EQ(reported(0.00051), "The soil contracts by 0.1 %.");
+    EXPECT_EQ(reported(-0.00051), "The soil dilates by 0.1 %.");
 }
 
 TEST_F(Verdict, OfMoreThanThreeComparedTestsIsHowManyFindTheSoilWeaker) {
@@ -131,7 +131,7 @@ TEST_F(Verdict, OfMoreThanThreeComparedTestsIsHowManyFindTheSoilWeaker) {
     EXPECT_EQ(verdict().back(), "3 of 4 tests after the loss find the soil weaker.");
 }
 
-TEST_F(Verdict, OfFinesTellsTheThresholdsThatMoreThanHalfOfTheSeedsHave) {
+TEST_F(Verdict, OfFinesReportsTheThresholdsThatMoreThanHalfOfTheSeedsHave) {
     using enum study::ThresholdKind;
     results.fines.emplace().thresholds = {
         {LowestLoose, study::scatter_of({0.40, 0.42})}, {ActiveFines, study::scatter_of({0.3, std::nan("")})}};
@@ -165,7 +165,7 @@ TEST_F(Verdict, OfASweepSaysHowItsResultDependsOnTheKey) {
     EXPECT_EQ(opening.pictures.front(), "own-sweep");
 }
 
-TEST_F(Verdict, OfASweepWithinTheScatterOfItsSamplesIsThatItHardlyMatters) {
+TEST_F(Verdict, OfASweepWithinTheScatterOfItsSamplesIsThatItMakesNoMeasurableDifference) {
     sweep(Result::ErodedMass, {{"0.05", {0.10, 0.14}}, {"0.1", {0.11, 0.15}}});
     EXPECT_EQ(verdict().front(), "The gradient makes no measurable difference to the mass carried out: 12 % to 13 %.");
 }

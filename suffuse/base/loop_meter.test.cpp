@@ -36,7 +36,7 @@ TEST(LoopMeter, SharesBlocksAsFreeThreadsTakeThem) {
     EXPECT_EQ(shared_time({}, 2), 0);
 }
 
-TEST(LoopMeter, TellsWhatIsOutsideOfLoopsFromWhatIsWithin) {
+TEST(LoopMeter, DistinguishesWhatIsOutsideOfLoopsFromWhatIsWithin) {
     LoopMeter meter(4, [] { return now; });
     EXPECT_EQ(thread_count(), 4);
     {

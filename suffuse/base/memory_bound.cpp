@@ -68,9 +68,9 @@ double bound_memory(double bytes) {
         return no_bound;
     }
     const double before = of_limit(limit.rlim_cur);
-    const double asked = std::min(bytes, of_limit(limit.rlim_max));
+    const double requested = std::min(bytes, of_limit(limit.rlim_max));
     constexpr double most = 9e18; // that rlim_t holds
-    limit.rlim_cur = asked < most ? static_cast<rlim_t>(asked) : limit.rlim_max;
+    limit.rlim_cur = requested < most ? static_cast<rlim_t>(requested) : limit.rlim_max;
     setrlimit(RLIMIT_DATA, &limit);
     return before;
 }

@@ -33,7 +33,7 @@ TEST(MachineMemory, IsTheLeastLimitOfAGroupAndOfThoseAboveIt) {
     EXPECT_EQ(group_memory(place / "membership", place / "groups"), 1e9);
 }
 
-TEST(MachineMemory, HeedsTheFirstVersionOfControlGroupsToo) {
+TEST(MachineMemory, ReadsTheFirstVersionOfControlGroupsToo) {
     const test::TempFolder place;
     write_to(place / "membership", "5:cpu,cpuacct:/a\n4:memory:/a\n");
     write_to(place / "groups/memory/a/memory.limit_in_bytes", "500000000\n");

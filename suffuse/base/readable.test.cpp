@@ -42,7 +42,7 @@ TEST(Readable, ALongWordKeepsItsEndAsAPathNeedsIt) {
     EXPECT_LT(message.size(), 250U);
 }
 
-TEST(Readable, QuotationMarksInAStrangersTextDoNotMakeItLonger) {
+TEST(Readable, QuotationMarksInAForeignTextDoNotMakeItLonger) {
     std::string marks;
     for (int k = 0; k < 100'000; ++k) {
         marks += "a \" b ";

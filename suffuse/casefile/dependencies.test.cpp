@@ -36,17 +36,17 @@ TEST(Dependencies, OfAStageThatKeepsItsShearStressesAreThoseOfBeforeTheyCouldBeR
     packing::CompactSpec to_pressure;
     dem::SettleSpec at_stress;
     at_stress.loading.axis.fill({cell::Control::Stress, 1e5});
-    const auto told = [&] {
+    const auto describe = [&] {
         compact.spec = to_pressure, settle.spec = at_stress;
         return dependencies_of(c, variant, compact) + dependencies_of(c, variant, settle);
     };
-    const std::string kept = told();
+    const std::string kept = describe();
     EXPECT_EQ(kept.find("shear_stresses"), std::string::npos);
     to_pressure.shear_released = true;
-    const std::string one = told();
+    const std::string one = describe();
     EXPECT_NE(one.find("shear_stresses = \"released\""), std::string::npos);
     at_stress.loading.shear_released = true;
-    EXPECT_NE(told(), one);
+    EXPECT_NE(describe(), one);
 }
 
 } // namespace

@@ -68,7 +68,7 @@ TEST(Diagnostics, CountsErrorsAndWarnings) {
     EXPECT_EQ(count_problems({}), "no problems");
 }
 
-TEST(Diagnostics, TheSameProblemIsToldOnce) {
+TEST(Diagnostics, TheSameProblemIsReportedOnce) {
     Problems problems;
     const auto source = source_of("a\nb\n");
     problems.error("E1", {source, 2, 1, 1}, "later");
@@ -108,7 +108,7 @@ TEST(Diagnostics, WarningsOfOneCodeAreShownInFullOnce) {
     EXPECT_NE(shown.find("6 errors, 6 warnings"), std::string::npos);
 }
 
-TEST(Diagnostics, ManyErrorsThatAskForTheSameAreShownInFullOnce) {
+TEST(Diagnostics, ManyErrorsWithTheSameAdviceAreShownInFullOnce) {
     const auto shown_of = [](int lines) {
         Problems problems;
         const auto source = source_of("a\nb\nc\nd\ne\nf\n");

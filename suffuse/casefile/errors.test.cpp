@@ -15,12 +15,12 @@ using namespace suffuse::casefile::testing;
 struct Wrong {
     std::string code;
     int line, column, length;
-    std::string says; ///< part of message, help or label
+    std::string expected; ///< part of message, help or label
     std::string text;
 };
 
 std::ostream& operator<<(std::ostream& out, const Wrong& wrong) {
-    return out << wrong.code << " " << wrong.says;
+    return out << wrong.code << " " << wrong.expected;
 }
 
 /// `good_case` with one line replaced; lines from 1.
@@ -47,7 +47,7 @@ TEST_P(CaseErrors, StandAtTheirPlace) {
     EXPECT_EQ(found.column, wrong.column);
     EXPECT_EQ(found.length, wrong.length);
     EXPECT_EQ(found.file, "case.toml");
-    EXPECT_NE((found.message + " " + found.help + " " + found.label).find(wrong.says), std::string::npos)
+    EXPECT_NE((found.message + " " + found.help + " " + found.label).find(wrong.expected), std::string::npos)
         << found.message << " " << found.help;
     EXPECT_TRUE(explain(found.code)) << found.code;
 }
@@ -211,14 +211,14 @@ from = 3
 }
 
 TEST(CaseErrors, ElasticSpheresNeedTheirModulusAndHaveNoShearRatioNorAdhesion) {
-    const auto says = [](const std::string& contact, const std::string& code) {
+    const auto expected = [](const std::string& contact, const std::string& code) {
         return find_problem(problems_of(good_case + "[contact]\nlaw = \"hertz-mindlin\"\n" + contact), code).message;
     };
-    EXPECT_NE(says("", "E201").find("modulus"), std::string::npos);
+    EXPECT_NE(expected("", "E201").find("modulus"), std::string::npos);
     const std::string glass = "modulus = \"70 GPa\"\n";
-    EXPECT_NE(says(glass + "shear_ratio = 0.8\n", "E207").find("`shear_ratio`"), std::string::npos);
-    EXPECT_NE(says(glass + "adhesion.normal = \"1 MPa\"\n", "E207").find("adhere"), std::string::npos);
-    EXPECT_NE(says(glass + "poisson = 0.6\n", "E205").find("poisson"), std::string::npos);
+    EXPECT_NE(expected(glass + "shear_ratio = 0.8\n", "E207").find("`shear_ratio`"), std::string::npos);
+    EXPECT_NE(expected(glass + "adhesion.normal = \"1 MPa\"\n", "E207").find("adhere"), std::string::npos);
+    EXPECT_NE(expected(glass + "poisson = 0.6\n", "E205").find("poisson"), std::string::npos);
     EXPECT_EQ(problems_of(good_case + "[contact]\nlaw = \"hertz-mindlin\"\n" + glass + "poisson = 0.2\n").size(), 0U);
     const std::string linear = good_case + "[contact]\npoisson = 0.2\n";
     EXPECT_NE(find_problem(problems_of(linear), "E207").message.find("`poisson`"), std::string::npos);

@@ -255,7 +255,7 @@ void fields(V& v, erosion::DetachStageSpec& s) {
     take_gravity(v, s.probe);
     gradients_field(v, s);
     v.direction(s.direction);
-    v.field("asked_gradient", s.asked_gradient);
+    v.field("asked_gradient", s.specified_gradient);
     v.choice("hold", s.probe.hold_coarse, names::hold);
     check_hold(v, s.probe, s.probe.hold_coarse);
     weightless_fields(v, s.probe);

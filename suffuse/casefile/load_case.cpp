@@ -17,18 +17,18 @@ std::string choose_preset(Node& root, const LoadOptions& options, Problems& prob
         const Node::Entry* entry = root.find(key);
         return entry != nullptr && entry->value.is_text() ? entry->value.text : "";
     };
-    const bool is_asked = !options.preset.empty();
-    const std::string name = is_asked ? options.preset : text_at("preset");
+    const bool is_requested = !options.preset.empty();
+    const std::string name = is_requested ? options.preset : text_at("preset");
     if (name.empty()) {
         const std::string applied = text_at("applied_preset");
         return applied.empty() ? "standard" : applied;
     }
-    const Place asked =
-        is_asked
+    const Place place_of_preset =
+        is_requested
             ? Place{std::make_shared<Source>(Source{"--preset", options.preset}), 1, 1, static_cast<int>(options.preset.size())}
             : root.find("preset")->value.place;
     const bool weighs = root.find("gravity") != nullptr || std::ranges::any_of(options.overrides, sets_gravity);
-    apply_preset(root, name, asked, weighs, problems);
+    apply_preset(root, name, place_of_preset, weighs, problems);
     return name;
 }
 

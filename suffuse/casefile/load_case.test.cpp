@@ -181,9 +181,9 @@ TEST(LoadCase, EveryKeyOfTheSchemaIsWrittenBack) {
         const std::string law = fmt::format("[contact]\nlaw = \"{}\"\nmodulus = \"70 GPa\"\n", spring.words.name);
         collect_keys(tree_of(load(good_case + law)), written);
     }
-    const std::string asks = "[[study.one.stage]]\nname = \"x\"\ndo = \"detach\"\nasked_gradient = 0.2\n";
+    const std::string extra_stage = "[[study.one.stage]]\nname = \"x\"\ndo = \"detach\"\nasked_gradient = 0.2\n";
     const std::string title_page = "[report]\nproject = \"Dyke\"\nauthor = \"A. E.\"\n";
-    collect_keys(tree_of(load(good_case + asks + "[gravity]\ndown = \"-z\"\n" + title_page)), written);
+    collect_keys(tree_of(load(good_case + extra_stage + "[gravity]\ndown = \"-z\"\n" + title_page)), written);
     for (const Key& key : schema()) {
         // `preset` was applied; `settle` writes its stresses per axis, `detach` all its gradients.
         const bool is_input_only = key.table == "presets.*" || (key.table.empty() && key.name == "preset") ||

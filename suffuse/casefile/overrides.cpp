@@ -119,7 +119,7 @@ void apply_preset_key(Node& root, const Node::Entry& entry, bool weighs) {
 
 } // namespace
 
-void apply_preset(Node& root, const std::string& name, const Place& asked, bool weighs, Problems& problems) {
+void apply_preset(Node& root, const std::string& name, const Place& preset_place, bool weighs, Problems& problems) {
     const Node::Entry* presets = root.find("presets");
     const Node::Entry* preset = presets != nullptr ? presets->value.find(name) : nullptr;
     if (preset == nullptr) {
@@ -133,7 +133,7 @@ void apply_preset(Node& root, const std::string& name, const Place& asked, bool 
             }
         }
         problems.error(
-            "E404", asked, fmt::format("there is no preset \"{}\"", name),
+            "E404", preset_place, fmt::format("there is no preset \"{}\"", name),
             fmt::format("known are {}", fmt::join(known, ", "))
         );
         return;
@@ -157,9 +157,10 @@ void keep_studies(Node& root, const std::vector<std::string>& names, Problems& p
     std::ranges::transform(entries, std::back_inserter(known), &Node::Entry::key);
     for (const std::string& name : names) {
         if (std::ranges::find(known, name) == known.end()) {
-            const Place asked{std::make_shared<Source>(Source{"--study", name}), 1, 1, static_cast<int>(name.size())};
+            const Place preset_place{
+                std::make_shared<Source>(Source{"--study", name}), 1, 1, static_cast<int>(name.size())};
             problems.error(
-                "E408", asked, fmt::format("there is no study \"{}\"", name),
+                "E408", preset_place, fmt::format("there is no study \"{}\"", name),
                 fmt::format("known are {}", fmt::join(known, ", "))
             );
         }

@@ -13,7 +13,7 @@ namespace suffuse::casefile {
 
 /// Applies [presets.NAME]; "standard" needs no table and is the case as written. `asked` is where the name stands.
 /// @param weighs fines have weight: what a preset says of probes without it is passed over
-void apply_preset(Node& root, const std::string& name, const Place& asked, bool weighs, Problems& problems);
+void apply_preset(Node& root, const std::string& name, const Place& preset_place, bool weighs, Problems& problems);
 
 /// Applies "study.erosion.stage.erosion.gradient=0.1"; stages are found by their names.
 void apply_override(Node& root, const std::string& text, Problems& problems);

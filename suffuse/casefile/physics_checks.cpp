@@ -378,7 +378,7 @@ struct CheckValues {
 
 void check_stage(Checks& checks, const Stage& stage) {
     std::visit(CheckValues{checks, stage}, stage.spec);
-    if (traits_of(stage).asks_for_fines) {
+    if (traits_of(stage).needs_fines_rule) {
         checks.check_fines(stage);
     }
     if (weighs_fines(stage)) {

@@ -77,7 +77,7 @@ TEST(ReadGrading, SieveAnalysesAsLaboratoriesWriteThemGiveTheSameCurve) {
 struct WrongGrading {
     std::string code;
     int line, column;
-    std::string says, text;
+    std::string words, text;
 };
 
 TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
@@ -133,7 +133,7 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
         EXPECT_EQ(found.line, wrong.line) << wrong.text << found.message;
         EXPECT_EQ(found.column, wrong.column) << wrong.text;
         EXPECT_EQ(found.file, "sand.csv");
-        EXPECT_NE((found.message + " " + found.help).find(wrong.says), std::string::npos)
+        EXPECT_NE((found.message + " " + found.help).find(wrong.words), std::string::npos)
             << found.message << found.help;
     }
 }

@@ -133,17 +133,17 @@ std::optional<Slip> find_slip(std::string_view line) {
 
 /// Why the text is no TOML, and one thing to do.
 Slip explain_error(const Text& source, const toml::parse_error& error) {
-    const std::string told = plain_description(error.description());
-    if (told.find("64 bits") != std::string::npos) {
-        return {told, "a whole number goes up to 9223372036854775807"};
+    const std::string plain = plain_description(error.description());
+    if (plain.find("64 bits") != std::string::npos) {
+        return {plain, "a whole number goes up to 9223372036854775807"};
     }
-    if (told.find("escape sequence") != std::string::npos) {
-        return {told, "in a path write / for \\, or put the text between single quotes"};
+    if (plain.find("escape sequence") != std::string::npos) {
+        return {plain, "in a path write / for \\, or put the text between single quotes"};
     }
-    const bool is_known = told.find("redefine") != std::string::npos;
+    const bool is_known = plain.find("redefine") != std::string::npos;
     const auto slip =
         is_known ? std::nullopt : find_slip(line_of(*source, static_cast<int>(error.source().begin.line)));
-    return slip.value_or(Slip{told, "a case is a TOML file: key = value, texts in quotes, tables in [brackets]"});
+    return slip.value_or(Slip{plain, "a case is a TOML file: key = value, texts in quotes, tables in [brackets]"});
 }
 
 } // namespace

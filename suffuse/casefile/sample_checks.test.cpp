@@ -67,7 +67,7 @@ TEST(SampleChecks, GrainsThatCannotBeDrawnAreReportedBeforeTheRun) {
     EXPECT_NE(few.message.find("particles"), std::string::npos);
 }
 
-TEST(SampleChecks, ASkeletonThatWillBeTooNarrowToErodeIsToldBeforeTheRun) {
+TEST(SampleChecks, ASkeletonThatWillBeTooNarrowToErodeIsReportedBeforeTheRun) {
     const std::string coarse = replaced(good_case, "0.15 mm", "0.3 mm");
     const auto with = [&](int particles) { return replaced(coarse, "20000", std::to_string(particles)) + erode_stage; };
     const Diagnostic found = find_problem(problems_of(with(1000)), "W610");
@@ -79,7 +79,7 @@ TEST(SampleChecks, ASkeletonThatWillBeTooNarrowToErodeIsToldBeforeTheRun) {
     EXPECT_EQ(find_problem(problems_of(with(enough * 9 / 10)), "W610").line, 7);
 }
 
-TEST(SampleChecks, ACellThatASampleSizeMakesTooNarrowIsToldWhereThatStands) {
+TEST(SampleChecks, ACellThatASampleSizeMakesTooNarrowIsReportedAtThatKey) {
     std::string text = replaced(good_case, "particles = 20000", "sample_size = { coarse_grains = 100 }");
     text = replaced(text, "psd = \"data/sand.csv\"", "coarse = { psd = \"data/sand.csv\" }");
     text = replaced(

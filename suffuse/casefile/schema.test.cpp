@@ -100,7 +100,7 @@ TEST(Schema, EveryVerbHasKeys) {
     }
 }
 
-TEST(Schema, RangesAreSaidInWords) {
+TEST(Schema, RangesAreWrittenInWords) {
     EXPECT_EQ(range_text(key_of("contact", "damping")), "at least 0 and below 1");
     EXPECT_EQ(range_text(key_of("contact", "friction")), "at least 0 and below 90 deg");
     EXPECT_EQ(range_text(key_of("stage.detach", "watch")), "at least 10");

@@ -15,7 +15,7 @@ namespace {
 constexpr Range friction_range{0, pi / 2, false, true};
 
 /// "linear-rolling: linear springs, adhesion; hertz-mindlin: elastic spheres"
-std::string said_of_laws(std::string_view contact::SpringWords::*what) {
+std::string texts_of_laws(std::string_view contact::SpringWords::*what) {
     std::vector<std::string> parts;
     for (const contact::Spring& spring : contact::springs) {
         parts.push_back(fmt::format("{}: {}", spring.words.name, spring.words.*what));
@@ -62,11 +62,11 @@ std::vector<Key> contact_rows() {
             "contact", "law", names::words_of(names::law),
             fmt::format(
                 "Contact law. {}. {} with Coulomb slip, rolling and twisting resistance.",
-                said_of_laws(&contact::SpringWords::summary), contact::springs.size() == 2 ? "Both" : "All"
+                texts_of_laws(&contact::SpringWords::summary), contact::springs.size() == 2 ? "Both" : "All"
             )
         ),
         quantity(
-            "contact", "modulus", dimension::pressure, above_zero, said_of_laws(&contact::SpringWords::modulus) + "."
+            "contact", "modulus", dimension::pressure, above_zero, texts_of_laws(&contact::SpringWords::modulus) + "."
         ),
         ratio(
             "contact", "shear_ratio", above_zero,

@@ -81,7 +81,7 @@ TEST_P(LawOfACase, RefusesTheKeysOfOtherLaws) {
     });
 }
 
-TEST_P(LawOfACase, AsksForWhatItNeeds) {
+TEST_P(LawOfACase, RequestsWhatItNeeds) {
     for (const contact::NeededKey& key : spring.words.needs) {
         const std::string text = fmt::format("[contact]\nlaw = \"{}\"\n", spring.words.name);
         const Diagnostic found = find_problem(problems_of(good_case + text), "E201");

@@ -47,8 +47,8 @@ std::optional<Stage> read_stage(ReadContext& context, const Node& node, const st
     Reader v(context, node, node.place, patterns, path + ".stage." + shown);
     Stage stage;
     v.field("name", stage.name);
-    if (const Node* asked = v.take("do")) {
-        v.find_word("do", *asked, words);
+    if (const Node* given = v.take("do")) {
+        v.find_word("do", *given, words);
     }
     if (known == words.end()) {
         return std::nullopt; // whose keys these are is not known

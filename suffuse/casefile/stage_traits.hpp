@@ -29,9 +29,9 @@ struct StageTraits {
     std::string_view verb; ///< the word of a case
     Origin origin = Origin::Before;
     Needs needs = Needs::Nothing;
-    bool only_looks = false;     ///< leaves the state as it found it
-    bool has_water = false;      ///< what it does depends on the fluid
-    bool asks_for_fines = false; ///< takes fines out, or asks which would leave
+    bool only_looks = false;       ///< leaves the state as it found it
+    bool has_water = false;        ///< what it does depends on the fluid
+    bool needs_fines_rule = false; ///< takes fines out, or asks which would leave
     bool loses_grains = false;
     bool ends_balanced = false; ///< under the stresses held
     bool keeps_path = false;    ///< a test from its end is the same test as one from its start
@@ -41,7 +41,7 @@ struct StageTraits {
     [[nodiscard]] constexpr bool makes_sample() const { return origin != Origin::Before; }
 
     /// Whether it asks which fines the water would take.
-    [[nodiscard]] constexpr bool probes_fines() const { return has_water && asks_for_fines; }
+    [[nodiscard]] constexpr bool probes_fines() const { return has_water && needs_fines_rule; }
 
     /// Whether water takes grains out.
     [[nodiscard]] constexpr bool erodes() const { return has_water && loses_grains; }
@@ -74,13 +74,13 @@ inline constexpr std::tuple stage_rows{
          .needs = Needs::Contacts,
          .only_looks = true,
          .has_water = true,
-         .asks_for_fines = true,
+         .needs_fines_rule = true,
          .keeps_path = true}},
     TraitsOf<erosion::ErodeSpec>{
         {.verb = "erode",
          .needs = Needs::Stress,
          .has_water = true,
-         .asks_for_fines = true,
+         .needs_fines_rule = true,
          .loses_grains = true,
          .ends_balanced = true,
          .keeps_path = true,
@@ -88,7 +88,7 @@ inline constexpr std::tuple stage_rows{
     TraitsOf<erosion::RemoveSpec>{
         {.verb = "remove",
          .needs = Needs::Stress,
-         .asks_for_fines = true,
+         .needs_fines_rule = true,
          .loses_grains = true,
          .ends_balanced = true,
          .keeps_path = true,

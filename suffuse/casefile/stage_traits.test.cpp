@@ -41,7 +41,7 @@ TEST(StageTraits, TheRowsAgreeWithThemselves) {
         EXPECT_FALSE(traits.only_looks && traits.loses_grains);
         EXPECT_FALSE(traits.only_looks && !traits.keeps_path) << "a look changes nothing";
         EXPECT_TRUE(!traits.makes_sample() || traits.needs == Needs::Nothing);
-        EXPECT_TRUE(!traits.loses_grains || traits.asks_for_fines);
+        EXPECT_TRUE(!traits.loses_grains || traits.needs_fines_rule);
         for (const std::string_view measure : traits.measures) {
             EXPECT_TRUE(measure.empty() || std::ranges::count(names::measures, measure) == 1) << measure;
         }

@@ -238,13 +238,13 @@ TEST(Presets, AreCheckedAlsoWhenTheyAreNotInForce) {
     EXPECT_EQ(find_problem(list, "E203").line, 17);
 }
 
-TEST(Presets, AnUnknownOneOnTheCommandLineIsSaidSo) {
+TEST(Presets, AnUnknownOneOnTheCommandLineIsReported) {
     const Diagnostic found = find_problem(problems_of(with_presets, {"fast", {}}), "E404");
     EXPECT_EQ(found.file, "--preset");
     EXPECT_EQ(found.help, "known are standard, quick");
 }
 
-TEST(Studies, AskedForByNameAreTheOnlyOnes) {
+TEST(Studies, RequestedByNameAreTheOnlyOnes) {
     const std::string two = good_case + "[study.two]\nsoil = \"sand\"\nparticles = 3000\n[[study.two.stage]]\nname = "
                                         "\"cloud\"\ndo = \"pack\"\n";
     ASSERT_EQ(load(two).studies.size(), 2U);
@@ -255,7 +255,7 @@ TEST(Studies, AskedForByNameAreTheOnlyOnes) {
     EXPECT_EQ(load(two, {"", {}, {"two", "one"}}).studies.size(), 2U);
 }
 
-TEST(Studies, AskedForThatTheCaseDoesNotHaveAreSaidSo) {
+TEST(Studies, RequestedThatTheCaseDoesNotHaveAreReported) {
     const Diagnostic found = find_problem(problems_of(good_case, {"", {}, {"one", "three"}}), "E408");
     EXPECT_EQ(found.file, "--study");
     EXPECT_EQ(found.message, "there is no study \"three\"");
@@ -293,7 +293,7 @@ TEST(Set, OfAPresetThatIsNotInForceIsRefusedWithWhatToSetInstead) {
     EXPECT_NE(found.help.find("presets.standard.particles"), std::string::npos);
 }
 
-TEST(Set, ARefinementThatCannotBeReadIsToldOnce) {
+TEST(Set, ARefinementThatCannotBeReadIsReportedOnce) {
     for (const std::string value : {"", "3", "{ of = \"void_ratio\", at = [\"initial\"] }", "{ key = 1 }"}) {
         const std::vector<Diagnostic> list = problems_of(good_case, {"", {"study.one.refine=" + value}});
         EXPECT_TRUE(std::ranges::none_of(list, [](const Diagnostic& d) { return d.code == "E406"; })) << value;

@@ -49,7 +49,7 @@ TEST(Gravity, ReachesEveryStageThatProbesFinesAndComesBackFromTheResolvedCase) {
     EXPECT_EQ(resolved_toml(c).find("ramp ="), std::string::npos); // of a probe without weight
 }
 
-TEST(Gravity, IsSpokenOfOnceWhereAStageAsksWhatWaterTakes) {
+TEST(Gravity, IsMentionedOnceWhereAStageProbesWhatWaterTakes) {
     EXPECT_EQ(weight_sentence(load(good_case)), "");
     EXPECT_EQ(weight_sentence(load(weighed(""))), "");
     EXPECT_NE(weight_sentence(load(good_case + erode_stage)).find("nothing has weight"), std::string::npos);
@@ -89,7 +89,7 @@ TEST(Gravity, WantsGrainsThatSink) {
     }
 }
 
-TEST(Gravity, LeavesNoMeaningToWhatAProbeWithoutWeightIsTold) {
+TEST(Gravity, LeavesNoMeaningToKeysOfAProbeWithoutWeight) {
     for (const char* key :
          {"ramp = 100", "watch = 100", "probe_unbalanced_force = 1e-7", "relax_limit = 100",
           "detached = { by = \"displacement\" }"}) {
@@ -244,10 +244,10 @@ TEST(Gradients, DoNotBeginWhereTheWholeSoilFloats) {
     EXPECT_EQ(find_problem(problems_of(level), "E618").message.find("no E618"), 0U);
 }
 
-TEST(Gradients, ThatTheSoilHasToBearAreAskedWithWeightOnly) {
-    const std::string asked = "asked_gradient = 0.2\n";
-    EXPECT_EQ(last_spec<erosion::DetachStageSpec>(load(weighed(detach_stage + asked))).asked_gradient, 0.2);
-    const Diagnostic found = find_problem(problems_of(good_case + detach_stage + asked), "E207");
+TEST(Gradients, ThatTheSoilHasToBearNeedWeight) {
+    const std::string specified_key = "asked_gradient = 0.2\n";
+    EXPECT_EQ(last_spec<erosion::DetachStageSpec>(load(weighed(detach_stage + specified_key))).specified_gradient, 0.2);
+    const Diagnostic found = find_problem(problems_of(good_case + detach_stage + specified_key), "E207");
     EXPECT_NE(found.message.find("no weight"), std::string::npos) << found.message;
 }
 

@@ -158,7 +158,7 @@ void check_ramp(Reader& v, const erosion::DetachStageSpec& s) {
     const auto place = [&](const char* key) { return v.context().places[fmt::format("{}.{}", v.path(), key)]; };
     const auto falls = [](double a, double b) { return !(a < b); };
     if (!s.probe.gravity) {
-        if (s.asked_gradient) {
+        if (s.specified_gradient) {
             v.error(
                 "E207", place("asked_gradient"),
                 fmt::format("{} asks for a factor of safety, and its fines have no weight", v.title()),

@@ -17,12 +17,12 @@ bool weighs_fines(const Stage& stage) {
 
 std::string weight_sentence(const Case& what) {
     const auto probes = [](const Stage& stage) { return traits_of(stage).probes_fines(); };
-    const bool asks = std::ranges::any_of(what.studies, [&](const Study& study) {
+    const bool needs_mobility = std::ranges::any_of(what.studies, [&](const Study& study) {
         return std::ranges::any_of(study.variants, [&](const Variant& variant) {
             return std::ranges::any_of(variant.stages, probes);
         });
     });
-    if (!asks) {
+    if (!needs_mobility) {
         return "";
     }
     return what.gravity ? "fines have weight where water asks for them (detach, erode); all other stages are weightless"

@@ -30,7 +30,7 @@ TEST(WideChecks, FineGrainsBetweenMuchCoarserOnesNeedAStifferContact) {
     EXPECT_EQ(find_problem(problems_of(good_case), "W609").code, "");
 }
 
-TEST(WideChecks, AWideGradingWantsTheProtocolMadeForItAndANarrowOneAnother) {
+TEST(WideChecks, AWideGradingNeedsTheProtocolForWideGradingsAndANarrowOneAnother) {
     const auto with = [](const std::string& finest, const std::string& protocol) {
         const std::string soil = "coarse = { psd = { d = [\"1 mm\", \"1.2 mm\"], passing = [\"0 %\", \"100 %\"] } }\n"
                                  "fines = { psd = { d = [\"" +

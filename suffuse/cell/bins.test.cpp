@@ -42,10 +42,10 @@ TEST(Bins, ABoxReachesIntoThoseOfAllItsPointsWithTheirPeriods) {
 }
 
 TEST(Bins, ASearchEndsAtTheFirstThatIsWanted) {
-    int asked = 0;
-    const auto is_third = [&](std::size_t, const Image&) { return ++asked == 3; };
+    int calls = 0;
+    const auto is_third = [&](std::size_t, const Image&) { return ++calls == 3; };
     EXPECT_TRUE(bins.any_of({0, 0, 0}, {0.9, 0.9, 0.9}, is_third));
-    EXPECT_EQ(asked, 3);
+    EXPECT_EQ(calls, 3);
     EXPECT_FALSE(bins.any_of({0, 0, 0}, {0.9, 0.9, 0.9}, [](std::size_t, const Image&) { return false; }));
 }
 

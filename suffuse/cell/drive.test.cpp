@@ -203,7 +203,7 @@ TEST(ReleasedShear, ShearsACloudByNoMoreThanTheShareOfItsNoiseInThePressure) {
     EXPECT_EQ(gradient(0, 2), -125);
 }
 
-TEST(ReleasedShear, IsForTheSecantServoBesideAStressThatIsHeld) {
+TEST(ReleasedShear, IsForTheSecantServoTogetherWithAStressThatIsHeld) {
     Loading loading;
     loading.shear_released = true;
     EXPECT_FALSE(releases_shear(loading));

@@ -56,14 +56,14 @@ TEST(CarryOver, NeverDropsATouchingPairAndDropsTheOthers) {
     EXPECT_EQ(touching_rows(three_contacts()).size(), 2U);
 }
 
-TEST(CarryOver, TellsPairsApartByTheirImage) {
+TEST(CarryOver, DistinguishesPairsByTheirImage) {
     const Contacts table = carried(three_contacts(), {{1, 2, {}}, {1, 2, {1, 0, 0}}});
     ASSERT_EQ(table.size(), 3U); // (0,1) touches and stays
     EXPECT_FALSE(table.touches(1));
     EXPECT_TRUE(table.touches(2));
 }
 
-TEST(CarryOver, BringsOptionalColumnsWhenAskedAndWithoutBonds) {
+TEST(CarryOver, BringsOptionalColumnsOnRequestAndWithoutBonds) {
     const Contacts table = carried(three_contacts(), {}, {true, true});
     EXPECT_EQ(table.twisting.size(), 2U);
     EXPECT_EQ(table.bonded, (std::vector<std::uint8_t>{0, 0}));

@@ -73,7 +73,7 @@ TEST(HertzMindlin, PartingTakesTheShearForceOfTheAreaThatIsLost) {
     EXPECT_NEAR(pressed / parted, 1, 1e-9);
 }
 
-TEST(HertzMindlin, ViscousForceIsTheAskedShareOfTheCriticalOne) {
+TEST(HertzMindlin, ViscousForceIsTheSpecifiedShareOfTheCriticalOne) {
     grains::Material material = glass();
     material.viscous_damping = 0.3;
     const LawConstants law = resolve_law(material);

@@ -52,11 +52,11 @@ void settle_world(
     Settling& settling, const std::function<void(bool is_over)>& on_burst
 ) {
     const HoldAtTheEnd held(world, plan.loading);
-    const double asked = plan.dt;
+    const double wanted = plan.dt;
     BalanceState& state = settling.balance;
     for (bool is_over = false; !is_over;) {
-        if (asked > 0) {
-            settling.time_step = asked;
+        if (wanted > 0) {
+            settling.time_step = wanted;
         } else {
             renew_time_step(settling, state.steps, state.equilibrium.contacts, [&] {
                 return computed_time_step(world, plan);
@@ -81,11 +81,11 @@ Mat3 advance_world(
     const std::function<std::int64_t()>& most_at_once, const std::function<void(std::int64_t steps)>& on_burst
 ) {
     const HoldAtTheEnd held(world, plan.loading);
-    const double asked = plan.dt;
+    const double wanted = plan.dt;
     StepReport report;
     while (advancing.done < steps) {
-        if (asked > 0) {
-            advancing.time_step = asked;
+        if (wanted > 0) {
+            advancing.time_step = wanted;
         } else {
             renew_time_step(advancing, advancing.done, measure_equilibrium(world).contacts, [&] {
                 return computed_time_step(world, plan);

@@ -57,7 +57,7 @@ TEST(DriveWorld, StepsAreTheSameHoweverTheyAreCutIntoBursts) {
     EXPECT_EQ(state_hash(whole), state_hash(cut));
 }
 
-TEST(DriveWorld, AStepThatIsNotAskedForIsThatOfTheNetwork) {
+TEST(DriveWorld, AStepThatIsNotSpecifiedIsThatOfTheNetwork) {
     World world = lattice();
     std::vector<std::int64_t> bursts;
     const Advancing advancing = advance_in_bursts(world, 0, endless, bursts);

@@ -120,7 +120,7 @@ TEST(FastMode, LeavesAWholeTableOfASampleThatBlewUp) {
     }
 }
 
-TEST(FastMode, ReachesAnUnbalancedForceFarBelowWhatABalanceAsksFor) {
+TEST(FastMode, ReachesAnUnbalancedForceFarBelowWhatABalanceRequires) {
     World world = test::reference_packing("packing500");
     StepCaches caches;
     StepPlan plan = shearing(Mode::Fast);

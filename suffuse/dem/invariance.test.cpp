@@ -248,7 +248,7 @@ INSTANTIATE_TEST_SUITE_P(Loadings, FreshLists, testing::Bool(), [](const auto& t
     return std::string(test.param ? "UnderServo" : "AtAStrainRate");
 });
 
-TEST(Invariance, FrictionlessGrainsMoveTheSameWhetherOrNotTheirTurningIsReckonedWith) {
+TEST(Invariance, FrictionlessGrainsMoveTheSameWithOrWithoutComputingTheirRotation) {
     World pushing = test::reference_packing("packing500");
     pushing.material.friction = 0;
     World turning = pushing;

@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.first.name + std::to_string(test.param.second); }
 );
 
-TEST(Lattice, HasTheModuliThatTheServoReckonsWith) { // its grains move with the mean strain, by symmetry
+TEST(Lattice, HasTheModuliThatTheServoUses) { // its grains move with the mean strain, by symmetry
     for (const Lattice& lattice : {simple_cubic, body_centered, face_centered}) {
         World world = build(lattice, 2);
         StepCaches caches;

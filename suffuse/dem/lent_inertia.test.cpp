@@ -99,8 +99,8 @@ TEST(LentInertia, LentGentlyIsMassByTheRatioOfTheSizes) {
     World world = own;
     lend_inertia(world, median, {}, {.mass = true, .gently = true});
     for (std::size_t g = 0; g < 6; ++g) {
-        const double asked = std::max(1.0, median / 2 / own.grains.radius[g]);
-        EXPECT_LE(std::abs(std::log2(world.grains.mass[g] / own.grains.mass[g] / asked)), 0.5) << g;
+        const double desired = std::max(1.0, median / 2 / own.grains.radius[g]);
+        EXPECT_LE(std::abs(std::log2(world.grains.mass[g] / own.grains.mass[g] / desired)), 0.5) << g;
         EXPECT_EQ(world.grains.inertia[g] / own.grains.inertia[g], world.grains.mass[g] / own.grains.mass[g]);
     }
 }

@@ -14,7 +14,7 @@ namespace {
     constexpr std::uint32_t ahead = 24;
     const std::uint32_t end = w.remote_start[d + 1];
     for (std::uint32_t k = w.remote_start[d]; k < end; ++k) {
-        if (w.asks_ahead) {
+        if (w.prefetches) {
             __builtin_prefetch(&w.sums[w.grains + std::min(k + ahead, end - 1)], 1);
         }
         grains::GrainSum &share = w.sums[w.grains + k], &sum = w.sums[w.remote[k]];
@@ -61,7 +61,7 @@ move_tile(const motion::MotionOf<Double4, Matrix>& motion, const GrainMove& w, s
 }
 
 /// Asks for grains to come: others look at some of them while they press, and have them in their cache.
-[[gnu::always_inline]] inline void ask_for_rows(const GrainMove& w, std::size_t begin, std::size_t end) {
+[[gnu::always_inline]] inline void prefetch_rows(const GrainMove& w, std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
         const auto* row = reinterpret_cast<const char*>(&w.rows[w.roster[k]]);
         __builtin_prefetch(row, 1);
@@ -82,8 +82,8 @@ template <bool Turning, class Matrix>
     const std::size_t end = w.only_awake ? w.awake_end[d] : std::min(w.grains, (d + 1) * contact::domain_grains);
     for (std::size_t tile = d * contact::domain_grains; tile < end; tile += tile_grains) {
         const std::size_t tile_end = std::min(end, tile + tile_grains);
-        if (w.asks_ahead) {
-            ask_for_rows(w, tile_end, std::min(end, tile_end + tile_grains));
+        if (w.prefetches) {
+            prefetch_rows(w, tile_end, std::min(end, tile_end + tile_grains));
         }
         move_tile<Turning>(motion, w, tile, tile_end);
         for (std::size_t k = tile; k < tile_end; ++k) {
@@ -170,7 +170,7 @@ GrainMove plan_move(
         .only_awake = only_awake,
         .rows = rows.data(),
         .sums = sums.data(),
-        .asks_ahead = thread_count() > 1,
+        .prefetches = thread_count() > 1,
         .turning = turning,
         .upright = is_diagonal(step.old_gradient) && is_diagonal(step.change) && is_diagonal(mean_motion),
         .motion = motion::in_lanes(step),

@@ -34,7 +34,7 @@ struct GrainMove {
     bool only_awake;
     grains::MovingRow* rows;
     grains::GrainSum* sums;
-    bool asks_ahead; ///< for rows that may lie in the cache of another thread
+    bool prefetches; ///< for rows that may lie in the cache of another thread
     bool turning, upright;
     motion::LaneMotion motion;
     Double4x3 mean_motion;

@@ -61,7 +61,7 @@ TEST(MoveGrains, AForceChangesTheSpeedAndTheNewSpeedThePlace) {
     expect_near(grain.position(), start + dt * expected, 1e-15);
 }
 
-TEST(MoveGrains, TheWatchTellsAGrainThatWentFurtherThanAllowed) {
+TEST(MoveGrains, TheWatchReportsAGrainThatWentFurtherThanAllowed) {
     const double way = dt * norm(speed);
     EXPECT_FALSE(OneGrain().move({}, 1.01 * way));
     EXPECT_TRUE(OneGrain().move({}, 0.99 * way));

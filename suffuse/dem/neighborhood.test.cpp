@@ -68,7 +68,7 @@ TEST(Neighborhood, SearchesOnlyWhenItsWideListRunsOut) {
     EXPECT_EQ(table.world.contacts.size(), 2U) << "now they overlap";
 }
 
-TEST(Neighborhood, TellsTheMeanMotionSinceTheTableWasMade) {
+TEST(Neighborhood, ReportsTheMeanMotionSinceTheTableWasMade) {
     const Table table(touching_and_closing(1e-4, 0));
     const Mat3 h = table.world.cell.h;
     const Mat3 stretch = diagonal({1.25, 0.5, 2}); // powers of two but for one: no rounding beyond a bit

@@ -63,7 +63,7 @@ TEST(Settle, AStepThatFailsLeavesNothingInTheCaches) {
     EXPECT_EQ(state_hash(again), state_hash(fresh));
 }
 
-TEST(Settle, TakesAsManyBalancedStepsInARowAsAsked) {
+TEST(Settle, TakesAsManyBalancedStepsInARowAsSpecified) {
     Settling run;
     EXPECT_EQ(run.bursts(), 4); // 4 x 50 steps
     EXPECT_EQ(run.state.steps, 200);

@@ -170,13 +170,13 @@ double stable_time_step(const World& world, const MotionToCome& to_come, double 
     return safety * limit_of(std::max(network, quicker * pair), world, to_come);
 }
 
-void check_time_step(const World& world, double asked, double damping) {
+void check_time_step(const World& world, double wanted, double damping) {
     const double limit = stability_limit(world, {damping});
-    if (!(asked <= limit)) {
+    if (!(wanted <= limit)) {
         throw CaseError(fmt::format(
             "time_step: found {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is "
             "unstable; leave it out, and it is computed",
-            1e9 * asked, 1e9 * limit
+            1e9 * wanted, 1e9 * limit
         ));
     }
 }

@@ -57,7 +57,7 @@ double stable_time_step(const World& world, const MotionToCome& to_come = {}, do
 /// Longer steps blow a sample up, or heat it while it seems to settle. @param damping local [-]
 /// @throws CaseError where the time step that somebody asks for [s] is beyond the stability limit of the world as it
 /// is, or of any two of its grains.
-void check_time_step(const World& world, double asked, double damping);
+void check_time_step(const World& world, double wanted, double damping);
 
 inline constexpr std::int64_t time_step_interval = 1000; ///< steps after which a computed time step is computed again
 

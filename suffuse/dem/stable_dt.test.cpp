@@ -231,7 +231,7 @@ TEST(StableTimeStep, AllowsForGrainsOfManyNeighborsWhileFewerContactsTouchThanTh
     EXPECT_NEAR(stable_time_step(chain(20), {}, 1) / stability_limit(chain(20)), 1, 1e-12); // a contact a grain
 }
 
-TEST(StableTimeStep, AskedForBeyondTheLimitUnderItsDampingIsRefused) {
+TEST(StableTimeStep, BeyondTheLimitUnderItsDampingIsRefused) {
     const World world = unequal_pair(1);
     const double limit = 2 / highest_frequency(world, 2000);
     EXPECT_NO_THROW(check_time_step(world, 0.99 * limit, 0));

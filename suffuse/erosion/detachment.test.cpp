@@ -74,7 +74,7 @@ TEST(Detachment, AGrainThatMovesWithoutFluidIsDetachableWhereTheFluidAddsHalfOfF
     EXPECT_EQ(probe.by_velocity, (std::vector<std::uint8_t>{1, 0}));
 }
 
-TEST(Detachment, CannotBeToldWhereMoreThanATwentiethOfTheFinesWouldMoveWithoutFluidAsWell) {
+TEST(Detachment, IsUndecidedWhereMoreThanATwentiethOfTheFinesWouldMoveWithoutFluidAsWell) {
     std::vector<std::array<double, probe_samples + 1>> speeds(40, rising_to(1));
     DetachSpec spec;
     for (const auto& [hidden, decides] : {std::pair{2, false}, std::pair{3, true}}) {
@@ -110,7 +110,7 @@ TEST(Detachment, WithoutFluidForceNoRuleReturnsAGrain) {
     }
 }
 
-TEST(Detachment, TheOtherReadingsAskForLess) {
+TEST(Detachment, TheOtherReadingsRequireLess) {
     ProbeResult probe = probe_of({rising_to(0.4)});
     DetachSpec rising;
     rising.rule = VelocityRule::Rising;

@@ -45,7 +45,7 @@ struct SkeletonRestless {
 
 /// As much has left as was asked.
 struct TargetReached {
-    double share = 0, asked = 0; ///< of the mass [-]
+    double share = 0, specified = 0; ///< of the mass [-]
     ErodedTarget::Of of = ErodedTarget::Of::Fines;
     std::optional<SkeletonDoubt> doubt;
 
@@ -60,17 +60,17 @@ struct NoneToRemove {
 };
 
 /// Of a result by another version, which tells it in words that this one does not use.
-struct ToldOtherwise {
+struct OtherWording {
     std::string words;
 
-    bool operator==(const ToldOtherwise&) const = default;
+    bool operator==(const OtherWording&) const = default;
 };
 
 /// Why the procedure stops after a pass; false where it goes on.
 struct Ending {
     std::variant<
         std::monostate, NothingLeaves, NoiseDecides, SkeletonDoubt, SkeletonFailed, SkeletonRestless, TargetReached,
-        NoneToRemove, ToldOtherwise>
+        NoneToRemove, OtherWording>
         why;
 
     explicit operator bool() const { return !std::holds_alternative<std::monostate>(why); }

@@ -115,10 +115,10 @@ TEST(Passage, MergedVoidsOfASimpleCubicSkeletonHaveEachSquareWindowOnce) {
         const std::int64_t expected = (merge == pores::VoidMerge::None ? 6 : 3) * 64; // or each of its two halves
         const CoarseSkeleton skeleton = measure_coarse_skeleton(world, {0, 0, 1}, false, merge);
         EXPECT_EQ(std::ssize(skeleton.constrictions.diameter), expected);
-        const ConstrictionSummary& told = skeleton.by_merge[static_cast<std::size_t>(merge)];
-        EXPECT_EQ(told.count, expected);
-        EXPECT_NEAR(told.mean, window, 1e-12 * window); // rounding
-        EXPECT_EQ(told.mean, skeleton.constrictions.mean);
+        const ConstrictionSummary& summary = skeleton.by_merge[static_cast<std::size_t>(merge)];
+        EXPECT_EQ(summary.count, expected);
+        EXPECT_NEAR(summary.mean, window, 1e-12 * window); // rounding
+        EXPECT_EQ(summary.mean, skeleton.constrictions.mean);
         EXPECT_EQ(skeleton.by_merge[1].count, 3 * 64); // told whatever way was asked for
     }
 }

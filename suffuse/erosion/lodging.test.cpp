@@ -40,8 +40,10 @@ TEST(Lodging, TakesTheFirstPlaceThatNobodyFills) {
 
 TEST(Lodging, LetsGrainsTouch) {
     const dem::World world = grains_at({corner, middle});
-    const Vec3 beside = middle + Vec3{1, 0, 0}, deeper = middle + Vec3{0.9999, 0, 0};
-    EXPECT_EQ(find_places(world, std::vector{held(0, {deeper, beside})}), (std::vector<std::optional<Vec3>>{beside}));
+    const Vec3 neighbor = middle + Vec3{1, 0, 0}, deeper = middle + Vec3{0.9999, 0, 0};
+    EXPECT_EQ(
+        find_places(world, std::vector{held(0, {deeper, neighbor})}), (std::vector<std::optional<Vec3>>{neighbor})
+    );
 }
 
 TEST(Lodging, AGrainWithoutAFreePlaceStaysWhereItWas) {

@@ -247,7 +247,7 @@ void probe_and_extract(
     pass.merge = spec.merge;
     pass.constrictions_by_merge = skeleton.by_merge;
     if (pass.mobility) {
-        tell_leaving(world, skeleton, spec.passes_constriction, *pass.mobility);
+        mark_leaving(world, skeleton, spec.passes_constriction, *pass.mobility);
     }
     pass.wall_seconds["constrictions"] = watch.lap();
 

@@ -49,7 +49,7 @@ TEST(ErosionLoop, IsExhaustedByOnePassThatTakesNothingOrByThreeWhereGrainsTravel
     EXPECT_FALSE(is_exhausted(spec, two, pass(9, 0))) << "the next pass asks something else";
 }
 
-TEST(ErosionLoop, ARuleOfTheCallersOwnIsRefusedWhereNoProbeAsksOne) {
+TEST(ErosionLoop, ACustomRuleIsRefusedWhereNoProbeUsesOne) {
     const OwnRule rule{"mine", "", [](const dem::World& /*world*/, const ProbeResult& probe) {
                            return std::vector<std::uint8_t>(probe.id.size(), 1);
                        }};

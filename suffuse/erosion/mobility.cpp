@@ -60,7 +60,7 @@ MobilityResult describe(const dem::World& world, const MobilitySetting& setting,
     result.down = setting.gravity.down;
     result.acceleration = setting.gravity.acceleration;
     result.direction = setting.direction / norm(setting.direction);
-    result.asked_gradient = setting.asked_gradient;
+    result.specified_gradient = setting.specified_gradient;
     result.critical_gradient = critical_gradient(dem::porosity(world), world.material.density, setting.fluid.density);
     result.heave_gradient = heave_gradient(result.critical_gradient, setting.gravity, result.direction);
     const stats::StressByFraction stress = stats::measure_stress_by_fraction(world);
@@ -149,7 +149,7 @@ public:
         : copy_(copy), result_(result), solve_(solve), moved_(setting.motion.moved),
           longest_hold_(setting.motion.hold_at_most),
           strength_(setting.gravity.acceleration / suffuse::gravity), // the flow is of standard gravity
-          rest_(copy.positions()), ramp_(setting.gradients, result.heave_gradient, setting.asked_gradient) {}
+          rest_(copy.positions()), ramp_(setting.gradients, result.heave_gradient, setting.specified_gradient) {}
 
     void go(const Pulse& pulse) {
         water_ = solve_(copy_.world());
@@ -263,7 +263,7 @@ MobilityResult find_mobility(
     return result;
 }
 
-void tell_leaving(MobilityResult& mobility, std::span<const std::uint8_t> passes) {
+void mark_leaving(MobilityResult& mobility, std::span<const std::uint8_t> passes) {
     for (MobilityStep& step : mobility.ramp) {
         step.leaving_mass_share = mass_share(mobility, [&](std::size_t k) {
             return passes[k] != 0 && mobility.mobile_gradient[k] <= step.gradient;

@@ -36,7 +36,7 @@ struct MobilitySetting {
     Vec3 direction = {0, 0, 1};
     std::vector<double> gradients; ///< rising, above 0; the ramp is refined between them, see refined_ramp.hpp
     WeighedMotion motion;
-    std::optional<double> asked_gradient;
+    std::optional<double> specified_gradient;
 };
 
 /// @throws CaseError, StateError for a setting or sample that cannot be; and what `solve` throws
@@ -45,6 +45,6 @@ MobilityResult find_mobility(
 );
 
 /// Enters which of the mobile fines also leave. @param passes a row a fine grain of the result
-void tell_leaving(MobilityResult& mobility, std::span<const std::uint8_t> passes);
+void mark_leaving(MobilityResult& mobility, std::span<const std::uint8_t> passes);
 
 } // namespace suffuse::erosion

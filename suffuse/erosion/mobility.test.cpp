@@ -83,7 +83,7 @@ TEST(Mobility, OfAGrainInAPocketNeedsItsWeightUpward) {
     }
 }
 
-TEST(Mobility, TellsTheGradientThatItHolds) {
+TEST(Mobility, ReportsTheGradientThatItHolds) {
     const Pocket pocket(1);
     const MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {0.001, 0.0025}};
     std::vector<std::string> parts;
@@ -257,7 +257,7 @@ TEST(Mobility, IsThatOfTheLevelsThatWereKeptAlone) {
 
 TEST(Mobility, ThatIsReachedAboveHeaveAloneIsNotReached) {
     const Pocket pocket(1);
-    const MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {0.01, 5}, .asked_gradient = 0.005};
+    const MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {0.01, 5}, .specified_gradient = 0.005};
     const MobilityResult found = find_mobility(pocket.world, setting, pull_along(pocket, setting.direction, 1));
     ASSERT_LT(*found.heave_gradient, 0.03);
     ASSERT_EQ(found.ramp.size(), 4U) << "what the soil has to bear, 0.01, just below heave, and 5";
@@ -304,7 +304,7 @@ TEST(Mobility, OfAGrainWithoutAPocketIsSiftingUnderItsOwnWeight) {
     EXPECT_EQ(result.sifting_mass_share, 1);
 }
 
-TEST(Mobility, OfAGrainThatBearsTheSkeletonsLoadIsNotAsked) {
+TEST(Mobility, OfAGrainThatBearsTheSkeletonsLoadIsNotNeeded) {
     Pocket pocket(1);
     pocket.world.grains.position[3].z -= 0.0006 * pocket.level; // pressed in, by far more than its weight
     dem::StepCaches caches;
@@ -394,7 +394,7 @@ TEST(Mobility, IsAnUpperBoundOfItsGradientWhereTheLevelBelowWasLeftEarly) {
 
 TEST(Mobility, LeavesWhatIsMobileAndFitsThrough) {
     MobilityResult result = two_steps();
-    tell_leaving(result, std::vector<std::uint8_t>{0, 1});
+    mark_leaving(result, std::vector<std::uint8_t>{0, 1});
     EXPECT_EQ(result.ramp[0].leaving_mass_share, 0.0);
     EXPECT_EQ(result.ramp[1].leaving_mass_share, 0.5);
 }
@@ -402,10 +402,10 @@ TEST(Mobility, LeavesWhatIsMobileAndFitsThrough) {
 TEST(Mobility, GivesAFactorOfSafetyOrWhatItIsAtLeast) {
     MobilityResult result = two_steps();
     EXPECT_FALSE(factor_of_safety(result)); // of which gradient?
-    result.asked_gradient = 0.002;
+    result.specified_gradient = 0.002;
     EXPECT_NEAR(*factor_of_safety(result)->factor, 2, 1e-12);
     result.moves_1.reset(); // not reached by the ramp
-    result.asked_gradient = 0.1;
+    result.specified_gradient = 0.1;
     EXPECT_FALSE(factor_of_safety(result)->factor);
     EXPECT_NEAR(factor_of_safety(result)->at_least, 4, 1e-12);
 }

@@ -69,19 +69,19 @@ bool is_lower_bound(const MobilityResult& mobility, double gradient) {
 }
 
 std::optional<FactorOfSafety> factor_of_safety(const MobilityResult& mobility) {
-    if (!mobility.asked_gradient || !(*mobility.asked_gradient > 0) || mobility.ramp.empty()) {
+    if (!mobility.specified_gradient || !(*mobility.specified_gradient > 0) || mobility.ramp.empty()) {
         return std::nullopt;
     }
-    const double asked = *mobility.asked_gradient;
+    const double specified = *mobility.specified_gradient;
     if (mobility.moves_1) {
-        return FactorOfSafety{*mobility.moves_1 / asked, *mobility.moves_1 / asked};
+        return FactorOfSafety{*mobility.moves_1 / specified, *mobility.moves_1 / specified};
     }
     const auto below_heave =
         std::ranges::find_if(mobility.ramp.rbegin(), mobility.ramp.rend(), [&](const MobilityStep& step) {
             return !floats(mobility, step.gradient);
         });
     const double borne = below_heave == mobility.ramp.rend() ? 0 : below_heave->gradient;
-    return FactorOfSafety{std::nullopt, borne / asked};
+    return FactorOfSafety{std::nullopt, borne / specified};
 }
 
 } // namespace suffuse::erosion

@@ -50,8 +50,8 @@ struct MobilityResult {
     double fines_content = 0;                    ///< by mass [-]
     double drag_share = 0;                       ///< of the seepage force along the flow that acts on fines: s [-]
     std::optional<double> moves_1, moves_10,
-        moves_50;                         ///< gradients that make so many percent of the fines' mass mobile
-    std::optional<double> asked_gradient; ///< that the soil has to bear
+        moves_50;                             ///< gradients that make so many percent of the fines' mass mobile
+    std::optional<double> specified_gradient; ///< that the soil has to bear
 
     double load_bearing_mass_share = 0; ///< of the fines that carry the skeleton's forces, and were held
     double sifting_mass_share = 0;      ///< of those that fell over a cell without flow, or were falling still

@@ -47,7 +47,7 @@ TEST(Probe, AFloatingGrainMovesAsFreeFlightSays) {
     EXPECT_EQ(result.twin_speed[1], 0);
 }
 
-TEST(Probe, ACaughtGrainStaysAndBothRulesTellItFromTheFloatingOne) {
+TEST(Probe, ACaughtGrainStaysAndBothRulesDistinguishItFromTheFloatingOne) {
     ProbeResult result = watch_fines(floating_and_caught(), sideways(3e-9), setting());
     judge_detachment({}, result);
     EXPECT_EQ(result.by_velocity, (std::vector<std::uint8_t>{0, 1}));
@@ -65,7 +65,7 @@ TEST(Probe, WithoutFluidTheProbeIsItsTwin) {
     }
 }
 
-TEST(Probe, HoldsTheCoarseGrainsUnlessToldNotTo) {
+TEST(Probe, HoldsTheCoarseGrainsUnlessSpecifiedOtherwise) {
     ProbeSetting loose = setting();
     loose.spec.hold_coarse = false; // the caught grain pushes both apart, and is free
     ProbeResult result = watch_fines(floating_and_caught(), sideways(3e-9), loose);

@@ -50,10 +50,10 @@ void insert(std::vector<double>& rising, double gradient) {
 
 } // namespace
 
-RefinedRamp::RefinedRamp(std::vector<double> gradients, std::optional<double> heave, std::optional<double> asked)
+RefinedRamp::RefinedRamp(std::vector<double> gradients, std::optional<double> heave, std::optional<double> specified)
     : heave_(heave) {
-    if (asked && *asked < gradients.back()) {
-        insert(gradients, *asked);
+    if (specified && *specified < gradients.back()) {
+        insert(gradients, *specified);
     }
     const auto floats = std::ranges::find_if(gradients, [&](double gradient) { return heave && gradient >= *heave; });
     if (floats != gradients.begin() && floats != gradients.end() && *heave - *(floats - 1) > gradient_width) {

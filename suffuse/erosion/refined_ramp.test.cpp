@@ -119,7 +119,7 @@ TEST(RefinedRamp, LooksJustBelowHeaveAndSeeksNothingBeyond) {
     EXPECT_EQ(climb({{0.1, 1.083, 2}, 1.087, {}}, [](double) { return 0; }).borne, 23) << "1.083 is near enough";
 }
 
-TEST(RefinedRamp, BearsTheGradientThatIsAsked) {
+TEST(RefinedRamp, BearsTheSpecifiedGradient) {
     const auto nothing = [](double) { return 0; };
     EXPECT_EQ(climb({{0.1, 0.3}, {}, 0.22}, nothing).kept[4].gradient, 0.22);
     EXPECT_EQ(climb({{0.1, 0.3}, {}, 0.1}, nothing).borne, 6);

@@ -29,7 +29,7 @@ choose_leaving(const dem::World& world, const RemoveSpec& spec, const RemovalRes
     const bool takes_all = spec.share >= 1 && spec.passes == 1;
     if (!takes_all) {
         const double gone = result.erosion.initial_mass - total_mass(world.grains);
-        const double by_now = result.asked_mass * number / spec.passes;
+        const double by_now = result.requested_mass * number / spec.passes;
         rows = take_mass(world, put_in_order(world, std::move(rows), spec.order), by_now - gone);
         std::sort(rows.begin(), rows.end());
     }

@@ -98,7 +98,7 @@ TEST(Removal, ResettlesInTheSameStepsByTheSameStrainWhateverTheSizeOfTheGrains) 
     EXPECT_NEAR(boulders.volumetric_strain / sand.volumetric_strain, 1, 1e-12); // rounding of a cube root and a log
 }
 
-TEST(Removal, ResettlesTheMoreSlowlyTheSmallerTheInertialNumberAskedFor) {
+TEST(Removal, ResettlesTheMoreSlowlyTheSmallerTheSpecifiedInertialNumber) {
     const auto removed = [](double inertial_number) {
         dem::World world = lattice(std::sqrt(0.75) * edge - r + 1e-6);
         RemoveSpec spec;
@@ -118,7 +118,7 @@ TEST(Removal, NeedsASkeletonThatCarriesAStress) {
     EXPECT_THROW(remove_fines(world), StateError);
 }
 
-TEST(Removal, TakesTheClassAskedFor) {
+TEST(Removal, TakesTheSpecifiedClass) {
     const dem::World pressed = lattice(std::sqrt(0.75) * edge - r + 1e-6), loose = lattice(0.3e-3);
     EXPECT_EQ(fines_to_remove(pressed, RemovedFines::Active).size(), 64U);
     EXPECT_EQ(fines_to_remove(pressed, RemovedFines::Inactive).size(), 0U);

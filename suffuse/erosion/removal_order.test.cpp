@@ -17,17 +17,17 @@ using Rows = std::vector<std::uint32_t>;
 dem::World four_fines() {
     dem::World world = test::empty_world(0.1);
     const double coarse = 1e-3;
-    const auto beside = [&](const Vec3& at, double r, double overlap, int neighbors) {
+    const auto add_neighbor = [&](const Vec3& at, double r, double overlap, int neighbors) {
         test::add(world, at, r, true);
         for (int side = 0; side < neighbors; ++side) {
             const double away = (coarse + r - overlap) * (side == 0 ? 1 : -1);
             test::add(world, at + Vec3{away, 0, 0}, coarse);
         }
     };
-    beside({0.02, 0.02, 0.02}, 0.30e-3, 3e-6, 2);
-    beside({0.02, 0.05, 0.02}, 0.25e-3, 1e-7, 2);
-    beside({0.02, 0.08, 0.02}, 0.20e-3, 1e-6, 1);
-    beside({0.02, 0.02, 0.08}, 0.35e-3, 0, 0);
+    add_neighbor({0.02, 0.02, 0.02}, 0.30e-3, 3e-6, 2);
+    add_neighbor({0.02, 0.05, 0.02}, 0.25e-3, 1e-7, 2);
+    add_neighbor({0.02, 0.08, 0.02}, 0.20e-3, 1e-6, 1);
+    add_neighbor({0.02, 0.02, 0.08}, 0.35e-3, 0, 0);
     dem::StepCaches caches;
     dem::step(world, caches, test::plan_of(1e-12));
     return world;

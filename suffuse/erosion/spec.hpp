@@ -76,7 +76,7 @@ enum class ConstrictionSize {
 struct DetachStageSpec {
     std::vector<double> gradients = {0, 0.01, 0.05, 0.1};
     Vec3 direction = {0, 0, 1};
-    std::optional<double> asked_gradient; ///< with weight: that the soil has to bear [-]
+    std::optional<double> specified_gradient; ///< with weight: that the soil has to bear [-]
     ProbeSpec probe;
     DetachSpec detached;
 };

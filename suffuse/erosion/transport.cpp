@@ -18,7 +18,7 @@ constexpr double same_place = 1e-3; ///< of the radius: one that lodged here bef
 constexpr double most_cells = 1000; ///< to travel through; the images of a place are counted in 16 bits
 
 /// Along the flow [m].
-double asked_distance(const Mat3& h, const ErodeSpec& spec) {
+double specified_distance(const Mat3& h, const ErodeSpec& spec) {
     const double length =
         std::abs(dot(h.column(pores::axis_along(h, spec.direction)), spec.direction)) / norm(spec.direction);
     const double distance = spec.transport_distance.value_or(length);
@@ -68,7 +68,7 @@ std::vector<std::uint32_t> transport_fines(
     const ErosionResult& so_far, PassResult& pass
 ) {
     const Vec3 along = spec.direction / norm(spec.direction);
-    pass.transport.distance = asked_distance(world.cell.h, spec);
+    pass.transport.distance = specified_distance(world.cell.h, spec);
     std::unordered_map<std::uint32_t, double> progress = progress_so_far(so_far);
     std::vector<Traveller> travellers;
     for (const std::uint32_t g : detached) {

@@ -121,7 +121,7 @@ TEST(TransportFines, GrainsLeaveLodgeOrStayAndNoTwoLieInOnePlace) {
     }
 }
 
-TEST(TransportFines, GoesAsFarAsAsked) {
+TEST(TransportFines, GoesAsFarAsSpecified) {
     dem::World world = packing_with_small_fines();
     const std::vector<std::uint32_t> fines = rows_of_fines(world);
     ErodeSpec spec;
@@ -142,11 +142,11 @@ TEST(TransportFines, EntersHowFarTheFirstPassTookEachGrain) {
     transport_fines(world, fines, {}, {}, {}, first);
     for (std::size_t k = 0; k < fines.size(); ++k) {
         const double moved = (world.grains.position[fines[k]] - before.grains.position[fines[k]]).z;
-        const double told = first.transport.progress[k];
+        const double reported = first.transport.progress[k];
         if (first.transport.fate[k] == Fate::Left) {
-            EXPECT_EQ(told, first.transport.travel[k]) << k;
+            EXPECT_EQ(reported, first.transport.travel[k]) << k;
         } else { // a place beyond the cell's edge is one in the cell
-            EXPECT_NEAR(std::remainder(told - moved, before.cell.h(2, 2)), 0, 1e-12) << k;
+            EXPECT_NEAR(std::remainder(reported - moved, before.cell.h(2, 2)), 0, 1e-12) << k;
         }
     }
 }

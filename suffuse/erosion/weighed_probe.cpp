@@ -10,7 +10,7 @@
 namespace suffuse::erosion {
 
 MobilityResult weigh_fines(
-    const dem::World& world, std::vector<double> gradients, std::optional<double> asked, const Vec3& direction,
+    const dem::World& world, std::vector<double> gradients, std::optional<double> specified, const Vec3& direction,
     const ProbeSpec& probe, const Surroundings& around
 ) {
     flow::SolverChoice how = probe.flow;
@@ -31,12 +31,12 @@ MobilityResult weigh_fines(
          .direction = direction,
          .gradients = std::move(gradients),
          .motion = probe.weighed,
-         .asked_gradient = asked},
+         .specified_gradient = specified},
         solve, around.pulse
     );
 }
 
-void tell_leaving(
+void mark_leaving(
     const dem::World& world, const CoarseSkeleton& skeleton, ConstrictionSize size, MobilityResult& mobility
 ) {
     if (size == ConstrictionSize::FlowPath) {
@@ -48,7 +48,7 @@ void tell_leaving(
             let_through.push_back(passes(skeleton, size, g, 2 * world.grains.radius[g]) ? 1 : 0);
         }
     }
-    tell_leaving(mobility, let_through);
+    mark_leaving(mobility, let_through);
 }
 
 std::vector<std::uint32_t> mobile_rows(const dem::World& world, const MobilityResult& mobility) {
@@ -69,9 +69,9 @@ MobilityResult probe_mobility(const dem::World& world, const DetachStageSpec& sp
     dem::World sorted = world;
     dem::sort_along_curve(sorted);
     MobilityResult mobility =
-        weigh_fines(sorted, spec.gradients, spec.asked_gradient, spec.direction, spec.probe, around);
+        weigh_fines(sorted, spec.gradients, spec.specified_gradient, spec.direction, spec.probe, around);
     try {
-        tell_leaving(sorted, measure_coarse_skeleton(sorted, spec.direction, false), ConstrictionSize::Mean, mobility);
+        mark_leaving(sorted, measure_coarse_skeleton(sorted, spec.direction, false), ConstrictionSize::Mean, mobility);
     } catch (const GeometryError&) {
         // too few coarse grains for constrictions: no share that leaves
     }

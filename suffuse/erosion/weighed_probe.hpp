@@ -11,12 +11,12 @@ namespace suffuse::erosion {
 /// Of the fines under `probe.gravity`, while the gradient rises through `gradients`.
 /// @param asked the gradient that the soil has to bear, if any
 MobilityResult weigh_fines(
-    const dem::World& world, std::vector<double> gradients, std::optional<double> asked, const Vec3& direction,
+    const dem::World& world, std::vector<double> gradients, std::optional<double> specified, const Vec3& direction,
     const ProbeSpec& probe, const Surroundings& around
 );
 
 /// Enters which of the mobile fines leave. Where they travel that is not known before they do.
-void tell_leaving(
+void mark_leaving(
     const dem::World& world, const CoarseSkeleton& skeleton, ConstrictionSize size, MobilityResult& mobility
 );
 

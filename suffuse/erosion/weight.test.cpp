@@ -59,7 +59,7 @@ TEST(Weight, IsLiftedByTheUpwardPartOfAFlowAndByNoOther) {
     EXPECT_FALSE(heave_gradient(0.9, gravity, {0, 0, -1}));
 }
 
-TEST(Weight, IsScaledUntilItPressesTheLargestFinesIntoEachOtherAsFarAsAsked) {
+TEST(Weight, IsScaledUntilItPressesTheLargestFinesIntoEachOtherAsFarAsSpecified) {
     dem::World world = some_grains();
     for (const grains::ContactLaw law : {grains::ContactLaw::LinearRolling, grains::ContactLaw::HertzMindlin}) {
         world.material.law = law;

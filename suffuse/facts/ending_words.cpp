@@ -11,11 +11,11 @@ using erosion::Ending;
 using erosion::NoiseDecides;
 using erosion::NoneToRemove;
 using erosion::NothingLeaves;
+using erosion::OtherWording;
 using erosion::SkeletonDoubt;
 using erosion::SkeletonFailed;
 using erosion::SkeletonRestless;
 using erosion::TargetReached;
-using erosion::ToldOtherwise;
 
 struct Words {
     std::string operator()(std::monostate) const { return ""; }
@@ -55,7 +55,7 @@ struct Words {
     std::string operator()(const TargetReached& reached) const {
         return fmt::format(
             "{:.3g} % of the {} has left, {:.3g} % was asked for{}", 100 * reached.share, name_of(reached.of),
-            100 * reached.asked, reached.doubt ? "; " + (*this)(*reached.doubt) : ""
+            100 * reached.specified, reached.doubt ? "; " + (*this)(*reached.doubt) : ""
         );
     }
 
@@ -63,7 +63,7 @@ struct Words {
         return fmt::format("no grain is left to be removed after pass {} of {}", none.pass, none.passes);
     }
 
-    std::string operator()(const ToldOtherwise& told) const { return told.words; }
+    std::string operator()(const OtherWording& other) const { return other.words; }
 };
 
 } // namespace

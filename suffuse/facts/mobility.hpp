@@ -102,7 +102,7 @@ inline constexpr std::tuple mobility{
     saved_alone<&erosion::MobilityResult::moves_1>("moves_1"),
     saved_alone<&erosion::MobilityResult::moves_10>("moves_10"),
     saved_alone<&erosion::MobilityResult::moves_50>("moves_50"),
-    saved_alone<&erosion::MobilityResult::asked_gradient>("asked_gradient"),
+    saved_alone<&erosion::MobilityResult::specified_gradient>("asked_gradient"),
     saved_alone<&erosion::MobilityResult::time_step>("time_step"),
     saved_alone<&erosion::MobilityResult::rest_steps>("rest_steps"),
     saved_alone<&erosion::MobilityResult::ramp_steps>("ramp_steps"),
@@ -115,10 +115,10 @@ inline constexpr std::tuple mobility{
 
 /// What there is beyond that where a gradient is specified.
 inline constexpr std::tuple mobility_at_gradient{
-    row<[](const erosion::MobilityResult& m) { return m.asked_gradient; }>(
+    row<[](const erosion::MobilityResult& m) { return m.specified_gradient; }>(
         "asked_gradient", "-", "the specified gradient; an erosion's own is one"
     ),
-    row<[](const erosion::MobilityResult& m) { return erosion::mobile_share_at(m, *m.asked_gradient); }>(
+    row<[](const erosion::MobilityResult& m) { return erosion::mobile_share_at(m, *m.specified_gradient); }>(
         "mobile_mass_share_at_asked", "-", "of the fines' mass: mobile at that gradient"
     ),
     row<&safety>("factor_of_safety", "-", "the gradient that moves 1 % over the specified one, or null"),

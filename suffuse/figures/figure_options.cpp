@@ -117,7 +117,7 @@ std::string figure_id(const std::string& word) {
     return is_number ? fmt::format("fig{:02}", std::stoi(rest)) : word;
 }
 
-bool is_asked_for(const std::vector<std::string>& words, const Figure& figure) {
+bool is_requested(const std::vector<std::string>& words, const Figure& figure) {
     const bool of_paper = figure_of_paper(figure.id).has_value();
     return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
         return word == (of_paper ? "paper" : "own") || figure_id(word) == figure.id;

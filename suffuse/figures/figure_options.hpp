@@ -12,7 +12,7 @@ namespace suffuse::figures {
 std::string figure_id(const std::string& word);
 
 /// Whether `words` ask for the figure: "paper" for all of the paper's, "own" for ours, or one by its name.
-bool is_asked_for(const std::vector<std::string>& words, const Figure& figure);
+bool is_requested(const std::vector<std::string>& words, const Figure& figure);
 
 /// Turns the axes of volumetric strain over, so that dilation points upward. Numbers and their sign stay.
 void draw_dilation_up(Figure& figure);

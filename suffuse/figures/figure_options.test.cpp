@@ -16,16 +16,16 @@ Figure sample_test() {
     return *triaxial_response({test::sample_response("before erosion", 3.2e5, 0.06)});
 }
 
-TEST(FigureOptions, FiguresAreAskedForByKindOrByName) {
+TEST(FigureOptions, FiguresAreRequestedByKindOrByName) {
     Figure ninth, rules;
     ninth.id = "fig09";
     rules.id = "own-rules";
-    EXPECT_TRUE(is_asked_for({"paper", "own"}, ninth) && is_asked_for({"paper", "own"}, rules));
-    EXPECT_TRUE(is_asked_for({"paper"}, ninth));
-    EXPECT_FALSE(is_asked_for({"paper"}, rules));
-    EXPECT_TRUE(is_asked_for({"figure-9"}, ninth) && is_asked_for({"own-rules"}, rules));
-    EXPECT_FALSE(is_asked_for({"figure-10"}, ninth));
-    EXPECT_FALSE(is_asked_for({}, ninth));
+    EXPECT_TRUE(is_requested({"paper", "own"}, ninth) && is_requested({"paper", "own"}, rules));
+    EXPECT_TRUE(is_requested({"paper"}, ninth));
+    EXPECT_FALSE(is_requested({"paper"}, rules));
+    EXPECT_TRUE(is_requested({"figure-9"}, ninth) && is_requested({"own-rules"}, rules));
+    EXPECT_FALSE(is_requested({"figure-10"}, ninth));
+    EXPECT_FALSE(is_requested({}, ninth));
 }
 
 TEST(FigureOptions, DilationUpTurnsTheAxisOfVolumetricStrainOnly) {

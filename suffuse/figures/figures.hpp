@@ -21,7 +21,7 @@ std::optional<Figure> erosion_loop(const erosion::ErosionResult& erosion);
 
 /// Figure 8: the grading asked for and the sample's own; fines, smaller than `finer_than` [m], shaded.
 std::optional<Figure> grading_curves(
-    const grains::Grading& asked, const grains::Grading& sampled, std::optional<double> finer_than,
+    const grains::Grading& specified, const grains::Grading& sampled, std::optional<double> finer_than,
     GradingAxis axis = GradingAxis::LeftToRight
 );
 
@@ -51,7 +51,7 @@ std::optional<Figure>
 rules_compared(const std::vector<erosion::ProbeResult>& probes, const std::vector<NamedErosion>& erosions);
 
 /// Ours: the speed of each fine grain with water against that of its twin without, a panel a pass.
-std::optional<Figure> beside_twin(const erosion::ErosionResult& erosion);
+std::optional<Figure> compared_with_twin(const erosion::ErosionResult& erosion);
 
 /// Ours: constriction sizes of the coarse skeleton beside the sizes of the fines.
 std::optional<Figure> constriction_sizes(const erosion::ErosionResult& erosion);

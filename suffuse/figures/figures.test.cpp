@@ -145,7 +145,7 @@ TEST(Figures, TheSampleRunHasTheFiguresOfThePaperAndOurs) {
     );
 }
 
-TEST(Figures, ConstrictionsAreToldForEachWayOfMergingVoids) {
+TEST(Figures, ConstrictionsAreReportedForEachWayOfMergingVoids) {
     ErosionResult erosion = test::sample_erosion();
     const std::string caption = constriction_sizes(erosion)->caption;
     EXPECT_NE(
@@ -343,9 +343,9 @@ TEST(PathFigures, WhereNothingChangesWordsStandInThePlaceOfNoise) {
     EXPECT_NE(porosity_path(erosion)->caption.find("In no pass did resettling"), std::string::npos);
 }
 
-TEST(TwinFigure, SetsEachFineGrainBesideWhatItDoesWithoutWater) {
+TEST(TwinFigure, ComparesEachFineGrainWithItsMotionWithoutWater) {
     ErosionResult erosion = test::sample_erosion();
-    const Figure figure = *beside_twin(erosion);
+    const Figure figure = *compared_with_twin(erosion);
     EXPECT_NE(figure.caption.find("In pass 1 "), std::string::npos) << figure.caption;
     const auto& groups = figure.table.words("group");
     EXPECT_TRUE(std::ranges::find(groups, "detachable, beyond its twin") != groups.end());
@@ -353,7 +353,7 @@ TEST(TwinFigure, SetsEachFineGrainBesideWhatItDoesWithoutWater) {
     for (erosion::PassResult& pass : erosion.passes) {
         pass.probe.twin_speed.clear(); // no twin was watched
     }
-    EXPECT_FALSE(beside_twin(erosion));
+    EXPECT_FALSE(compared_with_twin(erosion));
 }
 
 TEST(PathFigures, TheStateBeforeEachRemovalStandsInFrontOfIt) {
@@ -379,7 +379,7 @@ TEST(LoopFigure, CountsStandOnTheArrowsAndManyPassesKeepFirstAndLast) {
     EXPECT_EQ(many.table.columns().size(), 2U + 9U);
 }
 
-TEST(LoopFigure, AForcedRemovalAsksNeitherProbeNorConstrictions) {
+TEST(LoopFigure, AForcedRemovalUsesNeitherProbeNorConstrictions) {
     ErosionResult erosion = test::sample_erosion();
     erosion.passes[0].probe = {}; // as of a sample without fines
     EXPECT_NE(erosion_loop(erosion)->drawing.find(">–<"), std::string::npos);

@@ -16,7 +16,7 @@ TestEnergy test_of(const std::string& name, double slip) {
     return {name, energy};
 }
 
-TEST(EnergyFigure, TellsTheSharesOfTheWorkAndHowNearTheyAddUpToIt) {
+TEST(EnergyFigure, ReportsTheSharesOfTheWorkAndHowNearTheyAddUpToIt) {
     const auto figure = energy_of_tests({test_of("shear", 5e3)});
     ASSERT_TRUE(figure);
     EXPECT_EQ(
@@ -30,7 +30,7 @@ TEST(EnergyFigure, TellsTheSharesOfTheWorkAndHowNearTheyAddUpToIt) {
     EXPECT_DOUBLE_EQ(figure->table.numbers("share")[0], 25);
 }
 
-TEST(EnergyFigure, OfSeveralTestsTellsRanges) {
+TEST(EnergyFigure, OfSeveralTestsReportsRanges) {
     const auto figure = energy_of_tests({test_of("loose", 5e3), test_of("dense", 6e3)});
     ASSERT_TRUE(figure);
     EXPECT_NE(
@@ -52,7 +52,7 @@ TEST(EnergyFigure, CountsWhatSpringsGaveBackAsWork) {
     EXPECT_NE(figure->caption.find("What springs gave back counts as work."), std::string::npos) << figure->caption;
 }
 
-TEST(EnergyFigure, IsNotDrawnOfTestsThatTellNoWork) {
+TEST(EnergyFigure, IsNotDrawnForTestsWithoutSecondOrderWork) {
     EXPECT_FALSE(energy_of_tests({}));
     EXPECT_FALSE(energy_of_tests({{"of before", {}}}));
 }

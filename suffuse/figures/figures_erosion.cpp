@@ -75,7 +75,7 @@ std::optional<Figure> eroded_mass(const ErosionResult& erosion) {
                        : "No grain was carried out";
     figure.caption = fmt::format(
         "Of the mass before the pass: {}{}; {} % of the initial mass in all.", claim,
-        study::told_of(few, erosion.passes.size()), short_number(total)
+        study::part_of_passes(few, erosion.passes.size()), short_number(total)
     );
     figure.table.add("pass", study::pass_names(erosion));
     figure.table.add("removed_grains", "", std::move(removed));
@@ -148,7 +148,7 @@ std::optional<Figure> eroded_coordination(const ErosionResult& erosion) {
     figure.claim = fmt::format(
         "{} % of the removed grains had at least two contacts", short_number(share_of_active(that_took), 2)
     );
-    figure.caption = as_sentence(claim) + study::told_of(few, that_took.size()) + ".";
+    figure.caption = as_sentence(claim) + study::part_of_passes(few, that_took.size()) + ".";
     figure.table.add("pass", std::move(name));
     figure.table.add("coordination", "", std::move(contacts));
     figure.table.add("grains", "", std::move(grains));

@@ -219,7 +219,7 @@ TEST(ResponseFigures, TestsOfAMixtureInSeveralStagesHaveItsColorAndDashesOfTheir
     EXPECT_EQ(test_paths(tests)->chart["vconcat"][0]["encoding"]["color"]["field"], "test");
 }
 
-TEST(ResponseFigures, OneLineOfStressThatAllTestsMoveAlongIsToldAndNotDrawn) {
+TEST(ResponseFigures, OneLineOfStressThatAllTestsMoveAlongIsReportedAndNotDrawn) {
     // Drained, at a lateral stress of 100 kPa: p = 100 kPa + q/3, within what a servo lets go of.
     study::ResponseCurve first{"before", {{0, 0, 0, 100e3, 0.7}, {0.02, 0.01, 300e3, 202e3, 0.68}}};
     study::ResponseCurve second{"after", {{0, 0, 0, 100e3, 0.9}, {0.02, 0.01, 150e3, 149e3, 0.88}}};

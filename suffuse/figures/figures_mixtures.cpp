@@ -48,7 +48,8 @@ struct Columns {
 double largest_difference(const study::Mixture& mixture) {
     double largest = 0;
     for (const double d : mixture.sampled.diameter) {
-        largest = std::max(largest, std::abs(grains::passing(mixture.asked, d) - grains::passing(mixture.sampled, d)));
+        largest =
+            std::max(largest, std::abs(grains::passing(mixture.specified, d) - grains::passing(mixture.sampled, d)));
     }
     return largest;
 }
@@ -59,12 +60,12 @@ std::optional<Figure> mixture_gradings(const std::vector<study::Mixture>& mixtur
     if (mixtures.empty()) {
         return std::nullopt;
     }
-    double from = mixtures[0].asked.diameter.front(), to = mixtures[0].asked.diameter.back(), difference = 0;
+    double from = mixtures[0].specified.diameter.front(), to = mixtures[0].specified.diameter.back(), difference = 0;
     json names = json::array();
     std::vector<double> contents;
     for (const study::Mixture& mixture : mixtures) {
-        from = std::min(from, mixture.asked.diameter.front());
-        to = std::max(to, mixture.asked.diameter.back());
+        from = std::min(from, mixture.specified.diameter.front());
+        to = std::max(to, mixture.specified.diameter.back());
         difference = std::max(difference, largest_difference(mixture));
         names.push_back("FC " + study::percent_name(mixture.fines_content));
         contents.push_back(mixture.fines_content);
@@ -73,7 +74,7 @@ std::optional<Figure> mixture_gradings(const std::vector<study::Mixture>& mixtur
     Columns columns;
     bool has_samples = false;
     for (const study::Mixture& mixture : mixtures) {
-        columns.add(mixture, "asked for", mixture.asked, from, to, curve_points);
+        columns.add(mixture, "asked for", mixture.specified, from, to, curve_points);
         if (!mixture.sampled.diameter.empty()) {
             columns.add(mixture, "sample", mixture.sampled, from, to, sample_points);
             has_samples = true;

@@ -44,8 +44,8 @@ json marked_gradients(const MobilityStory& story) {
         const auto row = static_cast<int>(marks.size());
         marks.push_back({{"at", gradient}, {"label", label}, {"level", row * line_height}});
     };
-    if (story.asked_gradient) {
-        mark(*story.asked_gradient, "asked");
+    if (story.specified_gradient) {
+        mark(*story.specified_gradient, "asked");
     }
     if (story.skempton_brogan.seeds > 0) {
         mark(story.skempton_brogan.mean, "α i_c");
@@ -120,15 +120,15 @@ std::string range_text(const SizeClasses& sizes, std::size_t k) {
 }
 
 /// Gradients at which the shares by size are shown: a few of the ramp, the asked one among them.
-std::vector<double> told_gradients(const MobilityResult& mobility) {
+std::vector<double> shown_gradients(const MobilityResult& mobility) {
     constexpr std::size_t most = 4;
-    std::vector<double> told;
+    std::vector<double> shown;
     const std::size_t steps = mobility.ramp.size();
     for (std::size_t k = 1; k <= most; ++k) {
-        told.push_back(mobility.ramp[std::max<std::size_t>(1, k * steps / most) - 1].gradient);
+        shown.push_back(mobility.ramp[std::max<std::size_t>(1, k * steps / most) - 1].gradient);
     }
-    told.erase(std::unique(told.begin(), told.end()), told.end());
-    return told;
+    shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+    return shown;
 }
 
 } // namespace
@@ -156,7 +156,7 @@ std::optional<Figure> mobility_curves(const std::vector<MobilityStory>& stories)
     Figure figure;
     figure.id = "own-mobility";
     figure.section = "Water";
-    figure.title = main->asked_gradient && 2 * static_cast<std::size_t>(main->safety.seeds) > main->of_sample.size()
+    figure.title = main->specified_gradient && 2 * static_cast<std::size_t>(main->safety.seeds) > main->of_sample.size()
                        ? fmt::format("First movement lies at {:.1f} times the asked gradient", main->safety.mean)
                        : "What a gradient moves of the fines";
     figure.caption = fmt::format(
@@ -198,7 +198,7 @@ std::optional<Figure> mobile_sizes(const MobilityStory* story) {
     const SizeClasses sizes(mobility);
     std::vector<std::string> size, at;
     std::vector<double> share;
-    for (const double gradient : told_gradients(mobility)) {
+    for (const double gradient : shown_gradients(mobility)) {
         std::vector<double> mobile(sizes.count, 0), all(sizes.count, 0);
         for (std::size_t k = 0; k < mobility.id.size(); ++k) {
             const std::size_t of = sizes.of(mobility.diameter[k]);

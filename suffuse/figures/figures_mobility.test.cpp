@@ -19,7 +19,7 @@ erosion::MobilityResult small_move() {
     mobility.id = {1, 2}, mobility.mass = {1, 3}, mobility.diameter = {1e-4, 2e-4};
     mobility.mobile_gradient = {0.2, std::numeric_limits<double>::quiet_NaN()};
     mobility.bears_load = {0, 0};
-    mobility.asked_gradient = 0.1;
+    mobility.specified_gradient = 0.1;
     return mobility;
 }
 
@@ -55,7 +55,7 @@ TEST(MobilityFigures, MarkWhatWasStillGrowingWhenTheGradientRose) {
     EXPECT_EQ(mobility_table(stories)->rows.front()[4].find("≤ 0.34"), 0U) << mobility_table(stories)->rows.front()[4];
 }
 
-TEST(MobilityFigures, TellWhichSizesMove) {
+TEST(MobilityFigures, ReportWhichSizesMove) {
     const auto stories = stories_of(small_move());
     const std::optional<Figure> figure = mobile_sizes(study::main_mobility(stories));
     ASSERT_TRUE(figure);

@@ -298,7 +298,7 @@ std::optional<Figure> stress_path(const ErosionResult& erosion) {
             percent_beyond_noise(100 * pass->volumetric_strain)
         );
     }
-    claim = as_sentence(claim) + study::told_of(few, erosion.passes.size());
+    claim = as_sentence(claim) + study::part_of_passes(few, erosion.passes.size());
     Figure figure;
     figure.id = "fig13";
     figure.section = "Erosion";
@@ -335,7 +335,7 @@ std::optional<Figure> porosity_path(const ErosionResult& erosion) {
             pass->pass, pass->porosity_before, pass->porosity_after_removal, pass->porosity_after
         );
     }
-    claim = as_sentence(claim) + study::told_of(few, erosion.passes.size());
+    claim = as_sentence(claim) + study::part_of_passes(few, erosion.passes.size());
     Figure figure;
     figure.id = "fig14";
     figure.section = "Erosion";

@@ -151,20 +151,20 @@ std::string means_by_merge(const PassResult& pass) {
 } // namespace
 
 std::optional<Figure>
-grading_curves(const Grading& asked, const Grading& sampled, std::optional<double> finer_than, GradingAxis axis) {
-    if (!is_usable(asked) || !is_usable(sampled)) {
+grading_curves(const Grading& specified, const Grading& sampled, std::optional<double> finer_than, GradingAxis axis) {
+    if (!is_usable(specified) || !is_usable(sampled)) {
         return std::nullopt;
     }
     Curves curves;
     curves.add("sample", color::staying, sampled);
-    curves.add("asked for", color::detachable, asked);
+    curves.add("asked for", color::detachable, specified);
     Figure figure;
     figure.id = "fig08";
     figure.section = "Soils";
     figure.title = "Grading of the soil";
     figure.claim = fmt::format(
         "The sample follows the grading asked for within {} % of the mass",
-        short_number(largest_difference(asked, sampled), 2)
+        short_number(largest_difference(specified, sampled), 2)
     );
     figure.caption = fmt::format(
         "D50 = {} mm, D60/D10 = {}.", short_number(1e3 * grains::size_at(sampled, 0.5)),
@@ -222,7 +222,7 @@ std::optional<Figure> eroded_grading(const Grading& sampled, const ErosionResult
 std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
     std::vector<std::string> curve, order;
     std::vector<double> size, share;
-    std::string claim, told;
+    std::string claim, stresses;
     constexpr std::size_t most_curves = 4;
     const study::SomePasses few = study::few_passes(erosion, most_curves);
     for (const PassResult* pass : few) {
@@ -232,9 +232,9 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
         const std::string name = fmt::format("constrictions of pass {}", pass->pass);
         order.push_back(name);
         add_distribution(name, pass->constrictions.diameter, curve, size, share);
-        told += fmt::format(
+        stresses += fmt::format(
             "{}pass {}: mean {}, median {}, D35 {} mm",
-            told.empty() ? "Constrictions of the coarse skeleton in " : "; ", pass->pass,
+            stresses.empty() ? "Constrictions of the coarse skeleton in " : "; ", pass->pass,
             short_number(1e3 * pass->constrictions.mean), short_number(1e3 * pass->constrictions.median),
             short_number(1e3 * pass->constrictions.d35)
         );
@@ -247,7 +247,7 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
         order.insert(order.begin(), "fine grains");
         add_distribution("fine grains", first.probe.diameter, curve, size, share);
         const double largest = *std::max_element(first.probe.diameter.begin(), first.probe.diameter.end());
-        told += fmt::format("; the largest fine grain: {} mm", short_number(1e3 * largest));
+        stresses += fmt::format("; the largest fine grain: {} mm", short_number(1e3 * largest));
         claim = fmt::format(
             "The largest fine grain is {} than the mean constriction of pass {}",
             largest < first.constrictions.mean ? "smaller" : "larger", first.pass
@@ -258,7 +258,7 @@ std::optional<Figure> constriction_sizes(const ErosionResult& erosion) {
     figure.section = "Water";
     figure.title = "Constriction sizes of the coarse skeleton, and sizes of the fines";
     figure.claim = claim;
-    figure.caption = told + study::told_of(few, erosion.passes.size()) +
+    figure.caption = stresses + study::part_of_passes(few, erosion.passes.size()) +
                      ". Shares by number of facets and of grains; the upper hundredth is left out of the drawing." +
                      means_by_merge(first);
     figure.table.add("curve", std::move(curve));

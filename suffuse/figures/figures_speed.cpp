@@ -315,8 +315,8 @@ std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
     figure.id = "fig10";
     figure.title = fmt::format("Speed of the fines in each erosion pass, i = {}", panels.front().probe->gradient);
     figure.claim = detached_claim(panels, "in ");
-    figure.caption = "Detachable fines by the velocity rule: " + counts + study::told_of(few, erosion.passes.size()) +
-                     "." + how_drawn;
+    figure.caption = "Detachable fines by the velocity rule: " + counts +
+                     study::part_of_passes(few, erosion.passes.size()) + "." + how_drawn;
     return figure;
 }
 

@@ -40,31 +40,31 @@ bool is_test(const record::FinishedStage& stage, const StrengthChange& change, c
 std::optional<Figure> strength_before_and_after(
     const std::vector<StrengthChange>& changes, const std::vector<record::FinishedStage>& stages
 ) {
-    const auto told =
+    const auto reported =
         std::ranges::find_if(changes, [](const StrengthChange& change) { return change.borne().change.seeds > 0; });
-    if (told == changes.end()) {
+    if (reported == changes.end()) {
         return std::nullopt;
     }
     TestRows rows;
     for (const record::FinishedStage& stage : stages) {
-        if (is_test(stage, *told, *told->before)) {
-            rows.add(stage, "before", told->holds_deviator());
-        } else if (is_test(stage, *told, *told->after)) {
-            rows.add(stage, "after", told->holds_deviator());
+        if (is_test(stage, *reported, *reported->before)) {
+            rows.add(stage, "before", reported->holds_deviator());
+        } else if (is_test(stage, *reported, *reported->after)) {
+            rows.add(stage, "after", reported->holds_deviator());
         }
     }
     if (rows.strain.empty()) {
         return std::nullopt;
     }
-    const study::BeforeAfter& borne = told->borne();
+    const study::BeforeAfter& borne = reported->borne();
     Figure figure;
     figure.id = "own-strength";
     figure.section = "Tests";
-    figure.title = told->holds_deviator() ? "Pore pressure that is borne, before and after the loss"
-                                          : "The same test before and after the loss";
+    figure.title = reported->holds_deviator() ? "Pore pressure that is borne, before and after the loss"
+                                              : "The same test before and after the loss";
     const double before = std::round(borne.before.mean / 1e3), after = std::round(borne.after.mean / 1e3);
     figure.claim = fmt::format(
-        "{} {} from {} to {} kPa", told->holds_deviator() ? "The pore pressure that is borne" : "Peak strength",
+        "{} {} from {} to {} kPa", reported->holds_deviator() ? "The pore pressure that is borne" : "Peak strength",
         after < before   ? "falls"
         : after > before ? "rises"
                          : "stays",
@@ -72,7 +72,7 @@ std::optional<Figure> strength_before_and_after(
     );
     figure.caption = fmt::format(
         "{} {} kPa before, {} kPa after{}.",
-        told->holds_deviator() ? "Most that is borne:" : "Peak:", short_number(before, 4), short_number(after, 4),
+        reported->holds_deviator() ? "Most that is borne:" : "Peak:", short_number(before, 4), short_number(after, 4),
         borne.change.seeds > 1 ? fmt::format(", means of {} samples, a line each", borne.change.seeds) : "; one sample"
     );
     figure.table.add("state", std::move(rows.state));
@@ -97,7 +97,7 @@ std::optional<Figure> strength_before_and_after(
     const json order = {"before", "after"};
     encoding["color"]["scale"] = {{"domain", order}, {"range", {color::quiet, color::staying}}};
     encoding["strokeDash"]["scale"] = {{"domain", order}, {"range", {{1, 0}, {6, 3}}}};
-    if (told->holds_deviator()) {
+    if (reported->holds_deviator()) {
         encoding["y"]["title"] = "excess pore pressure u [kPa]";
     }
     return figure;

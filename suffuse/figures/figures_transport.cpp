@@ -81,7 +81,7 @@ std::optional<Figure> transport_by_pass(const ErosionResult& erosion) {
         "coefficient {} per mm. A throat no wider than themselves held the others, which lodge there where they find "
         "room.",
         fmt::join(left, ", "), few.size() == 1 ? "pass" : "passes", fmt::join(passes, ", "),
-        study::told_of(few, that_travelled.size()), short_number(1e3 * few.front()->transport.distance),
+        study::part_of_passes(few, that_travelled.size()), short_number(1e3 * few.front()->transport.distance),
         fmt::join(coefficients, ", ")
     );
     figure.table.add("pass", std::move(name));

@@ -132,9 +132,9 @@ std::pair<double, double> twin_decades(const TwinColumns& columns) {
 
 } // namespace
 
-std::optional<Figure> beside_twin(const erosion::ErosionResult& erosion) {
+std::optional<Figure> compared_with_twin(const erosion::ErosionResult& erosion) {
     TwinColumns columns;
-    std::vector<std::string> panels, told;
+    std::vector<std::string> panels, reported;
     std::int64_t beyond = 0, detachable = 0;
     for (const PassResult* pass : study::few_passes(erosion, most_twin_panels)) {
         const ProbeResult& probe = pass->probe;
@@ -146,7 +146,7 @@ std::optional<Figure> beside_twin(const erosion::ErosionResult& erosion) {
         const auto [refused, accepted] = probe.agreement[1];
         beyond += accepted;
         detachable += refused + accepted;
-        told.push_back(fmt::format(
+        reported.push_back(fmt::format(
             "in {} {} of {} detachable fines go beyond their twin, and the median of all fines is {} times that of the "
             "twin",
             panels.back(), grouped(accepted), grouped(refused + accepted), short_number(probe.signal_over_twin)
@@ -170,7 +170,7 @@ std::optional<Figure> beside_twin(const erosion::ErosionResult& erosion) {
         "{}. On the dashed diagonal a grain moves as it would without water: what is left of unbalance moves it. At "
         "most "
         "{} grains of a group are drawn; one at rest is drawn on the axis.",
-        as_sentence(fmt::format("{}", fmt::join(told, "; "))), most_twins / 3
+        as_sentence(fmt::format("{}", fmt::join(reported, "; "))), most_twins / 3
     );
     figure.table.add("panel", std::move(columns.panel));
     figure.table.add("group", std::move(columns.group));

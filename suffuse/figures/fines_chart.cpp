@@ -72,16 +72,16 @@ void add_thresholds(std::vector<study::Threshold> thresholds, json& layers) {
 void FinesTable::add(const study::FinesStudy& study, const FinesLine& line, const std::string& panel) {
     for (std::size_t k = 0; k < line.curve->points.size(); ++k) {
         const study::SweepPoint& point = line.curve->points[k];
-        const double asked = study.fines_content[k];
-        const study::Scatter value = study::number_of(point, asked, line.number);
+        const double specified = study.fines_content[k];
+        const study::Scatter value = study::number_of(point, specified, line.number);
         if (value.seeds == 0) {
             continue;
         }
-        const study::Scatter reached = study::number_of(point, asked, "fines_content");
+        const study::Scatter reached = study::number_of(point, specified, "fines_content");
         panel_.push_back(panel);
         quantity_.push_back(line.name);
-        asked_.push_back(100 * asked);
-        reached_.push_back(100 * (reached.seeds > 0 ? reached.mean : asked));
+        specified_.push_back(100 * specified);
+        reached_.push_back(100 * (reached.seeds > 0 ? reached.mean : specified));
         mean_.push_back(factor_ * value.mean);
         deviation_.push_back(factor_ * value.standard_deviation);
         samples_.push_back(value.seeds);
@@ -94,7 +94,7 @@ Table FinesTable::table() && {
         table.add("panel", std::move(panel_));
     }
     table.add("quantity", std::move(quantity_));
-    table.add("fines_content", "%", std::move(asked_));
+    table.add("fines_content", "%", std::move(specified_));
     table.add("fines_content_reached", "%", std::move(reached_));
     table.add(value_, unit_, std::move(mean_));
     table.add("standard_deviation", unit_, std::move(deviation_));

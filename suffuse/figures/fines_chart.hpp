@@ -37,7 +37,7 @@ private:
     std::string value_, unit_;
     double factor_; ///< from SI to the unit of the figure
     std::vector<std::string> panel_, quantity_;
-    std::vector<double> asked_, reached_, mean_, deviation_, samples_;
+    std::vector<double> specified_, reached_, mean_, deviation_, samples_;
 };
 
 /// One panel. `value` is the field of the y axis; with `panel` only the rows of that panel are drawn, and measured

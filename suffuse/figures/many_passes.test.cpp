@@ -36,7 +36,7 @@ TEST(FewPasses, AreTheFirstTheLastAndOthersEvenlyBetween) {
     EXPECT_TRUE(study::few_passes({}, 4).empty());
 }
 
-TEST(ManyPasses, AreDrawnAndToldOfByAFew) {
+TEST(ManyPasses, AreDrawnAndDescribedByAFew) {
     const ErosionResult erosion = erosion_of(22);
     const Figure speeds = *speed_by_pass(erosion);
     EXPECT_EQ(speeds.chart["facet"]["sort"], json({"pass 1", "pass 8", "pass 15", "pass 22"}));

@@ -149,13 +149,13 @@ std::string peaks_claim(const std::vector<study::ResponseCurve>& tests) {
     if (peaks.size() > 2) {
         std::ranges::sort(peaks);
     }
-    const auto told = [](const auto& peak) {
+    const auto reported = [](const auto& peak) {
         return fmt::format("{} kPa ({})", short_number(peak.first, 4), peak.second);
     };
     if (peaks.size() < 2) {
-        return "Highest q: " + told(peaks.front());
+        return "Highest q: " + reported(peaks.front());
     }
-    return "Highest q: " + told(peaks.front()) + (peaks.size() > 2 ? " to " : ", ") + told(peaks.back());
+    return "Highest q: " + reported(peaks.front()) + (peaks.size() > 2 ? " to " : ", ") + reported(peaks.back());
 }
 
 } // namespace

@@ -130,7 +130,7 @@ std::string stability_claim(const std::vector<study::ProbedState>& states) {
 
 } // namespace
 
-std::string tell_stability(const study::ProbedState& state) {
+std::string describe_stability(const study::ProbedState& state) {
     const auto count = state.directions.size();
     std::string text = state.name + ": ";
     const auto unstable = std::count_if(state.directions.begin(), state.directions.end(), [](const auto& direction) {

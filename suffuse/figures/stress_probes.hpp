@@ -11,7 +11,7 @@
 namespace suffuse::figures {
 
 /// Where a state is least stable, and in which directions it is not; one sentence.
-std::string tell_stability(const study::ProbedState& state);
+std::string describe_stability(const study::ProbedState& state);
 
 /// Ours: the second-order work of each direction, and the strains that the loads lead to.
 std::optional<Figure> stability_in_directions(const std::vector<study::ProbedState>& states);

@@ -21,9 +21,9 @@ study::ProbedState state_of(const std::vector<double>& works) {
     return state;
 }
 
-TEST(StressProbes, AStableStateIsSaidToBeSo) {
+TEST(StressProbes, AStableStateIsReportedAsStable) {
     EXPECT_EQ(
-        tell_stability(state_of({0.9, 1, 0.25, 0.8})),
+        describe_stability(state_of({0.9, 1, 0.25, 0.8})),
         "probed: stable in all 4 directions of load; the least normalized second-order work is 0.25 at 180°."
     );
 }
@@ -32,18 +32,19 @@ TEST(StressProbes, UnstableDirectionsAreNamedAsRanges) {
     study::ProbedState broken = state_of({0.9, -0.1, -0.2, 0.8, 0, 0.7, 0.6, 0.5});
     broken.directions.back().unstable = 1; // it failed, though its work was above zero
     EXPECT_EQ(
-        tell_stability(broken), "probed: not stable in 4 of 8 directions of load (45° to 90°, 180°, 315°); the least "
-                                "normalized second-order work is −0.2 at 90°."
+        describe_stability(broken),
+        "probed: not stable in 4 of 8 directions of load (45° to 90°, 180°, 315°); the least "
+        "normalized second-order work is −0.2 at 90°."
     );
 }
 
-TEST(StressProbes, OfSeveralSamplesItIsSaidHowManyAreUnstable) {
+TEST(StressProbes, OfSeveralSamplesTheUnstableOnesAreCounted) {
     study::ProbedState seeds = state_of({0.9, 0.8, -0.1, 0.7});
     seeds.samples = 3;
     seeds.directions[2].unstable = 2;
     EXPECT_EQ(
-        tell_stability(seeds), "probed: not stable in 1 of 4 directions of load (180°; 2 of 3 samples); the least "
-                               "normalized second-order work is −0.1 at 180°, on the mean."
+        describe_stability(seeds), "probed: not stable in 1 of 4 directions of load (180°; 2 of 3 samples); the least "
+                                   "normalized second-order work is −0.1 at 180°, on the mean."
     );
 }
 
@@ -58,7 +59,7 @@ TEST(StressProbes, TheCurveOfAStateIsClosedAndItsStrainsAreInPercent) {
     EXPECT_FALSE(stability_in_directions({}).has_value());
 }
 
-TEST(StressProbes, WhatIsShownBesideAPointIsInTheTable) {
+TEST(StressProbes, WhatIsShownNextToAPointIsInTheTable) {
     const Figure figure = *stability_in_directions({state_of({0.9, 1, 0.25, 0.8})});
     std::set<std::string> columns;
     for (const Column& column : figure.table.columns()) {

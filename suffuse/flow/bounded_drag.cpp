@@ -124,7 +124,7 @@ RawColumn<double> BoundedDrag::measure_water() {
     parallel_for(drag.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const pores::ThroatSpheres spheres = pores::spheres_of(network_, position_, radius_, t);
-            const auto [p1, p2] = pores::centers_beside(network_, t);
+            const auto [p1, p2] = pores::centers_around(network_, t);
             const ThroatEdges edges(spheres.center, p1, p2);
             const ThroatWater counted = counted_water(spheres.radius, throats.wetted[t], throats.hydraulic_radius[t]);
             const ThroatWater water = count_overlaps_once(edges, counted);

@@ -95,7 +95,7 @@ std::string words_of(const FlowSource& source, std::string_view when) {
     );
 }
 
-std::vector<std::uint8_t> tell_fines(std::span<const double> radius) {
+std::vector<std::uint8_t> distinguish_fines(std::span<const double> radius) {
     std::vector<double> sorted(radius.begin(), radius.end());
     std::ranges::sort(sorted);
     double widest = 1, least_coarse = 0;

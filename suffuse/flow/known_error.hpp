@@ -63,7 +63,7 @@ struct Mixture {
 
 /// 1 for a fine grain: those below the widest gap between neighboring sizes, if one is 1.5 times the other there; else
 /// there are none. For packings that do not say.
-std::vector<std::uint8_t> tell_fines(std::span<const double> radius);
+std::vector<std::uint8_t> distinguish_fines(std::span<const double> radius);
 
 /// @param fine 1 for a fine grain, a row a grain
 Mixture describe_mixture(std::span<const double> radius, std::span<const std::uint8_t> fine, double volume);

@@ -37,10 +37,10 @@ TEST(Mixture, HasTheNumbersOfItsTwoKinds) {
 
 TEST(FinesOfSizes, AreThoseBelowTheWidestGap) {
     const std::vector<double> radius = {1, 0.1, 0.9, 0.11, 1.1};
-    EXPECT_EQ(tell_fines(radius), (Marks{0, 1, 0, 1, 0}));
+    EXPECT_EQ(distinguish_fines(radius), (Marks{0, 1, 0, 1, 0}));
     const std::vector<double> continuous = {1, 1.3, 1.6, 2.0};
-    EXPECT_EQ(tell_fines(continuous), (Marks{0, 0, 0, 0}));
-    EXPECT_EQ(tell_fines({}), Marks{});
+    EXPECT_EQ(distinguish_fines(continuous), (Marks{0, 0, 0, 0}));
+    EXPECT_EQ(distinguish_fines({}), Marks{});
 }
 
 TEST(KnownErrors, AreWiderWhereFinesAreFew) {
@@ -123,7 +123,7 @@ TEST(RaisedByFines, ComparesWithTheCoarseGrainsAlone) {
     };
     const auto raised = [&](double found) {
         return raised_by_fines(
-            {packing.h, {}}, packing.position, packing.radius, tell_fines(packing.radius), along, fluid, found
+            {packing.h, {}}, packing.position, packing.radius, distinguish_fines(packing.radius), along, fluid, found
         );
     };
     const double alone = permeability();
@@ -134,7 +134,7 @@ TEST(RaisedByFines, ComparesWithTheCoarseGrainsAlone) {
     EXPECT_NEAR(raised(both).value(), both / alone, 1e-12);
 }
 
-TEST(RaisedByFines, AreTellingWhereTheNetworkIsTheSourceAndMoreThanItsGrainsAlone) {
+TEST(RaisedByFines, AreMeaningfulWhereTheNetworkIsTheSourceAndMoreThanItsGrainsAlone) {
     EXPECT_EQ(words_of({.raised_by_fines = 1.01}, "of the sample"), "");
     EXPECT_EQ(words_of({.solver = Solver::Resolved, .raised_by_fines = 1.2}, "of the sample"), "");
     const std::string words = words_of({.raised_by_fines = 1.2}, "of the sample");

@@ -51,7 +51,7 @@ Vec3 counted_centroid(const std::array<Vec3, 3>& x, const std::array<double, 3>&
     return sum / count;
 }
 
-TEST(VoidCentroid, IsThatOfWhatIsLeftUnlessHardlyAnythingIs) {
+TEST(VoidCentroid, IsThatOfTheRemainderUnlessAlmostNothingRemains) {
     // Two grains of radius 1 that touch, and a small one between them: it closes 93 % of the triangle, or nearly all.
     const auto centers = [](double height) { return std::array<Vec3, 3>{Vec3{}, Vec3{2, 0, 0}, Vec3{1, height, 0}}; };
     const std::array<double, 3> radius{1, 1, 0.3};

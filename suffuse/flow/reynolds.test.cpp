@@ -28,7 +28,7 @@ TEST(InertiaOfTheWater, LeavesWhatErgunsResistanceDoesAtTheSameGradient) {
     }
 }
 
-TEST(InertiaOfTheWater, IsToldWhereItTakesATenthOfTheFlux) {
+TEST(InertiaOfTheWater, IsReportedWhereItTakesATenthOfTheFlux) {
     const double porosity = 0.4, left = 0.9; // Ergun: (1 - left) 150 (1 - n) = 1.75 Re left^2
     const double limit = (1 - left) * 150 * (1 - porosity) / (1.75 * left * left);
     EXPECT_EQ(words_of_inertia("in the sample", 1, 0.99 * limit, porosity), "");

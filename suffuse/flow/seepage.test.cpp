@@ -330,7 +330,7 @@ TEST(Seepage, GrainsTooSmallForTheirCellAreRefused) {
     }
 }
 
-TEST(Seepage, OverlapsWithoutVoidAreToldOrRefused) {
+TEST(Seepage, OverlapsWithoutVoidAreReportedOrRefused) {
     // Simple cubic, side L: the pores' void is L^3 - 4 pi / 3, negative from L = 1.612 on, where windows are open
     // still.
     const auto cubic = [](double side) { return test::lattice(2, side, 1, {{0.1, 0.2, 0.3}}); };

@@ -51,7 +51,7 @@ bool is_inside(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, const
 }
 
 /// Whether a neighbor is nearer than the gap, along their edge, to the point of sphere k in the direction n.
-bool rests_beside(
+bool rests_next_to(
     const std::array<Vec3, 3>& x, const std::array<double, 3>& r, std::size_t k, const Vec3& n, double gap
 ) {
     bool rests = false;
@@ -85,7 +85,7 @@ TEST(SurfaceBeyondWedges, IsThatOfAQuadratureOverTheSpheres) {
                     continue;
                 }
                 wetted[k] += each;
-                open[k] += rests_beside(x, r, k, n, gap) ? 0 : each;
+                open[k] += rests_next_to(x, r, k, n, gap) ? 0 : each;
             }
         }
     }
@@ -149,7 +149,7 @@ TEST(Overlaps, CountedOnceLeaveTheWaterAndSurfaceOfTheUnion) {
         double water = 0, surface = 0, common = 0, hidden = 0;
         for (std::size_t t = 0; t < network.throats.size(); ++t) {
             const auto [x, r] = pores::spheres_of(network, packing.position, packing.radius, t);
-            const auto [p1, p2] = pores::centers_beside(network, t);
+            const auto [p1, p2] = pores::centers_around(network, t);
             const auto& wetted = network.throats.wetted[t];
             const double volume = network.throats.hydraulic_radius[t] * (wetted[0] + wetted[1] + wetted[2]);
             const ThroatWater once = count_overlaps_once(ThroatEdges(x, p1, p2), {volume, {r, wetted}});

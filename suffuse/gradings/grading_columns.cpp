@@ -39,11 +39,11 @@ private:
             ++found_.first_row;
         }
         pass_over_bare_masses();
-        tell_titles(header.row);
+        remark_on_titles(header.row);
         if (!check_units() || !choose_size() || !choose_shares()) {
             return std::nullopt;
         }
-        tell_unread();
+        remark_on_unread();
         return found_;
     }
 
@@ -56,7 +56,7 @@ private:
     }
 
     /// Titles and notes above the headings, in one line.
-    void tell_titles(std::size_t header_row) {
+    void remark_on_titles(std::size_t header_row) {
         std::vector<const SheetRow*> titles;
         for (std::size_t k = 0; k < header_row; ++k) {
             if (!sheet_.rows[k].is_comment) {
@@ -287,7 +287,7 @@ private:
             }
         }
         if (found_.shares.size() == 1) {
-            tell_meaning(found_.shares.front().index);
+            remark_on_meaning(found_.shares.front().index);
         } else {
             problems_.warning(
                 sheet_remark, header_->place,
@@ -301,7 +301,7 @@ private:
         return true;
     }
 
-    void tell_meaning(std::size_t column) {
+    void remark_on_meaning(std::size_t column) {
         problems_.warning(
             sheet_remark, header_ != nullptr ? place_at(*header_, column) : sheet_.rows[found_.first_row].place,
             fmt::format("column {} is read as a cumulative share, for its numbers rise or fall throughout", column + 1),
@@ -309,7 +309,7 @@ private:
         );
     }
 
-    void tell_unread() {
+    void remark_on_unread() {
         std::vector<std::string> unread;
         for (std::size_t k = 0; k < headings_.size(); ++k) {
             const bool is_share = std::ranges::any_of(found_.shares, [k](const auto& share) {

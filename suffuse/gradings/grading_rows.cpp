@@ -33,12 +33,12 @@ public:
     std::optional<std::vector<SievedSoil>> read() {
         for (std::size_t k = columns_.first_row; k < sheet_.rows.size(); ++k) {
             if (sheet_.rows[k].is_comment) {
-                tell_comment(sheet_.rows[k]);
+                remark_on_comment(sheet_.rows[k]);
             } else {
                 read_row(sheet_.rows[k]);
             }
         }
-        tell_skipped();
+        remark_on_skipped();
         if (columns_.sample_key.empty()) { // in the order of their columns, whichever has the coarsest sieve
             std::ranges::stable_sort(soils_, {}, &SievedSoil::column);
         }
@@ -57,22 +57,22 @@ private:
             const bool is_open = share.meaning == ShareMeaning::Retained || share.meaning == ShareMeaning::Cumulative;
             if (row != sheet_.rows.end() && is_open) {
                 share.meaning = ShareMeaning::OnSieve;
-                tell(
+                remark(
                     place_at(*row, columns_.size.index), "read as what lies between two sieves: the finer one keeps it"
                 );
             }
         }
     }
 
-    void tell(const Place& place, const std::string& what, const std::string& advice = {}) {
+    void remark(const Place& place, const std::string& what, const std::string& advice = {}) {
         problems_.warning(sheet_remark, place, what, advice);
     }
 
     /// `# 4`, with a blank, is a comment, and may have been meant as a sieve.
-    void tell_comment(const SheetRow& row) {
+    void remark_on_comment(const SheetRow& row) {
         if (!row.cells.empty() && row.cells.size() > 1 && !row.cells[0].text.empty() &&
             is_digit(row.cells[0].text[0])) {
-            tell(
+            remark(
                 row.place, "passed over as a comment",
                 "where this is a sieve, write its # without a blank behind it: #4"
             );
@@ -87,9 +87,9 @@ private:
         }
         const bool is_left_out =
             !key.empty() && std::ranges::all_of(key, [](const std::string& part) { return is_blank(part); });
-        if (is_left_out && !key_.empty() && !has_told_merged_) {
-            tell(row.place, "a row that names no sample is of the one above", "name it in every row to say so");
-            has_told_merged_ = true;
+        if (is_left_out && !key_.empty() && !has_reported_merged_) {
+            remark(row.place, "a row that names no sample is of the one above", "name it in every row to say so");
+            has_reported_merged_ = true;
         }
         key_ = is_left_out ? key_ : key;
     }
@@ -118,7 +118,7 @@ private:
             break;
         }
         if (is_blank(text_at(row, columns_.size.index)) && (is_empty || is_sum(row))) {
-            return tell(
+            return remark(
                 row.place, is_empty ? "passed over: it has no size and no share"
                                     : "passed over: it has no size, and is what the rows above add up to"
             );
@@ -205,7 +205,7 @@ private:
             return value && *value == 0;
         });
         if (has_none) {
-            tell(row.place, "size 0 is passed over: no grain is that small", "write the size of the smallest grains");
+            remark(row.place, "size 0 is passed over: no grain is that small", "write the size of the smallest grains");
         }
         return has_none;
     }
@@ -231,7 +231,7 @@ private:
                 );
             }
         }
-        tell(row.place, fmt::format("`{}` is what passed the finest sieve: it has no size of its own", word));
+        remark(row.place, fmt::format("`{}` is what passed the finest sieve: it has no size of its own", word));
     }
 
     void read_total(const SheetRow& row, const std::string& word) {
@@ -242,7 +242,7 @@ private:
                 }
             }
         }
-        tell(row.place, fmt::format("`{}` is passed over: it is no sieve", word));
+        remark(row.place, fmt::format("`{}` is passed over: it is no sieve", word));
     }
 
     void take(const SheetRow& row, const ShareColumn& share, const CellSize& size) {
@@ -274,9 +274,9 @@ private:
         return soils_[found->second];
     }
 
-    void tell_skipped() {
+    void remark_on_skipped() {
         if (!skipped_.empty()) {
-            tell(
+            remark(
                 skipped_place_, fmt::format(
                                     "{} {} without a value: passed over as not used",
                                     skipped_.size() == 1 ? "the sieve" : "the sieves", fmt::join(skipped_, ", ")
@@ -293,7 +293,7 @@ private:
     std::map<std::string, std::size_t> index_;
     std::vector<std::string> skipped_, key_;
     Place skipped_place_;
-    bool has_told_merged_ = false;
+    bool has_reported_merged_ = false;
 };
 
 /// The scale of sizes without a unit, told where it was found in the numbers. @return whether some have a unit

@@ -29,7 +29,7 @@ double sum_of(const SievedSoil& soil) {
 
 /// Amounts that fall from a sieve to a finer one are no cumulative ones. Percents that add up to 100 are each sieve's
 /// own; those that add up to more are not. Nothing where neither can be said.
-std::optional<ShareMeaning> tell_retained(SievedSoil& soil) {
+std::optional<ShareMeaning> recognize_retained(SievedSoil& soil) {
     const std::vector<SieveRow*> sieves = coarsest_first(soil);
     const auto falls = [](const SieveRow* coarse, const SieveRow* fine) { return fine->amount < coarse->amount; };
     if (std::ranges::adjacent_find(sieves, falls) != sieves.end()) {
@@ -47,7 +47,7 @@ std::optional<ShareMeaning> tell_retained(SievedSoil& soil) {
 }
 
 /// A cumulative share that rises with the size is what is finer, one that falls what is coarser.
-std::optional<ShareMeaning> tell_cumulative(SievedSoil& soil) {
+std::optional<ShareMeaning> recognize_cumulative(SievedSoil& soil) {
     const std::vector<SieveRow*> sieves = coarsest_first(soil);
     const double change = sieves.empty() ? 0 : sieves.front()->amount - sieves.back()->amount;
     return change > 0   ? std::optional(ShareMeaning::Passing)
@@ -61,7 +61,7 @@ bool decide_meaning(SievedSoil& soil, Problems& problems) {
     if (!is_retained && !is_cumulative) {
         return true;
     }
-    const auto meaning = is_retained ? tell_retained(soil) : tell_cumulative(soil);
+    const auto meaning = is_retained ? recognize_retained(soil) : recognize_cumulative(soil);
     if (!meaning) {
         problems.error(
             "E506", soil.heading_place,

@@ -157,7 +157,7 @@ std::optional<std::vector<SoilPoints>> read_tables(std::vector<SheetTable>& tabl
     TableJoiner joiner(tables.size(), problems);
     bool is_good = true;
     for (SheetTable& table : tables) {
-        tell_notes(table.notes, problems);
+        remark_on_notes(table.notes, problems);
         auto soils = read_sieve_rows(table.sheet, *table.columns, problems);
         if (!soils) {
             is_good = false;

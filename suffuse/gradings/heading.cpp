@@ -121,13 +121,13 @@ Roles read_roles(const std::string& named, Heading& heading) {
 
 /// Masses of sieves, with soil or empty.
 bool take_mass(const Roles& roles, bool weighed, Heading& heading) {
-    const bool says_sieve = roles.has(Role::Sieve);
-    const bool says_share = roles.has(Role::Passing) || roles.has(Role::Retained) || roles.has(Role::Coarser);
-    if (weighed && says_sieve && roles.has(Role::And) && (roles.has(Role::Soil) || roles.has(Role::Retained))) {
+    const bool names_sieve = roles.has(Role::Sieve);
+    const bool names_share = roles.has(Role::Passing) || roles.has(Role::Retained) || roles.has(Role::Coarser);
+    if (weighed && names_sieve && roles.has(Role::And) && (roles.has(Role::Soil) || roles.has(Role::Retained))) {
         heading.kind = ColumnKind::Gross;
         return true;
     }
-    if (weighed && !says_share && (roles.has(Role::Tare) || says_sieve)) {
+    if (weighed && !names_share && (roles.has(Role::Tare) || names_sieve)) {
         heading.kind = ColumnKind::Tare;
         return true;
     }
@@ -155,14 +155,14 @@ bool take_share(const Roles& roles, Heading& heading) {
 
 /// Names of samples, depths and sizes. @param words of the whole heading
 void take_other_kind(const Roles& roles, const std::string& words, Heading& heading) {
-    const bool says_mesh = roles.has(Role::Number) && words.find("mesh") != std::string::npos;
+    const bool names_mesh = roles.has(Role::Number) && words.find("mesh") != std::string::npos;
     if (roles.has(Role::Sample)) {
         heading.kind = ColumnKind::Sample;
     } else if (roles.has(Role::Depth)) {
         const bool is_of_hydrometer = words.find("effective") != std::string::npos; // how deep its bulb hangs
         heading.kind = is_of_hydrometer ? ColumnKind::Other : ColumnKind::Sample, heading.names_depth = true;
         heading.scale = is_of_hydrometer ? SizeScale::Unknown : heading.scale;
-    } else if (roles.has(Role::Size) || roles.has(Role::Sieve) || roles.has(Role::Phi) || says_mesh) {
+    } else if (roles.has(Role::Size) || roles.has(Role::Sieve) || roles.has(Role::Phi) || names_mesh) {
         heading.kind = ColumnKind::Size;
         if (roles.has(Role::Phi)) {
             heading.scale = SizeScale::Phi;

@@ -31,7 +31,7 @@ TEST(ReadGrading, SievesAndAHydrometerMayRunInAnyDirection) {
                 text += line;
             }
             const ParsedSheet parsed = parse_sheet(text);
-            ASSERT_EQ(parsed.soils.size(), 1U) << text << render(parsed.told);
+            ASSERT_EQ(parsed.soils.size(), 1U) << text << render(parsed.remarks);
             expect_soil(
                 {"", {{0.002, 5}, {0.006, 10}, {0.02, 20}, {0.075, 35}, {0.2, 50}, {0.5, 80}, {2, 100}}},
                 parsed.soils.front(), text
@@ -51,7 +51,7 @@ TEST(ReadGrading, RowsOfAnAgsFileMayComeInAnyOrder) {
          {row("0.002", "1", "HY") + row("0.02", "2", "HY"), row("0.02", "2", "HY") + row("0.002", "1", "HY")}) {
         for (const std::string& rows : {sieves + hydrometer, hydrometer + sieves}) {
             const ParsedSheet parsed = parse_sheet(head + rows);
-            ASSERT_EQ(parsed.soils.size(), 1U) << render(parsed.told);
+            ASSERT_EQ(parsed.soils.size(), 1U) << render(parsed.remarks);
             expect_soil({"", {{0.002, 1}, {0.02, 2}, {0.063, 3}, {0.2, 21}, {2, 100}}}, parsed.soils.front(), "ags");
         }
     }
@@ -85,7 +85,8 @@ TEST(ReadGrading, ATableOfFourHundredThousandColumnsIsRefused) {
         names += ",a";
     }
     const ParsedSheet parsed = parse_sheet(names + "\n1,2\n");
-    EXPECT_NE(render(parsed.told).find("400001 columns"), std::string::npos) << render(parsed.told).substr(0, 300);
+    EXPECT_NE(render(parsed.remarks).find("400001 columns"), std::string::npos)
+        << render(parsed.remarks).substr(0, 300);
 }
 
 } // namespace

@@ -206,7 +206,7 @@ Sheet take_columns(const Sheet& sheet, std::size_t from, std::size_t to, std::si
 
 /// Where a second table begins beside the first: sizes and shares, and again sizes and shares of the same kind, that
 /// are not the same sizes in another unit.
-std::vector<std::size_t> find_tables_beside(const Sheet& sheet, const SheetHeader& header) {
+std::vector<std::size_t> find_tables_side_by_side(const Sheet& sheet, const SheetHeader& header) {
     std::vector<std::size_t> begins;
     const auto sizes = columns_of_kind(header.headings, ColumnKind::Size);
     for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -237,7 +237,7 @@ std::vector<std::size_t> find_tables_beside(const Sheet& sheet, const SheetHeade
 }
 
 /// The row right above the headings where it has a title for each of the tables beside each other.
-const SheetRow* find_titles_beside(const Sheet& sheet, std::size_t header, const std::vector<std::size_t>& begins) {
+const SheetRow* find_titles_next_to(const Sheet& sheet, std::size_t header, const std::vector<std::size_t>& begins) {
     const SheetRow* above = header > 0 ? &sheet.rows[header - 1] : nullptr;
     const bool is_next = above != nullptr && above->place.line + 1 == sheet.rows[header].place.line;
     const bool has_title =
@@ -280,13 +280,13 @@ SheetTable stack(SheetTable table, const SheetHeader& header, const std::vector<
     return table;
 }
 
-std::vector<SheetTable> cut_beside(SheetTable table, Problems& problems) {
+std::vector<SheetTable> split_side_by_side(SheetTable table, Problems& problems) {
     const auto header = find_sheet_header(table.sheet);
-    const auto begins = header ? find_tables_beside(table.sheet, *header) : std::vector<std::size_t>{};
+    const auto begins = header ? find_tables_side_by_side(table.sheet, *header) : std::vector<std::size_t>{};
     if (begins.empty()) {
         return {std::move(table)};
     }
-    const SheetRow* titles = find_titles_beside(table.sheet, header->row, begins);
+    const SheetRow* titles = find_titles_next_to(table.sheet, header->row, begins);
     if (titles == nullptr && go_on(table.sheet, header->row + header->lines, begins)) {
         problems.warning(
             sheet_remark, table.sheet.rows[header->row].place,
@@ -336,7 +336,7 @@ std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
     for (std::size_t k = 0; k < headers.size(); ++k) {
         const std::size_t end =
             k + 1 < headers.size() ? std::max(first_title(sheet, headers[k + 1]), headers[k] + 1) : sheet.rows.size();
-        for (SheetTable& part : cut_beside(TableCutter(sheet, first, headers[k], end).cut(), problems)) {
+        for (SheetTable& part : split_side_by_side(TableCutter(sheet, first, headers[k], end).cut(), problems)) {
             tables.push_back(std::move(part));
         }
         first = end;
@@ -344,7 +344,7 @@ std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
     return tables;
 }
 
-void tell_notes(const TableNotes& notes, Problems& problems) {
+void remark_on_notes(const TableNotes& notes, Problems& problems) {
     constexpr std::size_t most = 8;
     std::vector<std::string> names;
     for (const SheetRow* row : notes.others) {

@@ -31,6 +31,6 @@ struct SheetTable {
 std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems);
 
 /// One line for the notes of a table, and one for the values derived from its curve.
-void tell_notes(const TableNotes& notes, Problems& problems);
+void remark_on_notes(const TableNotes& notes, Problems& problems);
 
 } // namespace suffuse::gradings

@@ -53,11 +53,11 @@ std::string answer_to(const std::string& sheet) {
 
 class Sheets : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(Sheets, GivesWhatTheFileBesideItExpects) {
+TEST_P(Sheets, GivesWhatItsExpectedFileStates) {
     const nlohmann::json expected = nlohmann::json::parse(all_bytes(sheets_folder() / answer_to(GetParam())));
     const ParsedSheet parsed =
         parse_sheet(all_bytes(sheets_folder() / GetParam()), fs::path(GetParam()).filename().string());
-    const std::string messages = render(parsed.told) + "\n" + messages_of(parsed);
+    const std::string messages = render(parsed.remarks) + "\n" + messages_of(parsed);
     for (const auto& [key, value] : expected.items()) {
         EXPECT_TRUE(std::set<std::string>({"soils", "remarks", "refused", "tolerance"}).contains(key)) << key;
     }
@@ -79,7 +79,7 @@ TEST_P(Sheets, GivesWhatTheFileBesideItExpects) {
         EXPECT_EQ(messages.find("W508"), std::string::npos) << messages;
     }
     std::vector<Diagnostic> errors;
-    std::ranges::copy_if(parsed.told, std::back_inserter(errors), [](const Diagnostic& d) { return !d.is_warning; });
+    std::ranges::copy_if(parsed.remarks, std::back_inserter(errors), [](const Diagnostic& d) { return !d.is_warning; });
     const nlohmann::json refusals = expected.value("refused", none);
     ASSERT_GE(errors.size(), refusals.size()) << messages;
     for (std::size_t k = 0; k < refusals.size(); ++k) {

@@ -20,24 +20,24 @@ struct SheetSoil {
 
 struct ParsedSheet {
     std::vector<NamedGrading> soils;
-    std::vector<Diagnostic> told;
+    std::vector<Diagnostic> remarks;
 };
 
 inline ParsedSheet parse_sheet(const std::string& text, const std::string& file = "sheet.csv") {
     Problems problems;
     ParsedSheet parsed;
     parsed.soils = parse_gradings(std::make_shared<Source>(Source{file, text}), problems, CurveEnds::MayBeOpen);
-    parsed.told = problems.sorted();
+    parsed.remarks = problems.sorted();
     return parsed;
 }
 
 /// A message a line; a page of them keeps the rest of many to itself.
 inline std::string messages_of(const ParsedSheet& parsed) {
-    std::string told;
-    for (const Diagnostic& remark : parsed.told) {
-        told += remark.message + "\n";
+    std::string remarks;
+    for (const Diagnostic& remark : parsed.remarks) {
+        remarks += remark.message + "\n";
     }
-    return told;
+    return remarks;
 }
 
 struct SheetTolerance {

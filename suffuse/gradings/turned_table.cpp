@@ -65,7 +65,7 @@ private:
         const bool has_label = !row.cells.empty() && !is_size(sheet_, row, 0); // "4.75 mm" names its unit, too
         across_ = {row_number, {}, {}, has_label ? read_heading(heading_at(row_number, 0)) : Heading{}};
         if (across_.label.scale == SizeScale::Unknown) {
-            across_.label.scale = scale_beside(row);
+            across_.label.scale = scale_next_to(row);
         }
         std::vector<double> diameters;
         const bool is_labeled = across_.label.kind == ColumnKind::Size || across_.label.kind == ColumnKind::Sample;
@@ -112,7 +112,7 @@ private:
     }
 
     /// "Sieve,um,2000,850": the unit in a cell of its own before the sizes.
-    [[nodiscard]] SizeScale scale_beside(const SheetRow& row) const {
+    [[nodiscard]] SizeScale scale_next_to(const SheetRow& row) const {
         for (std::size_t k = 1; k < row.cells.size() && !is_size(sheet_, row, k); ++k) {
             const std::string plain = plain_unit(row.cells[k].text);
             if (size_scale_of(plain) != SizeScale::Unknown) {
@@ -167,8 +167,8 @@ private:
         for (std::size_t k = 0; k <= across_.row; ++k) {
             for (const SheetCell& cell : sheet_.rows[k].cells) {
                 heading = read_heading(cell.text);
-                const bool says = heading.kind == ColumnKind::Share && heading.meaning != ShareMeaning::Cumulative;
-                if (says && heading.unit != ShareUnit::Unknown && !read_derived_name(cell.text)) {
+                const bool is_stated = heading.kind == ColumnKind::Share && heading.meaning != ShareMeaning::Cumulative;
+                if (is_stated && heading.unit != ShareUnit::Unknown && !read_derived_name(cell.text)) {
                     return heading;
                 }
             }
@@ -307,7 +307,7 @@ private:
         }
         table.notes.others.insert(table.notes.others.end(), others_.begin(), others_.end());
         table.columns = std::move(columns);
-        tell(taken.size(), keys);
+        remark(taken.size(), keys);
         return table;
     }
 
@@ -328,7 +328,7 @@ private:
         }
     }
 
-    void tell(std::size_t samples, const std::vector<std::size_t>& keys) {
+    void remark(std::size_t samples, const std::vector<std::size_t>& keys) {
         std::vector<std::string> unread;
         const SheetRow& row = sheet_.rows[across_.row];
         for (std::size_t k = 0; k < width(); ++k) {

@@ -66,7 +66,7 @@ TEST(Gradation, OfFewSizesIsACurveOfSteps) {
     EXPECT_NEAR(size_at(curve, 0.5), 4, 4e-6);
 }
 
-TEST(Gradation, OfSizesThatOnlyRoundingTellsApartIsOneStep) {
+TEST(Gradation, OfSizesThatOnlyRoundingDistinguishesIsOneStep) {
     Grains grains;
     for (const double radius : {1.0, 1 + 2e-16, 1 + 1e-9}) {
         add_grain(grains, {}, radius, 2600);

@@ -30,7 +30,7 @@ TEST(SampleSize, CountsGrainsOfEqualSphereFractionsExactly) {
     EXPECT_EQ(size.rule, SizedBy::CoarseGrains);
 }
 
-TEST(SampleSize, TheSampleHasTheCoarseGrainsAskedFor) {
+TEST(SampleSize, TheSampleHasTheSpecifiedCoarseGrains) {
     for (const double content : {0.05, 0.2, 0.4, 0.6, 0.8}) {
         const Soil soil = two_sizes(3.5, content);
         const SampleSize size = size_sample(soil, {200, 100, 1});

@@ -163,15 +163,15 @@ SampledGrains sample_whole(const Soil& soil, std::size_t particles, const Pulse&
 }
 
 /// How `soil` could be followed: by more grains, or where its curve may be cut without losing fines or skeleton.
-std::string what_to_do(const Soil& soil, const Grading& asked, int particles) {
+std::string what_to_do(const Soil& soil, const Grading& specified, int particles) {
     constexpr double out_of_reach = 1e9;
-    const double needed = grains_needed(asked, soil.grading_tolerance);
+    const double needed = grains_needed(specified, soil.grading_tolerance);
     std::string text = needed < out_of_reach ? fmt::format("take about {:.0f} particles", needed)
                                              : std::string("more than a thousand million would be needed");
     text += ", allow a larger difference (grading_tolerance)";
     const double limit = soil.coarse ? 0 : fines_limit(soil).value_or(0); // 0: no part needs it
-    const auto above = followed_above(asked, particles, soil.grading_tolerance);
-    const auto below = followed_below(asked, particles, soil.grading_tolerance);
+    const auto above = followed_above(specified, particles, soil.grading_tolerance);
+    const auto below = followed_below(specified, particles, soil.grading_tolerance);
     std::string parts = above && (limit == 0 || *above < limit) ? fmt::format("above {:.3g} mm", *above * 1e3) : "";
     if (below && *below > limit) {
         parts += fmt::format("{}below {:.3g} mm", parts.empty() ? "" : ", or that ", *below * 1e3);
@@ -256,8 +256,8 @@ double largest_difference(std::span<const double> radius, const Grading& grading
         for (; g < sorted.size() && sorted[g] == r; ++g) {
             step += r * r * r / total;
         }
-        const double asked = passing(grading, 2 * r);
-        largest = std::max({largest, std::abs(asked - below), std::abs(asked - (below + step))});
+        const double specified = passing(grading, 2 * r);
+        largest = std::max({largest, std::abs(specified - below), std::abs(specified - (below + step))});
         below += step;
     }
     return largest;
@@ -342,7 +342,7 @@ std::optional<double> fines_limit(const Soil& soil) {
     return split;
 }
 
-Grading asked_grading(const Soil& soil) {
+Grading specified_grading(const Soil& soil) {
     return soil.whole ? *soil.whole : mixture(*soil.coarse, *soil.fines, soil.fines_content);
 }
 
@@ -350,17 +350,17 @@ SampledGrains sample_soil(const Soil& soil, int particles, const Pulse& pulse) {
     check_soil(soil, particles);
     const auto count = static_cast<std::size_t>(particles);
     SampledGrains sample = soil.whole ? sample_whole(soil, count, pulse) : sample_mixture(soil, count, pulse);
-    const Grading asked = asked_grading(soil);
+    const Grading specified = specified_grading(soil);
     sample.fines_content = content_of(sample);
-    sample.largest_difference = largest_difference(sample.radius, asked);
+    sample.largest_difference = largest_difference(sample.radius, specified);
     if (sample.largest_difference > soil.grading_tolerance) {
         throw CaseError(
             fmt::format(
                 "{} particles cannot follow {}: largest difference of percent passing {:.3g} %, allowed {:.3g} %; {}",
-                particles, named(asked), sample.largest_difference * 100, soil.grading_tolerance * 100,
-                what_to_do(soil, asked, particles)
+                particles, named(specified), sample.largest_difference * 100, soil.grading_tolerance * 100,
+                what_to_do(soil, specified, particles)
             ),
-            asked.origin
+            specified.origin
         );
     }
     return sample;

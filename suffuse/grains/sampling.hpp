@@ -36,7 +36,7 @@ std::optional<double> fines_limit(const Soil& soil);
 void expect_both_parts(const Soil& soil);
 
 /// The grading that `soil` asks for: its curve, or that of the mixture.
-Grading asked_grading(const Soil& soil);
+Grading specified_grading(const Soil& soil);
 
 /// Diameters [m] of `count` grains that follow `grading`, largest first.
 std::vector<double> sample_diameters(const Grading& grading, std::size_t count, const Pulse& pulse = {});

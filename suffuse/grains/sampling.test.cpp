@@ -61,7 +61,7 @@ TEST(Sampling, MissesTheCurveByLittleMoreThanHalfTheLargestGrain) {
     }
 }
 
-TEST(Sampling, AsksItsPulseWhileGrainsAreDrawn) {
+TEST(Sampling, CallsItsPulseWhileGrainsAreDrawn) {
     const Soil soil = fontainebleau();
     std::vector<long long> drawn;
     const SampledGrains sample = sample_soil(soil, 140'000, [&](std::string_view part, long long grains) {
@@ -105,7 +105,7 @@ TEST(Sampling, OfTwoCurvesTheFinesEndHalfwayBetweenThemByRatio) {
     EXPECT_FALSE(fines_limit({.whole = curve(1e-4, 9e-4)}));
 }
 
-TEST(Sampling, TwoFractionsGiveTheAskedFinesContent) {
+TEST(Sampling, TwoFractionsGiveTheSpecifiedFinesContent) {
     Soil soil;
     soil.coarse = band(3.5e-4), soil.fines = band(1e-4), soil.fines_content = 0.20;
     const SampledGrains sample = sample_soil(soil, 5000);

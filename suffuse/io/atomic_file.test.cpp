@@ -201,10 +201,10 @@ TEST(AtomicFile, AFullDiskIsAnErrorThatSaysWhatHelpsAndTheOldFileRemains) {
         } catch (const IoError& error) {
             message = error.what();
         }
-        const bool says_it =
+        const bool names_cause =
             message.find("a.txt") != std::string::npos && message.find("free some space") != std::string::npos;
         const auto files = std::distance(std::filesystem::directory_iterator(disk), {});
-        _exit(says_it && read_all(disk / "a.txt") == "old" && files == 1 ? AsItShould : Otherwise);
+        _exit(names_cause && read_all(disk / "a.txt") == "old" && files == 1 ? AsItShould : Otherwise);
     }
     int status = 0;
     waitpid(child, &status, 0);

@@ -239,7 +239,7 @@ std::string complaint_about(const std::function<void(Hdf5Writer&)>& write) {
     return "";
 }
 
-TEST(Checkpoint, AFileTellsWhereItComesFromAndTheStateIsTheSame) {
+TEST(Checkpoint, AFileRecordsItsOriginAndTheStateIsTheSame) {
     const TempFolder folder;
     dem::World world;
     world.seed = 7;

@@ -10,7 +10,7 @@ void DigestWithin::add(std::string_view bytes) {
     hash_.add(bytes.substr(0, begin));
     hash_.add(std::string(end - begin, '0'));
     hash_.add(bytes.substr(end));
-    told_ += bytes.substr(begin, end - begin);
+    recorded_ += bytes.substr(begin, end - begin);
     at_ += bytes.size();
 }
 

@@ -20,7 +20,7 @@ public:
     void add(std::string_view bytes);
 
     /// The digits that stood in the bytes.
-    [[nodiscard]] const std::string& told() const { return told_; }
+    [[nodiscard]] const std::string& recorded() const { return recorded_; }
 
     /// The digits that belong there; no more bytes may follow.
     std::string found() { return hash_.hex(); }
@@ -28,7 +28,7 @@ public:
 private:
     Sha256 hash_;
     std::size_t place_, at_ = 0;
-    std::string told_;
+    std::string recorded_;
 };
 
 } // namespace suffuse::io

@@ -17,7 +17,7 @@ TEST(DigestWithin, IsThatOfTheFileWithZerosInItsPlace) {
     plain.add(file_with(std::string(DigestWithin::digits, '0')));
     DigestWithin digest(place);
     digest.add(file_with(own));
-    EXPECT_EQ(digest.told(), own);
+    EXPECT_EQ(digest.recorded(), own);
     EXPECT_EQ(digest.found(), plain.hex());
 }
 
@@ -31,7 +31,7 @@ TEST(DigestWithin, IsTheSameHoweverTheBytesCome) {
         for (std::size_t at = 0; at < bytes.size(); at += size) {
             parts.add(std::string_view(bytes).substr(at, size));
         }
-        EXPECT_EQ(parts.told(), own) << size;
+        EXPECT_EQ(parts.recorded(), own) << size;
         EXPECT_EQ(parts.found(), expected) << size;
     }
 }

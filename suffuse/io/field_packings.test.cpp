@@ -156,7 +156,7 @@ const std::string restart =
     "force 0 0 0 torque 0 0 0 radius 0.5 invMass 1\n"
     "Interactions 1\nLinearViscoelasticInteraction particleIds 0 0 timeStamp 0 force 0 0 0 torque 0 0 0\n";
 
-TEST(FieldPackings, AMercuryRestartTellsThatItsContactMemoryIsNotRead) {
+TEST(FieldPackings, AMercuryRestartWarnsThatItsContactMemoryIsNotRead) {
     const TakenPacking taken = take(restart);
     ASSERT_EQ(taken.grains.size(), 1U);
     EXPECT_EQ(taken.grains.position[0], (Vec3{1, 3, 4}));
@@ -203,7 +203,7 @@ TEST(FieldPackings, LegacyVtkMayBeBinary) {
     );
 }
 
-TEST(FieldPackings, OneRadiusForAllIsAskedForAndRefusedBesideOwnRadii) {
+TEST(FieldPackings, OneRadiusForAllIsRequiredAndRefusedTogetherWithOwnRadii) {
     EXPECT_NE(complaint(equal_spheres).find("--radius R"), std::string::npos);
     for (const char* own : {spheres_with_cells, legacy_ascii, paraview_points}) {
         EXPECT_NE(complaint(own, 5e-4).find("leave that out"), std::string::npos) << own;

@@ -249,7 +249,7 @@ void Hdf5Reader::check_digest(const std::function<void(DigestWithin&)>& add_byte
     if (place != HADDR_UNDEF) {
         DigestWithin digest(place);
         add_bytes(digest);
-        has_digest_ = digest.told() == digest.found();
+        has_digest_ = digest.recorded() == digest.found();
     }
     if (!has_digest_) {
         complain("it was changed or damaged after it was written; use a whole copy of it, or make it anew");

@@ -111,7 +111,7 @@ TEST(Hdf5File, WhatDoesNotFitIsRefused) {
 }
 
 // A damaged file may hold what our writer never makes.
-TEST(Hdf5File, ShapesThatCannotBeAreRefusedBeforeTheyAskForMemory) {
+TEST(Hdf5File, ImpossibleShapesAreRefusedBeforeTheyAllocateMemory) {
     const TempFolder folder;
     const std::string path = (folder / "f.h5").string();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

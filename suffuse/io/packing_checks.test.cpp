@@ -90,7 +90,7 @@ TEST(PackingChecks, TwoGrainsInOnePlaceAreRefusedWhateverIsAllowed) {
     );
 }
 
-TEST(PackingChecks, ACellInPlaceOfTheFilesOwnIsTold) {
+TEST(PackingChecks, ReplacingTheFilesCellIsReported) {
     const std::string own = "##PERIODIC:: 4e-3 4e-3 4e-3\n0 0 0 1e-4\n";
     EXPECT_TRUE(warns(
         take(own, in_box(3e-3)), "p.any: the cell given, 0.003 x 0.003 x 0.003 m, is taken, not the file's own, 0.004 x"
@@ -111,7 +111,7 @@ TEST(PackingChecks, ABoxWithWallsIsACellOnlyForOneWhoSaysSo) {
     ));
 }
 
-TEST(PackingChecks, LengthsThatCannotBeMeantAreToldInTheNameOfWhoAsks) {
+TEST(PackingChecks, ImpossibleLengthsAreReportedInTheNameOfTheCaller) {
     PackingRequest request = in_box(1);
     request.where = "study/start";
     EXPECT_TRUE(warns(take("0 0 0 1e-4\n", request), "study/start: the grains fill a share of 4.2e-12 of the cell"));

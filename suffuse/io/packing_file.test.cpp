@@ -166,7 +166,7 @@ TEST(PackingFile, NamesOfColumnsMayBeWrittenAsOtherProgramsDo) {
     EXPECT_NE(complaint("x [mm],y [mm],z [mm],r [mm]\n").find("and `unit` says another one"), std::string::npos);
 }
 
-TEST(PackingFile, YadeTellsItsColumnsAndItsCellInComments) {
+TEST(PackingFile, YadeStatesItsColumnsAndItsCellInComments) {
     const ImportedPacking packing = parse("#format id_x_y_z_r_matId\n# by me\n17\t1\t2\t3\t0.5\t0\n");
     EXPECT_EQ(packing.grains.position[0], (Vec3{1, 2, 3}));
     EXPECT_EQ(packing.grains.radius[0], 0.5);

@@ -156,7 +156,7 @@ TEST(PackingFormats, LammpsGetsACellThatItCannotHoldTurnedWithItsGrains) {
     EXPECT_NO_THROW(export_packing(folder / "p.vtp", world, PackingFormat::Vtp));
 }
 
-TEST(PackingFormats, AnEndingTellsTheFormatAndEachNameHasOne) {
+TEST(PackingFormats, AFileEndingDeterminesTheFormatAndEachNameHasOne) {
     EXPECT_EQ(packing_format_of_file("a/b.lammpstrj"), PackingFormat::LammpsDump);
     EXPECT_EQ(packing_format_of_file("a.txt"), PackingFormat::Yade);
     EXPECT_EQ(packing_format_of_file("a.pdf"), std::nullopt);

@@ -143,7 +143,7 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
         sizes[fmt::format("d{}", percent)] = or_null(size);
     }
     const stability::Tally tally = stability::count_verdicts(found.criteria);
-    const stability::FinesBesideConstrictions& constrictions = found.constrictions;
+    const stability::FinesAgainstConstrictions& constrictions = found.constrictions;
     json about = {
         {"soil", soil.name},
         {"sizes", sizes},
@@ -222,7 +222,7 @@ std::string smaller_share(double densest, double loosest) {
 } // namespace
 
 std::string constrictions_text(const Assessment& found, const char* join) {
-    const stability::FinesBesideConstrictions& constrictions = found.constrictions;
+    const stability::FinesAgainstConstrictions& constrictions = found.constrictions;
     return fmt::format(
         "constrictions between the grains above {} mm: Dc35 = {} mm at the densest, {} mm at the loosest;{}{}",
         mm(constrictions.split), mm(constrictions.densest_d35), mm(constrictions.loosest_d35), join,

@@ -58,7 +58,7 @@ std::vector<Source> sources_in(const fs::path& run) {
 }
 
 /// Which case draws a figure of the paper that a run has not; empty for other names.
-std::string tell_case_of(const std::string& id) {
+std::string reason_for_missing(const std::string& id) {
     constexpr int tests = 2, last_of_mixtures = 6, last = 14; // section 3 of the paper is of mixtures, 4 of one soil
     const std::optional<int> number = figures::figure_of_paper(id);
     if (!number || *number < 1 || *number > last) {
@@ -85,7 +85,7 @@ std::vector<Source> chosen(const std::vector<Source>& all, const std::vector<std
     for (const std::string& word : wanted) {
         const auto found = std::find(ids.begin(), ids.end(), figures::figure_id(word));
         if (found == ids.end()) {
-            const std::string elsewhere = tell_case_of(figures::figure_id(word));
+            const std::string elsewhere = reason_for_missing(figures::figure_id(word));
             throw UsageError(fmt::format(
                 "--figure {}: this run has no such figure{}; it has {}", shown(word),
                 elsewhere.empty() ? near_hint(figures::figure_id(word), ids) : elsewhere, fmt::join(ids, ", ")

@@ -66,7 +66,7 @@ grains::Grading sampled_grading(const std::vector<double>& radius, const std::op
             2 * *least * std::pow(*most / *least, static_cast<double>(k) / points) * (1 + 1e-12 * k)
         );
     }
-    std::vector<double> corners = soil ? grains::asked_grading(*soil).diameter : std::vector<double>{};
+    std::vector<double> corners = soil ? grains::specified_grading(*soil).diameter : std::vector<double>{};
     if (soil && soil->finer_than) {
         corners.push_back(*soil->finer_than);
     }
@@ -98,7 +98,7 @@ draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, co
             add(figures::stress_path(story.erosion), figures);
             add(figures::porosity_path(story.erosion), figures);
             add(figures::rules_compared(story.probes, named_erosions(story)), figures);
-            add(figures::beside_twin(story.erosion), figures);
+            add(figures::compared_with_twin(story.erosion), figures);
             add(figures::constriction_sizes(story.erosion), figures);
             add(figures::transport_by_pass(story.erosion), figures);
             add(figures::eroded_grading(
@@ -121,12 +121,12 @@ draw_grading(const casefile::Case& what, const std::filesystem::path& folder, co
         return std::nullopt;
     }
     return figures::grading_curves(
-        grains::asked_grading(*soil), sampled_grading(radius, soil), soil->finer_than, axis_of(what)
+        grains::specified_grading(*soil), sampled_grading(radius, soil), soil->finer_than, axis_of(what)
     );
 }
 
 void show_stability(const casefile::Case& what, const grains::Soil& soil, report::ReportData& data) {
-    const grains::Grading simulated = grains::asked_grading(soil);
+    const grains::Grading simulated = grains::specified_grading(soil);
     const grains::Grading& given = soil.measured ? *soil.measured : simulated;
     const stability::Assessment assessment = assess_with(given, soil.finer_than);
     data.tables.push_back(figures::stability_table(assessment));

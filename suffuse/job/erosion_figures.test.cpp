@@ -11,7 +11,7 @@
 namespace suffuse::job {
 namespace {
 
-TEST(GradingOfASample, HasTheCornersOfTheCurveAskedForAndTheLimitOfTheFines) {
+TEST(GradingOfASample, HasTheCornersOfTheSpecifiedCurveAndTheLimitOfTheFines) {
     grains::Soil soil;
     soil.whole = {{1e-4, 3e-4, 1.2e-3, 4e-3}, {0, 0.5, 0.5, 1}, "gap"};
     soil.finer_than = 5e-4; // in the gap, where the curve is level
@@ -27,7 +27,7 @@ TEST(GradingOfASample, HasTheCornersOfTheCurveAskedForAndTheLimitOfTheFines) {
     EXPECT_EQ(sampled_grading(radius, std::nullopt).diameter.size(), 61U);
 }
 
-TEST(StabilityOfARun, IsSaidToBeThatOfTheSimulatedGrading) {
+TEST(StabilityOfARun, IsLabeledAsThatOfTheSimulatedGrading) {
     grains::Soil soil;
     soil.whole = {{1e-4, 2e-4, 4e-4}, {0, 0.5, 1}, "invented"};
     report::ReportData data;
@@ -39,7 +39,7 @@ TEST(StabilityOfARun, IsSaidToBeThatOfTheSimulatedGrading) {
     EXPECT_EQ(data.figures.size(), 2U);
 }
 
-TEST(StabilityOfARun, OfAPartOfACurveIsShownBesideThatOfTheWhole) {
+TEST(StabilityOfARun, OfAPartOfACurveIsShownNextToThatOfTheWhole) {
     grains::Soil soil;
     soil.measured = {{1e-5, 1e-4, 2e-4, 4e-4, 4e-3}, {0.05, 0.3, 0.35, 0.6, 1}, "invented"};
     soil.whole = grains::part_between(*soil.measured, 2e-4, 4e-3);

@@ -20,7 +20,7 @@
 #include "suffuse/io/text_file.hpp"
 #include "suffuse/job/assumed_values.hpp"
 #include "suffuse/job/erosion_figures.hpp"
-#include "suffuse/job/report_wishes.hpp"
+#include "suffuse/job/report_options.hpp"
 #include "suffuse/job/scene_data.hpp"
 #include "suffuse/job/study_figures.hpp"
 #include "suffuse/job/water_figures.hpp"
@@ -109,11 +109,12 @@ std::vector<report::AssumedValue> assumed_in(const std::filesystem::path& folder
     if (!std::filesystem::exists(given)) {
         return {}; // a program that runs cases of its own leaves none
     }
-    const json asked = std::filesystem::exists(options) ? record::read_json(options) : json::object();
+    const json run_options = std::filesystem::exists(options) ? record::read_json(options) : json::object();
     const std::vector<std::string> nothing;
     return record::take_from(options, [&] {
         return assumed_values(
-            io::read_text(given), what.preset, asked.value("overrides", nothing), asked.value("studies", nothing)
+            io::read_text(given), what.preset, run_options.value("overrides", nothing),
+            run_options.value("studies", nothing)
         );
     });
 }
@@ -143,10 +144,10 @@ std::optional<report::AssumedValue> assumed_unbalance(const casefile::Case& what
 }
 
 /// "dyke.csv (0.1 to 2 mm); 100 kPa; i = 0.2": of the sample that is judged, as the case has it.
-std::string asked_of(const casefile::Variant& variant) {
+std::string request_text(const casefile::Variant& variant) {
     std::vector<std::string> parts;
     if (variant.soil) {
-        const grains::Grading curve = grains::asked_grading(*variant.soil);
+        const grains::Grading curve = grains::specified_grading(*variant.soil);
         const std::string sizes = fmt::format(
             "{} to {} mm", short_number(1e3 * curve.diameter.front()), short_number(1e3 * curve.diameter.back())
         );
@@ -157,8 +158,8 @@ std::string asked_of(const casefile::Variant& variant) {
         if (const auto* compact = std::get_if<packing::CompactSpec>(&stage.spec)) {
             parts.push_back(fmt::format("{} kPa", short_number(1e-3 * compact->pressure)));
         } else if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec);
-                   detach != nullptr && detach->asked_gradient) {
-            parts.push_back(fmt::format("i = {}", short_number(*detach->asked_gradient)));
+                   detach != nullptr && detach->specified_gradient) {
+            parts.push_back(fmt::format("i = {}", short_number(*detach->specified_gradient)));
         } else if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec);
                    erode != nullptr && !erode->forced) {
             parts.push_back(fmt::format("i = {}", short_number(erode->gradient)));
@@ -253,7 +254,7 @@ report::ReportData describe_run(
     const record::FinishedStage* const judged = story.eroded != nullptr     ? story.eroded
                                                 : !results.mobility.empty() ? results.mobility.front().first
                                                                             : nullptr;
-    data.asked = judged == nullptr ? "" : asked_of(*judged->variant);
+    data.request = judged == nullptr ? "" : request_text(*judged->variant);
     if (judged != nullptr && judged != story.eroded) {
         if (auto figure = draw_grading(what, folder, *judged)) {
             data.figures.push_back(std::move(*figure));
@@ -279,7 +280,7 @@ report::ReportData describe_run(
     if (auto table = answer::tabulate_readings(what.paper.empty() ? std::vector<study::Reading>{} : results.readings)) {
         data.tables.push_back(std::move(*table));
     }
-    heed_wishes(what.report, data);
+    apply_report_options(what.report, data);
     data.scene = describe_scene(folder, stages, story);
     for (const record::FinishedStage& stage : stages) {
         data.stages.push_back(stage_row(what, stage));

@@ -31,8 +31,8 @@ record::Outcome outcome_of(const RunReport& report, bool has_ended, const run::O
     return report.flaws.empty() ? record::Outcome::Done : record::Outcome::DoneWithFlaws;
 }
 
-void tell_end(const char* event, record::Outcome outcome, const run::Overview& overview) {
-    overview.tell({{"event", event}, {"outcome", record::word_of(outcome)}, {"wall_seconds", overview.run_seconds()}});
+void report_end(const char* event, record::Outcome outcome, const run::Overview& overview) {
+    overview.log({{"event", event}, {"outcome", record::word_of(outcome)}, {"wall_seconds", overview.run_seconds()}});
 }
 
 RunReport report_of(Summary summary) {
@@ -46,7 +46,7 @@ RunReport report_of(Summary summary) {
 }
 
 RunReport run_all(const casefile::Case& what, const run::RunOptions& options, run::Overview& overview) {
-    overview.tell(
+    overview.log(
         {{"event", "run begins"},
          {"command", options.command},
          {"case_sha256", record::checksum_of(options.folder / record::resolved_case_file)}}
@@ -67,7 +67,7 @@ RunReport run_all(const casefile::Case& what, const run::RunOptions& options, ru
     if (!record::is_resumable(report.outcome)) {
         record::write_run_sums(options.folder, figures, earlier);
     }
-    tell_end("run ends", report.outcome, overview);
+    report_end("run ends", report.outcome, overview);
     return report;
 }
 
@@ -83,7 +83,7 @@ RunReport run_one(const casefile::Case& what, const run::RunOptions& options, ru
     if (has_all && std::filesystem::exists(folder / record::provenance_file)) {
         return {}; // done before
     }
-    overview.tell({{"event", "sample begins"}, {"command", options.command}});
+    overview.log({{"event", "sample begins"}, {"command", options.command}});
     const bool has_ended = run::run_samples(what, options, overview);
     record::keep_provenance(folder, refined, options.command, overview.run_seconds());
     RunReport report;
@@ -94,7 +94,7 @@ RunReport run_one(const casefile::Case& what, const run::RunOptions& options, ru
         }
     }
     report.outcome = outcome_of(report, has_ended, overview);
-    tell_end("sample ends", report.outcome, overview);
+    report_end("sample ends", report.outcome, overview);
     return report;
 }
 

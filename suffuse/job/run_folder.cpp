@@ -107,7 +107,7 @@ fs::path make_run_folder(const fs::path& case_file) {
     }
 }
 
-fs::path cache_beside(const fs::path& folder) {
+fs::path cache_next_to(const fs::path& folder) {
     fs::path plain = (folder / "").lexically_normal().parent_path();
     if (plain.empty() || plain.filename() == ".." || plain.filename() == ".") {
         plain = (fs::absolute(folder) / "").lexically_normal().parent_path();
@@ -133,34 +133,34 @@ void take_run_folder(const fs::path& folder) {
     }
 }
 
-void keep_asked(const fs::path& folder, const AskedRun& asked) {
+void save_request(const fs::path& folder, const RunRequest& request) {
     nlohmann::json kept{
-        {"case", path_json(asked.case_file)},
-        {"preset", asked.preset},
-        {"overrides", asked.overrides},
-        {"studies", asked.studies}};
-    if (asked.cache) {
-        kept["cache"] = path_json(*asked.cache);
+        {"case", path_json(request.case_file)},
+        {"preset", request.preset},
+        {"overrides", request.overrides},
+        {"studies", request.studies}};
+    if (request.cache) {
+        kept["cache"] = path_json(*request.cache);
     }
     record::write_json(folder / record::options_file, kept);
 }
 
-AskedRun read_asked(const fs::path& folder) {
+RunRequest read_request(const fs::path& folder) {
     if (!fs::exists(folder / record::options_file)) {
         throw UsageError(fmt::format(
             "{} holds no run that could be resumed; give the folder that suffuse run has named", shown(folder.string())
         ));
     }
-    const nlohmann::json asked = record::read_json(folder / record::options_file);
+    const nlohmann::json request = record::read_json(folder / record::options_file);
     return record::take_from(folder / record::options_file, [&] {
-        AskedRun read{
-            path_of(asked.value("case", nlohmann::json(""))),
-            asked.value("preset", ""),
-            asked.value("overrides", std::vector<std::string>{}),
-            asked.value("studies", std::vector<std::string>{}),
+        RunRequest read{
+            path_of(request.value("case", nlohmann::json(""))),
+            request.value("preset", ""),
+            request.value("overrides", std::vector<std::string>{}),
+            request.value("studies", std::vector<std::string>{}),
             {}};
-        if (asked.contains("cache")) {
-            read.cache = path_of(asked.at("cache"));
+        if (request.contains("cache")) {
+            read.cache = path_of(request.at("cache"));
         }
         return read;
     });
@@ -185,9 +185,9 @@ bool is_at_work(const fs::path& folder) {
     return refused == EWOULDBLOCK;
 }
 
-FolderLock::FolderLock(const fs::path& folder, const std::function<void(const std::string&)>& tell, Kind kind) {
+FolderLock::FolderLock(const fs::path& folder, const std::function<void(const std::string&)>& warn, Kind kind) {
     if (const std::string remark = io::look_into_run(folder, io::Purpose::Work); !remark.empty()) {
-        tell(remark);
+        warn(remark);
     }
     descriptor_ = open((folder / lock_file).c_str(), O_CREAT | O_RDWR | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
@@ -199,7 +199,7 @@ FolderLock::FolderLock(const fs::path& folder, const std::function<void(const st
         throw UsageError(fmt::format("another suffuse is at work in {}", shown(folder.string())));
     }
     if (refused != 0) { // some network file systems have no locks
-        tell(fmt::format(
+        warn(fmt::format(
             "{} cannot be locked ({}): see to it that no other suffuse works in it", shown(folder.string()),
             std::strerror(refused)
         ));

@@ -11,7 +11,7 @@
 namespace suffuse::job {
 
 /// What was asked when a run began; kept beside it as run_options.json.
-struct AskedRun {
+struct RunRequest {
     std::string case_file; ///< absolute
     std::string preset;
     std::vector<std::string> overrides, studies;
@@ -19,7 +19,7 @@ struct AskedRun {
 };
 
 /// Where stages are kept for a run in `folder`: in suffuse-cache beside it, shared by all runs there.
-std::filesystem::path cache_beside(const std::filesystem::path& folder);
+std::filesystem::path cache_next_to(const std::filesystem::path& folder);
 
 /// Makes runs/NAME-0001, or the next free number; NAME is the folder of the case.
 std::filesystem::path make_run_folder(const std::filesystem::path& case_file);
@@ -27,10 +27,10 @@ std::filesystem::path make_run_folder(const std::filesystem::path& case_file);
 /// Makes `folder`, or takes one that a run began. @throws UsageError for one that holds something else.
 void take_run_folder(const std::filesystem::path& folder);
 
-void keep_asked(const std::filesystem::path& folder, const AskedRun& asked);
+void save_request(const std::filesystem::path& folder, const RunRequest& request);
 
 /// @throws UsageError where no run began in `folder`.
-AskedRun read_asked(const std::filesystem::path& folder);
+RunRequest read_request(const std::filesystem::path& folder);
 
 /// flock without waiting; `kind` is LOCK_SH or LOCK_EX. @return 0, EWOULDBLOCK where another program holds it, or why
 /// it cannot be locked at all
@@ -47,7 +47,7 @@ public:
     enum class Kind { Alone, Shared };
 
     FolderLock(
-        const std::filesystem::path& folder, const std::function<void(const std::string&)>& tell,
+        const std::filesystem::path& folder, const std::function<void(const std::string&)>& warn,
         Kind kind = Kind::Alone
     );
     ~FolderLock();

@@ -37,7 +37,7 @@ std::vector<std::string> names_of(const std::vector<ListedRun>& runs) {
     return names;
 }
 
-TEST(RunList, HasTheRunsOfAFolderInTheOrderAskedFor) {
+TEST(RunList, HasTheRunsOfAFolderInTheRequestedOrder) {
     const test::TempFolder folder;
     add_run(folder, "a-0001", "2026-01-02T10:00:00Z", 5);
     add_run(folder, "b-0001", "2026-01-01T10:00:00Z", 50);

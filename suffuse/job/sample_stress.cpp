@@ -21,8 +21,9 @@ using nlohmann::json;
 /// The gradient that a stage of the sample asks about; nothing where none does.
 std::optional<double> gradient_of(const casefile::Variant& variant) {
     for (const casefile::Stage& stage : variant.stages) {
-        if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec); detach && detach->asked_gradient) {
-            return detach->asked_gradient;
+        if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec);
+            detach && detach->specified_gradient) {
+            return detach->specified_gradient;
         }
         if (const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec)) {
             return erode->gradient;
@@ -70,7 +71,8 @@ SampleStress read_sample_stress(const fs::path& run, const std::string& soil) {
                     porosities.push_back(numbers.at("porosity"));
                     stress.stage = stage->name;
                     stress.grain_density = variant.material.density;
-                    stress.asked_gradient = stress.asked_gradient ? stress.asked_gradient : gradient_of(variant);
+                    stress.specified_gradient =
+                        stress.specified_gradient ? stress.specified_gradient : gradient_of(variant);
                 }
                 return 0;
             });
@@ -97,7 +99,7 @@ stability::UpwardSeepage seepage_of(
     std::optional<double> density
 ) {
     stability::UpwardSeepage seepage;
-    seepage.gradient = gradient.value_or(stress.asked_gradient.value_or(0));
+    seepage.gradient = gradient.value_or(stress.specified_gradient.value_or(0));
     seepage.porosity = porosity.value_or(stress.porosity);
     seepage.grain_density = density.value_or(stress.grain_density);
     seepage.stress_share = stress.alpha;

@@ -14,10 +14,10 @@ struct SampleStress {
     double alpha = 0;     ///< mean over the samples [-]
     double deviation = 0; ///< standard deviation [-]
     int samples = 0;
-    double porosity = 0;                  ///< mean [-]
-    double grain_density = 0;             ///< [kg/m3]
-    std::string stage;                    ///< that left them so: "initial"
-    std::optional<double> asked_gradient; ///< the first that a stage of theirs is under
+    double porosity = 0;                      ///< mean [-]
+    double grain_density = 0;                 ///< [kg/m3]
+    std::string stage;                        ///< that left them so: "initial"
+    std::optional<double> specified_gradient; ///< the first that a stage of theirs is under
 };
 
 /// @param soil of the run's case; empty: the one that it has

@@ -196,11 +196,11 @@ Scene scene_of_erosion(const std::filesystem::path& folder, const study::Erosion
 /// The last stage of the sample to show: of the mixtures of the last study the one nearest to where fines begin to
 /// carry, for pure sand and pure fines show nothing of it.
 const record::FinishedStage& shown_stage(const std::vector<record::FinishedStage>& stages) {
-    constexpr double telling = 0.3;
+    constexpr double typical_content = 0.3;
     const auto distance = [](const record::FinishedStage& stage) {
         const auto& soil = stage.variant->soil;
         const bool is_mixture = soil && soil->fines && soil->fines_content > 0 && soil->fines_content < 1;
-        return is_mixture ? std::abs(soil->fines_content - telling) : 1.0;
+        return is_mixture ? std::abs(soil->fines_content - typical_content) : 1.0;
     };
     const record::FinishedStage* shown = &stages.back();
     for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {

@@ -231,7 +231,7 @@ std::vector<study::Mixture> describe_mixtures(
             continue;
         }
         const std::filesystem::path state = record::stage_folder(folder, *stage->variant, *stage->stage) / "state.h5";
-        study::Mixture mixture{fines_content, grains::asked_grading(*stage->variant->soil), {}};
+        study::Mixture mixture{fines_content, grains::specified_grading(*stage->variant->soil), {}};
         if (std::filesystem::exists(state)) {
             mixture.sampled =
                 sampled_grading(record::KnownState(state).load().world.grains.radius, stage->variant->soil);

@@ -185,7 +185,7 @@ summarize(const casefile::Case& what, const std::filesystem::path& folder, const
         {summary.warnings,
          with_failures(summary.flaws, summary.failures),
          in_lines(of_case),
-         {ended_early ? "" : record::tell_missing(missing), resume}}
+         {ended_early ? "" : record::describe_missing(missing), resume}}
     );
     if (ended_early) {
         data.opening.about_confidence +=

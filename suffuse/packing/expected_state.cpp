@@ -65,13 +65,13 @@ EqualGrains equal_grains_at(double solid_fraction) {
     for (auto prepared = by_friction.rbegin(); prepared != by_friction.rend(); ++prepared) {
         states.push_back(prepared->state);
     }
-    const double asked = std::clamp(solid_fraction, states.front().solid_fraction, states.back().solid_fraction);
+    const double wanted = std::clamp(solid_fraction, states.front().solid_fraction, states.back().solid_fraction);
     std::size_t k = 1;
-    while (k + 1 < states.size() && asked > states[k].solid_fraction) {
+    while (k + 1 < states.size() && wanted > states[k].solid_fraction) {
         ++k;
     }
     const double from = states[k - 1].solid_fraction, to = states[k].solid_fraction;
-    return between(states[k - 1], states[k], (asked - from) / (to - from));
+    return between(states[k - 1], states[k], (wanted - from) / (to - from));
 }
 
 std::vector<double> jamming_fractions(std::span<const SizeClass> classes, double alone) {

@@ -41,7 +41,7 @@ std::size_t overlaps_in(const Cloud& cloud) {
     return neighbors::find_pairs(cloud.cell.h, cloud.grains.position, cloud.grains.radius, 0.0).size();
 }
 
-TEST(Cloud, AsksItsPulseWhileGrainsArePlacedAndPushedApart) {
+TEST(Cloud, CallsItsPulseWhileGrainsArePlacedAndPushedApart) {
     const grains::SampledGrains sample = fontainebleau(9000);
     std::vector<long long> placed;
     int rounds = 0;
@@ -60,7 +60,7 @@ TEST(Cloud, AsksItsPulseWhileGrainsArePlacedAndPushedApart) {
     EXPECT_THROW(make_cloud(sample, {0.62}, 2600, 1, stop), Interrupted);
 }
 
-TEST(Cloud, HasTheAskedPorosityNoOverlapsAndTheGrainsOfTheSample) {
+TEST(Cloud, HasTheSpecifiedPorosityNoOverlapsAndTheGrainsOfTheSample) {
     const grains::SampledGrains sample = fontainebleau(10000);
     for (const double porosity : {0.62, 0.65}) {
         const Cloud cloud = make_cloud(sample, {porosity}, 2600, 1);

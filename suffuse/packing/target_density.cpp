@@ -17,7 +17,7 @@ constexpr int most_trials = 24;
 // Once two preparations nearer than this still differ by more than the tolerance, it is the scatter of single samples
 // that decides: others beside them are as likely to meet, at such distances from each other, around where the trials so
 // far would meet it.
-constexpr double alike = 0.02, beside = 0.012, around = 0.3;
+constexpr double alike = 0.02, step_aside = 0.012, around = 0.3;
 constexpr double default_adhesion = 1e6; // [Pa], where the case lends none: the loosest state on offer
 
 /// Preparations on one scale: 0 frictionless, 1 the final friction, 2 the final friction with all the adhesion.
@@ -102,7 +102,7 @@ public:
     FoundDensity run() {
         if (take_bracket()) {
             close_bracket();
-            try_beside();
+            try_around();
         }
         if (!is_met()) {
             settle_for_nearest();
@@ -155,10 +155,10 @@ private:
         }
     }
 
-    void try_beside() {
+    void try_around() {
         for (int k = 1; static_cast<int>(trials_.size()) < most_trials && !is_met(); ++k) {
             const int pair = (k + 1) / 2; // one to each side
-            const double away = beside * pair;
+            const double away = step_aside * pair;
             try_one(std::clamp(likeliest() + (k % 2 == 0 ? away : -away), 0.0, 2.0));
         }
     }

@@ -52,7 +52,7 @@ TEST(TargetDensity, OutOfReachNamesTheRange) {
     }
 }
 
-TEST(TargetDensity, TheNearestIsTakenWhereTheCaseAsksForIt) {
+TEST(TargetDensity, TheNearestIsTakenWhereTheCaseSpecifiesIt) {
     const grains::Material material;
     CompactSpec spec = wanted(1.3);
     spec.if_unreachable = IfUnreachable::Nearest;

@@ -38,11 +38,11 @@ TEST(FitMemory, RefusesWhatDoesNotFitAloneAndSaysWhatWould) {
         static_cast<void>(samples_within(samples_of_gigabytes(4, 2), 2.04e9));
         FAIL() << "4 GB do not fit into 2 GB";
     } catch (const IoError& error) {
-        const std::string said = error.what();
+        const std::string message = error.what();
         for (const char* const part :
              {"soil/rep=4/initial needs up to 4.0 GB", "4,000,000 grains", "may use 2.0 GB", "about 2,000,000 fit",
               "--memory 4.1 GB"}) {
-            EXPECT_NE(said.find(part), std::string::npos) << part << " is not in: " << said;
+            EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
         }
     }
 }

@@ -18,9 +18,9 @@ std::optional<std::string> known_end(
     if (!folder.empty() && std::filesystem::exists(numbers)) {
         estimate.is_done = true;
         estimate.disk = 0;
-        const nlohmann::json told = record::read_json(numbers);
+        const nlohmann::json stored = record::read_json(numbers);
         return record::take_from(numbers, [&] {
-            return told.value("end_state", "");
+            return stored.value("end_state", "");
         }); // none: made before there was a cache
     }
     if (start && record::StageCache::keeps(stage)) {

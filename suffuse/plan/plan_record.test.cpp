@@ -41,7 +41,7 @@ RunPlan plan_of(double seconds) {
     return plan;
 }
 
-TEST(PlanRecord, HoldsWhatWasExpectedBesideWhatCameOfIt) {
+TEST(PlanRecord, HoldsTheExpectedAndTheActualResult) {
     const test::TempFolder folder;
     EXPECT_FALSE(record_outcome(folder.path())); // no plan
     keep_plan(folder.path(), plan_of(3));

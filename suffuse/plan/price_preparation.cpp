@@ -35,28 +35,28 @@ public:
         : case_(what), variant_(variant), spec_(spec), sample_(sample) {}
 
     StagePrice price() {
-        const bool asks = (spec_.void_ratio || spec_.intergranular_void_ratio) && !takes_preparation();
+        const bool seeks_density = (spec_.void_ratio || spec_.intergranular_void_ratio) && !takes_preparation();
         const double cloud = 1 - sample_.solid_fraction;
         const double start =
             spec_.start_porosity.value_or(leaves_out_gas() ? std::min(cloud, packing::open_porosity) : cloud);
         const Range pushing = start < cloud ? count(sample_) * geometry_seconds : Range{};
         const double gas_time_step = time_step(loose_time_step(sample_, variant_.material));
-        const packing::EqualGrains state =
-            asks ? state_at(sample_, solid_fraction_asked()) : packing::equal_grains(friction(), adheres());
+        const packing::EqualGrains state = seeks_density ? state_at(sample_, specified_solid_fraction())
+                                                         : packing::equal_grains(friction(), adheres());
         take_state(sample_, state);
         sample_.pressure = spec_.pressure;
         const Range searches = count(sample_) * searching;
         if (spec_.protocol == packing::Protocol::Swift) {
-            const Range trials = asks ? Range{1, 3} : Range{1, 1};
+            const Range trials = seeks_density ? Range{1, 3} : Range{1, 1};
             return {
-                .steps = trials * ((asks ? swift_density : swift_start) + waited(case_, {})),
+                .steps = trials * ((seeks_density ? swift_density : swift_start) + waited(case_, {})),
                 .seconds = trials * (count(sample_) * geometry_seconds),
                 .memory_a_grain = grain_memory,
                 .basis = "swift: pushed together, then pressed; contacts per grain some 0.6 above faithful's",
-                .kind = asks ? "swift, searched" : "swift",
+                .kind = seeks_density ? "swift, searched" : "swift",
                 .more_work = searches};
         }
-        const Range trials = asks ? trials_for_a_density : Range{1, 1};
+        const Range trials = seeks_density ? trials_for_a_density : Range{1, 1};
         const double end = 1 - sample_.solid_fraction;
         const double open = adheres() ? start : std::min(start, packing::open_porosity);
         const double stable = time_step(settled_time_step(sample_, variant_.material, lent()));
@@ -71,7 +71,7 @@ public:
                 "{}: from a porosity of {:.2f} to some {:.2f} at {:.3g} 1/s and slower, then settling", kind(), start,
                 end, rate
             ),
-            .kind = kind() + (asks ? ", searched" : ""),
+            .kind = kind() + (seeks_density ? ", searched" : ""),
             .only_pushes = only_pushes(),
             .more_work = searches};
     }
@@ -116,7 +116,7 @@ private:
         return fmt::format("{}, {}", first ? "skeleton first" : packing::name_of(spec_.protocol), met);
     }
 
-    [[nodiscard]] double solid_fraction_asked() const {
+    [[nodiscard]] double specified_solid_fraction() const {
         const double content = fines_content(sample_);
         const double e =
             spec_.void_ratio ? *spec_.void_ratio : *spec_.intergranular_void_ratio * (1 - content) - content;

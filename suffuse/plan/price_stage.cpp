@@ -148,7 +148,7 @@ public:
         const std::string pace = fmt::format("at {:.3g} 1/s (inertial number {:.1e})", rate, spec.inertial_number);
         if (spec.stops_at_stress()) {
             const Range strain = strain_until(spec, is_loose);
-            sample_.pressure /= 1 - std::min(stress_ratio_asked(spec), 2.0) / 3; // the lateral stress is held
+            sample_.pressure /= 1 - std::min(specified_stress_ratio(spec), 2.0) / 3; // the lateral stress is held
             return {
                 .steps = a_strain * strain + waited(case_, balance_at_stress),
                 .memory_a_grain = grain_memory,
@@ -283,7 +283,7 @@ private:
     }
 
     /// On the drained path; undrained and constant-mean ones end below [-].
-    [[nodiscard]] double stress_ratio_asked(const triaxial::TriaxialSpec& spec) const {
+    [[nodiscard]] double specified_stress_ratio(const triaxial::TriaxialSpec& spec) const {
         if (spec.stress_ratio) {
             return *spec.stress_ratio;
         }
@@ -293,7 +293,7 @@ private:
 
     /// Axial strain until a deviator stress is reached [-].
     [[nodiscard]] Range strain_until(const triaxial::TriaxialSpec& spec, bool is_loose) const {
-        const double ratio = stress_ratio_asked(spec);
+        const double ratio = specified_stress_ratio(spec);
         const auto at_most = [&](double strain) { return std::min(strain, spec.strain); };
         if (is_loose) {
             const Range strain = ratio / std::max(loose_limit - ratio, least_distance) * loose_strain;

@@ -25,7 +25,7 @@ TEST(StagePrice, OfWaitingIsThePatienceOfTheCase) {
     EXPECT_DOUBLE_EQ(steps.most, 1600);
 }
 
-TEST(StagePrice, InSecondsIsStepsTimesWorkOverSpeedAndWhatComesBeside) {
+TEST(StagePrice, InSecondsIsStepsTimesWorkOverSpeedPlusExtras) {
     StagePrice price;
     price.steps = {1000, 1000};
     price.work = {500, 500};

@@ -59,7 +59,7 @@ TEST(PricedSample, GrainsThatAreLentMassStepAsTheMedianGrain) {
     EXPECT_DOUBLE_EQ(settled_time_step(coarse, material, {.mass = true}), settled_time_step(coarse, material));
 }
 
-TEST(PricedSample, FinesInTheVoidsAreHardlyAnyWork) {
+TEST(PricedSample, FinesInTheVoidsAddAlmostNoWork) {
     // 10 % of fines by mass: they rattle between the coarse grains. 60 %: they carry.
     const auto work_of_fine = [](int fine) {
         PricedSample with = two_sizes(100, 3.5e-4, fine, 1e-4), without = two_sizes(100, 3.5e-4, 0, 1e-4);
@@ -96,7 +96,7 @@ TEST(PricedSample, AnErosionLeavesLessWork) {
     EXPECT_LT(work_of_step(sample).most, before);
 }
 
-TEST(PricedSample, MixesToTheDensityThatItWasAskedFor) {
+TEST(PricedSample, MixesToTheSpecifiedDensity) {
     PricedSample sample = two_sizes(100, 3.5e-4, 1000, 1e-4);
     const packing::EqualGrains state = state_at(sample, 0.66);
     EXPECT_NEAR(mixed_solid_fraction(sample, state.solid_fraction), 0.66, 1e-3);

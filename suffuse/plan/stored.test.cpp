@@ -32,10 +32,10 @@ TEST(Stored, WhatIsTakenComesThrough) {
 }
 
 TEST(Stored, WhatHelpsDependsOnTheFile) {
-    const auto said_of = [](const char* file) { return std::string(record::not_as_stored(file, "broken").what()); };
-    EXPECT_NE(said_of("r/studies/s/a/stage.json").find("; remove r/studies/s/a and resume"), std::string::npos);
-    EXPECT_NE(said_of("r/plan.json").find("; remove it and resume"), std::string::npos);
-    EXPECT_NE(said_of("r/run_options.json").find("; put back what it held"), std::string::npos);
+    const auto message_for = [](const char* file) { return std::string(record::not_as_stored(file, "broken").what()); };
+    EXPECT_NE(message_for("r/studies/s/a/stage.json").find("; remove r/studies/s/a and resume"), std::string::npos);
+    EXPECT_NE(message_for("r/plan.json").find("; remove it and resume"), std::string::npos);
+    EXPECT_NE(message_for("r/run_options.json").find("; put back what it held"), std::string::npos);
     const TempFolder folder;
     EXPECT_NE(
         std::string(record::not_as_stored(folder.path(), "broken").what())

@@ -71,7 +71,7 @@ public:
             search_edge(edge);
         }
         for (std::size_t k = 0; value_ < 0 && k < 3; ++k) { // grains fill the triangle
-            ask(corner_[k]);
+            measure(corner_[k]);
         }
     }
 
@@ -87,7 +87,7 @@ private:
         std::size_t first, last;
     };
 
-    void ask(const Point& p) {
+    void measure(const Point& p) {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < size_; ++k) {
             least = std::min(least, clearance(grain_[k], p));
@@ -134,7 +134,7 @@ private:
         solve(i.r - dot(u, v), dot(u, u) + i.height2 - i.r * i.r, dot(v, v), [&](double t) {
             const Point at = {i.at.x + u.x + t * v.x, i.at.y + u.y + t * v.y};
             if (holds(at)) {
-                ask(at);
+                measure(at);
             }
         });
     }
@@ -144,12 +144,12 @@ private:
             return;
         }
         const Seen &first = grain_[edge.first], &last = grain_[edge.last];
-        const auto ask_at = [&](double s) { // from the first end
+        const auto measure_at = [&](double s) { // from the first end
             if (s >= 0 && s <= edge.length) {
-                ask({edge.from.x + s * edge.along.x, edge.from.y + s * edge.along.y});
+                measure({edge.from.x + s * edge.along.x, edge.from.y + s * edge.along.y});
             }
         };
-        ask_at(first.r + edge.half_gap);
+        measure_at(first.r + edge.half_gap);
         std::array<Point, most_grains> others{}; // where along the edge, and how far from it, squared
         std::array<double, most_grains> r{};
         std::size_t count = 0;
@@ -158,31 +158,31 @@ private:
                 continue;
             }
             const Point from = grain_[k].at - edge.from;
-            const double beside = cross(edge.along, from);
-            others[count] = {dot(edge.along, from), beside * beside + grain_[k].height2};
+            const double off_edge = cross(edge.along, from);
+            others[count] = {dot(edge.along, from), off_edge * off_edge + grain_[k].height2};
             r[count++] = grain_[k].r;
         }
         // Of a grain in the end, clearance is linear along the edge: s - r.
-        const auto balance_with_end = [&](double place, double beside2, double own, double r_end) {
+        const auto balance_with_end = [&](double place, double across2, double own, double r_end) {
             const double more = own - r_end;
-            return (place * place + beside2 - more * more) / (2 * (place + more));
+            return (place * place + across2 - more * more) / (2 * (place + more));
         };
         for (std::size_t k = 0; k < count; ++k) {
             const Point& at = others[k];
             const double s = balance_with_end(at.x, at.y, r[k], first.r);
             if (s - first.r > value_) {
-                ask_at(s);
+                measure_at(s);
             }
             const double back = balance_with_end(edge.length - at.x, at.y, r[k], last.r);
             if (back - last.r > value_) {
-                ask_at(edge.length - back);
+                measure_at(edge.length - back);
             }
             for (std::size_t j = 0; j < k; ++j) {
                 const double apart = at.x - others[j].x, rj = r[j];
                 const double u = 0.5 * (apart + (at.y - others[j].y + rj * rj - r[k] * r[k]) / apart);
                 const double v = (rj - r[k]) / apart;
                 solve(rj - u * v, u * u + others[j].y - rj * rj, v * v, [&](double t) {
-                    ask_at(others[j].x + u + t * v);
+                    measure_at(others[j].x + u + t * v);
                 });
             }
         }

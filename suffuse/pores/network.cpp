@@ -141,7 +141,7 @@ void measure_throats(PoreNetwork& network, std::span<const Vec3> position, std::
             throats.covered[t] = geometry.grain_share[0] + geometry.grain_share[1] + geometry.grain_share[2];
             throats.wetted[t] = geometry.wetted;
             throats.hydraulic_radius[t] = geometry.hydraulic_radius;
-            const auto [p1, p2] = centers_beside(network, t);
+            const auto [p1, p2] = centers_around(network, t);
             throats.length[t] = norm(p2 - p1);
         }
     });
@@ -250,7 +250,7 @@ spheres_of(const PoreNetwork& network, std::span<const Vec3> position, std::span
     return spheres;
 }
 
-std::array<Vec3, 2> centers_beside(const PoreNetwork& network, std::size_t t) {
+std::array<Vec3, 2> centers_around(const PoreNetwork& network, std::size_t t) {
     const auto [p, q] = network.throats.side[t];
     return {network.pores.center[p], network.pores.center[q] + shift(network.h, network.throats.image[t])};
 }
@@ -259,7 +259,7 @@ ThroatGeometry measure_throat(
     const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, std::size_t t
 ) {
     const auto [center, r] = spheres_of(network, position, radius, t);
-    const auto [p1, p2] = centers_beside(network, t);
+    const auto [p1, p2] = centers_around(network, t);
     return measure_throat(center, r, p1, p2);
 }
 

@@ -102,7 +102,7 @@ ThroatSpheres
 spheres_of(const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, std::size_t t);
 
 /// Centers of the two pores beside throat t [m].
-std::array<Vec3, 2> centers_beside(const PoreNetwork& network, std::size_t t);
+std::array<Vec3, 2> centers_around(const PoreNetwork& network, std::size_t t);
 
 /// Measures throat t (again) from the same: what not every reader needs is measured where it is needed.
 ThroatGeometry measure_throat(

@@ -208,7 +208,7 @@ TEST(Triangulation, DilutedLatticesHold) {
     }
 }
 
-TEST(Triangulation, GrainsAtOnePlaceAreHiddenOrToldApartByJitter) {
+TEST(Triangulation, GrainsAtOnePlaceAreHiddenOrSeparatedByJitter) {
     int jittered = 0;
     for (unsigned seed = 1; seed <= 10; ++seed) {
         Packing packing = test::random_packing(identity(), 30, 0.05, 0.1, seed);

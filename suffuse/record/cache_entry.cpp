@@ -20,7 +20,7 @@ bool is_plain_name(const std::string& name) {
 }
 
 void check_part(const fs::path& file, const std::string& sum) {
-    if (const std::string what = what_became_of(file, sum); !what.empty()) {
+    if (const std::string what = describe_damage(file, sum); !what.empty()) {
         throw DamagedEntry(fmt::format("{} {}", file.string(), what));
     }
 }

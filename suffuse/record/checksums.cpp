@@ -62,7 +62,7 @@ Sums sums_of_ended(const fs::path& run) {
         return read_run_sums(run);
     }
     check_is_run(run);
-    const std::string missing = tell_missing(find_missing_stages(load_run(run), run));
+    const std::string missing = describe_missing(find_missing_stages(load_run(run), run));
     throw IoError(
         missing.empty()
             ? fmt::format(
@@ -85,11 +85,13 @@ void check_state(const fs::path& run, const std::string& numbers_file, Verificat
     if (!numbers.contains("state_hash") || !fs::exists(folder / "state.h5")) {
         return;
     }
-    const std::string told = take_from(run / numbers_file, [&] { return numbers.at("state_hash").get<std::string>(); });
+    const std::string recorded =
+        take_from(run / numbers_file, [&] { return numbers.at("state_hash").get<std::string>(); });
     const std::string hash = fmt::format("{:016x}", dem::state_hash(io::load_world(folder / "state.h5").world));
     ++found.states;
-    if (hash != told) {
-        found.damages.push_back({numbers_file, fmt::format("tells the state {}, and state.h5 holds {}", told, hash)});
+    if (hash != recorded) {
+        found.damages.push_back({numbers_file, fmt::format("tells the state {}, and state.h5 holds {}", recorded, hash)}
+        );
     }
 }
 
@@ -102,7 +104,7 @@ void require_case_of_beginning(const fs::path& run) {
         if (!event.is_object() || !event.contains("case_sha256") || !event.at("case_sha256").is_string()) {
             continue;
         }
-        const std::string what = what_became_of(run / resolved_case_file, event.at("case_sha256"));
+        const std::string what = describe_damage(run / resolved_case_file, event.at("case_sha256"));
         if (!what.empty()) {
             const std::string began_with = case_that_began(run);
             throw IoError(fmt::format(
@@ -116,7 +118,7 @@ void require_case_of_beginning(const fs::path& run) {
 
 /// A file of the run that no stage left. @throws IoError
 void check_own(const fs::path& run, const std::string& name, const std::string& sum) {
-    const std::string what = what_became_of(run / name, sum);
+    const std::string what = describe_damage(run / name, sum);
     if (what.empty()) {
         return;
     }
@@ -214,9 +216,9 @@ void require_same_figures(
     for (const auto& [name, sum] : read_run_sums(run)) {
         const fs::path file = name;
         const std::string own = file.filename(), id = own.substr(0, own.find('.'));
-        const bool is_asked = ids.empty() || std::ranges::count(ids, id) > 0;
+        const bool is_requested = ids.empty() || std::ranges::count(ids, id) > 0;
         const bool is_read = std::ranges::count(endings, own.substr(id.size())) > 0;
-        if (file.parent_path() == "figures" && is_asked && is_read) {
+        if (file.parent_path() == "figures" && is_requested && is_read) {
             check_own(run, name, sum);
         }
     }
@@ -226,7 +228,7 @@ bool has_same_results(const fs::path& run) {
     const Sums sums = read_run_sums(run);
     return std::ranges::all_of(sums, [&](const auto& each) {
         const fs::path file = run / each.first;
-        return fs::exists(file.parent_path() / "stage.json") || what_became_of(file, each.second).empty();
+        return fs::exists(file.parent_path() / "stage.json") || describe_damage(file, each.second).empty();
     });
 }
 
@@ -243,7 +245,7 @@ Verification verify_run(const fs::path& run) {
     const Sums sums = sums_of_ended(run);
     for (const auto& [name, sum] : sums) {
         ++found.files;
-        if (std::string what = what_became_of(run / name, sum, now); !what.empty()) {
+        if (std::string what = describe_damage(run / name, sum, now); !what.empty()) {
             found.damages.push_back({name, std::move(what)});
         }
     }

@@ -315,15 +315,15 @@ std::vector<std::string> lines_with_places(const fs::path& run) {
 /// Lines of the resolved case that only one of the runs has.
 void compare_cases(const fs::path& first, const fs::path& second, std::vector<std::string>& found) {
     const std::vector<std::string> a = lines_with_places(first), b = lines_with_places(second);
-    const auto tell = [&](const std::vector<std::string>& own, const std::vector<std::string>& other, char side) {
+    const auto add_lines = [&](const std::vector<std::string>& own, const std::vector<std::string>& other, char side) {
         for (const std::string& line : own) {
             if (std::find(other.begin(), other.end(), line) == other.end()) {
                 found.push_back(fmt::format("case {} {}", side, line));
             }
         }
     };
-    tell(a, b, '-');
-    tell(b, a, '+');
+    add_lines(a, b, '-');
+    add_lines(b, a, '+');
 }
 
 void compare_circumstances(const fs::path& first, const fs::path& second, std::vector<std::string>& found) {

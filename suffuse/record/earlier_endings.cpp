@@ -89,7 +89,7 @@ erosion::Ending ending_of_sentence(const std::string& sentence) {
     if (const auto none = numbers_in(sentence, "no grain is left to be removed after pass # of #")) {
         return {erosion::NoneToRemove{static_cast<int>(none->front()), static_cast<int>(none->back())}};
     }
-    return {erosion::ToldOtherwise{sentence}};
+    return {erosion::OtherWording{sentence}};
 }
 
 } // namespace suffuse::record

@@ -7,7 +7,7 @@
 
 namespace suffuse::record {
 
-/// The ending that the sentence of such a file tells, with its rounded numbers; else ToldOtherwise.
+/// The ending that the sentence of such a file tells, with its rounded numbers; else OtherWording.
 erosion::Ending ending_of_sentence(const std::string& sentence);
 
 } // namespace suffuse::record

@@ -16,8 +16,18 @@ NLOHMANN_JSON_SERIALIZE_ENUM(
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SkeletonDoubt, coarse, width)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SkeletonFailed, most_strain)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SkeletonRestless, steps, carried)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TargetReached, share, asked, of, doubt)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NoneToRemove, pass, passes)
+
+void to_json(nlohmann::json& json, const TargetReached& reached) {
+    json = {{"share", reached.share}, {"asked", reached.specified}, {"of", reached.of}, {"doubt", reached.doubt}};
+}
+
+void from_json(const nlohmann::json& json, TargetReached& reached) {
+    json.at("share").get_to(reached.share);
+    json.at("asked").get_to(reached.specified);
+    json.at("of").get_to(reached.of);
+    json.at("doubt").get_to(reached.doubt);
+}
 
 namespace {
 
@@ -50,18 +60,18 @@ constexpr const char* name_of(const NoneToRemove&) {
     return "none to remove";
 }
 
-constexpr const char* name_of(const ToldOtherwise&) {
+constexpr const char* name_of(const OtherWording&) {
     return "told otherwise";
 }
 
-/// ToldOtherwise has a sentence alone, which is beside `ended`.
+/// OtherWording has a sentence alone, which is beside `ended`.
 template <class Why>
-constexpr bool has_numbers = !std::is_empty_v<Why> && !std::is_same_v<Why, ToldOtherwise>;
+constexpr bool has_numbers = !std::is_empty_v<Why> && !std::is_same_v<Why, OtherWording>;
 
 template <std::size_t... Each>
 Ending ending_named(const nlohmann::json& json, std::index_sequence<Each...>) {
     const std::string name = json.at("why");
-    Ending ending{ToldOtherwise{}};
+    Ending ending{OtherWording{}};
     const auto take = [&]<class Why>(Why why) {
         if (name == name_of(why)) {
             if constexpr (has_numbers<Why>) {

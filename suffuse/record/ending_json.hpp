@@ -9,7 +9,7 @@ namespace suffuse::erosion {
 
 void to_json(nlohmann::json& json, const Ending& ending);
 
-/// A `why` that this version does not know is ToldOtherwise, without its words.
+/// A `why` that this version does not know is OtherWording, without its words.
 void from_json(const nlohmann::json& json, Ending& ending);
 
 } // namespace suffuse::erosion

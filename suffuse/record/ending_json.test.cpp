@@ -42,7 +42,7 @@ json written_pass(const Ending& ending) {
     return pass;
 }
 
-TEST(EndingJson, HasItsNameItsNumbersToTheBitAndBesideThemTheSentenceOfEarlierVersions) {
+TEST(EndingJson, HasItsNameItsNumbersToTheBitAndTheSentenceOfEarlierVersions) {
     for (const Ending& ending : endings()) {
         const json pass = written_pass(ending);
         EXPECT_EQ(pass.at("verdict"), facts::words_of(ending));
@@ -67,7 +67,7 @@ TEST(EndingJson, HasItsNameItsNumbersToTheBitAndBesideThemTheSentenceOfEarlierVe
     );
 }
 
-TEST(EndingJson, IsReadWhateverTheSentenceBesideItSays) {
+TEST(EndingJson, IsReadWhateverTheSentenceNextToItSays) {
     for (const Ending& ending : endings()) {
         json pass = written_pass(ending);
         pass["verdict"] = "NOTHING LEAVES ANY MORE";
@@ -75,10 +75,10 @@ TEST(EndingJson, IsReadWhateverTheSentenceBesideItSays) {
     }
 }
 
-TEST(EndingJson, OfALaterVersionIsToldInItsSentence) {
+TEST(EndingJson, OfALaterVersionIsReportedInItsSentence) {
     json pass = written_pass({NothingLeaves{}});
     pass.update({{"verdict", "the moon has set"}, {"ended", {{"why", "moon"}, {"hours", 3}}}});
-    const Ending later{ToldOtherwise{"the moon has set"}};
+    const Ending later{OtherWording{"the moon has set"}};
     EXPECT_EQ(read_pass(pass).verdict, later);
     EXPECT_EQ(written_pass(later).at("ended"), json({{"why", "told otherwise"}}));
     EXPECT_EQ(read_pass(written_pass(later)).verdict, later);
@@ -89,7 +89,7 @@ TEST(EarlierEndings, AreReadFromTheSentenceAlone) {
     const std::string narrow = "the cell is only 4.0 coarse diameters wide (at least 5 wanted): the coarse skeleton "
                                "has lost its meaning";
     const std::string few = "the coarse skeleton has 13 grains left: too few for its constrictions to mean anything";
-    const std::pair<std::string, Ending> told[] = {
+    const std::pair<std::string, Ending> pairs[] = {
         {"", {}},
         {"nothing leaves any more", {NothingLeaves{}}},
         {"what leaves cannot be told from the twin's noise", {NoiseDecides{}}},
@@ -104,7 +104,7 @@ TEST(EarlierEndings, AreReadFromTheSentenceAlone) {
         {"100 % of the solids has left, 100 % was asked for; " + few, {TargetReached{1, 1, solids, {{13, 0}}}}},
         {"75 % of the fines has left, 50 % was asked for; " + narrow, {TargetReached{0.75, 0.5, fines, {{0, 4}}}}},
         {"no grain is left to be removed after pass 3 of 10", {NoneToRemove{3, 10}}}};
-    for (const auto& [sentence, ending] : told) {
+    for (const auto& [sentence, ending] : pairs) {
         json pass = written_pass({});
         pass.erase("ended");
         pass["verdict"] = sentence;
@@ -114,7 +114,7 @@ TEST(EarlierEndings, AreReadFromTheSentenceAlone) {
         "nothing leaves", "coarse skeleton too small: 3 grains", "1e999 % of the moon",
         "12.3 % of the fines has left, 10 % was asked for; and more"};
     for (const std::string& sentence : other) {
-        EXPECT_EQ(record::ending_of_sentence(sentence), Ending{ToldOtherwise{sentence}});
+        EXPECT_EQ(record::ending_of_sentence(sentence), Ending{OtherWording{sentence}});
     }
 }
 

@@ -62,14 +62,14 @@ public:
     }
 
     /// Of a whole stage: what it is of, where that is not what its place says; empty where it is.
-    [[nodiscard]] std::string find_stranger(const fs::path& folder, const std::string& name, StagesCheck& found) const {
+    [[nodiscard]] std::string find_mismatch(const fs::path& folder, const std::string& name, StagesCheck& found) const {
         const nlohmann::json numbers = read_json(folder / "stage.json");
-        return take_from(folder / "stage.json", [&] { return find_stranger(numbers, name, found); });
+        return take_from(folder / "stage.json", [&] { return find_mismatch(numbers, name, found); });
     }
 
 private:
     [[nodiscard]] std::string
-    find_stranger(const nlohmann::json& numbers, const std::string& name, StagesCheck& found) const {
+    find_mismatch(const nlohmann::json& numbers, const std::string& name, StagesCheck& found) const {
         const std::size_t end_of_sample = name.rfind('/');
         const std::string stage = name.substr(end_of_sample + 1), sample = name.substr(0, end_of_sample);
         const std::string its_stage = numbers.value("stage", stage), its_sample = numbers.value("sample", sample);
@@ -113,7 +113,7 @@ void check_one(
         found.without.push_back(name);
         const Sums sums = sums_below(of_run, run, folder);
         for (const auto& [file, sum] : sums) {
-            if (std::string what = what_became_of(folder / file, sum, now); !what.empty()) {
+            if (std::string what = describe_damage(folder / file, sum, now); !what.empty()) {
                 damages->push_back({file, std::move(what)});
             }
         }
@@ -122,7 +122,7 @@ void check_one(
         }
     }
     if (damages->empty()) {
-        if (std::string what = known.find_stranger(folder, name, found); !what.empty()) {
+        if (std::string what = known.find_mismatch(folder, name, found); !what.empty()) {
             damages->push_back({"stage.json", std::move(what)});
         }
     }

@@ -20,7 +20,7 @@ public:
     [[nodiscard]] io::Checkpoint load() const;
 
     /// @param told describe_state of what was saved; empty where an earlier version did not tell
-    void check(const dem::World& world, const std::string& told) const;
+    void check(const dem::World& world, const std::string& expected) const;
 
     /// Throws IoError: it is of another case, sample, stage or seed.
     [[noreturn]] void refuse_other() const;

@@ -16,7 +16,7 @@ namespace suffuse::record {
 /// Whether a stage of the sample takes fines out, or asks which would leave.
 inline bool needs_fines(const casefile::Variant& variant) {
     return std::ranges::any_of(variant.stages, [](const casefile::Stage& stage) {
-        return casefile::traits_of(stage).asks_for_fines;
+        return casefile::traits_of(stage).needs_fines_rule;
     });
 }
 
@@ -48,9 +48,9 @@ inline void mark_fines(const casefile::Variant& variant, const std::string& orig
     for (std::size_t g = 0; g < grains.size(); ++g) {
         grains.fine[g] = 2 * grains.radius[g] < *limit ? 1 : 0;
     }
-    const bool one_part_asked = is_mixture && (soil->fines_content <= 0 || soil->fines_content >= 1);
+    const bool has_one_part = is_mixture && (soil->fines_content <= 0 || soil->fines_content >= 1);
     const auto fines = std::ranges::count_if(grains.fine, is_fine);
-    if (needs_fines(variant) && !one_part_asked && (fines == 0 || fines == std::ssize(grains.fine))) {
+    if (needs_fines(variant) && !has_one_part && (fines == 0 || fines == std::ssize(grains.fine))) {
         const auto [least, most] = std::ranges::minmax(grains.radius);
         throw CaseError(
             fmt::format(

@@ -37,7 +37,7 @@ std::string complaint(const casefile::Variant& variant, grains::Grains grains) {
     return "";
 }
 
-TEST(MarkFines, TwoCurvesAreToldApartBySize) {
+TEST(MarkFines, TwoCurvesAreDistinguishedBySize) {
     grains::Grains grains = grains_of({1.4e-3, 1.1e-3, 1.2e-3, 1.0e-3});
     mark_fines(eroded_mixture(band(1.2e-3, 1.5e-3), band(1.0e-3, 1.2e-3)), "p.csv", grains); // they touch
     EXPECT_EQ(grains.fine, (std::vector<std::uint8_t>{0, 1, 0, 1}));

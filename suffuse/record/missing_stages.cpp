@@ -32,7 +32,7 @@ bool is_complete(const Sample& sample, const std::filesystem::path& run) {
     });
 }
 
-std::string tell_missing(const MissingStages& missing) {
+std::string describe_missing(const MissingStages& missing) {
     constexpr std::size_t most_named = 8;
     const std::size_t count = missing.names.size(), named = std::min(count, most_named);
     if (count == 0) {

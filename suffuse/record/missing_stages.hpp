@@ -22,6 +22,6 @@ MissingStages find_missing_stages(const casefile::Case& what, const std::filesys
 bool is_complete(const Sample& sample, const std::filesystem::path& run);
 
 /// "3 of 7 stages are missing: a/x, a/y, a/z"; of many the first few. Empty where none is.
-std::string tell_missing(const MissingStages& missing);
+std::string describe_missing(const MissingStages& missing);
 
 } // namespace suffuse::record

@@ -210,8 +210,8 @@ inline void from_json(const nlohmann::json& json, PassResult& of) {
     record::load_facts(json, facts::pass_with_water, of);
     if (!json.contains("ended")) {
         of.verdict = record::ending_of_sentence(json.at("verdict"));
-    } else if (auto* const told = std::get_if<ToldOtherwise>(&of.verdict.why)) {
-        told->words = json.at("verdict");
+    } else if (auto* const other = std::get_if<OtherWording>(&of.verdict.why)) {
+        other->words = json.at("verdict");
     }
 }
 
@@ -220,7 +220,16 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Resettlement, phase, steps, balance, computed
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE( // but for its world
     PassUnderWay, at, pass, relaxation, relaxation_step, ledger, resettlement
 )
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemovalResult, erosion, start_h, asked_mass)
+
+inline void to_json(nlohmann::json& json, const RemovalResult& of) {
+    json = {{"erosion", of.erosion}, {"start_h", of.start_h}, {"asked_mass", of.requested_mass}};
+}
+
+inline void from_json(const nlohmann::json& json, RemovalResult& of) {
+    json.at("erosion").get_to(of.erosion);
+    json.at("start_h").get_to(of.start_h);
+    json.at("asked_mass").get_to(of.requested_mass);
+}
 } // namespace erosion
 
 } // namespace suffuse

@@ -38,9 +38,9 @@ protected:
 
     [[nodiscard]] fs::path taken() const { return folder / "again/studies/s/x"; }
 
-    [[nodiscard]] CacheAnswer ask() const { return cache.take("key", variant, stage, taken(), "its own"); }
+    [[nodiscard]] CacheAnswer request() const { return cache.take("key", variant, stage, taken(), "its own"); }
 
-    [[nodiscard]] bool take() const { return ask().is_taken; }
+    [[nodiscard]] bool take() const { return request().is_taken; }
 
     /// Of the one entry.
     [[nodiscard]] fs::path place() const { return cache.entries().at(0).folder; }
@@ -63,7 +63,7 @@ TEST_F(Cached, AFinishedStageIsFoundAgain) {
     EXPECT_TRUE(check_stage(taken()).value().empty());
 }
 
-TEST_F(Cached, AnEntryOfAnotherUserIsTakenOnlyWhereThatIsAsked) {
+TEST_F(Cached, AnEntryOfAnotherUserIsTakenOnlyOnRequest) {
     if (geteuid() != 0) {
         GTEST_SKIP() << "only root can give a folder away";
     }
@@ -123,7 +123,7 @@ TEST_F(Cached, ADamagedEntryIsDroppedAndKeptAnew) {
             cache.keep("key", done());
             const fs::path damaged = place() / file;
             write(damaged, text);
-            const CacheAnswer answer = ask();
+            const CacheAnswer answer = request();
             EXPECT_FALSE(answer.is_taken) << file << " " << text;
             EXPECT_NE(answer.damage.find(damaged.string()), std::string::npos) << answer.damage;
             EXPECT_FALSE(fs::exists(damaged.parent_path()));
@@ -150,7 +150,7 @@ TEST_F(Cached, ADigitThatWasChangedIsSeen) {
 TEST_F(Cached, AFileThatIsMissingOrExchangedIsSeen) {
     cache.keep("key", done());
     fs::remove(place() / "state.h5");
-    EXPECT_NE(ask().damage.find("state.h5 is missing"), std::string::npos);
+    EXPECT_NE(request().damage.find("state.h5 is missing"), std::string::npos);
     cache.keep("key", done());
     cache.keep("another key", done());
     const auto both = cache.entries();
@@ -179,7 +179,7 @@ TEST_F(Cached, AnEntryStaysWhereTheStageCannotTakeIt) {
     cache.keep("key", done());
     fs::remove(taken());
     write(taken(), "a file where the folder should be");
-    const CacheAnswer answer = ask();
+    const CacheAnswer answer = request();
     EXPECT_FALSE(answer.is_taken);
     EXPECT_EQ(answer.damage, "");
     EXPECT_EQ(cache.entries().size(), 1U);
@@ -191,7 +191,7 @@ TEST_F(Cached, AStageThatWasDamagedIsNotKept) {
     EXPECT_TRUE(cache.entries().empty());
 }
 
-TEST_F(Cached, AStageWhoseNumbersTellOfFinesIsNotTakenForOneWithout) {
+TEST_F(Cached, AStageWhoseNumbersMentionFinesIsNotTakenForOneWithout) {
     const casefile::Case what;
     stage.spec = packing::CompactSpec{};
     variant.stages = {stage};

@@ -11,7 +11,7 @@
 namespace suffuse::record {
 namespace {
 
-std::string told(const std::filesystem::path& stage_folder, const char* state) {
+std::string stated_hash(const std::filesystem::path& stage_folder, const char* state) {
     const std::filesystem::path numbers = stage_folder / "stage.json";
     if (!std::filesystem::exists(numbers)) {
         return "";
@@ -28,7 +28,8 @@ void check_start(const casefile::Variant& variant, const casefile::Stage& stage,
     }
     const casefile::Stage& parent = variant.stages[static_cast<std::size_t>(stage.parent)];
     const std::filesystem::path folder = stage_folder(run, variant, stage);
-    const std::string start = told(folder, "start_state"), end = told(stage_folder(run, variant, parent), "end_state");
+    const std::string start = stated_hash(folder, "start_state"),
+                      end = stated_hash(stage_folder(run, variant, parent), "end_state");
     if (!start.empty() && !end.empty() && start != end) {
         throw IoError(fmt::format(
             "{}: was computed from the state {}, and {} now ends with {}; {}", folder.string(), start,

@@ -19,7 +19,7 @@ const char* const stage_numbers = "stage.json";
 const char* const count_key = "checksums"; ///< of stage.json: how many there are
 
 /// How many files stage.json says have checksums; nothing where it says none, or cannot be read.
-std::optional<std::size_t> told_count(const fs::path& folder) {
+std::optional<std::size_t> stated_count(const fs::path& folder) {
     try {
         const json numbers = read_json(folder / stage_numbers);
         return numbers.contains(count_key) ? std::optional(numbers.at(count_key).get<std::size_t>()) : std::nullopt;
@@ -35,14 +35,14 @@ std::optional<std::size_t> told_count(const fs::path& folder) {
 
 /// The checksums, or what is wrong with them; neither where the stage has none.
 std::optional<Sums> find_sums(const fs::path& folder, std::string& wrong) {
-    const std::optional<std::size_t> told = told_count(folder);
+    const std::optional<std::size_t> stated = stated_count(folder);
     if (!fs::exists(folder / checksums_file)) {
-        wrong = told ? "is missing" : "";
+        wrong = stated ? "is missing" : "";
         return std::nullopt;
     }
     try {
         Sums sums = read_sums(folder / checksums_file);
-        if (sums.contains(stage_numbers) && (!told || *told == sums.size())) {
+        if (sums.contains(stage_numbers) && (!stated || *stated == sums.size())) {
             return sums;
         }
     } catch (const IoError&) { // a line that is no checksum
@@ -95,7 +95,7 @@ std::optional<std::vector<Damage>> check_stage(const fs::path& folder, const Che
     }
     std::vector<Damage> damages;
     for (const auto& [name, sum] : *sums) {
-        if (std::string what = what_became_of(folder / name, sum, now); !what.empty()) {
+        if (std::string what = describe_damage(folder / name, sum, now); !what.empty()) {
             damages.push_back({name, std::move(what)});
         }
     }
@@ -112,7 +112,7 @@ void check_file(const fs::path& file) {
     if (!sums || found == sums->end()) {
         return;
     }
-    if (const std::string what = what_became_of(file, found->second); !what.empty()) {
+    if (const std::string what = describe_damage(file, found->second); !what.empty()) {
         complain(file, what + " since its stage ended");
     }
 }

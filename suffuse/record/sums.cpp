@@ -68,7 +68,7 @@ std::string sums_text(const Sums& sums) {
     return text;
 }
 
-std::string what_became_of(const std::filesystem::path& file, const std::string& sum, const ChecksumOf& now) {
+std::string describe_damage(const std::filesystem::path& file, const std::string& sum, const ChecksumOf& now) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) {
         return "is missing";

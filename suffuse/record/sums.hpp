@@ -34,6 +34,6 @@ std::string sums_text(const Sums& sums);
 
 /// What became of a file that had this checksum, in words; empty: nothing.
 std::string
-what_became_of(const std::filesystem::path& file, const std::string& sum, const ChecksumOf& now = checksum_of);
+describe_damage(const std::filesystem::path& file, const std::string& sum, const ChecksumOf& now = checksum_of);
 
 } // namespace suffuse::record

@@ -50,17 +50,17 @@ std::string assess_page(const std::vector<PageSoil>& soils, const PageSeepage& s
             {{"name", as_utf8(soil.name)}, {"d", soil.diameter}, {"f", soil.passing}, {"filter", soil.filter}}
         );
     }
-    nlohmann::json asked = {
+    nlohmann::json settings = {
         {"gradient", seepage.gradient},
         {"porosity", seepage.porosity},
         {"density", seepage.density},
         {"alpha", nullptr}};
     if (seepage.alpha) {
-        asked["alpha"] = *seepage.alpha;
+        settings["alpha"] = *seepage.alpha;
     }
     std::string page(assess_template().substr(1));
     put(page, "@PROGRAM@", program);
-    put(page, "@DATA@", as_data({{"soils", list}, {"seepage", asked}, {"criteria", definitions()}}));
+    put(page, "@DATA@", as_data({{"soils", list}, {"seepage", settings}, {"criteria", definitions()}}));
     return page;
 }
 

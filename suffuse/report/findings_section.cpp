@@ -30,7 +30,7 @@ Mark mark_of(study::Standing standing) {
     case study::Standing::NotMetByOurNumber:
         return {"by-number", "✗"};
     case study::Standing::SeedsDisagree:
-    case study::Standing::CannotTell:
+    case study::Standing::Undecided:
         break;
     }
     return {"unknown", "?"};
@@ -61,7 +61,7 @@ std::string findings_table(const std::vector<study::Finding>& findings, Numberin
     );
     for (std::size_t k = 0; k < findings.size(); ++k) {
         const study::Finding& finding = findings[k];
-        const std::string why = study::why_in_row(findings, k);
+        const std::string why = study::reason_in_table(findings, k);
         const study::Standing standing = study::standing_of(finding);
         const Mark mark = mark_of(standing);
         out += fmt::format(
@@ -77,21 +77,21 @@ std::string findings_table(const std::vector<study::Finding>& findings, Numberin
 
 /// What decides the findings that are not plainly met; those of one explanation together.
 std::string explanations(const std::vector<study::Finding>& findings) {
-    std::vector<std::pair<std::string, std::string_view>> told; // ids, text
+    std::vector<std::pair<std::string, std::string_view>> listed; // ids, text
     for (const study::Finding& finding : findings) {
         const std::string_view text = study::background_of(finding.id);
         if (study::standing_of(finding) == study::Standing::Met || text.empty()) {
             continue;
         }
-        const auto same = std::ranges::find(told, text, &std::pair<std::string, std::string_view>::second);
-        if (same == told.end()) {
-            told.emplace_back(finding.id, text);
+        const auto same = std::ranges::find(listed, text, &std::pair<std::string, std::string_view>::second);
+        if (same == listed.end()) {
+            listed.emplace_back(finding.id, text);
         } else {
             same->first += ", " + finding.id;
         }
     }
     std::string out;
-    for (const auto& [ids, text] : told) {
+    for (const auto& [ids, text] : listed) {
         out += fmt::format("<p><b>{}.</b> {}</p>\n", ids, typeset(std::string(text)));
     }
     return out.empty() ? out

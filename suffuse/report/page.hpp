@@ -44,7 +44,7 @@ struct ReportData {
     std::string title;           ///< of the case
     std::string project, author; ///< as the case gives them; may be empty
     std::string run;             ///< name of the run folder
-    std::string asked;           ///< soil, pressure and gradient of the case, for who reads it on paper; may be empty
+    std::string request;         ///< soil, pressure and gradient of the case, for who reads it on paper; may be empty
     std::string paper;           ///< that the case follows; empty: none, and the page speaks of none
     Unfinished unfinished;
     answer::Opening opening;         ///< the answer in one look

@@ -185,7 +185,7 @@ TEST_F(Page, WarningsOfTheCheckOfTheCaseStandUnderQuality) {
     EXPECT_LT(text.find("warned of 1 thing before the run"), text.find("<section id=\"quality\""));
 }
 
-TEST_F(Page, OfACaseThatFollowsNoPaperSpeaksOfNone) {
+TEST_F(Page, OfACaseThatFollowsNoPaperMentionsNone) {
     ReportData report = test::sample_report("My dyke");
     EXPECT_NE(
         read_all(write_report(folder.path(), report, folder / "nowhere").file).find("of the paper"), std::string::npos

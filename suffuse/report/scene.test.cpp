@@ -71,11 +71,11 @@ TEST(Scene, ContactsThatAreLeftOutStillCount) {
     const SceneCount all = count_scene(scene, state);
     leave_out_weak_contacts(scene, state);
     EXPECT_EQ(std::ssize(state.contacts), all.strong);
-    const SceneCount told = count_scene(scene, state);
-    EXPECT_EQ(told.contacts, all.contacts);
-    EXPECT_EQ(told.mean_force, all.mean_force);
-    EXPECT_EQ(told.strong, all.strong);
-    EXPECT_EQ(told.rattlers, all.rattlers);
+    const SceneCount counted = count_scene(scene, state);
+    EXPECT_EQ(counted.contacts, all.contacts);
+    EXPECT_EQ(counted.mean_force, all.mean_force);
+    EXPECT_EQ(counted.strong, all.strong);
+    EXPECT_EQ(counted.rattlers, all.rattlers);
 }
 
 /// Indices of a square PNG of one byte a pixel, row by row, each row behind the byte of its filter; checks every chunk.

@@ -84,11 +84,11 @@ std::vector<std::string> merged_warnings(const std::vector<std::string>& lines) 
         });
         (kind == kinds.end() ? kinds.emplace_back() : *kind).push_back(all.size() - 1);
     }
-    std::vector<std::string> told;
+    std::vector<std::string> merged_lines;
     for (const std::vector<std::size_t>& rows : kinds) {
         if (rows.size() < least) {
             for (const std::size_t row : rows) {
-                told.push_back(lines[row]);
+                merged_lines.push_back(lines[row]);
             }
             continue;
         }
@@ -96,9 +96,9 @@ std::vector<std::string> merged_warnings(const std::vector<std::string>& lines) 
         for (const std::size_t row : rows) {
             alike.push_back(all[row]);
         }
-        told.push_back(merged(alike));
+        merged_lines.push_back(merged(alike));
     }
-    return told;
+    return merged_lines;
 }
 
 } // namespace suffuse::report

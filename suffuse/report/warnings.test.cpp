@@ -7,7 +7,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-TEST(MergedWarnings, WhatThreeStagesSayAlikeIsSaidOnceWithItsRange) {
+TEST(MergedWarnings, AWarningOfThreeStagesIsShownOnceWithItsRange) {
     EXPECT_EQ(
         merged_warnings(
             {"fines/fc=0/loose: at 100 kPa a deviator of 12.7 kPa remains", "fines/fc=5/shear: the overlap is 15.1 %",

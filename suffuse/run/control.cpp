@@ -31,7 +31,7 @@ void Control::begin(Progress where) {
 }
 
 void Control::beat(std::string_view part, long long steps, const dem::World* world) {
-    if (overview_.wants_to_know(seconds_since(shown_))) {
+    if (overview_.is_interested(seconds_since(shown_))) {
         shown_ = Clock::now();
         progress_.part = part;
         progress_.steps = steps;

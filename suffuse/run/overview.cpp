@@ -22,7 +22,7 @@ void Overview::show(Progress progress) {
     options_.on_progress(progress);
 }
 
-void Overview::tell(nlohmann::json event) const {
+void Overview::log(nlohmann::json event) const {
     record::log_event(
         options_.sample.empty() ? options_.folder : options_.folder / "studies" / options_.sample, std::move(event)
     );
@@ -35,7 +35,7 @@ void Overview::remark(std::string text) {
 
 void Overview::remark_not_cached(const std::string& why) {
     const std::lock_guard lock(mutex_);
-    if (!std::exchange(has_told_of_cache_, true)) {
+    if (!std::exchange(has_reported_cache_, true)) {
         remarks_.push_back(fmt::format(
             "stages are not kept in the cache, and another run will compute them again: {}; this run is not concerned",
             why

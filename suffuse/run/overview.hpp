@@ -18,12 +18,12 @@ public:
     void show(Progress progress);
 
     /// Whether progress of a stage is due, so long after the last report [s].
-    [[nodiscard]] bool wants_to_know(double seconds) const {
+    [[nodiscard]] bool is_interested(double seconds) const {
         return options_.on_progress && seconds > options_.progress_interval;
     }
 
     /// Appends to the events of the run; a sample that is run alone has its own.
-    void tell(nlohmann::json event) const;
+    void log(nlohmann::json event) const;
 
     /// A remark for the user at the end of the run.
     void remark(std::string text);
@@ -61,7 +61,7 @@ private:
     std::atomic<int> stages_done_{0}, samples_done_{0}, samples_failed_{0};
     std::atomic<bool> broken_{false};
     std::vector<std::string> remarks_;
-    bool has_told_of_cache_ = false;
+    bool has_reported_cache_ = false;
     std::mutex mutex_;
 };
 

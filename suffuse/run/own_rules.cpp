@@ -57,7 +57,7 @@ public:
           folder_(record::stage_folder(run, *sample.variant, stage)) {}
 
     /// @param asked what earlier calls asked for the stage, @param given what this one does; null: nothing
-    void check(const json& asked, const json& given) const {
+    void check(const json& own, const json& given) const {
         const std::filesystem::path numbers = folder_ / "stage.json";
         if (std::filesystem::exists(numbers)) {
             const json read = record::read_json(numbers);
@@ -68,11 +68,11 @@ public:
                     name_in(had) == name_in(given) ? " as its text was then" : "", name_in(given)
                 ));
             }
-        } else if (given.is_null() && !asked.is_null()) {
+        } else if (given.is_null() && !own.is_null()) {
             throw UsageError(fmt::format(
                 "{}: was asked for with {} from Python, and only that may compute it: go on with "
                 "suffuse.Run(...).resume(rules=...)",
-                name_, name_in(asked)
+                name_, name_in(own)
             ));
         }
     }
@@ -90,11 +90,11 @@ json own_rule_numbers(const erosion::OwnRule& rule) {
 
 void take_own_rules(const casefile::Case& what, const RunOptions& options) {
     const std::filesystem::path file = options.folder / rules_file;
-    json asked = json::object();
+    json own = json::object();
     if (std::filesystem::exists(file)) {
-        asked = record::read_json(file);
+        own = record::read_json(file);
     }
-    if (!asked.is_object()) {
+    if (!own.is_object()) {
         throw record::not_as_stored(file, "not an object");
     }
     json given = json::object();
@@ -102,7 +102,7 @@ void take_own_rules(const casefile::Case& what, const RunOptions& options) {
         check_stage(what, name, rule);
         given[name] = own_rule_numbers(rule);
     }
-    if (asked.empty() && given.empty()) {
+    if (own.empty() && given.empty()) {
         return;
     }
     const casefile::Case refined = record::with_refinements(what, options.folder);
@@ -110,11 +110,11 @@ void take_own_rules(const casefile::Case& what, const RunOptions& options) {
         for (int row = 0; row < sample.stages; ++row) {
             const casefile::Stage& stage = sample.variant->stages[static_cast<std::size_t>(row)];
             const std::string name = sample.study->name + "/" + stage.name;
-            RuledStage(options.folder, sample, stage).check(asked.value(name, json()), given.value(name, json()));
+            RuledStage(options.folder, sample, stage).check(own.value(name, json()), given.value(name, json()));
         }
     }
-    asked.update(given);
-    record::write_json(file, asked);
+    own.update(given);
+    record::write_json(file, own);
 }
 
 } // namespace suffuse::run

@@ -44,7 +44,7 @@ private:
         }
         record::keep_refinements(options_.folder, found);
         for (const record::Refinement& one : found) {
-            overview_.tell({{"event", "refined"}, {"study", one.study}, {"reason", one.reason}});
+            overview_.log({{"event", "refined"}, {"study", one.study}, {"reason", one.reason}});
         }
         std::set<std::string> known;
         for (const record::Sample& sample : samples_) {

@@ -19,9 +19,9 @@
 #include "suffuse/record/stored_findings.hpp"
 #include "suffuse/run/grain_pictures.hpp"
 #include "suffuse/run/measure.hpp"
-#include "suffuse/run/measure_asked.hpp"
 #include "suffuse/run/picture_series.hpp"
 #include "suffuse/run/preparation_found.hpp"
+#include "suffuse/run/requested_measures.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -104,7 +104,7 @@ json describe_stage(StageWork& work) {
     numbers["steps"] = 0;
     numbers.update(work.numbers);
     if (!work.stage.measure.empty()) {
-        numbers["measured"] = measure_asked(work, numbers);
+        numbers["measured"] = requested_measures(work, numbers);
     }
     const double seconds = work.seconds();
     numbers["stage"] = work.stage.name;
@@ -217,15 +217,15 @@ void SampleRun::run() {
     write_picture_series(options_.folder, *sample_.variant);
 }
 
-void SampleRun::run_stage(const casefile::Stage& asked) {
-    const std::filesystem::path folder = record::stage_folder(options_.folder, *sample_.variant, asked);
+void SampleRun::run_stage(const casefile::Stage& next_stage) {
+    const std::filesystem::path folder = record::stage_folder(options_.folder, *sample_.variant, next_stage);
     record::check_is_in_place(options_.folder);
     io::make_folders(folder);
     std::filesystem::remove(folder / record::failure_file);
-    const casefile::Stage stage = with_preparation_found(what_, options_, sample_, asked);
+    const casefile::Stage stage = with_preparation_found(what_, options_, sample_, next_stage);
     dem::World start = start_of(stage);
     const std::string state = stage.parent >= 0 ? record::describe_state(start) : "";
-    const std::string stage_key = record::key_of_stage(what_, *sample_.variant, asked, state);
+    const std::string stage_key = record::key_of_stage(what_, *sample_.variant, next_stage, state);
     std::string key; // of the cache
     const erosion::OwnRule* const own_rule = own_rule_of(stage);
     if (!options_.cache.empty() && record::StageCache::keeps(stage) && own_rule == nullptr) {
@@ -236,17 +236,18 @@ void SampleRun::run_stage(const casefile::Stage& asked) {
     }
     StageWork work = begin_work(stage, folder, std::move(start), state, stage_key);
     work.own_rule = own_rule;
-    if (casefile::is_prepared_as_another(*sample_.variant, asked)) {
-        work.numbers["prepared_as"] = casefile::sample_to_prepare_by(*sample_.study, *sample_.variant, asked)->folder;
+    if (casefile::is_prepared_as_another(*sample_.variant, next_stage)) {
+        work.numbers["prepared_as"] =
+            casefile::sample_to_prepare_by(*sample_.study, *sample_.variant, next_stage)->folder;
     }
     control_.begin(place());
     try {
         do_stage_or_go_on(work);
     } catch (const Interrupted&) {
-        tell("stage interrupted", stage);
+        log("stage interrupted", stage);
         throw;
     } catch (const Error& error) {
-        tell("stage fails", stage, {{"what", error.what()}});
+        log("stage fails", stage, {{"what", error.what()}});
         throw;
     }
     finish(work);
@@ -266,7 +267,7 @@ bool SampleRun::take_from_cache(
 ) {
     const record::CacheAnswer answer = cache_.take(key, *sample_.variant, stage, folder, stage_key);
     if (!answer.damage.empty()) {
-        tell("damaged cache entry dropped", stage, {{"what", answer.damage}});
+        log("damaged cache entry dropped", stage, {{"what", answer.damage}});
         overview_.remark(fmt::format(
             "{}: its entry in the cache is damaged and was dropped; the stage is computed anew ({})",
             record::stage_name(*sample_.variant, stage), answer.damage
@@ -277,7 +278,7 @@ bool SampleRun::take_from_cache(
     }
     drop(folder / record::partial_file);
     overview_.count_stage();
-    tell("stage taken from the cache", stage);
+    log("stage taken from the cache", stage);
     Progress taken = place();
     taken.state = record::read_json(folder / "stage.json");
     taken.stage_finished = taken.from_cache = true;
@@ -295,7 +296,7 @@ void SampleRun::keep_in_cache(
     try {
         cache_.keep(key, folder);
     } catch (const IoError& error) {
-        tell("stage not kept in the cache", stage, {{"what", error.what()}});
+        log("stage not kept in the cache", stage, {{"what", error.what()}});
         overview_.remark_not_cached(error.what());
     }
 }
@@ -351,16 +352,16 @@ void SampleRun::finish(StageWork& work) {
     record::seal_stage(work.folder, numbers, {}, strange);
     drop(work.folder / record::partial_file);
     overview_.count_stage();
-    tell("stage done", work.stage, {{"wall_seconds", numbers["wall_seconds"]}});
+    log("stage done", work.stage, {{"wall_seconds", numbers["wall_seconds"]}});
     control_.finish(numbers);
 }
 
 /// A line that the log cannot take costs no result.
-void SampleRun::tell(const std::string& event, const casefile::Stage& stage, json more) const {
+void SampleRun::log(const std::string& event, const casefile::Stage& stage, json more) const {
     more["event"] = event;
     more["stage"] = record::stage_name(*sample_.variant, stage);
     try {
-        overview_.tell(std::move(more));
+        overview_.log(std::move(more));
     } catch (const IoError&) {
     }
 }

@@ -28,7 +28,7 @@ public:
     [[nodiscard]] Progress place() const;
 
 private:
-    void run_stage(const casefile::Stage& asked);
+    void run_stage(const casefile::Stage& next_stage);
     /// That a stage was asked for with; null: none.
     [[nodiscard]] const erosion::OwnRule* own_rule_of(const casefile::Stage& stage) const;
     bool take_from_cache(
@@ -42,7 +42,7 @@ private:
     );
     [[nodiscard]] dem::World start_of(const casefile::Stage& stage) const;
     void finish(StageWork& work);
-    void tell(const std::string& event, const casefile::Stage& stage, nlohmann::json more = {}) const;
+    void log(const std::string& event, const casefile::Stage& stage, nlohmann::json more = {}) const;
 
     const casefile::Case& what_;
     const RunOptions& options_;

@@ -74,10 +74,10 @@ void note_energy(StageWork& work, const triaxial::TriaxialSpec& spec, const tria
 void note_overshoot(StageWork& work, const triaxial::TriaxialSpec& spec, const std::vector<triaxial::PathRow>& rows) {
     constexpr double much = 0.01;
     const triaxial::PathRow& stop = rows.back();
-    const double asked = triaxial::deviator_to_stop_at(spec, stop.mean_stress).value_or(stop.deviator_stress);
-    const double allowed = std::max(much * asked, work.what.balance.stress_error * rows.front().mean_stress);
-    if (stop.deviator_stress > asked + allowed) {
-        const auto told = [&](const triaxial::PathRow& row) {
+    const double specified = triaxial::deviator_to_stop_at(spec, stop.mean_stress).value_or(stop.deviator_stress);
+    const double allowed = std::max(much * specified, work.what.balance.stress_error * rows.front().mean_stress);
+    if (stop.deviator_stress > specified + allowed) {
+        const auto ratio_text = [&](const triaxial::PathRow& row) {
             return spec.stress_ratio ? row.deviator_stress / row.mean_stress : row.deviator_stress / 1e3;
         };
         work.warnings.push_back(fmt::format(
@@ -86,8 +86,8 @@ void note_overshoot(StageWork& work, const triaxial::TriaxialSpec& spec, const s
             "sample that bears less, or take a smaller inertial_number",
             work.place(),
             spec.stress_ratio ? fmt::format("q/p = {:.4g}", *spec.stress_ratio)
-                              : fmt::format("a deviator stress of {:.4g} kPa", asked / 1e3),
-            told(rows.front()), told(stop), spec.stress_ratio ? "" : " kPa"
+                              : fmt::format("a deviator stress of {:.4g} kPa", specified / 1e3),
+            ratio_text(rows.front()), ratio_text(stop), spec.stress_ratio ? "" : " kPa"
         ));
     }
 }

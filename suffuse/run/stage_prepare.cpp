@@ -121,8 +121,8 @@ void search(StageWork& work, const packing::CompactSpec& wanted) {
 }
 
 /// The grains of the world, by the preparation asked for or by a search for it.
-void compact_as_asked(StageWork& work, const packing::CompactSpec& asked, Part part) {
-    const packing::CompactSpec spec = with_void_ratio(asked, work.world.grains);
+void compact_as_specified(StageWork& work, const packing::CompactSpec& specified, Part part) {
+    const packing::CompactSpec spec = with_void_ratio(specified, work.world.grains);
     const bool goes_on = !work.resumed.is_null() && part == Part::Whole;
     if (!goes_on) {
         dem::sort_along_curve(work.world);
@@ -138,13 +138,13 @@ void compact_as_asked(StageWork& work, const packing::CompactSpec& asked, Part p
 }
 
 /// @return whether the fines fitted into the voids of the skeleton as it is. Fines alone are their cloud again.
-bool put_fines(StageWork& work, const grains::Grains& fines, nlohmann::json& told) {
+bool put_fines(StageWork& work, const grains::Grains& fines, nlohmann::json& placed) {
     if (work.world.grains.size() == 0) {
         work.world.grains = fines;
         return false;
     }
     const packing::Placing placing = packing::put_into_voids(work.world, fines);
-    told["widening"] = placing.widening;
+    placed["widening"] = placing.widening;
     if (!placing.touch_none) {
         throw StateError(fmt::format(
             "the fines found no room between the coarse grains, although the skeleton was widened {:.2f} times; take "
@@ -167,26 +167,26 @@ void compact_on_skeleton(StageWork& work, const packing::CompactSpec& together, 
 }
 
 /// The coarse grains alone, as asked; the fines into their voids; then all of them.
-void compact_skeleton_first(StageWork& work, const packing::CompactSpec& asked) {
-    packing::CompactSpec together = asked;
+void compact_skeleton_first(StageWork& work, const packing::CompactSpec& specified) {
+    packing::CompactSpec together = specified;
     together.intergranular_void_ratio = std::nullopt; // the skeleton's
-    nlohmann::json& told = work.numbers[skeleton_key] = nlohmann::json::object();
+    nlohmann::json& placed = work.numbers[skeleton_key] = nlohmann::json::object();
     if (!work.resumed.is_null()) {
-        told = work.resumed.at(skeleton_key);
+        placed = work.resumed.at(skeleton_key);
         compact(work, together, work.resumed.get<packing::CompactState>(), Part::Whole);
     } else {
         const grains::Grains fines = packing::take_out_fines(work.world);
         if (work.world.grains.size() > 0) {
-            compact_as_asked(work, asked, Part::OfMore);
-            told = {{"void_ratio", dem::void_ratio(work.world)}, {"steps", work.numbers.at("steps")}};
+            compact_as_specified(work, specified, Part::OfMore);
+            placed = {{"void_ratio", dem::void_ratio(work.world)}, {"steps", work.numbers.at("steps")}};
         }
         if (fines.size() == 0) {
             return;
         }
-        const bool fitted = put_fines(work, fines, told);
+        const bool fitted = put_fines(work, fines, placed);
         compact_on_skeleton(work, together, fitted);
     }
-    work.numbers["steps"] = work.numbers["steps"].get<std::int64_t>() + told.value("steps", std::int64_t{0});
+    work.numbers["steps"] = work.numbers["steps"].get<std::int64_t>() + placed.value("steps", std::int64_t{0});
 }
 
 } // namespace
@@ -221,18 +221,18 @@ void do_pack(StageWork& work, const packing::PackSpec& spec) {
     work.numbers["grading_tolerance"] = work.variant.soil->grading_tolerance;
     work.numbers["fines_content_reached"] = sample.fines_content;
     if (work.variant.soil->report_kenney_lau) { // beside the split in use
-        const std::optional<double> split = grains::kenney_lau_split(grains::asked_grading(*work.variant.soil));
+        const std::optional<double> split = grains::kenney_lau_split(grains::specified_grading(*work.variant.soil));
         work.numbers["kenney_lau_split"] = or_null(split);
     }
 }
 
-void do_compact(StageWork& work, const packing::CompactSpec& asked) {
-    if (asked.prepare.skeleton_first) {
-        compact_skeleton_first(work, asked);
+void do_compact(StageWork& work, const packing::CompactSpec& specified) {
+    if (specified.prepare.skeleton_first) {
+        compact_skeleton_first(work, specified);
     } else {
-        compact_as_asked(work, asked, Part::Whole);
+        compact_as_specified(work, specified, Part::Whole);
     }
-    warn_of_shear_stress(work, asked.pressure);
+    warn_of_shear_stress(work, specified.pressure);
 }
 
 } // namespace suffuse::run

@@ -22,7 +22,7 @@ dem::World a_world() {
     return world;
 }
 
-TEST(StrainPictures, AreWrittenAtEachMultipleOfTheStrainAsked) {
+TEST(StrainPictures, AreWrittenAtEachMultipleOfTheSpecifiedStrain) {
     const test::TempFolder folder;
     casefile::OutputSpec output;
     output.formats = {"vtp", "xyz"};
@@ -48,7 +48,7 @@ TEST(StrainPictures, AreWrittenAtEachMultipleOfTheStrainAsked) {
     EXPECT_FALSE(std::filesystem::exists(folder / "strain-0001.vtp"));
 }
 
-TEST(StrainPictures, AreNoneUnlessAskedFor) {
+TEST(StrainPictures, AreNoneUnlessRequested) {
     const test::TempFolder folder;
     const casefile::OutputSpec output;
     const dem::World world = a_world();

@@ -9,7 +9,7 @@ namespace {
 using namespace suffuse;
 
 template <class Error>
-std::string told(const char* message) {
+std::string text_of(const char* message) {
     try {
         run::take_pass([&]() -> bool { throw Error(message); });
     } catch (const StateError& error) {
@@ -19,8 +19,10 @@ std::string told(const char* message) {
 }
 
 TEST(TakePass, SaysWhichKeysHelp) {
-    EXPECT_EQ(told<erosion::NoSkeleton>("all are fines"), "all are fines; leave this fines content out (key `only`)");
-    EXPECT_EQ(told<StateError>("too fast"), "too fast");
+    EXPECT_EQ(
+        text_of<erosion::NoSkeleton>("all are fines"), "all are fines; leave this fines content out (key `only`)"
+    );
+    EXPECT_EQ(text_of<StateError>("too fast"), "too fast");
 }
 
 TEST(TakePass, HandsOnWhetherThereIsAnother) {

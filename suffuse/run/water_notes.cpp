@@ -54,7 +54,7 @@ void note_fast_water(StageWork& work, const std::string& when, double gradient, 
     }
 }
 
-std::string words_on_hits(const erosion::ProbeResult& probe) {
+std::string describe_hits(const erosion::ProbeResult& probe) {
     const double travel = erosion::free_travel(probe);
     if (travel <= erosion::far_travel) {
         return "";
@@ -83,7 +83,7 @@ void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion:
             work.place(), probe.hidden_by_noise, probe.id.size()
         ));
     }
-    if (const std::string words = words_on_hits(probe); !words.empty()) {
+    if (const std::string words = describe_hits(probe); !words.empty()) {
         work.warnings.push_back(fmt::format("{}: {}", work.place(), words));
     }
     if (probe.beyond_viscous_time && !probe.id.empty()) { // without fines there is no such time

@@ -23,7 +23,7 @@ void note_closed_voids(StageWork& work, const std::string& when, const flow::Clo
 void note_fast_water(StageWork& work, const std::string& when, double gradient, double reynolds, double porosity);
 
 /// What is to be said of a gradient so steep that fines hit others before they are judged, with what to do; else empty.
-std::string words_on_hits(const erosion::ProbeResult& probe);
+std::string describe_hits(const erosion::ProbeResult& probe);
 
 /// @param decides whether the probe says what leaves
 void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion::ProbeResult& probe, bool decides);

@@ -15,7 +15,7 @@ json mobility_numbers(const erosion::MobilityResult& mobility) {
         ramp.push_back(facts_json(facts::mobility_step, step));
         ramp.back()["floats"] = erosion::floats(mobility, step.gradient);
     }
-    if (mobility.asked_gradient) {
+    if (mobility.specified_gradient) {
         put_facts(numbers, facts::mobility_at_gradient, mobility);
         if (const auto safety = erosion::factor_of_safety(mobility); safety && !safety->factor) {
             numbers["factor_of_safety_at_least"] = safety->at_least;

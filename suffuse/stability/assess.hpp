@@ -34,7 +34,7 @@ struct Assessment {
     double finer_limit = 0;           ///< up to which F Kenney and Lau look [-]
     std::vector<Criterion> criteria;  ///< of the grading
     std::vector<Criterion> gradients; ///< of the seepage; empty where there is none
-    FinesBesideConstrictions constrictions;
+    FinesAgainstConstrictions constrictions;
     bool has_constrictions = true; ///< false: they depend on what was not measured
 
     /// Mass below the finest and above the coarsest size that was measured [-]: open_curve.hpp.

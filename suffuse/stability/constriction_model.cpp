@@ -193,9 +193,9 @@ ConstrictionSizes model_constrictions(const Grading& grading) {
     return {densest(representatives(grading, for_triples)), loosest(representatives(grading, for_rings))};
 }
 
-FinesBesideConstrictions
+FinesAgainstConstrictions
 compare_with_constrictions(const Grading& grading, const std::optional<FineFraction>& fines, double otherwise) {
-    FinesBesideConstrictions sizes;
+    FinesAgainstConstrictions sizes;
     sizes.split = fines ? fines->finer_than : otherwise;
     const Grading fine = fine_part(grading, sizes.split);
     const ConstrictionSizes constrictions = model_constrictions(coarse_part(grading, sizes.split));
@@ -207,7 +207,7 @@ compare_with_constrictions(const Grading& grading, const std::optional<FineFract
     return sizes;
 }
 
-Criterion indraratna(const FinesBesideConstrictions& sizes, std::optional<double> relative_density) {
+Criterion indraratna(const FinesAgainstConstrictions& sizes, std::optional<double> relative_density) {
     Criterion criterion = define("indraratna-2011");
     criterion.diameter = sizes.split;
     const double dense = sizes.densest_d35 / sizes.fines_d85, loose = sizes.loosest_d35 / sizes.fines_d85;

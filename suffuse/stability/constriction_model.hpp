@@ -44,7 +44,7 @@ struct ConstrictionSizes {
 ConstrictionSizes model_constrictions(const grains::Grading& grading);
 
 /// What the model says of a soil split into fines and skeleton.
-struct FinesBesideConstrictions {
+struct FinesAgainstConstrictions {
     double split = 0;                              ///< [m]
     double densest_d35 = 0, loosest_d35 = 0;       ///< controlling constriction of the coarse part [m]
     double fines_d85 = 0;                          ///< d85 of the fine part by surface area [m]
@@ -52,12 +52,12 @@ struct FinesBesideConstrictions {
 };
 
 /// Split at the fine fraction's limit, or at `otherwise` [m], where H/F is least.
-FinesBesideConstrictions
+FinesAgainstConstrictions
 compare_with_constrictions(const grains::Grading& grading, const std::optional<FineFraction>& fines, double otherwise);
 
 /// Stable where Dc35/d85f <= 1: the size that 35 % of the constrictions of the coarse part undercut, and d85 of the
 /// fine part by surface area [Indraratna et al. 2011]. Without a relative density it says stable or unstable only where
 /// that holds from the loosest to the densest state; its number is then that of the loosest.
-Criterion indraratna(const FinesBesideConstrictions& sizes, std::optional<double> relative_density);
+Criterion indraratna(const FinesAgainstConstrictions& sizes, std::optional<double> relative_density);
 
 } // namespace suffuse::stability

@@ -115,8 +115,8 @@ TEST(SizeBySurface, OfABoxIsAClosedForm) {
     }
 }
 
-TEST(Indraratna, SpeaksOfAllDensitiesOrNamesTheOneThatDecides) {
-    FinesBesideConstrictions sizes;
+TEST(Indraratna, CoversAllDensitiesOrNamesTheOneThatDecides) {
+    FinesAgainstConstrictions sizes;
     sizes.fines_d85 = 1.0;
     sizes.densest_d35 = 0.8;
     sizes.loosest_d35 = 1.2;

@@ -16,7 +16,7 @@ struct Guide {
     std::string_view id, name, measure;
     Sense sense;
     double limit; ///< [-]
-    std::string_view title, asks, limit_in_words, source;
+    std::string_view title, measured, limit_in_words, source;
     bool verified = true;
 };
 
@@ -101,8 +101,8 @@ bool is_meant(std::string_view id, const std::string& word) {
 
 } // namespace
 
-std::optional<std::string> explain_criterion(std::string_view asked) {
-    std::string word(asked), text;
+std::optional<std::string> explain_criterion(std::string_view typed_id) {
+    std::string word(typed_id), text;
     std::transform(word.begin(), word.end(), word.begin(), [](char c) {
         return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     });
@@ -110,7 +110,7 @@ std::optional<std::string> explain_criterion(std::string_view asked) {
         if (is_meant(guide.id, word)) {
             text += fmt::format(
                 "{}{}\n  {}\n  limit    {}\n  source   {} in docs/references.bib; docs/theory/internal-stability.md\n",
-                text.empty() ? "" : "\n", guide.title, guide.asks, guide.limit_in_words, guide.source
+                text.empty() ? "" : "\n", guide.title, guide.measured, guide.limit_in_words, guide.source
             );
         }
     }

@@ -145,7 +145,7 @@ TEST(FilterBetween, ACleanStableFilterHolds) {
     EXPECT_EQ(rule(check, "filter-fines").value, 0);
 }
 
-TEST(FilterBetween, AFilterPartsWhereItsCoarsestGrainsAreTooLargeBesideItsFinest) {
+TEST(FilterBetween, AFilterSegregatesIfItsCoarsestGrainsAreTooLargeForItsFinest) {
     const auto parts = [](double d10, double d90) {
         const double d0 = d10 * std::pow(d10 / d90, 1.0 / 8), d100 = d90 * std::pow(d90 / d10, 1.0 / 8);
         return rule(check_filter(box(1e-4, 1e-3), box(d0, d100)), "filter-segregation");

@@ -20,21 +20,21 @@ const char* basis_text(FinesBasis basis) {
     return "Kenney and Lau's split";
 }
 
-std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, std::optional<double> asked) {
-    if (asked) {
-        const double content = grains::passing(grading, *asked);
+std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, std::optional<double> limit) {
+    if (limit) {
+        const double content = grains::passing(grading, *limit);
         if (!(content > 0 && content < 1)) {
             throw CaseError(
                 fmt::format(
                     "grading curve {}: {:.6g} % of it is finer than {:.6g} mm; fines and skeleton both need some mass: "
                     "take a size between {:.6g} and {:.6g} mm",
-                    grading.origin, 100 * content, 1e3 * *asked, 1e3 * grains::size_at(grading, 0),
+                    grading.origin, 100 * content, 1e3 * *limit, 1e3 * grains::size_at(grading, 0),
                     1e3 * grains::size_at(grading, 1)
                 ),
                 grading.origin
             );
         }
-        return FineFraction{*asked, content, FinesBasis::Given};
+        return FineFraction{*limit, content, FinesBasis::Given};
     }
     if (const auto gap = find_gap(grading)) {
         return FineFraction{gap->fine_end, gap->finer, FinesBasis::Gap};

@@ -99,23 +99,23 @@ TEST(OpenCurve, NoNumberIsGivenWhereNothingOfItWasMeasured) {
 
 TEST(OpenCurve, NoCompletionThatWasTriedContradictsAVerdict) {
     // Verdicts on the open curve hold for the real one, of which it is a part.
-    int told = 0;
+    int reported = 0;
     for (const std::size_t first : {0U, 1U, 2U, 3U}) {
         for (const std::size_t end : {8U, 7U, 6U}) {
             const Assessment found = assess_measured(measured_from(first, end)), full = assess(whole);
             for (std::size_t k = 0; k < found.criteria.size(); ++k) {
                 if (found.criteria[k].verdict != Verdict::CannotSay) {
-                    ++told;
+                    ++reported;
                     EXPECT_EQ(found.criteria[k].verdict, full.criteria[k].verdict)
                         << found.criteria[k].id << " from " << first << " to " << end;
                 }
             }
         }
     }
-    EXPECT_GE(told, 24) << "two criteria of each curve, or nothing was compared";
+    EXPECT_GE(reported, 24) << "two criteria of each curve, or nothing was compared";
 }
 
-TEST(OpenCurve, TheGradientOfTheFinesHeedsWhatTheCurveCannotTell) {
+TEST(OpenCurve, TheGradientOfTheFinesAccountsForWhatTheCurveDoesNotShow) {
     AssessSpec spec;
     spec.seepage = UpwardSeepage{};
     const Assessment found = assess_measured({{0.2e-3, 0.4e-3, 0.8e-3}, {0.12, 0.6, 1}, ""}, spec);

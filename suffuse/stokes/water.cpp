@@ -26,10 +26,10 @@ Water solve_water(
 ) {
     Water water{.network = flow::solve_seepage(cell, position, radius, spec, fluid)};
     pores::measure_constrictions(water.network.network, position, radius);
-    std::vector<std::uint8_t> told;
+    std::vector<std::uint8_t> marks;
     if (std::ranges::count(fine, std::uint8_t{0}) == std::ssize(fine)) {
-        told = flow::tell_fines(radius);
-        fine = told;
+        marks = flow::distinguish_fines(radius);
+        fine = marks;
     }
     flow::Mixture mixture = flow::describe_mixture(radius, fine, std::abs(determinant(cell.h)));
     mixture.overlap = water.network.overlap;
@@ -44,9 +44,9 @@ Water solve_water(
     source.doubt = flow::doubt_network(mixture, source.raised_by_fines);
     source.known_error = flow::known_error(fluid.conductance, mixture);
 
-    const bool is_asked = how.solver == flow::Solver::Resolved || how.resolve;
+    const bool is_requested = how.solver == flow::Solver::Resolved || how.resolve;
     const bool is_better = source.doubt != flow::Doubt::None && is_right_angled(cell.h);
-    if (how.solver == flow::Solver::Auto ? is_better : is_asked) {
+    if (how.solver == flow::Solver::Auto ? is_better : is_requested) {
         water.resolved = resolve_flow(
             cell, position, radius, spec, fluid,
             {.boxes_across = static_cast<double>(how.resolve.value_or(flow::usual_boxes_across)),

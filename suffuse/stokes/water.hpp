@@ -31,7 +31,7 @@ struct Water {
 
 /// Solves the network always: paths, fluxes and tortuosity are its own. With Solver::Network and `resolve` the resolved
 /// flow stands beside it and is not the source; Solver::Auto takes the network's in a sheared cell.
-/// @param fine 1 for a fine grain, a row a grain; where none is marked, sizes tell (flow::tell_fines)
+/// @param fine 1 for a fine grain, a row a grain; where none is marked, sizes tell (flow::distinguish_fines)
 /// @throws as flow::solve_seepage and resolve_flow
 Water solve_water(
     const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius,

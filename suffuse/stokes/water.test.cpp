@@ -24,7 +24,7 @@ Water water_of(const test::Packing& packing, const flow::SolverChoice& how) {
     return solve_water({packing.h, {}}, packing.position, packing.radius, unmarked, {1, {0, 0, 1}}, {}, how);
 }
 
-TEST(Water, IsOfTheNetworkUnlessAnotherIsAsked) {
+TEST(Water, IsOfTheNetworkUnlessAnotherIsRequested) {
     const Water water = water_of(one_fine(), {});
     EXPECT_EQ(water.source.solver, Solver::Network);
     EXPECT_FALSE(water.resolved);
@@ -84,7 +84,7 @@ TEST(Water, OfFewTinyFinesNeverHasAHigherPermeabilityThanTheCoarseGrains) {
     }
 }
 
-TEST(Water, WithBoxesAloneHasAResolvedFlowBesideTheNetworks) {
+TEST(Water, WithBoxesAloneHasAResolvedFlowBesidesTheNetworks) {
     const Water water = water_of(one_fine(), {.resolve = 8});
     EXPECT_TRUE(water.resolved);
     EXPECT_EQ(water.source.solver, Solver::Network);
@@ -115,7 +115,7 @@ TEST(Water, IsResolvedByAutoWhereTheNetworkIsInDoubtAndTheCellRightAngled) {
     EXPECT_NE(water.source.doubt, flow::Doubt::None);
 }
 
-TEST(Water, IsOfTheToleranceThatIsAsked) {
+TEST(Water, HasTheSpecifiedTolerance) {
     const Water rough = water_of(one_fine(), {.solver = Solver::Resolved, .resolve = 8, .resolve_tolerance = 1e-2}),
                 fine = water_of(one_fine(), {.solver = Solver::Resolved, .resolve = 8, .resolve_tolerance = 1e-7});
     EXPECT_LT(rough.resolved->iterations, fine.resolved->iterations);

@@ -56,7 +56,7 @@ Standing standing_of(const Finding& finding) {
         return finding.in_words == true ? Standing::NotMetByOurNumber : Standing::SeedsDisagree;
     }
     if (!finding.met) {
-        return Standing::CannotTell;
+        return Standing::Undecided;
     }
     if (*finding.met) {
         return finding.is_noise ? Standing::MetByNoise : Standing::Met;
@@ -80,7 +80,7 @@ std::string_view name_of(Standing standing) {
         return "not met by our number";
     case Standing::SeedsDisagree:
         return "seeds disagree";
-    case Standing::CannotTell:
+    case Standing::Undecided:
         return "cannot tell";
     }
     throw Bug("a standing without a name");
@@ -97,7 +97,7 @@ std::string count_standings(const std::vector<Finding>& findings) {
     std::string text = fmt::format("{} of {} met", count_of(Standing::Met), findings.size());
     for (const Standing standing :
          {Standing::MetByNoise, Standing::NotMetByOurNumber, Standing::NotMet, Standing::SeedsDisagree,
-          Standing::CannotTell}) {
+          Standing::Undecided}) {
         if (const auto there = count_of(standing); there > 0) {
             const char* const which = standing == Standing::SeedsDisagree ? "on which " : "";
             text += fmt::format("; {} {}{}", there, which, name_of(standing));
@@ -106,7 +106,7 @@ std::string count_standings(const std::vector<Finding>& findings) {
     return text;
 }
 
-std::string why_in_row(const std::vector<Finding>& findings, std::size_t at) {
+std::string reason_in_table(const std::vector<Finding>& findings, std::size_t at) {
     const std::string& why = findings[at].why;
     for (std::size_t before = 0; before < at && !why.empty(); ++before) {
         if (findings[before].why == why) {

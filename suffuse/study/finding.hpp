@@ -35,7 +35,7 @@ struct Finding {
 };
 
 /// How a finding stands, for the reader.
-enum class Standing { Met, MetByNoise, NotMet, NotMetByOurNumber, SeedsDisagree, CannotTell };
+enum class Standing { Met, MetByNoise, NotMet, NotMetByOurNumber, SeedsDisagree, Undecided };
 
 Standing standing_of(const Finding& finding);
 
@@ -52,7 +52,7 @@ std::string list_our_numbers(const Finding& finding);
 std::string count_standings(const std::vector<Finding>& findings);
 
 /// The reason as told in a row of findings: "As E4." where one before has the same.
-std::string why_in_row(const std::vector<Finding>& findings, std::size_t at);
+std::string reason_in_table(const std::vector<Finding>& findings, std::size_t at);
 
 /// One finding for the same case run with several seeds: where they disagree, the criterion cannot be decided.
 std::vector<Finding> combine_seeds(const std::vector<std::vector<Finding>>& by_seed);

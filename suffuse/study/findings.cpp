@@ -155,7 +155,7 @@ Finding judge_rattlers(const ErosionResult& erosion) {
     finding.ours = share_of(held, removed);
     finding.met = 10 * held < removed;
     finding.in_words = 2 * held < removed;
-    const std::string noise = tell_noise(pass);
+    const std::string noise = describe_noise(pass);
     finding.is_noise = *finding.met && !noise.empty();
     if (finding.is_noise || !*finding.met) {
         finding.why = noise.empty() ? "The rule takes grains that carry load." : noise;
@@ -168,7 +168,7 @@ Finding judge_active(const ErosionResult& erosion) {
         "E4", "Pass 2: more than 50 % of the removed grains have at least 2 contacts", "most are active (Figure 12)",
         "no grain was removed in pass 2", std::nullopt};
     const PassResult* pass = pass_of(erosion, 2);
-    finding.why = tell_few_active(erosion, pass);
+    finding.why = describe_few_active(erosion, pass);
     if (pass == nullptr || pass->removed == 0) {
         finding.ours = pass == nullptr ? "there was no pass 2" : finding.ours;
         return finding;
@@ -177,7 +177,7 @@ Finding judge_active(const ErosionResult& erosion) {
     finding.ours = share_of(active, removed);
     finding.met = 2 * active > removed;
     if (*finding.met) {
-        finding.why = tell_noise(pass);
+        finding.why = describe_noise(pass);
         finding.is_noise = !finding.why.empty();
     }
     return finding;
@@ -187,7 +187,7 @@ Finding judge_active(const ErosionResult& erosion) {
 void give_reason(const ErosionResult& erosion, Verdict first, Verdict second, Finding& finding) {
     const PassResult* pass_2 = pass_of(erosion, 2);
     if (finding.met == true) {
-        finding.why = tell_noise(pass_2);
+        finding.why = describe_noise(pass_2);
         finding.is_noise = !finding.why.empty();
         return;
     }
@@ -195,8 +195,8 @@ void give_reason(const ErosionResult& erosion, Verdict first, Verdict second, Fi
         finding.met == false && finding.in_words == true
             ? fmt::format("The paper's words hold, our numbers ({}) do not. ", list_our_numbers(finding))
             : "";
-    const std::string of_first = first == false ? tell_active_in_first(pass_of(erosion, 1)) : "";
-    const std::string of_second = second != true ? tell_few_active(erosion, pass_2) : "";
+    const std::string of_first = first == false ? describe_active_in_first(pass_of(erosion, 1)) : "";
+    const std::string of_second = second != true ? describe_few_active(erosion, pass_2) : "";
     finding.why = in_words + of_first + (of_first.empty() || of_second.empty() ? "" : " ") + of_second;
 }
 
@@ -221,7 +221,7 @@ Finding judge_strain(const ErosionResult& erosion) {
     constexpr double least = 1e-4, most = 1e-3;
     Verdict negligible, important;
     std::optional<double> first, second;
-    const auto tell = [&](int number, std::optional<double>& strain, Verdict& verdict, auto&& judge) {
+    const auto describe = [&](int number, std::optional<double>& strain, Verdict& verdict, auto&& judge) {
         const PassResult* pass = pass_of(erosion, number);
         if (pass == nullptr || pass->removed == 0) {
             return took_nothing(pass, number);
@@ -231,8 +231,8 @@ Finding judge_strain(const ErosionResult& erosion) {
         const double percent = 100 * pass->volumetric_strain;
         return fmt::format("{} in pass {}", is_noise(percent) ? "below 0.01 %" : short_number(percent) + " %", number);
     };
-    finding.ours = tell(1, first, negligible, [](double strain) { return std::abs(strain) < least; });
-    finding.ours += "; " + tell(2, second, important, [](double strain) { return strain > most; });
+    finding.ours = describe(1, first, negligible, [](double strain) { return std::abs(strain) < least; });
+    finding.ours += "; " + describe(2, second, important, [](double strain) { return strain > most; });
     finding.met = both(negligible, important);
     finding.in_words = differ_in_words(first ? std::optional(std::abs(*first)) : first, second, least, most);
     give_reason(erosion, negligible, important, finding);
@@ -244,7 +244,7 @@ Finding judge_porosity(const ErosionResult& erosion) {
         "E6", "Porosity rises with the eroded mass, and falls on resettling in pass 2; changes up to 0.00001 are none",
         "rises with each erosion; the fall is negligible in pass 1, clear in pass 2 (Figure 14)", "", std::nullopt};
     finding.our_numbers = {"0.00001"};
-    constexpr int most_told = 4; // passes
+    constexpr int most_reported = 4; // passes
     Verdict rises, falls;
     int more = 0, more_rose = 0;
     for (const PassResult& pass : erosion.passes) {
@@ -253,7 +253,7 @@ Finding judge_porosity(const ErosionResult& erosion) {
         }
         const bool rose = pass.porosity_after_removal - pass.porosity_before > porosity_resolution;
         rises = rises.value_or(true) && rose;
-        if (pass.pass > most_told) {
+        if (pass.pass > most_reported) {
             ++more, more_rose += rose ? 1 : 0;
             continue;
         }

@@ -62,7 +62,7 @@ std::optional<bool> met(const std::string& id, const std::vector<ProbeResult>& p
     return finding(id, probes, erosion).met;
 }
 
-TEST(Findings, AllSevenAreJudgedInOrderAndAnEmptyRunCannotTellAny) {
+TEST(Findings, AllSevenAreJudgedInOrderAndAnEmptyRunDecidesNone) {
     const std::vector<Finding> findings = judge_erosion({}, {});
     ASSERT_EQ(findings.size(), 7U);
     for (std::size_t f = 0; f < findings.size(); ++f) {
@@ -154,7 +154,7 @@ TEST(Findings, E5WantsNoStrainFirstAndContractionThen) {
     EXPECT_EQ(met("E5", {}, first_fails), false);
 }
 
-TEST(Findings, APassThatTookNothingCannotTellWhatRemovalDoes) {
+TEST(Findings, APassThatTookNothingDoesNotShowWhatRemovalDoes) {
     const ErosionResult erosion = passes({pass(1), pass(2, {})});
     for (const char* id : {"E4", "E5", "E7"}) {
         EXPECT_EQ(met(id, {}, erosion), std::nullopt) << id;
@@ -184,7 +184,7 @@ TEST(Findings, E6WantsARiseOnEachRemovalAndAFallInTheSecondPass) {
     EXPECT_EQ(met("E6", {}, one), std::nullopt);
 }
 
-TEST(Findings, E6IsToldOfTheFirstPassesAndCountsTheOthers) {
+TEST(Findings, E6ReportsTheFirstPassesAndCountsTheOthers) {
     ErosionResult erosion = passes({pass(1), pass(2), pass(3), pass(4), pass(5), pass(6)});
     erosion.passes[5].porosity_after_removal = erosion.passes[5].porosity_before + 0.01;
     const std::string ours = finding("E6", {}, erosion).ours;
@@ -209,7 +209,7 @@ TEST(Findings, E7WantsTheStressKeptFirstAndLostThen) {
     EXPECT_EQ(met("E7", {}, unstressed), std::nullopt);
 }
 
-TEST(Findings, SeedsThatDisagreeCannotTell) {
+TEST(Findings, SeedsThatDisagreeAreUndecided) {
     const ErosionResult erodes = passes({pass(1), pass(2, {{2, 10}})}), stays = passes({pass(1), pass(2, {{0, 10}})});
     const auto e4 = [](const std::vector<std::vector<Finding>>& seeds) { return combine_seeds(seeds)[3].met; };
     EXPECT_EQ(e4({judge_erosion({}, erodes), judge_erosion({}, erodes)}), true);
@@ -228,7 +228,7 @@ PassResult taken_by_threshold(int number, std::int64_t refused, std::int64_t acc
     return result;
 }
 
-TEST(Findings, WhatTheTwinDoesNotTellApartIsMetByNoise) {
+TEST(Findings, WhatTheTwinDoesNotDistinguishIsMetByNoise) {
     const PassResult clean = taken_by_threshold(1, 15, 2870, 19);
     const Finding noisy = finding("E4", {}, passes({clean, taken_by_threshold(2, 283, 18, 1.01)}));
     EXPECT_EQ(noisy.met, true);
@@ -275,7 +275,7 @@ TEST(Findings, AStressLossBetweenOurBoundsFailsByOurNumberAlone) {
     EXPECT_EQ(standing_of(with_losses(0.047, 0.0497)), Standing::NotMet);
 }
 
-TEST(Findings, WhyASecondPassFindsNoGrainThatCarriesLoadIsSaidWithTheWatersPull) {
+TEST(Findings, TheReasonWhyASecondPassFindsNoLoadedGrainNamesTheSeepageForce) {
     ErosionResult erosion = passes({pass(1), pass(2, {{0, 4}})});
     erosion.passes[1].probe.fluid_over_contact = 5.2e-7;
     for (PassResult& each : erosion.passes) {
@@ -312,7 +312,7 @@ TEST(Findings, OurNumbersStandInTheCriterionAndEveryFindingHasItsShortExplanatio
     EXPECT_TRUE(background_of("E8").empty());
 }
 
-TEST(Findings, SeedsThatDisagreeAreToldApartFromARunThatCannotTell) {
+TEST(Findings, SeedsThatDisagreeAreDistinguishedFromAnUndecidedRun) {
     const auto of = [](Verdict met, Verdict in_words, const char* why) {
         return std::vector<Finding>{
             {.id = "E5", .claim = "", .paper = "", .ours = "", .met = met, .in_words = in_words, .why = why}};
@@ -330,15 +330,15 @@ TEST(Findings, SeedsThatDisagreeAreToldApartFromARunThatCannotTell) {
     const Finding not_met = combine_seeds({of(false, true, "By a number."), of(false, false, "No grain.")}).front();
     EXPECT_EQ(standing_of(not_met), Standing::NotMet);
     EXPECT_EQ(not_met.why, "No grain.");
-    EXPECT_EQ(standing_of(combine_seeds({of(true, true, ""), of({}, {}, "")}).front()), Standing::CannotTell);
+    EXPECT_EQ(standing_of(combine_seeds({of(true, true, ""), of({}, {}, "")}).front()), Standing::Undecided);
 }
 
-TEST(Findings, OfOneReasonAreToldByTheFirst) {
+TEST(Findings, OfOneReasonAreReportedByTheFirst) {
     std::vector<Finding> findings(3);
     findings[0].id = "E4", findings[0].why = findings[1].why = "Noise.";
-    EXPECT_EQ(why_in_row(findings, 0), "Noise.");
-    EXPECT_EQ(why_in_row(findings, 1), "As E4.");
-    EXPECT_EQ(why_in_row(findings, 2), "");
+    EXPECT_EQ(reason_in_table(findings, 0), "Noise.");
+    EXPECT_EQ(reason_in_table(findings, 1), "As E4.");
+    EXPECT_EQ(reason_in_table(findings, 2), "");
 }
 
 TEST(Findings, AreCountedByTheirStanding) {

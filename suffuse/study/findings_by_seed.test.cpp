@@ -34,11 +34,11 @@ TEST(FindingsBySeed, AreOfTheFirstSampleThatHasFines) {
         study.variants = variants;
         stages[0].variant = study.variants.data(), stages[1].variant = &study.variants[1];
         const std::vector<Finding> found = judge_erosion_by_seed(stages);
-        const std::vector<Finding> asked = judge_erosion(stages[1].findings.probes, {});
-        ASSERT_EQ(found.size(), asked.size());
+        const std::vector<Finding> expected = judge_erosion(stages[1].findings.probes, {});
+        ASSERT_EQ(found.size(), expected.size());
         for (std::size_t k = 0; k < found.size(); ++k) {
-            EXPECT_EQ(found[k].ours, asked[k].ours) << replicates;
-            EXPECT_EQ(found[k].met, asked[k].met) << replicates;
+            EXPECT_EQ(found[k].ours, expected[k].ours) << replicates;
+            EXPECT_EQ(found[k].met, expected[k].met) << replicates;
         }
     }
 }

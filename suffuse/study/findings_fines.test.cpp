@@ -94,7 +94,7 @@ TEST(FinesFindings, EachIsDeniedByACurveThatDoesOtherwise) {
     EXPECT_EQ(with("M8", "strong_contact_share.LS", [](double x) { return x; }), false);
 }
 
-TEST(FinesFindings, AGridWithoutTheContentsThatDecideCannotTell) {
+TEST(FinesFindings, AGridWithoutTheDecisiveContentsIsUndecided) {
     const std::vector<double> coarse{0, 0.2, 0.4, 0.6, 1}; // the parabola of M1 is lowest at 40, its neighbors far
     EXPECT_EQ(on_grid("M1", coarse), std::nullopt);
     EXPECT_EQ(on_grid("M1", {0, 0.1, 0.2, 0.3}), std::nullopt) << "falling to the end of the grid";
@@ -116,7 +116,7 @@ TEST(FinesFindings, AViolationIsSeenOnAnyGrid) {
     EXPECT_EQ(verdict("M2", findings), std::nullopt) << "no dense samples";
 }
 
-TEST(FinesFindings, SeedsThatDisagreeCannotTell) {
+TEST(FinesFindings, SeedsThatDisagreeAreUndecided) {
     StageCurve loose = stage_of(papers_soil(), full_grid, 2);
     for (SweepPoint& point : loose.points) { // the second seed's void ratio is lowest at 28 %
         const double x = point.value[0], first = point.number["void_ratio"].of_seed[0];
@@ -128,15 +128,15 @@ TEST(FinesFindings, SeedsThatDisagreeCannotTell) {
     EXPECT_EQ(verdict("M6", findings), true);
 }
 
-TEST(FinesFindings, AParabolaIsToldOnlyWhereItSaysMoreThanThePoint) {
-    const auto told = [](const std::vector<double>& content) {
+TEST(FinesFindings, AParabolaIsReportedOnlyWhereItAddsToThePoint) {
+    const auto judge = [](const std::vector<double>& content) {
         const StageCurve loose = stage_of(papers_soil(), content, 1);
         return judge_fines(&loose, nullptr, {}).front().ours;
     };
-    EXPECT_TRUE(told({0, 0.3, 0.4, 0.5, 1}).starts_with("lowest at FC = 40 %, by a parabola"))
-        << told({0, 0.3, 0.4, 0.5, 1});
-    EXPECT_EQ(told({0, 0.2, 0.35, 0.4, 1}).find("parabola"), std::string::npos) << "one neighbor is far";
-    EXPECT_EQ(told({0, 1}), "fewer than three fines contents were run");
+    EXPECT_TRUE(judge({0, 0.3, 0.4, 0.5, 1}).starts_with("lowest at FC = 40 %, by a parabola"))
+        << judge({0, 0.3, 0.4, 0.5, 1});
+    EXPECT_EQ(judge({0, 0.2, 0.35, 0.4, 1}).find("parabola"), std::string::npos) << "one neighbor is far";
+    EXPECT_EQ(judge({0, 1}), "fewer than three fines contents were run");
 }
 
 /// Removals at the isotropic state and under q/p whose strain per removed mass is `below` up to 15 % and `above` at 30.

@@ -14,7 +14,7 @@ using erosion::PassResult;
 
 constexpr int active_from = 2; // contacts
 
-std::string tell_pull(const PassResult& pass) {
+std::string describe_pull(const PassResult& pass) {
     return pass.probe.fluid_over_contact > 0
                ? fmt::format(
                      " The water pulls at a fine grain with {} of the mean contact force, so what carries load stays.",
@@ -33,7 +33,7 @@ std::int64_t left_with_at_least(const PassResult& pass, int contacts) {
     return left;
 }
 
-std::string tell_noise(const PassResult* pass) {
+std::string describe_noise(const PassResult* pass) {
     if (pass == nullptr || pass->removed == 0 || !erosion::takes_unaccepted(pass->probe)) {
         return "";
     }
@@ -51,7 +51,7 @@ std::string tell_noise(const PassResult* pass) {
     );
 }
 
-std::string tell_few_active(const erosion::ErosionResult& erosion, const PassResult* second) {
+std::string describe_few_active(const erosion::ErosionResult& erosion, const PassResult* second) {
     if (second == nullptr) {
         return erosion.passes.empty() ? "Nothing was eroded." : "The erosion ended before a second pass.";
     }
@@ -60,25 +60,25 @@ std::string tell_few_active(const erosion::ErosionResult& erosion, const PassRes
         return fmt::format(
             "{}: pass 1 took what carries nothing, and {} left over.{}",
             second->removed == 0 ? "No grain left in pass 2" : "No grain that left in pass 2 carried load",
-            second->removed == 0 ? "nothing was" : "only what it set free was", tell_pull(*second)
+            second->removed == 0 ? "nothing was" : "only what it set free was", describe_pull(*second)
         );
     }
     const auto carrying =
         std::ranges::count_if(second->probe.coordination, [](int contacts) { return contacts >= active_from; });
-    const std::string noise = tell_noise(second);
+    const std::string noise = describe_noise(second);
     return fmt::format(
         "Pass 2 took {}{} that carried load.{}{}", grouped(active),
         carrying > 0 ? fmt::format(" of {} fines", grouped(carrying)) : " fines",
-        noise.empty() ? tell_pull(*second) : " ", noise
+        noise.empty() ? describe_pull(*second) : " ", noise
     );
 }
 
-std::string tell_active_in_first(const PassResult* first) {
+std::string describe_active_in_first(const PassResult* first) {
     if (first == nullptr) {
         return "";
     }
     const std::int64_t active = left_with_at_least(*first, active_from);
-    const std::string noise = tell_noise(first);
+    const std::string noise = describe_noise(first);
     return active == 0
                ? ""
                : fmt::format(

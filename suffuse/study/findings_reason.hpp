@@ -13,12 +13,12 @@ std::int64_t left_with_at_least(const erosion::PassResult& pass, int contacts);
 
 /// That a pass took grains which its own twin without water does not tell apart; empty where it did not. Only a rule on
 /// speed can.
-std::string tell_noise(const erosion::PassResult* pass);
+std::string describe_noise(const erosion::PassResult* pass);
 
 /// Why a second pass finds no grain that carries load, or too few.
-std::string tell_few_active(const erosion::ErosionResult& erosion, const erosion::PassResult* second);
+std::string describe_few_active(const erosion::ErosionResult& erosion, const erosion::PassResult* second);
 
 /// Why the skeleton noticed the first pass: load carrying grains left in it; empty where none did.
-std::string tell_active_in_first(const erosion::PassResult* first);
+std::string describe_active_in_first(const erosion::PassResult* first);
 
 } // namespace suffuse::study

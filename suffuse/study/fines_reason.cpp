@@ -37,7 +37,7 @@ std::optional<Skeleton> skeleton_of(const StageCurve* loose) {
     return skeleton;
 }
 
-std::string tell_skeleton(const Skeleton& skeleton, std::optional<double> size_ratio) {
+std::string describe_skeleton(const Skeleton& skeleton, std::optional<double> size_ratio) {
     const std::string ratio = size_ratio ? fmt::format(" and the size ratio {}", short_number(*size_ratio, 2)) : "";
     if (std::abs(skeleton.change) > kept_within) {
         return fmt::format(
@@ -63,7 +63,7 @@ void give_reason(const StageCurve* loose, std::optional<double> size_ratio, Find
     if (standing == Standing::Met || !finding.why.empty()) {
         return;
     }
-    if (standing == Standing::CannotTell) {
+    if (standing == Standing::Undecided) {
         finding.why = "The fines contents that were run cannot decide it: more of them, about the paper's, would.";
         return;
     }
@@ -74,7 +74,7 @@ void give_reason(const StageCurve* loose, std::optional<double> size_ratio, Find
         finding.why = fmt::format("The paper's words hold; our number ({}) does not.", list_our_numbers(finding));
     }
     if (const std::optional<Skeleton> skeleton = skeleton_of(loose)) {
-        finding.why += (finding.why.empty() ? "" : " ") + tell_skeleton(*skeleton, size_ratio);
+        finding.why += (finding.why.empty() ? "" : " ") + describe_skeleton(*skeleton, size_ratio);
     }
 }
 

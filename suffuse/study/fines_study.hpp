@@ -29,7 +29,7 @@ struct FinesStudy {
 /// The mixture at one fines content.
 struct Mixture {
     double fines_content = 0; ///< asked for [-]
-    grains::Grading asked;
+    grains::Grading specified;
     grains::Grading sampled; ///< of one sample; without points where there is none
 };
 

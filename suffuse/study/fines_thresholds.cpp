@@ -94,7 +94,7 @@ bool is_far(double gap, double other) {
 }
 
 /// Whether the line after a break has two points, and the second is so far that the break may as well lie between them.
-bool hangs_on_a_far_point(const Points& points, double at) {
+bool depends_on_far_point(const Points& points, double at) {
     const auto after = std::ranges::upper_bound(points.x, at);
     return std::distance(after, points.x.end()) == 2 && is_far(after[1] - after[0], after[0] - after[-1]);
 }
@@ -220,10 +220,10 @@ std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed) {
             best = fit, at = x0;
         }
     }
-    const bool is_told = at > first && at < last && !hangs_on_a_far_point(points, at);
+    const bool is_well_placed = at > first && at < last && !depends_on_far_point(points, at);
     const auto [lowest, highest] = std::ranges::minmax(points.y);
     const bool is_flat_before = best.slope * (at - points.x.front()) <= flat_part * (highest - lowest);
-    return is_told && best.bend > 0 && is_flat_before ? std::optional(at) : std::nullopt;
+    return is_well_placed && best.bend > 0 && is_flat_before ? std::optional(at) : std::nullopt;
 }
 
 std::vector<ContentThreshold> find_thresholds(const StageCurve& loose, const StageCurve* dense) {

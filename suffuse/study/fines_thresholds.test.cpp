@@ -58,7 +58,7 @@ TEST(FinesThresholds, ACurveThatOnlyBendsDownHasNoOnset) {
     EXPECT_FALSE(find_onset(curve_of({0, 0.1, 0.2}, {{0, 0.1, 0.6}}), 0)) << "too few points";
 }
 
-TEST(FinesThresholds, ABreakThatCouldLieAnywhereBesideAnEndCannotBeTold) {
+TEST(FinesThresholds, ABreakThatCouldBeAnywhereNextToAnEndCannotBeLocated) {
     const std::vector<double> content{0, 0.1, 0.2, 0.3, 0.4, 0.6};
     const auto broken_at = [&](double onset) {
         std::vector<double> value;

@@ -58,12 +58,12 @@ void compare_samples(MobilityStory& story) {
         const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(m);
         return safety ? safety->factor : std::nullopt;
     });
-    story.asked_gradient = story.one().asked_gradient;
-    if (story.asked_gradient) {
-        story.moved_at_asked =
-            over_samples(story, [](const MobilityResult& m) { return mobile_share_at(m, *m.asked_gradient); });
-        story.moved_at_asked_at_least = std::ranges::any_of(story.of_sample, [](const MobilityResult* m) {
-            return is_lower_bound(*m, *m->asked_gradient);
+    story.specified_gradient = story.one().specified_gradient;
+    if (story.specified_gradient) {
+        story.moved_at_specified =
+            over_samples(story, [](const MobilityResult& m) { return mobile_share_at(m, *m.specified_gradient); });
+        story.moved_at_specified_at_least = std::ranges::any_of(story.of_sample, [](const MobilityResult* m) {
+            return is_lower_bound(*m, *m->specified_gradient);
         });
     }
     for (const MobilityResult* mobility : story.of_sample) {
@@ -100,11 +100,11 @@ std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedSta
 }
 
 const MobilityStory* main_mobility(const std::vector<MobilityStory>& stories) {
-    const auto asked = std::ranges::find_if(stories, [](const MobilityStory& story) {
-        return story.first->findings.mobility && story.asked_gradient;
+    const auto specified = std::ranges::find_if(stories, [](const MobilityStory& story) {
+        return story.first->findings.mobility && story.specified_gradient;
     });
-    if (asked != stories.end()) {
-        return &*asked;
+    if (specified != stories.end()) {
+        return &*specified;
     }
     const auto ramp = std::ranges::find_if(stories, [](const MobilityStory& story) {
         return story.first->findings.mobility.has_value();

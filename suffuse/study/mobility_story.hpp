@@ -22,9 +22,9 @@ struct MobilityStory {
     Scatter skempton_brogan, fines_heave;                           ///< gradients, likewise
     Scatter alpha_fines;                                            ///< [-]
     Scatter safety;                                                 ///< factor of safety against the asked gradient [-]
-    Scatter moved_at_asked;                                         ///< share of the fines' mass [-]
-    bool moved_at_asked_at_least = false;                           ///< of one sample at least it is a lower bound
-    std::optional<double> asked_gradient;                           ///< the same for all
+    Scatter moved_at_specified;                                     ///< share of the fines' mass [-]
+    bool moved_at_specified_at_least = false;                       ///< of one sample at least it is a lower bound
+    std::optional<double> specified_gradient;                       ///< the same for all
     std::optional<double> safety_at_least; ///< where a ramp ends before it moves 1 %: the least of the samples
     bool sifts = false;                    ///< in one of them at least
     double moved = 0.5;                    ///< along the flow, beyond which a grain counts as mobile [diameters]

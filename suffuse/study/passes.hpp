@@ -51,7 +51,7 @@ inline std::vector<std::string> pass_names(const SomePasses& passes) {
 }
 
 /// " (4 of 22 passes)" where not all are shown.
-inline std::string told_of(const SomePasses& few, std::size_t all) {
+inline std::string part_of_passes(const SomePasses& few, std::size_t all) {
     return few.size() == all ? "" : " (" + std::to_string(few.size()) + " of " + std::to_string(all) + " passes)";
 }
 

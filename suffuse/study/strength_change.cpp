@@ -113,18 +113,18 @@ void remark(std::size_t count, std::size_t of, const std::string& what, std::vec
 void remark_on_test(const std::vector<const record::FinishedStage*>& samples, std::vector<std::string>& remarks) {
     const casefile::Stage& stage = *samples.front()->stage;
     const double last_strain = at_the_end * test_of_strength(stage)->strain;
-    const auto tell = [&](const char* what, const auto& holds) {
+    const auto add_remark = [&](const char* what, const auto& holds) {
         const auto count =
             std::ranges::count_if(samples, [&](const record::FinishedStage* test) { return holds(*test); });
         remark(static_cast<std::size_t>(count), samples.size(), fmt::format("{} {}", stage.name, what), remarks);
     };
-    tell("liquefied", [](const record::FinishedStage& test) {
+    add_remark("liquefied", [](const record::FinishedStage& test) {
         return response_of(test).value("liquefied", json()) == true;
     });
-    tell("is highest at its end, and may rise further", [&](const record::FinishedStage& test) {
+    add_remark("is highest at its end, and may rise further", [&](const record::FinishedStage& test) {
         return number_of(test, "peak_strain") > last_strain;
     });
-    tell("has a flaw (warnings)", [](const record::FinishedStage& test) {
+    add_remark("has a flaw (warnings)", [](const record::FinishedStage& test) {
         return !test.numbers.value("flaws", json::array()).empty() && !std::isfinite(number_of(test, "lost_at"));
     });
 }
@@ -147,7 +147,7 @@ void gather_curves(
     StrengthChange& change
 ) {
     constexpr double usual_strain = 0.1; // to which tests of soil are often told
-    change.told_strain = std::min(usual_strain, test.strain);
+    change.reading_strain = std::min(usual_strain, test.strain);
     const auto at_strain = [&](const record::FinishedStage& stage) {
         return test.strain <= usual_strain ? number_of(stage, "final_deviator")
                                            : deviator_at(stage.findings.curve, usual_strain);
@@ -277,7 +277,7 @@ json strength_json(const std::vector<StrengthChange>& changes) {
              {"removed_mass_share", scatter_json(change.removed_mass)},
              {"peak_deviator", before_after_json(change.peak_deviator)},
              {"final_deviator", before_after_json(change.final_deviator)},
-             {"told_strain", change.told_strain > 0 ? json(change.told_strain) : json()},
+             {"told_strain", change.reading_strain > 0 ? json(change.reading_strain) : json()},
              {"deviator_at_strain", before_after_json(change.deviator_at_strain)},
              {"residual_deviator", before_after_json(change.residual_deviator)},
              {"critical_void_ratio", before_after_json(change.critical_void_ratio)},

@@ -28,7 +28,7 @@ struct StrengthChange {
     Scatter removed_mass;            ///< share of the mass before [-]
     BeforeAfter peak_deviator;       ///< [Pa]
     BeforeAfter final_deviator;      ///< [Pa]
-    double told_strain = 0;          ///< at which deviator_at_strain is read: 10 %, or the end of a shorter test [-]
+    double reading_strain = 0;       ///< at which deviator_at_strain is read: 10 %, or the end of a shorter test [-]
     BeforeAfter deviator_at_strain;  ///< [Pa]
     BeforeAfter residual_deviator;   ///< of the critical state; none where a test of the pair does not reach it [Pa]
     BeforeAfter critical_void_ratio; ///< there [-]

@@ -41,8 +41,8 @@ std::string with_scatter(const Scatter& value, double factor, int digits) {
 }
 
 std::string seeds_that_have(const Scatter& scatter) {
-    const auto asked = std::ssize(scatter.of_seed);
-    return scatter.seeds == asked ? "" : fmt::format(", in {} of {} seeds", scatter.seeds, asked);
+    const auto all_seeds = std::ssize(scatter.of_seed);
+    return scatter.seeds == all_seeds ? "" : fmt::format(", in {} of {} seeds", scatter.seeds, all_seeds);
 }
 
 const StageCurve* StudyCurves::find(const std::string& stage) const {

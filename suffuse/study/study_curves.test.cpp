@@ -17,7 +17,7 @@ TEST(StudyCurves, ScatterIsThatOfASampleAndLeavesOutMissingSeeds) {
     EXPECT_TRUE(std::isnan(scatter_of({}).mean));
 }
 
-TEST(StudyCurves, AScatterIsToldWhereThereIsOne) {
+TEST(StudyCurves, AScatterIsReportedWhereThereIsOne) {
     EXPECT_EQ(with_scatter(scatter_of({1, 2, 6})), "3 ± 2.6");
     EXPECT_EQ(with_scatter(scatter_of({0.1, 0.3}), 100, 2), "20 ± 14");
     EXPECT_EQ(with_scatter(scatter_of({-1, 1})), "0 ± 1.4");

@@ -74,7 +74,7 @@ TEST(StudyOutcome, IsMeanAndDeviationOverTheSeedsAtEachValueInItsOrder) {
     EXPECT_FALSE(depends_on_sweep(outcome, Result::VoidRatio));
 }
 
-TEST(StudyOutcome, TellsAResultThatTheSweepChangesBeforeOneThatItDoesNot) {
+TEST(StudyOutcome, ReportsAResultThatTheSweepChangesBeforeOneThatItDoesNot) {
     StudyOutcome outcome;
     outcome.keys = {"gradient"};
     for (const double value : {1.0, 2.0}) {

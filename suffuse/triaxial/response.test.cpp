@@ -212,7 +212,7 @@ TEST(Summarize, AtConstantDeviatorASampleFailsAtTheHighestPorePressure) {
     EXPECT_EQ(summarize(rows, Path::ConstantDeviator).liquefied, true);
 }
 
-TEST(Summarize, AHeldStressThatIsLostIsToldWithTheStrainAtWhichItWas) {
+TEST(Summarize, AHeldStressThatIsLostIsReportedWithTheStrainAtWhichItWas) {
     std::vector<PathRow> rows = curve(peaked, zero);
     EXPECT_FALSE(summarize(rows).lost_at);
     rows[50].mean_stress -= 0.19 * lateral;

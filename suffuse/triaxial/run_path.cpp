@@ -117,13 +117,13 @@ cell::Loading final_loading(const TriaxialSpec& spec, const PathState& state) {
 
 /// q that is missing of the one to stop at [Pa]; below zero beyond it, nothing where the test goes to a strain.
 std::optional<double> missing_deviator(const TriaxialSpec& spec, const Mat3& stress) {
-    const std::optional<double> asked = deviator_to_stop_at(spec, dem::mean_stress(stress));
-    return asked ? std::optional(*asked - deviator(stress, spec.axis)) : std::nullopt;
+    const std::optional<double> wanted = deviator_to_stop_at(spec, dem::mean_stress(stress));
+    return wanted ? std::optional(*wanted - deviator(stress, spec.axis)) : std::nullopt;
 }
 
 bool target_reached(const TriaxialSpec& spec, const PathRow& row) {
-    const std::optional<double> asked = deviator_to_stop_at(spec, row.mean_stress);
-    return asked && row.deviator_stress >= (1 - stops_within) * *asked;
+    const std::optional<double> wanted = deviator_to_stop_at(spec, row.mean_stress);
+    return wanted && row.deviator_stress >= (1 - stops_within) * *wanted;
 }
 
 /// The less is missing of the stress to stop at, the more slowly the sample is loaded, so that it comes there from

@@ -92,7 +92,7 @@ TEST(StopAtAStress, ATestToAStrainKeepsItsPace) {
     EXPECT_EQ(state.least_pace, PathState{}.least_pace);
 }
 
-TEST(StopAtAStress, ASampleThatBearsMoreStopsAtOnceAndComesBackToWhatWasAsked) {
+TEST(StopAtAStress, ASampleThatBearsMoreStopsAtOnceAndReturnsToTheSpecifiedStress) {
     dem::World world = settled_sample(false);
     TriaxialSpec spec;
     spec.deviator_stress = 5e4;

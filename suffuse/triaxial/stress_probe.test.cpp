@@ -154,7 +154,7 @@ TEST(StressProbe, TheStateItselfIsNotTouched) {
     EXPECT_EQ(first.second_order_work, again.second_order_work);
 }
 
-TEST(StressProbe, AsksForASampleThatCarriesAStress) {
+TEST(StressProbe, NeedsASampleThatCarriesAStress) {
     const dem::World world = test::two_grains(1e-4, 1e-4, -1e-6, {});
     EXPECT_THROW((void)rest_for_probes(world, {}, damping, {}), StateError);
 }

@@ -85,7 +85,7 @@ class Campaign:
         return self.resume(run)
 
     def signal(self, run):
-        asked = self.random.choice([signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
+        sent = self.random.choice([signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
         process = subprocess.Popen(
             [self.program, "run", CASE, "-o", run, "--no-cache", "-q", "-j", "1"],
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -93,11 +93,11 @@ class Campaign:
         try:
             process.wait(timeout=self.random.uniform(0, 1.2 * self.duration))
         except subprocess.TimeoutExpired:
-            process.send_signal(asked)
+            process.send_signal(sent)
             process.wait()
         # A signal before the program listens to any ends it as a program without work.
-        if process.returncode not in (DONE, -asked, *SAVED):
-            return f"{asked.name} ends it with {process.returncode}"
+        if process.returncode not in (DONE, -sent, *SAVED):
+            return f"{sent.name} ends it with {process.returncode}"
         return self.resume(run, threads=self.random.choice([1, 2, 3]))
 
     def error(self, run):

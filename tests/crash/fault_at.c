@@ -27,7 +27,7 @@ _Noreturn static void die(void) {
     }
 }
 
-static int error_asked(const char* what) {
+static int requested_error(const char* what) {
     return strcmp(what, "EIO") == 0 ? EIO : strcmp(what, "ENOSPC") == 0 ? ENOSPC : strcmp(what, "EINTR") == 0 ? EINTR : 0;
 }
 
@@ -38,8 +38,8 @@ static enum Fault next(void) {
     if (at == NULL || what == NULL || number != atol(at)) {
         return NONE;
     }
-    if (error_asked(what) != 0) {
-        errno = error_asked(what);
+    if (requested_error(what) != 0) {
+        errno = requested_error(what);
         return FAIL;
     }
     return strcmp(what, "before") == 0 ? BEFORE : strcmp(what, "after") == 0 ? AFTER : HALF;
@@ -50,7 +50,7 @@ static int is_file(int descriptor) {
     return fstat(descriptor, &there) == 0 && S_ISREG(there.st_mode);
 }
 
-__attribute__((destructor)) static void tell(void) {
+__attribute__((destructor)) static void report(void) {
     const char* path = getenv("FAULT_COUNT");
     FILE* file = path != NULL ? fopen(path, "w") : NULL;
     if (file != NULL) {

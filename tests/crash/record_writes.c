@@ -32,7 +32,7 @@ __attribute__((constructor)) static void begin(void) {
     }
 }
 
-__attribute__((format(printf, 3, 4))) static void tell(const void* bytes, size_t size, const char* form, ...) {
+__attribute__((format(printf, 3, 4))) static void record_line(const void* bytes, size_t size, const char* form, ...) {
     char line[2 * PATH_MAX];
     va_list rest;
     va_start(rest, form);
@@ -76,31 +76,31 @@ static int is_there(int base, const char* path, struct stat* there) {
     return found;
 }
 
-static void tell_made(const char* kind, int base, const char* path) {
+static void record_made(const char* kind, int base, const char* path) {
     struct stat there;
     if (is_there(base, path, &there)) {
         char self[64];
         describe(&there, self);
         const struct Entry entry = entry_at(base, path);
-        tell(NULL, 0, "%s %s %s %s", kind, entry.folder, self, entry.name);
+        record_line(NULL, 0, "%s %s %s %s", kind, entry.folder, self, entry.name);
     }
 }
 
-static void tell_write(int descriptor, const void* bytes, ssize_t size, off_t at) {
+static void record_write(int descriptor, const void* bytes, ssize_t size, off_t at) {
     struct stat there;
     if (size > 0 && fstat(descriptor, &there) == 0 && S_ISREG(there.st_mode)) {
         char self[64];
         describe(&there, self);
-        tell(bytes, (size_t)size, "write %s %ld %zd", self, (long)at, size);
+        record_line(bytes, (size_t)size, "write %s %ld %zd", self, (long)at, size);
     }
 }
 
-static void tell_of(const char* kind, int descriptor, long number) {
+static void record_call(const char* kind, int descriptor, long number) {
     struct stat there;
     if (fstat(descriptor, &there) == 0) {
         char self[64];
         describe(&there, self);
-        tell(NULL, 0, "%s %s %ld", kind, self, number);
+        record_line(NULL, 0, "%s %s %ld", kind, self, number);
     }
 }
 
@@ -130,16 +130,16 @@ static void end_turn(const sigset_t* before) {
 ssize_t write(int descriptor, const void* bytes, size_t size) {
     IN_TURN(
         ssize_t, REAL(write)(descriptor, bytes, size),
-        tell_write(descriptor, bytes, result, lseek(descriptor, 0, SEEK_CUR) - result)
+        record_write(descriptor, bytes, result, lseek(descriptor, 0, SEEK_CUR) - result)
     );
 }
 
 ssize_t pwrite(int descriptor, const void* bytes, size_t size, off_t at) {
-    IN_TURN(ssize_t, REAL(pwrite)(descriptor, bytes, size, at), tell_write(descriptor, bytes, result, at));
+    IN_TURN(ssize_t, REAL(pwrite)(descriptor, bytes, size, at), record_write(descriptor, bytes, result, at));
 }
 
 ssize_t pwrite64(int descriptor, const void* bytes, size_t size, off64_t at) {
-    IN_TURN(ssize_t, REAL(pwrite64)(descriptor, bytes, size, at), tell_write(descriptor, bytes, result, at));
+    IN_TURN(ssize_t, REAL(pwrite64)(descriptor, bytes, size, at), record_write(descriptor, bytes, result, at));
 }
 
 ssize_t writev(int descriptor, const struct iovec* parts, int count) { // the first of them: a short write is allowed
@@ -166,34 +166,34 @@ ssize_t copy_file_range(int from, off64_t* from_at, int to, off64_t* to_at, size
 }
 
 int ftruncate(int descriptor, off_t size) {
-    IN_TURN(int, REAL(ftruncate)(descriptor, size), if (result == 0) tell_of("cut", descriptor, (long)size));
+    IN_TURN(int, REAL(ftruncate)(descriptor, size), if (result == 0) record_call("cut", descriptor, (long)size));
 }
 
 int fsync(int descriptor) {
-    IN_TURN(int, REAL(fsync)(descriptor), if (result == 0) tell_of("sync", descriptor, 0));
+    IN_TURN(int, REAL(fsync)(descriptor), if (result == 0) record_call("sync", descriptor, 0));
 }
 
 int fdatasync(int descriptor) {
-    IN_TURN(int, REAL(fdatasync)(descriptor), if (result == 0) tell_of("sync", descriptor, 0));
+    IN_TURN(int, REAL(fdatasync)(descriptor), if (result == 0) record_call("sync", descriptor, 0));
 }
 
 int rename(const char* from, const char* to) {
     const struct Entry old = entry_at(AT_FDCWD, from), new = entry_at(AT_FDCWD, to);
     IN_TURN(
         int, REAL(rename)(from, to),
-        if (result == 0) tell(NULL, 0, "rename %s %s %s/%s", old.folder, new.folder, old.name, new.name)
+        if (result == 0) record_line(NULL, 0, "rename %s %s %s/%s", old.folder, new.folder, old.name, new.name)
     );
 }
 
 int mkdir(const char* path, mode_t mode) {
-    IN_TURN(int, REAL(mkdir)(path, mode), if (result == 0) tell_made("folder", AT_FDCWD, path));
+    IN_TURN(int, REAL(mkdir)(path, mode), if (result == 0) record_made("folder", AT_FDCWD, path));
 }
 
 int unlinkat(int folder, const char* path, int flags) {
     const struct Entry entry = entry_at(folder, path);
     IN_TURN(
         int, REAL(unlinkat)(folder, path, flags),
-        if (result == 0) tell(NULL, 0, "remove %s %s", entry.folder, entry.name)
+        if (result == 0) record_line(NULL, 0, "remove %s %s", entry.folder, entry.name)
     );
 }
 
@@ -211,11 +211,11 @@ int remove(const char* path) {
     return unlinkat(AT_FDCWD, path, is_folder ? AT_REMOVEDIR : 0);
 }
 
-static void tell_opened(int was_there, const char* path, int descriptor, int flags) {
+static void record_opened(int was_there, const char* path, int descriptor, int flags) {
     if (descriptor >= 0 && !was_there && (flags & O_CREAT) != 0) {
-        tell_made("file", AT_FDCWD, path);
+        record_made("file", AT_FDCWD, path);
     } else if (descriptor >= 0 && was_there && (flags & O_TRUNC) != 0) {
-        tell_of("cut", descriptor, 0);
+        record_call("cut", descriptor, 0);
     }
 }
 
@@ -227,7 +227,7 @@ static void tell_opened(int was_there, const char* path, int descriptor, int fla
         va_end(rest);                                                                                                  \
         struct stat there;                                                                                             \
         const int was_there = (flags & (O_CREAT | O_TRUNC)) != 0 && is_there(AT_FDCWD, path, &there);                  \
-        IN_TURN(int, REAL(name)(path, flags, mode), tell_opened(was_there, path, result, flags));                      \
+        IN_TURN(int, REAL(name)(path, flags, mode), record_opened(was_there, path, result, flags));                      \
     }
 OPEN(open)
 OPEN(open64)
@@ -238,7 +238,7 @@ OPEN(open64)
         const int was_there = is_there(AT_FDCWD, path, &there);                                                        \
         const int flags = (mode[0] != 'r' ? O_CREAT : 0) | (mode[0] == 'w' ? O_TRUNC : 0);                             \
         IN_TURN(                                                                                                       \
-            FILE*, REAL(name)(path, mode), tell_opened(was_there, path, result != NULL ? fileno(result) : -1, flags)   \
+            FILE*, REAL(name)(path, mode), record_opened(was_there, path, result != NULL ? fileno(result) : -1, flags)   \
         );                                                                                                             \
     }
 FOPEN(fopen)

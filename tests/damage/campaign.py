@@ -131,10 +131,10 @@ class Campaign:
                               cwd=self.folder, timeout=timeout)
 
     def must(self, *words):
-        said = self.call(*words)
-        if said.returncode not in (0, 4):  # 4: a quality bar was missed, which a sample of 300 grains may
-            sys.exit(f"{shlex.join(map(str, words))}: {said.returncode}\n{said.stdout}{said.stderr}")
-        return said
+        output = self.call(*words)
+        if output.returncode not in (0, 4):  # 4: a quality bar was missed, which a sample of 300 grains may
+            sys.exit(f"{shlex.join(map(str, words))}: {output.returncode}\n{output.stdout}{output.stderr}")
+        return output
 
     def results(self, run):
         """Every number of a run, and every byte that its stages left."""
@@ -187,31 +187,31 @@ class Campaign:
         file.write_bytes(after)
         return kind if bytes(after) != before else None
 
-    def judge(self, said, run, damaged, how):
+    def judge(self, output, run, damaged, how):
         """What a call on a damaged run or cache came to."""
-        if said.returncode < 0 or said.returncode == DEFECT:
+        if output.returncode < 0 or output.returncode == DEFECT:
             return "CRASHED"
-        words = said.stdout + said.stderr
-        if said.returncode not in (0, 4):
+        words = output.stdout + output.stderr
+        if output.returncode not in (0, 4):
             names = [damaged.name, damaged.parent.name]
             if how and how.startswith("swap with "):
                 names.append(how.removeprefix("swap with ").split("/")[0])  # either may be met first
             names_it = any(name in words for name in names)
-            return "refused" if said.returncode == IO_ERROR and names_it else "CRASHED"
+            return "refused" if output.returncode == IO_ERROR and names_it else "CRASHED"
         if self.results(run) != self.truth or self.call("verify", run).returncode != 0:
             return "SILENT"
         return "made anew" if "damaged" in words else "harmless"
 
-    def follow_advice(self, said, run):
+    def follow_advice(self, output, run):
         """Removes what the message says and goes on. @return whether the results are the undamaged ones"""
         for _ in range(4):  # damage may lie in two stages, told one after the other
-            advice = re.search(r"remove (.+?) and resume", said.stderr)
+            advice = re.search(r"remove (.+?) and resume", output.stderr)
             if not advice:
                 return False
             for place in map(pathlib.Path, shlex.split(advice.group(1))):
                 shutil.rmtree(place) if place.is_dir() else place.unlink()
-            said = self.call("resume", run)
-            if said.returncode in (0, 4):
+            output = self.call("resume", run)
+            if output.returncode in (0, 4):
                 return self.results(run) == self.truth and self.call("verify", run).returncode == 0
         return False
 
@@ -220,8 +220,8 @@ class Campaign:
         shutil.copytree(self.cache, cache)
         files = sorted(file for file in cache.rglob("*") if file.is_file() and file.parent != cache)
         damaged, how = self.damage_one(files)
-        said = self.call("run", self.case, "-o", run, "--cache", cache)
-        verdict = self.judge(said, run, damaged, how)
+        output = self.call("run", self.case, "-o", run, "--cache", cache)
+        verdict = self.judge(output, run, damaged, how)
         if verdict == "harmless" and how and not self.is_same(self.cache, cache, damaged):
             # What is still in the cache must not be taken the next time either.
             shutil.rmtree(run)
@@ -239,12 +239,12 @@ class Campaign:
         damaged, how = self.damage_one(files)
         if how and self.call("verify", run).returncode == 0:
             return "SILENT", damaged.relative_to(run), how
-        said = self.call("resume", run, "--no-cache")
-        verdict = self.judge(said, run, damaged, how)
+        output = self.call("resume", run, "--no-cache")
+        verdict = self.judge(output, run, damaged, how)
         if verdict == "refused":
             if self.call("report", run).returncode == 0 or self.call("verify", run).returncode == 0:
                 verdict = "SILENT"
-            elif not self.follow_advice(said, run):
+            elif not self.follow_advice(output, run):
                 verdict = "SILENT"
         return verdict, damaged.relative_to(run), how
 
@@ -252,9 +252,9 @@ class Campaign:
         run = self.folder / "run"
         shutil.copytree(self.stopped, run)
         damaged, how = self.damage_one([next(run.rglob("partial.h5"))], list((run / "studies").rglob("state.h5")))
-        said = self.call("resume", run, "--no-cache")
-        verdict = self.judge(said, run, damaged, how)
-        if verdict == "refused" and not self.follow_advice(said, run):
+        output = self.call("resume", run, "--no-cache")
+        verdict = self.judge(output, run, damaged, how)
+        if verdict == "refused" and not self.follow_advice(output, run):
             verdict = "SILENT"
         return verdict, damaged.relative_to(run), how
 
@@ -295,10 +295,10 @@ class Campaign:
             shutil.copy(theirs / place.name, place)
         if self.chance.random() < 0.5:
             (run / "SHA256SUMS").unlink(missing_ok=True)
-        said = self.call("resume", run, "--no-cache")
-        if said.returncode not in (0, 4):
+        output = self.call("resume", run, "--no-cache")
+        if output.returncode not in (0, 4):
             signs = self.call("report", run).returncode == 0 and self.call("verify", run).returncode == 0
-            refused = said.returncode == IO_ERROR or (said.returncode == 2 and kind == "case")
+            refused = output.returncode == IO_ERROR or (output.returncode == 2 and kind == "case")
             verdict = "SILENT" if signs and self.results(run) != self.truth else "refused" if refused else "CRASHED"
         else:
             verdict = "harmless" if self.results(run) == self.truth else "SILENT"
@@ -324,7 +324,7 @@ class Campaign:
         untouched = (home / "file").read_text() == "mine\n" and not any((home / "folder").iterdir())
         if not untouched:
             return "SILENT", place.relative_to(run), how
-        if any(said.returncode < 0 or said.returncode == DEFECT for said in calls):
+        if any(output.returncode < 0 or output.returncode == DEFECT for output in calls):
             return "CRASHED", place.relative_to(run), how
         return ("refused" if calls[0].returncode == IO_ERROR else "harmless"), place.relative_to(run), how
 
@@ -336,11 +336,11 @@ class Campaign:
         os.mkfifo(place)
         verb = self.chance.choice(["resume", "report", "verify", "figures", "watch"])
         try:
-            said = self.call(verb, run, timeout=60)
+            output = self.call(verb, run, timeout=60)
         except subprocess.TimeoutExpired:
             return "CRASHED", place.relative_to(run), f"a pipe; {verb} hangs"
-        names_it = place.name in said.stderr
-        return ("refused" if said.returncode == IO_ERROR and names_it else "CRASHED"), place.relative_to(run), verb
+        names_it = place.name in output.stderr
+        return ("refused" if output.returncode == IO_ERROR and names_it else "CRASHED"), place.relative_to(run), verb
 
     def damage_one(self, files, others=None):
         by_name = collections.defaultdict(list)
@@ -386,14 +386,14 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", choices=["cache", "stages", "partial", "foreign", "links", "pipes"])
     parser.add_argument("-v", "--verbose", action="store_true", help="tell every try")
-    asked = parser.parse_args()
+    arguments = parser.parse_args()
     parts = [("cache", "damage to cache entries"), ("stages", "damage to finished stages, then resume"),
              ("partial", "damage to partial.h5, then resume"), ("foreign", "parts of other runs, then resume"),
              ("links", "links to files of the user, then resume and report"), ("pipes", "pipes in a run")]
     memory = pathlib.Path("/dev/shm")  # where there is one: files are synced, and disks are slow
     with tempfile.TemporaryDirectory(dir=memory if memory.is_dir() else None) as folder:
-        campaign = Campaign(asked.program.resolve(), pathlib.Path(folder), asked.seed, asked.verbose)
-        bad = sum(campaign.part(name, title, asked.tries) for name, title in parts if asked.only in (None, name))
+        campaign = Campaign(arguments.program.resolve(), pathlib.Path(folder), arguments.seed, arguments.verbose)
+        bad = sum(campaign.part(name, title, arguments.tries) for name, title in parts if arguments.only in (None, name))
     sys.exit(1 if bad else 0)
 
 

@@ -61,20 +61,20 @@ def commands_and_words(content):
     lines = content.splitlines()
     if not any(line.startswith("$ ") for line in lines):
         return content, []
-    commands, said, is_quoted = [], [], False
+    commands, printed, is_quoted = [], [], False
     for line in lines:
         if not is_quoted and not line.startswith("$ "):
-            said.append(line)
+            printed.append(line)
             continue
         commands.append(line if is_quoted else line[2:])
         is_quoted ^= line.count("'") % 2 == 1
-    return "\n".join(commands) + "\n", said
+    return "\n".join(commands) + "\n", printed
 
 
-def missing_line(said, output):
+def missing_line(printed, output):
     """The first line that should have come and did not, or None."""
     rest = [line.rstrip() for line in output.splitlines()]
-    for line in said:
+    for line in printed:
         if line.strip() in ("...", ""):
             continue
         pattern = re.compile(".*".join(re.escape(part) for part in line.rstrip().split("...")))
@@ -116,7 +116,7 @@ def follow(page, folder, environment, is_long):
             if not is_long:
                 continue
             words = words.removeprefix("long").strip()
-        commands, said = commands_and_words(content)
+        commands, printed = commands_and_words(content)
         if words:
             added = words.removeprefix("adding ")
             commands = re.sub(r"^(suffuse run .*?|\./run \S+\.toml.*?)( +#.*)?$", rf"\1 {added}", commands, flags=re.M)
@@ -124,7 +124,7 @@ def follow(page, folder, environment, is_long):
             ["bash", "-c", SHELL + commands], cwd=folder, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
         )
         count += 1
-        lacking = missing_line(said, done.stdout)
+        lacking = missing_line(printed, done.stdout)
         if done.returncode or lacking is not None:
             why = f"ended with {done.returncode}" if done.returncode else f"never said: {lacking}"
             return f"{page.relative_to(ROOT)}:{line}: {why}\n{commands}\n{done.stdout}"

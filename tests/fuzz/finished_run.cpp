@@ -68,7 +68,7 @@ FinishedRun::FinishedRun() {
     options.command = "suffuse run case.toml";
     options.case_text = bytes_of(case_file);
     job::run_case(casefile::load_case(case_file).value, options);
-    job::keep_asked(folder_, {.case_file = case_file, .preset = "", .overrides = {}, .studies = {}, .cache = {}});
+    job::save_request(folder_, {.case_file = case_file, .preset = "", .overrides = {}, .studies = {}, .cache = {}});
     job::rebuild_report(folder_, {}, "suffuse report run"); // signs what was asked, too
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_)) {
         if (entry.is_regular_file()) {
@@ -120,7 +120,7 @@ void FinishedRun::look_with(const std::map<std::string, std::string>& replaced) 
     }
     seal(replaced);
     look([&] { record::verify_run(folder_); });
-    look([&] { job::read_asked(folder_); });
+    look([&] { job::read_request(folder_); });
     look([&] {
         run::RunOptions options;
         options.folder = folder_;

@@ -36,12 +36,12 @@ with tempfile.TemporaryDirectory() as name:
         [folder / "env/bin/pip", "install", "-q", "--no-index", "--disable-pip-version-check", wheel], check=True
     )
     version = suffuse_wheel.read_project()["version"]
-    says = "import suffuse; from suffuse.run import page_folder; print(suffuse.__version__, suffuse.__file__, page_folder())"
-    said = subprocess.run([folder / "env/bin/python", "-c", says], check=True, capture_output=True, text=True, cwd=folder).stdout
-    found, module, page = said.split(maxsplit=2)
+    script = "import suffuse; from suffuse.run import page_folder; print(suffuse.__version__, suffuse.__file__, page_folder())"
+    output = subprocess.run([folder / "env/bin/python", "-c", script], check=True, capture_output=True, text=True, cwd=folder).stdout
+    found, module, page = output.split(maxsplit=2)
     assert found == version, f"the module is of version {found}"
     assert module.startswith(f"{folder}/env/"), f"another module was imported: {module}"
     if (pathlib.Path(sys.argv[1]).parent / "report-page").is_dir():
         assert page.strip() == f"{folder}/env/share/suffuse/report-page", f"the page is sought at {page}"
-    said = subprocess.run([folder / "env/bin/suffuse", "--version"], check=True, capture_output=True, text=True).stdout
-    assert version in said, said
+    output = subprocess.run([folder / "env/bin/suffuse", "--version"], check=True, capture_output=True, text=True).stdout
+    assert version in output, output

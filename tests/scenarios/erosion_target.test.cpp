@@ -47,7 +47,7 @@ TEST(ErosionTarget, EndsTheStageWithThePassThatReachesIt) {
     EXPECT_NE(much.at("warnings").dump().find("less than the 90 % of `until_eroded`"), std::string::npos);
 }
 
-TEST(ErosionTarget, IsReachedThoughTheSkeletonComplainsInThatPassAndBothAreTold) {
+TEST(ErosionTarget, IsReachedAlthoughTheSkeletonFailsInThatPassAndBothAreReported) {
     const TempFolder folder;
     const std::string few = "finer_than = \"0.29 mm\"", soil = reference_soil(); // leaves 13 coarse grains of 500
     run_text(
@@ -93,7 +93,7 @@ TEST(ForcedErosion, GoesOnWhateverTheNoiseOfTheProbe) {
     EXPECT_EQ(stage_of(folder.path(), "forced").at("passes").size(), 2U);
 }
 
-TEST(ErosionReport, TellsOfAllErosionsAndWhichOfThemItShows) {
+TEST(ErosionReport, DescribesAllErosionsAndNamesTheOneItShows) {
     const TempFolder folder;
     std::string swept = start();
     const std::string study = "[study.s]\n";

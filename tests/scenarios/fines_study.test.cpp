@@ -108,14 +108,14 @@ TEST_F(FinesStudy, RemovalLeavesTheCoarseGrainsUnderTheirStress) {
     EXPECT_FALSE(after.at("failed"));
 }
 
-TEST_F(FinesStudy, AStageMeasuresWhatItIsAskedFor) {
+TEST_F(FinesStudy, AStageMeasuresWhatIsRequested) {
     const json stage = stage_json(*folder_, "fc=30/emptied"), measured = stage.at("measured");
     EXPECT_EQ(measured.size(), 6);
     EXPECT_EQ(measured.at("porosity").at("porosity"), stage.at("porosity"));
     EXPECT_EQ(measured.at("coordination-of-eroded").at("coordination_histogram"), stage.at("coordination_histogram"));
     const double strain = measured.at("volumetric-strain").at("volumetric_strain"),
-                 told = stage.at("volumetric_strain");
-    EXPECT_NEAR(strain, told, 0.5 * told * told + 1e-9); // logarithmic beside whatever the removal tells
+                 reported = stage.at("volumetric_strain");
+    EXPECT_NEAR(strain, reported, 0.5 * reported * reported + 1e-9); // logarithmic beside whatever the removal tells
     const json water = measured.at("permeability"), tensor = water.at("tensor");
     double trace = 0;
     for (int a = 0; a < 3; ++a) {
@@ -133,7 +133,7 @@ TEST_F(FinesStudy, AStageMeasuresWhatItIsAskedFor) {
     EXPECT_FALSE(stage_json(*folder_, "fc=30/loose").contains("measured"));
 }
 
-TEST_F(FinesStudy, TheSummaryJudgesWhatThreeFinesContentsCanTell) {
+TEST_F(FinesStudy, TheSummaryJudgesWhatThreeFinesContentsCanDecide) {
     const json summary = record::read_json(*folder_ / "run/summary.json");
     std::vector<std::string> ids;
     for (const json& finding : summary.at("findings")) {

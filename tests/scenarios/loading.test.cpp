@@ -176,7 +176,7 @@ TEST(Triaxial, AConstantMeanPathHoldsTheMeanStressWithinFivePercentAndSoonWithin
     EXPECT_GT(state.rows.back().deviator_stress, 5e4);
 }
 
-TEST(Triaxial, StopsAtTheDeviatorAskedForAndComesToRestThere) {
+TEST(Triaxial, StopsAtTheSpecifiedDeviatorAndComesToRestThere) {
     Sample s = settled_at(1e5);
     triaxial::TriaxialSpec spec;
     spec.deviator_stress = 1e5;
@@ -199,7 +199,7 @@ std::string failure_of(Sample& s, const triaxial::TriaxialSpec& spec) {
     return "none";
 }
 
-TEST(Triaxial, AtConstantMeanStressItComesToRestAtTheDeviatorAskedFor) {
+TEST(Triaxial, AtConstantMeanStressItComesToRestAtTheSpecifiedDeviator) {
     Sample s = settled_at(1e5);
     triaxial::TriaxialSpec spec;
     spec.path = triaxial::Path::ConstantMean;
@@ -296,7 +296,7 @@ TEST(Triaxial, AtConstantDeviatorThePorePressureRisesUntilTheSampleFails) {
     RecordProperty("ratios", std::to_string(response.peak_ratio) + " " + std::to_string(strength.peak_ratio));
 }
 
-TEST(Triaxial, AtConstantDeviatorItComesToRestAtTheRatioAskedFor) {
+TEST(Triaxial, AtConstantDeviatorItComesToRestAtTheSpecifiedRatio) {
     Sample s = sheared_sample();
     triaxial::TriaxialSpec spec;
     spec.path = triaxial::Path::ConstantDeviator;

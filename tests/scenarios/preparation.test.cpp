@@ -145,7 +145,7 @@ TEST(Swift, StepsNoLongerThanItsContactsAllow) {
     }
 }
 
-TEST(Swift, StartsAtThePorosityAskedFromALooserAndFromADenserCloud) {
+TEST(Swift, StartsAtTheSpecifiedPorosityFromALooserAndFromADenserCloud) {
     for (const double porosity : {0.45, 0.75}) {
         CompactSpec spec = spec_of(Protocol::Swift);
         spec.start_porosity = porosity;

@@ -60,7 +60,7 @@ direction = "-x"
     );
 }
 
-TEST(OpenPackings, AreWarnedOfWhereTheirPermeabilityIsAsked) {
+TEST(OpenPackings, AreWarnedOfWhereTheirPermeabilityIsRequested) {
     const std::string flow = "[[study.s.stage]]\nname = \"flow\"\ndo = \"flow\"\ngradient = 0.05\n";
     const auto warnings = [&](const std::string& study) {
         const TempFolder folder;

@@ -213,7 +213,7 @@ TEST(StudyReport, TwoRunsOfOneCaseDifferInTimesOnly) {
     EXPECT_EQ(page(first), page(second));
 }
 
-TEST(StudyReport, SamplesThatDifferInTheirSeedAreToldTogether) {
+TEST(StudyReport, SamplesThatDifferInTheirSeedAreReportedTogether) {
     const std::string study = mixed_soil + R"(
 [study.s]
 soil       = "mixture"
@@ -265,12 +265,12 @@ directions = 4
     const std::size_t begin = page.find("triaxial compression: "),
                       end = page.find("\u00a0kPa (2 samples) in “shear”.", begin);
     ASSERT_NE(end, std::string::npos);
-    std::istringstream told(page.substr(begin, end - begin));
+    std::istringstream reported(page.substr(begin, end - begin));
     double lowest = 0, highest = 0;
     std::string word;
-    told >> word >> word >> lowest >> word >> highest;
-    EXPECT_NEAR(lowest, peak[0], 0.1) << told.str(); // the text has four digits
-    EXPECT_NEAR(highest, peak[1], 0.1) << told.str();
+    reported >> word >> word >> lowest >> word >> highest;
+    EXPECT_NEAR(lowest, peak[0], 0.1) << reported.str(); // the text has four digits
+    EXPECT_NEAR(highest, peak[1], 0.1) << reported.str();
 }
 
 } // namespace

@@ -204,7 +204,7 @@ TEST(Resume, OfAnErosionKeepsWhatIsInfinite) {
     EXPECT_TRUE(std::isinf(signal_of_first_pass(broken)));
 }
 
-TEST(Resume, WhatAnotherVersionSavedInTheMiddleOfAStageIsRefusedOrSaidToBeOfIt) {
+TEST(Resume, AStateOfAnotherVersionWithinAStageIsRefusedOrLabeled) {
     const TempFolder folder;
     const std::string text = sample_of(300);
     const std::filesystem::path partial = folder / "run/studies/s/initial/partial.h5";
@@ -275,7 +275,7 @@ TEST(Resume, ALineThatTheLogCannotTakeFailsNoStage) {
     EXPECT_EQ(run_text(sample_of(300), folder.path(), options).outcome, record::Outcome::Done);
 }
 
-TEST(Resume, FromAStateThatIsNotTheOneToldIsRefusedWithItsFile) {
+TEST(Resume, FromAStateThatIsNotTheRecordedOneIsRefusedWithItsFile) {
     const TempFolder folder;
     run::RunOptions options;
     options.until = "cloud";

@@ -90,12 +90,12 @@ TEST(StageNumbers, TheRateOfAnErosionCountsTheGrainsThatWereThereInEachPass) {
     }
     ASSERT_LT(grains, 500);
     EXPECT_EQ(grains, numbers.at("grains"));
-    const double told =
+    const double reported =
         numbers.at("particle_steps_per_second").get<double>() * numbers.at("wall_seconds").get<double>();
-    EXPECT_NEAR(told, made, 1e-9 * made);
+    EXPECT_NEAR(reported, made, 1e-9 * made);
 }
 
-TEST(StageNumbers, AStressRatioThatIsPassedIsToldAsARatioForTheDeviatorMayBeTheOneHeld) {
+TEST(StageNumbers, AStressRatioThatIsPassedIsReportedAsARatioForTheDeviatorMayBeTheOneHeld) {
     const TempFolder folder;
     run_text(
         reference_constants + reference_soil() + study_of_packing("packing500") +

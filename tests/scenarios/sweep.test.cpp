@@ -168,7 +168,7 @@ TEST_F(Sweep, AFailedSampleIsReportedAndDoesNotStopTheOthers) {
     EXPECT_EQ(run_text(sweep_case(sweep), folder.path()).failures.size(), 2U);
 }
 
-TEST_F(Sweep, EachSampleEndsWithTheStageAskedForAsTheLast) {
+TEST_F(Sweep, EachSampleEndsWithTheRequestedLastStage) {
     set_thread_count(2);
     const TempFolder folder;
     run::RunOptions options;

@@ -112,15 +112,15 @@ protected:
 
 TEST_P(TimeStepOf, IsAtMostNineTenthsOfTheLimitAtEachLook) {
     dem::World world = cloud();
-    const CompactSpec asked = spec();
-    CompactState state = begin_compaction(world, asked, GetParam().damping);
+    const CompactSpec specified = spec();
+    CompactState state = begin_compaction(world, specified, GetParam().damping);
     dem::StepCaches caches;
     double most = 0;
     // The first burst, in pieces.
-    state.lent = choose_lent(world, asked, state);
+    state.lent = choose_lent(world, specified, state);
     dem::lend_inertia(world, state.median_diameter, {}, state.lent);
-    state.time_step = choose_time_step(world, asked, state.damping);
-    const dem::StepPlan plan = choose_pace(world, asked, {}, state).plan;
+    state.time_step = choose_time_step(world, specified, state.damping);
+    const dem::StepPlan plan = choose_pace(world, specified, {}, state).plan;
     for (int piece = 0; piece < 10; ++piece) {
         dem::advance(world, caches, plan, 5);
         most = std::max(most, share_of_limit(world, plan.dt));
@@ -129,7 +129,7 @@ TEST_P(TimeStepOf, IsAtMostNineTenthsOfTheLimitAtEachLook) {
     EXPECT_LE(most, 0.9) << "in the first 50 steps";
     for (bool over = false; !over && state.steps < 4000;) {
         const double before = state.time_step;
-        over = compact_burst(world, caches, asked, {}, state);
+        over = compact_burst(world, caches, specified, {}, state);
         most = std::max(most, share_of_limit(world, std::min(before, state.time_step)));
     }
     RecordProperty("share_of_limit", std::to_string(most));

@@ -23,21 +23,23 @@ std::string start(const std::string& gravity, const std::string& packing = "pack
     return reference_constants + gravity + reference_soil() + study_of_packing(packing);
 }
 
-TEST(Weight, TellsTheGradientsOfASandThatHardlyMovesAndLeavesItAsItWas) {
+TEST(Weight, ReportsTheGradientsOfASandThatBarelyMovesAndLeavesItUnchanged) {
     const TempFolder folder;
     run_text(
         start(up) + stage("upward", "do = \"detach\"\ngradients = [0.2, 0.6, 1.2]\nasked_gradient = 0.2\n"),
         folder.path()
     );
-    const json told = stage_of(folder.path(), "upward"), settled = stage_of(folder.path(), "settled");
-    EXPECT_EQ(told.at("model"), "with weight");
-    EXPECT_EQ(told.at("state_hash"), settled.at("state_hash"));
-    EXPECT_EQ(told.at("alpha_fines"), settled.at("alpha_fines"));
+    const json reported = stage_of(folder.path(), "upward"), settled = stage_of(folder.path(), "settled");
+    EXPECT_EQ(reported.at("model"), "with weight");
+    EXPECT_EQ(reported.at("state_hash"), settled.at("state_hash"));
+    EXPECT_EQ(reported.at("alpha_fines"), settled.at("alpha_fines"));
     const double heave = (1 - settled.at("porosity").get<double>()) * (2600 - 1000) / 1000;
-    EXPECT_NEAR(told.at("heave_gradient").get<double>(), heave, 1e-12);
-    EXPECT_NEAR(told.at("skempton_brogan_gradient").get<double>(), heave * told.at("alpha_fines").get<double>(), 1e-12);
+    EXPECT_NEAR(reported.at("heave_gradient").get<double>(), heave, 1e-12);
+    EXPECT_NEAR(
+        reported.at("skempton_brogan_gradient").get<double>(), heave * reported.at("alpha_fines").get<double>(), 1e-12
+    );
     double before = 0;
-    for (const json& step : told.at("mobility")) {
+    for (const json& step : reported.at("mobility")) {
         const double mobile = step.at("mobile_mass_share"), leaving = step.at("leaving_mass_share");
         EXPECT_GE(mobile, before);
         EXPECT_LE(leaving, mobile);
@@ -66,7 +68,7 @@ TEST(Weight, DecidesWhatAnErosionTakesWhoseGradientRisesFromPassToPass) {
                                    ),
         folder.path()
     );
-    const json told = stage_of(folder.path(), "rising"), passes = told.at("passes");
+    const json reported = stage_of(folder.path(), "rising"), passes = reported.at("passes");
     ASSERT_EQ(passes.size(), 2U) << "a pass from which nothing leaves is not the last where the gradient rises";
     EXPECT_LT(passes.at(0).at("removed").get<int>(), passes.at(1).at("removed").get<int>());
     for (const json& pass : passes) {
@@ -79,7 +81,7 @@ TEST(Weight, DecidesWhatAnErosionTakesWhoseGradientRisesFromPassToPass) {
     EXPECT_NE(text_of(folder.path() / "run/studies/s/rising/mobility.csv").find(",pass\n"), std::string::npos);
 }
 
-TEST(Weight, ChangesNoBitWhereNoStageAsksWhatMoves) {
+TEST(Weight, ChangesNoBitWhereNoStageProbesMobility) {
     const TempFolder with, without;
     const std::string test = stage("flow", "do = \"flow\"\ngradient = 0.1\n");
     run_text(start(up) + test, with.path());

@@ -27,7 +27,7 @@ namespace suffuse::test {
 
 inline const std::string examples = in_checkout("examples/");
 
-struct Said {
+struct ProgramResult {
     int code = -1; ///< minus the signal where one ended it
     std::string out, error;
 
@@ -161,22 +161,22 @@ protected:
         return {start(words, all, in_child), fifo};
     }
 
-    Said wait_for(pid_t child) {
+    ProgramResult wait_for(pid_t child) {
         const int status = wait_status(child);
         return {
             WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_all(folder / "out"),
             read_all(folder / "error")};
     }
 
-    Said say(const std::vector<std::string>& words, const std::vector<std::string>& environment = {}) {
+    ProgramResult run_suffuse(const std::vector<std::string>& words, const std::vector<std::string>& environment = {}) {
         return wait_for(start(words, environment));
     }
 
     /// The replay example with one text replaced; the message of `check` and its code.
-    Said check_with(const std::string& what, const std::string& with) {
+    ProgramResult check_with(const std::string& what, const std::string& with) {
         write_to(folder / "case.toml", replaced(read_all(examples + "replay/case.toml"), what, with));
         write_to(folder / "packing.csv", read_all(examples + "replay/packing.csv"));
-        return say({"check", "case.toml"});
+        return run_suffuse({"check", "case.toml"});
     }
 
     TempFolder folder;

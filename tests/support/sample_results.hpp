@@ -223,7 +223,7 @@ inline std::vector<figures::Figure> sample_figures() {
           stress_path(erosion),
           porosity_path(erosion),
           rules_compared(probes, {{"", &erosion}}),
-          beside_twin(erosion),
+          compared_with_twin(erosion),
           constriction_sizes(erosion),
           eroded_grading(sampled, erosion),
           permeability_by_pass(erosion),

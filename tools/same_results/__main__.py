@@ -36,7 +36,7 @@ def read_words():
     return parser
 
 
-def tell(name, count, found, options):
+def report(name, count, found, options):
     if not found:
         print(f"{name}: same, {count} files", flush=True)
         return
@@ -53,14 +53,14 @@ def tell(name, count, found, options):
 class Work:
     """Both sides do the same jobs, each at its own pace; the first that has a job done waits for nobody."""
 
-    def __init__(self, sides, asked):
-        self.sides, self.asked = sides, asked
-        self.done = {(one.name, job.name): threading.Event() for one in sides for job in asked}
+    def __init__(self, sides, chosen_jobs):
+        self.sides, self.chosen_jobs = sides, chosen_jobs
+        self.done = {(one.name, job.name): threading.Event() for one in sides for job in chosen_jobs}
         self.troubles, self.broken = {}, None
 
     def drive(self, one):
         try:
-            for job in self.asked:
+            for job in self.chosen_jobs:
                 seconds, self.troubles[one.name, job.name] = one.do_job(job)
                 say(f"{one.name}: {job.name} took {seconds:.0f} s")
                 self.done[one.name, job.name].set()
@@ -76,7 +76,7 @@ class Work:
         threads = [threading.Thread(target=self.drive, args=(one,), daemon=True) for one in self.sides]
         for thread in threads:
             thread.start()
-        for job in self.asked:
+        for job in self.chosen_jobs:
             for one in self.sides:
                 self.done[one.name, job.name].wait()
             if self.broken:
@@ -97,19 +97,19 @@ def prepare(work, builds):
     return [side.Side(name, build, work, page, work / "examples", SOURCE) for name, build in builds.items()]
 
 
-def run(work, builds, asked, options):
+def run(work, builds, chosen_jobs, options):
     sides = prepare(work, builds)
     without = [one.name for one in sides if not one.has_python]
-    if without and any(job.name == "python" for job in asked):
+    if without and any(job.name == "python" for job in chosen_jobs):
         say(f"without the Python module ({' and '.join(without)}), which is not compared")
-        asked = [job for job in asked if job.name != "python"]
+        chosen_jobs = [job for job in chosen_jobs if job.name != "python"]
     is_same = True
     try:
-        for job, troubles in Work(sides, asked).results():
+        for job, troubles in Work(sides, chosen_jobs).results():
             for text in troubles:
                 print(text)
             count, found = compare_job(job.name, sides[0].folder, sides[1].folder, options)
-            tell(job.name, count, found, options)
+            report(job.name, count, found, options)
             is_same = is_same and not troubles and not found
     finally:
         for one in sides:
@@ -134,7 +134,7 @@ def main():
     unknown = set(options.only) - {job.name for job in jobs.JOBS}
     if unknown:
         parser.error(f"no such job: {', '.join(sorted(unknown))}; --list names them")
-    asked = [job for job in jobs.JOBS if not options.only or job.name in options.only]
+    chosen_jobs = [job for job in jobs.JOBS if not options.only or job.name in options.only]
     for number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):
         signal.signal(number, end_by)
     begin = time.monotonic()
@@ -142,13 +142,13 @@ def main():
     try:
         if options.keep:
             os.makedirs(work)  # of its own: what lies there already is not ours
-        is_same = run(work.resolve(), builds, asked, options)
+        is_same = run(work.resolve(), builds, chosen_jobs, options)
     except FileExistsError:
         parser.error(f"--keep {work}: is there already; name a folder that is not")
     finally:
         if not options.keep:
             shutil.rmtree(work, ignore_errors=True)
-    print(f"{len(asked)} jobs in {time.monotonic() - begin:.0f} s: {'all the same' if is_same else 'not the same'}")
+    print(f"{len(chosen_jobs)} jobs in {time.monotonic() - begin:.0f} s: {'all the same' if is_same else 'not the same'}")
     return 0 if is_same else 1
 
 

@@ -36,7 +36,7 @@ def content(path, side):
     if path.suffix in (".h5", ".png"):
         return data
     data = data.replace(str(side).encode(), b"FOLDER")
-    if any(fnmatch.fnmatchcase(path.name, pattern) for pattern in masks.SPOKEN):
+    if any(fnmatch.fnmatchcase(path.name, pattern) for pattern in masks.MESSAGES):
         data = masks.DURATION.sub(b"TIME", data)
     return data
 

@@ -15,7 +15,7 @@ from trees import Array, Literal
 
 VTK_LETTERS = {"Float32": "f", "Float64": "d", "Int64": "q", "UInt32": "I", "UInt8": "B"}
 WALL_TIME = "time [s]"  # heads the column of a report's stages that differs from run to run
-TOLD = ("provenance", "calls")  # tables that tell who ran what and when
+SUMMARIES = ("provenance", "calls")  # tables that tell who ran what and when
 PACKED = ("report-data", "scene-data")  # elements of the page that hold the data of its script
 
 
@@ -65,7 +65,7 @@ class Page(html.parser.HTMLParser):
             cells = table["header"] if tag == "th" else table["rows"][-1]
             is_time = tag == "td" and table["header"][len(cells)].get("number") == WALL_TIME
             kind = "wall_time" if is_time else "number" if is_number else "words"
-            cells.append({"provenance" if table["class"] in TOLD else kind: "".join(texts)})
+            cells.append({"provenance" if table["class"] in SUMMARIES else kind: "".join(texts)})
             self.inside = None
 
     def handle_data(self, data):
@@ -106,8 +106,8 @@ def of_vtk(data):
 def of_svg(text):
     tree = {}
     for key, tag in (("metadata", "metadata"), ("captions", "desc")):
-        told = re.compile(f"<{tag}>(.*?)</{tag}>", re.S)
-        tree[key], text = told.findall(text), told.sub("", text)
+        masked = re.compile(f"<{tag}>(.*?)</{tag}>", re.S)
+        tree[key], text = masked.findall(text), masked.sub("", text)
     return {**tree, "tags": text.replace("><", ">\n<").splitlines()}
 
 

@@ -66,7 +66,7 @@ LEFT_OUT = {
 }
 
 DURATION = re.compile(rb"\d[\d.,]*(-\d[\d.,]*)? (ms|s|min|h|days?)\b")
-SPOKEN = ("*.txt",)  # output for people: the times in it are masked
+MESSAGES = ("*.txt",)  # output for people: the times in it are masked
 
 
 def matches(path, pattern):

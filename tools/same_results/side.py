@@ -81,10 +81,10 @@ class Side:
             if self.stopped:
                 raise Stopped
             if codes[step.name] not in step.codes:
-                told = (folder / f"{step.name}.err").read_text(errors="replace").strip().splitlines()
+                lines = (folder / f"{step.name}.err").read_text(errors="replace").strip().splitlines()
                 wanted = " or ".join(map(str, step.codes))
                 troubles.append(f"{self.name}: {job.name}/{step.name} ended with {codes[step.name]} instead of {wanted}: "
-                                f"{told[-1] if told else 'no word on standard error'}")
+                                f"{lines[-1] if lines else 'no word on standard error'}")
         (folder / "codes.json").write_text(json.dumps(codes))
         return time.monotonic() - begin, troubles
 

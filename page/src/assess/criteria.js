@@ -5,7 +5,7 @@
 "use strict";
 
 const Criteria = (() => {
-  const defined = (id) => ({ id, ...told.criteria[id] });
+  const defined = (id) => ({ id, ...pageData.criteria[id] });
 
   const passing = (g, size) => {
     const { d, f } = g, n = d.length;

@@ -1,8 +1,8 @@
 // The page of `suffuse assess --page`: a curve that can be dragged, typed or pasted, sliders, and verdicts that follow.
 "use strict";
 
-const told = JSON.parse(document.getElementById("data").textContent);
-const state = { which: 0, soils: told.soils.map((s) => ({ name: s.name, d: [...s.d], f: [...s.f] })), ...told.seepage };
+const pageData = JSON.parse(document.getElementById("data").textContent);
+const state = { which: 0, soils: pageData.soils.map((s) => ({ name: s.name, d: [...s.d], f: [...s.f] })), ...pageData.seepage };
 const $ = (id) => document.getElementById(id);
 const three = (x) => (x === undefined ? "" : x >= 1000 ? Math.round(x).toLocaleString("en") : String(Number(x.toPrecision(3))));
 const mm = (x) => three(1e3 * x);
@@ -124,7 +124,7 @@ const rowsOf = (criteria) => criteria.map((c) =>
 
 /** What the program said of the filter. It holds for the curve as given alone, so it goes when that is changed. */
 function drawFilter() {
-  const given = told.soils[state.which], filter = given.filter;
+  const given = pageData.soils[state.which], filter = given.filter;
   $("filter").hidden = !filter;
   if (!filter) return;
   const isGiven = here().d.every((d, k) => d === given.d[k]) && here().f.every((f, k) => f === given.f[k]) && here().d.length === given.d.length;
@@ -253,7 +253,7 @@ function connect() {
   $("which").parentElement.hidden = state.soils.length < 2;
   $("which").addEventListener("change", () => { state.which = Number($("which").value); draw(); });
   $("back").addEventListener("click", () => {
-    const given = told.soils[state.which];
+    const given = pageData.soils[state.which];
     here().d = [...given.d];
     here().f = [...given.f];
     $("complaint").textContent = "";

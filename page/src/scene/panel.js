@@ -21,17 +21,17 @@ function labeled(text, control, ...more) {
 function slider(text, { min, max, step, value, say }, changed) {
   const input = make("input", { type: "range", min, max, step, value });
   const output = make("output");
-  const tell = () => {
+  const show = () => {
     output.textContent = say(Number(input.value));
     input.setAttribute("aria-valuetext", output.textContent);
   };
   input.addEventListener("input", () => {
-    tell();
+    show();
     changed(Number(input.value));
   });
   const node = labeled(text, input, output);
-  tell();
-  return { node, input, tell };
+  show();
+  return { node, input, show };
 }
 
 function checkbox(text, checked, changed) {
@@ -89,11 +89,11 @@ export function addPanel(view, place, stage, run) {
   const chains = checkbox("force chains", false, (on) => {
     if (on && Number(size.input.value) === 100) { // whole grains would hide them
       size.input.value = 30;
-      size.tell();
+      size.show();
     }
     if (!on && Number(size.input.value) === 30) {
       size.input.value = 100;
-      size.tell();
+      size.show();
     }
     least.node.hidden = !on;
     view.choose({ chains: on, size: Number(size.input.value) / 100 });

@@ -8,6 +8,6 @@ namespace suffuse::run {
 
 /// Group -> numbers, for the groups that the stage was asked for; null for what this sample has not. What could not be
 /// measured is null too, and the stage is warned. @param numbers of stage.json
-nlohmann::json measure_asked(StageWork& work, const nlohmann::json& numbers);
+nlohmann::json requested_measures(StageWork& work, const nlohmann::json& numbers);
 
 } // namespace suffuse::run

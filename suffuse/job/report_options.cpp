@@ -1,4 +1,4 @@
-#include "suffuse/job/report_wishes.hpp"
+#include "suffuse/job/report_options.hpp"
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/figures/figure_options.hpp"
@@ -11,9 +11,9 @@
 
 namespace suffuse::job {
 
-void heed_wishes(const casefile::ReportSpec& spec, report::ReportData& data) {
+void apply_report_options(const casefile::ReportSpec& spec, report::ReportData& data) {
     std::erase_if(data.figures, [&](const figures::Figure& figure) {
-        return !figures::is_asked_for(spec.figures, figure);
+        return !figures::is_requested(spec.figures, figure);
     });
     for (figures::Figure& figure : data.figures) {
         if (spec.dilation_up) {

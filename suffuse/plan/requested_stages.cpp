@@ -1,4 +1,4 @@
-#include "suffuse/plan/asked_stages.hpp"
+#include "suffuse/plan/requested_stages.hpp"
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/record/samples.hpp"
@@ -15,15 +15,15 @@ namespace {
 
 using Names = std::set<std::pair<std::string, std::string>>; // sample and stage
 
-Names asked_names(const casefile::Case& what, const std::string& until, const std::string& only) {
-    Names asked;
+Names requested_names(const casefile::Case& what, const std::string& until, const std::string& only) {
+    Names requested;
     for (const record::Sample& sample : record::list_samples(what, until)) {
-        const bool is_asked = only.empty() || sample.variant->folder == only;
-        for (int row = 0; is_asked && row < sample.stages; ++row) {
-            asked.emplace(sample.variant->folder, sample.variant->stages[static_cast<std::size_t>(row)].name);
+        const bool is_requested = only.empty() || sample.variant->folder == only;
+        for (int row = 0; is_requested && row < sample.stages; ++row) {
+            requested.emplace(sample.variant->folder, sample.variant->stages[static_cast<std::size_t>(row)].name);
         }
     }
-    return asked;
+    return requested;
 }
 
 } // namespace
@@ -46,10 +46,12 @@ void check_until(const casefile::Case& what, const std::string& until) {
     }
 }
 
-void price_asked_alone(RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only) {
-    const Names asked = asked_names(what, until, only);
+void price_requested_alone(
+    RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only
+) {
+    const Names requested = requested_names(what, until, only);
     for (StageEstimate& stage : plan.stages) {
-        if (!asked.contains({stage.study, stage.stage})) {
+        if (!requested.contains({stage.study, stage.stage})) {
             stage.steps = stage.seconds = {};
             stage.memory = stage.disk = 0;
         }
@@ -57,9 +59,13 @@ void price_asked_alone(RunPlan& plan, const casefile::Case& what, const std::str
     plan.refined = only.empty() ? price_refined(plan, what) : RefinedEstimate{}; // the run that gathers refines
 }
 
-void keep_asked_alone(RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only) {
-    const Names asked = asked_names(what, until, only);
-    std::erase_if(plan.stages, [&](const StageEstimate& stage) { return !asked.contains({stage.study, stage.stage}); });
+void keep_requested_alone(
+    RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only
+) {
+    const Names requested = requested_names(what, until, only);
+    std::erase_if(plan.stages, [&](const StageEstimate& stage) {
+        return !requested.contains({stage.study, stage.stage});
+    });
 }
 
 } // namespace suffuse::plan

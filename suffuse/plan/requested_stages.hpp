@@ -12,12 +12,12 @@ void check_until(const casefile::Case& what, const std::string& until);
 
 /// Prices at nothing what comes after the stage asked for as the last, samples without it, and other samples than
 /// `only`. Empty: all are asked for.
-void price_asked_alone(
+void price_requested_alone(
     RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only = {}
 );
 
-/// Takes out of the plan what price_asked_alone prices at nothing.
-void keep_asked_alone(
+/// Takes out of the plan what price_requested_alone prices at nothing.
+void keep_requested_alone(
     RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only = {}
 );
 

@@ -8,6 +8,6 @@
 namespace suffuse::job {
 
 /// What cannot be done is warned of in the report: a long run ends with its report all the same.
-void heed_wishes(const casefile::ReportSpec& spec, report::ReportData& data);
+void apply_report_options(const casefile::ReportSpec& spec, report::ReportData& data);
 
 } // namespace suffuse::job

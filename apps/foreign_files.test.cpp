@@ -17,45 +17,45 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-class Strangers : public Cli {
+class ForeignFiles : public Cli {
 protected:
-    void SetUp() override { ASSERT_EQ(say({"new", "soil", "--from", "replay"}).code, 0); }
+    void SetUp() override { ASSERT_EQ(run_suffuse({"new", "soil", "--from", "replay"}).code, 0); }
 
-    Said run(const std::string& name, std::vector<std::string> more = {"--no-cache"}) {
+    ProgramResult run(const std::string& name, std::vector<std::string> more = {"--no-cache"}) {
         more.insert(more.begin(), {"run", "soil/case.toml", "-o", name});
-        return say(more);
+        return run_suffuse(more);
     }
 
     /// As an earlier call was stopped behind its first stage.
     void begin(const std::string& name) { ASSERT_EQ(run(name, {"--no-cache", "--until", "start"}).code, 0); }
 };
 
-TEST_F(Strangers, ALinkInARunFolderIsNeverWrittenThrough) {
+TEST_F(ForeignFiles, ALinkInARunFolderIsNeverWrittenThrough) {
     for (const char* const file : {"events.jsonl", ".lock", "studies/replay/settled", "report.html"}) {
         begin("here");
         write_to(folder / "home/bashrc", "# mine");
         fs::remove_all(folder / (std::string("here/") + file));
         fs::create_symlink(folder / "home/bashrc", folder / (std::string("here/") + file));
-        const Said said = say({"resume", "here", "--no-cache"});
-        EXPECT_EQ(said.code, 74) << file << said.error;
-        expect_in(std::string("here/") + file + " is a link", said.error);
+        const ProgramResult result = run_suffuse({"resume", "here", "--no-cache"});
+        EXPECT_EQ(result.code, 74) << file << result.error;
+        expect_in(std::string("here/") + file + " is a link", result.error);
         EXPECT_EQ(read_all(folder / "home/bashrc"), "# mine");
         fs::remove_all(folder / "here");
     }
 }
 
-TEST_F(Strangers, AFileOfARunWithAnotherNameElsewhereIsNotAppendedTo) {
+TEST_F(ForeignFiles, AFileOfARunWithAnotherNameElsewhereIsNotAppendedTo) {
     begin("here");
     write_to(folder / "bashrc", "# mine");
     fs::remove(folder / "here/events.jsonl");
     fs::create_hard_link(folder / "bashrc", folder / "here/events.jsonl");
-    const Said said = say({"resume", "here", "--no-cache"});
-    EXPECT_EQ(said.code, 74) << said.error;
-    expect_in("here/events.jsonl has another name elsewhere", said.error);
+    const ProgramResult result = run_suffuse({"resume", "here", "--no-cache"});
+    EXPECT_EQ(result.code, 74) << result.error;
+    expect_in("here/events.jsonl has another name elsewhere", result.error);
     EXPECT_EQ(read_all(folder / "bashrc"), "# mine");
 }
 
-TEST_F(Strangers, APipeInARunFolderIsRefusedAtOnceWithItsName) {
+TEST_F(ForeignFiles, APipeInARunFolderIsRefusedAtOnceWithItsName) {
     ASSERT_EQ(run("here").code, 0);
     for (const auto& [file, verb] : std::vector<std::pair<std::string, std::string>>{
              {"run_options.json", "resume"},
@@ -74,14 +74,14 @@ TEST_F(Strangers, APipeInARunFolderIsRefusedAtOnceWithItsName) {
         if (verb == "compare") {
             words.emplace_back("here");
         }
-        const Said said = say(words);
-        EXPECT_EQ(said.code, 74) << verb << said.error;
-        expect_in("x/" + file + " is a pipe (FIFO)", said.error);
+        const ProgramResult result = run_suffuse(words);
+        EXPECT_EQ(result.code, 74) << verb << result.error;
+        expect_in("x/" + file + " is a pipe (FIFO)", result.error);
         fs::remove_all(folder / "x");
     }
 }
 
-TEST_F(Strangers, AFolderThatIsNoCacheIsRefusedBeforeAnythingIsMade) {
+TEST_F(ForeignFiles, AFolderThatIsNoCacheIsRefusedBeforeAnythingIsMade) {
     write_to(folder / "data/new-2024/a.jpg", "photo");
     write_to(folder / "data/deadbeefdeadbeef/p", "mine");
     write_to(folder / "data/0123456789abcdef", "mine");
@@ -91,9 +91,9 @@ TEST_F(Strangers, AFolderThatIsNoCacheIsRefusedBeforeAnythingIsMade) {
              {"resume", "begun", "--cache", "data"},
              {"sweep", "soil/case.toml", "--emit", "parallel", "-o", "r", "--cache", "data"},
              {"cache", "data"}}) {
-        const Said said = say(words);
-        EXPECT_EQ(said.code, 2) << words[0] << said.error;
-        expect_in("data is no cache", said.error);
+        const ProgramResult result = run_suffuse(words);
+        EXPECT_EQ(result.code, 2) << words[0] << result.error;
+        expect_in("data is no cache", result.error);
     }
     EXPECT_FALSE(fs::exists(folder / "r"));
     EXPECT_TRUE(fs::exists(folder / "data/new-2024/a.jpg") && fs::exists(folder / "data/deadbeefdeadbeef/p"));
@@ -101,16 +101,16 @@ TEST_F(Strangers, AFolderThatIsNoCacheIsRefusedBeforeAnythingIsMade) {
     EXPECT_FALSE(fs::exists(folder / "data/cache.json"));
 }
 
-TEST_F(Strangers, HalfWrittenFilesOfTheUserAreNotTakenForOurs) {
+TEST_F(ForeignFiles, HalfWrittenFilesOfTheUserAreNotTakenForOurs) {
     write_to(folder / "dl/movie.mkv.partial", "movie");
     write_to(folder / "dl/thesis.partial-2024-11", "draft");
-    const Said said = run("dl");
-    EXPECT_EQ(said.code, 2) << said.error;
-    expect_in("dl is not empty and holds no run", said.error);
+    const ProgramResult result = run("dl");
+    EXPECT_EQ(result.code, 2) << result.error;
+    expect_in("dl is not empty and holds no run", result.error);
     begin("here");
     fs::copy(folder / "dl", folder / "here");
     write_to(folder / "here/report.html.partial-1-2", "<");
-    EXPECT_EQ(say({"resume", "here", "--no-cache", "--until", "settled"}).code, 0);
+    EXPECT_EQ(run_suffuse({"resume", "here", "--no-cache", "--until", "settled"}).code, 0);
     EXPECT_FALSE(fs::exists(folder / "here/report.html.partial-1-2")) << "that one is ours";
     for (const char* const place : {"dl", "here"}) {
         EXPECT_EQ(read_all(folder / place / "movie.mkv.partial"), "movie");
@@ -118,50 +118,50 @@ TEST_F(Strangers, HalfWrittenFilesOfTheUserAreNotTakenForOurs) {
     }
 }
 
-TEST_F(Strangers, APictureOfTheUserAmongTheFiguresStaysAndAnOldFigureGoes) {
+TEST_F(ForeignFiles, APictureOfTheUserAmongTheFiguresStaysAndAnOldFigureGoes) {
     begin("here");
     write_to(folder / "here/figures/own-sketch.png", "mine");
     write_to(folder / "here/figures/fig03.csv", "x");
     write_to(folder / "here/figures/fig03.pdf", "x");
-    ASSERT_EQ(say({"report", "here"}).code, 0);
+    ASSERT_EQ(run_suffuse({"report", "here"}).code, 0);
     EXPECT_EQ(read_all(folder / "here/figures/own-sketch.png"), "mine");
     EXPECT_FALSE(fs::exists(folder / "here/figures/fig03.csv") || fs::exists(folder / "here/figures/fig03.pdf"));
 }
 
-TEST_F(Strangers, TheFolderOfARunChoosesNoCacheUnlessItIsTrusted) {
+TEST_F(ForeignFiles, TheFolderOfARunChoosesNoCacheUnlessItIsTrusted) {
     begin("here");
-    nlohmann::json asked = record::read_json(folder / "here/run_options.json");
-    asked["cache"] = (folder / "else where").string();
+    nlohmann::json request = record::read_json(folder / "here/run_options.json");
+    request["cache"] = (folder / "else where").string();
     fs::remove(folder / "here/SHA256SUMS");
-    write_to(folder / "here/run_options.json", asked.dump());
-    const Said said = say({"resume", "here", "--until", "settled"});
-    EXPECT_EQ(said.code, 0) << said.error;
-    expect_in("--cache '" + (folder / "else where").string() + "'", said.error);
+    write_to(folder / "here/run_options.json", request.dump());
+    const ProgramResult result = run_suffuse({"resume", "here", "--until", "settled"});
+    EXPECT_EQ(result.code, 0) << result.error;
+    expect_in("--cache '" + (folder / "else where").string() + "'", result.error);
     EXPECT_FALSE(fs::exists(folder / "else where"));
     EXPECT_TRUE(fs::exists(folder / "suffuse-cache/cache.json"));
-    const Said trusted = say({"resume", "here", "--trust"});
+    const ProgramResult trusted = run_suffuse({"resume", "here", "--trust"});
     EXPECT_EQ(trusted.code, 0) << trusted.error;
     EXPECT_TRUE(fs::exists(folder / "else where/cache.json"));
 }
 
-TEST_F(Strangers, WithoutAPlaceForTemporaryFilesARunStillHasItsReport) {
+TEST_F(ForeignFiles, WithoutAPlaceForTemporaryFilesARunStillHasItsReport) {
     const char* const before = std::getenv("TMPDIR");
     const std::string usual = before == nullptr ? "/tmp" : before;
     setenv("TMPDIR", "/nowhere", 1);
-    const Said said = run("here");
+    const ProgramResult result = run("here");
     setenv("TMPDIR", usual.c_str(), 1);
-    EXPECT_EQ(said.code, 0) << said.error;
+    EXPECT_EQ(result.code, 0) << result.error;
     EXPECT_TRUE(fs::exists(folder / "here/summary.json"));
     expect_in("<title>", read_all(folder / "here/report.html"));
-    EXPECT_EQ(say({"verify", "here"}).code, 0) << "nothing temporary is left";
+    EXPECT_EQ(run_suffuse({"verify", "here"}).code, 0) << "nothing temporary is left";
 }
 
-TEST_F(Strangers, AFileThatTheCaseOfARunNamesAndThatIsGoneIsSoughtInTheUsersOwnCase) {
+TEST_F(ForeignFiles, AFileThatTheCaseOfARunNamesAndThatIsGoneIsSoughtInTheUsersOwnCase) {
     begin("here");
     fs::rename(folder / "soil", folder / "moved");
-    const Said said = say({"resume", "here", "--no-cache"});
-    EXPECT_EQ(said.code, 3) << said.error;
-    expect_in("the run began with " + (folder / "soil/case.toml").string(), said.error);
+    const ProgramResult result = run_suffuse({"resume", "here", "--no-cache"});
+    EXPECT_EQ(result.code, 3) << result.error;
+    expect_in("the run began with " + (folder / "soil/case.toml").string(), result.error);
 }
 
 // ---- parts of another run, or of another case, among those of a run
@@ -201,10 +201,10 @@ formats = ["csv"]
 /// Whole runs "a" and "b" of two cases that differ in one value; of the second, so many stages.
 class Swapped : public Cli {
 protected:
-    Said run(const std::string& name, std::vector<std::string> more = {}) {
+    ProgramResult run(const std::string& name, std::vector<std::string> more = {}) {
         write_to(folder / "case.toml", eroded_case);
         more.insert(more.begin(), {"run", "case.toml", "-o", name, "--no-cache"});
-        return say(more);
+        return run_suffuse(more);
     }
 
     void take(const std::string& file) {
@@ -215,11 +215,11 @@ protected:
     /// What every verb that works in a run says of "a", and that none of them signs it.
     void expect_refused(const std::string& words) {
         for (const char* const verb : {"resume", "report"}) {
-            const Said said = say({verb, "a"});
-            EXPECT_EQ(said.code, 74) << verb << said.error;
-            expect_in(words, said.error);
+            const ProgramResult result = run_suffuse({verb, "a"});
+            EXPECT_EQ(result.code, 74) << verb << result.error;
+            expect_in(words, result.error);
         }
-        EXPECT_NE(say({"verify", "a"}).code, 0);
+        EXPECT_NE(run_suffuse({"verify", "a"}).code, 0);
     }
 };
 
@@ -231,8 +231,8 @@ TEST_F(Swapped, AStageOfAnotherCaseOrSeedIsRefusedByEveryVerbThoughItIsWhole) {
         fs::remove(folder / "a/SHA256SUMS"); // of the run: those of its stages are whole
         expect_refused("e/er/stage.json is of another case");
         fs::remove_all(folder / "a/studies/e/er"); // as the message advises
-        EXPECT_EQ(say({"resume", "a", "--no-cache"}).code, 0) << change;
-        EXPECT_EQ(say({"verify", "a"}).code, 0) << change;
+        EXPECT_EQ(run_suffuse({"resume", "a", "--no-cache"}).code, 0) << change;
+        EXPECT_EQ(run_suffuse({"verify", "a"}).code, 0) << change;
         fs::remove_all(folder / "a");
         fs::remove_all(folder / "b");
     }
@@ -245,11 +245,11 @@ TEST_F(Swapped, ACaseThatWasChangedInAStoppedRunIsNoticedAndTheUsersOwnIsNamed) 
     const std::size_t digit = resolved.find("modulus");
     resolved[resolved.find('3', digit)] = '1';
     write_to(folder / "a/case.resolved.toml", resolved);
-    const Said said = say({"resume", "a", "--no-cache"});
-    EXPECT_EQ(said.code, 74) << said.error;
-    expect_in("a/case.resolved.toml was changed since the run began with", said.error);
+    const ProgramResult result = run_suffuse({"resume", "a", "--no-cache"});
+    EXPECT_EQ(result.code, 74) << result.error;
+    expect_in("a/case.resolved.toml was changed since the run began with", result.error);
     fs::remove(folder / "a/events.jsonl"); // as of a version that did not note it there
-    const Said older = say({"resume", "a", "--no-cache"});
+    const ProgramResult older = run_suffuse({"resume", "a", "--no-cache"});
     EXPECT_EQ(older.code, 74) << older.error;
     expect_in("a/case.resolved.toml was changed, put it back as it was (the run began with", older.error);
 }
@@ -262,9 +262,9 @@ TEST_F(Swapped, AHalfDoneStageOfAnotherSeedIsRefused) {
     const std::string key = record::read_json(folder / "b/studies/e/initial/stage.json").at("key");
     const nlohmann::json saved{{"key", key}, {"world", record::describe_state(half)}};
     io::save_world(folder / "a/studies/e/initial/partial.h5", half, {}, {}, nlohmann::json::to_cbor(saved));
-    const Said said = say({"resume", "a", "--no-cache"});
-    EXPECT_EQ(said.code, 74) << said.error;
-    expect_in("initial/partial.h5: is of another case, sample, stage or seed", said.error);
+    const ProgramResult result = run_suffuse({"resume", "a", "--no-cache"});
+    EXPECT_EQ(result.code, 74) << result.error;
+    expect_in("initial/partial.h5: is of another case, sample, stage or seed", result.error);
 }
 
 TEST_F(Swapped, AStageThatTheCaseDoesNotHaveIsNotSigned) {
@@ -285,8 +285,8 @@ TEST_F(Swapped, AStateOfAPassThatTheStageDidNotLeaveGetsNoChecksum) {
     fs::create_directories(stage);
     fs::copy(folder / "b/studies/e/initial/state.h5", stage / "pass-9.h5");
     write_to(stage / "transport.csv", "pass,id\n1,2\n");
-    const Said said = say({"resume", "a", "--no-cache"});
-    EXPECT_NE(said.code, 74) << said.error;
+    const ProgramResult result = run_suffuse({"resume", "a", "--no-cache"});
+    EXPECT_NE(result.code, 74) << result.error;
     expect_in(
         "pass-9.h5, transport.csv lay in its folder before and are not of this stage",
         record::read_json(stage / "stage.json").at("warnings").dump()
@@ -304,7 +304,7 @@ TEST_F(Swapped, AReportThatFailsLeavesTheChecksumsOfTheRun) {
     const std::string before = read_all(folder / "a/SHA256SUMS");
     fs::remove(folder / "a/summary.json");
     fs::create_directories(folder / "a/summary.json/in-the-way");
-    EXPECT_EQ(say({"report", "a"}).code, 74);
+    EXPECT_EQ(run_suffuse({"report", "a"}).code, 74);
     EXPECT_EQ(read_all(folder / "a/SHA256SUMS"), before);
 }
 
@@ -317,11 +317,11 @@ TEST_F(Swapped, ARunOfBeforeThereWereKeysOpensAsUnverified) {
         record::seal_stage(place, numbers);
     }
     fs::remove(folder / "a/SHA256SUMS");
-    const Said said = say({"report", "a"});
-    EXPECT_EQ(said.code, 0) << said.error;
-    expect_in("unverified: an earlier version left no key of e/cloud, e/er, e/initial", said.error);
-    expect_in("unverified: 3 of 3 stages", say({"verify", "a"}).out);
-    EXPECT_EQ(say({"resume", "a", "--no-cache"}).code, 0);
+    const ProgramResult result = run_suffuse({"report", "a"});
+    EXPECT_EQ(result.code, 0) << result.error;
+    expect_in("unverified: an earlier version left no key of e/cloud, e/er, e/initial", result.error);
+    expect_in("unverified: 3 of 3 stages", run_suffuse({"verify", "a"}).out);
+    EXPECT_EQ(run_suffuse({"resume", "a", "--no-cache"}).code, 0);
 }
 
 } // namespace

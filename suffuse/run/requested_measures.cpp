@@ -1,4 +1,4 @@
-#include "suffuse/run/measure_asked.hpp"
+#include "suffuse/run/requested_measures.hpp"
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/cell/strain.hpp"
@@ -79,7 +79,7 @@ json eroded(const json& numbers) {
 }
 
 json measure(const std::string& group, const StageWork& work, const json& numbers) {
-    static const std::map<std::string, std::vector<const char*>> told = {
+    static const std::map<std::string, std::vector<const char*>> choices = {
         {"void-ratios", {"void_ratio", "intergranular_void_ratio", "equivalent_void_ratio"}},
         {"active-fines", {"fines_content", "active_fines_fraction", "fines_stress_share"}},
         {"contact-classes", {"contacts", "contact_share", "coordination_by_class"}},
@@ -95,7 +95,7 @@ json measure(const std::string& group, const StageWork& work, const json& number
         {"grading", grading},
         {"volumetric-strain", volumetric_strain},
     };
-    if (const auto names = told.find(group); names != told.end()) {
+    if (const auto names = choices.find(group); names != choices.end()) {
         return pick(numbers, names->second);
     }
     if (const auto act = done.find(group); act != done.end()) {
@@ -106,7 +106,7 @@ json measure(const std::string& group, const StageWork& work, const json& number
 
 } // namespace
 
-json measure_asked(StageWork& work, const json& numbers) {
+json requested_measures(StageWork& work, const json& numbers) {
     json measured = json::object();
     for (const std::string& group : work.stage.measure) {
         const auto cannot = [&](const Error& error) {
