@@ -37,6 +37,22 @@ TEST_F(Cli, ARunLeavesItsResultsOnStandardOutputAndItsTalkOnStandardError) {
     EXPECT_TRUE(std::filesystem::exists(folder / "runs/soil-0002/summary.json"));
 }
 
+TEST_F(Cli, ChartsOfAReportAreDrawnInAdvanceUnlessTheEnvironmentForbidsIt) {
+    const std::filesystem::path drawing = std::filesystem::path(SUFFUSE_PROGRAM) / "../../../report-page/figures.mjs";
+    if (!std::filesystem::exists(drawing.lexically_normal())) {
+        GTEST_SKIP() << "npm has not built the report's page; ./test does";
+    }
+    write_to(folder / "case.toml", cloud_of("200"));
+    for (const char* stills : {"yes", "no"}) {
+        setenv("SUFFUSE_STILLS", stills, 1);
+        ASSERT_EQ(say({"run", "case.toml", "-o", stills}).code, 0);
+        const std::string page = read_all(folder / stills / "report.html");
+        const std::size_t chart = page.find("<div class=\"chart\"");
+        ASSERT_NE(chart, std::string::npos);
+        EXPECT_EQ(page.substr(page.find('>', chart) + 1, 4) == "<svg", stills == std::string("yes"));
+    }
+}
+
 TEST_F(Cli, ARunGoesOnlyWhereNothingIsOverwritten) {
     run_suffuse({"new", "soil", "--from", "replay"});
     write_to(folder / "mine/notes.txt", "mine");

@@ -200,7 +200,9 @@ std::vector<fs::path> draw_figures(
 
 void draw_in_page(std::vector<figures::Figure>& figures, const fs::path& run, const fs::path& page) {
     constexpr std::uintmax_t largest = 400'000; // of a drawing [bytes]: one of many thousand dots is the script's
-    if (page.empty() || !fs::exists(page / "figures.mjs") || !is_installed("node")) {
+    const char* const stills = std::getenv("SUFFUSE_STILLS");
+    const bool is_wanted = stills == nullptr || std::string_view(stills) != "no";
+    if (!is_wanted || page.empty() || !fs::exists(page / "figures.mjs") || !is_installed("node")) {
         return;
     }
     const ScratchFolder scratch(run);

@@ -27,7 +27,8 @@ std::vector<std::filesystem::path> draw_figures(
 );
 
 /// Gives each chart its drawing for a page that runs no script, from the specifications in the run's folder. Where
-/// Node or the built page is not there, or cannot draw one, that chart is left to the page's script.
+/// Node or the built page is not there, or cannot draw one, that chart is left to the page's script; where the
+/// environment has SUFFUSE_STILLS=no, all are.
 void draw_in_page(
     std::vector<figures::Figure>& figures, const std::filesystem::path& run, const std::filesystem::path& page
 );

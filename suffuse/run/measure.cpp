@@ -3,6 +3,7 @@
 #include "suffuse/base/units.hpp"
 #include "suffuse/casefile/wide_checks.hpp"
 #include "suffuse/facts/state.hpp"
+#include "suffuse/record/fact_json.hpp"
 #include "suffuse/record/result_json.hpp"
 
 #include <fmt/format.h>

@@ -9,6 +9,7 @@
 #include "suffuse/io/tables.hpp"
 #include "suffuse/io/vtk.hpp"
 #include "suffuse/record/documents.hpp"
+#include "suffuse/record/earlier_endings.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/known_state.hpp"
 #include "suffuse/record/result_json.hpp"

@@ -11,6 +11,7 @@
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/skeleton_first.hpp"
 #include "suffuse/packing/target_density.hpp"
+#include "suffuse/record/or_null.hpp"
 #include "suffuse/record/read_import.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/stage_work.hpp"

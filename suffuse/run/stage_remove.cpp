@@ -4,6 +4,8 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/removal.hpp"
 #include "suffuse/facts/ending_words.hpp"
+#include "suffuse/facts/pass.hpp"
+#include "suffuse/record/fact_json.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/eroded_table.hpp"
 #include "suffuse/run/stage_work.hpp"

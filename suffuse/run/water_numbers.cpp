@@ -1,5 +1,8 @@
 #include "suffuse/run/water_numbers.hpp"
 
+#include "suffuse/facts/mobility.hpp"
+#include "suffuse/facts/pass.hpp"
+#include "suffuse/record/fact_json.hpp"
 #include "suffuse/record/result_json.hpp"
 
 namespace suffuse::run {

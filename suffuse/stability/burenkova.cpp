@@ -15,7 +15,7 @@ using grains::Grading;
 namespace {
 
 // Sizes that part clay, fines and sand [m]; fines by the sieve of the dams literature (No. 200).
-constexpr double clay_size = 0.002e-3, fines_size = 0.075e-3, sand_size = 2e-3;
+constexpr double clay_size = 0.002e-3, silt_size = 0.075e-3, sand_size = 2e-3;
 
 struct Slopes {
     double coarse = 0, whole = 0; ///< h' = d90/d60, h'' = d90/d15 [-]
@@ -76,7 +76,7 @@ Criterion burenkova(const Grading& grading) {
 
 Criterion wan_fell(const Grading& grading, const std::optional<FineFraction>& fines) {
     const Slopes slopes = slopes_of(grading);
-    const bool has_silt = grains::passing(grading, fines_size) > 0.10;
+    const bool has_silt = grains::passing(grading, silt_size) > 0.10;
     const double log_whole = std::log10(slopes.whole);
     const double z = has_silt ? 2.378 * log_whole - 3.648 * slopes.coarse + 3.701
                               : 3.875 * log_whole - 3.591 * slopes.coarse + 2.436;
@@ -102,7 +102,7 @@ Criterion wan_fell_alternative(const Grading& grading, const std::optional<FineF
     criterion.strict = true;
     if (find_gap(grading)) {
         criterion.remark = "made for soils without a gap";
-    } else if (!(grains::passing(grading, sand_size) < 1 && grains::passing(grading, fines_size) > 0.10)) {
+    } else if (!(grains::passing(grading, sand_size) < 1 && grains::passing(grading, silt_size) > 0.10)) {
         criterion.remark = "made for broadly graded silt-sand-gravel";
     } else if (!fines || fines->content < 0.20) {
         criterion.remark = "doubtful below 20 % of fine fraction";

@@ -7,15 +7,15 @@
 namespace suffuse::stability {
 namespace {
 
-grains::Grading box(double from, double to) {
+grains::Grading straight(double from, double to) {
     return {{from, to}, {0, 1}, ""};
 }
 
 TEST(FilterBetween, ASandUnderAGravelIsJudgedByItsD85) {
     // A base of category 4, log-uniform from 0.1 to 1 mm: d85 = 10^-0.15 mm, d15 = 10^-0.85 mm, d95 = 10^-0.05 mm.
-    const grains::Grading base = box(1e-4, 1e-3);
+    const grains::Grading base = straight(1e-4, 1e-3);
     const double d85 = 1e-3 * std::pow(10, -0.15), d15 = 1e-3 * std::pow(10, -0.85), d95 = 1e-3 * std::pow(10, -0.05);
-    const auto good = check_filter(base, box(2e-3, 2.0001e-3)).criteria;
+    const auto good = check_filter(base, straight(2e-3, 2.0001e-3)).criteria;
     EXPECT_NEAR(good[0].value.value(), 2e-3 / d85, 1e-4);
     EXPECT_NEAR(good[1].value.value(), 2e-3 / (4 * d85), 1e-4); // category 4: the same rule
     EXPECT_NEAR(good[2].value.value(), 2e-3 / d95, 1e-4);
@@ -23,7 +23,7 @@ TEST(FilterBetween, ASandUnderAGravelIsJudgedByItsD85) {
     for (const Criterion& criterion : good) {
         EXPECT_STREQ(filter_word(criterion.verdict), "holds") << criterion.name;
     }
-    const auto coarse = check_filter(base, box(9e-3, 9.001e-3)).criteria;
+    const auto coarse = check_filter(base, straight(9e-3, 9.001e-3)).criteria;
     EXPECT_STREQ(filter_word(coarse[0].verdict), "fails");
     EXPECT_STREQ(filter_word(coarse[2].verdict), "fails"); // 9/0.891 > 9: it never seals
     EXPECT_STREQ(filter_word(coarse[3].verdict), "holds");
@@ -72,12 +72,12 @@ TEST(FilterBetween, TheBaseIsRegradedOnTheSieveOf475Millimeters) {
 
 TEST(FilterBetween, WhatWasNotMeasuredIsNotGuessed) {
     const grains::Grading open{{0.075e-3, 0.6e-3, 4e-3}, {0.2, 0.6, 1}, ""};
-    const auto criteria = check_filter(open, box(1e-3, 2e-3)).criteria;
+    const auto criteria = check_filter(open, straight(1e-3, 2e-3)).criteria;
     EXPECT_TRUE(criteria[0].value);                     // d85 was
     EXPECT_EQ(criteria[3].verdict, Verdict::CannotSay); // d15 was not
     EXPECT_NE(criteria[3].remark.find("not measured"), std::string::npos);
     EXPECT_TRUE(criteria[1].verified); // category 3
-    EXPECT_EQ(check_filter(box(1e-4, 1e-3), open).criteria[0].verdict, Verdict::CannotSay);
+    EXPECT_EQ(check_filter(straight(1e-4, 1e-3), open).criteria[0].verdict, Verdict::CannotSay);
 }
 
 /// A laboratory's gravel with a gap from 0.25 to 2 mm, and a sandy filter for it.
@@ -138,8 +138,8 @@ TEST(FilterBetween, AFilterThatIsUnstableItselfFailsAndIsJudgedWashedOut) {
 }
 
 TEST(FilterBetween, ACleanStableFilterHolds) {
-    const grains::Grading base = box(1e-4, 1e-3);
-    const FilterCheck check = check_filter(base, box(1e-3, 4e-3));
+    const grains::Grading base = straight(1e-4, 1e-3);
+    const FilterCheck check = check_filter(base, straight(1e-3, 4e-3));
     EXPECT_EQ(check.verdict, Verdict::Stable);
     EXPECT_EQ(filter_summary(check), "holds by all 7 rules");
     EXPECT_EQ(rule(check, "filter-fines").value, 0);
@@ -148,7 +148,7 @@ TEST(FilterBetween, ACleanStableFilterHolds) {
 TEST(FilterBetween, AFilterSegregatesIfItsCoarsestGrainsAreTooLargeForItsFinest) {
     const auto parts = [](double d10, double d90) {
         const double d0 = d10 * std::pow(d10 / d90, 1.0 / 8), d100 = d90 * std::pow(d90 / d10, 1.0 / 8);
-        return rule(check_filter(box(1e-4, 1e-3), box(d0, d100)), "filter-segregation");
+        return rule(check_filter(straight(1e-4, 1e-3), straight(d0, d100)), "filter-segregation");
     };
     EXPECT_NEAR(parts(0.4e-3, 10e-3).value.value(), 0.5, 1e-9);
     EXPECT_EQ(parts(0.4e-3, 19e-3).verdict, Verdict::Stable);

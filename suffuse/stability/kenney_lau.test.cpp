@@ -10,7 +10,7 @@ namespace {
 using testing::power_law;
 using testing::two_boxes;
 
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_shares = 1e-12;
 
 TEST(KenneyLau, APowerLawHasTheSameRatioEverywhere) {
     // H/F = 4^m - 1 for each d up to dmax/4.
@@ -47,16 +47,16 @@ TEST(KenneyLau, TwoBoxesMeetTheirMinimumWhereFourTimesTheSizeReachesTheCoarseBox
     const double in_fines = std::log2(5.0 / 3.0); // F/FC at 0.25 mm
     for (const double content : {0.20, 0.25}) {
         const LeastRatio least = least_shape_ratio(two_boxes(content), 0.2);
-        EXPECT_NEAR(least.value, (1 - in_fines) / in_fines, rounding);
+        EXPECT_NEAR(least.value, (1 - in_fines) / in_fines, rounding_of_shares);
         EXPECT_NEAR(least.value, 0.3569, 5e-5);
-        EXPECT_NEAR(least.at.diameter, 0.25e-3, rounding);
+        EXPECT_NEAR(least.at.diameter, 0.25e-3, rounding_of_shares);
     }
     // With 30 % of fines F = 0.20 comes first, at 0.238 mm.
     const LeastRatio least = least_shape_ratio(two_boxes(0.30), 0.2);
-    EXPECT_NEAR(least.at.diameter, 0.15e-3 * std::pow(2, 2.0 / 3), rounding);
-    EXPECT_NEAR(least.value, 0.5, rounding);
+    EXPECT_NEAR(least.at.diameter, 0.15e-3 * std::pow(2, 2.0 / 3), rounding_of_shares);
+    EXPECT_NEAR(least.value, 0.5, rounding_of_shares);
     // Narrow primary fabric: up to F = 0.30 the minimum itself counts.
-    EXPECT_NEAR(least_shape_ratio(two_boxes(0.30), 0.3).value, (1 - in_fines) / in_fines, rounding);
+    EXPECT_NEAR(least_shape_ratio(two_boxes(0.30), 0.3).value, (1 - in_fines) / in_fines, rounding_of_shares);
 }
 
 TEST(KenneyLau, AtTheCoarseEndOfTheFinesTheRatioFollowsTheFinesContent) {
@@ -82,9 +82,9 @@ TEST(LiFannin, TakesTheMilderOfKenneyLauAndKezdi) {
     EXPECT_EQ(flat.verdict, Verdict::Unstable);
     // H = 16 % at F = 20 % is less than F, but more than Kezdi's 15 %.
     const grains::Grading grading{{0.1e-3, 0.2e-3, 0.8e-3, 1e-3}, {0, 0.2, 0.36, 1}, ""};
-    EXPECT_NEAR(least_shape_ratio(grading, 0.2).value, 0.8, rounding);
+    EXPECT_NEAR(least_shape_ratio(grading, 0.2).value, 0.8, rounding_of_shares);
     EXPECT_EQ(kenney_lau_1986(grading, 0.2).verdict, Verdict::Unstable);
-    EXPECT_NEAR(*li_fannin(grading, 0.2).value, 0.16 / 0.15, rounding);
+    EXPECT_NEAR(*li_fannin(grading, 0.2).value, 0.16 / 0.15, rounding_of_shares);
     EXPECT_EQ(li_fannin(grading, 0.2).verdict, Verdict::Stable);
 }
 

@@ -1,6 +1,7 @@
 #include "suffuse/study/strength_change.hpp"
 
 #include "suffuse/base/words.hpp"
+#include "suffuse/record/or_null.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/study/end_of_test.hpp"
 #include "suffuse/study/strength_pairs.hpp"
