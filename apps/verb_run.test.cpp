@@ -42,10 +42,10 @@ TEST_F(Cli, ChartsOfAReportAreDrawnInAdvanceUnlessTheEnvironmentForbidsIt) {
     if (!std::filesystem::exists(drawing.lexically_normal())) {
         GTEST_SKIP() << "npm has not built the report's page; ./test does";
     }
-    write_to(folder / "case.toml", cloud_of("200"));
+    run_suffuse({"new", "soil", "--from", "replay"});
     for (const char* stills : {"yes", "no"}) {
         setenv("SUFFUSE_STILLS", stills, 1);
-        ASSERT_EQ(say({"run", "case.toml", "-o", stills}).code, 0);
+        ASSERT_EQ(run_suffuse({"run", "soil/case.toml", "-o", stills}).code, 0);
         const std::string page = read_all(folder / stills / "report.html");
         const std::size_t chart = page.find("<div class=\"chart\"");
         ASSERT_NE(chart, std::string::npos);

@@ -9,7 +9,7 @@ build_packages="g++ cmake ninja-build git libcgal-dev libgmp-dev libmpfr-dev lib
     libcli11-dev nlohmann-json3-dev libfmt-dev libfftw3-dev zlib1g-dev libssl-dev pybind11-dev python3-dev python3-numpy
     librsvg2-bin fonts-liberation"
 # Shells, groff and poppler check what the program writes for them.
-test_packages="libeigen3-dev libgtest-dev librapidcheck-dev clang clang-format clang-tidy chromium fonts-dejavu-core
+test_packages="ccache libeigen3-dev libgtest-dev librapidcheck-dev clang clang-format clang-tidy chromium fonts-dejavu-core
     python3-pytest python3-venv python3-pandas python3-xarray zsh fish groff-base poppler-utils"
 site_packages="python3-sphinx python3-myst-parser"
 fuzz_packages="libclang-rt-14-dev"

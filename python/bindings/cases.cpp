@@ -8,6 +8,7 @@
 #include "suffuse/casefile/sweep_value.hpp"
 #include "suffuse/casefile/variants.hpp"
 #include "suffuse/facts/every_fact.hpp"
+#include "suffuse/facts/shown.hpp"
 #include "suffuse/job/explain_word.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/record/refine.hpp"
@@ -197,6 +198,8 @@ void bind_cases(py::module_& m) {
         "units", &facts::units,
         "The unit of each result of stage.json and of each column of a table, by its key; \"-\" of shares and counts."
     );
+    m.def("title", &facts::title, py::arg("key"), "\"mean stress p [kPa]\" of \"mean_stress\".");
+    m.def("in_unit_shown", &facts::in_unit_shown, py::arg("key"), py::arg("value"), "A value in the unit of that title.");
     m.def("pressure_unit", [](const py::object& unit) { return unit_of(unit, dimension::pressure, "unit"); });
 }
 

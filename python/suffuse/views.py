@@ -70,12 +70,9 @@ def _show_world(world):
         ("fines", int(world.grains.fine.sum())),
         ("diameters [mm]", f"{2e3 * world.grains.radius.min():.4g} to {2e3 * world.grains.radius.max():.4g}"),
         ("edges of the cell [mm]", " x ".join(f"{edge:.4g}" for edge in edges)),
-        ("void ratio [-]", numbers["void_ratio"]),
-        ("mean stress [kPa]", numbers["mean_stress"] / 1e3),
-        ("deviator stress [kPa]", numbers["deviator_stress"] / 1e3),
+        *((_core.title(key), _core.in_unit_shown(key, numbers[key])) for key in ("void_ratio", "mean_stress", "deviator_stress")),
         ("contacts", numbers["contacts"]),
-        ("coordination [-]", numbers["coordination"]),
-        ("unbalanced force [-]", numbers["unbalanced_force"]),
+        *((_core.title(key), _core.in_unit_shown(key, numbers[key])) for key in ("coordination", "unbalanced_force")),
         ("time [s], steps", f"{world.time:.4g}, {world.step_number:,}"),
     ]
     return "<b>suffuse.World</b>" + table((), rows)
@@ -84,12 +81,11 @@ def _show_world(world):
 def _show_seepage(water):
     pores = water.network
     rows = [
-        ("hydraulic gradient [-]", water.gradient),
-        ("permeability [m2]", water.permeability),
+        *((_core.title(key), _core.in_unit_shown(key, getattr(water, key))) for key in ("gradient", "permeability")),
         ("superficial velocity [m/s]", float(numpy.linalg.norm(water.mean_velocity))),
         ("Reynolds number [-]", water.reynolds_number),
         ("flux left by inertia [-]", water.flux_left_by_inertia),
-        ("tortuosity [-]", water.tortuosity),
+        (_core.title("tortuosity"), _core.in_unit_shown("tortuosity", water.tortuosity)),
         ("pores, throats", f"{pores.pores:,}, {pores.throats:,}"),
         ("solver", water.solver),
         ("balance of forces, error [-]", water.force_sum_error),
@@ -118,13 +114,14 @@ def show_plan(plan):
 
 
 def show_run(run):
+    state = ("void_ratio", "mean_stress")
     rows = []
     for name in run.stages:
         numbers = run[name].numbers
         rows.append(
-            (name, numbers["verb"], numbers["grains"], numbers["void_ratio"], numbers["mean_stress"] / 1e3, numbers["wall_seconds"])
+            (name, numbers["verb"], numbers["grains"], *(_core.in_unit_shown(key, numbers[key]) for key in state), numbers["wall_seconds"])
         )
-    head = ("stage", "do", "grains", "void ratio [-]", "mean stress [kPa]", "wall time [s]")
+    head = ("stage", "do", "grains", *map(_core.title, state), "wall time [s]")
     head_text = f"<b>suffuse.Run</b> {html.escape(str(run.folder))}"
     if (run.folder / "summary.json").exists():
         summary = run.summary

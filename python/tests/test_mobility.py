@@ -18,7 +18,7 @@ def pocket():
 def test_a_grain_in_a_pocket_is_lifted_before_the_soil_heaves():
     world = pocket()
     before = numpy.array(world.grains.position)
-    found = world.mobility([0.02, 0.1, 0.2], specified_gradient=0.1)
+    found = world.mobility([0.02, 0.1, 0.2], asked_gradient=0.1)
     assert numpy.array_equal(world.grains.position, before), "the world itself stays"
     assert numpy.isnan(found["mobile_gradient"][numpy.array(world.grains.fine) == 0]).all()
     assert {0.02, 0.1, 0.2} <= set(found["gradient"])

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/words.hpp"
 #include "suffuse/facts/ending_words.hpp"
+#include "suffuse/facts/shown.hpp"
 #include "suffuse/study/passes.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
@@ -50,7 +51,7 @@ std::optional<figures::PageTable> tabulate_erosions(const std::vector<record::Fi
         "porosity after [-]",
         "permeability after / before [-]",
         "loss of mean stress [%]",
-        "εᵥ [%]",
+        facts::short_title("volumetric_strain"),
         "ended by"};
     table.numeric.assign(table.header.size(), true);
     table.numeric.front() = table.numeric.back() = false;

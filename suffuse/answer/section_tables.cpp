@@ -2,6 +2,7 @@
 
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/base/words.hpp"
+#include "suffuse/facts/shown.hpp"
 #include "suffuse/flow/reynolds.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/known_state.hpp"
@@ -162,7 +163,7 @@ std::optional<figures::PageTable> tabulate_removals(const std::vector<record::Fi
         "mass removed so far [%]",
         "contacts a grain [-]",
         "loss of mean stress [%]",
-        "εᵥ [%]",
+        facts::short_title("volumetric_strain"),
         "porosity after [-]"};
     table.numeric.assign(table.header.size(), true);
     table.numeric[0] = false;
@@ -186,8 +187,13 @@ std::optional<figures::PageTable> tabulate_water(
         "Tortuosity: the mean speed of the water from pore to pore over "
         "that of its mean motion.";
     table.header = {
-        "state",     "porosity n [-]", "permeability k [m²]", "conductivity K [m/s]", "k by Kozeny and Carman [m²]",
-        "ratio [-]", "tortuosity [-]"};
+        "state",
+        facts::title("porosity"),
+        facts::title("permeability"),
+        "conductivity K [m/s]",
+        "k by Kozeny and Carman [m²]",
+        "ratio [-]",
+        facts::title("tortuosity")};
     table.numeric = {false, true, true, true, true, true, true};
     add_flows(folder, stages, fluid, table.rows);
     add_passes(folder, story, fluid, table.rows);

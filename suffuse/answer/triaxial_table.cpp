@@ -2,6 +2,7 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/words.hpp"
+#include "suffuse/facts/shown.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
 #include <fmt/format.h>
@@ -117,7 +118,7 @@ std::optional<figures::PageTable> tabulate_tests(const study::RunResults& result
         "dilatancy [-]",
         "εᵥ at the end [%]",
         "unstable from q [kPa]",
-        "excess pore pressure Δu [kPa]",
+        facts::title("excess_pore_pressure"),
         liquefied};
     table.numeric.assign(table.header.size(), true);
     table.numeric[0] = false;

@@ -35,35 +35,36 @@ std::vector<Fact> joined(std::vector<Fact> first, const std::vector<Fact>& secon
 // What single stages write by themselves.
 
 const std::vector<Fact> of_every_stage = {
-    {"stage", "", "name", ""},
+    {"stage", "", "name", "", Kind::Origin},
     {"verb", "", "`do` of the case", ""},
-    {"sample", "", "folder of its sample in `studies/`", ""},
-    {"steps", "-", "time steps; 0 where a stage makes none", ""},
-    {"time_step", "s", "of the last steps (of an erosion: of its probe); 0 where a stage makes no steps", ""},
-    {"wall_seconds", "s", "over all parts of the stage, however often it was resumed", ""},
-    {"particle_steps_per_second", "1/s", "all grain steps of the stage over these seconds", ""},
-    {"inertial_number_max", "-", "over the rows of the history", ""},
-    {"checksums", "-", "how many files `SHA256SUMS` in its folder lists; a stage of an earlier version has neither",
-     ""},
+    {"sample", "", "folder of its sample in `studies/`", "", Kind::Origin},
+    {"steps", "-", "time steps; 0 where a stage makes none", "", Kind::Computation},
+    {"time_step", "s", "of the last steps (of an erosion: of its probe); 0 where a stage makes no steps", "",
+     Kind::Computation},
+    {"wall_seconds", "s", "over all parts of the stage, however often it was resumed", "", Kind::Origin},
+    {"particle_steps_per_second", "1/s", "all grain steps of the stage over these seconds", "", Kind::Origin},
+    {"inertial_number_max", "-", "over the rows of the history", "", Kind::Computation},
+    {"checksums", "-", "how many files `SHA256SUMS` in its folder lists; a stage of an earlier version has neither", "",
+     Kind::Origin},
     {"end_state", "",
      "16 hexadecimal digits: of all that a later stage can take from the state, storage order included; no stage is "
      "computed from a `state.h5` that has others",
-     ""},
+     "", Kind::Origin},
     {"key", "",
      "which stage this is: `FORM:KEY`, KEY the SHA-256 of all that decides its numbers (settings of the stage, sample, "
      "seed, `start_state`; names have no part in it). A stage with another KEY than the run's case gives is refused. "
      "FORM is that of the keys and defaults of cases; keys of two forms are not compared. `state.h5`, `pass-K.h5` and "
      "`partial.h5` have it as the attribute `key` of the file",
-     ""},
-    {"commit", "", "of the program that computed the stage", ""},
+     "", Kind::Origin},
+    {"commit", "", "of the program that computed the stage", "", Kind::Origin},
     {"start_state", "",
      "`end_state` of the stage that it was computed from; where that one now has another, the two do not belong "
      "together, and `resume` and `report` say so",
-     ""},
+     "", Kind::Origin},
     {"from_cache", "", "true where the stage was taken from the cache; its `wall_seconds` are those of the computation",
-     ""},
-    {"warnings", "", "texts", ""},
-    {"flaws", "", "texts; a flaw is a quality bar that was missed (exit code 4)", ""},
+     "", Kind::Origin},
+    {"warnings", "", "texts", "", Kind::Origin},
+    {"flaws", "", "texts; a flaw is a quality bar that was missed (exit code 4)", "", Kind::Origin},
     {"measured", "", "where the stage has the key `measure`: each name → its numbers, below", ""},
 };
 
@@ -133,23 +134,34 @@ const std::vector<Fact> of_stress_probes = {
 };
 
 const std::vector<Fact> of_flow = {
-    {"gradient", "-", "hydraulic gradient", ""},
-    {"permeability", "m2", "along the direction; the 3 × 3 tensor where `tensor = true`", ""},
+    {"gradient", "-", "hydraulic gradient", "", Kind::Result, {"hydraulic gradient", "i", "-"}},
+    {"permeability",
+     "m2",
+     "along the direction; the 3 × 3 tensor where `tensor = true`",
+     "",
+     Kind::Result,
+     {"permeability", "k", "m²"}},
     {"permeability_along", "m2", "along the direction, where `permeability` is the tensor", ""},
     {"mean_velocity", "m/s", "superficial", ""},
-    {"tortuosity", "-", "mean speed from pore to pore over that of the mean motion; null at a gradient of 0", ""},
+    {"tortuosity",
+     "-",
+     "mean speed from pore to pore over that of the mean motion; null at a gradient of 0",
+     "",
+     Kind::Result,
+     {"tortuosity", "", "-"}},
     {"reynolds_number", "-", "of the mean velocity along the gradient and the Sauter diameter", ""},
     {"pressure_gradient", "Pa/m", "", ""},
     {"force_sum", "N", "of the water on the grains", ""},
-    {"force_sum_error", "-", "relative to −V grad p", ""},
+    {"force_sum_error", "-", "relative to −V grad p", "", Kind::Computation},
     {"half_carried_by", "-",
      "share of the throats through which half of the flow goes; throats without a void are left out", ""},
-    {"residual", "-", "of the solution", ""},
+    {"residual", "-", "of the solution", "", Kind::Computation},
     {"pores", "-", "number", ""},
     {"throats", "-", "number", ""},
     {"hidden_grains", "-", "buried in others: no pore touches them", ""},
     {"seconds", "s",
-     "`triangulate`, `conductance`, `set_up`, `solve`, `forces`; the network's geometry counts as conductance", ""},
+     "`triangulate`, `conductance`, `set_up`, `solve`, `forces`; the network's geometry counts as conductance", "",
+     Kind::Origin},
     {"network_permeability", "m2", "where the flow was resolved: the network's", ""},
     {"resolved", "", "where the flow was resolved: below", ""},
 };
@@ -292,6 +304,7 @@ const std::vector<Fact> of_tables = {
     {"time", "s", "", ""},
     {"fc", "%", "", ""},
     {"count", "-", "", ""},
+    {"axial_strain", "-", "", "", Kind::Result, {"axial strain", "ε₁", "%", 3}},
 };
 
 std::vector<Group> make_groups() {
@@ -348,6 +361,38 @@ const std::map<std::string, std::string>& units() {
         return made;
     }();
     return known;
+}
+
+Kind kind_of(const std::string& key) {
+    static const std::map<std::string, Kind> known = [] {
+        std::map<std::string, Kind> made;
+        for (const Group& group : every_group()) {
+            for (const Fact& fact : group.facts) {
+                if (fact.kind != Kind::Result) {
+                    made.emplace(fact.key, fact.kind);
+                }
+            }
+        }
+        return made;
+    }();
+    const auto found = known.find(key);
+    return found == known.end() ? Kind::Result : found->second;
+}
+
+const Fact* shown_fact(std::string_view key) {
+    static const std::map<std::string_view, Fact> known = [] {
+        std::map<std::string_view, Fact> made;
+        for (const Group& group : every_group()) {
+            for (const Fact& fact : group.facts) {
+                if (!fact.shown.name.empty()) {
+                    made.emplace(fact.key, fact);
+                }
+            }
+        }
+        return made;
+    }();
+    const auto found = known.find(key);
+    return found == known.end() ? nullptr : &found->second;
 }
 
 bool is_fact(const std::string& key) {

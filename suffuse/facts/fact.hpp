@@ -8,17 +8,46 @@
 
 namespace suffuse::facts {
 
+/// How tables, axes and cards give a number.
+struct Shown {
+    std::string_view name;   ///< "mean stress"; empty: they give it no name of its own
+    std::string_view symbol; ///< "p"; empty where there is none
+    std::string_view unit;   ///< "kPa" of what is in Pa, "%" of a share
+    int digits = 4;          ///< significant
+};
+
+/// What it means that two runs differ in a number.
+enum class Kind {
+    Result,
+    Computation, ///< how a result was reached: runs whose results agree may differ in it
+    Origin,      ///< when, where and from what: not compared
+};
+
 struct Fact {
     std::string_view key;   ///< in stage.json; "fabric.deviator" is `deviator` in the object `fabric`
     std::string_view unit;  ///< SI, "-" for shares, ratios and counts, "" for what is no number
     std::string_view words; ///< for docs/results.md
     std::string_view saved; ///< in results.cbor; empty: not there
+    Kind kind = Kind::Result;
+    Shown shown = {};
 };
 
 /// A fact whose value a structure holds, or a function of it gives.
 template <auto Value>
 struct Row : Fact {
     static constexpr bool is_member = std::is_member_object_pointer_v<decltype(Value)>;
+
+    [[nodiscard]] consteval Row as(Shown how) const {
+        Row row = *this;
+        row.shown = how;
+        return row;
+    }
+
+    [[nodiscard]] consteval Row as(Kind what) const {
+        Row row = *this;
+        row.kind = what;
+        return row;
+    }
 
     template <class Of>
     static decltype(auto) of(Of&& structure) {

@@ -157,7 +157,8 @@ inline constexpr std::tuple pass{
     row<&erosion::PassResult::porosity_after>("porosity_after", "-", "at rest under the servo"),
     row<&erosion::PassResult::void_ratio_after>("void_ratio_after", "-", "at rest under the servo"),
     row<&erosion::PassResult::fines_content_after>("fines_content_after", "-", "by mass, after the pass"),
-    row<&erosion::PassResult::volumetric_strain>("volumetric_strain", "-", "of this pass"),
+    row<&erosion::PassResult::volumetric_strain>("volumetric_strain", "-", "of this pass")
+        .as(Shown{"volumetric strain", "εᵥ", "%", 3}),
     row<&erosion::PassResult::steps>("steps", "-", "of the new equilibrium alone"),
     row<&erosion::PassResult::wall_seconds>(
         "wall_seconds", "s",

@@ -59,13 +59,18 @@ inline constexpr std::tuple state{
     row<[](const State& s) { return s.balance.contacts; }>("contacts", "-", "number of contacts that touch"),
     row<[](const State& s) { return s.world.cell.h; }>("cell", "m", "3 × 3, rows; the columns are the cell vectors"),
     row<[](const State& s) { return s.stress; }>("stress", "Pa", "3 × 3, mean over the cell"),
-    row<[](const State& s) { return dem::mean_stress(s.stress); }>("mean_stress", "Pa", "p"),
+    row<[](const State& s) { return dem::mean_stress(s.stress); }>("mean_stress", "Pa", "p")
+        .as(Shown{"mean stress", "p", "kPa"}),
     row<[](const State& s) { return dem::deviator_stress(s.stress); }>(
         "deviator_stress", "Pa", "√(3 J₂) of the full tensor"
-    ),
-    row<[](const State& s) { return dem::void_ratio(s.world); }>("void_ratio", "-", "e, voids over solid"),
-    row<[](const State& s) { return dem::porosity(s.world); }>("porosity", "-", "n, voids over all"),
-    row<[](const State& s) { return s.coordination.mean; }>("coordination", "-", "contacts a grain, 2 Nc/N"),
+    )
+        .as(Shown{"deviator stress", "q", "kPa"}),
+    row<[](const State& s) { return dem::void_ratio(s.world); }>("void_ratio", "-", "e, voids over solid")
+        .as(Shown{"void ratio", "e", "-"}),
+    row<[](const State& s) { return dem::porosity(s.world); }>("porosity", "-", "n, voids over all")
+        .as(Shown{"porosity", "n", "-"}),
+    row<[](const State& s) { return s.coordination.mean; }>("coordination", "-", "contacts a grain, 2 Nc/N")
+        .as(Shown{"coordination", "Z", "-"}),
     row<[](const State& s) { return s.coordination.mechanical; }>(
         "mechanical_coordination", "-", "the same without rattlers"
     ),
@@ -82,22 +87,27 @@ inline constexpr std::tuple state{
     row<[](const State& s) { return s.balance.unbalanced_force; }>(
         "unbalanced_force", "-",
         "mean resultant over grains with at least 2 contacts / mean contact force, normal and shear"
-    ),
+    )
+        .as(Kind::Computation)
+        .as(Shown{"unbalanced force", "", "-", 2}),
     row<[](const State& s) { return s.balance.unbalanced_force_all; }>(
         "unbalanced_force_yade", "-", "mean resultant over all grains / mean contact force"
-    ),
+    )
+        .as(Kind::Computation),
     row<[](const State& s) { return s.balance.max_overlap_ratio; }>(
         "max_overlap_ratio", "-", "largest overlap / smaller radius"
     ),
     row<[](const State& s) { return s.balance.kinetic_energy; }>(
         "kinetic_energy", "J", "translation and rotation, relative to the mean motion"
-    ),
+    )
+        .as(Kind::Computation),
     row<[](const State& s) { return fmt::format("{:016x}", dem::state_hash(s.world)); }>(
         "state_hash", "",
         "16 hexadecimal digits, of what steps change: cell, servo, step number, motion of the grains, memory of the "
         "contacts; and of the grains' ids, radii and holds; not of material and masses. The same for any number of "
         "threads and any storage order"
-    ),
+    )
+        .as(Kind::Origin),
 };
 
 /// Where grains touch.

@@ -35,7 +35,8 @@ inline constexpr std::tuple response{
     row<&triaxial::Response::excess_pore_pressure>(
         "excess_pore_pressure", "Pa",
         "undrained: at the end; at a constant deviator the highest until q is lost; else null"
-    ),
+    )
+        .as(Shown{"excess pore pressure", "Δu", "kPa"}),
     row<&triaxial::Response::energy>(
         "energy", "J/m3",
         "`work`, `springs`, `motion`, `slip`, `rolling`, `damping`: where the work of the test went, over the volume "

@@ -1,6 +1,10 @@
 #include "suffuse/figures/figure.hpp"
 
+#include "suffuse/facts/every_fact.hpp"
+#include "suffuse/facts/shown.hpp"
 #include "suffuse/record/or_null.hpp"
+
+#include <fmt/format.h>
 
 namespace suffuse::figures {
 
@@ -24,6 +28,39 @@ json rows_of(const Table& table) {
     return rows;
 }
 
+/// The title of the fact that a channel shows, unless it has one.
+void name_channel(json& channel, bool is_tooltip) {
+    const bool has_field = channel.is_object() && channel.contains("field") && channel.at("field").is_string();
+    const facts::Fact* const fact = has_field ? facts::shown_fact(channel.at("field").get<std::string>()) : nullptr;
+    if (fact == nullptr || channel.contains("title")) {
+        return;
+    }
+    channel["title"] = is_tooltip ? facts::short_title(fact->key) : facts::title(fact->key);
+    if (is_tooltip && !channel.contains("format")) {
+        channel["format"] = fmt::format(".{}g", fact->shown.digits);
+    }
+}
+
+/// Names axes and tooltips of every panel and layer.
+void name_facts(json& chart) {
+    for (auto& [name, part] : chart.items()) {
+        if (name == "encoding") {
+            for (const char* axis : {"x", "y"}) {
+                if (part.contains(axis)) {
+                    name_channel(part[axis], false);
+                }
+            }
+            if (part.contains("tooltip") && part["tooltip"].is_array()) {
+                for (json& line : part["tooltip"]) {
+                    name_channel(line, true);
+                }
+            }
+        } else if (part.is_structured()) {
+            name_facts(part);
+        }
+    }
+}
+
 } // namespace
 
 std::optional<int> figure_of_paper(std::string_view id) {
@@ -43,6 +80,7 @@ const json& color::dashes() {
 
 json complete_specification(const Figure& figure) {
     json specification = figure.chart;
+    name_facts(specification);
     specification["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
     specification["description"] = figure.title + ". " + figure.caption;
     specification["data"] = {{"values", rows_of(figure.table)}};

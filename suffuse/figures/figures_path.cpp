@@ -87,11 +87,11 @@ Table path_table(const std::vector<DrawnRow>& path) {
         pass.push_back(study::pass_name(row.pass));
         phase.emplace_back(each.phase());
         step.push_back(static_cast<double>(row.step));
-        mean.push_back(dem::mean_stress(row.stress) / 1e3);
+        mean.push_back(dem::mean_stress(row.stress));
         x.push_back(row.stress(0, 0) / 1e3);
         y.push_back(row.stress(1, 1) / 1e3);
         z.push_back(row.stress(2, 2) / 1e3);
-        strain.push_back(100 * row.volumetric_strain);
+        strain.push_back(row.volumetric_strain);
         porosity.push_back(row.porosity);
         unbalanced.push_back(row.unbalanced_force);
         mass.push_back(100 * row.eroded_mass);
@@ -101,15 +101,15 @@ Table path_table(const std::vector<DrawnRow>& path) {
     table.add("pass", std::move(pass));
     table.add("phase", std::move(phase));
     table.add("step", "", std::move(step));
-    table.add("mean_stress", "kPa", std::move(mean));
+    table.add_fact("mean_stress", std::move(mean));
     table.add("stress_x", "kPa", std::move(x));
     table.add("stress_y", "kPa", std::move(y));
     table.add("stress_z", "kPa", std::move(z));
-    table.add("volumetric_strain", "%", std::move(strain));
-    table.add("porosity", "-", std::move(porosity));
+    table.add_fact("volumetric_strain", std::move(strain));
+    table.add_fact("porosity", std::move(porosity));
     table.add("steps_since_removal", "", std::move(since));
     table.add("porosity_change_since_removal", "-", std::move(resettling));
-    table.add("unbalanced_force", "-", std::move(unbalanced));
+    table.add_fact("unbalanced_force", std::move(unbalanced));
     table.add("eroded_mass", "%", std::move(mass));
     return table;
 }
@@ -187,10 +187,10 @@ json stress_chart() {
         "mark": {"type": "line", "color": "#c8322b"},
         "encoding": {
             "x": {"field": "step"},
-            "y": {"field": "volumetric_strain", "type": "quantitative", "title": "volumetric strain εᵥ [%]",
+            "y": {"field": "volumetric_strain", "type": "quantitative",
                   "axis": {"tickCount": 5}, "scale": {"domain": {"unionWith": [-0.001, 0.001]}}},
             "order": {"field": "row"},
-            "tooltip": [{"field": "volumetric_strain", "title": "εᵥ [%]", "format": ".3g"},
+            "tooltip": [{"field": "volumetric_strain"},
                         {"field": "step", "title": "step", "format": ","}, {"field": "phase", "title": "phase"}]
         }
     })json");
@@ -206,7 +206,7 @@ const char* const porosity_panels = R"json({
         {"width": 480, "height": 240,
          "encoding": {
             "x": {"field": "eroded_mass", "type": "quantitative", "title": "eroded mass, of the initial mass [%]"},
-            "y": {"field": "porosity", "type": "quantitative", "title": "porosity n [-]", "scale": {"zero": false}}
+            "y": {"field": "porosity", "type": "quantitative", "scale": {"zero": false}}
          },
          "layer": [
             {"mark": {"type": "line", "color": "#808080", "strokeWidth": 1.5}, "encoding": {"order": {"field": "row"}}},

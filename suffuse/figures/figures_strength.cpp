@@ -83,13 +83,13 @@ std::optional<Figure> strength_before_and_after(
         "width": 420, "height": 240,
         "mark": {"type": "line", "clip": true},
         "encoding": {
-            "x": {"field": "axial_strain", "type": "quantitative", "title": "axial strain ε₁ [%]"},
+            "x": {"field": "axial_strain", "type": "quantitative"},
             "y": {"field": "stress", "type": "quantitative", "title": "deviator stress q [kPa]"},
             "color": {"field": "state", "type": "nominal", "title": null},
             "strokeDash": {"field": "state", "type": "nominal", "title": null},
             "detail": {"field": "sample"},
             "tooltip": [{"field": "state"}, {"field": "sample"},
-                        {"field": "axial_strain", "title": "ε₁ [%]", "format": ".3g"},
+                        {"field": "axial_strain"},
                         {"field": "stress", "title": "q [kPa]", "format": ".4g"}]
         }
     })json");

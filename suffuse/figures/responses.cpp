@@ -1,6 +1,7 @@
 #include "suffuse/figures/responses.hpp"
 
 #include "suffuse/base/words.hpp"
+#include "suffuse/facts/shown.hpp"
 #include "suffuse/figures/response_look.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +40,7 @@ bool keeps_volume(const std::vector<study::ResponseCurve>& tests) {
 
 /// One panel over the axial strain: lines, and below them bands of one standard deviation where there are some.
 json strain_panel(
-    const std::vector<study::ResponseCurve>& tests, const std::string& value, const char* title, double height
+    const std::vector<study::ResponseCurve>& tests, const std::string& value, const std::string& title, double height
 ) {
     const bool has_bands = std::any_of(tests.begin(), tests.end(), [](const study::ResponseCurve& test) {
         return !test.deviation.empty();
@@ -49,7 +50,6 @@ json strain_panel(
     encoding["x"] = {
         {"field", "axial_strain"},
         {"type", "quantitative"},
-        {"title", "axial strain ε₁ [%]"},
         {"axis", {{"tickCount", 8}}},
         {"scale", {{"nice", false}}}};
     if (only_compresses(tests)) {
@@ -67,11 +67,8 @@ json strain_panel(
     color_by_test(tests, encoding);
     encoding["order"] = {{"field", "row"}};
     encoding["tooltip"] = json::parse(R"json([
-        {"field": "test", "title": "test"}, {"field": "axial_strain", "title": "ε₁ [%]", "format": ".3g"},
-        {"field": "deviator_stress", "title": "q [kPa]", "format": ".4g"},
-        {"field": "mean_stress", "title": "p [kPa]", "format": ".4g"},
-        {"field": "volumetric_strain", "title": "εᵥ [%]", "format": ".3g"},
-        {"field": "void_ratio", "title": "void ratio e", "format": ".4g"}])json");
+        {"field": "test", "title": "test"}, {"field": "axial_strain"}, {"field": "deviator_stress"},
+        {"field": "mean_stress"}, {"field": "volumetric_strain"}, {"field": "void_ratio"}])json");
     if (!has_bands) {
         line.update({{"width", 560}, {"height", height}});
         return line;
@@ -122,7 +119,7 @@ Figure response_figure(const std::vector<study::ResponseCurve>& tests) {
     const bool holds_deviator = tests.front().borne_pore_pressure.has_value();
     json panels = json::array();
     if (holds_deviator) {
-        panels.push_back(strain_panel(tests, "excess_pore_pressure", "excess pore pressure Δu [kPa]", 200));
+        panels.push_back(strain_panel(tests, "excess_pore_pressure", facts::title("excess_pore_pressure"), 200));
     }
     panels.push_back(strain_panel(
         tests, "deviator_stress", holds_deviator ? "q = σ₁ − σ₃ [kPa]" : "deviator stress q = σ₁ − σ₃ [kPa]",
@@ -131,7 +128,7 @@ Figure response_figure(const std::vector<study::ResponseCurve>& tests) {
     for (json& panel : panels) {
         hide_axis(panel);
     }
-    panels.push_back(strain_panel(tests, "volumetric_strain", "volumetric strain εᵥ [%]", 160));
+    panels.push_back(strain_panel(tests, "volumetric_strain", facts::title("volumetric_strain"), 160));
     figure.chart = {
         {"vconcat", panels},
         {"spacing", 8},

@@ -1,6 +1,7 @@
 #include "suffuse/figures/table.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/facts/shown.hpp"
 
 #include <fmt/format.h>
 
@@ -52,6 +53,13 @@ const std::vector<Value>& values_of(const std::vector<Column>& columns, const st
 
 void Table::add(std::string name, std::string unit, std::vector<double> values) {
     add_column({std::move(name), std::move(unit), std::move(values)});
+}
+
+void Table::add_fact(const std::string& key, std::vector<double> values) {
+    for (double& value : values) {
+        value = facts::in_unit_shown(key, value);
+    }
+    add(key, std::string(facts::unit_shown(key)), std::move(values));
 }
 
 void Table::add(std::string name, std::vector<std::string> words) {

@@ -25,6 +25,8 @@ class Table {
 public:
     void add(std::string name, std::string unit, std::vector<double> values);
     void add(std::string name, std::vector<std::string> words);
+    /// A result, by the key of its fact; `values` are in the unit of files.
+    void add_fact(const std::string& key, std::vector<double> values);
 
     [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
 

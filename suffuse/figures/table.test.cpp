@@ -59,5 +59,25 @@ TEST(Html, NothingOfATextEndsItsElementOrAttribute) {
     EXPECT_EQ(escaped("</script><img onerror=\"x\">&'"), "&lt;/script&gt;&lt;img onerror=&quot;x&quot;&gt;&amp;&#39;");
 }
 
+TEST(Table, AFactBringsItsUnitAndNamesItsAxis) {
+    Figure figure;
+    figure.table.add_fact("mean_stress", {100e3, 99.8e3});
+    figure.table.add_fact("void_ratio", {0.7, 0.71});
+    EXPECT_EQ(heading(figure.table.columns().front()), "mean_stress [kPa]");
+    EXPECT_EQ(figure.table.numbers("mean_stress").back(), 99.8);
+    figure.chart = nlohmann::json::parse(R"({"layer": [{"encoding": {
+        "x": {"field": "mean_stress"}, "y": {"field": "void_ratio", "title": "e of a test"},
+        "order": {"field": "mean_stress"}, "tooltip": [{"field": "mean_stress"}, {"field": "sample"}]}}]})");
+    const nlohmann::json encoding = complete_specification(figure)["layer"][0]["encoding"];
+    EXPECT_EQ(encoding["x"]["title"], "mean stress p [kPa]");
+    EXPECT_EQ(encoding["y"]["title"], "e of a test");
+    EXPECT_FALSE(encoding["order"].contains("title"));
+    EXPECT_EQ(
+        encoding["tooltip"][0],
+        nlohmann::json::parse(R"({"field": "mean_stress", "title": "p [kPa]", "format": ".4g"})")
+    );
+    EXPECT_FALSE(encoding["tooltip"][1].contains("title"));
+}
+
 } // namespace
 } // namespace suffuse::figures

@@ -92,8 +92,8 @@ std::optional<double> common_lateral_stress(const std::vector<study::ResponseCur
 json stress_panel(const std::vector<study::ResponseCurve>& tests) {
     json panel = json::parse(R"json({
         "width": 480, "height": 220, "mark": {"type": "line"}, "encoding": {
-            "x": {"field": "mean_stress", "type": "quantitative", "title": "mean stress p = (σ₁ + σ₂ + σ₃)/3 [kPa]", "scale": {"zero": false}},
-            "y": {"field": "deviator_stress", "type": "quantitative", "title": "deviator stress q [kPa]"}}})json");
+            "x": {"field": "mean_stress", "type": "quantitative", "scale": {"zero": false}},
+            "y": {"field": "deviator_stress", "type": "quantitative"}}})json");
     if (starts_at_zero(tests)) {
         panel["encoding"]["y"]["scale"] = {{"domainMin", 0}};
     }
@@ -103,10 +103,9 @@ json stress_panel(const std::vector<study::ResponseCurve>& tests) {
 json state_panel() {
     return json::parse(R"json({
         "width": 480, "height": 200, "mark": {"type": "line"}, "encoding": {
-            "x": {"field": "mean_stress", "type": "quantitative", "title": "mean stress p = (σ₁ + σ₂ + σ₃)/3 [kPa]",
+            "x": {"field": "mean_stress", "type": "quantitative",
                   "scale": {"type": "log", "nice": false}},
-            "y": {"field": "void_ratio", "type": "quantitative", "title": "void ratio e [-]", "scale": {"zero": false}}}})json"
-    );
+            "y": {"field": "void_ratio", "type": "quantitative", "scale": {"zero": false}}}})json");
 }
 
 /// A liquefied sample's mean stress is noise over many decades, which an axis of its logarithm would show and little
@@ -164,10 +163,10 @@ std::optional<Figure> test_paths(const std::vector<study::ResponseCurve>& all) {
         by_stage ? color_by_mixture(tests, panel["encoding"]) : color_by_test(tests, panel["encoding"]);
         panel["encoding"]["order"] = {{"field", "row"}};
         panel["encoding"]["tooltip"] = json::parse(R"json([
-            {"field": "test", "title": "test"}, {"field": "mean_stress", "title": "p [kPa]", "format": ".4g"},
-            {"field": "deviator_stress", "title": "q [kPa]", "format": ".4g"},
+            {"field": "test", "title": "test"}, {"field": "mean_stress"},
+            {"field": "deviator_stress"},
             {"field": "void_ratio", "title": "void ratio e", "format": ".4g"},
-            {"field": "axial_strain", "title": "ε₁ [%]", "format": ".3g"}])json");
+            {"field": "axial_strain"}])json");
     }
     leave_out_liquefied(figure);
     return figure;

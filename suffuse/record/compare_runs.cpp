@@ -1,6 +1,7 @@
 #include "suffuse/record/compare_runs.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/facts/every_fact.hpp"
 #include "suffuse/record/checksums.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stage_sums.hpp"
@@ -24,20 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-// Of stage.json: times, where it came from, hashes (compared apart), and texts that repeat numbers.
-const std::set<std::string> passed_over = {"wall_seconds", "particle_steps_per_second",
-                                           "seconds",      "from_cache",
-                                           "state_hash",   "start_state",
-                                           "end_state",    "checksums",
-                                           "warnings",     "flaws",
-                                           "sample",       "stage",
-                                           "key",          "commit"};
-
-// Of stage.json: how a result was reached. They differ between runs whose results agree.
-const std::set<std::string> of_computation = {
-    "steps",          "time_step",           "unbalanced_force", "unbalanced_force_yade",
-    "kinetic_energy", "inertial_number_max", "residual",         "force_sum_error"};
 
 constexpr std::array<const char*, 6> circumstances = {"version", "commit", "compiler", "seed", "mode", "preparation"};
 
@@ -150,10 +137,11 @@ private:
             }
         }
         for (const std::string& key : keys) {
-            if (passed_over.contains(key)) {
+            const facts::Kind kind = facts::kind_of(key);
+            if (kind == facts::Kind::Origin) {
                 continue;
             }
-            const Relevance of_key = of_computation.contains(key) ? Relevance::Computation : about;
+            const Relevance of_key = kind == facts::Kind::Computation ? Relevance::Computation : about;
             const std::string inner = where + (where.ends_with(": ") ? "" : ".") + key;
             if (!a.contains(key) || !b.contains(key)) {
                 differ(

@@ -1,6 +1,7 @@
 #include "suffuse/report/quality.hpp"
 
 #include "suffuse/base/words.hpp"
+#include "suffuse/facts/shown.hpp"
 #include "suffuse/report/html.hpp"
 
 #include <fmt/format.h>
@@ -31,15 +32,16 @@ std::string state_table(const std::vector<StageRow>& stages, Numbering& numberin
     for (const StageRow& stage : stages) {
         rows.push_back(
             {stage.name, grouped(stage.grains), number(stage.void_ratio, "{:.4f}"), number(stage.porosity, "{:.4f}"),
-             number(stage.coordination, "{:.3f}"), short_number(stage.mean_stress / 1e3, 4),
-             short_number(stage.deviator_stress / 1e3), grouped(stage.steps), number(stage.seconds, "{:.1f}")}
+             number(stage.coordination, "{:.3f}"), facts::text_shown("mean_stress", stage.mean_stress),
+             facts::text_shown("deviator_stress", stage.deviator_stress), grouped(stage.steps),
+             number(stage.seconds, "{:.1f}")}
         );
     }
     std::vector<bool> numeric(9, true);
     numeric[0] = false;
     return html_table(
-        {"stage", "grains", "void ratio e [-]", "porosity n [-]", "coordination Z [-]", "mean stress p [kPa]",
-         "deviator q [kPa]", "steps", "time [s]"},
+        {"stage", "grains", facts::title("void_ratio"), facts::title("porosity"), facts::title("coordination"),
+         facts::title("mean_stress"), facts::title("deviator_stress"), "steps", "time [s]"},
         rows, numeric, "stages", fmt::format("<b>{} State at the end of each stage.</b>", numbering.next_table())
     );
 }
@@ -56,7 +58,7 @@ std::string quality_table(const std::vector<StageRow>& stages, Numbering& number
     std::vector<bool> numeric(7, true);
     numeric[0] = false;
     return html_table(
-        {"stage", "unbalanced force [-]", "error of the stress [-]", "largest overlap / r [-]",
+        {"stage", facts::title("unbalanced_force"), "error of the stress [-]", "largest overlap / r [-]",
          "largest inertial number [-]", "kinetic energy / (p V) [-]", "time step [s]"},
         rows, numeric, "stages quality", fmt::format("<b>{} How quiet each stage is.</b>", numbering.next_table())
     );
