@@ -199,7 +199,9 @@ void bind_cases(py::module_& m) {
         "The unit of each result of stage.json and of each column of a table, by its key; \"-\" of shares and counts."
     );
     m.def("title", &facts::title, py::arg("key"), "\"mean stress p [kPa]\" of \"mean_stress\".");
-    m.def("in_unit_shown", &facts::in_unit_shown, py::arg("key"), py::arg("value"), "A value in the unit of that title.");
+    m.def(
+        "in_unit_shown", &facts::in_unit_shown, py::arg("key"), py::arg("value"), "A value in the unit of that title."
+    );
     m.def("pressure_unit", [](const py::object& unit) { return unit_of(unit, dimension::pressure, "unit"); });
 }
 

@@ -78,9 +78,14 @@ const json& color::dashes() {
     return dashes;
 }
 
+json named_chart(const Figure& figure) {
+    json chart = figure.chart;
+    name_facts(chart);
+    return chart;
+}
+
 json complete_specification(const Figure& figure) {
-    json specification = figure.chart;
-    name_facts(specification);
+    json specification = named_chart(figure);
     specification["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
     specification["description"] = figure.title + ". " + figure.caption;
     specification["data"] = {{"values", rows_of(figure.table)}};

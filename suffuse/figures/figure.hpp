@@ -44,8 +44,10 @@ const nlohmann::json& dashes();
 inline constexpr int dash_symbol = 676;
 } // namespace color
 
-/// The chart with its data inside and the look of a figure in print, as written to `ID.vl.json`. [Vega-Lite 6] Axes and
-/// tooltips without a title get that of the fact whose key they show.
+/// The chart, where axes and tooltips without a title have that of the fact whose key they show.
+nlohmann::json named_chart(const Figure& figure);
+
+/// The named chart with its data inside and the look of a figure in print, as written to `ID.vl.json`. [Vega-Lite 6]
 nlohmann::json complete_specification(const Figure& figure);
 
 /// Vega-Lite configuration of a figure in print: fonts, dark ink on white.

@@ -134,7 +134,7 @@ json charts_json(const ReportData& report) {
             {{"id", figure.id},
              {"title", figure.title},
              {"caption", figure.caption},
-             {"chart", figure.drawing.empty() && figure.flat.empty() ? figure.chart : json(nullptr)},
+             {"chart", figure.drawing.empty() && figure.flat.empty() ? named_chart(figure) : json(nullptr)},
              {"csv", figures::to_csv(figure.table, csv_remarks(figure, report))}}
         );
     }

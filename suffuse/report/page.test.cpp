@@ -169,6 +169,13 @@ TEST_F(Page, ShowsChartsThatWereDrawnForItWithoutAnyScript) {
     );
 }
 
+TEST_F(Page, NamesTheAxesThatShowFacts) {
+    ReportData report = test::sample_report("Sand");
+    report.figures.front().chart = {{"mark", "line"}, {"encoding", {{"x", {{"field", "mean_stress"}}}}}};
+    const std::string page = read_all(write_report(folder.path(), report, folder / "page").file);
+    EXPECT_NE(page.find("\"title\":\"mean stress p [kPa]\""), std::string::npos);
+}
+
 TEST_F(Page, ListsTheCallsThatMadeTheRun) {
     ReportData report = test::sample_report("Sand");
     report.calls.push_back({"suffuse resume runs/a-0001", "2026-01-02T12:00:00Z", "0.1.0 0000000", 3725});
